@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <utility>
@@ -12,6 +14,18 @@
 namespace stillpoint::bench {
 
 namespace {
+
+Verdict judge(const peers::ReferenceScene& scene, const peers::Result& result) {
+  const peers::Result& truth = scene.truth;
+  Verdict verdict;
+  verdict.peak = std::abs(result.peak - truth.peak);
+  verdict.end = scene.free ? std::abs(result.end_time - truth.end_time)
+                           : std::max(std::abs(result.x - truth.x), std::abs(result.v - truth.v));
+  verdict.counts = counts_of(result);
+  verdict.counts_right = result.finished && verdict.counts == counts_of(truth) &&
+                         (!scene.free || result.outcome == truth.outcome);
+  return verdict;
+}
 
 SceneRows compare(const peers::ReferenceScene& scene, const peers::MeasureOptions& options) {
   SceneRows found{scene, {}};
@@ -40,6 +54,10 @@ SceneRows compare(const peers::ReferenceScene& scene, const peers::MeasureOption
 }
 
 }  // namespace
+
+std::string counts_of(const peers::Result& result) {
+  return fmt::format("{}, {}, {}", result.passages, result.turns, result.sticks);
+}
 
 const Row* MethodRows::cheapest(double bound) const {
   const Row* best = nullptr;

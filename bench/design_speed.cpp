@@ -10,7 +10,7 @@
 // each pulse, p/lambda from 0.02 to 5, and gives the median and nine tenths of those that have a
 // design.
 
-#include "pulse/pulse_run.hpp"
+#include "pulse/first_return.hpp"
 #include "pulse/search.hpp"
 
 #include <stillpoint/design.hpp>

@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: MIT
-#include "free_modes.hpp"
+#include "comparison.hpp"
 
-#include "sqrt_probe.hpp"
+#include "sqrt_floor.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
 
+#include <cmath>
 #include <cstddef>
 
 namespace stillpoint::bench {
 
 namespace {
 
-constexpr std::size_t roots = 1024;  // two arrays of them stay in the first cache
+/// Each of the previous one plus 1: the floor for a chain of half-cycles.
+double chained_roots(double from) {
+  for (std::size_t i = 0; i < roots_at_once; ++i) {
+    from = std::sqrt(from + 1);
+  }
+  return from;
+}
 
 }  // namespace
 
@@ -23,8 +30,9 @@ void scale(peers::Timing& timing, double by) {
 
 std::vector<Unit> free_modes(const peers::Scene& scene, const peers::MeasureOptions& options) {
   volatile double sink = 0;
-  const std::vector<double> numbers(roots, 2.0);
-  std::vector<double> answers(roots);
+  SquareRoots numbers{};
+  SquareRoots answers{};
+  numbers.fill(2);
   const auto response = [&](bool times, bool margin) {
     return [&, times, margin] {
       sink = free_response(scene.oscillator, scene.start, {.times = times, .margin = margin})
@@ -36,10 +44,10 @@ std::vector<Unit> free_modes(const peers::Scene& scene, const peers::MeasureOpti
       response(true, false),
       response(true, true),
       [&] { sink = free_peak(scene.oscillator, scene.start); },
-      [&] { sink = chained_sqrt(numbers[0], roots); },
+      [&] { sink = chained_roots(numbers[0]); },
       [&] {
-        vector_sqrt(numbers, answers);
-        sink = answers[roots / 2];
+        square_roots(numbers, answers);
+        sink = answers[roots_at_once / 2];
       },
   };
   const double half_cycles = free_response(scene.oscillator, scene.start).half_cycles.value();
@@ -47,8 +55,8 @@ std::vector<Unit> free_modes(const peers::Scene& scene, const peers::MeasureOpti
   for (std::size_t i = 0; i < 3; ++i) {
     scale(timings[i], 1 / half_cycles);
   }
-  scale(timings[4], 1.0 / roots);
-  scale(timings[5], 1.0 / roots);
+  scale(timings[4], 1.0 / roots_at_once);
+  scale(timings[5], 1.0 / roots_at_once);
   return {{"a half-cycle, counts and peaks only", timings[0]},
           {"a half-cycle, with times", timings[1]},
           {"a half-cycle, with times and decision margin", timings[2]},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "gsl_peer.hpp"
+#include "methods.hpp"
 
 #include <stillpoint/peers/event_run.hpp>
 

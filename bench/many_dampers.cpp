@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "many_dampers.hpp"
+#include "comparison.hpp"
 
 #include <stillpoint/core/forced_batch.hpp>
 #include <stillpoint/core/forced_motion.hpp>
@@ -78,17 +78,14 @@ ManyDampers many_dampers(const Record& record, const peers::MeasureOptions& opti
   const std::vector<std::function<void()>> calls{
       [&] {
         RecordBatchResult found;
-        RecordBatchOptions one_thread;
-        one_thread.threads = 1;
-        one_thread.half_cycle_limit = half_cycles;
+        const RecordBatchOptions one_thread{.half_cycle_limit = half_cycles, .threads = 1};
         for (const Record& one : list) {
           record_batch(0, dampers.p, dampers.f, dampers.delta, one, one_thread, found);
           sink = found.peak_amplitude[0];
         }
       },
       [&] {
-        ForcedOptions to_rest;
-        to_rest.half_cycle_limit = half_cycles;
+        const ForcedOptions to_rest{.half_cycle_limit = half_cycles};
         for (const peers::Scene& one : scenes) {
           sink = forced_response(one.oscillator, one.start, one.excitation, to_rest).peak_amplitude;
         }

@@ -2,10 +2,6 @@
 #include "methods.hpp"
 
 #include <stillpoint/peers/methods.hpp>
-#include "gsl_peer.hpp"
-#ifdef STILLPOINT_BENCH_CVODE
-#include "cvode_peer.hpp"
-#endif
 
 #include <cmath>
 #include <cstddef>

@@ -11,6 +11,7 @@
 
 #include <stillpoint/core/forced_batch.hpp>
 #include <stillpoint/records/record_file.hpp>
+#include <stillpoint/records/record_scaling.hpp>
 
 #include <fmt/format.h>
 #include <hwy/targets.h>
@@ -53,14 +54,6 @@ constexpr Kind kinds[] = {
     {"no friction at all", 0, 0, 0, {}},
 };
 
-double largest_load(const Record& record) {
-  double largest = 0;
-  for (const double value : record.values) {
-    largest = std::max(largest, std::abs(value));
-  }
-  return largest;
-}
-
 struct Case {
   Case(const Kind& kind, const Record& load) : record(load), hold(kind.hold) {
     std::mt19937_64 engine(1);
@@ -68,7 +61,7 @@ struct Case {
       return low + (high - low) * static_cast<double>(engine() >> 11U) * 0x1p-53;
     };
     const double greatest =
-        kind.greatest_f < 0 ? -kind.greatest_f * largest_load(load) : kind.greatest_f;
+        kind.greatest_f < 0 ? -kind.greatest_f * records::peak_acceleration(load) : kind.greatest_f;
     for (Eigen::Index i = 0; i < dampers; ++i) {
       p[i] = 2 * std::numbers::pi / random(1.5, 4.5);
       f[i] = random(kind.least_f, greatest);

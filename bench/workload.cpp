@@ -33,9 +33,7 @@ double scalar_map() {
 
 /// Harmonic pieces at resonance, passages and turns: scene S3 to tau = 200.
 double forced_harmonic() {
-  ForcedOptions options;
-  options.t_end = 200;
-  return forced_response({1, 0.05, 0.01}, {0, 0.5}, Harmonic{0.2, 1}, options)
+  return forced_response({1, 0.05, 0.01}, {0, 0.5}, Harmonic{0.2, 1}, {.t_end = 200})
       .final_position.value();
 }
 
@@ -51,9 +49,7 @@ double forced_record() {
     }
     return Excitation(record);
   }();
-  ForcedOptions options;
-  options.t_end = 59;
-  return forced_response({1, 0.05, 0}, {0, 0}, saw, options).final_position.value();
+  return forced_response({1, 0.05, 0}, {0, 0}, saw, {.t_end = 59}).final_position.value();
 }
 
 /// The lanes with SSE4, which every current x86-64 has: 4096 motions on a grid, one thread.
@@ -67,9 +63,7 @@ double batch() {
     }
     return values;
   }();
-  BatchOptions options;
-  options.threads = 1;
-  return free_batch(1, 1, f, delta, options).peak_amplitude.sum();
+  return free_batch(1, 1, f, delta, {.threads = 1}).peak_amplitude.sum();
 }
 
 int run(int count, char** arguments) {

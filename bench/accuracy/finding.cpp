@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "finding.hpp"
+#include "hard_case.hpp"
+
+#include <stillpoint/core/for_each_entry.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <thread>
 #include <vector>
 
 namespace stillpoint::accuracy {
@@ -65,17 +65,10 @@ std::vector<Errors> errors_of_neighbours(const HardCase& hard_case, double condi
     neighbours.push_back(hard_case.neighbour(dice));
   }
   std::vector<Errors> errors(neighbours.size());
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < neighbours.size(); i = next++) {
-      errors[i] = errors_at(hard_case, neighbours[i], condition_alike);
-    }
-  };
-  std::vector<std::jthread> threads;
-  for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i) {
-    threads.emplace_back(work);
-  }
-  threads.clear();
+  for_each_entry(std::ssize(neighbours), 0, {}, [&](std::ptrdiff_t entry) {
+    const auto i = static_cast<std::size_t>(entry);
+    errors[i] = errors_at(hard_case, neighbours[i], condition_alike);
+  });
   return errors;
 }
 

@@ -64,11 +64,9 @@ HardCase under_harmonic(Metric metric) {
                : metric == Metric::stick_time ? "stick_time"
                                               : "peak_amplitude";
   now.kernel = [metric](const Inputs<double>& in) {
-    ForcedOptions options;
-    options.t_end = in[7];
-    return metric_of(
-        forced_response({in[1], in[2], in[3]}, {0, in[0]}, Harmonic{in[4], in[5], in[6]}, options),
-        metric);
+    return metric_of(forced_response({in[1], in[2], in[3]}, {0, in[0]},
+                                     Harmonic{in[4], in[5], in[6]}, {.t_end = in[7]}),
+                     metric);
   };
   now.alike = true;
   now.exact = [metric](const Inputs<Exact>& in) {
@@ -215,9 +213,8 @@ HardCase short_stick() {
   now.why = "it lies between two samples, and the speeds before and after it are small";
   now.inputs = {1, 0.05};
   now.kernel = [](const Inputs<double>& in) {
-    ForcedOptions options;
-    options.t_end = 59.98;
-    return forced_response({in[0], in[1], 0}, {}, test::rounded_record_s5(), options).stick_time;
+    return forced_response({in[0], in[1], 0}, {}, test::rounded_record_s5(), {.t_end = 59.98})
+        .stick_time;
   };
   now.exact = [](const Inputs<Exact>& in) {
     test::ForcedScene<Exact> scene;

@@ -8,6 +8,7 @@
 #include "testing/random_scene.hpp"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,21 @@ struct HardCase {
   int neighbours{2000};
   bool alike{false};  ///< most neighbours have about the condition number of `inputs`
 };
+
+/// The result of a case. Errors are in units in the last place of the expected value.
+struct Finding {
+  double expected{0};
+  double error{0};
+  double condition{0};  ///< sum over the inputs of |input / value * d value / d input|
+  double worst{0};      ///< largest error of the neighbours
+  /// The same over the neighbour's condition number where that is above 1: about the relative
+  /// change of the inputs, in units of 2^-53, that would explain the error.
+  double worst_by_condition{0};
+  std::optional<double> naive_error;
+  std::optional<double> naive_worst;
+};
+
+[[nodiscard]] Finding examine(const HardCase& hard_case);
 
 [[nodiscard]] std::vector<HardCase> free_cases();
 [[nodiscard]] std::vector<HardCase> region_cases();

@@ -3,19 +3,81 @@
 // Numerical stability: computes each hard case by the program, by the naive formula and in 50
 // digits. Prints the page docs/accuracy.md, or writes it.
 
-#include "finding.hpp"
-#include "page.hpp"
+#include "../machine.hpp"
+#include "hard_case.hpp"
 
 #include <fmt/format.h>
 
 #include <exception>
 #include <fstream>
+#include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace stillpoint::accuracy {
 
 namespace {
+
+struct Row {
+  HardCase hard_case;
+  Finding finding;
+};
+
+struct Section {
+  std::string heading;
+  std::vector<Row> rows;
+};
+
+std::string ulps(double error) {
+  return error < 100 ? fmt::format("{:.1f}", error) : fmt::format("{:.0e}", error);
+}
+
+std::string ulps(const std::optional<double>& error) {
+  return error ? ulps(*error) : "";
+}
+
+void add(std::string& text, const Section& section) {
+  auto end = std::back_inserter(text);
+  fmt::format_to(end,
+                 "\n## {}\n\n"
+                 "| case | quantity | expected | condition number | error | worst | worst by "
+                 "condition | naive error | naive worst |\n|---|---|---|---|---|---|---|---|---|\n",
+                 section.heading);
+  for (const auto& [now, found] : section.rows) {
+    fmt::format_to(end, "| {} | `{}` | {:.17g} | {:.1e} | {} | {} of {} | {} | {} | {} |\n",
+                   now.name, now.metric, found.expected, found.condition, ulps(found.error),
+                   ulps(found.worst), now.neighbours, ulps(found.worst_by_condition),
+                   ulps(found.naive_error), ulps(found.naive_worst));
+  }
+  text += "\nWhy each case is hard, and its naive formula:\n\n";
+  for (const auto& [now, found] : section.rows) {
+    fmt::format_to(end, "- {}: {}.{}\n", now.name, now.why,
+                   now.naive.empty() ? "" : fmt::format(" Naive: {}.", now.naive));
+  }
+}
+
+/// docs/accuracy.md
+std::string page(const std::vector<Section>& sections) {
+  const bench::Machine machine = bench::this_machine();
+  std::string text = fmt::format(
+      "# Accuracy of the hard cases\n\n"
+      "`./dev accuracy` made this page; `./dev accuracy --update-docs` updates it. {}, `{}`.\n\n"
+      "Each quantity is computed by the program in double precision, by the obvious (naive) "
+      "formula where there is one, and in 50 digits from the same doubles. Errors are in units in "
+      "the last place (ulp) of the expected value. *Worst* is the largest error of the given "
+      "number of random neighbours that are as hard. The *condition number* is the sum over the "
+      "inputs of |input/value d value/d input|: if each input is off by 2^-53 of itself, the value "
+      "changes by that many 2^-53, however it is computed. So *worst by condition*, the error "
+      "divided by the condition number where that is above 1, is what the computation itself "
+      "lost. For a free motion of n half-cycles it is promised to be at most 2 (2 + n).\n",
+      machine.compiler, machine.flags);
+  for (const Section& section : sections) {
+    add(text, section);
+  }
+  return text;
+}
 
 Section section(const std::string& heading, const std::vector<HardCase>& cases) {
   Section result{heading, {}};

@@ -25,15 +25,12 @@ struct Scene {
 };
 
 ForcedResponse run(const Scene& scene, const Surface& surface) {
-  ForcedOptions options;
-  options.t_end = scene.t_end;
-  return forced_response(scene.oscillator, scene.start, scene.excitation, options, surface);
+  return forced_response(scene.oscillator, scene.start, scene.excitation, {.t_end = scene.t_end},
+                         surface);
 }
 
 Surface notch(double width) {
-  Surface surface;
-  surface.notch_width = width;
-  return surface;
+  return {.notch_width = width};
 }
 
 void print_convergence(const Scene& scene) {

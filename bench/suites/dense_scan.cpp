@@ -42,6 +42,13 @@ SuiteDamper at(const Place& place) {
 struct Box {
   Place low;
   Place high;
+
+  [[nodiscard]] bool varies(std::size_t i) const { return low.at(i) < high.at(i); }
+  /// Points along a side that varies of a grid of all.
+  [[nodiscard]] double side() const {
+    const auto variables = varies(0) + varies(1) + varies(2);
+    return std::pow(points_of_a_grid, 1.0 / variables);
+  }
 };
 
 class DenseScan {
@@ -54,14 +61,9 @@ class DenseScan {
   }
 
   void run(const Box& box) {
-    std::array<std::int64_t, 3> sides{1, 1, 1};
-    const auto variables = std::ranges::count_if(std::array{0, 1, 2}, [&](int i) {
-      return box.low.at(static_cast<std::size_t>(i)) < box.high.at(static_cast<std::size_t>(i));
-    });
-    const auto side =
-        static_cast<std::int64_t>(std::pow(points_of_a_grid, 1 / static_cast<double>(variables)));
+    std::array<std::int64_t, 3> sides{};
     for (std::size_t i = 0; i < sides.size(); ++i) {
-      sides.at(i) = box.low.at(i) < box.high.at(i) ? side : 1;
+      sides.at(i) = box.varies(i) ? static_cast<std::int64_t>(box.side()) : 1;
     }
     const std::int64_t size = sides[0] * sides[1] * sides[2];
     for_each_entry(size, 0, {}, [&](std::ptrdiff_t index) {
@@ -107,8 +109,7 @@ class DenseScan {
     const auto add = [&](double& sum, double value) {
       sum = largest ? std::max(sum, value) : sum + value * share;
     };
-    ForcedOptions options;
-    options.half_cycle_limit = half_cycles;
+    const ForcedOptions options{.half_cycle_limit = half_cycles};
     const std::size_t first = telling_;
     for (std::size_t i = 0; i < loads_.size(); ++i) {
       const std::size_t index = (first + i) % loads_.size();
@@ -155,13 +156,9 @@ class DenseScan {
 /// Around a damper, within `whole`.
 Box about(const Box& whole, const SuiteDamper& damper) {
   const Place middle = place(damper);
-  const auto variables = std::ranges::count_if(std::array{0, 1, 2}, [&](int i) {
-    return whole.low.at(static_cast<std::size_t>(i)) < whole.high.at(static_cast<std::size_t>(i));
-  });
-  const double cells = std::pow(points_of_a_grid, 1 / static_cast<double>(variables));
   Box box = whole;
   for (std::size_t i = 0; i < middle.size(); ++i) {
-    const double reach = about_cells * (whole.high.at(i) - whole.low.at(i)) / cells;
+    const double reach = about_cells * (whole.high.at(i) - whole.low.at(i)) / whole.side();
     box.low.at(i) = std::max(whole.low.at(i), middle.at(i) - reach);
     box.high.at(i) = std::min(whole.high.at(i), middle.at(i) + reach);
   }

@@ -31,7 +31,9 @@ namespace {
 void note_unused(const Settings& scene, const Settings& settings, Command command) {
   for (const auto& [option, entry] : scene.entries()) {
     if (!find_option(option)->serves(command) || !settings.has(option)) {
-      remark(fmt::format("note: {} in the scene is not used by {}", option, name(command)));
+      remark(command == Command::design && asks_for_records(settings)
+                 ? fmt::format("note: {} in the scene is not used under records", option)
+                 : fmt::format("note: {} in the scene is not used by {}", option, name(command)));
     }
   }
 }

@@ -11,8 +11,8 @@
 #include <stillpoint/report/progress_words.hpp>
 #include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/record_scan.hpp>
-#include <stillpoint/sweep/files_apart.hpp>
 #include <stillpoint/sweep/merge.hpp>
+#include <stillpoint/sweep/output_file.hpp>
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include "output.hpp"
 
-#include <stillpoint/sweep/files_apart.hpp>
+#include <stillpoint/sweep/output_file.hpp>
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include "options/settings.hpp"
 
-#include <stillpoint/sweep/files_apart.hpp>
+#include <stillpoint/sweep/output_file.hpp>
 
 #include <optional>
 #include <string>

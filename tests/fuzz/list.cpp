@@ -2,7 +2,7 @@
 #include "fuzz.hpp"
 
 #include <stillpoint/records/number.hpp>
-#include <stillpoint/records/record_list.hpp>
+#include <stillpoint/records/record_suite.hpp>
 #include <stillpoint/sweep/catalogue_file.hpp>
 #include <stillpoint/sweep/list.hpp>
 #include <stillpoint/sweep/units.hpp>

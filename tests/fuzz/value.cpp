@@ -3,7 +3,6 @@
 
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/records/units.hpp>
-#include <stillpoint/records/zones.hpp>
 #include <stillpoint/sweep/axis.hpp>
 #include <stillpoint/sweep/launcher.hpp>
 #include <stillpoint/sweep/reduction.hpp>

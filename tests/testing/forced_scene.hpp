@@ -15,6 +15,7 @@
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/state.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <ostream>
@@ -26,7 +27,7 @@ namespace stillpoint::test {
 template <class Real = double>
 struct ForcedScene {
   Scene<Real> motion;
-  AnyExcitation<Real> excitation;
+  BasicExcitation<Real> excitation;
   Real t_end{1};
   std::optional<Real> hold{};
   BasicSurface<Real> surface{};
@@ -98,26 +99,23 @@ ForcedScene<Wide> widened(const ForcedScene<double>& scene) {
 inline std::ostream& operator<<(std::ostream& out, const ForcedScene<double>& scene) {
   const auto digits = out.precision(17);
   out << "ForcedScene<>{" << scene.motion << ", ";
-  struct Print {
-    std::ostream& out;
-    void operator()(const NoExcitation& /*none*/) { out << "none"; }
-    void operator()(const Harmonic& e) {
-      out << "harmonic " << e.k << ", " << e.lambda << ", " << e.phase;
-      if (e.duration) {
-        out << ", " << *e.duration;
-      }
-    }
-    void operator()(const HalfSine& e) { out << "half-sine " << e.k << ", " << e.lambda; }
-    void operator()(const FullSine& e) { out << "full-sine " << e.k << ", " << e.lambda; }
-    void operator()(const Rectangle& e) { out << "rectangle " << e.k << ", " << e.lambda; }
-    void operator()(const Record& e) {
-      out << "record of " << e.values.size() << ", step " << e.step << ": ";
-      for (std::size_t i = 0; i < e.values.size() && i < 12; ++i) {
-        out << e.values[i] << ' ';
-      }
-    }
-  };
-  std::visit(Print{out}, scene.excitation);
+  std::visit(
+      [&](const auto& e) {
+        out << e.name << ' ';
+        if constexpr (requires { e.lambda; }) {
+          out << e.k << ", " << e.lambda;
+        }
+        if constexpr (requires { e.phase; }) {
+          out << ", " << e.phase << ", lasts " << e.duration.value_or(HUGE_VAL);
+        }
+        if constexpr (requires { e.values; }) {
+          out << "of " << e.values.size() << ", step " << e.step << ": ";
+          for (std::size_t i = 0; i < e.values.size() && i < 12; ++i) {
+            out << e.values[i] << ' ';
+          }
+        }
+      },
+      scene.excitation);
   out << ", t_end " << scene.t_end << ", hold ";
   if (scene.hold) {
     out << *scene.hold;
@@ -150,6 +148,11 @@ inline Record random_record(Dice& dice, double k) {
   }
   record.step = even ? step : 0;
   return record;
+}
+
+/// 1 where nothing was close.
+inline double margin_of(const ForcedState<double>& state) {
+  return state.margin.any() ? state.margin.value() : 1;
 }
 
 /// Every kind of excitation, all forces of comparable size, some tens of events.

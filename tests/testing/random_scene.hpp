@@ -49,6 +49,11 @@ inline Scene<> general_start_scene(Dice& dice) {
   return scene;
 }
 
+/// One or the other.
+inline Scene<> any_start_scene(Dice& dice) {
+  return dice.once_in(2) ? moderate_scene(dice) : general_start_scene(dice);
+}
+
 /// `value` moved by `steps` units in the last place.
 inline double nudged(double value, int steps) {
   const double target = steps < 0 ? 0.0 : HUGE_VAL;

@@ -38,6 +38,16 @@ inline void check_refused(const std::string& field, const std::function<void()>&
   }
 }
 
+/// The field that an InputError of `call` names; empty where it throws none.
+inline std::string refused_field(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const InputError& error) {
+    return error.field();
+  }
+  return {};
+}
+
 inline void check_says(const std::string& message, const std::vector<std::string>& parts) {
   check_contains(message, parts);
   BOOST_TEST(!contains(message, "\n"), message);

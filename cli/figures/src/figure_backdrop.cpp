@@ -21,6 +21,12 @@ void add(std::string& text, fmt::format_string<Args...> what, Args&&... args) {
 
 constexpr double label_gap = 6;  // between a label of y and the frame
 
+/// The place of the first area of a name.
+std::size_t first_of(const Figure& figure, const std::string& name) {
+  const auto found = std::ranges::find(figure.areas, name, &FigureArea::name);
+  return static_cast<std::size_t>(found - figure.areas.begin());
+}
+
 /// Hatched areas that meet have different directions.
 double hatch_angle(std::size_t index) {
   constexpr std::array angles{45, -45, 15, -15, 75, -75};
@@ -85,14 +91,19 @@ std::string axes(const Figure& figure, const Layout& layout) {
 std::string hatches(const Figure& figure) {
   std::string text;
   for (std::size_t i = 0; i < figure.areas.size(); ++i) {
-    if (figure.areas[i].look == AreaLook::hatched) {
+    const FigureArea& area = figure.areas[i];
+    if (area.look == AreaLook::hatched && first_of(figure, area.name) == i) {
       add(text,
-          "<pattern id=\"{}-hatch-{}\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\" "
+          "<pattern id=\"{}\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\" "
           "patternTransform=\"rotate({})\"><path class=\"hatch {}\" d=\"M3.5 0V7\"/></pattern>\n",
-          figure.id, i, hatch_angle(i), word(figure.areas[i].ink));
+          hatch_id(figure, area.name), hatch_angle(i), word(area.ink));
     }
   }
   return text;
+}
+
+std::string hatch_id(const Figure& figure, const std::string& name) {
+  return fmt::format("{}-hatch-{}", figure.id, first_of(figure, name));
 }
 
 std::string map(const Figure& figure, const Layout& layout) {

@@ -13,6 +13,8 @@ namespace stillpoint::figures {
 [[nodiscard]] std::string axes(const Figure& figure, const Layout& layout);
 /// The patterns that hatched areas refer to.
 [[nodiscard]] std::string hatches(const Figure& figure);
+/// The pattern of all hatched areas of a name.
+[[nodiscard]] std::string hatch_id(const Figure& figure, const std::string& name);
 /// The picture of its map. A filter finds colours with more red than blue, which are hatched: the
 /// difference must survive printing in grey.
 [[nodiscard]] std::string map(const Figure& figure, const Layout& layout);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "figure_legend.hpp"
 
+#include "figure_backdrop.hpp"
 #include "figure_layout.hpp"
 #include "figure_looks.hpp"
 
@@ -56,14 +57,14 @@ void FigureLegend::add(const Figure& figure, const std::set<std::string>& named)
   }
   const Plane plane{figure.x, figure.y, figure_width, figure.height};
   for (const FigureArea& area : figure.areas) {
-    if (!is_seen(area, plane)) {
+    if (!area.in_legend || !is_seen(area, plane)) {
       continue;
     }
     enter_unless_named(
         area.name,
         area.look == AreaLook::hatched
-            ? fmt::format(R"(<path class="hatch {}" d="M2-10h20v12h-20ZM2 2L14-10M10 2L22-10"/>)",
-                          word(area.ink))
+            ? fmt::format(R"x(<path fill="url(#{0})" d="{1}"/><path class="hatch {2}" d="{1}"/>)x",
+                          hatch_id(figure, area.name), "M2-10h20v12h-20Z", word(area.ink))
             : fmt::format(R"(<path class="{} {}" d="M2-10h20v12h-20Z"/>)",
                           area.look == AreaLook::box ? "box" : "area", word(area.ink)));
   }

@@ -213,6 +213,9 @@ class Places {
     Best best;
     bool best_upright = false;
     for (const bool upright : {false, true}) {
+      if (upright && width < 2 * text_height) {
+        continue;  // a single number is read level
+      }
       const double w = upright ? text_height : width;
       const double h = upright ? width : text_height;
       const std::vector<FigurePoint> places = free_places(inside, w, h);

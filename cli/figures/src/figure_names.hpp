@@ -21,7 +21,7 @@ struct PlacedName {
 
 struct NamesInPlace {
   std::vector<PlacedName> words;
-  std::set<std::string> named;  ///< these are not in the legend
+  std::set<std::string> named;  ///< these are not in the legend, nor is what is too thin to see
   std::optional<Box> inset;
 };
 

@@ -15,7 +15,7 @@ std::string_view figure_style() noexcept {
 .figure .halo{fill:none;stroke:#fff;stroke-width:4;vector-effect:non-scaling-stroke;stroke-linejoin:round}
 .figure .dashed{stroke-dasharray:7 4}
 .figure .dotted{stroke-dasharray:2 3}
-.figure .area{fill:currentColor;fill-opacity:.3}
+.figure .area{fill:currentColor;fill-opacity:.3;stroke:currentColor;stroke-opacity:.6;vector-effect:non-scaling-stroke}
 .figure .box{fill:currentColor;fill-opacity:.35;stroke:currentColor;stroke-width:1.8;vector-effect:non-scaling-stroke}
 .figure .hatch{stroke:currentColor;stroke-width:1;fill:none;stroke-opacity:.5}
 .figure .over{stroke:#222;stroke-width:1;stroke-opacity:.6;fill:none}

@@ -81,8 +81,7 @@ class Drawing {
   }
 
   void areas(const Plane& plot, bool boxes) {
-    for (std::size_t i = 0; i < figure_.areas.size(); ++i) {
-      const FigureArea& area = figure_.areas[i];
+    for (const FigureArea& area : figure_.areas) {
       if ((area.look == AreaLook::box) != boxes) {
         continue;
       }
@@ -91,7 +90,8 @@ class Drawing {
           boxes     ? "box"
           : hatched ? "hatched"
                     : "area",
-          word(area.ink), hatched ? fmt::format(" fill=\"url(#{}-hatch-{})\"", figure_.id, i) : "",
+          word(area.ink),
+          hatched ? fmt::format(" fill=\"url(#{})\"", hatch_id(figure_, area.name)) : "",
           path(plot, corners(area.outline)), escaped(area.name));
     }
   }

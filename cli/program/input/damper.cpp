@@ -32,7 +32,7 @@ double stroke(const Settings& settings, MotionInput& motion) {
   }
   const double displacement =
       settings.required("max-displacement", "give the largest admissible displacement in m");
-  require_within("max-displacement", displacement, smallest_physical, largest_physical);
+  records::require_physical("max-displacement", Dimension::length, displacement);
   motion.physical->max_displacement_m = displacement;
   return displacement / motion.physical->scales.length_m;
 }
@@ -52,8 +52,7 @@ Task read_task(const Settings& settings, Command command) {
   MotionInput motion = motion_input(settings, command, pulse);
   const double beta = stroke(settings, motion);
   if (motion.physical && !pulse) {
-    require_within("velocity", motion.physical->velocity_m_per_s, smallest_physical,
-                   largest_physical);
+    records::require_physical("velocity", Dimension::velocity, motion.physical->velocity_m_per_s);
   }
   Task task{
       {motion.v0, motion.p, beta, criterion(settings), settings.integer("arrivals").value_or(1)},
@@ -115,8 +114,8 @@ design::Objective objective(const Settings& settings) {
   const auto objective = parse<design::Objective>(*wanted);
   if (!objective) {
     throw InputError("objective", *wanted,
-                     fmt::format("must be {}{}", listed(names<design::Objective>()),
-                                 parse<design::SuiteObjective>(*wanted) ? " without records" : ""));
+                     must_be(*wanted, names<design::Objective>(),
+                             parse<design::SuiteObjective>(*wanted) ? " without records" : ""));
   }
   return *objective;
 }

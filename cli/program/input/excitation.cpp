@@ -30,9 +30,11 @@ void refuse_others(const Settings& settings, const ExcitationKind* kind) {
   });
   if (wrong != nullptr) {
     throw UsageError(
-        kind == nullptr
-            ? fmt::format("{} needs an excitation: give --excitation as well", wrong->name)
-            : fmt::format("{} and excitation {} cannot be combined", wrong->name, kind->name));
+        kind != nullptr
+            ? fmt::format("{} and excitation {} cannot be combined", wrong->name, kind->name)
+        : wrong->traits.load == Load::record
+            ? fmt::format("{} needs a record: give --record as well", wrong->name)
+            : fmt::format("{} needs an excitation: give --excitation as well", wrong->name));
   }
 }
 
@@ -40,11 +42,11 @@ void refuse_others(const Settings& settings, const ExcitationKind* kind) {
 double lambda(const Settings& settings, const ExcitationKind& kind,
               const std::optional<double>& time_s) {
   if (const auto hertz = settings.number("excitation-frequency")) {
-    require_within("excitation-frequency", *hertz, smallest_physical, largest_physical);
+    records::require_physical("excitation-frequency", Dimension::frequency, *hertz);
     return 2 * std::numbers::pi * *hertz * *time_s;
   }
   if (const auto seconds = settings.number("pulse-duration")) {
-    require_within("pulse-duration", *seconds, smallest_physical, largest_physical);
+    records::require_physical("pulse-duration", Dimension::time, *seconds);
     return kind.angle * *time_s / *seconds;
   }
   return settings.required(
@@ -144,9 +146,17 @@ void require_no_pulse_options(const Settings& settings) {
   }
 }
 
+void require_no_residual(const Settings& settings) {
+  if (const Option* const residual = settings.given(Rivals::residual)) {
+    throw UsageError(fmt::format(
+        "{} and pulse cannot be combined: a design for a pulse stops at x = 0", residual->name));
+  }
+}
+
 std::optional<design::Pulse> pulse_input(const Settings& settings, const Physical& physical) {
   const auto type = settings.known("pulse");
   if (type) {
+    require_no_residual(settings);
     const ExcitationKind& kind = *find_excitation_kind(*type);
     return kind.pulse(wave(settings, "pulse", kind, time_unit(physical)));
   }
@@ -170,8 +180,7 @@ design::PulseRanges pulse_ranges(const Settings& settings,
   }
   const Option* const clock = settings.given(Rivals::frequency);
   if (const auto range = clock != nullptr ? settings.range(clock->name) : std::nullopt) {
-    require_within(std::string(clock->name).c_str(), range->low, smallest_physical,
-                   largest_physical);
+    records::require_physical(clock->name, clock->traits.dimension, range->low);
     ranges.lambda_high = design::angular_frequency(*pulse) * (range->high / range->low);
   }
   return ranges;

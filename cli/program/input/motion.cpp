@@ -70,8 +70,7 @@ MotionInput physical_motion(const Settings& settings, bool from_rest) {
   }
   const Option* const spring = settings.given(Rivals::stiffness);
   if (const auto range = spring != nullptr ? settings.range(spring->name) : std::nullopt) {
-    require_within(std::string(spring->name).c_str(), range->low, smallest_physical,
-                   largest_physical);
+    records::require_physical(spring->name, spring->traits.dimension, range->low);
     const double ratio = range->high / range->low;
     const bool is_stiffness = spring->traits.dimension == Dimension::stiffness;
     motion.p_high = scales.p * (is_stiffness ? std::sqrt(ratio) : ratio);
@@ -118,7 +117,7 @@ std::optional<double> in_either(const Settings& settings, std::string_view plain
   if (!value) {
     return settings.number(plain);
   }
-  require_within(physical, *value, least, largest_physical);
+  records::require_physical(physical, find_option(physical)->traits.dimension, *value, least);
   return *value / unit;
 }
 

@@ -32,7 +32,7 @@ std::optional<design::SearchRange> search_range(const Settings& settings, const 
     throw InputError(name, *text, "must be LOW:HIGH");
   }
   const auto [low, high] = range_value(*find_option(name), *text);
-  require_within(name, high, low, largest_physical);
+  records::require_physical(name, find_option(name)->traits.dimension, high, low);
   return design::SearchRange{low, high};
 }
 
@@ -50,9 +50,8 @@ design::SuiteObjective suite_objective(const Settings& settings) {
   const auto wanted = settings.text("objective");
   const auto objective = parse<design::SuiteObjective>(wanted.value_or("acceleration"));
   if (!objective) {
-    throw InputError(
-        "objective", *wanted,
-        fmt::format("must be {} under records", listed(names<design::SuiteObjective>())));
+    throw InputError("objective", *wanted,
+                     must_be(*wanted, names<design::SuiteObjective>(), " under records"));
   }
   return *objective;
 }
@@ -94,7 +93,7 @@ report::RecordDesignInput record_design_input(const Settings& settings) {
                                periods ? std::nullopt : std::optional(start.p));
   request.p = {start.p, start.p};
   if (periods) {
-    require_within("search-period", periods->low, smallest_physical, largest_physical);
+    records::require_physical("search-period", Dimension::time, periods->low);
     const double tau = start.physical->scales.time_s;
     request.p = {2 * std::numbers::pi * tau / periods->high,
                  2 * std::numbers::pi * tau / periods->low};

@@ -19,7 +19,9 @@ Oscillator oscillator(const Settings& settings, const MotionInput& motion) {
   const double f = settings.required("f", "give --f, the constant friction (0 for none)");
   const auto delta = point_friction(settings, "delta", "delta-m", motion.physical);
   if (!delta) {
-    throw InputError::missing("delta", "give --delta, the point friction (0 for none)");
+    throw motion.physical
+        ? InputError::missing("delta-m", "give --delta-m, the point friction in m (0 for none)")
+        : InputError::missing("delta", "give --delta, the point friction (0 for none)");
   }
   return {motion.p, f, *delta, settings.number("hold")};
 }
@@ -66,7 +68,9 @@ std::optional<double> half_cycle_limit(const Settings& settings) {
 
 report::MotionReport simulate_input(const Settings& settings) {
   // A motion needs a start, unless an excitation moves it from rest.
-  const bool from_rest = excitation_type(settings) || settings.has("k");
+  const bool from_rest = settings.first([](const Option& option) {
+    return option.traits.load != Load::none;
+  }) != nullptr || settings.has("excitation");
   const MotionInput motion = motion_input(settings, Command::simulate, from_rest);
   report::MotionReport input;
   SimulationRequest& request = input.request;

@@ -20,16 +20,16 @@ constexpr std::int64_t most_periods = 10'000;
 std::vector<double> periods(const Settings& settings) {
   const auto axis = settings.axis("period");
   if (!axis) {
-    throw InputError::missing("period", "give --period LOW:HIGH:N, in s");
+    throw InputError::missing("period", "give --period first:last:count, in s");
   }
   if (axis->size() > most_periods) {
     throw InputError("period", axis->text(),
-                     fmt::format("must be at most {} values", most_periods));
+                     fmt::format("must have at most {} values", most_periods));
   }
   std::vector<double> list;
   list.reserve(static_cast<std::size_t>(axis->size()));
   for (std::int64_t i = 0; i < axis->size(); ++i) {
-    require_within("period", (*axis)[i], smallest_physical, largest_physical);
+    records::require_physical("period", Dimension::time, (*axis)[i]);
     list.push_back((*axis)[i]);
   }
   return list;

@@ -2,7 +2,7 @@
 #include "input/motion.hpp"
 
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/records/zones.hpp>
+#include <stillpoint/records/units.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -8,7 +8,6 @@
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/records/units.hpp>
 #include <stillpoint/report/version.hpp>
-#include <stillpoint/sweep/identity.hpp>
 #include <stillpoint/sweep/launcher.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
@@ -67,11 +66,11 @@ std::optional<SweepUnits> units(const Settings& settings) {
   refuse_dimensionless(settings);
   SweepUnits units;
   units.gravity_m_per_s2 = settings.number("gravity").value_or(units.gravity_m_per_s2);
-  require_within("gravity", units.gravity_m_per_s2, smallest_physical, largest_physical);
+  records::require_physical("gravity", Dimension::acceleration, units.gravity_m_per_s2);
   if (settings.has("stiffness")) {
     units.restoring = sweep::Restoring::stiffness;
     units.mass_kg = settings.required("mass", "stiffness needs a mass as well");
-    require_within("mass", units.mass_kg, smallest_physical, largest_physical);
+    records::require_physical("mass", Dimension::mass, units.mass_kg);
   } else if (settings.has("natural-frequency")) {
     units.restoring = sweep::Restoring::natural_frequency;
   }
@@ -142,23 +141,6 @@ void refuse_for_other_kinds(const Settings& settings, const SweepSpec& spec) {
   }
 }
 
-/// What is wrong with the time or the frequency of a load, by the option that gave it.
-InputError of_physical_option(const InputError& error, const Settings& settings) {
-  std::string field = error.field();
-  std::ranges::replace(field, '_', '-');
-  const Option* const plain = find_option(field);
-  for (const Option* option :
-       plain == nullptr ? std::vector<const Option*>() : physical_rivals(*plain)) {
-    const bool of_entries = option->traits.sweeps && option->traits.rivals != Rivals::frequency;
-    if (settings.has(option->name) && !of_entries) {
-      const auto unit = records::units_of(option->traits.dimension).front().name;
-      return {std::string(option->name), fmt::format("{} {}", *settings.number(option->name), unit),
-              fmt::format("makes {}", error.what())};
-    }
-  }
-  return error;
-}
-
 /// By default a motion starts from x = 0, and from rest if something else moves it.
 void add_axes(const Settings& settings, SweepSpec& spec) {
   const bool may_rest = spec.kind == SweepKind::forced ||
@@ -190,6 +172,7 @@ void add_motion(const Settings& settings, SweepSpec& spec) {
 
 void add_design(const Settings& settings, SweepSpec& spec) {
   if (const auto pulse = settings.known("pulse")) {
+    require_no_residual(settings);
     spec.pulse = find_excitation_kind(*pulse)->pulse({});
   } else {
     require_no_pulse_options(settings);
@@ -290,14 +273,7 @@ SweepSpec sweep_request(const Settings& settings) {
   spec.reduction = reduction(settings, spec);
   spec.identity =
       identity_of(spec, inputs(settings, Command::sweep).dump(), report::program_version());
-  try {
-    require_valid(spec);
-  } catch (const InputError& error) {
-    if (spec.units) {
-      throw of_physical_option(error, settings);
-    }
-    throw;
-  }
+  require_valid(spec);
   return spec;
 }
 

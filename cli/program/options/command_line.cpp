@@ -34,10 +34,11 @@ CommandHelp command_row(Command command, std::string_view summary,
 }
 
 const std::array command_helps{
-    command_row(Command::design, "design a damper that stops at x = 0 on the first return"),
-    command_row(Command::region, "the admissible region of f and delta, without a search"),
+    command_row(Command::design, "find the damper for a hit, a pulse or a suite of records"),
+    command_row(Command::region,
+                "the admissible f and delta, and whether a given damper is among them"),
     command_row(Command::simulate, "one motion, free or forced: metrics, half-cycles, trajectory"),
-    command_row(Command::spectrum, "one damper under records against the period, beside f alone"),
+    command_row(Command::spectrum, "one damper under records over a range of periods"),
     command_row(Command::sweep, "many motions, or many designs: a grid or a list, as CSV or .npy"),
     command_row(Command::accuracy,
                 "time and error of each method on one motion, against 50 digits"),
@@ -109,7 +110,9 @@ void refuse_extras(const CLI::App& app, Command command) {
   }
   const std::string first = records::shortened(extras.front(), records::longest_word);
   if (!first.starts_with("-")) {
-    throw UsageError(fmt::format("{}: unexpected, only one scene can be given", first));
+    throw UsageError(
+        fmt::format("{}: unexpected, only one {} can be given", first,
+                    command == Command::init || command == Command::explore ? "word" : "scene"));
   }
   std::string_view bare = first;
   bare.remove_prefix(std::min(bare.find_first_not_of('-'), bare.size()));
@@ -181,7 +184,10 @@ void require_command(const std::optional<std::string>& given) {
     throw UsageError(fmt::format(
         "{}: must be {} (stillpoint --help){}",
         given ? "command " + records::shortened(word, records::longest_word) : "no command",
-        listed(commands), suggestion(word, known)));
+        listed(commands),
+        word.ends_with(".json") ? fmt::format("; did you mean design {}?",
+                                              records::shortened(word, records::longest_word))
+                                : suggestion(word, known)));
   }
 }
 
@@ -205,8 +211,11 @@ std::vector<std::string> without_help_command(int argc, const char* const* argv)
   return words;
 }
 
-/// "--v0: 1 required V missing" as a sentence; anything else as it is.
+/// "--v0: 1 required V missing" or "OUT is required" as a sentence; anything else as it is.
 std::string in_words(const std::string& message) {
+  if (message == "OUT is required" || message == "PART is required") {
+    return "merge needs the file to write and the file of each part: merge OUT PART...";
+  }
   constexpr std::string_view wants = ": 1 required ";
   constexpr std::string_view ends = " missing";
   const std::size_t at = message.find(wants);
@@ -225,9 +234,10 @@ std::span<const CommandHelp> all_commands() {
 }
 
 std::string_view program_about() {
-  return "Designs friction dampers. A linear oscillator with constant friction f and point "
-         "friction delta at x = 0 starts with velocity v0; it must stop at x = 0 and never move "
-         "farther than beta.";
+  return "Designs friction dampers for a mass on a spring. A hit sets it off with the velocity v0. "
+         "Constant friction f and a notch, point friction delta, must stop it where it was at "
+         "rest, "
+         "and it must never move farther than beta.";
 }
 
 std::string short_help() {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
+#include <numbers>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -12,29 +12,23 @@ namespace stillpoint::cli {
 
 namespace {
 
-template <class Result, class Wave>
-Result made(const Harmonic& given) {
-  if constexpr (std::is_same_v<Wave, Harmonic>) {
-    return given;
-  } else {
-    return Wave{given.k, given.lambda};
-  }
-}
-
-template <class Wave>
+template <class Kind>
 ExcitationKind kind_of() {
-  const Excitation any = Wave{};
-  if constexpr (std::is_same_v<Wave, Record>) {
-    return {name(any), Load::record, 0, nullptr, nullptr};
+  ExcitationKind kind{.name = Kind::name};
+  if constexpr (std::is_same_v<Kind, Record>) {
+    kind.load = Load::record;
+  } else if constexpr (std::is_same_v<Kind, Harmonic>) {
+    kind.load = Load::harmonic;
+    kind.wave = [](const Harmonic& given) { return Excitation(given); };
   } else {
-    const double angle = duration(made<Excitation, Wave>({0, 1})).value_or(0);
-    ExcitationKind kind{name(any), angle == 0 ? Load::harmonic : Load::pulse, angle,
-                        made<Excitation, Wave>, nullptr};
-    if constexpr (std::is_constructible_v<design::Pulse, Wave>) {
-      kind.pulse = made<design::Pulse, Wave>;
+    kind.load = Load::pulse;
+    kind.angle = 2 * Kind::turns * std::numbers::pi;
+    kind.wave = [](const Harmonic& given) { return Excitation(Kind{given.k, given.lambda}); };
+    if constexpr (std::is_constructible_v<design::Pulse, Kind>) {
+      kind.pulse = [](const Harmonic& given) { return design::Pulse(Kind{given.k, given.lambda}); };
     }
-    return kind;
   }
+  return kind;
 }
 
 /// All but the first alternative, which is no excitation.
@@ -57,16 +51,13 @@ const ExcitationKind* find_excitation_kind(std::string_view name) {
   return found == kinds.end() ? nullptr : &*found;
 }
 
-std::vector<std::string_view> excitation_names() {
+std::vector<std::string_view> excitation_names(bool of_pulses) {
   std::vector<std::string_view> names;
-  std::ranges::transform(excitation_kinds(), std::back_inserter(names), &ExcitationKind::name);
-  return names;
-}
-
-std::vector<std::string_view> pulse_names() {
-  std::vector<std::string_view> names = excitation_names();
-  std::erase_if(names,
-                [](std::string_view name) { return find_excitation_kind(name)->pulse == nullptr; });
+  for (const ExcitationKind& kind : excitation_kinds()) {
+    if (!of_pulses || kind.pulse != nullptr) {
+      names.push_back(kind.name);
+    }
+  }
   return names;
 }
 

@@ -62,16 +62,19 @@ std::vector<std::string_view> all_objectives() {
   return both;
 }
 
+/// "robust (default), amplitude or time"
+std::string with_default(std::span<const std::string_view> values) {
+  std::string text = listed(values);
+  return text.insert(values.front().size(), " (default)");
+}
+
 /// In `help`, {} stands for the values.
 Option row(std::string_view name, OptionKind kind, std::string_view placeholder,
            std::string_view group, std::string help, CommandSet commands,
            OptionTraits traits = {}) {
   if (const std::size_t place = help.find("{}"); place != std::string::npos) {
-    std::string values = listed(traits.values);
-    if (traits.first_is_default) {
-      values.insert(traits.values.front().size(), " (default)");
-    }
-    help.replace(place, 2, values);
+    help.replace(place, 2,
+                 traits.first_is_default ? with_default(traits.values) : listed(traits.values));
   }
   return {name, kind, placeholder, group, std::move(help), commands, std::move(traits)};
 }
@@ -115,24 +118,25 @@ OptionTraits merges(OptionTraits traits) {
 std::vector<Option> rows() {
   return {
       // name, kind, placeholder, group, help, commands, traits
-      row("v0", number, "V", motion, "initial velocity", every,
+      row("v0", number, "V", motion, "initial velocity, just after the hit", every,
           plain_axis(Rivals::hit, RangeEnd::high)),
       row("p", number, "P", motion, "square root of the stiffness", every,
           plain_axis(Rivals::stiffness, RangeEnd::low)),
       row("beta", number, "B", motion, "largest admissible displacement", of_designs,
           plain_axis(Rivals::stroke)),
       row("pulse", text, "TYPE", motion,
-          "{}, with --k and --pulse-duration or --lambda: the hit instead of an initial velocity",
-          of_designs, {.rivals = Rivals::hit, .values = pulse_names()}),
+          "{}, with --k and --pulse-duration or --lambda: the hit instead of a velocity",
+          of_designs, {.rivals = Rivals::hit, .values = excitation_names(true)}),
       row("x0", number, "X", motion, "initial displacement (default 0)", motions | sweep,
           plain_axis(Rivals::start)),
 
-      row("velocity", number, "M/S", physical, "initial velocity in m/s", in_metres,
-          axis_in_si(Rivals::hit, Dimension::velocity, RangeEnd::high)),
+      row("velocity", number, "M/S", physical, "initial velocity, just after the hit, in m/s",
+          in_metres, axis_in_si(Rivals::hit, Dimension::velocity, RangeEnd::high)),
       row("max-displacement", number, "M", physical, "largest admissible displacement in m",
           of_designs, axis_in_si(Rivals::stroke, Dimension::length)),
       row("period", number, "S", physical,
-          "natural period without friction in s; for spectrum, LOW:HIGH:N", in_metres | spectrum,
+          "natural period without friction in s; for spectrum, first:last:count",
+          in_metres | spectrum,
           {.sweeps = true,
            .axis_of_spectrum = true,
            .rivals = Rivals::stiffness,
@@ -180,7 +184,9 @@ std::vector<Option> rows() {
       row("residual-m", number, "M", damper, "the same in m, with physical input", of_designs,
           axis_in_si(Rivals::residual, Dimension::length)),
       row("tolerance", number, "R", damper,
-          "the design must stay admissible within f(1 +- R), delta(1 +- R); default 0", of_designs),
+          "the design must stay admissible if f and delta are off by up to R; 0.1 is 10 %, default "
+          "0",
+          of_designs),
       row("tolerance-f", number, "R", damper,
           "the tolerance of f alone, R or LOW:HIGH: 0.8:1.2 allows f from 0.8 to 1.2 times the "
           "design's",
@@ -206,8 +212,9 @@ std::vector<Option> rows() {
           design | sweep,
           for_hits({.bounds = {design::least_trade_offs, design::most_trade_offs}})),
       row("objective", text, "NAME", searching,
-          "{}; under records acceleration (default), amplitude or residual", design | sweep,
-          {.values = all_objectives(), .first_is_default = true}),
+          with_default(names<design::Objective>()) + "; under records " +
+              with_default(names<design::SuiteObjective>()),
+          design | sweep, {.values = all_objectives(), .first_is_default = true}),
       row("combine", text, "NAME", searching,
           "how to combine the figures of all records: {}; default: max for fewer than seven "
           "records",
@@ -234,7 +241,7 @@ std::vector<Option> rows() {
           of(Load::wave,
              {.sweeps = true, .dimension = Dimension::gravities, .range = RangeEnd::high})),
       row("excitation-frequency", number, "HZ", shaking,
-          "with physical input: in Hz; for a pulse, that of its sine", of_waves,
+          "with physical input: the frequency in Hz; for a pulse, that of its sine", of_waves,
           of(Load::wave, axis_in_si(Rivals::frequency, Dimension::frequency, RangeEnd::low))),
       row("pulse-duration", number, "S", shaking,
           "with physical input: how long half-sine, full-sine or rectangle last, in s", of_waves,
@@ -274,8 +281,8 @@ std::vector<Option> rows() {
           in_records,
           of(Load::record, {.rivals = Rivals::record_scale, .dimension = Dimension::gravities})),
       row("record-spectrum-period", number, "T", shaking,
-          "if not the period of the motion, in the unit of the times", in_records,
-          of(Load::record, {.dimension = Dimension::time})),
+          "the period of that value, if not that of the motion, in the unit of the times",
+          in_records, of(Load::record, {.dimension = Dimension::time})),
       row("end-time", number, "S", shaking,
           "with physical input: end of the run in s (default: end of the motion); required for a "
           "harmonic without a duration",

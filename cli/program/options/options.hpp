@@ -75,6 +75,7 @@ enum class Rivals {
 
 using records::Dimension;
 using records::listed;
+using records::must_be;
 using records::suggestion;
 
 /// A task is given either dimensionless or in metres and seconds, not both. Beside records gravity

@@ -93,16 +93,18 @@ Axis axis(const Option& option, const nlohmann::json& value, Command command) {
   return Axis(std::move(values));
 }
 
-std::string must_be_text(const Option& option) {
-  return option.traits.file == FileUse::none ? "must be a string" : "must be a path";
+std::string must_be_text(const Option& option, Command command) {
+  return option.traits.file == FileUse::none                    ? "must be a string"
+         : option.traits.repeats && !option.repeats_in(command) ? "must be one path"
+                                                                : "must be a path";
 }
 
 /// One line for each, as repeated flags give them.
-std::string joined_texts(const Option& option, const nlohmann::json& list) {
+std::string joined_texts(const Option& option, const nlohmann::json& list, Command command) {
   std::string text;
   for (const nlohmann::json& entry : list) {
     if (!entry.is_string()) {
-      throw InputError(std::string(option.name), entry.dump(), must_be_text(option));
+      throw InputError(std::string(option.name), entry.dump(), must_be_text(option, command));
     }
     text += (text.empty() ? "" : "\n") + entry.get<std::string>();
   }
@@ -121,6 +123,9 @@ Settings::Value typed(const Option& option, const nlohmann::json& value, Command
     case OptionKind::axis:
       return axis(option, value, command);
     case OptionKind::number:
+      if (value.is_array()) {
+        throw wrong_type("one number, not a range");
+      }
       if (!value.is_number()) {
         throw wrong_type(fmt::format(
             "a number{}{}",
@@ -138,11 +143,12 @@ Settings::Value typed(const Option& option, const nlohmann::json& value, Command
       if (option.traits.in_scene == InScene::zones && value.is_array()) {
         return zones_text(value);
       }
-      if (option.repeats_in(command) && value.is_array()) {
-        return joined_texts(option, value);
+      if (option.traits.repeats && value.is_array() &&
+          (option.repeats_in(command) || !option.serves(command))) {
+        return joined_texts(option, value, command);
       }
       if (!value.is_string()) {
-        throw InputError(std::string(option.name), value.dump(), must_be_text(option));
+        throw InputError(std::string(option.name), value.dump(), must_be_text(option, command));
       }
       return value.get<std::string>();
     case OptionKind::flag:

@@ -95,7 +95,7 @@ std::optional<std::string> Settings::known(std::string_view name) const {
   auto wanted = text(name);
   const auto& values = find_option(name)->traits.values;
   if (wanted && std::ranges::find(values, *wanted) == values.end()) {
-    throw InputError(std::string(name), *wanted, fmt::format("must be {}", listed(values)));
+    throw InputError(std::string(name), *wanted, must_be(*wanted, values));
   }
   return wanted;
 }
@@ -150,6 +150,25 @@ std::optional<records::FilePlace> Settings::place_of(std::string_view field) con
   return std::nullopt;
 }
 
+InputError Settings::as_given(const InputError& error) const {
+  std::string field = error.field();
+  std::ranges::replace(field, '_', '-');
+  const Option* const plain = find_option(field);
+  if (plain == nullptr || plain->traits.dimension != Dimension::none || has(plain->name)) {
+    return error;
+  }
+  for (const Option* option : physical_rivals(*plain)) {
+    const Axis* const axis = find<Axis>(option->name);
+    if (has(option->name) && (axis == nullptr || (axis->size() == 1 && !axis->has_ranges()))) {
+      return {std::string(option->name),
+              fmt::format("{} {}", *number(option->name),
+                          records::units_of(option->traits.dimension).front().name),
+              fmt::format("makes {}", error.what())};
+    }
+  }
+  return error;
+}
+
 double Settings::required(std::string_view name, std::string_view hint) const {
   if (const auto value = number(name)) {
     return *value;
@@ -160,13 +179,17 @@ double Settings::required(std::string_view name, std::string_view hint) const {
 std::vector<std::string> doubts(const Settings& settings, Command command) {
   design::GivenValues given;
   for (const auto& [option, entry] : settings.entries()) {
-    const double* const number = std::get_if<double>(&entry.value);
-    if (number != nullptr && find_option(option)->serves(command)) {
-      given[std::string(option)] = {*number, entry.with_unit.has_value()};
+    const Axis* const axis = std::get_if<Axis>(&entry.value);
+    const bool one_number = axis != nullptr ? axis->size() == 1 && !axis->has_ranges()
+                                            : std::holds_alternative<double>(entry.value) ||
+                                                  std::holds_alternative<Range>(entry.value);
+    if (one_number && find_option(option)->serves(command)) {
+      given[std::string(option)] = {settings.number(option).value(),
+                                    entry.with_unit || (axis != nullptr && has_unit(axis->text()))};
     }
   }
   std::vector<std::string> sentences;
-  for (const auto& [text, meant] : design::doubtful_values(given)) {
+  for (const auto& [name, text, meant] : design::doubtful_values(given)) {
     sentences.push_back(fmt::format(
         "{}{}", text,
         meant ? fmt::format("; did you mean --{} {}{}?", meant->name, meant->value, meant->unit)

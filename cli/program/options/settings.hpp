@@ -115,6 +115,9 @@ class Settings {
   /// scene.
   [[nodiscard]] std::optional<records::FilePlace> place_of(std::string_view field) const;
 
+  /// The same error by the option that was given: of --pulse-duration where it is about lambda.
+  [[nodiscard]] InputError as_given(const InputError& error) const;
+
   void drop(std::string_view name) { entries_.erase(name); }
 
   /// Sets what `other` has and this does not have.
@@ -146,16 +149,17 @@ class Settings {
   return settings.first([](const Option& option) { return option.names_records(); }) != nullptr;
 }
 
-/// Adds the place in the scene to what `body` throws about a value of it.
+/// Adds the option and the place in the scene to what `body` throws about a value.
 template <class Body>
 auto with_places(const Settings& settings, const Body& body) {
   try {
     return body();
   } catch (const InputError& error) {
-    if (const auto place = settings.place_of(error.field())) {
-      throw records::FileError(*place, error.what());
+    const InputError given = settings.as_given(error);
+    if (const auto place = settings.place_of(given.field())) {
+      throw records::FileError(*place, given.what());
     }
-    throw;
+    throw given;
   }
 }
 

@@ -34,7 +34,7 @@ py::dict read_record(const py::object& record, const std::optional<std::string>&
     options.units = parse<records::RecordUnits>(*units);
     if (!options.units) {
       throw InputError("record-units", *units,
-                       "must be " + records::listed(names<records::RecordUnits>()));
+                       records::must_be(*units, names<records::RecordUnits>()));
     }
   }
   options.scale = scale;

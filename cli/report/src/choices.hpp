@@ -25,7 +25,9 @@ struct PartTask {
   const Physical& physical;
 };
 
-/// "exceeds 150 mm: f 12 % too small; ...", or "fits".
+/// "exceeds 150 mm: f 12 % too small".
+[[nodiscard]] std::string violation(const design::Constraint& violated, const PartTask& task);
+/// The violations of a part, or "fits".
 [[nodiscard]] std::string judgement(const design::RatedPart& rated, const PartTask& task);
 
 /// "7 of 40 parts fit".

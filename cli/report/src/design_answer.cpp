@@ -20,7 +20,7 @@ std::string tolerance_without_friction(const design::DesignResult& result) {
     const auto& [problem, limits, search, pulse, ranges] = result.request;
     const double less = kept * tolerance;
     if (const auto largest = design::any_f_up_to(problem, limits, delta, less)) {
-      text += format(", by +-{:.4g} % with any up to {:.3g}", 100 * less, *largest);
+      text += format(", by +-{:.4g} % with any f up to {:.3g}", 100 * less, *largest);
     }
   }
   return text;

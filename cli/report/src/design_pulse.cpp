@@ -46,8 +46,9 @@ void add_pulse_check(Document& document, const design::PulseCheck& check, double
   section.row("use of beta", format("{:.4g} %", 100 * check.response.peak_amplitude / beta));
   section.row("reduction", reduction_text(check));
   if (check.start) {
-    section.row("", format("it starts with v0 = {:.6g} at tau = {:.6g}", check.start->speed,
-                           check.start->tau));
+    section.row("", format("it starts with v0 = {} at {}",
+                           FigureUnits(physical).velocity_words(check.start->speed),
+                           time_shown(physical, check.start->tau)));
   }
   if (check.stop_time_error) {
     section.row("", format("its stop time is {} this", off_by(*check.stop_time_error)));

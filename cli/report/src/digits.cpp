@@ -31,10 +31,11 @@ std::string with_unit(double value, std::string_view unit) {
   if (in_range) {
     for (const Prefix& prefix : prefixes) {
       // For lengths neither kilometres nor micrometres, so that those of one report compare at a
-      // glance.
+      // glance; for times no kiloseconds.
       const bool length = unit == "m";
       const bool least = length && prefix.factor == 1e-3;
-      if ((magnitude >= prefix.factor || least) && !(length && prefix.factor > 1)) {
+      const bool unusual = (length || unit == "s") && prefix.factor > 1;
+      if ((magnitude >= prefix.factor || least) && !unusual) {
         return fmt::format("{:.5g} {}{}", value / prefix.factor, prefix.sign, unit);
       }
     }

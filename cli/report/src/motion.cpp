@@ -17,9 +17,10 @@ namespace {
 std::string_view last_words(const Simulation& answer) {
   const Outcome outcome = answer.response.outcome;
   if (outcome == Outcome::stopped_in_dead_zone || outcome == Outcome::stopped_in_notch) {
-    return "rests";
+    return "none: it rests";
   }
-  return answer.forced && answer.forced->final_velocity == 0 ? "is held" : "goes on";
+  return answer.forced && answer.forced->final_velocity == 0 ? "none: it is held"
+                                                             : "none: it goes on";
 }
 
 /// The first dozen.
@@ -84,15 +85,26 @@ std::string verdict(const MotionReport& report) {
   return text + ".";
 }
 
-/// Where the largest transmitted acceleration is felt, if there is a notch.
+/// Where the largest transmitted acceleration is felt, if there is a notch. While the mass slides
+/// it is at most that of the peak: docs/theory.md section 11.
 std::string_view felt_where(const MotionReport& report) {
+  const auto& [p, f, delta, hold] = report.request.oscillator;
+  const Response& response = report.answer.response;
   const auto& forced = report.answer.forced;
-  if (forced && forced->largest_load_while_locked == forced->peak_absolute_acceleration) {
+  if (forced && forced->largest_load_while_locked == response.peak_absolute_acceleration) {
     return " while it is locked";
   }
-  return report.request.oscillator.delta == 0 ? ""
-         : report.request.surface.notch_width ? ", the notch included"
-                                              : ", outside the notch";
+  if (delta == 0) {
+    return "";
+  }
+  if (report.request.surface.notch_width) {
+    return ", the notch included";
+  }
+  constexpr double rounding = 1 + 1e-9;
+  const bool while_held =
+      hold && report.request.surface.zones.empty() &&
+      response.peak_absolute_acceleration > rounding * (f + p * p * response.peak_amplitude);
+  return while_held ? " while the notch holds it" : ", outside the notch";
 }
 
 void add_answer(Section& answer, const MotionReport& report) {
@@ -100,9 +112,10 @@ void add_answer(Section& answer, const MotionReport& report) {
   const Response& response = report.answer.response;
   const Physical& physical = report.physical;
   answer.row("damper", format("f = {}, delta = {}", digits(f), length_text(physical, delta)));
-  answer.row("peak", length_text(physical, response.peak_amplitude), Tone::heading);
+  add_surface(answer, report.request, physical);
+  answer.row("peak", length_shown(physical, response.peak_amplitude), Tone::heading);
   if (response.stop_position && *response.stop_position != 0) {
-    answer.row("rest", format("at x = {}", length_text(physical, *response.stop_position)),
+    answer.row("rest", format("at x = {}", length_shown(physical, *response.stop_position)),
                Tone::heading);
   }
   answer.row("acceleration",
@@ -121,7 +134,7 @@ void add_answer(Section& answer, const MotionReport& report) {
   }
   if (report.answer.forced && response.outcome == Outcome::running) {
     const ForcedResponse& forced = *report.answer.forced;
-    answer.row("at the end", format("x = {} at {}", length_text(physical, *forced.final_position),
+    answer.row("at the end", format("x = {} at {}", length_shown(physical, *forced.final_position),
                                     time_shown(physical, *forced.end_time)));
   }
 }

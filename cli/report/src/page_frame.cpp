@@ -19,7 +19,8 @@ void add_frame(figures::HtmlPage& page, const PageFrame& frame) {
     page.title += ": " + records::printable(frame.title, longest_title);
   }
   page.body += fmt::format(
-      "<section><h2>Input</h2>\n<p>Saved as <code>scene.json</code>, <code>stillpoint {} "
+      "<section class=\"input\"><h2>Input</h2>\n<p>Saved as <code>scene.json</code>, "
+      "<code>stillpoint {} "
       "scene.json <span class=\"number\">--html</span> page.html</code> makes this page "
       "again.</p>\n<pre>{}</pre></section>\n",
       frame.command, figures::escaped(frame.scene));

@@ -17,18 +17,6 @@ namespace {
 
 using design::SuiteObjective;
 
-std::string_view words(SuiteObjective which) {
-  switch (which) {
-    case SuiteObjective::amplitude:
-      return "stroke";
-    case SuiteObjective::residual:
-      return "residual";
-    case SuiteObjective::acceleration:
-      break;
-  }
-  return "acceleration";
-}
-
 std::string shown(const Physical& physical, SuiteObjective which, double value) {
   return which == SuiteObjective::acceleration ? acceleration_shown(value)
                                                : length_shown(physical, value);
@@ -111,18 +99,30 @@ std::string verdict(const RecordDesignReport& report) {
              length_shown(physical, figures.residual));
 }
 
-void add_answer(Section& answer, const design::RecordDesign& result) {
+std::string worst_words(const design::SuiteFigures& worst, const Physical& physical) {
+  return worst.settled
+             ? format("the worst has {}, stroke {}, residual {}",
+                      acceleration_shown(worst.acceleration), length_shown(physical, worst.peak),
+                      length_shown(physical, worst.residual))
+             : "under some of them the mass never rests";
+}
+
+void add_answer(Section& answer, const design::RecordDesign& result, const Physical& physical) {
   if (lock_words(result).empty()) {
     answer.row("locked", "no record locks it while the load goes on");
   }
   const design::Sensitivity& near = result.finding->sensitivity;
-  answer.row("tolerance", format("{} of {} samples within +-{:.3g} % meet the limits",
-                                 near.admissible, near.samples, 100 * near.tolerance));
+  answer.row("tolerance",
+             format("{} of {} samples within +-{:.3g} % meet the limits; {}", near.admissible,
+                    near.samples, 100 * near.tolerance, worst_words(near.worst, physical)));
   const design::SuiteCheck& check = result.finding->check;
   answer.row("check",
-             check.passed ? format("passed: Runge-Kutta agrees within {:.1e}", check.relative_error)
-                          : format("FAILED: Runge-Kutta is off by {:.1e}; {:.0e} is allowed",
-                                   check.relative_error, check.tolerance),
+             check.passed
+                 ? check.relative_error == 0
+                       ? "passed: Runge-Kutta agrees exactly"
+                       : format("passed: Runge-Kutta agrees within {:.1e}", check.relative_error)
+                 : format("FAILED: Runge-Kutta is off by {:.1e}; {:.0e} is allowed",
+                          check.relative_error, check.tolerance),
              check.passed ? Tone::good : Tone::bad);
 }
 
@@ -139,11 +139,6 @@ void add_damper(Document& document, const RecordDesignReport& report) {
   section.row("sensitivity", format("f and delta off by up to {:.3g} %, at the four corners and {} "
                                     "random points: a sample, not a proof",
                                     100 * near.tolerance, near.samples - 4));
-  section.row("", near.worst.settled ? format("the worst has {}, stroke {}, residual {}",
-                                              acceleration_shown(near.worst.acceleration),
-                                              length_shown(physical, near.worst.peak),
-                                              length_shown(physical, near.worst.residual))
-                                     : "under some of them the mass never rests");
 }
 
 void add_records(Document& document, const RecordDesignReport& report) {
@@ -180,7 +175,7 @@ void add_shortfalls(Document& document, const RecordDesignReport& report) {
                      length_text(physical, damper.delta), period_words(physical, damper.p)));
   for (const auto& [which, limit, nearest, relaxed] : report.result.shortfalls) {
     section.row(
-        std::string(words(which)),
+        std::string(quantity(which)),
         format("{}; {} is allowed", shown(physical, which, nearest), shown(physical, which, limit)),
         nearest > limit ? Tone::bad : Tone::plain);
     section.row(
@@ -197,7 +192,7 @@ void add_task(Document& document, const RecordDesignReport& report) {
   const Physical& physical = report.physical;
   Section& section = document.detail("Task");
   section.row("objective", format("minimise the {} {} of the records",
-                                  combined(task.combine.value()), words(task.objective)));
+                                  combined(task.combine.value()), quantity(task.objective)));
   if (task.limits.peak) {
     section.row("stroke", format("at most {}", length_text(physical, *task.limits.peak)));
   }
@@ -214,9 +209,12 @@ void add_task(Document& document, const RecordDesignReport& report) {
   if (task.notch_width) {
     section.row("notch", format("{} wide", length_text(physical, *task.notch_width)));
   }
-  section.row("f", format("{} to {}", digits(task.f->low), digits(task.f->high)));
-  section.row("delta", format("{} to {}", length_text(physical, task.delta->low),
-                              length_text(physical, task.delta->high)));
+  const auto searched = [](const std::string& low, const std::string& high) {
+    return low == high ? low : format("{} to {}", low, high);
+  };
+  section.row("f", searched(digits(task.f->low), digits(task.f->high)));
+  section.row("delta", searched(length_text(physical, task.delta->low),
+                                length_text(physical, task.delta->high)));
   if (task.p.low < task.p.high) {
     const auto period = [&](double p) {
       return format("{:.4g}", 2 * std::numbers::pi / p * physical->scales.time_s);
@@ -238,6 +236,18 @@ void add_search(Document& document, const design::SuiteSearch& search) {
 }
 
 }  // namespace
+
+std::string_view quantity(design::SuiteObjective which) {
+  switch (which) {
+    case design::SuiteObjective::amplitude:
+      return "stroke";
+    case design::SuiteObjective::residual:
+      return "residual";
+    case design::SuiteObjective::acceleration:
+      break;
+  }
+  return "acceleration";
+}
 
 std::string lock_sentence(const RecordDesignReport& report) {
   const std::string words = report.result.finding ? lock_words(report.result) : "";
@@ -261,7 +271,7 @@ std::string shortfall_sentence(const RecordDesignReport& report) {
     if (nearest > limit) {
       broken +=
           format("{}{} {} of {} where {} is allowed", broken.empty() ? "" : " and ",
-                 which == SuiteObjective::acceleration ? "an" : "a", words(which),
+                 which == SuiteObjective::acceleration ? "an" : "a", quantity(which),
                  shown(report.physical, which, nearest), shown(report.physical, which, limit));
     }
   }
@@ -289,7 +299,7 @@ Document document(const RecordDesignReport& report) {
     document.tone = still || !result.finding->check.passed ? Tone::bad
                     : result.search.interrupted            ? Tone::plain
                                                            : Tone::good;
-    add_answer(document.answer, result);
+    add_answer(document.answer, result, report.physical);
     add_records(document, report);
     add_damper(document, report);
   } else {

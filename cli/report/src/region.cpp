@@ -7,6 +7,7 @@
 #include <stillpoint/report/report.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -32,16 +33,20 @@ void add_point(Section& section, const RegionReport& report) {
   add_notch(section, answer.practice, report.physical);
 }
 
-/// "admissible", or what it violates.
-std::string judgement(const design::RegionAnswer& answer) {
+/// "admissible", or what it violates: "return (rests off centre: f 55 % too large)".
+std::string judgement(const RegionReport& report) {
+  const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
+  const design::RegionAnswer& answer = report.answer;
   if (*answer.admissible) {
     return format("admissible: f and delta may both be off by +-{:.4g} %",
                   100 * answer.tolerance.value_or(0));
   }
-  std::vector<std::string_view> violated;
+  std::vector<std::string> violated;
+  violated.reserve(answer.constraints.size());
   for (const design::Constraint& now : answer.constraints) {
     if (!now.satisfied) {
-      violated.push_back(now.name);
+      violated.push_back(
+          format("{} ({})", now.name, violation(now, {problem, limits, report.physical})));
     }
   }
   if (violated.empty()) {
@@ -73,6 +78,23 @@ std::string feasible_f(const design::RegionVerdict& verdict) {
                 intervals > 1
                     ? format(", of {} intervals that with the most tolerant damper", intervals)
                     : "");
+}
+
+/// "At f = 0.024, delta from 2.1 mm to 8.2 mm is admissible. ", if one interval of delta is.
+std::string feasible_delta(const RegionReport& report) {
+  const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
+  const design::Region& region = report.answer.region;
+  if (!f || delta || pulse || problem.arrivals > 1 || !is_plain(problem, limits) ||
+      limits.tolerance > 0) {
+    return "";
+  }
+  const double low = design::delta1(problem, *f).value_or(HUGE_VAL);
+  const double high = std::min(problem.v0 * problem.v0 / 2, limits.delta_max.value_or(HUGE_VAL));
+  if (*f < *region.f_lower || *f > *region.f_upper || low >= high) {
+    return format("At f = {} no delta is admissible. ", digits(*f));
+  }
+  return format("At f = {}, delta from {} to {} is admissible. ", digits(*f),
+                length_shown(report.physical, low), length_shown(report.physical, high));
 }
 
 /// Of several arrivals.
@@ -114,7 +136,7 @@ Document document(const RegionReport& report) {
       .detail = false;
   add_strips(document, problem, answer.strips);
   if (answer.region.feasible) {
-    document.verdict = feasible_f(answer);
+    document.verdict = feasible_delta(report) + feasible_f(answer);
     document.tone = Tone::good;
   } else {
     add_emptiness(document, answer, {problem, limits, pulse, report.physical});
@@ -131,7 +153,7 @@ Document document(const RegionReport& report) {
     add_damper_physics(section, report.physical, *f, delta.value_or(0));
     if (delta) {
       add_point(section, report);
-      document.verdict = format("The damper is {}. {}", judgement(answer), document.verdict);
+      document.verdict = format("The damper is {}. {}", judgement(report), document.verdict);
       add_works_for(document.answer, answer.works_for, report.physical);
       if (answer.practice) {
         add_practice(document.detail("In practice"), answer.practice, report.physical);

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 #include <variant>
 
 namespace stillpoint::report {
@@ -57,10 +59,18 @@ void add_surface(Section& section, const SimulationRequest& request, const Physi
   if (surface.notch_width) {
     const double half = *surface.notch_width / 2;
     section.row("notch", format("friction {:.6g} for |x| < {}", f + delta / *surface.notch_width,
-                                length_text(physical, half)));
+                                length_shown(physical, half)));
   }
+  std::optional<double> from;
   for (const FrictionZone& zone : surface.zones) {
-    section.row("friction", format("{:.6g} for |x| < {}", zone.f, length_text(physical, zone.to)));
+    const std::string to = length_shown(physical, zone.to);
+    section.row(from ? "" : "friction", from ? format("{:.6g} for |x| from {} to {}", zone.f,
+                                                      length_shown(physical, *from), to)
+                                             : format("{:.6g} for |x| < {}", zone.f, to));
+    from = zone.to;
+  }
+  if (from) {
+    section.row("", format("f = {:.6g} beyond", f));
   }
 }
 
@@ -167,12 +177,15 @@ Section& add_region(Document& document, const design::Region& region, const Phys
   Section& section = document.detail("Bounds");
   section.row("amplitude",
               format("f >= f2 = {:.6g}{}", region.f2, region.f2 <= 0 ? "  (does not bind)" : ""));
-  section.row("return", format("f <= f3 = {:.6g}", region.f3));
+  section.row(
+      "return",
+      format("f <= f3 = {:.6g}{}", region.f3,
+             region.feasible && *region.f_upper > region.f3 ? "  (the residual allows more)" : ""));
   if (region.f4) {
     section.row("acceleration", format("f <= f4 = {:.6g}{}", *region.f4,
                                        *region.f4 < 0 ? "  (no f is small enough)" : ""));
   }
-  section.row("dead zone", format("f <  f1 = {:.6g}", region.f1));
+  section.row("dead zone", format("f < f1 = {:.6g}", region.f1));
   section.row("start",
               format("delta <= delta2 = {}", length_text(physical, region.delta2.value())));
   section.row("smallest beta", length_text(physical, region.beta_min));
@@ -188,19 +201,31 @@ bool stops_by_delta1(std::span<const design::Constraint> constraints) {
   });
 }
 
+namespace {
+
+std::pair<double, std::string> unit_of(std::string_view variable, const FigureUnits& units) {
+  if (variable == "delta" || variable == "peak") {
+    return {units.length, units.length_unit};
+  }
+  if (variable == "v0") {
+    return {units.velocity, units.velocity_unit};
+  }
+  return {1, variable == "acceleration" ? "g" : ""};
+}
+
+}  // namespace
+
 void add_constraints(Document& document, std::span<const design::Constraint> constraints,
                      const Physical& physical) {
   const FigureUnits units(physical);
   const bool all_met = std::ranges::all_of(constraints, &design::Constraint::satisfied);
   Table table{{"", "", "value", "", "limit", "slack", ""}, {}};
   for (const design::Constraint& now : constraints) {
-    const bool length = (now.variable == "delta" || now.variable == "peak") && physical;
-    const double unit = length ? units.length : 1;
+    const auto [unit, unit_name] = unit_of(now.variable, units);
     table.rows.push_back(
-        {{std::string(now.name),
-          std::string(now.variable) + (length ? ", " + units.length_unit : ""),
-          digits(now.value * unit), std::string(now.relation), digits(now.limit * unit),
-          digits(now.slack * unit), now.satisfied ? "met" : "violated"},
+        {{std::string(now.name), in(std::string(now.variable), unit_name), digits(now.value * unit),
+          std::string(now.relation), digits(now.limit * unit), digits(now.slack * unit),
+          now.satisfied ? "met" : "violated"},
          now.satisfied ? Tone::good : Tone::bad});
   }
   Section& section = all_met ? document.detail("Constraints") : document.section("Constraints");
@@ -218,7 +243,7 @@ std::string outcome_phrase(Outcome outcome) {
     case Outcome::never_stops:
       return "never stops: there is no friction";
     case Outcome::caught_at_start:
-      return "never starts: v0^2 < 2 delta, the notch holds it";
+      return "never starts: the hit is too weak to leave the notch (v0^2 < 2 delta)";
     case Outcome::running:
       return "is still moving at the end of the run";
   }
@@ -233,6 +258,12 @@ std::string outcome_phrase(const ForcedResponse& response) {
 
 namespace {
 
+/// "0.104242 = 0.4556 m/s".
+std::string velocity_text(const Physical& physical, double velocity) {
+  return digits(velocity) +
+         (physical ? " = " + FigureUnits(physical).velocity_words(velocity) : "");
+}
+
 std::string acceleration_text(const Physical& physical, double acceleration) {
   return physical ? format("{:.6g} g = {:.5g} m/s2", acceleration,
                            acceleration * physical->scales.gravity_m_per_s2)
@@ -245,10 +276,8 @@ void add_metrics(Section& section, const Response& response, const Physical& phy
     section.row("stop position", length_text(physical, *response.stop_position));
   }
   if (response.arrival_speed) {
-    const std::string metric =
-        physical ? " = " + FigureUnits(physical).velocity_words(*response.arrival_speed) : "";
     section.row("arrival speed",
-                format("{:.6g}{}, the last at x = 0", *response.arrival_speed, metric));
+                velocity_text(physical, *response.arrival_speed) + ", the last at x = 0");
   }
   if (response.half_cycles) {
     section.row("counts", format("{}, {}, {}", plural(response.half_cycles, "half-cycle"),
@@ -287,13 +316,14 @@ void add_response(Section& section, const ForcedResponse& response, const Physic
   add_metrics(section, response, physical);
   add_margin(section, response, "the closest decision was this far from the other outcome");
   if (response.sticks > 0) {
-    section.row("sticks", format("{}, {} in all", plural(response.sticks, "stick"),
+    section.row("sticks", format("{}, tau = {} in all", plural(response.sticks, "stick"),
                                  time_text(physical, response.stick_time)));
   }
   if (response.end_time && response.outcome == Outcome::running) {
     section.row("at the end",
-                format("tau = {}, x = {}, v = {:.6g}", time_text(physical, *response.end_time),
-                       length_text(physical, *response.final_position), *response.final_velocity));
+                format("tau = {}, x = {}, v = {}", time_text(physical, *response.end_time),
+                       length_text(physical, *response.final_position),
+                       velocity_text(physical, *response.final_velocity)));
   }
   if (response.left_notch_from_rest) {
     section.row("note",

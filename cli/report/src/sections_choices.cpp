@@ -86,6 +86,10 @@ std::string percent(double tolerance) {
 
 }  // namespace
 
+std::string violation(const design::Constraint& violated, const PartTask& task) {
+  return format("{}: {}", consequence(violated, task), by_how_much(violated));
+}
+
 std::string judgement(const design::RatedPart& rated, const PartTask& task) {
   if (rated.admissible) {
     return "fits";
@@ -94,8 +98,7 @@ std::string judgement(const design::RatedPart& rated, const PartTask& task) {
                      : rated.violated.empty() ? "is not admissible"
                                               : "";
   for (const design::Constraint& violated : rated.violated) {
-    text += format("{}{}: {}", text.empty() ? "" : "; ", consequence(violated, task),
-                   by_how_much(violated));
+    text += (text.empty() ? "" : "; ") + violation(violated, task);
   }
   return text;
 }

@@ -39,14 +39,19 @@ Section& add_pulse_region(Document& document, const design::RegionVerdict& verdi
   }
   const bool up_to_k = region.beta_min == 0;
   section.row("return", format("f {} {:.6g}", up_to_k ? "<" : "<=", region.f3));
-  section.row("start", "f below the peak load; nothing bounds delta, the mass starts from rest");
+  section.row("start",
+              "f below the peak load; nothing bounds delta, since the mass starts from rest");
   section.row("smallest beta", up_to_k ? "none: with f just below the peak load it hardly moves"
                                        : length_text(physical, region.beta_min));
+  const std::string feasible =
+      region.feasible ? range_digits(*region.f_lower, *region.f_upper) : "";
   for (const auto& [low, high] : verdict.intervals.value()) {
-    section.row("admissible f", range_digits(low, high));
+    if (const std::string all = range_digits(low, high); all != feasible) {
+      section.row("admissible f", all);  // without the tolerance, or of other islands
+    }
   }
   if (region.feasible) {
-    section.row("feasible f", range_digits(*region.f_lower, *region.f_upper));
+    section.row("feasible f", feasible);
   }
   return section;
 }

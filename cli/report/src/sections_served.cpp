@@ -63,6 +63,16 @@ std::string impulse_shown(const Physical& physical, double impulse) {
                         : format("{} per mass", FigureUnits(physical).velocity_words(impulse));
 }
 
+namespace {
+
+/// With next to no friction it has no meaning but that it is large.
+std::string ratio(double value) {
+  constexpr double large = 1000;
+  return value < large ? format("= {:.3g}", value) : format("> {:.0f}", large);
+}
+
+}  // namespace
+
 void add_practice(Section& section, const std::optional<design::Practice>& lines,
                   const Physical& physical) {
   if (!lines) {
@@ -77,17 +87,19 @@ void add_practice(Section& section, const std::optional<design::Practice>& lines
         " = " + with_unit(*lines->secant_stiffness * *weight / physical->scales.length_m, "N/m");
   }
   section.row("secant stiffness", secant);
-  if (lines->equivalent_damping) {
-    const double damping = 100 * *lines->equivalent_damping;
-    section.row("equiv. damping",
-                damping > 100
-                    ? "above critical for a full cycle at this peak: no linear oscillator "
-                      "stands for this damper"
-                    : format("{:.3g} % of critical, for a full cycle at this peak", damping));
-  }
+  section.row("equiv. damping",
+              lines->equivalent_damping
+                  ? format("{:.3g} % of critical, for a full cycle at this peak",
+                           100 * *lines->equivalent_damping)
+                  : "none: a full cycle at this peak would be damped beyond critical");
   if (lines->energy_ratio && lines->residual_ratio) {
-    section.row("re-centring", format("E_s/E_h = {:.3g} (EN 15129), d/d_rm = {:.3g} (EN 1998-2)",
-                                      *lines->energy_ratio, *lines->residual_ratio));
+    constexpr double asked = 0.25;  // EN 15129
+    const bool enough = *lines->energy_ratio >= asked;
+    section.row("re-centring",
+                format("E_s/E_h {} (EN 15129{})", ratio(*lines->energy_ratio),
+                       enough ? "" : " asks for 0.25"),
+                enough ? Tone::plain : Tone::bad);
+    section.row("", format("d/d_rm {} (EN 1998-2)", ratio(*lines->residual_ratio)));
   }
   if (lines->impulse_at_stop) {
     section.row("impulse at stop", impulse_shown(physical, *lines->impulse_at_stop));

@@ -4,6 +4,8 @@
 
 #include <stillpoint/report/digits.hpp>
 
+#include <numbers>
+
 namespace stillpoint::report {
 
 std::string length_shown(const Physical& physical, double length) {
@@ -31,7 +33,9 @@ std::string time_text(const Physical& physical, double tau) {
 
 std::string frequency_text(const Physical& physical, double lambda) {
   return digits(lambda) +
-         (physical ? format(" = {:.5g} rad/s", lambda / physical->scales.time_s) : "");
+         (physical
+              ? format(" = {:.5g} Hz", lambda / (2 * std::numbers::pi * physical->scales.time_s))
+              : "");
 }
 
 std::string in(const std::string& name, const std::string& unit) {

@@ -39,8 +39,7 @@ std::string starter_scene(const std::optional<std::string>& kind) {
   const std::vector<std::string_view> names = starter_names();
   const std::string wanted = kind.value_or(std::string(names.front()));
   if (std::ranges::find(names, wanted) == names.end()) {
-    throw InputError("init", wanted,
-                     "must be " + records::listed(names) + records::suggestion(wanted, names));
+    throw InputError("init", wanted, records::must_be(wanted, names));
   }
   return std::string(embedded("starters/" + wanted + ".json"));
 }

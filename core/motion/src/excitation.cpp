@@ -1,20 +1,45 @@
 // SPDX-License-Identifier: MIT
-#include "first_beyond.hpp"
+#include "kernel/excitation_run.hpp"
+#include "load_while_held.hpp"
 
-#include <stillpoint/core/excitation.hpp>
+#include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 
 #include <fmt/format.h>
 
-#include <array>
+#include <bit>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace stillpoint {
 
 namespace {
+
+/// The first value that is larger in magnitude or not a number; limit >= 0. It first tests whether
+/// there is any, since a record is checked before each run: magnitudes are ordered like their bits,
+/// with NaN last, and differences of integers compile to vector instructions.
+std::optional<std::size_t> first_beyond(const std::vector<double>& values, double limit) {
+  constexpr std::uint64_t sign = std::uint64_t{1} << 63;
+  const auto limit_bits = std::bit_cast<std::uint64_t>(limit);
+  std::uint64_t differences = 0;
+  for (const double value : values) {
+    differences |= limit_bits - (std::bit_cast<std::uint64_t>(value) & ~sign);
+  }
+  if ((differences & sign) == 0) {
+    return std::nullopt;
+  }
+  std::size_t i = 0;
+  while (std::abs(values[i]) <= limit) {
+    ++i;
+  }
+  return i;
+}
 
 void require_wave(double k, double lambda) {
   require_within("k", k, -largest_speed, largest_speed);
@@ -35,7 +60,7 @@ void check(const Harmonic& excitation) {
   }
 }
 
-template <class Pulse>
+template <IsPulse Pulse>
 void check(const Pulse& pulse) {
   require_wave(pulse.k, pulse.lambda);
 }
@@ -68,16 +93,97 @@ void check(const Record& record) {
   }
 }
 
+/// Over a period of the slower motion, the phase of the faster one is then rounded by up to 1e-3.
+constexpr double largest_ratio = 1e12;
+
+/// The load relative to p: force and, for a wave, frequency.
+void require_scaled_wave(double k, double lambda, double p) {
+  const double load = std::abs(k) / p;
+  if (k != 0 && !(load >= smallest_speed && load <= largest_speed)) {
+    throw InputError("k", k,
+                     fmt::format("k / p must be 0 or have a magnitude from {} to {} (p = {})",
+                                 smallest_speed, largest_speed, p));
+  }
+  const double ratio = lambda / p;
+  if (!(ratio >= 1 / largest_ratio && ratio <= largest_ratio)) {
+    throw InputError("lambda", lambda,
+                     fmt::format("lambda / p must be from {:g} to {:g} (p = {})", 1 / largest_ratio,
+                                 largest_ratio, p));
+  }
+}
+
+void check_scaled(const NoExcitation& /*excitation*/, double /*p*/, double /*t_end*/) {}
+
+template <class Wave>
+void check_scaled(const Wave& wave, double p, double t_end) {
+  require_scaled_wave(wave.k, wave.lambda, p);
+  if (!(wave.lambda * std::fmin(t_end, duration_of<double>(wave)) <= largest_phase)) {
+    throw InputError(
+        "t_end", t_end,
+        fmt::format("lambda t_end must be at most {} (lambda = {})", largest_phase, wave.lambda));
+  }
+}
+
+void check_scaled(const Record& record, double p, double /*t_end*/) {
+  const auto i = p < 1 ? first_beyond(record.values, largest_speed * p) : std::nullopt;
+  if (i) {  // otherwise the values themselves are small enough
+    throw InputError(fmt::format("record value {}", *i + 1), record.values[*i],
+                     fmt::format("value / p must be at most {} (p = {})", largest_speed, p));
+  }
+  for (std::size_t j = 1; j < record.times.size(); ++j) {
+    if (!(p * (record.times[j] - record.times[j - 1]) >= smallest_speed)) {
+      throw InputError(
+          fmt::format("record time {}", j + 1), record.times[j],
+          fmt::format("p times the step from the previous time must be at least {} (p = {})",
+                      smallest_speed, p));
+    }
+  }
+  if (record.times.empty() && !(p * record.step >= smallest_speed)) {
+    throw InputError(
+        "record step", record.step,
+        fmt::format("its product with p must be at least {} (p = {})", smallest_speed, p));
+  }
+}
+
 }  // namespace
 
 std::string_view name(const Excitation& excitation) noexcept {
-  constexpr std::array<std::string_view, std::variant_size_v<Excitation>> names{
-      "none", "harmonic", "half-sine", "full-sine", "rectangle", "record"};
-  return names.at(excitation.index());
+  return std::visit([](const auto& kind) { return kind.name; }, excitation);
+}
+
+std::optional<double> duration(const Excitation& excitation) {
+  const double lasts =
+      std::visit([](const auto& kind) { return duration_of<double>(kind); }, excitation);
+  return std::isfinite(lasts) ? std::optional(lasts) : std::nullopt;
+}
+
+std::function<double(const ExactSum<double>&, const ExactSum<double>&)> load_while_held(
+    const Excitation& excitation, double p) {
+  return largest_load_of(excitation, p);
 }
 
 void require_valid(const Excitation& excitation) {
   std::visit([](const auto& kind) { check(kind); }, excitation);
+}
+
+void require_valid(const Oscillator& oscillator, const Start& start, const Excitation& excitation,
+                   const std::optional<double>& t_end) {
+  require_valid(oscillator, start);
+  require_valid(excitation);
+  const std::optional<double> lasts = duration(excitation);
+  if (!t_end && !lasts) {
+    throw InputError("t_end", "nothing", "must be given: the excitation never ends");
+  }
+  if (t_end) {
+    require_within("t_end", *t_end, smallest_speed, largest_speed);
+  }
+  const double end = t_end ? *t_end : *lasts;
+  std::visit([&](const auto& kind) { check_scaled(kind, oscillator.p, end); }, excitation);
+  if (!(oscillator.p * end <= largest_phase)) {
+    throw InputError(
+        t_end ? "t_end" : "duration", end,
+        fmt::format("its product with p must be at most {} (p = {})", largest_phase, oscillator.p));
+  }
 }
 
 }  // namespace stillpoint

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "batch_work.hpp"
 #include "forced_response_of_valid.hpp"
-#include "scene_check.hpp"
 
 #include <stillpoint/core/forced_batch.hpp>
 

@@ -55,9 +55,8 @@ class FreeBatchSource final : public FreeLanesSource {
     const Oscillator oscillator{.p = entries_.p[i], .f = entries_.f[i], .delta = entries_.delta[i]};
     const Start start{.x0 = 0, .v0 = entries_.v0[i]};
     if (!options_.surface.plain()) {
-      ForcedOptions forced;
-      forced.half_cycle_limit = options_.half_cycle_limit;
-      return forced_response(oscillator, start, NoExcitation{}, forced, options_.surface);
+      return forced_response(oscillator, start, NoExcitation{},
+                             {.half_cycle_limit = options_.half_cycle_limit}, options_.surface);
     }
     return free_response(
         oscillator, start,

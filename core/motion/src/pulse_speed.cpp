@@ -55,38 +55,34 @@ std::optional<EquivalentStart> carried_back(double ratio, double end, double spe
   return EquivalentStart{start_speed, end - 2 * distance / (start_speed + speed)};
 }
 
-std::optional<EquivalentStart> scaled(const std::optional<EquivalentStart>& start, double k,
-                                      double lambda) {
-  return start ? std::optional(EquivalentStart{k / lambda * start->speed, start->tau / lambda})
+/// `carried` gives the start in the units of Push, for a ratio below 1.
+template <class Pulse, class Carried>
+std::optional<EquivalentStart> start_of(const Pulse& pulse, double f, const Carried& carried) {
+  require_valid(Excitation(pulse));
+  require_within("f", f, 0, largest_square);
+  const double k = std::abs(pulse.k);
+  const std::optional<EquivalentStart> start = k > f ? carried(f / k) : std::nullopt;
+  return start ? std::optional(
+                     EquivalentStart{k / pulse.lambda * start->speed, start->tau / pulse.lambda})
                : std::nullopt;
 }
 
 }  // namespace
 
 std::optional<EquivalentStart> equivalent_start(const HalfSine& pulse, double f) {
-  require_valid(Excitation(pulse));
-  require_within("f", f, 0, largest_square);
-  const double k = std::abs(pulse.k);
-  if (k <= f) {
-    return std::nullopt;
-  }
-  const Push push{f / k};
-  const double end = push.end();
-  return scaled(carried_back(push.ratio, end, push.speed(end), push.distance(end)), k,
-                pulse.lambda);
+  return start_of(pulse, f, [](double ratio) {
+    const Push push{ratio};
+    const double end = push.end();
+    return carried_back(ratio, end, push.speed(end), push.distance(end));
+  });
 }
 
 std::optional<EquivalentStart> equivalent_start(const Rectangle& pulse, double f) {
-  require_valid(Excitation(pulse));
-  require_within("f", f, 0, largest_square);
-  const double k = std::abs(pulse.k);
-  if (k <= f) {
-    return std::nullopt;
-  }
-  const double ratio = f / k;
-  const double end = std::numbers::pi;
-  const double speed = (1 - ratio) * end;
-  return scaled(carried_back(ratio, end, speed, speed * end / 2), k, pulse.lambda);
+  return start_of(pulse, f, [](double ratio) {
+    constexpr double end = std::numbers::pi;
+    const double speed = (1 - ratio) * end;
+    return carried_back(ratio, end, speed, speed * end / 2);
+  });
 }
 
 }  // namespace stillpoint

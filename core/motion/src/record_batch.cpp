@@ -3,7 +3,6 @@
 #include "forced_response_of_valid.hpp"
 #include "record_lanes.hpp"
 #include "record_motion.hpp"
-#include "scene_check.hpp"
 
 #include <stillpoint/core/forced_batch.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -135,8 +134,7 @@ void record_batch(double v0, const BatchValues& p, const BatchValues& f, const B
   BatchEntries entries = entries_of(speeds, p, f, delta);
   entries.v0.stride = 0;
   resize(result, entries.size);
-  ForcedOptions scene;
-  scene.half_cycle_limit = options.half_cycle_limit;
+  const ForcedOptions scene{.half_cycle_limit = options.half_cycle_limit};
   const Excitation excitation = record;
   const bool in_lanes = options.surface.plain() && record.times.empty();
   run_batch(entries, record_lanes, options.threads, [&](EntryThreads& work) {

@@ -52,70 +52,96 @@ class RecordGroup {
   }
 
  private:
+  /// (F16) and (F21) over an interval.
+  struct Terms {
+    V sine;
+    V versine;
+    V lag;
+    V bend;
+    V pull;
+    V fall;
+    V least_v;
+  };
+
+  struct Point {
+    V u;
+    V v;
+    V a;
+  };
+
+  HWY_INLINE Terms terms() const {
+    return {at(sine_, 0), at(versine_, 0), at(lag_, 0),    at(bend_, 0),
+            at(pull_, 0), at(fall_, 0),    at(least_v_, 0)};
+  }
+
+  static HWY_INLINE V next_v(const Terms& t, const Point& s, V rise) {
+    return hn::Add(hn::Sub(s.v, hn::Mul(s.v, t.versine)),
+                   hn::Sub(hn::Mul(s.a, t.sine), hn::Mul(rise, t.bend)));
+  }
+
+  static HWY_INLINE V next_u(const Terms& t, const Point& s, V rise) {
+    const V moved = hn::Add(hn::Mul(s.v, t.sine), hn::Mul(s.a, t.versine));
+    return hn::Add(s.u, hn::Sub(moved, hn::Mul(rise, t.lag)));
+  }
+
+  static HWY_INLINE V next_a(const Terms& t, const Point& s, V rise) {
+    return hn::Sub(hn::Sub(s.a, hn::Mul(s.a, t.versine)),
+                   hn::Add(hn::Mul(s.v, t.sine), hn::Mul(rise, t.pull)));
+  }
+
   /// From sample i on while all lanes are calm; returns the sample before the interval where one is
   /// not. The calm ones are past the interval, and `next_` says where the others would be.
   template <bool rests>
   HWY_INLINE std::size_t advance(std::size_t i, std::size_t end) {
     const V inverse_p = at(inverse_p_, 0);
-    const V sine = at(sine_, 0);
-    const V versine = at(versine_, 0);
-    const V lag = at(lag_, 0);
-    const V bend = at(bend_, 0);
-    const V pull = at(pull_, 0);
-    const V fall = at(fall_, 0);
-    const V least_v = at(least_v_, 0);
+    const Terms t = terms();
     const V sign = at(sign_, 0);
     const V mirror = hn::And(sign, hn::SignBit(D()));
     const V phi = at(phi_, 0);
     const V edge = at(edge_, 0);
     const M slides = hn::Ne(sign, hn::Zero(D()));
-    V u = at(u_, 0);
-    V v = at(v_, 0);
-    V a = at(a_, 0);
+    Point now{at(u_, 0), at(v_, 0), at(a_, 0)};
     V w = hn::Mul(all(record_[i]), inverse_p);
     for (; i < end; ++i) {
       const V next_w = hn::Mul(all(record_[i + 1]), inverse_p);
       const V rise = hn::Sub(next_w, w);
-      V next_v =
-          hn::Add(hn::Sub(v, hn::Mul(v, versine)), hn::Sub(hn::Mul(a, sine), hn::Mul(rise, bend)));
-      const V v_sine = hn::Mul(v, sine);
-      const V a_versine = hn::Mul(a, versine);
-      V next_u = hn::Add(u, hn::Sub(hn::Add(v_sine, a_versine), hn::Mul(rise, lag)));
+      Point next{next_u(t, now, rise), next_v(t, now, rise), now.a};
       // (F21)
-      const V slower = hn::Min(hn::Xor(v, mirror), hn::Xor(next_v, mirror));
-      const V least = hn::Max(least_v, hn::Xor(hn::Mul(fall, rise), mirror));
+      const V slower = hn::Min(hn::Xor(now.v, mirror), hn::Xor(next.v, mirror));
+      const V least = hn::Max(t.least_v, hn::Xor(hn::Mul(t.fall, rise), mirror));
       M goes_on = hn::Gt(slower, least);
-      M calm = hn::And(goes_on, hn::Lt(hn::Xor(next_u, mirror), edge));
+      M calm = hn::And(goes_on, hn::Lt(hn::Xor(next.u, mirror), edge));
       if constexpr (rests) {
-        const M held = goes_on_resting(u, w, next_w, hn::Not(slides));
+        const M held = goes_on_resting(now.u, w, next_w, hn::Not(slides));
         goes_on = hn::And(goes_on, slides);
         calm = hn::Or(hn::And(slides, calm), hn::AndNot(slides, held));
-        next_u = hn::IfThenElse(slides, next_u, u);
-        next_v = hn::IfThenElseZero(slides, next_v);
+        next.u = hn::IfThenElse(slides, next.u, now.u);
+        next.v = hn::IfThenElseZero(slides, next.v);
       }
-      V next_a = i % afresh == 0
-                     ? hn::Neg(hn::Add(hn::Add(next_u, phi), next_w))
-                     : hn::Sub(hn::Sub(a, a_versine), hn::Add(v_sine, hn::Mul(rise, pull)));
+      next.a =
+          i % afresh == 0 ? hn::Neg(hn::Add(hn::Add(next.u, phi), next_w)) : next_a(t, now, rise);
       if (!hn::AllTrue(D(), calm)) [[unlikely]] {
-        put(hn::IfThenElse(calm, next_u, u), u_, 0);
-        put(hn::IfThenElse(calm, next_v, v), v_, 0);
-        put(hn::IfThenElse(calm, next_a, a), a_, 0);
-        put(next_u, next_u_, 0);
-        put(next_v, next_v_, 0);
-        put(next_a, next_a_, 0);
-        waiting_ = bits(hn::Not(calm));
-        goes_on_ = bits(goes_on);
+        stop(now, next, calm, goes_on);
         return i;
       }
-      u = next_u;
-      v = next_v;
-      a = next_a;
+      now = next;
       w = next_w;
     }
-    put(u, u_, 0);
-    put(v, v_, 0);
-    put(a, a_, 0);
+    put(now.u, u_, 0);
+    put(now.v, v_, 0);
+    put(now.a, a_, 0);
     return i;
+  }
+
+  HWY_INLINE void stop(const Point& now, const Point& next, M calm, M goes_on) {
+    put(hn::IfThenElse(calm, next.u, now.u), u_, 0);
+    put(hn::IfThenElse(calm, next.v, now.v), v_, 0);
+    put(hn::IfThenElse(calm, next.a, now.a), a_, 0);
+    put(next.u, next_u_, 0);
+    put(next.v, next_v_, 0);
+    put(next.a, next_a_, 0);
+    waiting_ = bits(hn::Not(calm));
+    goes_on_ = bits(goes_on);
   }
 
   /// The same where all lanes rest.

@@ -2,7 +2,7 @@
 #pragma once
 
 // The response of a forced run, whatever its law of friction. The paper's law and zones are
-// compiled apart (forced_motion.cpp, zoned_motion.cpp): together the compiler inlines less of
+// compiled apart (forced_response.cpp, zoned_motion.cpp): together the compiler inlines less of
 // either.
 
 #include "kernel/excitation_run.hpp"

@@ -65,22 +65,17 @@ double horizon_of(const SimulationRequest& request, const ForcedResponse& respon
 
 ForcedResponse response_of(const SimulationRequest& request,
                            const std::function<bool(double)>& go_on) {
-  ForcedOptions options;
-  options.t_end = run_end(request);
-  options.half_cycle_limit = request.half_cycle_limit;
-  options.go_on = go_on;
-  return forced_response(request.oscillator, request.start, request.excitation, options,
-                         request.surface);
+  return forced_response(
+      request.oscillator, request.start, request.excitation,
+      {.t_end = run_end(request), .half_cycle_limit = request.half_cycle_limit, .go_on = go_on},
+      request.surface);
 }
 
 void trace(Simulation& result, const SimulationRequest& request, double horizon,
            const std::function<bool(double)>& go_on) {
   if (request.samples) {
-    ForcedTrajectoryOptions options;
-    options.horizon = horizon;
-    options.to_rest = !request.t_end;
-    options.go_on = go_on;
-    const ForcedTrajectory path(request.oscillator, request.start, request.excitation, options,
+    const ForcedTrajectory path(request.oscillator, request.start, request.excitation,
+                                {.horizon = horizon, .go_on = go_on, .to_rest = !request.t_end},
                                 request.surface);
     result.trajectory = path.sampled(*request.samples);
   }

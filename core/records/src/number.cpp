@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/number.hpp>
+#include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 
@@ -81,6 +82,22 @@ std::string_view explanation(NumberFault fault) noexcept {
   return "";
 }
 
+namespace {
+
+/// "; 10 % is 0.1" for "10%" or "10 %"; "" for any other text.
+std::string without_percent(std::string_view text) {
+  if (!text.ends_with('%')) {
+    return "";
+  }
+  const std::string_view number = trimmed(text.substr(0, text.size() - 1));
+  const ScannedNumber scanned = scan_number(number);
+  return scanned.fault == NumberFault::none
+             ? fmt::format("; {} % is {}", number, scanned.value / 100)
+             : "";
+}
+
+}  // namespace
+
 double parse_number(std::string_view field, std::string_view text) {
   const ScannedNumber scanned = scan_number(text);
   if (scanned.fault == NumberFault::out_of_range) {
@@ -88,7 +105,10 @@ double parse_number(std::string_view field, std::string_view text) {
                      "must have a magnitude that a double can hold, 2.2e-308 to 1.8e308");
   }
   if (scanned.fault != NumberFault::none) {
-    throw InputError(std::string(field), fmt::format("\"{}\"", text), "must be a finite number");
+    throw InputError(std::string(field), fmt::format("\"{}\"", text),
+                     scanned.fault == NumberFault::not_finite
+                         ? "must be a finite number"
+                         : fmt::format("must be a number{}", without_percent(text)));
   }
   return scanned.value;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/records/record_folder.hpp>
+#include <stillpoint/records/record_suite.hpp>
 
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/record_file.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/records/record_list.hpp>
+#include <stillpoint/records/record_suite.hpp>
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
@@ -58,7 +58,7 @@ ListedRecord listed_record(std::string path, Column column, std::string_view tex
   }
   const char* const name = column == Column::peak ? "peak" : "spectrum";
   const double value = parse_value(name, Dimension::gravities, text);
-  require_within(name, value, smallest_physical, largest_physical);
+  require_physical(name, Dimension::gravities, value);
   return {std::move(path), 1,
           column == Column::peak ? RecordTarget{value, {}} : RecordTarget{{}, value}};
 }

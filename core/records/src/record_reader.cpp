@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "record_reader.hpp"
 
+#include <stillpoint/core/names.hpp>
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/records/text.hpp>
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace stillpoint::records {
@@ -131,6 +133,12 @@ double RecordReader::parse_acceleration(std::string_view word) const {
     refuse_word(word, load_bounds());
   }
   return *value;
+}
+
+std::span<const Named<RecordUnits>> enumerators(RecordUnits) noexcept {
+  static constexpr auto rows = std::to_array<Named<RecordUnits>>(
+      {{RecordUnits::g, "g"}, {RecordUnits::m_per_s2, "m/s2"}, {RecordUnits::cm_per_s2, "cm/s2"}});
+  return rows;
 }
 
 std::string step_bounds(const RecordClock& clock) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/records/record_options.hpp>
+#include <stillpoint/records/record_file.hpp>
 
 #include <cstddef>
 #include <optional>

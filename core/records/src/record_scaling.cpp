@@ -166,7 +166,7 @@ double own_spectrum(const Record& record, const std::string& path, const RecordC
 
 void require_target(const char* name, const std::optional<double>& target) {
   if (target) {
-    require_within(name, *target, smallest_physical, largest_physical);
+    require_physical(name, Dimension::gravities, *target);
   }
 }
 

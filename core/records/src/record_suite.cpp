@@ -2,8 +2,6 @@
 #include <stillpoint/records/record_suite.hpp>
 
 #include <stillpoint/records/file_error.hpp>
-#include <stillpoint/records/record_folder.hpp>
-#include <stillpoint/records/record_list.hpp>
 
 #include <fmt/format.h>
 

@@ -150,12 +150,24 @@ std::string listed(std::span<const std::string_view> words) {
 
 std::string suggestion(std::string_view wrong, std::span<const std::string_view> names,
                        std::string_view prefix) {
-  const auto nearest = std::ranges::min_element(
-      names, {}, [&](std::string_view name) { return slips(wrong, name); });
-  const std::size_t distance = slips(wrong, *nearest);
-  return distance <= most_slips && distance < wrong.size()
-             ? fmt::format("; did you mean {}{}?", prefix, *nearest)
-             : "";
+  const auto only = [&](const auto& is_meant) {
+    const auto found = std::ranges::find_if(names, is_meant);
+    return found != names.end() && std::ranges::count_if(names, is_meant) == 1 ? *found : "";
+  };
+  std::size_t least = most_slips;  // half of a short word may be slips, but no more
+  for (const std::string_view name : names) {
+    least = std::min({least, wrong.size() / 2, slips(wrong, name)});
+  }
+  std::string_view meant = only([&](std::string_view name) { return slips(wrong, name) <= least; });
+  if (meant.empty() && wrong.size() > 1) {
+    meant = only([&](std::string_view name) { return name.starts_with(wrong); });
+  }
+  return meant.empty() ? "" : fmt::format("; did you mean {}{}?", prefix, meant);
+}
+
+std::string must_be(std::string_view wrong, std::span<const std::string_view> names,
+                    std::string_view where) {
+  return fmt::format("must be {}{}{}", listed(names), where, suggestion(wrong, names));
 }
 
 std::string quoted(std::string_view text) {

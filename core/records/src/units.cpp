@@ -117,12 +117,13 @@ double parse_value(std::string_view field, Dimension dimension, std::string_view
   const std::vector<Unit> accepted = units_of(dimension);
   const auto unit = std::ranges::find(accepted, parts->unit, &Unit::name);
   if (unit == accepted.end()) {
-    throw InputError(
-        std::string(field), fmt::format("\"{}\"", shortened(text, longest_word)),
-        accepted.empty()
-            ? fmt::format("must be a number without a unit{}", instead)
-            : fmt::format("must be a number in {}, or have the unit {}", accepted.front().name,
-                          accepted.size() == 1 ? "this unit" : unit_names(dimension)));
+    throw InputError(std::string(field), fmt::format("\"{}\"", shortened(text, longest_word)),
+                     accepted.empty() ? fmt::format("must be a number without a unit{}", instead)
+                     : accepted.size() == 1
+                         ? fmt::format("must be a number in {0}, with or without the unit {0}",
+                                       accepted.front().name)
+                         : fmt::format("must be a number in {}, or have the unit {}",
+                                       accepted.front().name, unit_names(dimension)));
   }
   const auto scanned = scan_number(moved(parts->number, unit->power_of_ten));
   if (scanned.fault != NumberFault::none) {
@@ -132,9 +133,44 @@ double parse_value(std::string_view field, Dimension dimension, std::string_view
   return scanned.value;
 }
 
+void require_physical(std::string_view field, Dimension dimension, double value, double least) {
+  if (value >= least && value <= largest_physical) {
+    return;
+  }
+  const std::vector<Unit> units = units_of(dimension);
+  const std::string unit = units.empty() ? "" : fmt::format(" {}", units.front().name);
+  throw InputError(std::string(field), fmt::format("{}{}", value, unit),
+                   fmt::format("must be from {} to {}{}", least, largest_physical, unit));
+}
+
 bool has_unit(std::string_view text) {
   const auto parts = divided(text);
   return parts && !parts->unit.empty();
+}
+
+std::vector<FrictionZone> parse_zones(std::string_view field, Dimension edge,
+                                      std::string_view text) {
+  const std::vector<std::string_view> parts = split(text, ',');
+  std::vector<FrictionZone> zones;
+  zones.reserve(parts.size());
+  std::string_view before;
+  for (const std::string_view zone : parts) {
+    const std::string place = fmt::format("{} {}", field, zones.size() + 1);
+    const std::size_t colon = zone.find(':');
+    if (colon == std::string_view::npos) {
+      throw InputError(place, std::string(zone), "must be X:F, an edge and the friction up to it");
+    }
+    const std::string_view to = zone.substr(0, colon);
+    zones.push_back({parse_value(place + ": to", edge, to),
+                     parse_number(place + ": f", zone.substr(colon + 1))});
+    // The core checks this too, but knows no units.
+    if (zones.size() > 1 && !(zones.back().to > zones[zones.size() - 2].to)) {
+      throw InputError(place + ": to", std::string(to),
+                       fmt::format("must be greater than the previous edge, {}", before));
+    }
+    before = to;
+  }
+  return zones;
 }
 
 }  // namespace stillpoint::records

@@ -2,7 +2,7 @@
 #include <stillpoint/design/catalogue.hpp>
 
 #include "finding.hpp"
-#include "pulse/catalogue.hpp"
+#include "pulse/verdict.hpp"
 #include "ranking.hpp"
 #include "region/mend_list.hpp"
 

@@ -4,6 +4,7 @@
 #include "finding.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/region.hpp>
 
 #include <fmt/format.h>
@@ -17,7 +18,8 @@ PulseRequest pulse_request(const DesignRequest& request) {
                      "must be 1 with a pulse: a design for a pulse stops at the first arrival");
   }
   if (problem.residual) {
-    throw InputError("pulse", std::string(name(*pulse)), "has no design with a residual");
+    throw InputError("residual", *problem.residual,
+                     "must be left out with a pulse: a design for a pulse stops at x = 0");
   }
   return {{*pulse, problem.p, problem.beta, problem.criterion, ranges, problem.p_high},
           limits,
@@ -27,6 +29,21 @@ PulseRequest pulse_request(const DesignRequest& request) {
 PulseRequest pulse_request(const RegionRequest& request) {
   return pulse_request(
       DesignRequest{request.problem, request.limits, {}, request.pulse, request.pulse_ranges});
+}
+
+Finding finding_of(const Problem& problem, const Limits& limits, const SearchResult& found) {
+  const auto& [point, record] = found;
+  Finding finding;
+  finding.point = point;
+  finding.search = record;
+  finding.arrival = arrival_of(problem, point.f, point.delta);
+  finding.constraints = constraints(problem, limits, point.f, point.delta);
+  const Oscillator oscillator{problem.p, point.f, point.delta};
+  finding.response = free_response(oscillator, {0, problem.v0});
+  finding.practice = practice(oscillator, finding.response, limits.acceleration_max);
+  finding.cross_check =
+      cross_check(predict(problem, point.f, point.delta), problem, point.f, point.delta);
+  return finding;
 }
 
 DesignResult design(const DesignRequest& request) {

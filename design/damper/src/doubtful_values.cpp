@@ -55,24 +55,34 @@ struct Values {
   }
 };
 
-/// A value, where it is kept, what it measures, and its usual range.
+/// A value, what it measures, its usual range, and where it is kept if it is part of a ratio. The
+/// ranges span what isolators are built for, from an instrument to a tall building, and dampers:
+/// wide, for a warning that is often wrong is not read.
 struct Source {
   std::string_view name;
-  std::optional<double> Values::*value;
   Dimension dimension;
   double least;
   double most;
+  std::optional<double> Values::*value{nullptr};
 };
 
 constexpr std::array sources{
-    Source{"max-displacement", &Values::stroke, Dimension::length, 1e-3, 3},
-    Source{"velocity", &Values::velocity, Dimension::velocity, 1e-2, 10},
-    Source{"period", &Values::period, Dimension::time, 1e-2, 20},
-    Source{"natural-frequency", &Values::frequency, Dimension::frequency, 5e-2, 100},
-    Source{"stiffness", &Values::stiffness, Dimension::stiffness, 1e3, 1e12},
-    Source{"mass", &Values::mass, Dimension::mass, 1, 1e9},
-    Source{"x0-m", &Values::x0, Dimension::length, 1e-3, 3},
+    Source{"max-displacement", Dimension::length, 1e-3, 3, &Values::stroke},
+    Source{"velocity", Dimension::velocity, 1e-2, 10, &Values::velocity},
+    Source{"period", Dimension::time, 1e-2, 20, &Values::period},
+    Source{"natural-frequency", Dimension::frequency, 5e-2, 100, &Values::frequency},
+    Source{"stiffness", Dimension::stiffness, 10, 1e12, &Values::stiffness},
+    Source{"mass", Dimension::mass, 1, 1e9, &Values::mass},
+    Source{"x0-m", Dimension::length, 1e-3, 3, &Values::x0},
+    Source{"delta-m", Dimension::length, 1e-6, 0.3},
+    Source{"delta-max-m", Dimension::length, 1e-6, 0.3},
+    Source{"residual-m", Dimension::length, 1e-6, 1},
+    Source{"notch-width-m", Dimension::length, 1e-5, 1},
+    Source{"f", Dimension::none, 0, 0.2},
+    Source{"f-max", Dimension::none, 0, 0.2},
 };
+/// A value this many powers of ten outside its usual range was probably given in another unit.
+constexpr double far_outside = 1;
 
 std::optional<double> number(const GivenValues& given, std::string_view name) {
   const auto found = given.find(name);
@@ -87,7 +97,9 @@ bool with_unit(const GivenValues& given, std::string_view name) {
 Values values_of(const GivenValues& given) {
   Values values;
   for (const Source& source : sources) {
-    values.*source.value = number(given, source.name);
+    if (source.value != nullptr) {
+      values.*source.value = number(given, source.name);
+    }
   }
   values.gravity = number(given, "gravity").value_or(values.gravity);
   return values;
@@ -106,7 +118,7 @@ std::optional<Doubt::Meant> likely_unit(const GivenValues& given, const Values& 
   std::optional<Doubt::Meant> found;
   std::pair<double, double> best{-1, 0};
   for (const Source& source : sources) {
-    const auto value = values.*source.value;
+    const auto value = source.value == nullptr ? std::nullopt : values.*source.value;
     if (!value || *value == 0 || with_unit(given, source.name)) {
       continue;
     }
@@ -143,6 +155,7 @@ std::optional<Doubt> doubtful_stroke(const GivenValues& given, const Values& val
     return std::nullopt;
   }
   return Doubt{
+      "max-displacement",
       fmt::format("max-displacement = {} m is {:.3g} times V0/omega = {:.3g} m, the stroke "
                   "without friction",
                   *values.stroke, now, *reach),
@@ -157,7 +170,8 @@ std::optional<Doubt> doubtful_reach(const GivenValues& given, const Values& valu
   if (length <= longest_m) {
     return std::nullopt;
   }
-  return Doubt{values.stroke
+  return Doubt{values.stroke ? "max-displacement" : "",
+               values.stroke
                    ? fmt::format("max-displacement = {} m is longer than any stroke", length)
                    : fmt::format("the motion reaches {:.3g} m without friction", length),
                likely_unit(given, values, likely_factor, ratio)};
@@ -174,7 +188,8 @@ std::optional<Doubt> doubtful_notch(const GivenValues& given, const Values& valu
   if (*notch <= far_beyond * hit) {
     return std::nullopt;
   }
-  return Doubt{fmt::format("{} = {} m takes {:.3g} times the energy of the hit at each passage",
+  return Doubt{std::string(name),
+               fmt::format("{} = {} m takes {:.3g} times the energy of the hit at each passage",
                            name, *notch, *notch / hit),
                in_unit(given, name, *notch, "mm", *notch * 1e-3 <= near_one * hit)};
 }
@@ -190,7 +205,8 @@ std::optional<Doubt> doubtful_pulse(const GivenValues& given, const Values& valu
   if (*pulse <= longest_pulse * period) {
     return std::nullopt;
   }
-  return Doubt{fmt::format("{} = {} s is {:.3g} natural periods", name, *pulse, *pulse / period),
+  return Doubt{std::string(name),
+               fmt::format("{} = {} s is {:.3g} natural periods", name, *pulse, *pulse / period),
                in_unit(given, name, *pulse, "ms", *pulse * 1e-3 <= period)};
 }
 
@@ -201,8 +217,57 @@ std::optional<Doubt> doubtful_peak(const GivenValues& given) {
     return std::nullopt;
   }
   return Doubt{
+      "k",
       fmt::format("k = {} is in g, so the load is {:.3g} m/s2", *k, *k * standard_gravity_m_per_s2),
       Doubt::Meant{"k", 1, ""}};
+}
+
+/// The unit that brings a value closest to the middle of its usual range; of a plain number, per
+/// cent.
+std::optional<Doubt::Meant> usual_unit(const Source& source, double value) {
+  if (source.dimension == Dimension::none) {
+    const double part = value / 100;
+    return outside(source, part) < far_outside
+               ? std::optional(Doubt::Meant{std::string(source.name), part, ""})
+               : std::nullopt;
+  }
+  std::optional<Doubt::Meant> found;
+  double nearest = HUGE_VAL;
+  for (const records::Unit& unit : records::units_of(source.dimension)) {
+    const double then = std::abs(value) * std::pow(10, unit.power_of_ten);
+    const double apart = std::abs(std::log(then * then / source.least / source.most));
+    if (outside(source, then) == 0 && apart < nearest) {
+      nearest = apart;
+      found = Doubt::Meant{std::string(source.name), value, std::string(unit.name)};
+    }
+  }
+  return found;
+}
+
+std::optional<Doubt> doubtful_size(const GivenValues& given, const Source& source) {
+  const auto value = number(given, source.name);
+  if (!value || *value == 0 || outside(source, std::abs(*value)) <= far_outside) {
+    return std::nullopt;
+  }
+  const auto units = records::units_of(source.dimension);
+  const std::string unit = units.empty() ? "" : fmt::format(" {}", units.front().name);
+  const std::string usual =
+      source.least > 0
+          ? fmt::format("far from the usual {:g} to {:g}{}", source.least, source.most, unit)
+          : fmt::format("far above the usual values, which are at most {:g}", source.most);
+  return Doubt{std::string(source.name),
+               fmt::format("{} = {}{} is {}", source.name, *value, unit, usual),
+               with_unit(given, source.name) ? std::nullopt : usual_unit(source, *value)};
+}
+
+bool names(const Doubt& doubt, std::string_view name) {
+  return doubt.name == name || (doubt.meant && doubt.meant->name == name);
+}
+
+bool in_metres(const GivenValues& given) {
+  return std::ranges::any_of(sources, [&](const Source& source) {
+    return source.dimension != Dimension::none && given.contains(source.name);
+  });
 }
 
 }  // namespace
@@ -216,6 +281,13 @@ std::vector<Doubt> doubtful_values(const GivenValues& given) {
         doubtful_notch(given, values, "delta-max-m"), doubtful_pulse(given, values),
         doubtful_peak(given)}) {
     if (doubt) {
+      doubts.push_back(*doubt);
+    }
+  }
+  for (const Source& source : sources) {
+    const auto doubt = in_metres(given) ? doubtful_size(given, source) : std::nullopt;
+    if (doubt && std::ranges::none_of(
+                     doubts, [&](const Doubt& known) { return names(known, source.name); })) {
       doubts.push_back(*doubt);
     }
   }

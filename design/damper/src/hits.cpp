@@ -8,7 +8,6 @@
 #include <stillpoint/design/hits.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace stillpoint::design {
 
@@ -16,16 +15,12 @@ namespace {
 
 constexpr double smallest_beta = 1e-300;  // as problem.hpp has it
 
-struct Damper {
+struct Damper : WideNotch {
   Wide p;
-  Wide phi;
-  Wide d;
 
-  /// The radius of the half-cycle before, (39).
-  [[nodiscard]] Wide before(Wide radius) const { return 2 * phi + root(radius * radius + d); }
   /// The V0 of a first radius.
   [[nodiscard]] Wide speed(Wide radius) const {
-    return root(std::max(Wide(0), (radius - phi) * (radius + phi)));
+    return root(std::max(Wide(0), square_before(radius, 0)));
   }
   [[nodiscard]] Wide radius_of_half_cycle(int n, Wide v0) const {
     Wide radius = root(v0 * v0 + phi * phi);
@@ -103,7 +98,7 @@ std::vector<Hits> hits(const Oscillator& oscillator, double beta, double v0_most
   require_within("beta", beta, smallest_beta, largest_square);
   require_within("v0", v0_most, smallest_speed, largest_speed);
   const auto& [p, f, delta, hold] = oscillator;
-  const Damper damper{p, f / Wide(p), 2 * Wide(delta)};
+  const Damper damper{{f / Wide(p), 2 * Wide(delta)}, p};
   const Wide start = std::min(Wide(v0_most), root(damper.d));
   const Wide speed = Wide(beta) * p;
   const Wide peak_limit = root(speed) * root(speed + 2 * damper.phi);

@@ -5,17 +5,21 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace stillpoint::design {
 
 namespace {
+
+using records::Dimension;
+using records::require_physical;
 
 /// A conversion rounds a few times; this much to the safe side keeps the converted input feasible.
 constexpr double conversion_safety = 1e-14;
 
 double omega_of(const PhysicalIsolator& isolator) {
   if (isolator.mass_kg) {
-    require_within("mass", *isolator.mass_kg, smallest_physical, largest_physical);
+    require_physical("mass", Dimension::mass, *isolator.mass_kg);
   }
   if (isolator.natural_frequency_hz && (isolator.period_s || isolator.stiffness_n_per_m)) {
     throw InputError("natural-frequency", *isolator.natural_frequency_hz,
@@ -26,18 +30,17 @@ double omega_of(const PhysicalIsolator& isolator) {
                      "give either period or stiffness, not both");
   }
   if (isolator.period_s) {
-    require_within("period", *isolator.period_s, smallest_physical, largest_physical);
+    require_physical("period", Dimension::time, *isolator.period_s);
     return 2 * std::numbers::pi / *isolator.period_s;
   }
   if (isolator.natural_frequency_hz) {
-    require_within("natural-frequency", *isolator.natural_frequency_hz, smallest_physical,
-                   largest_physical);
+    require_physical("natural-frequency", Dimension::frequency, *isolator.natural_frequency_hz);
     return 2 * std::numbers::pi * *isolator.natural_frequency_hz;
   }
   if (!isolator.stiffness_n_per_m) {
     throw InputError::missing("period", "give period, natural-frequency, or stiffness with mass");
   }
-  require_within("stiffness", *isolator.stiffness_n_per_m, smallest_physical, largest_physical);
+  require_physical("stiffness", Dimension::stiffness, *isolator.stiffness_n_per_m);
   if (!isolator.mass_kg) {
     throw InputError::missing("mass", "stiffness needs a mass as well");
   }
@@ -57,8 +60,8 @@ double reference_velocity(const PhysicalIsolator& isolator, double velocity, dou
 }  // namespace
 
 Scales physical_scales(const PhysicalIsolator& isolator, double reference_velocity) {
-  require_within("velocity", reference_velocity, smallest_physical, largest_physical);
-  require_within("gravity", isolator.gravity_m_per_s2, smallest_physical, largest_physical);
+  require_physical("velocity", Dimension::velocity, reference_velocity);
+  require_physical("gravity", Dimension::acceleration, isolator.gravity_m_per_s2);
   Scales scales;
   scales.gravity_m_per_s2 = isolator.gravity_m_per_s2;
   scales.omega_rad_per_s = omega_of(isolator);
@@ -88,13 +91,13 @@ std::optional<double> Scales::stiffness_n_per_m() const {
 
 PhysicalInput physical_input(const PhysicalIsolator& isolator, double velocity_m_per_s,
                              double x0_m) {
-  PhysicalInput physical;
-  physical.scales = physical_scales(isolator, reference_velocity(isolator, velocity_m_per_s, x0_m));
-  physical.velocity_m_per_s = velocity_m_per_s;
-  physical.period_s = 2 * std::numbers::pi / physical.scales.omega_rad_per_s;
-  physical.by_stiffness = isolator.stiffness_n_per_m.has_value();
-  physical.by_frequency = isolator.natural_frequency_hz.has_value();
-  return physical;
+  const Scales scales =
+      physical_scales(isolator, reference_velocity(isolator, velocity_m_per_s, x0_m));
+  return {.scales = scales,
+          .velocity_m_per_s = velocity_m_per_s,
+          .period_s = 2 * std::numbers::pi / scales.omega_rad_per_s,
+          .by_stiffness = isolator.stiffness_n_per_m.has_value(),
+          .by_frequency = isolator.natural_frequency_hz.has_value()};
 }
 
 PhysicalWorksFor physical_works_for(const Scales& scales, const WorksFor& served) {
@@ -114,41 +117,38 @@ PhysicalWorksFor physical_works_for(const Scales& scales, const WorksFor& served
 std::optional<PhysicalMend> physical_mend(const PhysicalInput& physical, const Mend& mend,
                                           const std::optional<Pulse>& pulse) {
   const Scales& scales = physical.scales;
-  const auto outward = [&](double value, bool upwards) {
-    return value * (upwards ? 1 + conversion_safety : 1 - conversion_safety);
+  const auto mended = [](std::string_view name, std::string_view unit, double value, bool up) {
+    return PhysicalMend{name, unit, value * (up ? 1 + conversion_safety : 1 - conversion_safety),
+                        up};
   };
   const bool up = mend.upwards;
   // The ends of a range are those of the input itself; the softest spring has the longest period.
   const auto ends_of = [&](std::string_view whole) { return mend.field.starts_with(whole); };
   if (ends_of("v0")) {
-    return PhysicalMend{"velocity", "m/s", outward(mend.value * scales.velocity_m_per_s, up), up};
+    return mended("velocity", "m/s", mend.value * scales.velocity_m_per_s, up);
   }
   const bool spring = mend.field == "p" || ends_of("p_");
   if (spring && physical.by_stiffness && scales.mass_kg) {
     const double omega = mend.value / scales.time_s;
-    return PhysicalMend{"stiffness", "N/m", outward(*scales.mass_kg * omega * omega, up), up};
+    return mended("stiffness", "N/m", *scales.mass_kg * omega * omega, up);
   }
   if (spring && physical.by_frequency) {
-    const double frequency = mend.value / (2 * std::numbers::pi * scales.time_s);
-    return PhysicalMend{"natural_frequency", "Hz", outward(frequency, up), up};
+    return mended("natural_frequency", "Hz", mend.value / (2 * std::numbers::pi * scales.time_s),
+                  up);
   }
   if (spring) {
-    const double period = 2 * std::numbers::pi * scales.time_s / mend.value;
-    return PhysicalMend{"period", "s", outward(period, !up), !up};
+    return mended("period", "s", 2 * std::numbers::pi * scales.time_s / mend.value, !up);
   }
   if (pulse && ends_of("lambda")) {
     const double angle = duration(excitation(*pulse)).value() * angular_frequency(*pulse);
-    const double lasts = angle / mend.value * scales.time_s;
-    return PhysicalMend{"pulse_duration", "s", outward(lasts, !up), !up};
+    return mended("pulse_duration", "s", angle / mend.value * scales.time_s, !up);
   }
-  if (mend.field == "beta") {
-    return PhysicalMend{"max_displacement", "m", outward(mend.value * scales.length_m, up), up};
-  }
-  if (mend.field == "delta_max") {
-    return PhysicalMend{"delta_max_m", "m", outward(scales.delta_m(mend.value), up), up};
-  }
-  if (mend.field == "residual") {
-    return PhysicalMend{"residual_m", "m", outward(mend.value * scales.length_m, up), up};
+  for (const auto& [field, name] :
+       {std::pair("beta", "max_displacement"), std::pair("delta_max", "delta_max_m"),
+        std::pair("residual", "residual_m")}) {
+    if (mend.field == field) {
+      return mended(name, "m", mend.value * scales.length_m, up);
+    }
   }
   return std::nullopt;
 }

@@ -14,6 +14,12 @@ std::optional<double> finite(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
+/// (43), (2 f A + Delta)/(pi A (p^2 A + f)); above 1 nothing would swing.
+std::optional<double> equivalent_damping(double f, double delta, double peak, double base_shear) {
+  const double ratio = (2 * f + delta / peak) / (std::numbers::pi * base_shear);
+  return ratio <= 1 ? std::optional(ratio) : std::nullopt;
+}
+
 /// v- - v+ = 2 Delta / (v- + v+) of a passage that leaves with v+. It grows as the motion slows
 /// down.
 double impulse_of_passage(double delta, double departure) {
@@ -69,8 +75,7 @@ std::optional<Practice> practice(const Oscillator& oscillator, const Response& r
   lines.restoring = p * peak * p;
   lines.base_shear = f + lines.restoring;
   lines.secant_stiffness = finite(p * p + f / peak);
-  // (43), (2 f A + Delta)/(pi A (p^2 A + f)).
-  lines.equivalent_damping = finite((2 * f + delta / peak) / (std::numbers::pi * lines.base_shear));
+  lines.equivalent_damping = equivalent_damping(f, delta, peak, lines.base_shear);
   lines.energy_ratio = finite(lines.restoring / f / 2);
   lines.residual_ratio = finite(lines.restoring / f);
   lines.notch_capacity = delta;

@@ -75,7 +75,8 @@ void require_valid(const Problem& problem, const Limits& limits) {
     require_within("acceleration_max", *limits.acceleration_max, smallest_limit, largest_square);
   }
   if (!(limits.tolerance >= 0 && limits.tolerance < 1)) {
-    throw InputError("tolerance", limits.tolerance, "must be at least 0 and less than 1");
+    throw InputError("tolerance", limits.tolerance,
+                     "must be at least 0 and less than 1 (0.1 is 10 %)");
   }
 }
 

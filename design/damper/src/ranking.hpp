@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/design/part.hpp>
+#include <stillpoint/design/catalogue.hpp>
 
 #include <cstddef>
 #include <functional>

@@ -131,7 +131,7 @@ double far_enough(const SimulationRequest& request) {
   }
   if (!stop_time) {
     throw InputError("f", oscillator.f,
-                     "must be more than 0, or delta must: without friction the motion never stops");
+                     "must be more than 0 if delta is 0: without friction the motion never stops");
   }
   // A rest under a load is final once the load is over.
   const double moving = *stop_time > 0 ? past_the_rest * *stop_time : 1;
@@ -174,9 +174,7 @@ Comparison compare(const Scene& scene) {
     }
     calls.emplace_back([&, i = calls.size()] { all.rows[i].result = list[i].call(scene); });
   }
-  MeasureOptions options;
-  options.slow = 0.01;
-  const std::vector<Timing> timings = measure(calls, options);
+  const std::vector<Timing> timings = measure(calls, {.slow = 0.01});
   for (std::size_t i = 0; i < calls.size(); ++i) {
     MethodRow& row = all.rows[i];
     if (!row.result.finished) {

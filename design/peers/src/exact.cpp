@@ -43,7 +43,7 @@ ExactResult free_result(const Scene& scene, double most_half_cycles) {
 
 ForcedState<Real> end_of_run(const Scene& scene, double most_half_cycles) {
   NoWatcher nobody;
-  const AnyExcitation<Real> excitation = widened<Real>(scene.excitation);
+  const BasicExcitation<Real> excitation = widened<Real>(scene.excitation);
   return on_surface(widened<Real>(scene.oscillator), widened<Real>(scene.surface),
                     widened<Real>(scene.start), nobody, {}, [&](auto& run) {
                       if (std::holds_alternative<NoExcitation>(excitation)) {

@@ -5,6 +5,7 @@
 #include <stillpoint/core/free_motion.hpp>
 
 #include <cmath>
+#include <optional>
 #include <variant>
 
 namespace stillpoint::peers {
@@ -31,12 +32,9 @@ Result kernel(const Scene& scene) {
     result.x = response.stop_position.value();
     return result;
   }
-  ForcedOptions options;
-  if (!free) {
-    options.t_end = scene.t_end;
-  }
-  const ForcedResponse response =
-      forced_response(scene.oscillator, scene.start, scene.excitation, options, scene.surface);
+  const auto t_end = free ? std::nullopt : std::optional(scene.t_end);
+  const ForcedResponse response = forced_response(scene.oscillator, scene.start, scene.excitation,
+                                                  {.t_end = t_end}, scene.surface);
   Result result = common(response);
   result.end_time = response.end_time.value();
   result.x = response.final_position.value();

@@ -17,7 +17,6 @@ namespace stillpoint::sweep {
 
 namespace {
 
-using records::parse_integer;
 using records::parse_number;
 using records::split;
 
@@ -34,9 +33,10 @@ Axis parse_steps(std::string_view field, std::string_view text, const NumberRead
   }
   const double first = number(parts[0]);
   const double last = number(parts[1]);
-  const std::int64_t count = parse_integer(field, parts[2]);
+  const std::int64_t count = records::scan_integer(parts[2]).value_or(0);
   if (count < 1 || count > most_values) {
-    throw wrong(fmt::format("must have a count from 1 to {}", most_values));
+    throw wrong(
+        fmt::format("must have a whole count from 1 to {:g}", static_cast<double>(most_values)));
   }
   if (count == 1 && first != last) {
     throw wrong("must have a count of 2 or more, or be one number");

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/sweep/files_apart.hpp>
+#include <stillpoint/sweep/output_file.hpp>
 
 #include <stillpoint/records/file_error.hpp>
-#include <stillpoint/sweep/output_file.hpp>
 
 #include <fmt/format.h>
 

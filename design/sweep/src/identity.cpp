@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/sweep/identity.hpp>
+#include <stillpoint/sweep/spec.hpp>
 #include <stillpoint/sweep/state.hpp>
 
 #include <nlohmann/json.hpp>

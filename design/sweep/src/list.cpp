@@ -12,7 +12,6 @@
 #include <stillpoint/sweep/state.hpp>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -30,25 +29,10 @@ constexpr std::array listed_inputs{v0,    v0_low, p,           p_high,     x0,  
                                    k_low, lambda, lambda_high, beta,       residual, arrivals,
                                    f,     delta,  hold,        notch_width};
 
-/// The input of that name; '-' and '_' are the same.
-std::optional<Quantity> find_input(std::string_view written,
-                                   const std::optional<SweepUnits>& units) {
-  std::string underscored(written);
-  std::ranges::replace(underscored, '-', '_');
-  const auto* const found = std::ranges::find_if(
-      listed_inputs, [&](Quantity input) { return name(input, units) == underscored; });
-  return found == listed_inputs.end() ? std::nullopt : std::optional(*found);
-}
-
 std::string not_a(std::string_view what, std::string_view found,
                   const std::optional<SweepUnits>& units) {
-  std::vector<std::string_view> names;
-  names.reserve(listed_inputs.size());
-  for (const Quantity input : listed_inputs) {
-    names.push_back(name(input, units));
-  }
-  return fmt::format("\"{}\" is not a {} of a list, which may have {}",
-                     printable(found, longest_word), what, fmt::join(names, ", "));
+  return fmt::format("\"{}\" is not a {} of a list; its {}s may be {}",
+                     printable(found, longest_word), what, what, names(listed_inputs, units));
 }
 
 /// "1 value", "2 values"
@@ -86,7 +70,7 @@ List::List(const std::string& path, std::optional<ListFormat> format,
 List::~List() = default;
 
 bool List::has(Quantity column) const {
-  return std::ranges::find(columns_, column) != columns_.end();
+  return contains(columns_, column);
 }
 
 const std::string& List::source() const {
@@ -117,7 +101,7 @@ bool List::next_line(std::string_view& line, const std::stop_token& stop) {
 void List::read_header(std::string_view line) {
   CsvLine fields(line);
   for (std::string_view field; fields.next(field);) {
-    const auto quantity = find_input(field, units_);
+    const auto quantity = find_named(listed_inputs, field, units_);
     if (fields.unclosed()) {
       refuse("a quote is opened but not closed");
     }
@@ -162,7 +146,7 @@ void List::read_object(std::string_view line, std::vector<double>& values) {
   values.resize(row.fields.size());
   for (std::size_t i = 0; i < row.fields.size(); ++i) {
     const auto& [key, value] = row.fields[i];
-    const auto quantity = find_input(key, units_);
+    const auto quantity = find_named(listed_inputs, key, units_);
     if (!quantity) {
       refuse(not_a("key", key, units_));
     }

@@ -26,8 +26,11 @@ namespace {
   throw records::FileError({.kind = "part", .path = seal.label.path}, why);
 }
 
-/// Of all parts, in order.
+/// Of all parts, in order. Throws as merge does.
 std::vector<Seal> read_seals(const std::vector<std::string>& paths) {
+  if (paths.empty()) {
+    throw InputError::missing("part", "name the files of all parts");
+  }
   std::vector<Seal> seals;
   PartOrder order;
   seals.reserve(paths.size());
@@ -109,26 +112,6 @@ std::string header_of(const Seal& first) {
   return header;
 }
 
-}  // namespace
-
-void require_apart(const NamedFile& written, const std::vector<std::string>& parts) {
-  const auto& [field, path] = written;
-  if (std::ranges::any_of(parts, [&to = path](const auto& part) { return same_file(part, to); })) {
-    throw records::FileError({.kind = field, .path = path},
-                             "would overwrite a part: give another file");
-  }
-}
-
-namespace {
-
-/// Of all parts, in order. Throws as merge does.
-std::vector<Seal> seals_of(const std::vector<std::string>& parts) {
-  if (parts.empty()) {
-    throw InputError::missing("part", "name the files of all parts");
-  }
-  return read_seals(parts);
-}
-
 Merged join(RowSink& sink, const std::vector<Seal>& seals, const MergeWatch& watch) {
   const std::string header = header_of(seals.front());
   Joiner joiner(sink, watch);
@@ -155,17 +138,25 @@ Merged join(RowSink& sink, const std::vector<Seal>& seals, const MergeWatch& wat
 
 }  // namespace
 
+void require_apart(const NamedFile& written, const std::vector<std::string>& parts) {
+  const auto& [field, path] = written;
+  if (std::ranges::any_of(parts, [&to = path](const auto& part) { return same_file(part, to); })) {
+    throw records::FileError({.kind = field, .path = path},
+                             "would overwrite a part: give another file");
+  }
+}
+
 Merged merge(const std::string& output, const std::vector<std::string>& parts,
              const MergeWatch& watch) {
   require_apart({"output", output}, parts);
-  const std::vector<Seal> seals = seals_of(parts);
+  const std::vector<Seal> seals = read_seals(parts);
   const std::unique_ptr<RowSink> sink =
       open_whole(output, fmt::format(R"({{"merge_of": {}}})", parts.size()));
   return join(*sink, seals, watch);
 }
 
 Merged merge(RowSink& sink, const std::vector<std::string>& parts, const MergeWatch& watch) {
-  return join(sink, seals_of(parts), watch);
+  return join(sink, read_seals(parts), watch);
 }
 
 }  // namespace stillpoint::sweep

@@ -25,11 +25,10 @@ Reduction empty_reduction(const SweepSpec& spec) {
   const auto place = [&spec](Quantity column) {
     return static_cast<std::size_t>(std::ranges::find(spec.columns, column) - spec.columns.begin());
   };
-  const auto computed = results(spec.kind);
   reduction.row.reserve(spec.columns.size());
   for (const Quantity column : spec.columns) {
     reduction.row.push_back({std::string(name(column, spec.units)), form(column)});
-    if (form(column) == Form::number && std::ranges::find(computed, column) != computed.end()) {
+    if (form(column) == Form::number && contains(results(spec.kind), column)) {
       reduction.columns.push_back({.column = place(column)});
     }
   }
@@ -131,17 +130,14 @@ std::pair<Quantity, std::string_view> column_of(std::string_view option, std::st
                                                 const std::optional<SweepUnits>& units) {
   const std::size_t colon = std::min(text.find(':'), text.size());
   const std::string_view asked = text.substr(0, colon);
-  std::string names;
-  for (const Quantity column : columns) {
-    if (form(column) != Form::number) {
-      continue;
-    }
+  std::vector<Quantity> numbers = columns;
+  std::erase_if(numbers, [](Quantity column) { return form(column) != Form::number; });
+  for (const Quantity column : numbers) {
     if (name(column, units) == asked) {
       return {column, text.substr(std::min(colon + 1, text.size()))};
     }
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", name(column, units));
   }
-  throw wrong(option, text, "must begin with a column of numbers: " + names);
+  throw wrong(option, text, "must begin with a column of numbers: " + names(numbers, units));
 }
 
 void require_bins(std::string_view option, std::string_view text, std::int64_t bins) {

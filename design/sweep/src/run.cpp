@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/core/seconds.hpp>
 #include <stillpoint/sweep/run.hpp>
+#include <stillpoint/sweep/sink.hpp>
 
 #include "block.hpp"
 #include "rows.hpp"
@@ -10,6 +11,8 @@
 
 #include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/records/file_error.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
@@ -192,6 +195,18 @@ SweepSummary run(const SweepSpec& spec, RowSink& sink, const SweepWatch& watch) 
   summary.state = sweep.state();
   summary.wall_time_s = seconds_now() - begun;
   return summary;
+}
+
+std::string description(const LeftRows& left) {
+  if (left.count == 0) {
+    return "nothing is written";
+  }
+  if (!left.file) {
+    return "the rows before it are written";
+  }
+  return fmt::format("{} kept in {}",
+                     left.count == 1 ? "1 row is" : fmt::format("{} rows are", left.count),
+                     *left.file);
 }
 
 }  // namespace stillpoint::sweep

@@ -6,6 +6,7 @@
 #include <stillpoint/sweep/spec.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -48,26 +49,6 @@ std::vector<Quantity> all_columns(SweepKind kind) {
   std::ranges::copy(inputs(kind), std::back_inserter(all));
   std::ranges::copy(results(kind), std::back_inserter(all));
   return all;
-}
-
-std::string underscored(std::string_view name) {
-  std::string result(name);
-  std::ranges::replace(result, '-', '_');
-  return result;
-}
-
-bool contains(const std::vector<Quantity>& columns, Quantity column) {
-  return std::ranges::find(columns, column) != columns.end();
-}
-
-InputError unknown_column(std::string_view wanted, const std::vector<Quantity>& all,
-                          const std::optional<SweepUnits>& units) {
-  std::string names;
-  for (const Quantity column : all) {
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", name(column, units));
-  }
-  return {"columns", fmt::format("\"{}\"", records::shortened(wanted, records::longest_word)),
-          "must be among " + names};
 }
 
 }  // namespace
@@ -180,15 +161,19 @@ std::vector<Quantity> default_columns(const SweepSpec& spec, bool times) {
   return columns;
 }
 
-std::vector<Quantity> parse_columns(std::string_view names, SweepKind kind,
+std::vector<Quantity> parse_columns(std::string_view text, SweepKind kind,
                                     const std::optional<SweepUnits>& units) {
   const std::vector<Quantity> all = all_columns(kind);
   std::vector<Quantity> columns;
-  for (const std::string_view wanted : records::split(names, ',')) {
-    const auto found = std::ranges::find_if(
-        all, [&](Quantity quantity) { return name(quantity, units) == underscored(wanted); });
-    if (found == all.end()) {
-      throw unknown_column(wanted, all, units);
+  for (const std::string_view wanted : records::split(text, ',')) {
+    const auto found = find_named(all, wanted, units);
+    if (!found) {
+      std::vector<std::string_view> known(all.size());
+      std::ranges::transform(all, known.begin(), [&](Quantity now) { return name(now, units); });
+      throw InputError("columns",
+                       fmt::format("\"{}\"", records::shortened(wanted, records::longest_word)),
+                       fmt::format("must be among {}{}", fmt::join(known, ", "),
+                                   records::suggestion(wanted, known)));
     }
     if (contains(columns, *found)) {
       throw InputError("columns", std::string(wanted), "must not be named twice");

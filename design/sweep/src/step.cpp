@@ -49,6 +49,17 @@ void make_room(SweepBlock& block, std::span<const Quantity> quantities) {
   }
 }
 
+/// `check` throws InputError for what is wrong with an entry.
+void check_each(const SweepBlock& block, const std::function<void(Index)>& check) {
+  for (Index i = 0; i < block.size; ++i) {
+    try {
+      check(i);
+    } catch (const InputError&) {
+      throw EntryError(i, std::current_exception());
+    }
+  }
+}
+
 /// The value for a time that a motion does not have.
 double missing_time(Outcome how) {
   if (how == Outcome::never_stops) {
@@ -66,12 +77,10 @@ void set_response(SweepBlock& block, Index i, const Response& response) {
   block[peak_absolute_acceleration][i] = response.peak_absolute_acceleration;
 }
 
-/// The motion has more half-cycles than the sweep allows; nothing else is known about it.
-void set_too_many(SweepBlock& block, Index i, std::span<const Quantity> results) {
+void set_absent(SweepBlock& block, Index i, std::span<const Quantity> results) {
   for (const Quantity result : results) {
     block[result][i] = absent;
   }
-  block[outcome][i] = static_cast<double>(too_many_half_cycles);
 }
 
 void set_forced(SweepBlock& block, Index i, const ForcedResponse& response) {
@@ -83,10 +92,6 @@ void set_forced(SweepBlock& block, Index i, const ForcedResponse& response) {
   block[stick_time][i] = response.stick_time;
   block[locked_from][i] = response.locked_from.value_or(absent);
   block[largest_load_while_locked][i] = response.largest_load_while_locked.value_or(absent);
-}
-
-bool writes(const SweepSpec& spec, Quantity column) {
-  return std::ranges::find(spec.columns, column) != spec.columns.end();
 }
 
 /// The damper of an entry and the motion that is shown.
@@ -144,8 +149,8 @@ std::optional<Designed> designed(const design::Problem& problem,
 SweepStep::SweepStep(const SweepSpec& spec, std::stop_token stop)
     : spec_(spec),
       stop_(std::move(stop)),
-      times_(writes(spec, Quantity::stop_time)),
-      acceleration_(writes(spec, Quantity::peak_absolute_acceleration)),
+      times_(contains(spec.columns, Quantity::stop_time)),
+      acceleration_(contains(spec.columns, Quantity::peak_absolute_acceleration)),
       in_batches_(from_zero(spec) && plain_surface(spec) && !given(spec, Quantity::hold)),
       one_v0_and_p_(!varies(spec, Quantity::v0) && !varies(spec, Quantity::p)) {}
 
@@ -160,13 +165,9 @@ void SweepStep::operator()(SweepBlock& block) {
 
 void SweepStep::require_ranges(const SweepBlock& block) const {
   for (const Quantity input : {v0, p, k, lambda}) {
-    const auto& others = block[*other_end(input)];
-    for (Index i = 0; i < others.size(); ++i) {
-      try {
-        require_in_order(spec_, input, block[input][i], others[i]);
-      } catch (const InputError&) {
-        throw EntryError(i, std::current_exception());
-      }
+    if (const auto& others = block[*other_end(input)]; others.size() > 0) {
+      check_each(block,
+                 [&](Index i) { require_in_order(spec_, input, block[input][i], others[i]); });
     }
   }
 }
@@ -180,17 +181,13 @@ void SweepStep::run_physical(SweepBlock& block) {
     plain_[input] =
         block[input].unaryExpr([&units, input](double value) { return units.plain(input, value); });
   }
-  for (Index i = 0; i < block.size; ++i) {
-    try {
-      for (const Quantity input : inputs(spec_.kind)) {
-        if (block[input].size() > 0) {
-          require_in_units(spec_, input, block[input][i]);
-        }
+  check_each(block, [&](Index i) {
+    for (const Quantity input : inputs(spec_.kind)) {
+      if (block[input].size() > 0) {
+        require_in_units(spec_, input, block[input][i]);
       }
-    } catch (const InputError&) {
-      throw EntryError(i, std::current_exception());
     }
-  }
+  });
   run(plain_);
   for (const Quantity result : results(spec_.kind)) {
     block[result] = plain_[result] * units.unit(result);
@@ -221,6 +218,18 @@ void SweepStep::for_each(const SweepBlock& block, const std::function<void(Index
   });
 }
 
+/// Of a motion with more half-cycles than the sweep allows nothing else is known.
+void SweepStep::for_each_motion(SweepBlock& block, const std::function<void(Index)>& body) const {
+  for_each(block, [&](Index i) {
+    try {
+      body(i);
+    } catch (const TooManyHalfCycles&) {
+      set_absent(block, i, results(spec_.kind));
+      block[outcome][i] = static_cast<double>(too_many_half_cycles);
+    }
+  });
+}
+
 Surface SweepStep::surface(const SweepBlock& block, Index i) const {
   Surface surface{{}, spec_.zones};
   if (block[notch_width].size() > 0) {
@@ -230,11 +239,9 @@ Surface SweepStep::surface(const SweepBlock& block, Index i) const {
 }
 
 ForcedOptions SweepStep::forced_options() const {
-  ForcedOptions options;
-  options.t_end = spec_.t_end;
-  options.half_cycle_limit = spec_.half_cycle_limit;
-  options.go_on = [this](double /*tau*/) { return !stop_.stop_requested(); };
-  return options;
+  return {.t_end = spec_.t_end,
+          .half_cycle_limit = spec_.half_cycle_limit,
+          .go_on = [this](double /*tau*/) { return !stop_.stop_requested(); }};
 }
 
 void SweepStep::run_free(SweepBlock& block) {
@@ -278,16 +285,12 @@ void SweepStep::run_free_one_by_one(SweepBlock& block) const {
       .margin = false,
       .half_cycle_limit = spec_.half_cycle_limit.value_or(FreeOptions().half_cycle_limit)};
   const ForcedOptions on_surface = forced_options();
-  for_each(block, [&](Index i) {
+  for_each_motion(block, [&](Index i) {
     const Surface below = surface(block, i);
-    try {
-      set_response(block, i,
-                   below.plain() ? free_response(oscillator(block, i), start(block, i), options)
-                                 : forced_response(oscillator(block, i), start(block, i),
-                                                   NoExcitation{}, on_surface, below));
-    } catch (const TooManyHalfCycles&) {
-      set_too_many(block, i, results(spec_.kind));
-    }
+    set_response(block, i,
+                 below.plain() ? free_response(oscillator(block, i), start(block, i), options)
+                               : forced_response(oscillator(block, i), start(block, i),
+                                                 NoExcitation{}, on_surface, below));
   });
 }
 
@@ -306,14 +309,10 @@ void SweepStep::run_forced(SweepBlock& block) const {
     } catch (const TooManyHalfCycles&) {
     }
   }
-  for_each(block, [&](Index i) {
-    try {
-      set_forced(block, i,
-                 forced_response(oscillator(block, i), start(block, i), spec_.excitation, options,
-                                 surface(block, i)));
-    } catch (const TooManyHalfCycles&) {
-      set_too_many(block, i, results(spec_.kind));
-    }
+  for_each_motion(block, [&](Index i) {
+    set_forced(block, i,
+               forced_response(oscillator(block, i), start(block, i), spec_.excitation, options,
+                               surface(block, i)));
   });
 }
 
@@ -333,10 +332,7 @@ void SweepStep::run_design(SweepBlock& block) const {
                                      : designed(request.problem, damper(), options);
     block[feasible][i] = found ? 1 : 0;
     if (!found) {
-      for (const Quantity result : results(spec_.kind).subspan(1)) {
-        block[result][i] = absent;
-      }
-      return;
+      return set_absent(block, i, results(spec_.kind).subspan(1));
     }
     block[f][i] = found->point.f;
     block[delta][i] = found->point.delta;

@@ -34,6 +34,7 @@ class SweepStep {
   [[nodiscard]] Surface surface(const SweepBlock& block, Eigen::Index i) const;
   [[nodiscard]] ForcedOptions forced_options() const;
   void for_each(const SweepBlock& block, const std::function<void(Eigen::Index)>& body) const;
+  void for_each_motion(SweepBlock& block, const std::function<void(Eigen::Index)>& body) const;
 
   const SweepSpec& spec_;
   std::stop_token stop_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/sweep/units.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -135,6 +137,23 @@ std::string_view name(Quantity quantity, const std::optional<SweepUnits>& units)
 
 records::Dimension dimension(Quantity quantity, const std::optional<SweepUnits>& units) {
   return form_of(quantity, units).dimension;
+}
+
+std::optional<Quantity> find_named(std::span<const Quantity> quantities, std::string_view written,
+                                   const std::optional<SweepUnits>& units) {
+  std::string underscored(written);
+  std::ranges::replace(underscored, '-', '_');
+  const auto found = std::ranges::find_if(
+      quantities, [&](Quantity quantity) { return name(quantity, units) == underscored; });
+  return found == quantities.end() ? std::nullopt : std::optional(*found);
+}
+
+std::string names(std::span<const Quantity> quantities, const std::optional<SweepUnits>& units) {
+  std::string names;
+  for (const Quantity quantity : quantities) {
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", name(quantity, units));
+  }
+  return names;
 }
 
 std::string option_name(Quantity quantity, const std::optional<SweepUnits>& units) {

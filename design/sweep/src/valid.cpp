@@ -20,22 +20,7 @@ namespace stillpoint::sweep {
 
 namespace {
 
-bool contains(std::span<const Quantity> quantities, Quantity quantity) {
-  return std::ranges::find(quantities, quantity) != quantities.end();
-}
-
 /// Checks values with a unit in that unit: the kernel would name dimensionless numbers.
-void require_in_units(const std::string& field, records::Dimension dimension, double value,
-                      double least) {
-  const auto units = records::units_of(dimension);
-  if (!units.empty() && !(value >= least && value <= design::largest_physical)) {
-    const std::string_view unit = units.front().name;
-    throw InputError(
-        field, fmt::format("{} {}", value, unit),
-        fmt::format("must be from {} to {} {}", least, design::largest_physical, unit));
-  }
-}
-
 void require_in_units(const SweepSpec& spec) {
   const auto require_ends = [&](Quantity input, const Axis& axis) {
     const auto [least, most] = axis.ends();
@@ -49,8 +34,7 @@ void require_in_units(const SweepSpec& spec) {
     }
   }
   if (spec.units && spec.limits.delta_max) {
-    require_in_units("delta-max-m", records::Dimension::length, *spec.limits.delta_max,
-                     design::smallest_physical);
+    records::require_physical("delta-max-m", records::Dimension::length, *spec.limits.delta_max);
   }
 }
 
@@ -222,10 +206,12 @@ void require_in_units(const SweepSpec& spec, Quantity input, double value) {
   constexpr std::array may_be_zero{Quantity::delta, Quantity::v0_low, Quantity::residual};
   const bool may_be_negative =
       input == Quantity::x0 || (input == Quantity::v0 && spec.kind != SweepKind::design);
-  require_in_units(option_name(input, spec.units), dimension(input, spec.units), value,
-                   may_be_negative                ? -design::largest_physical
-                   : contains(may_be_zero, input) ? 0
-                                                  : design::smallest_physical);
+  if (const auto unit = dimension(input, spec.units); unit != records::Dimension::none) {
+    records::require_physical(option_name(input, spec.units), unit, value,
+                              may_be_negative                ? -design::largest_physical
+                              : contains(may_be_zero, input) ? 0
+                                                             : design::smallest_physical);
+  }
 }
 
 void require_valid(const SweepSpec& spec) {

@@ -118,7 +118,7 @@ test("a record of 100 MB is refused with the bound, and a small one that is drop
 test("a hit of zero is refused as a task and held as a trial", () =>
   with_page(isolator, {}, async (page) => {
     await type(page, "velocity", "0");
-    assert.match(await notice(page), /^velocity = 0: must be/);
+    assert.match(await notice(page), /^velocity = 0 m\/s: must be/);
     await go(page, isolator);
     assert.equal(await notice(page), "");
     await page.fill("#hit", "0");

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -165,13 +166,15 @@ BOOST_AUTO_TEST_CASE(labels_keep_clear_of_each_other_at_the_corner) {
 }
 
 // Of the range of a low figure, +-0.35 by halves would be 0 alone.
-BOOST_AUTO_TEST_CASE(a_low_figure_has_at_least_two_values_beside_it) {
+BOOST_AUTO_TEST_CASE(a_low_figure_has_at_least_three_values_beside_it) {
   Figure figure = one_of_everything();
   figure.height = 160;
   figure.y = {"W", -0.37, 0.31};
   const std::string text = svg(figure, Frame::in_page);
   BOOST_TEST(contains(text, ">-0.2</text>"));
   BOOST_TEST(contains(text, ">0.2</text>"));
+  figure.y = {"acceleration, g", 0, 0.65};  // by halves only 0 and 0.5
+  BOOST_TEST(contains(svg(figure, Frame::in_page), ">0.4</text>"));
 }
 
 BOOST_AUTO_TEST_CASE(names_areas_where_there_is_room) {
@@ -247,6 +250,17 @@ BOOST_AUTO_TEST_CASE(an_area_is_named_beside_a_line_through_it) {
   figure.areas = {{"centred", {{4, 0}, {6, 0}, {6, 10}, {4, 10}}, Ink::sky}};
   figure.curves = {{.name = "", .strokes = {{{0, 5}, {10, 5}}}}};
   BOOST_TEST(std::abs(placed(figure, "centred").centre.y - 150) > 7);
+}
+
+// Turned, a digit of 10 by 14 pixels would fit a row of 12.
+BOOST_AUTO_TEST_CASE(a_number_in_a_map_is_read_level) {
+  Figure figure = one_of_everything();
+  figure.map = {1,         22, std::vector<std::uint8_t>(22, 0), {"#000000", "#ffffff"}, {"a", "b"},
+                {"", "3"}, {}};
+  figure.map.cells[4] = 1;
+  BOOST_TEST(!contains(svg(figure, Frame::in_page), ">3</text>"));
+  figure.map.cells[5] = 1;
+  BOOST_TEST(contains(svg(figure, Frame::in_page), ">3</text>"));
 }
 
 BOOST_AUTO_TEST_CASE(points_to_marks_beyond_the_axes) {

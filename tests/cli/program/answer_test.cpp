@@ -2,8 +2,11 @@
 // The text of a report: the answer first, short enough for a terminal, the rest on demand.
 #include "run_program.hpp"
 
+#include <stillpoint/report/digits.hpp>
+
 #include <boost/test/unit_test.hpp>
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 
@@ -119,7 +122,8 @@ BOOST_FIXTURE_TEST_CASE(of_a_hit_that_the_notch_holds_begins_with_that, Sandbox)
   const Arguments held("simulate --v0 0.1 --p 1 --f 0.1 --delta 0.1");
   const ProgramRun answer = run(held);
   BOOST_TEST(lines_of(answer.out).at(1).starts_with("  It never starts: "), answer.out);
-  BOOST_TEST(answer.err == "stillpoint: never starts: v0^2 < 2 delta, the notch holds it\n");
+  BOOST_TEST(answer.err ==
+             "stillpoint: never starts: the hit is too weak to leave the notch (v0^2 < 2 delta)\n");
   BOOST_TEST(run(joined(held, "--quiet")).err.empty());
 }
 
@@ -139,9 +143,24 @@ BOOST_FIXTURE_TEST_CASE(of_a_motion_says_how_close_it_is_to_another_outcome, San
 
 BOOST_FIXTURE_TEST_CASE(of_a_point_says_what_it_violates, Sandbox) {
   const std::string text = run("region --v0 1 --p 1 --beta 0.9 --f 0.5 --delta 0.6").out;
-  BOOST_TEST(contains(text, "\n  The damper is not admissible; it violates start and return. "),
-             text);
+  check_contains(text, {"  The damper is not admissible; it violates start (the notch holds it: ",
+                        " and return (rests off centre: f 41 % too large). "});
   BOOST_TEST(contains(text, "violated"));
+}
+
+/// Delta1 = (S - 2f)^2/2 = 0.0986, Delta2 = 1/2; and f3 = 0.354.
+BOOST_FIXTURE_TEST_CASE(of_an_f_alone_says_which_delta_goes_with_it, Sandbox) {
+  const Arguments region("region --v0 1 --p 1 --beta 0.9");
+  const auto answer = [&](const char* more) {
+    return lines_of(run(joined(region, more)).out).at(1);
+  };
+  const double radius = std::hypot(1, 0.3);
+  BOOST_TEST(answer("--f 0.3").starts_with(
+      "  At f = 0.3, delta from " +
+      stillpoint::report::digits((radius - 0.6) * (radius - 0.6) / 2) + " to 0.5 is admissible."));
+  BOOST_TEST(answer("--f 0.4").starts_with("  At f = 0.4 no delta is admissible. "));
+  BOOST_TEST(answer("--f 0.2 --delta-max 0.15").starts_with("  At f = 0.2 no delta"));
+  BOOST_TEST(answer("--f 0.3 --tolerance 0.1").starts_with("  Feasible f: "));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

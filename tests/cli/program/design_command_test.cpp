@@ -79,6 +79,14 @@ BOOST_AUTO_TEST_CASE(has_every_field_of_the_contract) {
       (names == std::vector<std::string>{"dead_zone", "start", "amplitude", "return", "stop"}));
 }
 
+/// After several arrivals a requirement bounds v0; the table is in the units of the figures.
+BOOST_AUTO_TEST_CASE(the_table_of_constraints_is_in_the_units_of_the_task) {
+  const Arguments later("--arrivals 2 --f-max 0.01 --verbose");
+  const Arguments built("design --velocity 0.4 --period 2.8 --max-displacement 0.2");
+  check_contains(run(joined(built, later)).out,
+                 {"v0, m/s           0.4    <     0.4898", "delta, mm "});
+}
+
 /// The best is the limit f -> 0, which nobody builds: the text says so, the JSON has the point.
 BOOST_AUTO_TEST_CASE(next_to_no_friction_is_said_in_words) {
   const Arguments task("--arrivals 2 --f-max 0.1");
@@ -87,8 +95,10 @@ BOOST_AUTO_TEST_CASE(next_to_no_friction_is_said_in_words) {
   check_contains(shown,
                  {"Build delta = 0.375 and as little constant friction as you can.",
                   "damper            f as small as you can make it, delta = 0.375",
-                  "delta may be off by +-33.33 % with next to no f", "with any up to 0.00621"});
+                  "delta may be off by +-33.33 % with next to no f", "with any f up to 0.00621"});
   BOOST_TEST(shown.find("e-09") == std::string::npos, shown);
+  BOOST_TEST(
+      contains(run(joined(design(1.1, task), "--verbose")).out, "E_s/E_h > 1000 (EN 15129)"));
   // Delta must be V0^2/2 where there is no friction: Delta1 = Delta2.
   check_contains(
       run(design(1.1, "--objective time")).out,

@@ -92,7 +92,8 @@ BOOST_FIXTURE_TEST_CASE(each_command_runs_and_prints_what_is_shown, Sandbox) {
       }
       BOOST_TEST(answer.exit_code == shown.exit_code, line << "\n" << answer.err);
       for (const std::string& output : shown.output) {
-        BOOST_TEST(contains(answer.out, output + "\n"), line << "\ndoes not print\n" << output);
+        BOOST_TEST(contains(answer.out + answer.err, output + "\n"), line << "\ndoes not print\n"
+                                                                          << output);
       }
     }
   }

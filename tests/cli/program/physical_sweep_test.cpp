@@ -197,7 +197,7 @@ BOOST_FIXTURE_TEST_CASE(lists_are_in_metres_and_seconds, Sandbox) {
   }
   write("plain.csv", "f,delta\n0.02,0.001\n");
   check_refusal(run(joined("sweep --list plain.csv", motion)),
-                {"\"delta\" is not a column of a list, which may have velocity, "
+                {"\"delta\" is not a column of a list; its columns may be velocity, "
                  "velocity_low, period"});
 }
 

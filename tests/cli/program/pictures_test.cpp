@@ -135,8 +135,9 @@ BOOST_AUTO_TEST_CASE(account_for_all_energy) {
   std::smatch found;
   BOOST_TEST_REQUIRE(std::regex_search(
       text, found,
-      std::regex("energy (\\S+), constant friction took (\\S+) and the notch (\\S+); kinetic and "
-                 "spring energy is (\\S+) ")));
+      std::regex(
+          "Of (\\S+) of energy, constant friction took (\\S+) and the notch (\\S+); kinetic and "
+          "spring energy is (\\S+) ")));
   BOOST_TEST(std::abs(std::stod(found[1]) - 0.5) < 1e-4);  // four digits
   BOOST_TEST(std::abs(std::stod(found[2]) + std::stod(found[3]) + std::stod(found[4]) - 0.5) <
              3e-4);

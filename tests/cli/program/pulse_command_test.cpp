@@ -210,6 +210,12 @@ BOOST_AUTO_TEST_CASE(page_for_people_says_it_in_words) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(says_that_it_hardly_re_centres_and_the_unit_of_a_limit) {
+  const Arguments soft("design --pulse full-sine --k 0.08 --lambda 0.8 --p 1 --beta 0.077");
+  check_contains(run(joined(soft, "--delta-max 0.005 --acceleration-max 0.12 --verbose")).out,
+                 {" (EN 15129 asks for 0.25)\n", " (EN 1998-2)\n", "acceleration, g  "});
+}
+
 BOOST_AUTO_TEST_CASE(says_what_makes_the_reduction_poor) {
   const Arguments bad(
       "design --pulse rectangle --k 0.5 --lambda 3 --p 1 --beta 0.6 --objective amplitude");
@@ -315,7 +321,7 @@ const std::vector<Wrong> wrong_pulses{
     {"design --v0 1 --p 1 --beta 0.9 --k 1", {"k needs a pulse", "--pulse"}},
     {"design --v0 1 --p 1 --beta 0.9 --lambda 1", {"lambda needs a pulse", "--pulse"}},
     {joined(region, "--arrivals 2"), {"arrivals = 2", "with a pulse"}},
-    {joined(region, "--residual 0.1"), {"pulse = rectangle", "has no design with a residual"}},
+    {joined(region, "--residual 0.1"), {"residual and pulse cannot be combined"}},
     {joined(region, "--v0 1"), {"v0 and pulse cannot be combined"}},
     {joined(region, "--delta 1"), {"f is missing", "give f as well"}},
     {joined(region, "--f nan"), {"f = ", "finite number"}},

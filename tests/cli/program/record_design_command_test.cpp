@@ -105,6 +105,7 @@ BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_reported, Recorded) {
           "\n  The mass never moves: it is held through the record, and the structure feels\n  up "
           "to 0.4 g. f = 0.02"),
       answer.out);
+  BOOST_TEST(contains(answer.out, "passed: Runge-Kutta agrees exactly\n"), answer.out);
   BOOST_TEST(answer.err ==
              "stillpoint: locked: under the record the notch holds the mass to the end, and "
              "transmits up to 0.4 g\n");
@@ -206,6 +207,7 @@ BOOST_FIXTURE_TEST_CASE(text_and_page_show_each_record, Recorded) {
   const ProgramRun answer = succeed(asked);
   BOOST_TEST(contains(answer.out, "acceleration of 1 record "), answer.out);
   BOOST_TEST(contains(answer.out, "a.txt"));
+  BOOST_TEST(contains(answer.out, " meet the limits; the worst"), answer.out);
   const std::string page = read("p.html");
   for (const char* const part : {"id=\"map-title\"", "id=\"record-1-title\"", "chosen", "a.txt"}) {
     BOOST_TEST(contains(page, part), part);

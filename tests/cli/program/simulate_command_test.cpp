@@ -82,6 +82,25 @@ BOOST_AUTO_TEST_CASE(the_answer_says_where_the_acceleration_is_felt) {
   // It stops at x = 0 under a load that goes on, and then grows.
   write("late.csv", "0 0\n10 0\n14 3\n");
   says("--record late.csv", " while it is locked");
+  // The notch holds up to 0.1 + 0.4 until a short load of 0.6 frees the mass, which slides with
+  // less.
+  write("freed.csv", "0 0\n9.9 0\n10 0.6\n10.1 0\n20 0\n");
+  const ProgramRun freed = run("simulate --p 1 --f 0.1 --delta 0.01 --hold 0.4 --record freed.csv");
+  BOOST_TEST(contains(freed.out, "g transmitted while the notch holds it\n"), freed.out);
+}
+
+BOOST_AUTO_TEST_CASE(the_answer_names_zones_and_the_notch_that_was_given) {
+  const auto says = [&](const Arguments& more, const std::string& what) {
+    const ProgramRun answer = run(joined(simulate("0.1", "0.1"), more));
+    BOOST_TEST(contains(answer.out, what), answer.out);
+  };
+  says("--notch-width 0.1", "friction 1.1 for |x| < 0.05\n");
+  says("--hold 0.3", "holds a load of up to f + 0.3 g\n");
+  const ProgramRun zones = run(simulate("0.1", "0", "--friction-zones 0.2:0.3,0.5:0.15"));
+  for (const char* const row :
+       {" 0.3 for |x| < 0.2\n", " 0.15 for |x| from 0.2 to 0.5\n", " f = 0.1 beyond\n"}) {
+    BOOST_TEST(contains(zones.out, row), zones.out);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(every_passage_has_its_impulse) {

@@ -42,7 +42,8 @@ Arguments but(const std::string& option, const std::string& value) {
 const std::vector<Wrong> wrong_inputs{
     {"spectrum --period 1:2:3 --f 0 --delta-m 0", {"record is missing"}},
     {but("--record", "b.txt"), {"b.txt"}},
-    {"spectrum --record a.txt --f 0 --delta-m 0", {"period is missing", "LOW:HIGH:N"}},
+    {"spectrum --record a.txt --f 0 --delta-m 0",
+     {"period is missing", "--period first:last:count"}},
     {"spectrum --record a.txt --period 1:2:3 --delta-m 0", {"f is missing"}},
     {"spectrum --record a.txt --period 1:2:3 --f 0", {"delta-m is missing"}},
     {but("--period", "0:2:3"), {"period = 0", "1e-30"}},
@@ -155,7 +156,7 @@ BOOST_FIXTURE_TEST_CASE(missing_values_are_left_out, Recorded) {
 
 BOOST_FIXTURE_TEST_CASE(text_and_page_show_it, Recorded) {
   const ProgramRun answer = succeed(joined(asked, "--html p.html --svg figures"));
-  BOOST_TEST(contains(answer.out, "The notch lowers the residual"), answer.out);
+  BOOST_TEST(contains(answer.out, "Under the record, the notch lowers the residual"), answer.out);
   BOOST_TEST(contains(answer.out, "\n  1.5 "), answer.out);
   const std::string page = read("p.html");
   for (const char* const head : {"period, s", "acceleration, g", "acceleration without", "peak, mm",

@@ -259,7 +259,7 @@ BOOST_AUTO_TEST_CASE(continues_one_that_has_just_begun) {
 }
 
 BOOST_AUTO_TEST_CASE(needs_a_file) {
-  check_refusal(run(sweep("--resume")), {"needs an output file"});
+  check_refusal(run(sweep("--resume")), {"output is missing: resume continues the file"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

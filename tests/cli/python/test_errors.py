@@ -53,7 +53,7 @@ def test_text_matches_the_program(program, command, options):
     ({"v0": 1 + 1j}, "v0 = (1+1j): must be a number, a string or a list of them"),
     ({"v0": 10**30}, "v0 = 1000000000000000000000000000000: must be a whole number of at most 18 digits"),
     ({"arrivals": 1.5}, "arrivals = 1.5: must be a whole number from 1 to 1000"),
-    ({"beta": [1, 2]}, "beta = [1,2]: must be a number"),
+    ({"beta": [1, 2]}, "beta = [1,2]: must be one number, not a range"),
     ({"catalogue": 5}, "catalogue = 5: must be a path"),
     ({"objective": 5}, "objective = 5: must be a string"),
     ({"record": [5]}, "record = 5: must be a path"),

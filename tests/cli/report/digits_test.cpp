@@ -49,6 +49,7 @@ BOOST_AUTO_TEST_CASE(units_take_the_prefix_that_fits) {
 
 BOOST_AUTO_TEST_CASE(there_are_no_kilometres_and_no_prefix_beyond_giga_and_nano) {
   BOOST_TEST(with_unit(3460, "m") == "3460 m");
+  BOOST_TEST(with_unit(1212.4, "s") == "1212.4 s");
   BOOST_TEST(with_unit(2e12, "N") == "2e+12 N");
   BOOST_TEST(with_unit(2e-10, "m") == "2e-10 m");
   BOOST_TEST(with_unit(0, "m") == "0 m");

@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "testing/near_tie.hpp"
-#include "testing/random_scene.hpp"
-#include "testing/scene.hpp"
-
-#include <stillpoint/core/batch.hpp>
+#include "motion.hpp"
 
 #include <hwy/targets.h>
-#include <boost/test/unit_test.hpp>
 
 #include <bit>
-#include <cstdint>
-#include <limits>
-#include <vector>
 
 // The batch and the scalar kernel, bit for bit: every instruction set of this machine, any number
 // of threads.

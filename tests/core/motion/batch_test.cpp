@@ -1,15 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "testing/checks.hpp"
-#include "testing/random_scene.hpp"
-#include "testing/refusal.hpp"
-
-#include <stillpoint/core.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <limits>
-#include <string>
+#include "motion.hpp"
 
 namespace stillpoint::test {
 

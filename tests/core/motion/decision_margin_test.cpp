@@ -1,16 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "motion.hpp"
 #include "testing/backward_error.hpp"
-#include "testing/checks.hpp"
-#include "testing/near_tie.hpp"
-#include "testing/printing.hpp"
-#include "testing/random_scene.hpp"
-#include "testing/scene.hpp"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <optional>
 
 namespace stillpoint::test {
 
@@ -71,7 +61,7 @@ BOOST_AUTO_TEST_CASE(the_margin_adds_up_what_each_input_alone_would_need) {
   constexpr double second_order = 1e-3;  // of the margin
   Dice dice(405);
   for (int found = 0; found < 2000;) {
-    Scene<> scene = dice.once_in(2) ? moderate_scene(dice) : general_start_scene(dice);
+    Scene<> scene = any_start_scene(dice);
     scene.f *= dice.once_in(4) ? 0 : 1;
     std::optional<Scene<>> near_edge = near_tie(scene, dice);
     if (!near_edge) {
@@ -103,7 +93,7 @@ BOOST_AUTO_TEST_CASE(less_than_half_the_margin_changes_no_end_from_any_start) {
 
 BOOST_AUTO_TEST_CASE(less_than_half_the_margin_changes_no_end_of_one_friction_alone) {
   no_change_within_half_the_margin(403, [](Dice& dice) {
-    Scene<> scene = dice.once_in(2) ? moderate_scene(dice) : general_start_scene(dice);
+    Scene<> scene = any_start_scene(dice);
     (dice.once_in(2) ? scene.f : scene.delta) = 0;
     return scene.v0 == 0 && scene.f == 0 ? Scene<>{scene.x0, 1, 1, 0, scene.delta} : scene;
   });
@@ -152,7 +142,7 @@ BOOST_AUTO_TEST_CASE(the_margin_is_zero_on_an_exact_tie) {
 BOOST_AUTO_TEST_CASE(next_to_a_change_of_the_end_the_margin_is_a_matter_of_rounding) {
   Dice dice(404);
   for (int found = 0; found < 2000;) {
-    const Scene<> scene = dice.once_in(2) ? moderate_scene(dice) : general_start_scene(dice);
+    const Scene<> scene = any_start_scene(dice);
     if (const std::optional<Scene<>> tie = near_tie(scene, dice)) {
       ++found;
       const Response r = response(*tie, {.times = false});

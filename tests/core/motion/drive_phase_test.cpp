@@ -4,12 +4,7 @@
 #include "kernel/harmonic_flow.hpp"
 #include "kernel/linear_piece.hpp"
 #include "kernel/positivity.hpp"
-#include "testing/exact_run.hpp"
-#include "testing/random_scene.hpp"
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
+#include "motion.hpp"
 
 // The parts of the forced kernel on which its accuracy and its proofs rest, against 50 digits.
 

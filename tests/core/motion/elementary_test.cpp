@@ -1,17 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "testing/exact.hpp"
-#include "testing/random_scene.hpp"
+#include "motion.hpp"
 
-#include <boost/test/unit_test.hpp>
-
-#include <stillpoint/core/elementary.hpp>
-
-#include <algorithm>
 #include <bit>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <numbers>
 
 // The elementary functions against 50 digits, and their bits.
 

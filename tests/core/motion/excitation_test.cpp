@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/core.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <limits>
-#include <numbers>
-#include <string>
+#include "motion.hpp"
 
 // Wrong values are refused, and the message names field, value and bound.
 

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "testing/refusal.hpp"
+#include "motion.hpp"
 
-#include <stillpoint/core.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
 #include <atomic>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace stillpoint::test {
 

@@ -1,15 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "testing/forced_scene.hpp"
-#include "testing/printing.hpp"
-#include "testing/random_scene.hpp"
-#include "testing/refusal.hpp"
-
-#include <stillpoint/core.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <string>
-#include <vector>
+#include "motion.hpp"
 
 // Scenes under one excitation, together and one by one.
 

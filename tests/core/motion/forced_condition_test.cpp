@@ -1,13 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "testing/forced_scene.hpp"
-#include "testing/scene_count.hpp"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
+#include "motion.hpp"
 
 // Under a harmonic that barely exceeds the friction, a slip is as small as the square of the
 // excess, which is the difference of two inputs. Every metric must nevertheless be that of inputs

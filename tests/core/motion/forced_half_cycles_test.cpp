@@ -1,19 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "testing/forced_scene.hpp"
-#include "testing/scene_s5.hpp"
+#include "motion.hpp"
 
-#include <stillpoint/core.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <limits>
-#include <numbers>
-#include <optional>
 #include <variant>
-#include <vector>
 
 namespace stillpoint::test {
 

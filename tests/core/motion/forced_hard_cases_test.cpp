@@ -1,18 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "testing/forced_scene.hpp"
-#include "testing/printing.hpp"
-#include "testing/scene_s5.hpp"
-#include "testing/simple_forced.hpp"
-
-#include <stillpoint/core.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <vector>
+#include "motion.hpp"
 
 // Where event finders go wrong. Unless an expected value is derived in place, the truth is the same
 // motion in 50 digits, with the same sequence of events.
@@ -22,8 +9,6 @@ namespace stillpoint::test {
 BOOST_AUTO_TEST_SUITE(forced_hard_cases_test)
 
 namespace {
-
-constexpr double half_circle = std::numbers::pi;
 
 constexpr double tolerance = 1e-13;  // of the largest of the motion
 
@@ -102,10 +87,10 @@ BOOST_AUTO_TEST_CASE(a_release_with_vanishing_rate_keeps_its_digits) {
   const auto got = run_forced(scene);
   const auto right = run_forced(widened<Exact>(scene));
   BOOST_TEST(got.seen.kinds == right.seen.kinds);
-  BOOST_TEST(got.state.u == static_cast<double>(right.state.u), boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(got.state.u == static_cast<double>(right.state.u), tt::tolerance(1e-9));
   BOOST_TEST(got.seen.times.back() - got.seen.times[2] ==
                  static_cast<double>(right.seen.times.back() - right.seen.times[2]),
-             boost::test_tools::tolerance(1e-9));
+             tt::tolerance(1e-9));
 }
 
 // K = 1 exceeds f by 2^-47, so that the mass is released 1.2e-7 before the crest of the load and
@@ -115,7 +100,7 @@ template <class Real>
 void crest_is_found(double allowed) {
   const double f = 1 - std::ldexp(1, -47);
   constexpr double crest = 1e-6;
-  const ForcedScene<> scene{{0, 0, 1, f, 0}, Harmonic{1, 1, half_circle / 2 - crest}, crest + 1e-7};
+  const ForcedScene<> scene{{0, 0, 1, f, 0}, Harmonic{1, 1, pi / 2 - crest}, crest + 1e-7};
   const auto run = run_forced(widened<Real>(scene));
   const auto error = static_cast<double>(run.state.acceleration / Real(1 - f) - 1);
   BOOST_TEST(std::abs(error) <= allowed, error << " off");
@@ -165,7 +150,7 @@ BOOST_AUTO_TEST_CASE(two_turns_that_nearly_meet_are_both_found_and_beyond_are_no
   // v = cos(tau) - K r (cos tau - cos r tau)/(r^2 - 1) for r = 5: the ripple makes v touch 0 early
   // for one k, which halving finds; on one side of it two turns more than on the other.
   const auto extra = [](double k) {
-    return run_forced(ForcedScene<>{{0, 1, 1, 0, 0}, Harmonic{k, 5, -half_circle / 2}, 1.4})
+    return run_forced(ForcedScene<>{{0, 1, 1, 0, 0}, Harmonic{k, 5, -pi / 2}, 1.4})
         .state.turning_points;
   };
   double low = 0;
@@ -176,8 +161,8 @@ BOOST_AUTO_TEST_CASE(two_turns_that_nearly_meet_are_both_found_and_beyond_are_no
     const double middle = low + (high - low) / 2;
     (extra(middle) > at_low ? high : low) = middle;
   }
-  const ForcedScene<> below{{0, 1, 1, 0, 0}, Harmonic{low - 1e-10, 5, -half_circle / 2}, 1.4};
-  const ForcedScene<> above{{0, 1, 1, 0, 0}, Harmonic{high + 1e-10, 5, -half_circle / 2}, 1.4};
+  const ForcedScene<> below{{0, 1, 1, 0, 0}, Harmonic{low - 1e-10, 5, -pi / 2}, 1.4};
+  const ForcedScene<> above{{0, 1, 1, 0, 0}, Harmonic{high + 1e-10, 5, -pi / 2}, 1.4};
   const auto without = agreeing(below, 1e-12);
   const auto with = agreeing(above, 1e-9);
   BOOST_TEST(with.state.turning_points == without.state.turning_points + 2);
@@ -187,8 +172,8 @@ BOOST_AUTO_TEST_CASE(two_turns_that_nearly_meet_are_both_found_and_beyond_are_no
 
 BOOST_AUTO_TEST_CASE(roots_at_both_ends_of_an_interval_of_a_record_are_events_once) {
   // W = 1 from rest at x = 0, f = 0: v = 0 at 0 and at pi, which is a sample to the last bit.
-  const double step = half_circle;
-  const auto run = until(3 * half_circle, {1, 0, 0}, {0, 0}, Record{{1, 1, 1, 1}, step, {}});
+  const double step = pi;
+  const auto run = until(3 * pi, {1, 0, 0}, {0, 0}, Record{{1, 1, 1, 1}, step, {}});
   BOOST_TEST(*run.turning_points >= 2);
   BOOST_TEST(*run.turning_points <= 3);
   BOOST_TEST(std::abs(run.peak_amplitude - 2) <= 1e-15);
@@ -197,7 +182,7 @@ BOOST_AUTO_TEST_CASE(roots_at_both_ends_of_an_interval_of_a_record_are_events_on
 
 BOOST_AUTO_TEST_CASE(two_events_within_an_ulp_are_taken_in_order) {
   // The pulse ends with the turn, at tau = pi: from x = -2 the mass swings back free.
-  const auto run = until(2 * half_circle, {1, 0, 0}, {0, 0}, Rectangle{1, 1});
+  const auto run = until(2 * pi, {1, 0, 0}, {0, 0}, Rectangle{1, 1});
   BOOST_TEST(std::abs(*run.final_position - 2) <= 1e-14);
   BOOST_TEST(std::abs(run.peak_amplitude - 2) <= 1e-14);
 }
@@ -281,10 +266,10 @@ BOOST_AUTO_TEST_CASE(releases_within_rounding_of_a_sample_or_a_crest_end) {
                                Record{{-f, -k, k, 0}, 0.61601274987200427, {}},
                                19});
   BOOST_TEST(sample.state.turning_points < 10);
-  const auto crest = run_forced(
-      ForcedScene<>{{-0.12580365993187348, 0, 1.4824636397211155, 0, 0},
-                    Harmonic{0.2764785075679535, 0.37061590993027888, half_circle / 2, 16.95},
-                    19});
+  const auto crest =
+      run_forced(ForcedScene<>{{-0.12580365993187348, 0, 1.4824636397211155, 0, 0},
+                               Harmonic{0.2764785075679535, 0.37061590993027888, pi / 2, 16.95},
+                               19});
   BOOST_TEST(crest.state.turning_points < 50);
 }
 
@@ -311,27 +296,26 @@ BOOST_AUTO_TEST_CASE(after_1e5_cycles_the_phase_is_right) {
   // state is that after 100 cycles. lambda t_end is reduced without loss for both.
   const double lambda = 0.35;
   const auto state = [&](double cycles) {
-    const double t_end =
-        2 * half_circle * (cycles + 0.25) / lambda;  // rounded: W' t_end 2^-53 is 3e-11
+    const double t_end = 2 * pi * (cycles + 0.25) / lambda;  // rounded: W' t_end 2^-53 is 3e-11
     return until(t_end, {1, 0.18, 0}, {0, 0.5}, Harmonic{0.2, lambda});
   };
   const auto early = state(100);
   const auto late = state(1e5);
-  BOOST_TEST(*early.final_position == *late.final_position, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(*early.final_position == *late.final_position, tt::tolerance(1e-9));
   BOOST_TEST(late.sticks - early.sticks == 2 * (1e5 - 100));
   // A stick lasts as long in the last cycles as in the first, to 1e-13 of the whole.
   const double each = early.stick_time / early.sticks;
-  BOOST_TEST(late.stick_time / late.sticks == each, boost::test_tools::tolerance(2e-2));
+  BOOST_TEST(late.stick_time / late.sticks == each, tt::tolerance(2e-2));
 }
 
 BOOST_AUTO_TEST_CASE(the_phase_after_1e5_cycles_is_that_of_50_digits) {
-  agreeing({{0, 0.5, 1, 0.3, 0}, Harmonic{0.31, 40.123}, 2 * half_circle * 1e4 / 40.123}, 1e-11);
+  agreeing({{0, 0.5, 1, 0.3, 0}, Harmonic{0.31, 40.123}, 2 * pi * 1e4 / 40.123}, 1e-11);
 }
 
 BOOST_AUTO_TEST_CASE(a_spike_of_a_million_g_in_one_sample_is_carried) {
   // An impulse of 1e6 * 0.01: v = 1e4.
   const auto run = agreeing({{0, 0, 1, 0.05, 0.01}, Record{{0, 1e6, 0, 0}, 0.01, {}}, 100}, 1e-12);
-  BOOST_TEST(run.state.farthest == 1e4, boost::test_tools::tolerance(1e-3));
+  BOOST_TEST(run.state.farthest == 1e4, tt::tolerance(1e-3));
 }
 
 BOOST_AUTO_TEST_CASE(one_sample_lasts_no_time) {
@@ -343,7 +327,7 @@ BOOST_AUTO_TEST_CASE(one_sample_lasts_no_time) {
 BOOST_AUTO_TEST_CASE(two_equal_samples_are_a_rectangle) {
   const Oscillator oscillator{1, 0.05, 0.001};
   const auto record = until(50, oscillator, {0, 0}, Record{{0.3, 0.3}, 0.5, {}});
-  const auto pulse = until(50, oscillator, {0, 0}, Rectangle{0.3, 2 * half_circle});
+  const auto pulse = until(50, oscillator, {0, 0}, Rectangle{0.3, 2 * pi});
   BOOST_TEST(std::abs(record.peak_amplitude - pulse.peak_amplitude) <= 1e-15);
   BOOST_TEST(std::abs(*record.stop_time - *pulse.stop_time) <= 1e-14);
 }

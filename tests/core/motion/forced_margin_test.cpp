@@ -1,15 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "testing/forced_scene.hpp"
-#include "testing/scene_count.hpp"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <numbers>
-#include <vector>
+#include "motion.hpp"
 
 // The decision margin (docs/forced.md section 7) sees close decisions: where a small change of all
 // inputs changes a count or the outcome, the margin is small too.
@@ -20,15 +10,9 @@ BOOST_AUTO_TEST_SUITE(forced_margin_test)
 
 namespace {
 
-constexpr double half_circle = std::numbers::pi;
-
 /// The motion before a decision amplifies a change of the inputs. The worst of 4 *
 /// 10^4 scenes of each kind was 94 times, at resonance.
 constexpr double enlarged = 1000;
-
-double margin_of(const ForcedState<double>& state) {
-  return state.margin.any() ? state.margin.value() : 1;
-}
 
 bool same_counts(const ForcedState<double>& a, const ForcedState<double>& b) {
   return a.passages == b.passages && a.turning_points == b.turning_points && a.sticks == b.sticks &&
@@ -69,7 +53,7 @@ ForcedScene<> shifted(ForcedScene<> scene, Dice& dice, double by) {
 Record record_of_levels(Dice& dice, double p, double k, double f) {
   const std::array levels{0.0, 0.0, f, -f, k, -k, k / 2};
   Record record;
-  record.step = dice.once_in(2) ? half_circle / p / 4 : dice.power_of_ten(-1.5, 0.5) / p;
+  record.step = dice.once_in(2) ? pi / p / 4 : dice.power_of_ten(-1.5, 0.5) / p;
   const unsigned count = 3 + dice.below(40);
   for (unsigned i = 0; i < count; ++i) {
     const bool repeat = i > 0 && dice.once_in(3);
@@ -97,8 +81,8 @@ ForcedScene<> constructed_scene(Dice& dice) {
       scene.excitation = HalfSine{k, lambda};
       break;
     case 3:
-      scene.excitation = Harmonic{k, lambda, half_circle / 2 * dice.below(4),
-                                  (1 + dice.below(9)) * half_circle / 2 / lambda};
+      scene.excitation =
+          Harmonic{k, lambda, pi / 2 * dice.below(4), (1 + dice.below(9)) * pi / 2 / lambda};
       break;
     default:
       scene.excitation = record_of_levels(dice, p, k, motion.f);
@@ -171,8 +155,7 @@ BOOST_AUTO_TEST_CASE(release_just_before_a_jump_that_releases_is_far_from_tippin
   constexpr double gap = 1e-9;
   const double cut = std::acos((0.7 + gap) / 1.2);
   const auto state =
-      run_forced(ForcedScene<>{{1.2, 0, 1, 0.5, 0}, Harmonic{1.2, 1, -half_circle / 2, cut}, 20})
-          .state;
+      run_forced(ForcedScene<>{{1.2, 0, 1, 0.5, 0}, Harmonic{1.2, 1, -pi / 2, cut}, 20}).state;
   BOOST_TEST(state.turning_points == 1);
   BOOST_TEST(margin_of(state) > 0.05);
 }
@@ -183,8 +166,7 @@ BOOST_AUTO_TEST_CASE(turn_just_before_a_jump_that_changes_nothing_is_far_from_ti
   for (const double by : {1 + 1e-9, 1 - 1e-9}) {
     const double end = std::atan2(0.3, 0.51) * by;
     const auto state =
-        run_forced(ForcedScene<>{{0, 0.3, 1, 0.5, 0}, Rectangle{0.01, half_circle / end}, 20})
-            .state;
+        run_forced(ForcedScene<>{{0, 0.3, 1, 0.5, 0}, Rectangle{0.01, pi / end}, 20}).state;
     BOOST_TEST(state.turning_points == 1);
     BOOST_TEST(margin_of(state) > 0.05);
   }
@@ -197,15 +179,14 @@ BOOST_AUTO_TEST_CASE(load_that_comes_near_friction_while_it_holds_is_in_it) {
        {Record{{0, 1 - gap, 0, 0}, 1, {}}, Record{{0, -1 + gap, -1 + gap, 0}, 1, {}}}) {
     const auto state = run_forced(ForcedScene<>{{0, 0, 1, 1, 0}, record, 10}).state;
     BOOST_TEST(!state.moved);
-    BOOST_TEST(margin_of(state) == gap / 2, boost::test_tools::tolerance(1e-5));
+    BOOST_TEST(margin_of(state) == gap / 2, tt::tolerance(1e-5));
   }
   // The crest of a harmonic that is cut off after it, and one cut off before its crest.
   const auto whole =
-      run_forced(ForcedScene<>{{0, 0, 1, 1, 0}, Harmonic{1 - gap, 1, 0, 0.8 * half_circle}, 10});
-  BOOST_TEST(margin_of(whole.state) == gap / 2, boost::test_tools::tolerance(1e-5));
-  const auto cut =
-      run_forced(ForcedScene<>{{0, 0, 1, 1, 0}, Harmonic{1 - gap, 1, 0, half_circle / 6}, 10});
-  BOOST_TEST(margin_of(cut.state) == 1.0 / 3, boost::test_tools::tolerance(1e-5));
+      run_forced(ForcedScene<>{{0, 0, 1, 1, 0}, Harmonic{1 - gap, 1, 0, 0.8 * pi}, 10});
+  BOOST_TEST(margin_of(whole.state) == gap / 2, tt::tolerance(1e-5));
+  const auto cut = run_forced(ForcedScene<>{{0, 0, 1, 1, 0}, Harmonic{1 - gap, 1, 0, pi / 6}, 10});
+  BOOST_TEST(margin_of(cut.state) == 1.0 / 3, tt::tolerance(1e-5));
 }
 
 BOOST_AUTO_TEST_CASE(load_that_hardly_releases_is_in_it) {
@@ -228,20 +209,20 @@ BOOST_AUTO_TEST_CASE(no_sample_of_a_long_rest_is_overlooked) {
     record.values[at] = sign * (1 - gap);
     const auto held = run_forced(ForcedScene<>{{0, 0, 1, 1, 0}, record, 50}).state;
     BOOST_TEST(!held.moved);
-    BOOST_TEST(margin_of(held) == gap / 2, boost::test_tools::tolerance(1e-5));
+    BOOST_TEST(margin_of(held) == gap / 2, tt::tolerance(1e-5));
     record.values[at] = sign * 2;
     const auto released = run_forced(ForcedScene<>{{0, 0, 1, 1, 0}, record, 50}).state;
     BOOST_TEST(released.moved);
     // On its way from -0.5 to 2 the load passes 1 after 0.6 of the interval.
     const auto end = static_cast<double>(at);
     const auto first = run_forced(ForcedScene<>{{0, 0, 1, 1, 0}, record, end}).state;
-    BOOST_TEST(first.stick_time.value() == end - 0.4, boost::test_tools::tolerance(1e-15));
+    BOOST_TEST(first.stick_time.value() == end - 0.4, tt::tolerance(1e-15));
   }
 }
 
 BOOST_AUTO_TEST_CASE(end_of_the_run_that_meets_an_event_has_none) {
   // Without friction the free motion turns at pi/2 and passes x = 0 at pi.
-  for (const double t_end : {half_circle / 2, half_circle}) {
+  for (const double t_end : {pi / 2, pi}) {
     const auto state = run_forced(ForcedScene<>{{0, 1, 1, 0, 0}, Harmonic{0, 1}, t_end}).state;
     BOOST_TEST(margin_of(state) <= 1e-15);
   }

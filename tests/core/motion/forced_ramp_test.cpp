@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/core/forced_motion.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <cstddef>
-#include <numbers>
+#include "motion.hpp"
 
 // Records that go on rising: v only touches 0 once a period, rule 5 and (F33) of docs/forced.md.
 

@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "testing/forced_scene.hpp"
-#include "testing/printing.hpp"
-#include "testing/scene_count.hpp"
+#include "motion.hpp"
 
 #include <boost/math/tools/minima.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <numbers>
 
 // Seeded random scenes of every excitation: in double against the same rules in 50 digits, and
 // every piece examined closely for an event that was stepped over. STILLPOINT_FORCED_SCENES in the
@@ -28,10 +19,6 @@ constexpr double decided_margin = 1e-9;
 // Relative to the largest of the motion. The worst of 10^5 scenes is said in docs/forced.md.
 constexpr double metric_tolerance = 1e-11;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-double margin_of(const ForcedState<double>& state) {
-  return state.margin.any() ? state.margin.value() : 1;
-}
 
 double largest_load(const Excitation& excitation) {
   if (const auto* record = std::get_if<Record>(&excitation)) {

@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/core.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <numbers>
-#include <vector>
+#include "motion.hpp"
 
 // What the paper says about resonance, lambda = p = 1, over grids: where it holds and where it
 // fails. docs/resonance.md states the results, each with its test.
@@ -15,8 +9,6 @@ namespace stillpoint::test {
 BOOST_AUTO_TEST_SUITE(forced_resonance_test)
 
 namespace {
-
-constexpr double half_circle = std::numbers::pi;
 
 struct Resonance {
   double f;
@@ -28,7 +20,7 @@ struct Resonance {
 
 ForcedResponse run(const Resonance& scene, double half_cycles) {
   return forced_response({1, scene.f, scene.delta}, {0, scene.v0},
-                         Harmonic{scene.k, 1, scene.phase}, {.t_end = half_cycles * half_circle});
+                         Harmonic{scene.k, 1, scene.phase}, {.t_end = half_cycles * pi});
 }
 
 bool caught(const Resonance& scene) {
@@ -45,7 +37,7 @@ double growth_threshold(double delta, double v0, double k) {
   double high = k;
   while (high - low > 1e-9) {
     const double f = low + (high - low) / 2;
-    const ForcedResponse response = run({f, delta, v0, k, -half_circle / 2}, 20.5);
+    const ForcedResponse response = run({f, delta, v0, k, -pi / 2}, 20.5);
     const bool grows = response.outcome == Outcome::running && size(response) > v0;
     (grows ? low : high) = f;
   }
@@ -63,7 +55,7 @@ BOOST_AUTO_TEST_CASE(point_friction_alone_does_restrain_resonance_for_many_start
         for (const double part : {0.1, 0.3, 0.5, 0.7, 0.9, 0.99}) {
           // Delta lets the motion start: 2 delta = part * v0^2
           ++starts;
-          stopped += caught({0, part * v0 * v0 / 2, v0, k, eighth * half_circle / 4}) ? 1 : 0;
+          stopped += caught({0, part * v0 * v0 / 2, v0, k, eighth * pi / 4}) ? 1 : 0;
         }
       }
     }
@@ -77,9 +69,9 @@ BOOST_AUTO_TEST_CASE(at_the_best_phase_growth_parts_where_the_recursion_says) {
   // u grows where u > 2 delta / (pi k) - pi k / 4.
   const double k = 0.1;
   for (const double u : {0.5, 1.0, 2.0}) {
-    const double delta = (u + half_circle * k / 4) * half_circle * k / 2;
-    BOOST_TEST(!caught({0, delta * (1 - 1e-6), u, k, -half_circle / 2}));
-    BOOST_TEST(caught({0, delta * (1 + 1e-6), u, k, -half_circle / 2}));
+    const double delta = (u + pi * k / 4) * pi * k / 2;
+    BOOST_TEST(!caught({0, delta * (1 - 1e-6), u, k, -pi / 2}));
+    BOOST_TEST(caught({0, delta * (1 + 1e-6), u, k, -pi / 2}));
   }
 }
 
@@ -87,7 +79,7 @@ BOOST_AUTO_TEST_CASE(what_survives_point_friction_grows_at_half_k) {
   for (const double delta : {0.02, 0.05, 0.09}) {
     const double early = run({0, delta, 1, 0.1, 0}, 2000).peak_amplitude;
     const double late = run({0, delta, 1, 0.1, 0}, 4000).peak_amplitude;
-    BOOST_TEST((late - early) / (2000 * half_circle) == 0.05, boost::test_tools::tolerance(2e-3));
+    BOOST_TEST((late - early) / (2000 * pi) == 0.05, tt::tolerance(2e-3));
   }
 }
 
@@ -98,8 +90,8 @@ BOOST_AUTO_TEST_CASE(constant_friction_alone_has_the_threshold_pi_k_over_4) {
         const Resonance scene{ratio * k, 0, 1, k, phase};
         return size(run(scene, 4000)) - size(run(scene, 2000));
       };
-      BOOST_TEST(growth(half_circle / 4 * (1 - 1e-3)) > 0);
-      BOOST_TEST(growth(half_circle / 4 * (1 + 1e-3)) <= 1e-9);
+      BOOST_TEST(growth(pi / 4 * (1 - 1e-3)) > 0);
+      BOOST_TEST(growth(pi / 4 * (1 + 1e-3)) <= 1e-9);
     }
   }
 }
@@ -142,8 +134,8 @@ BOOST_AUTO_TEST_CASE(point_friction_lowers_the_threshold_of_f_only_for_the_ampli
   const double k = 0.2;
   for (const double delta : {0.0, 0.02, 0.1}) {
     for (const double a : {5.0, 20.0}) {
-      const double expected = half_circle * k / 4 - delta / (2 * a);
-      BOOST_TEST(growth_threshold(delta, a, k) == expected, boost::test_tools::tolerance(3e-3));
+      const double expected = pi * k / 4 - delta / (2 * a);
+      BOOST_TEST(growth_threshold(delta, a, k) == expected, tt::tolerance(3e-3));
     }
   }
 }
@@ -157,9 +149,9 @@ BOOST_AUTO_TEST_CASE(the_period_tends_to_that_of_the_forcing_but_does_not_begin_
     }
   }
   BOOST_REQUIRE(passages.size() > 600U);
-  BOOST_TEST(passages[0] / half_circle == 0.95, boost::test_tools::tolerance(0.01));
+  BOOST_TEST(passages[0] / pi == 0.95, tt::tolerance(0.01));
   const double last = passages.back() - passages[passages.size() - 2];
-  BOOST_TEST(last / half_circle == 1, boost::test_tools::tolerance(1e-5));
+  BOOST_TEST(last / pi == 1, tt::tolerance(1e-5));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,14 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "testing/forced_scene.hpp"
-#include "testing/scene_count.hpp"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <optional>
-#include <vector>
+#include "motion.hpp"
 
 // The instants found for turns, arrivals and releases under a harmonic, for lambda/p from 0.01 to
 // 100. The truth is the closed form in 50 digits, written again below: the residual of v, of y or

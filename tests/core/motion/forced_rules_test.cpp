@@ -1,13 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "testing/printing.hpp"
-#include "testing/simple_forced.hpp"
-
-#include <stillpoint/core.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <numbers>
+#include "motion.hpp"
 
 // Each rule of docs/forced.md section 1 by itself, with inputs for which the answer is simple, and
 // each outcome once.
@@ -15,12 +7,6 @@
 namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(forced_rules_test)
-
-namespace {
-
-using std::numbers::pi;
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_start_too_slow_for_the_notch_is_caught_whatever_w_does) {
   // v0^2 = 1 < 2 delta
@@ -85,8 +71,7 @@ BOOST_AUTO_TEST_CASE(a_stick_lasts_until_the_load_exceeds_f) {
   BOOST_TEST(leaves.sticks == 1);
   close(leaves.stick_time, pi / 3);
   // v'' = -W' = -0.1 cos(pi / 6) there: x = -0.1 cos(pi / 6) h^3 / 6 to first order
-  BOOST_TEST(*leaves.final_position == -0.1 * std::cos(pi / 6) * 1e-9 / 6,
-             boost::test_tools::tolerance(1e-3));
+  BOOST_TEST(*leaves.final_position == -0.1 * std::cos(pi / 6) * 1e-9 / 6, tt::tolerance(1e-3));
 }
 
 BOOST_AUTO_TEST_CASE(from_rest_in_the_notch_w_sets_the_mass_free_until_its_return) {

@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "testing/simple_forced.hpp"
-
-#include <stillpoint/core.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <numbers>
+#include "motion.hpp"
 
 BOOST_AUTO_TEST_SUITE(forced_start_test)
 
@@ -35,8 +29,7 @@ BOOST_AUTO_TEST_CASE(without_excitation_a_run_from_rest_counts_as_the_free_one) 
   const Response free = free_response(oscillator, start);
   const ForcedResponse forced = forced_response(oscillator, start, NoExcitation{});
   BOOST_TEST(forced.half_cycles.value() == free.half_cycles.value());
-  BOOST_TEST(forced.stop_time.value() == free.stop_time.value(),
-             boost::test_tools::tolerance(time_tolerance));
+  BOOST_TEST(forced.stop_time.value() == free.stop_time.value(), tt::tolerance(time_tolerance));
 }
 
 BOOST_AUTO_TEST_CASE(a_stick_that_the_end_of_the_excitation_ends_is_counted) {
@@ -46,8 +39,7 @@ BOOST_AUTO_TEST_CASE(a_stick_that_the_end_of_the_excitation_ends_is_counted) {
   const ForcedResponse to_the_end = forced_response({1, 0.21, 0}, {1, 0}, excitation);
   const ForcedResponse in_time = until(50, {1, 0.21, 0}, {1, 0}, excitation);
   BOOST_TEST(to_the_end.sticks == 1);
-  BOOST_TEST(to_the_end.stick_time == std::numbers::pi,
-             boost::test_tools::tolerance(time_tolerance));
+  BOOST_TEST(to_the_end.stick_time == std::numbers::pi, tt::tolerance(time_tolerance));
   BOOST_TEST(to_the_end.half_cycles.value() == 3);
   BOOST_TEST(in_time.sticks == to_the_end.sticks);
   BOOST_TEST(in_time.half_cycles.value() == to_the_end.half_cycles.value());

@@ -1,14 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "testing/printing.hpp"
-
-#include <stillpoint/core.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
+#include "motion.hpp"
 
 // Known settled motions under W = k sin(lambda tau): Den Hartog's without stops, cycles
 // with two stops at resonance, growth at resonance.
@@ -18,8 +9,6 @@ namespace stillpoint::test {
 BOOST_AUTO_TEST_SUITE(forced_steady_state_test)
 
 namespace {
-
-constexpr double half_circle = std::numbers::pi;
 
 struct Forcing {
   double p;
@@ -34,7 +23,7 @@ struct Settled {
 };
 
 Settled settled(const Forcing& forcing, double periods) {
-  const double period = 2 * half_circle / forcing.lambda;
+  const double period = 2 * pi / forcing.lambda;
   const ForcedTrajectory path({forcing.p, forcing.f, 0}, {0, 0.1},
                               Harmonic{forcing.k, forcing.lambda}, {periods * period});
   Settled result{{}, false};
@@ -54,16 +43,16 @@ double gain(const Forcing& forcing) {
   return 1 / (forcing.p * forcing.p - forcing.lambda * forcing.lambda);
 }
 double damping(const Forcing& forcing) {
-  return std::tan(half_circle * forcing.p / (2 * forcing.lambda)) / (forcing.p * forcing.lambda);
+  return std::tan(pi * forcing.p / (2 * forcing.lambda)) / (forcing.p * forcing.lambda);
 }
 
 /// The largest f / k without stops: |V| / sqrt(U^2 + S^2), S on a fine grid.
 double largest_ratio_without_stops(const Forcing& forcing) {
   const auto [p, lambda, k, f] = forcing;
-  const double tangent = std::tan(half_circle * p / (2 * lambda));
+  const double tangent = std::tan(pi * p / (2 * lambda));
   double most = 0;
   for (int i = 1; i < 20000; ++i) {
-    const double s = half_circle / lambda * i / 20000;
+    const double s = pi / lambda * i / 20000;
     most = std::max(most, (std::sin(p * s) + tangent * (std::cos(lambda * s) - std::cos(p * s))) /
                               (p * lambda * std::sin(lambda * s)));
   }
@@ -131,22 +120,22 @@ BOOST_AUTO_TEST_CASE(at_resonance_each_half_cycle_adds_pi_k_over_2_less_2f) {
   const Settled motion = settled({1, 1, 0.2, 0.1}, 3000);
   BOOST_REQUIRE(motion.turns.size() >= 2U);
   const double grown = std::abs(motion.turns[1].x) - std::abs(motion.turns[0].x);
-  BOOST_TEST(std::abs(grown - (half_circle * 0.1 - 0.2)) <= 1e-6);
+  BOOST_TEST(std::abs(grown - (pi * 0.1 - 0.2)) <= 1e-6);
 }
 
 BOOST_AUTO_TEST_CASE(at_the_best_phase_the_speed_follows_its_recursion) {
   // f = 0, phase -pi / 2, from x = 0 at speed u: u'^2 = (u + pi k / 2)^2 - 2 delta.
   const double k = 0.1;
   const double delta = 0.05;
-  const ForcedTrajectory path({1, 0, delta}, {0, 1}, Harmonic{k, 1, -half_circle / 2}, {200});
+  const ForcedTrajectory path({1, 0, delta}, {0, 1}, Harmonic{k, 1, -pi / 2}, {200});
   double speed = 1;
   int passages = 0;
   for (const Event& event : path.events()) {
     if (event.kind == EventKind::passage) {
-      speed = std::sqrt(std::pow(speed + half_circle * k / 2, 2) - 2 * delta);
+      speed = std::sqrt(std::pow(speed + pi * k / 2, 2) - 2 * delta);
       ++passages;
       BOOST_TEST(std::abs(std::abs(event.state.v) - speed) <= 1e-12 * speed);
-      BOOST_TEST(std::abs(event.state.tau - half_circle * passages) <= 1e-12 * event.state.tau);
+      BOOST_TEST(std::abs(event.state.tau - pi * passages) <= 1e-12 * event.state.tau);
     }
   }
   BOOST_TEST(passages == 63);

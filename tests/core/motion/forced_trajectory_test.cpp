@@ -1,14 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "testing/forced_scene.hpp"
-#include "testing/printing.hpp"
-
-#include <stillpoint/core.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
+#include "motion.hpp"
 
 // The state at any instant: it obeys the equation between events, and agrees with the metrics.
 
@@ -73,7 +64,7 @@ BOOST_AUTO_TEST_CASE(the_largest_x_and_the_last_state_are_those_of_the_metrics) 
     for (const State& state : path.sampled(400)) {
       most = std::max(most, std::abs(state.x));
     }
-    BOOST_TEST(most == response.peak_amplitude, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(most == response.peak_amplitude, tt::tolerance(1e-12));
     const State last = path.at(scene.t_end);
     BOOST_TEST(std::abs(last.x - *response.final_position) <=
                1e-12 * std::max(1.0, response.peak_amplitude));
@@ -121,8 +112,8 @@ BOOST_AUTO_TEST_CASE(late_states_keep_their_digits) {
     const ForcedTrajectory path({p, 0, 0}, {0, 0}, ramp, {late + 1});
     for (const double h : {0.25, 0.5, 0.75}) {
       const State now = path.at(late + h);
-      BOOST_TEST(now.x == (h - std::sin(p * h) / p) / (p * p), boost::test_tools::tolerance(1e-13));
-      BOOST_TEST(now.v == (1 - std::cos(p * h)) / (p * p), boost::test_tools::tolerance(1e-13));
+      BOOST_TEST(now.x == (h - std::sin(p * h) / p) / (p * p), tt::tolerance(1e-13));
+      BOOST_TEST(now.v == (1 - std::cos(p * h)) / (p * p), tt::tolerance(1e-13));
     }
   }
 }

@@ -1,15 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "testing/refusal.hpp"
-#include "testing/scene.hpp"
-
-#include <stillpoint/core.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <limits>
-#include <string>
-#include <vector>
+#include "motion.hpp"
 
 namespace stillpoint::test {
 

@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "testing/checks.hpp"
-#include "testing/scene.hpp"
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <numbers>
+#include "motion.hpp"
 
 // Starts towards x = 0: the arc about x = f of radius R, R^2 = v0^2 + (x0 - f)^2 (p = 1).
 
@@ -19,15 +13,9 @@ using std::acos;
 using std::atan2;
 using std::sqrt;
 
-constexpr double length_tolerance = 1e-15;        // relative
-constexpr double time_tolerance = 2e-15;          // relative: the hand result is a difference
-constexpr double speed_tolerance = 1e-15;         // relative
-constexpr double acceleration_tolerance = 1e-15;  // relative
-
-void peaks(const Response& response, double amplitude, double acceleration) {
-  near("peak_amplitude", response.peak_amplitude, amplitude, length_tolerance);
-  near("peak_acceleration", response.peak_acceleration, acceleration, acceleration_tolerance);
-}
+constexpr double length_tolerance = 1e-15;  // relative
+constexpr double time_tolerance = 2e-15;    // relative: the hand result is a difference
+constexpr double speed_tolerance = 1e-15;   // relative
 
 }  // namespace
 

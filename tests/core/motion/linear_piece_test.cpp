@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "kernel/linear_piece.hpp"
-#include "testing/random_scene.hpp"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "motion.hpp"
 
 // Turns and arrivals on intervals as short as those between samples, docs/forced.md (F31), (F32),
 // against the general formulas in extended precision.

@@ -1,14 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "testing/printing.hpp"
-#include "testing/simple_forced.hpp"
-
-#include <stillpoint/core.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <limits>
-#include <numbers>
+#include "motion.hpp"
 
 // A notch of limited capacity, docs/notches.md rule 1, with inputs for which the answer is
 // simple.
@@ -18,8 +9,6 @@ namespace stillpoint::test {
 BOOST_AUTO_TEST_SUITE(notch_hold_test)
 
 namespace {
-
-using std::numbers::pi;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -31,7 +20,7 @@ BOOST_AUTO_TEST_CASE(a_notch_lets_go_when_the_load_exceeds_what_it_and_friction_
   const auto response = run({1, 0.05, 0.5, 0.05}, {0, 0}, Harmonic{0.2, 0.5}, pi / 3 + 1e-6);
   BOOST_TEST(response.sticks == 1);
   close(response.stick_time, pi / 3);
-  BOOST_TEST(*response.final_position == -0.05 * 1e-12 / 2, boost::test_tools::tolerance(1e-5));
+  BOOST_TEST(*response.final_position == -0.05 * 1e-12 / 2, tt::tolerance(1e-5));
   BOOST_TEST(!response.left_notch_from_rest);
   BOOST_TEST(*response.zero_passages == 0);
   BOOST_TEST(*run({1, 0.05, 0.5, 0.05}, {0, 0}, Harmonic{0.2, 0.5}, pi / 3 - 1e-6).half_cycles ==

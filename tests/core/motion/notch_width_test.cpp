@@ -1,15 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "testing/printing.hpp"
-#include "testing/refusal.hpp"
-#include "testing/simple_forced.hpp"
-
-#include <stillpoint/core.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <limits>
-#include <numbers>
+#include "motion.hpp"
 
 // A notch with a width and friction in zones, docs/notches.md rules 2 to 4, with inputs for which
 // the answer is simple.
@@ -19,8 +9,6 @@ namespace stillpoint::test {
 BOOST_AUTO_TEST_SUITE(notch_width_test)
 
 namespace {
-
-using std::numbers::pi;
 
 ForcedResponse run(const Oscillator& oscillator, const Surface& surface, const Start& start,
                    const Excitation& excitation = {}, std::optional<double> t_end = {}) {

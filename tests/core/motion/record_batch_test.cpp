@@ -1,20 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "testing/forced_scene.hpp"
-#include "testing/random_scene.hpp"
-#include "testing/refusal.hpp"
-
-#include <stillpoint/core.hpp>
+#include "motion.hpp"
 
 #include <hwy/targets.h>
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <cstdint>
-#include <fstream>
-#include <limits>
-#include <optional>
-#include <string>
-#include <vector>
 
 // Many dampers under one record, each as it is alone: every instruction set of this machine, any
 // number of threads. Nothing is rounded differently, so that the values are equal.

@@ -1,20 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "motion.hpp"
 #include "testing/backward_error.hpp"
-#include "testing/exact_run.hpp"
-#include "testing/scene.hpp"
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
 #include <charconv>
-#include <cmath>
-#include <cstddef>
-#include <fstream>
-#include <stdexcept>
-#include <string>
 #include <system_error>
-#include <vector>
 
 // data/reference/free_motion.csv was made by a time-domain solution at 40 digits that shares
 // nothing with the kernel. It checks the rules that the 50-digit run of the kernel's own template

@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "testing/checks.hpp"
-#include "testing/refusal.hpp"
-
-#include <stillpoint/core.hpp>
-
-#include <boost/test/unit_test.hpp>
+#include "motion.hpp"
 
 BOOST_AUTO_TEST_SUITE(simulation_test)
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/core.hpp>
-
-#include <boost/test/unit_test.hpp>
+#include "motion.hpp"
 
 #include <initializer_list>
 

@@ -1,19 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "testing/checks.hpp"
-#include "testing/printing.hpp"
-#include "testing/random_scene.hpp"
-#include "testing/scene.hpp"
-
-#include <stillpoint/core/trajectory.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <numbers>
-#include <vector>
+#include "motion.hpp"
 
 namespace stillpoint::test {
 
@@ -21,7 +7,6 @@ BOOST_AUTO_TEST_SUITE(trajectory_test)
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double length_tolerance = 1e-13;  // of the peak amplitude
 constexpr double speed_tolerance = 1e-13;   // of the largest speed
 constexpr double slope_tolerance = 1e-7;    // central differences, of the largest slope
@@ -162,7 +147,7 @@ BOOST_AUTO_TEST_CASE(a_trajectory_may_end_just_at_a_passage) {
 BOOST_AUTO_TEST_CASE(random_trajectories_obey_the_law_and_join_at_events) {
   Dice dice(601);
   for (int i = 0; i < 400; ++i) {
-    const Scene<> scene = dice.once_in(2) ? moderate_scene(dice) : general_start_scene(dice);
+    const Scene<> scene = any_start_scene(dice);
     BOOST_TEST_CONTEXT("seed 601, scene " << scene) {
       is_a_motion(scene);
     }

@@ -1,19 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "testing/forced_scene.hpp"
-#include "testing/printing.hpp"
-#include "testing/scene_count.hpp"
-#include "testing/simple_forced.hpp"
-
-#include <stillpoint/core.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <numbers>
-#include <optional>
-#include <vector>
+#include "motion.hpp"
 
 // What the structure feels, docs/forced.md section 10: by hand, and along random motions at many
 // instants. forced_random_test compares it with 50 digits.
@@ -23,8 +9,6 @@ namespace stillpoint::test {
 BOOST_AUTO_TEST_SUITE(transmitted_test)
 
 namespace {
-
-using std::numbers::pi;
 
 /// The largest load on a mass that the notch catches at the start: v0^2 = 0.01 < 2 delta.
 void check_caught(const Excitation& excitation, std::optional<double> t_end, double load) {

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "testing/test.hpp"
+
 #include <stillpoint/records/file_error.hpp>
 
-#include <boost/test/unit_test.hpp>
-
 #include <cerrno>
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(file_error_test)
 
-namespace {
-
 using stillpoint::records::FileError;
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(message_begins_with_the_place) {
   const auto what = [](const FileError& error) { return std::string(error.what()); };

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "testing/printing.hpp"
-#include "testing/refusal.hpp"
+#include "testing/test.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/number.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(number_test)
 
@@ -67,7 +61,9 @@ BOOST_AUTO_TEST_CASE(numbers_that_a_double_does_not_hold) {
 
 BOOST_AUTO_TEST_CASE(value_of_a_field) {
   BOOST_TEST(parse_number("f", "+0.25") == 0.25);
-  BOOST_TEST(refusal(parse_number, "abc") == "f = \"abc\": must be a finite number");
+  BOOST_TEST(refusal(parse_number, "abc") == "f = \"abc\": must be a number");
+  BOOST_TEST(refusal(parse_number, "2.5 %") == "f = \"2.5 %\": must be a number; 2.5 % is 0.025");
+  BOOST_TEST(refusal(parse_number, "x%") == "f = \"x%\": must be a number");
   BOOST_TEST(refusal(parse_number, "nan") == "f = \"nan\": must be a finite number");
   BOOST_TEST(refusal(parse_number, "1e400") ==
              "f = 1e400: must have a magnitude that a double can hold, 2.2e-308 to 1.8e308");

@@ -2,36 +2,16 @@
 #include "record_texts.hpp"
 #include "testing/folder.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/record_file.hpp>
 
-#include <boost/test/unit_test.hpp>
-
 #include <unistd.h>
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <limits>
-#include <numbers>
-#include <optional>
-#include <random>
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(record_file_test)
 
-namespace {
-
-namespace records = stillpoint::records;
-using stillpoint::InputError;
-using stillpoint::Record;
 using namespace stillpoint::test;
-namespace fs = std::filesystem;
-
-}  // namespace
 
 // ---- there and back
 
@@ -66,9 +46,9 @@ BOOST_AUTO_TEST_CASE(what_is_written_is_read_to_the_last_bit) {
 // ---- files and options
 
 BOOST_AUTO_TEST_CASE(file_that_cannot_be_read) {
-  const stillpoint::test::Folder folder;
+  const Folder folder;
   const auto refusal = [&](const char* name) {
-    return refusal_of<records::FileError>([&] { return records::read_record(folder.path(name)); });
+    return refusal_of<FileError>([&] { return records::read_record(folder.path(name)); });
   };
   check_says(refusal("none.AT2"), {"record ", "none.AT2: cannot be read: No such file"});
   fs::create_directory(folder.path("folder"));
@@ -83,11 +63,10 @@ BOOST_AUTO_TEST_CASE(file_that_cannot_be_read) {
 }
 
 BOOST_AUTO_TEST_CASE(file_that_is_too_large) {
-  const stillpoint::test::Folder folder;
+  const Folder folder;
   std::ofstream(folder.path("large.AT2")).close();
   fs::resize_file(folder.path("large.AT2"), records::largest_record_bytes + 1);
-  check_says(refusal_of<records::FileError>(
-                 [&] { return records::read_record(folder.path("large.AT2")); }),
+  check_says(refusal_of<FileError>([&] { return records::read_record(folder.path("large.AT2")); }),
              {"large.AT2: is too large", "67108864 bytes"});
 }
 
@@ -115,10 +94,10 @@ BOOST_AUTO_TEST_CASE(options_out_of_bounds) {
 
 BOOST_AUTO_TEST_CASE(units_have_names) {
   for (const RecordUnits unit : {RecordUnits::g, RecordUnits::m_per_s2, RecordUnits::cm_per_s2}) {
-    BOOST_TEST(stillpoint::parse<records::RecordUnits>(records::name(unit)) == std::optional(unit));
+    BOOST_TEST(parse<RecordUnits>(records::name(unit)) == std::optional(unit));
   }
   for (const char* wrong : {"", "G", "cm/s", "gal"}) {
-    BOOST_TEST(!stillpoint::parse<records::RecordUnits>(wrong).has_value());
+    BOOST_TEST(!parse<RecordUnits>(wrong).has_value());
   }
 }
 

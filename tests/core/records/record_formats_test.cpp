@@ -4,38 +4,15 @@
 // one pulse, 250 cm/s2 sin^2(pi t / 2) sin(3 pi t), in all of them.
 
 #include "samples.hpp"
-#include "testing/printing.hpp"
-#include "testing/refusal.hpp"
 
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/record_file.hpp>
-
-#include <boost/test/data/monomorphic.hpp>
-#include <boost/test/data/test_case.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <ostream>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(record_formats_test)
 
 namespace {
 
-namespace records = stillpoint::records;
-namespace data = boost::unit_test::data;
-using records::FileError;
-using records::RecordFile;
-using records::RecordOptions;
-using records::RecordUnits;
-using stillpoint::test::check_says;
-using stillpoint::test::path_of;
-using stillpoint::test::refusal_of;
-using stillpoint::test::replaced;
-using stillpoint::test::text_of;
+using namespace stillpoint::test;
 
 constexpr double cm_per_s2 = 980.665;  // in one g
 
@@ -146,11 +123,8 @@ BOOST_DATA_TEST_CASE(other_forms_are_read, data::make(right), variant) {
   const std::string text = replaced(text_of(variant.sample), variant.old, variant.now);
   const RecordOptions first{.channel = 1};
   check_pulse(records::parse_record(text, "record", first), variant.factor, variant.tolerance);
-  std::string crlf;
-  for (const char c : text) {
-    crlf += c == '\n' ? std::string("\r\n") : std::string(1, c);
-  }
-  check_pulse(records::parse_record(crlf, "record", first), variant.factor, variant.tolerance);
+  check_pulse(records::parse_record(with_crlf(text), "record", first), variant.factor,
+              variant.tolerance);
 }
 
 // Processing may have changed the steps of the recorder.
@@ -230,7 +204,7 @@ BOOST_AUTO_TEST_CASE(fields_without_a_format_part_at_a_sign) {
   const std::string words = replaced(two, ",Format=(10F8.3)", "");
   BOOST_TEST(records::parse_record(words, "record").record.values ==
                  records::parse_record(text_of("V2c"), "record").record.values,
-             boost::test_tools::per_element());
+             tt::per_element());
   // With a width the blank moves the fields behind it.
   check_says(refusal_of<FileError>([&] { return records::parse_record(two, "record"); }),
              {"line 48, column 33:", "is not a number"});
@@ -282,7 +256,7 @@ BOOST_AUTO_TEST_CASE(duration_is_a_decimal) {
     counts += "7 ";
   }
   const RecordFile file = records::parse_record(knet_heading("0.58") + counts, "record");
-  BOOST_TEST(file.record.values == std::vector<double>(29, 0.0), boost::test_tools::per_element());
+  BOOST_TEST(file.record.values == std::vector<double>(29, 0.0), tt::per_element());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,32 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include "record_texts.hpp"
 #include "testing/folder.hpp"
-#include "testing/refusal.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
-#include <stillpoint/records/record_folder.hpp>
 #include <stillpoint/records/record_suite.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <numbers>
-#include <random>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(record_scaling_test)
 
 namespace {
 
-namespace records = stillpoint::records;
+using namespace stillpoint::test;
 using records::spectral_acceleration;
-using stillpoint::InputError;
-using stillpoint::Record;
-using stillpoint::test::check_says;
-using stillpoint::test::refusal_of;
 
 constexpr double pi = std::numbers::pi;
 constexpr double zeta = records::spectrum_damping;
@@ -144,23 +128,22 @@ BOOST_AUTO_TEST_CASE(period_must_be_resolved) {
 }
 
 BOOST_AUTO_TEST_CASE(folder_is_its_records) {
-  const stillpoint::test::Folder folder;
+  const Folder folder;
   for (const char* name : {"b.AT2", "a.txt", "C.v2", "d.EW", "d.UD", "readme.md", ".hidden.txt"}) {
     std::ofstream(folder.path(name)) << "1\n";
   }
-  std::filesystem::create_directory(folder.path("e.txt"));
-  const std::string path = std::filesystem::path(folder.path("a.txt")).parent_path().string();
+  fs::create_directory(folder.path("e.txt"));
+  const std::string path = fs::path(folder.path("a.txt")).parent_path().string();
   const std::vector<std::string> expected{folder.path("C.v2"), folder.path("a.txt"),
                                           folder.path("b.AT2"), folder.path("d.EW")};
-  BOOST_TEST(records::record_files(path) == expected, boost::test_tools::per_element());
+  BOOST_TEST(records::record_files(path) == expected, tt::per_element());
   BOOST_TEST(records::record_files("none.txt") == std::vector<std::string>{"none.txt"});
-  check_says(
-      refusal_of<records::FileError>([&] { return records::record_files(folder.path("e.txt")); }),
-      {"e.txt: this folder has no record", ".AT2 .ASC"});
+  check_says(refusal_of<FileError>([&] { return records::record_files(folder.path("e.txt")); }),
+             {"e.txt: this folder has no record", ".AT2 .ASC"});
 }
 
 BOOST_AUTO_TEST_CASE(folder_leaves_out_plain_text) {
-  const stillpoint::test::Folder folder;
+  const Folder folder;
   const std::vector<std::pair<const char*, const char*>> kept{
       {"a.AT2", "wrong, but its ending says what it should be\n"},
       {"b.txt", "# a comment\n\n0 1\n"},
@@ -187,14 +170,14 @@ BOOST_AUTO_TEST_CASE(folder_leaves_out_plain_text) {
     }
     return list;
   };
-  const std::string path = std::filesystem::path(folder.path("x")).parent_path().string();
-  BOOST_TEST(records::record_files(path) == paths(kept), boost::test_tools::per_element());
+  const std::string path = fs::path(folder.path("x")).parent_path().string();
+  BOOST_TEST(records::record_files(path) == paths(kept), tt::per_element());
   BOOST_TEST(records::left_out_files({{path, folder.path("b.txt")}}) == paths(left),
-             boost::test_tools::per_element());
+             tt::per_element());
   for (const auto& [name, text] : kept) {
-    std::filesystem::remove(folder.path(name));
+    fs::remove(folder.path(name));
   }
-  check_says(refusal_of<records::FileError>([&] { return records::record_files(path); }),
+  check_says(refusal_of<FileError>([&] { return records::record_files(path); }),
              {"this folder has no record", "README.txt begins with text"});
 }
 

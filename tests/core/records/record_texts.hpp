@@ -3,22 +3,15 @@
 
 // Records as text, right and wrong, for the tests of each form.
 
-#include "testing/printing.hpp"
-#include "testing/refusal.hpp"
+#include "testing/test.hpp"
 
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/record_file.hpp>
 
-#include <boost/test/unit_test.hpp>
-
-#include <limits>
-#include <ostream>
-#include <sstream>
-#include <string>
-#include <vector>
-
 namespace stillpoint::test {
 
+using namespace stillpoint;
+using records::FileError;
 using records::RecordFile;
 using records::RecordOptions;
 using records::RecordUnits;
@@ -58,6 +51,15 @@ struct Bad {
   Texts says;
   RecordOptions options{};
 };
+
+inline Good right(const char* name, std::string text, Numbers values, double step,
+                  Numbers times = {}, RecordOptions options = {}) {
+  return {name, std::move(text), std::move(values), step, std::move(times), std::move(options)};
+}
+
+inline Bad wrong(const char* name, std::string text, Texts says, RecordOptions options = {}) {
+  return {name, std::move(text), std::move(says), std::move(options)};
+}
 
 inline std::ostream& operator<<(std::ostream& stream, const Good& good) {
   return stream << good.name;

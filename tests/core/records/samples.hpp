@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <boost/test/unit_test.hpp>
-
-#include <fstream>
-#include <iterator>
-#include <map>
-#include <string>
+#include "record_texts.hpp"
 
 namespace stillpoint::test {
 

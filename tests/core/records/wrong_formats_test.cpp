@@ -3,36 +3,15 @@
 // Wrong files of the networks: each is refused in one line, with file and line.
 
 #include "samples.hpp"
-#include "testing/refusal.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/record_file.hpp>
-
-#include <boost/test/data/monomorphic.hpp>
-#include <boost/test/data/test_case.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <map>
-#include <sstream>
-#include <string>
-#include <string_view>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(wrong_formats_test)
 
 namespace {
 
-namespace records = stillpoint::records;
-namespace data = boost::unit_test::data;
-using records::FileError;
-using records::RecordOptions;
-using records::RecordUnits;
-using stillpoint::test::check_says;
-using stillpoint::test::contains;
-using stillpoint::test::refusal_of;
-using stillpoint::test::replaced;
-using stillpoint::test::text_of;
+using namespace stillpoint::test;
 
 /// For a sample: what replaces what, and what the refusal says.
 struct Wrong {
@@ -200,7 +179,7 @@ void read_or_refuse(std::string_view text) {
   try {
     static_cast<void>(records::parse_record(text, "a", {.channel = 1}));
   } catch (const FileError&) {
-  } catch (const stillpoint::InputError&) {  // columns without a step
+  } catch (const InputError&) {  // columns without a step
   }
 }
 

@@ -1,25 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "random_source.hpp"
-#include "reference.hpp"
+#include "damper.hpp"
 #include "scan.hpp"
-#include "testing/refusal.hpp"
-
-#include <stillpoint/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(acceleration_limit_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
 /// Of S, relative: f4 is rounded inwards once, from inputs that are taken as decimals where they
@@ -192,7 +178,7 @@ BOOST_AUTO_TEST_CASE(a_pulse_takes_the_limit_as_well) {
 
 BOOST_AUTO_TEST_CASE(a_wrong_limit_is_refused) {
   for (const double wrong : {0.0, -1.0, 1e-301, 1e301, double(HUGE_VAL)}) {
-    stillpoint::test::check_refused("acceleration_max", [&] {
+    test::check_refused("acceleration_max", [&] {
       return admissible_region({1, 1, 1}, at_most(wrong));
     });
   }

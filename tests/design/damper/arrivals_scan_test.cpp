@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "arrivals_task.hpp"
-
-#include <stillpoint/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <utility>
-#include <vector>
+#include "damper.hpp"
 
 BOOST_AUTO_TEST_SUITE(arrivals_scan_test)
 
@@ -17,8 +9,6 @@ BOOST_AUTO_TEST_SUITE(arrivals_scan_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 using namespace stillpoint::design_test::of_arrivals;
 
@@ -76,10 +66,7 @@ Wide tolerance_by_map(const Problem& problem, const Limits& limits, Wide f, Wide
 }
 
 double cost_of(Objective objective, const Problem& problem, double f, double delta) {
-  const Response response = free_response({problem.p, f, delta}, {0, problem.v0});
-  return objective == Objective::amplitude ? response.peak_amplitude
-         : objective == Objective::time    ? *response.stop_time
-                                           : response.peak_acceleration;
+  return value_of(objective, free_response({problem.p, f, delta}, {0, problem.v0}));
 }
 
 /// Over f and Delta evenly and by factors.

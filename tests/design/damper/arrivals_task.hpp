@@ -26,16 +26,12 @@ inline Task random_task(RandomSource& random) {
   Task task{random_problem(random, 0.75, 1.5), {}, random.seed()};
   task.problem.arrivals = 2 + random.pick(4);
   const double f3 = task.problem.v0 * task.problem.p / std::sqrt(8.0);
-  if (random.pick(2) == 0) {
-    task.limits.f_max = f3 * random.log_uniform(0.01, 1.1);
-  }
-  if (random.pick(3) == 0) {
-    task.limits.delta_max = task.problem.v0 * task.problem.v0 * random.uniform(0.05, 0.5);
-  }
-  if (random.pick(4) == 0) {
-    task.limits.acceleration_max =
-        task.problem.p * task.problem.v0 * std::sqrt(1 + random.uniform(0, 0.1));
-  }
+  random.one_in(2, task.limits.f_max, [&] { return f3 * random.log_uniform(0.01, 1.1); });
+  random.one_in(3, task.limits.delta_max,
+                [&] { return task.problem.v0 * task.problem.v0 * random.uniform(0.05, 0.5); });
+  random.one_in(4, task.limits.acceleration_max, [&] {
+    return task.problem.p * task.problem.v0 * std::sqrt(1 + random.uniform(0, 0.1));
+  });
   task.limits.tolerance = random.pick(2) == 0 ? 0 : random.uniform(0.01, 0.3);
   return task;
 }

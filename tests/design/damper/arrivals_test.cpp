@@ -1,18 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "arrivals_task.hpp"
-
-#include <stillpoint/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
+#include "damper.hpp"
 
 BOOST_AUTO_TEST_SUITE(arrivals_test)
 
@@ -21,8 +9,6 @@ BOOST_AUTO_TEST_SUITE(arrivals_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 using namespace stillpoint::design_test::of_arrivals;
 

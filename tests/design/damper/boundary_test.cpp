@@ -1,13 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "random_source.hpp"
-#include "testing/printing.hpp"
-
-#include <stillpoint/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
+#include "damper.hpp"
 
 BOOST_AUTO_TEST_SUITE(boundary_test)
 
@@ -15,8 +7,6 @@ BOOST_AUTO_TEST_SUITE(boundary_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
 /// The simulation of one half-cycle decides rightly beyond this margin (free_motion.hpp).

@@ -1,15 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "random_source.hpp"
-#include "task.hpp"
-
-#include <stillpoint/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
+#include "damper.hpp"
 
 BOOST_AUTO_TEST_SUITE(catalogue_test)
 
@@ -17,8 +7,6 @@ BOOST_AUTO_TEST_SUITE(catalogue_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
 /// Relative; nearer to an edge than that, the rounding of the simulation decides.
@@ -36,15 +24,10 @@ Shop random_shop(RandomSource& random, int size) {
   shop.problem.arrivals = 1 + random.pick(3);
   shop.limits.tolerance = random.pick(2) == 0 ? 0 : random.uniform(0, 0.2);
   const double p_v0 = shop.problem.p * shop.problem.v0;
-  if (random.pick(3) == 0) {
-    shop.limits.f_max = random.uniform(0.1, 0.4) * p_v0;
-  }
-  if (random.pick(3) == 0) {
-    shop.limits.delta_max = random.uniform(0.2, 0.6) * shop.problem.v0 * shop.problem.v0;
-  }
-  if (random.pick(3) == 0) {
-    shop.limits.acceleration_max = random.uniform(1.01, 1.07) * p_v0;
-  }
+  random.one_in(3, shop.limits.f_max, [&] { return random.uniform(0.1, 0.4) * p_v0; });
+  random.one_in(3, shop.limits.delta_max,
+                [&] { return random.uniform(0.2, 0.6) * shop.problem.v0 * shop.problem.v0; });
+  random.one_in(3, shop.limits.acceleration_max, [&] { return random.uniform(1.01, 1.07) * p_v0; });
   for (int i = 0; i < size; ++i) {
     shop.parts.push_back({"part " + std::to_string(i), random.uniform(0, 0.45) * p_v0,
                           random.uniform(0, 0.6) * shop.problem.v0 * shop.problem.v0});
@@ -66,15 +49,20 @@ bool works(const Shop& shop, double f, double delta) {
 }
 
 /// The value that the objective minimises, from the simulation.
-double value_of(const Shop& shop, Objective objective, const RatedPart& rated) {
-  if (objective == Objective::robust) {
-    return -rated.tolerance.value();
+double part_value(const Shop& shop, Objective objective, const RatedPart& rated) {
+  return objective == Objective::robust
+             ? -rated.tolerance.value()
+             : value_of(objective, free_response({shop.problem.p, rated.part.f, rated.part.delta},
+                                                 {0, shop.problem.v0}));
+}
+
+std::vector<std::string> names_of(const std::vector<RatedPart>& parts) {
+  std::vector<std::string> names;
+  names.reserve(parts.size());
+  for (const RatedPart& rated : parts) {
+    names.push_back(rated.part.name);
   }
-  const Response motion =
-      free_response({shop.problem.p, rated.part.f, rated.part.delta}, {0, shop.problem.v0});
-  return objective == Objective::amplitude ? motion.peak_amplitude
-         : objective == Objective::time    ? motion.stop_time.value()
-                                           : motion.peak_absolute_acceleration;
+  return names;
 }
 
 }  // namespace
@@ -130,17 +118,13 @@ BOOST_AUTO_TEST_CASE(the_order_is_that_of_the_objective) {
       for (std::size_t k = 1; k < parts.size(); ++k) {
         if (parts[k].admissible) {
           ++compared;
-          BOOST_TEST(value_of(shop, objective, parts[k - 1]) <=
-                     value_of(shop, objective, parts[k]));
+          BOOST_TEST(part_value(shop, objective, parts[k - 1]) <=
+                     part_value(shop, objective, parts[k]));
         } else if (parts[k].tolerance && !parts[k - 1].admissible) {
           BOOST_TEST(*parts[k - 1].tolerance >= *parts[k].tolerance);
         }
       }
-      std::vector<std::string> names;
-      names.reserve(parts.size());
-      for (const RatedPart& rated : parts) {
-        names.push_back(rated.part.name);
-      }
+      std::vector<std::string> names = names_of(parts);
       std::ranges::sort(names);
       BOOST_TEST((std::ranges::adjacent_find(names) == names.end()));
     }
@@ -156,14 +140,10 @@ BOOST_AUTO_TEST_CASE(equals_keep_their_order_and_the_nearest_miss_is_first_of_th
                                 {"twin 2", 0.2, 0.45},
                                 {"too strong", 0.36, 0.45}};
   const auto all = ranked({1, 1, 0.9}, {}, Objective::acceleration, parts);
-  std::vector<std::string> names;
-  names.reserve(all.size());
-  for (const RatedPart& rated : all) {
-    names.push_back(rated.part.name);
-  }
+  const std::vector<std::string> names = names_of(all);
   // f2/f - 1: 10.6 and 0.056; f/f3 - 1: 0.018.
   const std::vector<std::string> expected{"twin 1", "twin 2", "too strong", "near", "far"};
-  BOOST_TEST(names == expected, boost::test_tools::per_element());
+  BOOST_TEST(names == expected, tt::per_element());
   BOOST_TEST_REQUIRE(all[2].violated.size() == 1U);
   BOOST_TEST(all[2].violated[0].name == "return");
   BOOST_TEST(all[3].violated[0].name == "amplitude");
@@ -175,7 +155,7 @@ BOOST_AUTO_TEST_CASE(the_best_part_is_the_design) {
   for (int i = 0; i < 60; ++i) {
     const Shop shop = random_shop(random, 30);
     DesignRequest request{shop.problem, shop.limits};
-    request.search.objective = objectives[static_cast<std::size_t>(random.pick(4))];
+    request.search.objective = random_objective(random);
     const Choice choice = choose(request, shop.parts);
     const RatedPart& best = choice.parts.front();
     BOOST_TEST(choice.result.finding.has_value() == best.admissible);
@@ -192,7 +172,7 @@ BOOST_AUTO_TEST_CASE(the_best_part_is_the_design) {
     BOOST_TEST(finding.search.algorithm.empty());
     BOOST_TEST(finding.works_for.has_value());
     // No part is better than the best damper of any size.
-    const DesignResult any = stillpoint::design::design(request);
+    const DesignResult any = design::design(request);
     BOOST_TEST_REQUIRE(any.finding.has_value());
     if (request.search.objective == Objective::robust) {
       BOOST_TEST(any.finding->point.tolerance >= finding.point.tolerance - undecided_within);
@@ -276,14 +256,11 @@ BOOST_AUTO_TEST_CASE(if_no_part_fits_the_reason_says_so) {
 }
 
 BOOST_AUTO_TEST_CASE(refuses_what_it_cannot_judge) {
-  const std::vector<Part> one{{"one", 0.2, 0.45}};
   BOOST_CHECK_THROW((void)choose({{1, 1, 0.9}}, {}), InputError);
-  const std::vector<Part> negative{{"negative", -0.2, 0.45}};
-  BOOST_CHECK_THROW((void)choose({{1, 1, 0.9}}, negative), InputError);
-  const std::vector<Part> strong{{"strong", 1e200, 0.45}};
-  BOOST_CHECK_THROW((void)choose({{1, 1, 0.9}}, strong), InputError);
-  const std::vector<Part> huge{{"huge", 0.2, HUGE_VAL}};
-  BOOST_CHECK_THROW((void)choose({{1, 1, 0.9}}, huge), InputError);
+  for (const Part& wrong :
+       {Part{"negative", -0.2, 0.45}, Part{"strong", 1e200, 0.45}, Part{"huge", 0.2, HUGE_VAL}}) {
+    BOOST_CHECK_THROW((void)choose({{1, 1, 0.9}}, std::vector{wrong}), InputError);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,24 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "random_source.hpp"
-#include "testing/printing.hpp"
-
-#include <stillpoint/core.hpp>
-#include <stillpoint/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cstdint>
-#include <string>
+#include "damper.hpp"
 
 BOOST_AUTO_TEST_SUITE(design_test)
 
-namespace {
-
-using namespace stillpoint;
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_design_carries_all_that_its_report_needs) {
   RandomSource random(1301);

@@ -1,21 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "random_source.hpp"
-
-#include <stillpoint/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <vector>
+#include "damper.hpp"
 
 BOOST_AUTO_TEST_SUITE(hits_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
 /// Of an edge, relative: this far inside it the motion itself ends as the segment says. A few

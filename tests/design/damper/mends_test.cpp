@@ -1,25 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "random_source.hpp"
-#include "task.hpp"
-
-#include <stillpoint/design/region.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <numbers>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
+#include "damper.hpp"
 
 BOOST_AUTO_TEST_SUITE(mends_test)
 
 namespace {
 
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
 /// Of closed forms in V0, p and beta, relative: their own three roundings and the mend's last bit.
@@ -47,18 +32,12 @@ void check_value(const Task& now, const std::string& field, double expected, dou
 Task random_task(RandomSource& random) {
   Task now{random_problem(random, 0.3, 3), {}};
   const Region region = admissible_region(now.problem);
-  if (random.pick(2) == 0) {
-    now.limits.f_max = region.f3 * random.log_uniform(1e-3, 2);
-  }
-  if (random.pick(2) == 0) {
-    now.limits.delta_max = *region.delta2 * random.log_uniform(1e-3, 2);
-  }
-  if (random.pick(2) == 0) {
-    now.limits.tolerance = random.uniform(0, 0.6);
-  }
-  if (random.pick(3) == 0) {
-    now.limits.acceleration_max = now.problem.v0 * now.problem.p * random.log_uniform(0.5, 2);
-  }
+  random.one_in(2, now.limits.f_max, [&] { return region.f3 * random.log_uniform(1e-3, 2); });
+  random.one_in(2, now.limits.delta_max,
+                [&] { return *region.delta2 * random.log_uniform(1e-3, 2); });
+  random.one_in(2, now.limits.tolerance, [&] { return random.uniform(0, 0.6); });
+  random.one_in(3, now.limits.acceleration_max,
+                [&] { return now.problem.v0 * now.problem.p * random.log_uniform(0.5, 2); });
   return now;
 }
 

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "search/nlopt_fence.hpp"
-#include "random_source.hpp"
+#include "damper.hpp"
 #include "unit_problem.hpp"
 #include "way/space.hpp"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(nlopt_fence_test)
 
 namespace {
 
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 using Eigen::VectorXd;
 

@@ -1,21 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "random_source.hpp"
-#include "testing/refusal.hpp"
-
-#include <stillpoint/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <numbers>
-#include <string>
+#include "damper.hpp"
 
 BOOST_AUTO_TEST_SUITE(physical_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
 /// Relative, of scales and of what is computed from them: a few roundings.
@@ -42,7 +31,7 @@ PhysicalIsolator with_stiffness(double stiffness, double mass) {
 }
 
 void check_refused(const char* field, const PhysicalIsolator& isolator, double velocity) {
-  stillpoint::test::check_refused(field, [&] { return physical_scales(isolator, velocity); });
+  test::check_refused(field, [&] { return physical_scales(isolator, velocity); });
 }
 
 }  // namespace
@@ -123,8 +112,7 @@ BOOST_AUTO_TEST_CASE(a_design_in_metres_does_not_depend_on_the_unit_of_length) {
   // Any H serves, not only V/omega: the dimensionless problem changes, the damper does not.
   constexpr double velocity = 0.4;
   constexpr double displacement = 0.16;
-  for (const Objective objective :
-       {Objective::robust, Objective::amplitude, Objective::time, Objective::acceleration}) {
+  for (const Objective objective : objectives) {
     DesignRequest request;
     request.search.objective = objective;
     request.limits.tolerance = objective == Objective::robust ? 0 : 0.1;

@@ -1,22 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "random_source.hpp"
-
-#include <stillpoint/core/half_cycles.hpp>
-#include <stillpoint/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <optional>
+#include "damper.hpp"
 
 BOOST_AUTO_TEST_SUITE(practice_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
 /// A few roundings, and those of the motion's arrival speed.
@@ -77,6 +65,26 @@ BOOST_AUTO_TEST_CASE(the_equivalent_damping_is_that_of_the_cycle) {
     check_close(lines->base_shear, std::hypot(f, p * v0));
     check_close(lines->base_shear, motion.peak_acceleration);
   }
+}
+
+/// A hit that starts is never damped beyond critical, 3/pi at most; a pulse may be.
+BOOST_AUTO_TEST_CASE(beyond_critical_there_is_no_equivalent_damping) {
+  constexpr double f = 0.5;
+  check_close(of({1, f, 0.5}, 1)->equivalent_damping,
+              (2 * f + 0.5 / (std::sqrt(1.25) - f)) / (std::numbers::pi * std::sqrt(1.25)));
+  constexpr double most = 3 / std::numbers::pi;
+  const double with_much_friction = of({1, 1e6, 0.5}, 1)->equivalent_damping.value();
+  BOOST_TEST(with_much_friction < most);
+  BOOST_TEST(with_much_friction > (1 - 1e-5) * most);
+  // xi = Delta/(pi A^2) without constant friction: 1 at Delta = pi A^2.
+  Response motion;
+  motion.peak_amplitude = 0.5;
+  const double critical = std::numbers::pi / 4;
+  const auto damping = [&](double delta) {
+    return practice({1, 0, delta}, motion, {}, SetOff::load)->equivalent_damping;
+  };
+  check_close(damping(0.999 * critical), 0.999);
+  BOOST_TEST(!damping(1.001 * critical));
 }
 
 /// Of each half-cycle of the motion: the largest change of speed at x = 0.

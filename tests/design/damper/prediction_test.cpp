@@ -1,23 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "random_source.hpp"
-#include "reference.hpp"
-#include "testing/refusal.hpp"
+#include "damper.hpp"
 #include "unit_problem.hpp"
-
-#include <stillpoint/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 
 BOOST_AUTO_TEST_SUITE(prediction_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
 /// Relative, of peak and acceleration: a few roundings.
@@ -112,7 +100,7 @@ BOOST_AUTO_TEST_CASE(no_prediction_beyond_f3_or_below_zero) {
   const Problem problem{1, 1, 0.9};
   for (const double f : {-1e-300, std::nextafter(admissible_region(problem).f3, 1.0), std::nan(""),
                          double(HUGE_VAL)}) {
-    stillpoint::test::check_refused("f", [&] { return predict(problem, f); });
+    test::check_refused("f", [&] { return predict(problem, f); });
   }
 }
 

@@ -3,22 +3,13 @@
 // Where the paper's printed formulas part from its own model: docs/theory.md section 9, line by
 // line.
 
-#include "testing/printing.hpp"
-
-#include <stillpoint/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
+#include "damper.hpp"
 
 BOOST_AUTO_TEST_SUITE(published_formulas_test)
 
 namespace {
 
-using stillpoint::free_response;
-using stillpoint::Outcome;
-using stillpoint::design::Criterion;
-using stillpoint::design::Problem;
+using namespace stillpoint::design_test;
 
 constexpr double bound_tolerance = 1e-14;
 
@@ -48,7 +39,7 @@ BOOST_AUTO_TEST_CASE(at_f3_the_exact_bound_is_zero_and_the_published_one_is_not)
   const Problem problem{std::sqrt(8.0), 1, 2.5, Criterion::published};
   const double f = 1 - 1e-15;
   BOOST_TEST(delta1_exact(problem, f).value() < 1e-14);
-  BOOST_TEST(delta1_published(problem, f) == 0.5, boost::test_tools::tolerance(bound_tolerance));
+  BOOST_TEST(delta1_published(problem, f) == 0.5, tt::tolerance(bound_tolerance));
 }
 
 BOOST_AUTO_TEST_CASE(the_published_number_of_cycles_is_one_too_many_where_the_quotient_is_whole) {
@@ -93,7 +84,7 @@ BOOST_AUTO_TEST_CASE(
   BOOST_TEST(point.half_cycles.value() == 2);
   const double first_peak = stillpoint::first_half_cycles({p, f, 0}, {0, p}, 1).front().peak_time;
   const double after_peak = constant.stop_time.value() - first_peak;
-  BOOST_TEST(after_peak == point.stop_time.value(), boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(after_peak == point.stop_time.value(), tt::tolerance(1e-14));
   BOOST_TEST(constant.stop_time.value() > point.stop_time.value());
   // Just above the integer the claim holds.
   const double larger = p * p / (2 * 2.01);

@@ -39,6 +39,14 @@ class RandomSource {
   /// 0, 1, ..., count - 1.
   int pick(int count) { return static_cast<int>(engine_() % static_cast<unsigned>(count)); }
 
+  /// In one case of `count`, `value` becomes what `draw` returns.
+  template <class Value, class Draw>
+  void one_in(int count, Value& value, const Draw& draw) {
+    if (pick(count) == 0) {
+      value = draw();
+    }
+  }
+
   /// 1 + or - a relative distance from 1e-12 to 0.1.
   double beside() { return pick(2) == 0 ? 1 + beside_distance() : 1 - beside_distance(); }
 
@@ -48,6 +56,10 @@ class RandomSource {
   std::uint64_t seed_;
   std::mt19937_64 engine_;
 };
+
+inline design::Objective random_objective(RandomSource& random) {
+  return objectives[static_cast<std::size_t>(random.pick(4))];
+}
 
 /// V0 and p over nine decades each, and with them beta over eighteen; p beta / V0 from `least` to
 /// `most`.

@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "damper.hpp"
 #include "ranges_task.hpp"
-
-#include <stillpoint/design/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <cstdint>
 
 BOOST_AUTO_TEST_SUITE(ranges_mends_test)
 
 // What would help if no damper serves the ranges or has the tolerance.
 
-namespace {
-
-using namespace stillpoint;
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 using namespace stillpoint::design_test::in_ranges;
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(an_unattainable_tolerance_is_reported_with_the_largest_one) {
   constexpr double more =

@@ -1,26 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "damper.hpp"
 #include "ranges_task.hpp"
-
-#include <stillpoint/design/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 
 BOOST_AUTO_TEST_SUITE(ranges_search_test)
 
 // The best damper for ranges, a residual and boxes of any shape, against scans and along f.
 
-namespace {
-
-using namespace stillpoint;
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 using namespace stillpoint::design_test::in_ranges;
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(the_soonest_stop_with_a_residual_is_on_the_edge_of_the_first_arrival) {
   // The first arrival stops the mass where Delta >= Delta1(f), (26); its time grows with f, and
@@ -72,14 +59,12 @@ BOOST_AUTO_TEST_CASE(no_point_of_a_scan_is_better) {
     RandomSource random(1'202'000 + static_cast<std::uint64_t>(i));
     Task task = random_task(random);
     task.problem.criterion = Criterion::exact;
-    const Objective objective = objectives[static_cast<std::size_t>(random.pick(4))];
+    const Objective objective = random_objective(random);
     const auto found = search(task.problem, task.limits, {objective, {}, 20'000, 10});
     (found ? found_some : empty) += 1;
     const auto cost = [&](const DesignPoint& at) {
-      const Response motion = free_response({task.problem.p, at.f, at.delta}, {0, task.problem.v0});
-      return objective == Objective::amplitude ? motion.peak_amplitude
-             : objective == Objective::time    ? *motion.stop_time
-                                               : motion.peak_acceleration;
+      return value_of(objective,
+                      free_response({task.problem.p, at.f, at.delta}, {0, task.problem.v0}));
     };
     const bool robust = objective == Objective::robust;
     constexpr int steps = 20;

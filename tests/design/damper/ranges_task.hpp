@@ -37,28 +37,22 @@ inline Task random_task(RandomSource& random) {
   Task task{random_problem(random, 0.75, 2), {}, random.seed()};
   Problem& problem = task.problem;
   problem.arrivals = 1 + random.pick(4);
-  if (random.pick(2) == 0) {
-    problem.v0_low = random.pick(4) == 0 ? 0 : problem.v0 / (1 + random.uniform(0, 0.3));
-  }
-  if (random.pick(2) == 0) {
-    problem.p_high = problem.p * (1 + random.uniform(0, 0.1));
-  }
-  if (random.pick(2) == 0) {
-    problem.residual = problem.v0 / problem.p * random.log_uniform(1e-3, 0.3);
-  }
+  random.one_in(2, problem.v0_low, [&] {
+    return random.pick(4) == 0 ? 0 : problem.v0 / (1 + random.uniform(0, 0.3));
+  });
+  random.one_in(2, problem.p_high, [&] { return problem.p * (1 + random.uniform(0, 0.1)); });
+  random.one_in(2, problem.residual,
+                [&] { return problem.v0 / problem.p * random.log_uniform(1e-3, 0.3); });
   if (random.pick(2) == 0) {
     task.limits.shape = {random.uniform(0, 1), 1, random.uniform(0, 1), random.uniform(0, 1)};
   }
-  if (random.pick(3) == 0) {
-    task.limits.f_max = problem.v0 * problem.p * random.log_uniform(0.01, 0.4);
-  }
-  if (random.pick(4) == 0) {
-    task.limits.delta_max = problem.v0 * problem.v0 * random.uniform(0.1, 0.5);
-  }
-  if (random.pick(4) == 0) {
-    task.limits.acceleration_max =
-        problem.stiffest_p() * problem.v0 * std::sqrt(1 + random.uniform(0, 0.1));
-  }
+  random.one_in(3, task.limits.f_max,
+                [&] { return problem.v0 * problem.p * random.log_uniform(0.01, 0.4); });
+  random.one_in(4, task.limits.delta_max,
+                [&] { return problem.v0 * problem.v0 * random.uniform(0.1, 0.5); });
+  random.one_in(4, task.limits.acceleration_max, [&] {
+    return problem.stiffest_p() * problem.v0 * std::sqrt(1 + random.uniform(0, 0.1));
+  });
   task.limits.tolerance = random.pick(2) == 0 ? 0 : random.uniform(0.01, 0.2);
   return task;
 }

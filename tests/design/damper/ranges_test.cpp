@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "damper.hpp"
 #include "ranges_task.hpp"
-
-#include <stillpoint/design/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(ranges_test)
 
@@ -18,8 +9,6 @@ BOOST_AUTO_TEST_SUITE(ranges_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 using namespace stillpoint::design_test::in_ranges;
 
@@ -85,7 +74,7 @@ BOOST_AUTO_TEST_CASE(every_simulated_point_of_a_box_in_ranges_is_admissible) {
   for (std::uint64_t seed = 1'201'000; in_ranges < wanted; ++seed) {
     RandomSource random(seed);
     const Task task = random_task(random);
-    const Objective objective = objectives[static_cast<std::size_t>(random.pick(4))];
+    const Objective objective = random_objective(random);
     const auto found = search(task.problem, task.limits, {objective, {}, 20'000, 10});
     if (!found) {
       continue;
@@ -152,8 +141,8 @@ BOOST_AUTO_TEST_CASE(hits_of_nearly_equal_strength_meet_each_row_of_their_design
     Problem& problem = request.problem;
     problem.v0_low = problem.v0 * (1 - random.log_uniform(1e-15, 1e-3));
     problem.arrivals = 1 + random.pick(2);
-    request.search.objective = objectives[static_cast<std::size_t>(random.pick(4))];
-    if (const auto finding = stillpoint::design::design(request).finding) {
+    request.search.objective = random_objective(random);
+    if (const auto finding = design::design(request).finding) {
       ++designs;
       for (const Constraint& constraint : finding->constraints) {
         BOOST_TEST(constraint.satisfied, constraint.name << " of seed " << seed);

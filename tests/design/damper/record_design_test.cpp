@@ -1,30 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "damper.hpp"
 #include "suites_of_records.hpp"
-#include "testing/refusal.hpp"
-
-#include <stillpoint/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <cstdlib>
-#include <functional>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(record_design_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
-using stillpoint::design_test::metre;
-using stillpoint::design_test::recorded;
-using stillpoint::design_test::short_records;
-using stillpoint::design_test::three_samples;
-using stillpoint::design_test::two_records;
+using namespace stillpoint::design_test;
 
 /// Of an optimum, relative: what the docs promise against a dense scan.
 constexpr double optimum_tolerance = 1e-4;
@@ -358,7 +340,7 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused) {
                           const std::function<void(RecordDesignRequest&)>& spoil) {
     RecordDesignRequest request = three_samples();
     spoil(request);
-    stillpoint::test::check_refused(field, [&] { return design::design(request); });
+    test::check_refused(field, [&] { return design::design(request); });
   };
   refused("records", [](auto& request) { request.records.clear(); });
   refused("scale", [](auto& request) { request.records[0].scale = 0; });

@@ -1,15 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "random_source.hpp"
-
-#include <stillpoint/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <numbers>
+#include "damper.hpp"
 
 BOOST_AUTO_TEST_SUITE(region_simulation_test)
 
@@ -18,8 +8,6 @@ BOOST_AUTO_TEST_SUITE(region_simulation_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
 constexpr std::uint64_t seed = 20'260'301;

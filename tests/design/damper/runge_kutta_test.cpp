@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "check/runge_kutta.hpp"
-#include "random_source.hpp"
-#include "testing/refusal.hpp"
-
-#include <stillpoint/core.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <vector>
+#include "damper.hpp"
 
 BOOST_AUTO_TEST_SUITE(runge_kutta_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 using std::numbers::pi;
 
@@ -37,8 +24,7 @@ IntegratedMotion integrate(double v0, double p, double f, double delta) {
 
 void check_refused(const std::string& field, const Oscillator& oscillator, double v0,
                    double tolerance) {
-  stillpoint::test::check_refused(field,
-                                  [&] { return integrate_free_motion(oscillator, v0, tolerance); });
+  test::check_refused(field, [&] { return integrate_free_motion(oscillator, v0, tolerance); });
 }
 
 }  // namespace

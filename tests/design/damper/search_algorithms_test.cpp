@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "random_source.hpp"
+#include "damper.hpp"
 #include "scan.hpp"
-#include "testing/refusal.hpp"
-
-#include <stillpoint/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(search_algorithms_test)
 
 namespace {
 
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
 /// How close every algorithm comes to the default one: of R absolute, of the others relative.
@@ -134,7 +124,7 @@ BOOST_AUTO_TEST_CASE(a_spent_budget_still_gives_an_admissible_point) {
 
 BOOST_AUTO_TEST_CASE(no_algorithm_and_no_budget_are_refused) {
   const auto refused = [](const SearchOptions& options, const std::string& field) {
-    stillpoint::test::check_refused(field, [&] { return search({1, 1, 0.9}, {}, options); });
+    test::check_refused(field, [&] { return search({1, 1, 0.9}, {}, options); });
   };
   refused({Objective::robust, "", 100, 10}, "algorithm");
   refused({Objective::robust, {}, 0, 10}, "max_evaluations");
@@ -143,10 +133,10 @@ BOOST_AUTO_TEST_CASE(no_algorithm_and_no_budget_are_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(an_unknown_algorithm_is_refused_with_the_names_of_the_known_ones) {
-  const std::string text = stillpoint::test::refusal_of<stillpoint::InputError>(
-      [] { return run(cases()[0], Objective::robust, "LD_NOTHING"); });
+  const std::string text =
+      refusal_of<InputError>([] { return run(cases()[0], Objective::robust, "LD_NOTHING"); });
   BOOST_TEST(text.starts_with("algorithm = LD_NOTHING"), text);
-  stillpoint::test::check_contains(text, {"LD_SLSQP", "GN_DIRECT_L"});
+  check_contains(text, {"LD_SLSQP", "GN_DIRECT_L"});
 }
 
 BOOST_AUTO_TEST_CASE(objectives_have_the_names_of_the_reports) {

@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "random_source.hpp"
-#include "reference.hpp"
+#include "damper.hpp"
 #include "scan.hpp"
-
-#include <stillpoint/design/search.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <optional>
 
 BOOST_AUTO_TEST_SUITE(search_test)
 
 namespace {
 
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
 /// Of a cost, relative (of R, absolute): the design stays a relative 1e-9 inside open edges.

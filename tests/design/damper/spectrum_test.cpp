@@ -1,28 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "damper.hpp"
 #include "record/suite_check.hpp"
-
-#include "random_source.hpp"
-#include "testing/refusal.hpp"
-
-#include <stillpoint/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <functional>
-#include <numbers>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(spectrum_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
-using stillpoint::design_test::RandomSource;
+using namespace stillpoint::design_test;
 
 /// Of closed forms: some roundings of sines.
 constexpr double closed_form_tolerance = 1e-13;
@@ -118,7 +102,7 @@ BOOST_AUTO_TEST_CASE(each_point_is_that_of_the_independent_integrator) {
         continue;
       }
       ++compared;
-      const IntegratedSuiteMotion other = integrate_record_motion(oscillator, surface, load);
+      const SuiteFigures other = integrate_record_motion(oscillator, surface, load);
       BOOST_TEST_CONTEXT("damper " << i << ": p = " << oscillator.p << ", f = " << oscillator.f
                                    << ", delta = " << oscillator.delta) {
         BOOST_TEST(std::abs(figures.peak - other.peak) <= integrator_tolerance * other.peak);
@@ -193,7 +177,7 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused) {
                           const std::function<void(SpectrumRequest&)>& spoil) {
     SpectrumRequest request = request_of({rectangle()}, 0.1, 0.01);
     spoil(request);
-    stillpoint::test::check_refused(field, [&] { return spectrum(request); });
+    test::check_refused(field, [&] { return spectrum(request); });
   };
   refused("records", [](auto& request) { request.records.clear(); });
   refused("scale", [](auto& request) { request.records[0].scale = 0; });

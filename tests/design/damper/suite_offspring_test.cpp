@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "record/suite_offspring.hpp"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
+#include "damper.hpp"
 
 BOOST_AUTO_TEST_SUITE(suite_offspring_test)
 
 namespace {
 
-using stillpoint::design::SuiteOffspring;
+using namespace stillpoint::design_test;
 using Point = SuiteOffspring::Point;
 
 /// A grid of 11 points to a side hardly meets it.

@@ -1,29 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "record/suite.hpp"
+#include "damper.hpp"
 #include "record/suite_check.hpp"
 
-#include "random_source.hpp"
 #include "suites_of_records.hpp"
-
-#include <stillpoint/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <cstddef>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(suite_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
-using stillpoint::design_test::metre;
-using stillpoint::design_test::RandomSource;
-using stillpoint::design_test::recorded;
-using stillpoint::design_test::three_samples;
-using stillpoint::design_test::two_records;
+using namespace stillpoint::design_test;
 
 /// That of the check of a design: what narrow decisions make of Runge-Kutta's 5e-16 a radian.
 constexpr double integrator_tolerance = 1e-6;
@@ -91,7 +77,7 @@ BOOST_AUTO_TEST_CASE(the_check_sees_the_same_motions_of_random_dampers) {
       continue;
     }
     ++decided;
-    const IntegratedSuiteMotion other = integrate_record_motion(oscillator, surface, record);
+    const SuiteFigures other = integrate_record_motion(oscillator, surface, record);
     BOOST_TEST_CONTEXT("damper " << i << ": p = " << oscillator.p << ", f = " << oscillator.f
                                  << ", delta = " << oscillator.delta
                                  << ", hold = " << oscillator.hold.value_or(-1)
@@ -113,7 +99,7 @@ BOOST_AUTO_TEST_CASE(the_check_has_digits_left_where_the_motion_enlarges_errors)
   const Oscillator oscillator{0.99400696, 0, 0.037056, 0.1};
   const Record record = recorded("strong_motion.AT2").record;
   const ForcedResponse kernel = forced_response(oscillator, {}, record);
-  const IntegratedSuiteMotion other = integrate_record_motion(oscillator, {}, record);
+  const SuiteFigures other = integrate_record_motion(oscillator, {}, record);
   BOOST_TEST(kernel.decision_margin.value() >= 1e-3);
   BOOST_TEST(std::abs(other.peak - kernel.peak_amplitude) <=
              narrow_tolerance * kernel.peak_amplitude);

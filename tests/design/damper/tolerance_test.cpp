@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "random_source.hpp"
-#include "reference.hpp"
+#include "damper.hpp"
 
-#include <stillpoint/design/region.hpp>
 #include <stillpoint/design/tolerance.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <optional>
 
 BOOST_AUTO_TEST_SUITE(tolerance_test)
 
 namespace {
 
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
 /// Of R: relative where it is large, absolute where f and Delta themselves are rounded.
@@ -23,15 +15,10 @@ constexpr double r_absolute = 2e-15;
 
 Limits random_limits(RandomSource& random, const Region& region) {
   Limits limits;
-  if (random.pick(2) == 0) {
-    limits.f_max = region.f3 * random.uniform(0.3, 1.1);
-  }
-  if (random.pick(2) == 0) {
-    limits.delta_max = *region.delta2 * random.uniform(0.3, 1.1);
-  }
-  if (random.pick(3) == 0) {
-    limits.acceleration_max = std::sqrt(8.0) * region.f3 * random.uniform(1, 1.1);
-  }
+  random.one_in(2, limits.f_max, [&] { return region.f3 * random.uniform(0.3, 1.1); });
+  random.one_in(2, limits.delta_max, [&] { return *region.delta2 * random.uniform(0.3, 1.1); });
+  random.one_in(3, limits.acceleration_max,
+                [&] { return std::sqrt(8.0) * region.f3 * random.uniform(1, 1.1); });
   return limits;
 }
 
@@ -40,6 +27,14 @@ struct Optimum {
   double delta{0};
   double r{-1};
 };
+
+/// The box is admissible at r, and not beyond it.
+void check_largest(const Reference& reference, const Limits& limits, const Optimum& at) {
+  const Precise inner = Precise(at.r) * (1 - r_relative) - r_absolute;
+  const Precise outer = Precise(at.r) * (1 + r_relative) + r_absolute;
+  BOOST_TEST((inner < 0 || reference.box_admissible(limits, at.f, at.delta, inner)));
+  BOOST_TEST(!reference.box_admissible(limits, at.f, at.delta, outer), "r = " << at.r);
+}
 
 /// The most tolerant point by a grid, which is then laid again around its best point, finer.
 Optimum most_tolerant(const Problem& problem) {
@@ -88,10 +83,7 @@ BOOST_AUTO_TEST_CASE(the_box_is_admissible_at_the_largest_tolerance_and_not_beyo
     }
     ++met;
     BOOST_TEST(admissible(problem, with_tolerance(limits, *r), f, delta));
-    const Precise inner = Precise(*r) * (1 - r_relative) - r_absolute;
-    const Precise outer = Precise(*r) * (1 + r_relative) + r_absolute;
-    BOOST_TEST((inner < 0 || reference.box_admissible(limits, f, delta, inner)));
-    BOOST_TEST(!reference.box_admissible(limits, f, delta, outer), "r = " << *r);
+    check_largest(reference, limits, {f, delta, *r});
   }
   BOOST_TEST(met > 300);
 }
@@ -123,10 +115,7 @@ BOOST_AUTO_TEST_CASE(near_every_edge_the_tolerance_is_the_distance_to_it) {
     }
     const std::optional<double> r = largest_tolerance(problem, {}, f, delta);
     BOOST_REQUIRE(r.has_value());
-    const Precise inner = Precise(*r) * (1 - r_relative) - r_absolute;
-    const Precise outer = Precise(*r) * (1 + r_relative) + r_absolute;
-    BOOST_TEST((inner < 0 || reference.box_admissible({}, f, delta, inner)));
-    BOOST_TEST(!reference.box_admissible({}, f, delta, outer), "r = " << *r);
+    check_largest(reference, {}, {f, delta, *r});
   }
 }
 
@@ -153,9 +142,7 @@ BOOST_AUTO_TEST_CASE(any_friction_up_to_that_is_admissible_and_none_beyond) {
     Problem problem{v0, p, v0 / p * random.uniform(1, 1.2)};
     problem.arrivals = 2;
     Limits limits;
-    if (random.pick(2) == 0) {
-      limits.f_max = v0 * p * random.log_uniform(1e-3, 0.3);
-    }
+    random.one_in(2, limits.f_max, [&] { return v0 * p * random.log_uniform(1e-3, 0.3); });
     const double delta = v0 * v0 * random.uniform(0.26, 0.49);
     const double r = random.uniform(0, 0.3);
     const auto largest = any_f_up_to(problem, limits, delta, r);

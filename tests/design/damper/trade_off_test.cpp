@@ -1,16 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "random_source.hpp"
+#include "damper.hpp"
 #include "scan.hpp"
-#include "testing/refusal.hpp"
-
-#include <stillpoint/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(trade_off_test)
 
@@ -19,8 +9,6 @@ BOOST_AUTO_TEST_SUITE(trade_off_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 using Wide = long double;
 
@@ -68,18 +56,11 @@ Asked random_task(RandomSource& random, int arrivals) {
   Asked task{random_problem(random, 0.75, 1.5), {}};
   task.problem.arrivals = 1 + random.pick(arrivals);
   const double p_v0 = task.problem.p * task.problem.v0;
-  if (random.pick(3) == 0) {
-    task.limits.tolerance = random.uniform(0, 0.2);
-  }
-  if (random.pick(4) == 0) {
-    task.limits.f_max = random.uniform(0.05, 0.4) * p_v0;
-  }
-  if (random.pick(4) == 0) {
-    task.limits.delta_max = random.uniform(0.1, 0.6) * task.problem.v0 * task.problem.v0;
-  }
-  if (random.pick(4) == 0) {
-    task.limits.acceleration_max = random.uniform(1.01, 1.07) * p_v0;
-  }
+  random.one_in(3, task.limits.tolerance, [&] { return random.uniform(0, 0.2); });
+  random.one_in(4, task.limits.f_max, [&] { return random.uniform(0.05, 0.4) * p_v0; });
+  random.one_in(4, task.limits.delta_max,
+                [&] { return random.uniform(0.1, 0.6) * task.problem.v0 * task.problem.v0; });
+  random.one_in(4, task.limits.acceleration_max, [&] { return random.uniform(1.01, 1.07) * p_v0; });
   return task;
 }
 
@@ -214,7 +195,7 @@ BOOST_AUTO_TEST_CASE(of_a_single_f_is_one_damper_and_of_none_is_empty) {
 BOOST_AUTO_TEST_CASE(refuses_a_wrong_count) {
   for (const std::int64_t wrong : {std::int64_t{-1}, std::int64_t{0}, std::int64_t{1},
                                    std::int64_t{1001}, std::int64_t{1'000'000'000}}) {
-    BOOST_TEST(stillpoint::test::refusal_of<InputError>([&] {
+    BOOST_TEST(refusal_of<InputError>([&] {
                  return trade_off({1, 1, 1}, {}, wrong);
                }) ==
                "trade_off = " + std::to_string(wrong) + ": must be a whole number from 2 to 1000");

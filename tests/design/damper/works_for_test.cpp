@@ -1,21 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "random_source.hpp"
-#include "reference.hpp"
-
-#include <stillpoint/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <functional>
-#include <string>
+#include "damper.hpp"
 
 BOOST_AUTO_TEST_SUITE(works_for_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
 /// Of an edge, relative: the formula's long double is exact, and `admissible` rounds its own edges
@@ -47,9 +36,8 @@ Point random_point(RandomSource& random) {
   const Region region = admissible_region(now.problem);
   now.f = region.f3 * random.uniform(0, 1);
   now.delta = *region.delta2 * random.uniform(0, 1);
-  if (random.pick(3) == 0) {
-    now.limits.acceleration_max = now.problem.v0 * now.problem.p * random.uniform(1, 1.2);
-  }
+  random.one_in(3, now.limits.acceleration_max,
+                [&] { return now.problem.v0 * now.problem.p * random.uniform(1, 1.2); });
   return now;
 }
 
@@ -187,17 +175,13 @@ BOOST_AUTO_TEST_CASE(the_motion_itself_ends_as_asked_inside_and_not_outside) {
 
 BOOST_AUTO_TEST_CASE(each_requirement_binds_at_its_end) {
   constexpr double beyond = 1e-9;
-  const auto below_v0 = [](const Point& now) {
-    return binding(now.with_v0(now.served().v0.low * (1 - beyond)));
+  const auto below = [](const ServedInterval& of) { return of.low * (1 - beyond); };
+  const auto above = [](const ServedInterval& of) { return *of.high * (1 + beyond); };
+  const auto by_v0 = [](const Point& now, const auto& side) {
+    return binding(now.with_v0(side(now.served().v0)));
   };
-  const auto above_v0 = [](const Point& now) {
-    return binding(now.with_v0(*now.served().v0.high * (1 + beyond)));
-  };
-  const auto below_p = [](const Point& now) {
-    return binding(now.with_p(now.served().p.low * (1 - beyond)));
-  };
-  const auto above_p = [](const Point& now) {
-    return binding(now.with_p(*now.served().p.high * (1 + beyond)));
+  const auto by_p = [](const Point& now, const auto& side) {
+    return binding(now.with_p(side(now.served().p)));
   };
   Point wide = plain;
   wide.problem.beta = 2;
@@ -206,15 +190,15 @@ BOOST_AUTO_TEST_CASE(each_requirement_binds_at_its_end) {
   Point weak = wide;  // sqrt(2 Delta) < sqrt(8) f
   weak.f = 0.34;
   weak.delta = 0.3;
-  BOOST_TEST(below_v0(plain) == "start");  // sqrt(0.74) > sqrt(8) 0.26
-  BOOST_TEST(below_v0(weak) == "return");
-  BOOST_TEST(above_v0(plain) == "amplitude");
-  BOOST_TEST(above_v0(wide) == "stop");
-  BOOST_TEST(above_v0(soft) == "acceleration");
-  BOOST_TEST(below_p(plain) == "amplitude");
-  BOOST_TEST(below_p(wide) == "return");
-  BOOST_TEST(above_p(plain) == "stop");
-  BOOST_TEST(above_p(soft) == "acceleration");
+  BOOST_TEST(by_v0(plain, below) == "start");  // sqrt(0.74) > sqrt(8) 0.26
+  BOOST_TEST(by_v0(weak, below) == "return");
+  BOOST_TEST(by_v0(plain, above) == "amplitude");
+  BOOST_TEST(by_v0(wide, above) == "stop");
+  BOOST_TEST(by_v0(soft, above) == "acceleration");
+  BOOST_TEST(by_p(plain, below) == "amplitude");
+  BOOST_TEST(by_p(wide, below) == "return");
+  BOOST_TEST(by_p(plain, above) == "stop");
+  BOOST_TEST(by_p(soft, above) == "acceleration");
   // By hand: V0^2 <= beta (beta p^2 + 2 f), p^2 >= (V0^2 - 2 beta f)/beta^2.
   BOOST_TEST(close(*plain.served().v0.high, sqrt(Precise(0.8) * (Precise(0.8) + 0.52)), 1e-15));
   BOOST_TEST(

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "design/peers/reference_scenes.hpp"
+#include "testing/test.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/peers/comparison.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <cstddef>
 
 namespace stillpoint::peers {
 

@@ -3,17 +3,11 @@
 #include "design/peers/reference_scenes.hpp"
 #include "dopri5.hpp"
 #include "testing/forced_scene.hpp"
-#include "testing/printing.hpp"
 #include "testing/scene_count.hpp"
+#include "testing/test.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/peers/methods.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
 
 namespace stillpoint::peers {
 

@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "design/peers/reference_scenes.hpp"
 #include "testing/scene_s5.hpp"
+#include "testing/test.hpp"
 
 #include <stillpoint/peers/exact.hpp>
 #include <stillpoint/peers/methods.hpp>
 #include <stillpoint/peers/reference.hpp>
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <stdexcept>
-#include <string>
 #include <variant>
-#include <vector>
 
 // The speed comparison is only as good as the methods that it compares: each must find the
 // reference motions with a fine setting, and be shown with its errors with a coarse one.
@@ -155,7 +147,7 @@ BOOST_AUTO_TEST_CASE(a_scene_in_other_units_is_no_other_problem) {
 
 BOOST_AUTO_TEST_CASE(the_record_is_that_of_the_reference) {
   const auto& record = std::get<Record>(scene("S5").scene.excitation);
-  BOOST_TEST(record.values == test::rounded_record_s5().values, boost::test_tools::per_element());
+  BOOST_TEST(record.values == test::rounded_record_s5().values, tt::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(missing_tables_are_an_error) {

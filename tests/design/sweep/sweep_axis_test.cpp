@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "testing/refusal.hpp"
+#include "design/sweep/sweep_spec.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/sweep/axis.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(sweep_axis_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::sweep;
+using namespace stillpoint::sweep_test;
 
 std::vector<double> values_of(const std::string& text) {
   const Axis axis = parse_axis("f", text);
@@ -85,7 +77,7 @@ BOOST_AUTO_TEST_CASE(wrong_text_is_refused_with_the_field) {
   for (const std::string text :
        {"", "a", "1:2", "1:2:0", "1:2:2.5", "1:2:3:cubic", "0:1:3:log", "1,,2", "nan",
         "-1e308:1e308:3", "1:2:1e16", "1:2:1", "1:2:1:log"}) {
-    stillpoint::test::check_refused("f", [&] { return parse_axis("f", text); });
+    test::check_refused("f", [&] { return parse_axis("f", text); });
   }
 }
 

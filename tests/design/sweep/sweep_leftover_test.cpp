@@ -1,24 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "design/sweep/sweep_spec.hpp"
-#include "testing/refusal.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/sweep/open_rows.hpp>
 
-#include <boost/test/unit_test.hpp>
-
-#include <filesystem>
-
 BOOST_AUTO_TEST_SUITE(sweep_leftover_test)
 
-namespace {
-
-using namespace stillpoint;
-using namespace stillpoint::sweep;
 using namespace stillpoint::sweep_test;
-
-}  // namespace
 
 struct Files : Folder {
   [[nodiscard]] bool has(const char* name) const { return std::filesystem::exists(path(name)); }
@@ -99,9 +87,8 @@ BOOST_AUTO_TEST_CASE(of_another_sweep_is_left_alone) {
   SweepSpec other = spec();
   other.resume = true;
   other.identity = R"({"f": "0.01:0.3:101"})";
-  stillpoint::test::check_contains(
-      stillpoint::test::refusal_of<LeftoverError>([&] { return open_rows(other); }),
-      {R"(f was "0.01:0.3:100", is "0.01:0.3:101")"});
+  test::check_contains(test::refusal_of<LeftoverError>([&] { return open_rows(other); }),
+                       {R"(f was "0.01:0.3:100", is "0.01:0.3:101")"});
   BOOST_TEST(read("rows.csv.part") == part);
 }
 

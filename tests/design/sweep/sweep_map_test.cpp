@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "design/sweep/sweep_spec.hpp"
-#include "testing/printing.hpp"
-#include "testing/refusal.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/sweep/map.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(sweep_map_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::sweep;
 using namespace stillpoint::sweep_test;
 
 SweepSpec spec_of(const std::string& f, const std::string& delta) {
@@ -41,8 +31,6 @@ std::uint8_t class_of(double f, double delta) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(sweep_map)
 
 BOOST_AUTO_TEST_CASE(says_of_each_cell_what_one_motion_says) {
   for (const auto& [f, delta] :
@@ -108,7 +96,7 @@ BOOST_AUTO_TEST_CASE(needs_ranges_of_f_and_delta_alone) {
   }
   SweepSpec of_speeds = spec_of("0.1:0.2:3", "0:0.6:50");
   of_speeds.axes.front().axis = Axis({1, 2});
-  stillpoint::test::check_refused("v0", [&] { return SweepMap{of_speeds}; });
+  test::check_refused("v0", [&] { return SweepMap{of_speeds}; });
 }
 
 BOOST_AUTO_TEST_CASE(may_be_stopped_when_the_rows_are_complete) {
@@ -123,7 +111,5 @@ BOOST_AUTO_TEST_CASE(may_be_stopped_when_the_rows_are_complete) {
       (run(spec, sink, {.stop = stop.get_token(), .map = &map}).end == SweepEnd::stopped_in_map));
   BOOST_TEST(sink.finished);
 }
-
-BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

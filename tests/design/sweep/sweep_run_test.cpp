@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "design/sweep/sweep_spec.hpp"
-#include "testing/printing.hpp"
 
-#include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/core/input_error.hpp>
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
 #include <cstring>
 
 BOOST_AUTO_TEST_SUITE(sweep_run_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::sweep;
 using namespace stillpoint::sweep_test;
 using enum Quantity;
 
@@ -50,43 +41,6 @@ void check_response(const std::vector<std::string>& row, std::size_t first,
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_CASE(of_free_motions_has_the_rows_of_free_response) {
-  for (const double x0_value : {0.0, 0.5}) {  // computed as a batch and one by one
-    SweepSpec spec = free_spec(Axis(0, 0.4, 5, Axis::Spacing::linear), Axis({0, 0.03, 0.7}));
-    spec.axes[2].axis = Axis({x0_value});
-    const Fields rows = rows_of(spec);
-    BOOST_TEST_REQUIRE(rows.size() == 16U);
-    BOOST_TEST((rows[0] == std::vector<std::string>{"f", "delta", "peak_amplitude", "half_cycles",
-                                                    "outcome", "stop_position", "stop_time"}));
-    for (std::size_t i = 1; i < rows.size(); ++i) {
-      const Oscillator damped{.p = 1, .f = std::stod(rows[i][0]), .delta = std::stod(rows[i][1])};
-      BOOST_TEST(damped.f == spec.axes[3].axis[static_cast<std::int64_t>(i - 1) / 3]);
-      check_response(rows[i], 2, free_response(damped, {.x0 = x0_value, .v0 = 1}, {.times = true}));
-    }
-  }
-}
-
-BOOST_AUTO_TEST_CASE(of_forced_motions_has_the_rows_of_forced_response) {
-  SweepSpec spec = free_spec(Axis({0.05, 0.3}), Axis({0, 0.1}));
-  spec.kind = SweepKind::forced;
-  spec.excitation = HalfSine{.k = 0.5, .lambda = 0.7};
-  spec.columns = default_columns(spec, true);
-  const Fields rows = rows_of(spec);
-  BOOST_TEST_REQUIRE(rows.size() == 5U);
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    const Oscillator damped{.p = 1, .f = std::stod(rows[i][0]), .delta = std::stod(rows[i][1])};
-    const ForcedResponse response =
-        forced_response(damped, {.x0 = 0, .v0 = 1}, spec.excitation, ForcedOptions());
-    check_response(rows[i], 2, response);
-    check_same(rows[i].at(7), response.end_time);
-    check_same(rows[i].at(8), response.final_position);
-    check_same(rows[i].at(11), response.stick_time);
-    check_same(rows[i].at(12), response.peak_absolute_acceleration);
-    check_same(rows[i].at(13), response.locked_from);
-    check_same(rows[i].at(14), response.largest_load_while_locked);
-  }
-}
 
 BOOST_AUTO_TEST_CASE(in_real_notches_has_the_rows_of_one_motion) {
   SweepSpec spec = free_spec(Axis({0.02, 0.26}), Axis({0.02, 0.37}));
@@ -145,37 +99,6 @@ BOOST_AUTO_TEST_CASE(a_hold_matters_only_under_a_load) {
   // The pulse of 0.5 g does not open a notch that holds 1 g.
   BOOST_TEST(std::stod(forced_rows[3][2]) == 0);
   BOOST_TEST(std::stod(forced_rows[2][2]) > 0);
-}
-
-BOOST_AUTO_TEST_CASE(of_problems_has_the_designs_of_search) {
-  SweepSpec spec;
-  spec.kind = SweepKind::design;
-  spec.axes = {{v0, Axis({1})}, {p, Axis({1})}, {beta, Axis({0.5, 0.8})}};
-  spec.limits.tolerance = 0.05;
-  spec.columns = default_columns(spec);
-  const Fields rows = rows_of(spec);
-  BOOST_TEST_REQUIRE(rows.size() == 3U);
-  BOOST_TEST((rows[1] == std::vector<std::string>{"0.5", "false", "", "", "", "", ""}));
-  const auto found = design::search({.v0 = 1, .p = 1, .beta = 0.8}, spec.limits, spec.search);
-  BOOST_TEST_REQUIRE(found.has_value());
-  BOOST_TEST(rows[2][1] == "true");
-  check_same(rows[2][2], found->point.f);
-  check_same(rows[2][3], found->point.delta);
-  check_same(rows[2][4], found->point.tolerance);
-  const Response motion =
-      free_response({.p = 1, .f = found->point.f, .delta = found->point.delta}, {.x0 = 0, .v0 = 1});
-  check_same(rows[2][6], motion.peak_absolute_acceleration);
-}
-
-BOOST_AUTO_TEST_CASE(does_not_depend_on_the_threads) {
-  SweepSpec spec =
-      free_spec(Axis(0, 0.3, 60, Axis::Spacing::linear), Axis(0, 0.5, 70, Axis::Spacing::linear));
-  MemorySink one;
-  const SweepSummary alone = run(spec, one);
-  spec.threads = 3;
-  MemorySink several;
-  BOOST_TEST((run(spec, several).state.outcomes == alone.state.outcomes));
-  BOOST_TEST((one.text == several.text));
 }
 
 BOOST_AUTO_TEST_CASE(as_npy_has_packed_records) {

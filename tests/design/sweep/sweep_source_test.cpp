@@ -3,18 +3,10 @@
 
 #include <stillpoint/records/file_error.hpp>
 
-#include <boost/test/unit_test.hpp>
-
 BOOST_AUTO_TEST_SUITE(sweep_source_test)
 
-namespace {
-
-using namespace stillpoint;
-using namespace stillpoint::sweep;
 using namespace stillpoint::sweep_test;
 using enum Quantity;
-
-}  // namespace
 
 struct Lists : Folder {
   [[nodiscard]] std::shared_ptr<List> list(const std::string& text) const {

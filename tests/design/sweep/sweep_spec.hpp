@@ -4,6 +4,7 @@
 // Sweeps as a user of the library fills them, and a sink that keeps their rows.
 
 #include "testing/folder.hpp"
+#include "testing/test.hpp"
 
 #include <stillpoint/sweep/run.hpp>
 #include <stillpoint/sweep/spec.hpp>
@@ -14,8 +15,9 @@
 
 namespace stillpoint::sweep_test {
 
-using sweep::Axis;
-using sweep::Quantity;
+using namespace stillpoint;
+using namespace sweep;
+using test::Folder;
 
 /// Free motions from v0 = 1 with p = 1 over the given axes, with times.
 inline sweep::SweepSpec free_spec(Axis f, Axis delta) {
@@ -70,7 +72,5 @@ inline std::vector<std::vector<std::string>> fields_of(const std::string& csv) {
   lines.pop_back();
   return lines;
 }
-
-using test::Folder;
 
 }  // namespace stillpoint::sweep_test

@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "design/sweep/sweep_spec.hpp"
-#include "testing/refusal.hpp"
-
-#include <stillpoint/core/input_error.hpp>
-
-#include <boost/test/unit_test.hpp>
 
 BOOST_AUTO_TEST_SUITE(sweep_spec_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::sweep;
 using namespace stillpoint::sweep_test;
 using enum Quantity;
 
 void check_refused(const SweepSpec& spec, const char* field) {
-  stillpoint::test::check_refused(field, [&] { require_valid(spec); });
+  test::check_refused(field, [&] { require_valid(spec); });
 }
 
 SweepSpec small() {

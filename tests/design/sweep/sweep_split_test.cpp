@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: MIT
 // What parts of a sweep are, and which of them a launcher gives to a process.
-#include "testing/refusal.hpp"
+#include "design/sweep/sweep_spec.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/sweep/launcher.hpp>
 #include <stillpoint/sweep/part.hpp>
 #include <stillpoint/sweep/state.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <map>
-#include <random>
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(sweep_split_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::sweep;
+using namespace stillpoint::sweep_test;
 using Variables = std::map<std::string, std::string>;
 
 SweepPart launched(const Variables& variables, std::optional<std::int64_t> count = {}) {
@@ -36,8 +28,8 @@ void check_launched(const Variables& variables, const std::string& part,
 
 void check_refused(const Variables& variables, const std::vector<std::string>& says,
                    std::optional<std::int64_t> count = {}) {
-  stillpoint::test::check_contains(
-      stillpoint::test::refusal_of<InputError>([&] { return launched(variables, count); }), says);
+  test::check_contains(test::refusal_of<InputError>([&] { return launched(variables, count); }),
+                       says);
 }
 
 const Variables mpi{{"OMPI_COMM_WORLD_RANK", "2"}, {"OMPI_COMM_WORLD_SIZE", "4"}};

@@ -131,9 +131,6 @@ DrawnMotion drawn_forced_motion(const Oscillator& oscillator, const Start& start
     }
   }
   motion.shown_to = horizon;
-  if (horizon > 0) {
-    motion.frictionless = frictionless(motion, start, excitation);
-  }
   return motion;
 }
 
@@ -175,6 +172,9 @@ DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& ans
     motion.states.push_back({last, motion.rest->x, 0});
     motion.locked_from = answer.forced ? answer.forced->locked_from : std::nullopt;
     motion.shown_to = last;
+  }
+  if (motion.shown_to > 0) {
+    motion.frictionless = frictionless(motion, start, excitation);
   }
   motion.whole = last >= horizon || rest_is_seen;
   return motion;

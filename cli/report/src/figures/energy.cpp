@@ -58,7 +58,8 @@ Figure energy_figure(const DrawnMotion& motion, const FigureUnits& units) {
   for (std::vector<FigurePoint>* const level : {&left, &with_constant, &all}) {
     thin_out(*level);
   }
-  const double end = left.back().x * 1.08;
+  constexpr double seen_at_rest = 1.08;
+  const double end = left.back().x * (motion.rest ? seen_at_rest : 1);
   for (std::vector<FigurePoint>* const level : {&left, &with_constant, &all}) {
     if (motion.rest) {
       level->push_back({end, level->back().y});  // what the last instant took is seen then
@@ -77,7 +78,7 @@ Figure energy_figure(const DrawnMotion& motion, const FigureUnits& units) {
   figure.y = {units.energy_label, 0, most > 0 ? 1.06 * most : 1};
   const double now = left.back().y / units.energy;
   figure.description = fmt::format(
-      "Of the energy {}, constant friction took {}{}; kinetic and spring energy is {} {}.",
+      "Of {} of energy, constant friction took {}{}; kinetic and spring energy is {} {}.",
       units.energy_words(all.front().y / units.energy), units.energy_words(constant),
       point > 0 ? " and the notch " + units.energy_words(point) : "", units.energy_words(now),
       motion.whole ? "at the end" : "where the figure ends");

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <numbers>
 
 namespace stillpoint::report {
 
@@ -31,15 +30,14 @@ struct Wave {
   std::vector<FigurePoint> operator()(const Harmonic& wave) const {
     return sine(wave.k, wave.lambda, wave.phase, wave.duration.value_or(horizon));
   }
-  std::vector<FigurePoint> operator()(const HalfSine& wave) const {
-    return sine(wave.k, wave.lambda, 0, std::numbers::pi / wave.lambda);
-  }
-  std::vector<FigurePoint> operator()(const FullSine& wave) const {
-    return sine(wave.k, wave.lambda, 0, 2 * std::numbers::pi / wave.lambda);
-  }
-  std::vector<FigurePoint> operator()(const Rectangle& wave) const {
-    const double ends = std::numbers::pi / wave.lambda;
-    return until_horizon({{0, wave.k}, {ends, wave.k}});
+  template <IsPulse Pulse>
+  std::vector<FigurePoint> operator()(const Pulse& pulse) const {
+    const double ends = duration(pulse).value();
+    if constexpr (IsLine<Pulse>) {
+      return until_horizon({{0, Pulse::line.begin * pulse.k}, {ends, Pulse::line.end * pulse.k}});
+    } else {
+      return sine(pulse.k, pulse.lambda, 0, ends);
+    }
   }
   std::vector<FigurePoint> operator()(const Record& record) const {
     std::vector<FigurePoint> points;

@@ -27,7 +27,7 @@ std::vector<FigurePoint> strip(double from, double to, double low, double high) 
 FigureArea area_of(HitEnd end) {
   switch (end) {
     case HitEnd::held:
-      return {"held", {}, Ink::grey};
+      return {"held", {}, Ink::grey, AreaLook::hatched};
     case HitEnd::centred:
       return {"centred", {}, Ink::sky};
     case HitEnd::off_centre:

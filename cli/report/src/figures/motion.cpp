@@ -2,9 +2,12 @@
 #include "figures/report_figures.hpp"
 #include "format.hpp"
 
+#include <stillpoint/report/digits.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -21,7 +24,8 @@ namespace {
 /// The least and the largest in each of some columns of time and their neighbours, which together
 /// span a swing to either side, in the order of an outline. A rest of many columns is one line
 /// between two points.
-std::vector<FigurePoint> envelope(const std::vector<FigurePoint>& points, std::size_t turns) {
+std::vector<FigurePoint> envelope(const std::vector<FigurePoint>& points, std::size_t turns,
+                                  bool rests) {
   constexpr std::size_t columns = 180;
   const std::size_t neighbours = (columns + turns / 2) / turns;  // columns / turns, rounded
   struct Column {
@@ -43,6 +47,11 @@ std::vector<FigurePoint> envelope(const std::vector<FigurePoint>& points, std::s
     }
     before = &at;
   }
+  // The last columns have no neighbours behind them; a motion that goes on does not end there.
+  const Column swing = spans[columns - 1 - neighbours];
+  for (std::size_t i = columns - neighbours; !rests && i < columns; ++i) {
+    spans[i] = {std::min(spans[i].least, swing.least), std::max(spans[i].most, swing.most)};
+  }
   std::vector<FigurePoint> outline;
   outline.reserve(2 * columns);
   const auto place = [&](std::size_t i) {
@@ -55,6 +64,10 @@ std::vector<FigurePoint> envelope(const std::vector<FigurePoint>& points, std::s
     outline.push_back({place(i), spans[i].least});
   }
   return outline;
+}
+
+std::string count_of(const std::vector<State>& events, std::string_view one) {
+  return plural(static_cast<double>(events.size()), one);
 }
 
 const State& farthest(const DrawnMotion& motion) {
@@ -124,7 +137,8 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   };
   const bool long_one = motion.turns.size() > most_single_half_cycles;
   const State& peak = farthest(motion);
-  const std::string peak_words = format("peak {}", units.length_words(std::abs(peak.x)));
+  const std::string peak_length = units.length_words(std::abs(peak.x));
+  const std::string peak_words = "peak " + peak_length;
   const std::string rest_words =
       motion.rest ? format("at rest at x = {} after {}", units.length_words(motion.rest->x),
                            units.time_words(motion.rest->tau))
@@ -135,12 +149,15 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   figure.title = "Motion" + beginning(motion);
   figure.x = {units.time_label, 0, motion.shown_to * units.time};
   figure.y = displacement_axis(motion, units);
-  figure.description = format("Displacement over time: {}, {} turns, {} passages of x = 0, {}.",
-                              peak_words, motion.turns.size(), motion.passages.size(), rest_words);
+  figure.description =
+      format("Displacement over time: {}, {}, {} of x = 0, {}.", peak_words,
+             count_of(motion.turns, "turn"), count_of(motion.passages, "passage"), rest_words);
   const bool moves = peak.x != 0;
-  figure.caption = moves ? format("The mass reaches its {} after {} and is {}.", peak_words,
-                                  units.time_words(peak.tau), rest_words)
-                         : "The mass does not move.";
+  const std::string reached = peak.tau > 0 ? format("reaches its peak of {} after {}", peak_length,
+                                                    units.time_words(peak.tau))
+                                           : format("starts at its peak of {}", peak_length);
+  figure.caption =
+      moves ? format("The mass {} and is {}.", reached, rest_words) : "The mass does not move.";
   add_lock(figure, motion, units);
   for (const auto& [from, to] : motion.sticks) {
     figure.bands.push_back({"held by friction", from * units.time, to * units.time, Ink::grey});
@@ -149,7 +166,8 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
     add_limits(figure, motion, units);
   }
   if (long_one) {
-    auto outline = envelope(places(motion.states, place), motion.turns.size());
+    auto outline =
+        envelope(places(motion.states, place), motion.turns.size(), motion.rest.has_value());
     figure.curves.push_back({"envelope", {outline}, Ink::blue});
     figure.areas.push_back({"", std::move(outline), Ink::blue});
     figure.caption.back() = ',';

@@ -68,7 +68,7 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
   figure.curves = {std::move(arcs)};
   if (!jumps.strokes.empty()) {
     figure.caption.back() = ',';
-    figure.caption += " and at x = 0 the notch takes its energy from the velocity at once.";
+    figure.caption += " and at x = 0 the velocity jumps because the notch takes energy.";
     figure.curves.push_back(std::move(jumps));
   }
   mark_events(figure, motion, place, long_one ? 0 : last);

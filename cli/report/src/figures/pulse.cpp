@@ -45,8 +45,8 @@ FigureCurve needs(const LeastDelta& least_delta, double last, const FigureUnits&
 
 /// From the curve, where it is below `top`, to `end`.
 std::vector<FigurePoint> beside_the_curve(const LeastDelta& least_delta,
-                                          const design::FrictionInterval& interval, double top,
-                                          double end, double unit) {
+                                          const design::Interval& interval, double top, double end,
+                                          double unit) {
   std::vector<FigurePoint> outline;
   for (int i = 0; i <= curve_steps; ++i) {
     const double f = interval.low + (interval.high - interval.low) * i / curve_steps;
@@ -75,7 +75,8 @@ void add_pulse_areas(Figure& figure, const DrawnPulseRegion& drawn, const LeastD
     figure.areas.push_back({"notch too weak",
                             beside_the_curve(least_delta, interval, cap, 0, units.length),
                             Ink::grey, AreaLook::hatched});
-    if (interval.low > from) {
+    constexpr double seen = 1e-3;  // of the axis
+    if (interval.low - from > seen * right) {
       figure.areas.push_back({from == 0
                                   ? "too weak: exceeds " + units.length_words(drawn.problem.beta)
                                   : "does not meet the limits",
@@ -83,8 +84,15 @@ void add_pulse_areas(Figure& figure, const DrawnPulseRegion& drawn, const LeastD
     }
     from = interval.high;
   }
-  figure.areas.push_back({drawn.intervals.empty() ? "not admissible" : "too strong",
-                          rectangle(from, right, 0, top), Ink::grey, AreaLook::hatched});
+  const double returns = std::clamp(drawn.region.f3, from, right);
+  if (returns > from) {
+    figure.areas.push_back({from == 0 ? "not admissible" : "does not meet the limits",
+                            rectangle(from, returns, 0, top), Ink::grey, AreaLook::hatched});
+  }
+  if (right > returns) {
+    figure.areas.push_back({"too strong: does not return", rectangle(returns, right, 0, top),
+                            Ink::grey, AreaLook::hatched});
+  }
   if (cap < top && from > 0) {
     figure.areas.push_back(
         {"above the largest Δ", rectangle(0, from, cap, top), Ink::amber, AreaLook::hatched});
@@ -141,11 +149,12 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
       "The plane of f and Δ under the pulse. The mass returns up to f = {:.4g}; every Δ "
       "above the curve stops it there. ",
       drawn.region.f3);
-  figure.caption = drawn.intervals.empty() ? "No f returns and meets the limits."
-                   : drawn.limits.delta_max
-                       ? "A damper in the clear area is admissible."
-                       : "A damper in the clear area is admissible: nothing bounds Δ from "
-                         "above, because the mass starts from rest.";
+  figure.caption =
+      drawn.intervals.empty() ? "No f returns and meets the limits."
+      : drawn.limits.delta_max
+          ? "A damper in the area without hatching is admissible."
+          : "A damper in the area without hatching is admissible: nothing bounds Δ from "
+            "above, because the mass starts from rest.";
   add_pulse_areas(figure, drawn, least_delta, units);
   figure.curves.push_back(std::move(curve));
   if (drawn.damper) {

@@ -24,9 +24,9 @@ namespace {
 using design::SuiteFigures;
 using design::SuiteLimits;
 
-/// The objective from least to largest, then what is broken. More red than blue is hatched.
+/// The objective from least to largest, then what is broken, which is hatched: more red than blue.
 constexpr std::array shades{"#0b4f8a", "#2f7fc1", "#6aaede", "#9ecae9", "#c6dff2", "#e6f1fa"};
-constexpr std::array broken{"#ef8a2b", "#f7b267", "#fbd3a4", "#555555"};
+constexpr std::array broken{"#ef8a2b", "#f7b267", "#fbd3a4", "#8a7a68"};
 constexpr std::array broken_names{"stroke too large", "residual too large",
                                   "acceleration too large", "never rests, or is near tipping"};
 
@@ -129,7 +129,7 @@ void add_shades(figures::FigureMap& drawn, const ShownValues& shown,
   }
   if (least <= most) {
     drawn.key.push_back(
-        {format("{}: from {}", name(task.objective), words(least)), shades.front()});
+        {format("{}: from {}", quantity(task.objective), words(least)), shades.front()});
     drawn.key.push_back({format("to {}", words(most)), shades.back()});
   }
   drawn.labels.resize(shades.size());  // what is good has its shades
@@ -141,7 +141,7 @@ void add_faults(figures::FigureMap& drawn) {
     drawn.palette.emplace_back(broken.at(i));
     drawn.names.emplace_back(broken_names.at(i));
     if (std::ranges::count(drawn.cells, static_cast<std::uint8_t>(shades.size() + i)) > 0) {
-      drawn.key.push_back({broken_names.at(i), broken.at(i), i < 3});
+      drawn.key.push_back({broken_names.at(i), broken.at(i), true});
     }
   }
 }
@@ -155,7 +155,7 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
   const ShownValues shown = shown_values(map, task);
   Figure drawn;
   drawn.id = "map";
-  drawn.title = result.finding ? format("The {} over f and Δ", name(task.objective))
+  drawn.title = result.finding ? format("The {} over f and Δ", quantity(task.objective))
                                : shortfall_title(result, units);
   drawn.x = {"constant friction f", task.f->low, task.f->high};
   drawn.y = {units.delta_label, task.delta->low * units.length, task.delta->high * units.length};
@@ -168,10 +168,10 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
   drawn.notes.push_back({what, place});
   drawn.description =
       format("The plane of f and Δ: the {} of the records combined, and where a limit is violated.",
-             name(task.objective));
+             quantity(task.objective));
   drawn.caption =
       shown.least <= shown.most
-          ? "Blue meets every limit, the darker the better; every other colour violates one."
+          ? "Blue meets every limit, the darker the better; what is hatched violates one."
           : "Each colour names the first limit that is violated there.";
   return drawn;
 }
@@ -220,11 +220,12 @@ std::size_t worst_record(const design::RecordDesign& result) {
   return static_cast<std::size_t>(std::ranges::max_element(all, {}, value) - all.begin());
 }
 
-/// The worst one large with its load, then all small; a single one only large.
+/// The worst one large with its load, then the others small.
 void add_records(std::vector<Figure>& figures, const design::RecordDesign& result,
                  const FigureUnits& units) {
   const std::size_t count = result.request.records.size();
-  DrawnRecord worst = drawn_record(result, worst_record(result), units);
+  const std::size_t worst_one = worst_record(result);
+  DrawnRecord worst = drawn_record(result, worst_one, units);
   if (count > 1) {
     worst.motion.id = "worst";
     worst.motion.title = "The worst record: " + worst.motion.title;
@@ -233,9 +234,11 @@ void add_records(std::vector<Figure>& figures, const design::RecordDesign& resul
   figures.push_back(std::move(worst.motion));
   figures.push_back(std::move(worst.load));
   constexpr double small = 130;
-  for (std::size_t i = 0; i < std::min(most_drawn_records, count) && count > 1; ++i) {
-    figures.push_back(drawn_record(result, i, units).motion);
-    figures.back().height = small;
+  for (std::size_t i = 0; i < std::min(most_drawn_records, count); ++i) {
+    if (i != worst_one) {
+      figures.push_back(drawn_record(result, i, units).motion);
+      figures.back().height = small;
+    }
   }
 }
 

@@ -27,50 +27,24 @@ using design::Region;
 
 constexpr int steps = 200;  // of a curve over f
 
-/// What the five constraints and the limits leave, regardless of the tolerance. Empty if that is
-/// nothing.
-std::vector<FigurePoint> admissible_outline(const DrawnRegion& drawn, const RegionSpan& span,
-                                            double unit) {
-  std::vector<FigurePoint> lower;
-  std::vector<FigurePoint> upper;
-  const double last = span.last_within_limits(drawn);
-  for (int i = 0; span.first <= last && i <= steps; ++i) {
-    const double f = span.first + (last - span.first) * i / steps;
-    const double bound = std::max(0.0, design::delta1(span.at(f), f).value_or(0));
-    const double top = span.highest_delta(drawn, f);
-    if (bound <= top) {
-      lower.push_back({f, bound * unit});
-      upper.push_back({f, top * unit});
-    }
-  }
-  if (lower.size() < 2) {
-    return {};
-  }
-  lower.insert(lower.end(), upper.rbegin(), upper.rend());
-  return lower;
-}
-
-std::vector<FigureArea> area_of(std::string name, std::vector<FigurePoint> outline) {
-  if (outline.empty()) {
-    return {};
-  }
-  return {{std::move(name), std::move(outline), Ink::sky}};
-}
-
 /// Delta1 by either formula, up to the last f that returns.
-void add_delta1(Figure& figure, const ProblemAt& at, double last, double unit) {
+void add_delta1(Figure& figure, const Problem& problem, double last, double unit) {
   FigureCurve published{"Δ₁ published", {{}}, Ink::orange, Dash::dashed};
   FigureCurve exact{"Δ₁ exact", {{}}, Ink::purple};
   for (int i = 0; i <= steps; ++i) {
     const double f = std::clamp(figure.x.value(static_cast<double>(i) / steps), 0.0, last);
-    const Problem problem = at(f);
     published.strokes[0].push_back({f, design::delta1_published(problem, f) * unit});
     if (const auto bound = design::delta1_exact(problem, f)) {
       exact.strokes[0].push_back({f, *bound * unit});
     }
   }
-  figure.curves.push_back(std::move(published));
-  figure.curves.push_back(std::move(exact));
+  for (FigureCurve* const curve : {&published, &exact}) {
+    if (std::ranges::any_of(curve->strokes[0], [&](const FigurePoint& point) {
+          return figure.y.least <= point.y && point.y <= figure.y.most;
+        })) {
+      figure.curves.push_back(std::move(*curve));
+    }
+  }
 }
 
 /// From 0, but closer if the interesting part would be small.
@@ -141,33 +115,26 @@ void add_edge(Figure& figure, std::string name, FigurePoint from, FigurePoint to
 }
 
 /// The strips of later arrivals lie below those of earlier ones.
-std::string strips_caption(const Problem& problem) {
-  const std::string_view end = problem.residual ? "rests within the residual" : "stops at x = 0";
-  const std::string_view order =
-      problem.arrivals > 1 && !problem.residual ? ", the first in the uppermost strip" : "";
-  if (problem.v0_low || problem.p_high) {
-    const bool only_one = problem.arrivals == 1 && !problem.residual;
-    return format(
-        "A damper in {}, for every hit and spring in the ranges{}; outside, some of them end "
-        "otherwise.",
-        only_one ? "the admissible area stops at x = 0 at the first return"
-                 : format("a strip {} at that arrival", end),
-        order);
+std::string admissible_caption(const Problem& problem) {
+  const bool ranges = problem.v0_low || problem.p_high;
+  const std::string sides = format("each hatched side says what goes wrong there{}.",
+                                   ranges ? " for some hits or springs of the ranges" : "");
+  if (is_one_strip(problem)) {
+    return "A damper in the clear area is admissible; " + sides;
   }
-  return format("A damper in a strip {} at that arrival{}; {}.", end, order,
-                problem.residual
-                    ? "outside the strips it rests too far off centre, or later"
-                    : "between the strips it leaves the mass off centre, below them it "
-                      "lets it pass more often");
+  return format(
+      "A damper in a strip {} at that arrival{}; {}",
+      problem.residual ? "rests within the residual" : "stops at x = 0",
+      problem.arrivals > 1 && !problem.residual ? ", the first in the uppermost strip" : "", sides);
 }
 
 /// "±34.2 %", or "-10 to +20 %" where the sides differ.
-std::string plane_words(const Region& region, const RegionSpan& span, const FigureUnits& units) {
+std::string plane_words(const Region& region, const FigureUnits& units) {
   return format(
       "The plane of f and Δ. The admissible region goes from f = {:.4g} (amplitude) to {:.4g} "
       "(return) and from the curve Δ₁ (stop) up to Δ₂ = {} (start); the dead zone requires "
       "f < {:.4g}. {}",
-      span.first, span.last, units.length_words(region.delta2.value()), region.f1,
+      std::max(region.f2, 0.0), region.f3, units.length_words(region.delta2.value()), region.f1,
       region.feasible ? "" : "Nothing is left: no design is admissible. ");
 }
 
@@ -197,24 +164,9 @@ std::string tolerance_words(const design::BoxShape& shape, double tolerance) {
                       percent(tolerance * shape.delta_low, tolerance * shape.delta_high));
 }
 
-RegionSpan::RegionSpan(const DrawnRegion& drawn)
-    : first(std::max(drawn.region.f2, 0.0)),
-      last(drawn.region.f3),
-      at([problem = drawn.problem](double /*f*/) { return problem; }) {}
-
-double RegionSpan::last_within_limits(const DrawnRegion& drawn) const {
-  return std::min({last, drawn.limits.f_max.value_or(last), drawn.region.f4.value_or(last)});
-}
-
-double RegionSpan::highest_delta(const DrawnRegion& drawn, double f) const {
-  const double v0 = at(f).v0;
-  return std::min(v0 * v0 / 2, drawn.limits.delta_max.value_or(HUGE_VAL));
-}
-
 void add_boundaries(Figure& figure, const Problem& problem, const FigureUnits& units) {
   const Region region = design::admissible_region(problem);
-  add_delta1(
-      figure, [&](double /*f*/) { return problem; }, region.f3, units.length);
+  add_delta1(figure, problem, region.f3, units.length);
   const double top = region.delta2.value() * units.length;
   if (region.f3 > figure.x.least && region.f3 < figure.x.most) {
     add_edge(figure, "returns up to f₃", {region.f3, figure.y.least}, {region.f3, figure.y.most});
@@ -228,12 +180,8 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   const double unit = units.length;
   const Region& region = drawn.region;
   const auto& damper = drawn.damper;
-  const RegionSpan span(drawn);
   const bool several = drawn.problem.arrivals > 1 || !is_plain(drawn.problem, {});
-  auto admissible = several
-                        ? strip_areas(drawn, units)
-                        : area_of(region.feasible ? "admissible" : "admissible without a tolerance",
-                                  admissible_outline(drawn, span, unit));
+  auto admissible = admissible_areas(drawn, units);
   const design::BoxShape& shape = drawn.limits.shape;
   const auto box = damper ? tolerance_box(*damper, shape, unit) : std::vector<FigurePoint>{};
   Extent seen;
@@ -256,19 +204,16 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   figure.y = axis_of(units.delta_label, seen.least.y, seen.most.y, all.most.y);
   figure.description =
       several ? "The plane of f and Δ with the strip of each arrival at which the mass may rest. "
-              : plane_words(region, span, units);
+              : plane_words(region, units);
   figure.caption = admissible.empty() ? "No damper is admissible: the forbidden sides meet."
-                   : !region.feasible ? "The clear area is what the requirements leave without a "
-                                        "tolerance; each hatched side says what goes wrong there."
-                   : several          ? strips_caption(drawn.problem)
-                                      : "A damper in the clear area is admissible; each hatched "
-                                        "side says what goes wrong there.";
+                   : !region.feasible
+                       ? "The area without hatching is what the requirements leave without a "
+                         "tolerance; each hatched side says what goes wrong there."
+                       : admissible_caption(drawn.problem);
   figure.areas = std::move(admissible);
-  if (several) {
-    add_limits(figure, drawn, units);
-  } else {
-    add_sides(figure, drawn, span, units);
-    add_delta1(figure, span.at, span.last, unit);
+  add_sides(figure, drawn, units);
+  if (!several) {
+    add_delta1(figure, drawn.problem, region.f3, unit);
   }
   if (damper) {
     add_damper(figure, *damper, box, tolerance_words(shape, damper->tolerance), units);

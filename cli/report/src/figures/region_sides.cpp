@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: MIT
+// What forbids the dampers of a region, docs/theory.md sections 7, 12 and 13:
+//
+//   Delta above start                     the weakest hit does not leave the notch
+//   f below first                         the peak exceeds beta
+//   f above strong                        the weakest hit does not come back, whatever Delta is
+//   Delta below stop                      the strongest hit passes the last arrival allowed
+//   the rest between and above strips     some hit rests off centre, or beyond the residual
+#include "figures/region_column.hpp"
 #include "figures/report_figures.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,89 +27,157 @@ using figures::Ink;
 
 namespace {
 
-constexpr int edge_steps = 100;
-using Level = std::function<double(double)>;
+constexpr int edge_steps = 200;
 
-/// Between two levels of Delta over f; empty where the upper is never above the lower.
-std::vector<FigurePoint> between(double from, double to, const Level& lower, const Level& upper) {
-  std::vector<FigurePoint> below;
-  std::vector<FigurePoint> above;
-  bool something = false;
-  for (int i = 0; i <= edge_steps; ++i) {
-    const double f = from + (to - from) * i / edge_steps;
-    const double low = lower(f);
-    const double high = std::max(low, upper(f));
-    something = something || high > low;
-    below.push_back({f, low});
-    above.push_back({f, high});
+class Sides {
+ public:
+  Sides(Figure& figure, const DrawnRegion& drawn, const FigureUnits& units)
+      : figure_(figure),
+        drawn_(drawn),
+        units_(units),
+        first_(std::max(drawn.region.f2, 0.0)),
+        start_(shown_delta(drawn.region.delta2.value())) {
+    const double largest = design::largest_stopping_f(drawn.problem);
+    comes_back_ = largest <= drawn.region.f1;
+    strong_ = comes_back_ ? largest : drawn.region.f1;
   }
-  below.insert(below.end(), above.rbegin(), above.rend());
-  return something ? below : std::vector<FigurePoint>{};
-}
 
-/// If it is not empty.
-void add(Figure& figure, std::string name, std::vector<FigurePoint> outline, Ink ink = Ink::grey,
-         AreaLook look = AreaLook::hatched) {
-  if (!outline.empty()) {
-    figure.areas.push_back({std::move(name), std::move(outline), ink, look});
+  void operator()() {
+    // Where both sides forbid the same f, that is the gap.
+    upright("too weak: exceeds " + units_.length_words(drawn_.problem.beta), 0,
+            std::min(first_, strong_));
+    upright(comes_back_ && !drawn_.problem.residual ? "too strong: does not return"
+                                                    : "too strong: rests too far off",
+            std::max(first_, strong_), figure_.x.most);
+    upright("gap: no f returns within " + units_.length_words(drawn_.problem.beta), strong_, first_,
+            Ink::orange, AreaLook::filled);
+    if (start_ < figure_.y.most) {
+      add("notch holds at the start", {{figure_.x.least, start_},
+                                       {figure_.x.most, start_},
+                                       {figure_.x.most, figure_.y.most},
+                                       {figure_.x.least, figure_.y.most}});
+    }
+    double last = std::min(strong_, figure_.x.most);
+    if (const double allowed = last_within_limits(); allowed < last) {
+      upright(allowed == drawn_.region.f4 ? "too strong: acceleration" : "above the largest f",
+              std::max(allowed, first_), last, Ink::amber);
+      last = allowed;
+    }
+    between(std::max(first_, figure_.x.least), last);
   }
-}
+
+ private:
+  [[nodiscard]] double shown_delta(double delta) const {
+    return std::clamp(delta * units_.length, figure_.y.least, figure_.y.most);
+  }
+
+  [[nodiscard]] double last_within_limits() const {
+    return std::min(drawn_.limits.f_max.value_or(HUGE_VAL), drawn_.region.f4.value_or(HUGE_VAL));
+  }
+
+  void add(std::string name, std::vector<FigurePoint> outline, Ink ink = Ink::grey,
+           AreaLook look = AreaLook::hatched) {
+    figure_.areas.push_back({std::move(name), std::move(outline), ink, look});
+  }
+
+  /// All Delta that start, between two f.
+  void upright(const std::string& name, double from, double to, Ink ink = Ink::grey,
+               AreaLook look = AreaLook::hatched) {
+    from = std::max(from, figure_.x.least);
+    to = std::min(to, figure_.x.most);
+    if (from < to && figure_.y.least < start_) {
+      add(name, {{from, figure_.y.least}, {to, figure_.y.least}, {to, start_}, {from, start_}}, ink,
+          look);
+    }
+  }
+
+  /// The spans of Delta of one kind over f, in as many pieces as they have.
+  template <class SpanOf>
+  void spans(const std::string& name, const std::vector<RegionColumn>& columns,
+             const SpanOf& span_of, Ink ink = Ink::grey, AreaLook look = AreaLook::hatched) {
+    constexpr double visible = 1e-4;  // of the axis
+    std::vector<FigurePoint> below;
+    std::vector<FigurePoint> above;
+    double widest = 0;
+    const auto finish = [&] {
+      if (widest > visible * (figure_.y.most - figure_.y.least)) {
+        below.insert(below.end(), above.rbegin(), above.rend());
+        add(name, std::move(below), ink, look);
+      }
+      below.clear();
+      above.clear();
+      widest = 0;
+    };
+    for (const RegionColumn& column : columns) {
+      const std::optional<design::DeltaRange> span = span_of(column);
+      if (!span) {
+        finish();
+        continue;
+      }
+      const double low = shown_delta(span->low);
+      const double high = std::max(low, shown_delta(span->high));
+      below.push_back({column.f, low});
+      above.push_back({column.f, high});
+      widest = std::max(widest, high - low);
+    }
+    finish();
+  }
+
+  /// Where only Delta decides.
+  void between(double from, double to) {
+    if (!(from < to)) {
+      return;
+    }
+    using design::DeltaRange;
+    std::vector<double> grid(edge_steps + 1);
+    for (int i = 0; i <= edge_steps; ++i) {
+      grid[static_cast<std::size_t>(i)] = from + (to - from) * i / edge_steps;
+    }
+    const std::vector<RegionColumn> over_f = region_columns(drawn_.problem, grid);
+    const double start = drawn_.region.delta2.value();
+    const double top = std::min(start, drawn_.limits.delta_max.value_or(HUGE_VAL));
+    spans("notch too weak", over_f, [&](const RegionColumn& at) {
+      return std::optional(DeltaRange{0, std::min(at.stop, top)});
+    });
+    spans(
+        "above the largest Δ", over_f,
+        [&](const RegionColumn& at) {
+          return std::optional(DeltaRange{std::max(at.stop, top), start});
+        },
+        Ink::amber);
+    spans(
+        "gap: no notch is strong enough", over_f,
+        [&](const RegionColumn& at) {
+          return std::optional(DeltaRange{top, std::min(at.stop, start)});
+        },
+        Ink::orange, AreaLook::filled);
+    const bool ranges = drawn_.problem.v0_low || drawn_.problem.p_high;
+    const std::string name = std::string(ranges ? "some hits rest" : "rests") +
+                             (drawn_.problem.residual ? " too far off" : " off centre");
+    for (std::size_t n = 0; n < over_f.front().strips.size(); ++n) {
+      spans(name, over_f, [n, top](const RegionColumn& at) {
+        auto span = below_strip(at, n);
+        if (span) {
+          span->high = std::min(span->high, top);
+        }
+        return span;
+      });
+    }
+  }
+
+  Figure& figure_;
+  const DrawnRegion& drawn_;
+  const FigureUnits& units_;
+  double first_;
+  double start_;
+  double strong_{0};
+  bool comes_back_{true};
+};
 
 }  // namespace
 
-void add_sides(Figure& figure, const DrawnRegion& drawn, const RegionSpan& span,
-               const FigureUnits& units) {
-  const double unit = units.length;
-  const double x_least = figure.x.least;
-  const double x_most = figure.x.most;
-  const double y_least = figure.y.least;
-  const double y_most = figure.y.most;
-  const Level least = [&](double /*f*/) { return y_least; };
-  const Level most = [&](double /*f*/) { return y_most; };
-  const Level stop = [&](double f) {
-    return std::clamp(design::delta1(span.at(f), f).value_or(0) * unit, y_least, y_most);
-  };
-  const Level start = [&](double f) {
-    const double v0 = span.at(std::min(f, span.last)).v0;
-    return std::clamp(v0 * v0 / 2 * unit, y_least, y_most);
-  };
-  const Level top = [&](double f) {
-    return std::clamp(drawn.limits.delta_max.value_or(HUGE_VAL) * unit, y_least, start(f));
-  };
-  const auto upright = [&](const std::string& name, double from, double to, Ink ink = Ink::grey,
-                           AreaLook look = AreaLook::hatched) {
-    from = std::max(from, x_least);
-    to = std::min(to, x_most);
-    if (from < to) {
-      add(figure, name, between(from, to, least, start), ink, look);
-    }
-  };
-  const std::string limit = units.length_words(drawn.problem.beta);
-  const bool returns = span.last <= drawn.region.f1;
-  const double strong = returns ? span.last : drawn.region.f1;
-  // Where both sides forbid the same f, that is the gap.
-  upright("too weak: exceeds " + limit, 0, std::min(span.first, strong));
-  upright(returns ? "too strong: does not return" : "too strong: rests too far off",
-          std::max(span.first, strong), x_most);
-  upright("gap: no f returns within " + limit, strong, span.first, Ink::orange, AreaLook::filled);
-  add(figure, "notch holds at the start", between(x_least, x_most, start, most));
-  const double from = std::max(span.first, x_least);
-  double to = std::min(strong, x_most);
-  if (const double last = span.last_within_limits(drawn); last < to) {
-    upright(last == drawn.region.f4 ? "too strong: acceleration" : "above the largest f",
-            std::max(last, from), to, Ink::amber);
-    to = last;
-  }
-  if (from < to) {
-    add(figure, "notch too weak",
-        between(from, to, least, [&](double f) { return std::min(stop(f), top(f)); }));
-    add(figure, "above the largest Δ",
-        between(
-            from, to, [&](double f) { return std::max(stop(f), top(f)); }, start),
-        Ink::amber);
-    add(figure, "gap: no notch is strong enough", between(from, to, top, stop), Ink::orange,
-        AreaLook::filled);
-  }
+void add_sides(Figure& figure, const DrawnRegion& drawn, const FigureUnits& units) {
+  Sides(figure, drawn, units)();
 }
 
 }  // namespace stillpoint::report

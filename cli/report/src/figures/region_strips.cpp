@@ -1,182 +1,197 @@
 // SPDX-License-Identifier: MIT
+#include "figures/region_column.hpp"
 #include "figures/report_figures.hpp"
 #include "format.hpp"
+
+#include <stillpoint/design/strips.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace stillpoint::report {
 
-using figures::AreaLook;
-using figures::Figure;
 using figures::FigureArea;
 using figures::FigurePoint;
 using figures::Ink;
 
 namespace {
 
-constexpr int strip_steps = 200;          // of an edge over f
-constexpr std::int64_t most_strips = 12;  // that can be told apart
+constexpr int strip_steps = 200;  // of an edge over f
 
-/// Of ranges or with a residual: between the ends that the region has for this arrival.
-std::vector<FigurePoint> way_outline(const DrawnRegion& drawn, std::int64_t arrival, double unit) {
-  design::Limits no_box = drawn.limits;
-  no_box.tolerance = 0;
-  std::vector<FigurePoint> outline;
-  std::vector<FigurePoint> upper;
-  for (const design::Strip& strip : design::strips(drawn.problem, no_box)) {
-    if (strip.arrival != arrival || !strip.f_lower) {
-      continue;
+/// One arrival, or those from `first` to the last one allowed; 0: any rest within the residual.
+struct DrawnStrip {
+  std::int64_t first{0};
+  bool with_later{false};
+};
+
+/// The strips of a region within its limits, regardless of the tolerance.
+class Strips {
+ public:
+  Strips(const DrawnRegion& drawn, double unit)
+      : drawn_(drawn), unit_(unit), plain_(is_plain(drawn.problem, {})) {
+    if (!plain_) {
+      design::Limits no_box = drawn.limits;
+      no_box.tolerance = 0;
+      found_ = design::strips(drawn.problem, no_box);
     }
-    for (int i = 0; i <= strip_steps; ++i) {
-      const double f = *strip.f_lower + (*strip.f_upper - *strip.f_lower) * i / strip_steps;
-      const auto range = design::delta_range(drawn.problem, arrival, f);
-      const double most = drawn.limits.delta_max.value_or(HUGE_VAL);
-      if (range && range->low <= most) {
-        outline.push_back({f, range->low * unit});
-        upper.push_back({f, std::min(range->high, most) * unit});
+    const auto rest = drawn.problem.residual ? extent(0) : std::nullopt;
+    rest_end_ = rest ? rest->high : 0;
+  }
+
+  [[nodiscard]] std::vector<FigurePoint> outline(const DrawnStrip& strip) const {
+    const auto f = extent(strip.first);
+    if (!f) {
+      return {};
+    }
+    const double from = strip.first > 0 ? std::max(f->low, rest_end_) : f->low;
+    const double most = drawn_.limits.delta_max.value_or(HUGE_VAL);
+    std::vector<FigurePoint> lower;
+    std::vector<FigurePoint> upper;
+    const auto has = [&](double at) {
+      const auto range = range_at(strip, at);
+      return range && range->low <= most;
+    };
+    const auto add = [&](double at) {
+      const auto range = range_at(strip, at);
+      lower.push_back({at, range->low * unit_});
+      upper.push_back({at, std::min(range->high, most) * unit_});
+    };
+    double last = from;
+    bool had = false;
+    for (int i = 0; from <= f->high && i <= strip_steps; ++i) {
+      const double at = from + (f->high - from) * i / strip_steps;
+      const bool now = has(at);
+      if (i > 0 && had != now) {  // it begins or ends between them
+        add(had ? last_inside(last, at, has) : last_inside(at, last, has));
       }
+      if (now) {
+        add(at);
+      }
+      had = now;
+      last = at;
     }
-  }
-  outline.insert(outline.end(), upper.rbegin(), upper.rend());
-  return outline;
-}
-
-std::vector<FigurePoint> strip_outline(const DrawnRegion& drawn, std::int64_t arrival,
-                                       double unit) {
-  const auto n = static_cast<double>(arrival);
-  if (!is_plain(drawn.problem, {})) {
-    return way_outline(drawn, arrival, unit);
-  }
-  const double tip = drawn.problem.v0 * drawn.problem.p / (2 * std::sqrt(n * (n + 1)));
-  const double first = std::max(drawn.region.f2, 0.0);
-  const double last =
-      std::min({tip, drawn.limits.f_max.value_or(HUGE_VAL), drawn.region.f4.value_or(HUGE_VAL)});
-  std::vector<FigurePoint> lower;
-  std::vector<FigurePoint> upper;
-  for (int i = 0; first <= last && i <= strip_steps; ++i) {
-    const double f = first + (last - first) * i / strip_steps;
-    const auto range = design::delta_range(drawn.problem, arrival, f);
-    const double top = range ? std::min(range->high, drawn.limits.delta_max.value_or(HUGE_VAL)) : 0;
-    if (range && range->low <= top) {
-      lower.push_back({f, range->low * unit});
-      upper.push_back({f, top * unit});
+    if (lower.size() < 2) {
+      return {};
     }
+    lower.insert(lower.end(), upper.rbegin(), upper.rend());
+    return lower;
   }
-  if (lower.size() < 2) {
-    return {};
+
+  /// That of the damper: 0 for any rest within the residual, -1 for none.
+  [[nodiscard]] std::int64_t own() const {
+    if (is_one_strip(drawn_.problem)) {
+      return 1;
+    }
+    if (!drawn_.damper) {
+      return -1;
+    }
+    const auto& [name, f, delta, tolerance] = *drawn_.damper;
+    const std::int64_t arrival = design::arrival_of(drawn_.problem, f, delta).value_or(0);
+    return f <= rest_end_ || !extent(arrival) ? 0 : arrival;
   }
-  lower.insert(lower.end(), upper.rbegin(), upper.rend());
-  return lower;
+
+ private:
+  struct Extent {
+    double low;
+    double high;
+  };
+
+  [[nodiscard]] std::optional<design::DeltaRange> range_at(const DrawnStrip& strip,
+                                                           double f) const {
+    auto range = design::delta_range(drawn_.problem, strip.first, f);
+    if (range && strip.with_later) {
+      range->low = design::least_stopping_delta(drawn_.problem, f);
+    }
+    return range;
+  }
+
+  /// Of f.
+  [[nodiscard]] std::optional<Extent> extent(std::int64_t arrival) const {
+    if (plain_ && arrival > 0) {
+      const auto n = static_cast<double>(arrival);
+      const double tip = drawn_.problem.v0 * drawn_.problem.p / (2 * std::sqrt(n * (n + 1)));
+      return Extent{
+          std::max(drawn_.region.f2, 0.0),
+          std::min({arrival == 1 ? drawn_.region.f3 : tip, drawn_.limits.f_max.value_or(HUGE_VAL),
+                    drawn_.region.f4.value_or(HUGE_VAL)})};
+    }
+    const auto found = std::ranges::find(found_, arrival, &design::Strip::arrival);
+    return found != found_.end() && found->f_lower
+               ? std::optional(Extent{*found->f_lower, *found->f_upper})
+               : std::nullopt;
+  }
+
+  const DrawnRegion& drawn_;
+  double unit_;
+  bool plain_;
+  std::vector<design::Strip> found_;
+  double rest_end_{0};  ///< up to this f any rest is within the residual, whatever the arrival
+};
+
+/// Neighbours may touch, so they differ; the damper's own is like any admissible area.
+constexpr std::array inks{Ink::orange, Ink::green, Ink::purple};
+Ink strip_ink(const DrawnStrip& strip, std::int64_t own) {
+  return strip.first == own ? Ink::sky
+         : strip.first == 0 ? Ink::amber
+         : strip.with_later ? Ink::grey
+                            : inks.at(static_cast<std::size_t>(strip.first) % inks.size());
 }
 
-/// One strip, below which the mass passes x = 0.
-bool only_the_first(const design::Problem& problem) {
-  return problem.arrivals == 1 && !problem.residual;
+/// The first of each ink.
+bool may_be_in_legend(const DrawnStrip& strip, std::int64_t own) {
+  return strip.first == own || strip.with_later ||
+         strip.first <= static_cast<std::int64_t>(inks.size());
 }
 
-/// The outline of a strip is its lower edge and then, backwards, the upper one.
-void add_below(Figure& figure, const FigureArea& strip) {
-  const auto edge = static_cast<std::ptrdiff_t>(strip.outline.size() / 2);
-  std::vector<FigurePoint> outline(strip.outline.begin(), strip.outline.begin() + edge);
-  outline.push_back({outline.back().x, figure.y.least});
-  outline.push_back({outline.front().x, figure.y.least});
-  figure.areas.push_back({"notch too weak", std::move(outline), Ink::grey, AreaLook::hatched});
-}
-
-/// Neighbours may touch, so they differ, and so do the first three, which may be named in the
-/// legend; the damper's own is like any admissible area.
-Ink strip_ink(std::int64_t arrival, std::int64_t own) {
-  if (arrival == own) {
-    return Ink::sky;
+std::string strip_name(const DrawnRegion& drawn, const DrawnStrip& strip) {
+  if (is_one_strip(drawn.problem)) {
+    return drawn.region.feasible ? "admissible" : "admissible without a tolerance";
   }
-  if (arrival == 0) {
-    return Ink::amber;
-  }
-  constexpr std::array inks{Ink::orange, Ink::green, Ink::purple};
-  return inks.at(static_cast<std::size_t>(arrival) % inks.size());
+  return strip.first == 0   ? "any rest within the residual"
+         : strip.with_later ? format("arrivals {} to {}, thin strips with gaps", strip.first,
+                                     drawn.problem.arrivals)
+                            : format("arrival {}", strip.first);
 }
 
 }  // namespace
 
-std::vector<FigureArea> strip_areas(const DrawnRegion& drawn, const FigureUnits& units) {
-  const auto& damper = drawn.damper;
-  std::int64_t own = -1;  // that of the damper; 0: any rest
-  if (damper) {
-    own = design::arrival_of(drawn.problem, damper->f, damper->delta).value_or(0);
-    if (own > 0 && strip_outline(drawn, own, units.length).empty()) {
-      own = 0;  // it has no strip of its own but rests within the residual
-    }
-  }
-  const bool only_one = only_the_first(drawn.problem);
-  if (only_one) {
-    own = 1;
-  }
+bool is_one_strip(const design::Problem& problem) {
+  return problem.arrivals == 1 && !problem.residual;
+}
+
+std::vector<FigureArea> admissible_areas(const DrawnRegion& drawn, const FigureUnits& units) {
+  const Strips strips(drawn, units.length);
+  const std::int64_t own = strips.own();
   std::vector<FigureArea> areas;
-  const auto add = [&](std::int64_t n) {
-    if (auto outline = strip_outline(drawn, n, units.length); !outline.empty()) {
-      areas.push_back({only_one ? "admissible"
-                       : n > 0  ? format("arrival {}", n)
-                                : "any rest within the residual",
-                       std::move(outline), strip_ink(n, own)});
+  const auto add = [&](const DrawnStrip& strip) {
+    if (auto outline = strips.outline(strip); !outline.empty()) {
+      areas.push_back({strip_name(drawn, strip), std::move(outline), strip_ink(strip, own),
+                       figures::AreaLook::filled, may_be_in_legend(strip, own)});
     }
   };
   if (drawn.problem.residual) {
-    add(0);
+    add({0});
   }
-  for (std::int64_t n = 1; n <= std::min(drawn.problem.arrivals, most_strips); ++n) {
+  const std::int64_t arrivals = drawn.problem.arrivals;
+  for (std::int64_t n = 1; n <= std::min(arrivals, most_drawn_strips); ++n) {
     if (n != own) {
-      add(n);
+      add({n});
     }
+  }
+  if (arrivals > most_drawn_strips) {
+    add({most_drawn_strips + 1, arrivals > most_drawn_strips + 1});
   }
   if (own > 0) {
-    add(own);
+    add({own});
   }
   return areas;
-}
-
-void add_limits(Figure& figure, const DrawnRegion& drawn, const FigureUnits& units) {
-  const auto forbid = [&](std::string name, FigurePoint from, FigurePoint to, Ink ink) {
-    from = {std::clamp(from.x, figure.x.least, figure.x.most),
-            std::clamp(from.y, figure.y.least, figure.y.most)};
-    to = {std::clamp(to.x, figure.x.least, figure.x.most),
-          std::clamp(to.y, figure.y.least, figure.y.most)};
-    constexpr double seen = 1e-3;  // of the axis
-    if (to.x - from.x > seen * (figure.x.most - figure.x.least) && from.y < to.y) {
-      figure.areas.push_back(
-          {std::move(name), {from, {to.x, from.y}, to, {from.x, to.y}}, ink, AreaLook::hatched});
-    }
-  };
-  const double far = HUGE_VAL;
-  const double start = drawn.region.delta2.value() * units.length;
-  double last = 0;  // f of the strips
-  for (const FigureArea& strip : figure.areas) {
-    last = std::max(last, std::ranges::max(strip.outline, {}, &FigurePoint::x).x);
-  }
-  if (only_the_first(drawn.problem) && last > 0) {
-    add_below(figure, figure.areas.front());
-  }
-  const double f4 = drawn.region.f4.value_or(far);
-  const double f_max = drawn.limits.f_max.value_or(far);
-  forbid("notch holds at the start", {0, start}, {far, far}, Ink::grey);
-  forbid("too weak: exceeds " + units.length_words(drawn.problem.beta), {0, 0},
-         {drawn.region.f2, start}, Ink::grey);
-  if (last > 0) {
-    forbid(drawn.problem.residual ? "too strong: rests too far off" : "too strong: does not return",
-           {last, 0}, {std::min(f4, f_max), start}, Ink::grey);
-  }
-  forbid("too strong: acceleration", {f4, 0}, {f_max, start}, Ink::amber);
-  forbid("above the largest f", {f_max, 0}, {far, start}, Ink::amber);
-  if (drawn.limits.delta_max) {
-    forbid("above the largest Δ", {0, *drawn.limits.delta_max * units.length}, {far, start},
-           Ink::amber);
-  }
 }
 
 }  // namespace stillpoint::report

@@ -16,7 +16,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -119,9 +118,6 @@ struct DrawnDamper {
 /// "tolerance ±34.2 %", or that of f and of Delta.
 [[nodiscard]] std::string tolerance_words(const design::BoxShape& shape, double tolerance);
 
-/// The problem at a constant friction f.
-using ProblemAt = std::function<design::Problem(double)>;
-
 /// What to draw for a region.
 struct DrawnRegion {
   design::Problem problem;
@@ -131,27 +127,17 @@ struct DrawnRegion {
   std::string mend;  ///< the title where nothing is admissible
 };
 
-/// The edges of the region: what is admissible lies between the first and the last f.
-struct RegionSpan {
-  double first;
-  double last;
-  ProblemAt at;
+/// What is admissible within the limits, regardless of the tolerance: of several arrivals the strip
+/// of each, the damper's own in front.
+[[nodiscard]] std::vector<figures::FigureArea> admissible_areas(const DrawnRegion& drawn,
+                                                                const FigureUnits& units);
+/// Only one arrival and no residual: one area, and no strips to tell apart.
+[[nodiscard]] bool is_one_strip(const design::Problem& problem);
+/// Strips that can be told apart; those of later arrivals are drawn as one.
+inline constexpr std::int64_t most_drawn_strips = 12;
 
-  explicit RegionSpan(const DrawnRegion& drawn);
-  [[nodiscard]] double last_within_limits(const DrawnRegion& drawn) const;
-  /// The largest Delta at f.
-  [[nodiscard]] double highest_delta(const DrawnRegion& drawn, double f) const;
-};
-
-/// The forbidden sides, each in words, and the gap where they leave nothing.
-void add_sides(figures::Figure& figure, const DrawnRegion& drawn, const RegionSpan& span,
-               const FigureUnits& units);
-
-/// For a task that allows several arrivals: the strip of each within the limits, the damper's own
-/// in front, and what forbids the rest of the figure.
-[[nodiscard]] std::vector<figures::FigureArea> strip_areas(const DrawnRegion& drawn,
-                                                           const FigureUnits& units);
-void add_limits(figures::Figure& figure, const DrawnRegion& drawn, const FigureUnits& units);
+/// What forbids the rest of the figure, each side in words, and the gap where nothing is left.
+void add_sides(figures::Figure& figure, const DrawnRegion& drawn, const FigureUnits& units);
 
 /// The admissible region in the (f, Delta) plane, its forbidden sides in words, and a point in it.
 [[nodiscard]] figures::Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units);
@@ -166,7 +152,7 @@ struct DrawnPulseRegion {
   design::PulseProblem problem;
   design::Limits limits;
   design::Region region;
-  std::vector<design::FrictionInterval> intervals;
+  std::vector<design::Interval> intervals;
   std::optional<DrawnDamper> damper;
   std::string mend;
 };

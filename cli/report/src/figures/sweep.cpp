@@ -24,11 +24,12 @@ using sweep::SweepAxis;
 using sweep::SweepClass;
 using sweep::SweepKind;
 
-/// More red than blue, which is hatched, only off x = 0. Both scales have the same lightness.
+/// More red than blue, which is hatched, only off x = 0. Both scales have the same lightness. What
+/// never starts lies beside one half-cycle, which is dark.
 constexpr std::array<const char*, SweepClass::count> palette{
     "#0b4f8a", "#2f7fc1", "#6aaede", "#9ecae9", "#c6dff2", "#e6f1fa",  // at x = 0
     "#8a3b00", "#c85a00", "#ef8a2b", "#f7b267", "#fbd3a4", "#fdebd5",  // off it
-    "#555555", "#000000", "#a779cc", "#009e73"};
+    "#b8b8b8", "#000000", "#a779cc", "#009e73"};
 
 /// "3", "7–15", "16 or more".
 std::string count_label(std::size_t index) {

@@ -51,9 +51,10 @@ template <class Part, class Rows>
     }
     return part;
   } catch (const std::exception&) {
-    throw records::FileError(
-        {.kind = "part", .path = path},
-        fmt::format("is not a complete part of {}: it was cut short or has changed", whole));
+    throw records::FileError({.kind = "part", .path = path},
+                             fmt::format("is not a complete part of {}: it is another kind of "
+                                         "file, was cut short, or has changed",
+                                         whole));
   }
 }
 

@@ -70,9 +70,8 @@ class DrivePhase {
 
  private:
   void reduce() {
-    using std::abs;
     using std::floor;
-    if (!(abs(psi_.high()) > pi<Real>())) {
+    if (!(magnitude(psi_.high()) > pi<Real>())) {
       return;
     }
     const Real turns = floor(psi_.high() / (2 * pi<Real>()) + Real(0.5));

@@ -67,8 +67,7 @@ class LinearDrive {
   void advance_to(const typename LinearPiece<Real>::End& end, int /*direction*/) { advance(end.h); }
 
   [[nodiscard]] LinearPiece<Real> piece(const Sliding<Real>& from) const {
-    using std::abs;
-    return {{from.y, from.v, from.a}, Real(from.direction) * rate_, abs(w_)};
+    return {{from.y, from.v, from.a}, Real(from.direction) * rate_, magnitude(w_)};
   }
 
   [[nodiscard]] typename LinearPiece<Real>::End first_event(const LinearPiece<Real>& piece,
@@ -81,14 +80,13 @@ class LinearDrive {
   /// When a load that is held first exceeds friction; none if it never does.
   template <class AnyHold>
   [[nodiscard]] std::optional<ExactSum<Real>> release(const AnyHold& hold) const {
-    using std::abs;
     using std::max;
     const int sign = rate_ > 0 ? 1 : -1;
     if (rate_ == 0 || !(hold.excess({end_w_, ExactSum<Real>(end_full_)}, sign) > 0)) {
       return std::nullopt;
     }
     const Real room = hold.phi(sign) - Real(sign) * (w_ + hold.u());
-    return ExactSum<Real>(Real(max(room, Real(0)) / abs(rate_)));
+    return ExactSum<Real>(Real(max(room, Real(0)) / magnitude(rate_)));
   }
 
   /// Between its ends this load has no crest.
@@ -99,10 +97,7 @@ class LinearDrive {
   [[nodiscard]] int release_direction() const { return rate_ > 0 ? -1 : 1; }
 
   /// The largest |w + u| ahead, if the drive lasts for ever, and its excess over friction.
-  [[nodiscard]] Real largest_load(const Real& u) const {
-    using std::abs;
-    return abs(Real(u + w_));
-  }
+  [[nodiscard]] Real largest_load(const Real& u) const { return magnitude(Real(u + w_)); }
   template <class AnyHold>
   [[nodiscard]] Real largest_excess(const AnyHold& hold) const {
     const Load<Real> now = load();
@@ -140,7 +135,8 @@ class HarmonicDrive {
     return {k_ * now_.sine, ExactSum<Real>(full_k_ * now_.sine)};
   }
 
-  void advance(const Real& h) {
+  template <class Time>  // a number or an exact sum
+  void advance(const Time& h) {
     phase_.advance(h);
     now_ = phase_.sin_cos();
   }
@@ -176,11 +172,6 @@ class HarmonicDrive {
 
   /// The first guess for the next arrival; returns what it would have been.
   Real expects_arrival_after(const Real& h) { return std::exchange(guesses_.arrival, h); }
-
-  void advance(const ExactSum<Real>& h) {
-    phase_.advance(h);
-    now_ = phase_.sin_cos();
-  }
 
   /// When a load that is held first exceeds friction: (F18). A sum of two numbers, so that the
   /// phase there has all digits of its distance to the crest.
@@ -224,10 +215,7 @@ class HarmonicDrive {
     decide(1, room_up_, Real(pi<Real>() / 2 - phase_.psi()));
     decide(-1, room_down_, Real(-pi<Real>() / 2 - phase_.psi()));
   }
-  [[nodiscard]] Real largest_load(const Real& u) const {
-    using std::abs;
-    return abs(u) + k_;
-  }
+  [[nodiscard]] Real largest_load(const Real& u) const { return magnitude(u) + k_; }
   template <class AnyHold>
   [[nodiscard]] Real largest_excess(const AnyHold& hold) const {
     if constexpr (AnyHold::symmetric) {

@@ -59,17 +59,9 @@ template <class Real>
 Real duration_of(const BasicHarmonic<Real>& excitation) {
   return excitation.duration.value_or(std::numeric_limits<Real>::infinity());
 }
-template <class Real>
-Real duration_of(const BasicHalfSine<Real>& pulse) {
-  return pi<Real>() / pulse.lambda;
-}
-template <class Real>
-Real duration_of(const BasicFullSine<Real>& pulse) {
-  return 2 * pi<Real>() / pulse.lambda;
-}
-template <class Real>
-Real duration_of(const BasicRectangle<Real>& pulse) {
-  return pi<Real>() / pulse.lambda;
+template <class Real, IsPulse Pulse>
+Real duration_of(const Pulse& pulse) {
+  return Real(2 * Pulse::turns) * pi<Real>() / pulse.lambda;
 }
 template <class Real>
 Real duration_of(const BasicRecord<Real>& record) {
@@ -95,26 +87,21 @@ Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const BasicHarmonic<Real>&
                           for_ever);
 }
 
-template <class Real, class Watcher, class Law>
-Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const BasicHalfSine<Real>& pulse,
+template <class Real, class Watcher, class Law, IsPulse Pulse>
+Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const Pulse& pulse,
                   const ExactSum<Real>& end) {
-  return detail::harmonic(run, pulse.k, pulse.lambda, Real(0),
-                          detail::earlier(run.map().p, duration_of<Real>(pulse), end), false);
-}
-
-template <class Real, class Watcher, class Law>
-Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const BasicFullSine<Real>& pulse,
-                  const ExactSum<Real>& end) {
-  return detail::harmonic(run, pulse.k, pulse.lambda, Real(0),
-                          detail::earlier(run.map().p, duration_of<Real>(pulse), end), false);
-}
-
-template <class Real, class Watcher, class Law>
-Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const BasicRectangle<Real>& pulse,
-                  const ExactSum<Real>& end) {
-  LinearDrive<Real> drive(Real(pulse.k / run.map().p), pulse.k);
-  run.through(drive, detail::earlier(run.map().p, duration_of<Real>(pulse), end), false);
-  return drive.load();
+  const Real& p = run.map().p;
+  const auto lasts = duration_of<Real>(pulse);
+  const ExactSum<Real> length = detail::earlier(p, lasts, end);
+  if constexpr (IsLine<Pulse>) {
+    const Real first = Real(Pulse::line.begin) * pulse.k;
+    const Real last = Real(Pulse::line.end) * pulse.k;
+    LinearDrive<Real> drive(Real(first / p), first, Real(last / p), last, Real(p * lasts));
+    run.through(drive, length, false);
+    return drive.load();
+  } else {
+    return detail::harmonic(run, pulse.k, pulse.lambda, Real(0), length, false);
+  }
 }
 
 template <class Real, class Watcher, class Law>

@@ -4,6 +4,7 @@
 // From any start to the first peak, the first arrival at x = 0, or rest: docs/theory.md section 4.
 // Speeds throughout, as in half_cycle_map.hpp; distance = p |x0|, speed = |v0|.
 
+#include "kernel/functions.hpp"
 #include "kernel/half_cycle_map.hpp"
 
 #include <algorithm>
@@ -22,14 +23,14 @@ enum class FirstLegEnd {
 template <class Real>
 struct FirstLeg {
   FirstLegEnd end;
-  int side;           ///< sign of x on this leg
-  Real distance;      ///< p |x0|
-  Real speed;         ///< |v0|
-  Real radius;        ///< of the leg's arc
-  Real farthest;      ///< largest p |x| on the leg; for `peak` the peak
-  Real energy;        ///< for `arrival`: v^2 at x = 0; for `peak`: v^2 at x = 0 on the same arc
-  Real rest;          ///< for `no_motion` and `rest`: p |x| where it rests, else 0
-  Real acceleration;  ///< largest |x''| / p on the leg
+  int side;              ///< sign of x on this leg
+  Real distance;         ///< p |x0|
+  Real speed;            ///< |v0|
+  Real radius{0};        ///< of the leg's arc
+  Real farthest{0};      ///< largest p |x| on the leg; for `peak` the peak
+  Real energy{0};        ///< for `arrival`: v^2 at x = 0; for `peak`: v^2 at x = 0 on the same arc
+  Real rest{0};          ///< for `no_motion` and `rest`: p |x| where it rests, else 0
+  Real acceleration{0};  ///< largest |x''| / p on the leg
 };
 
 /// sqrt(a^2 + b^2). Valid speeds are at most 1e150 (oscillator.hpp): no square overflows.
@@ -54,9 +55,8 @@ FirstLeg<Real> outward_leg(const HalfCycleMap<Real>& map, int side, const Real& 
 template <class Real>
 FirstLeg<Real> inward_leg(const HalfCycleMap<Real>& map, int side, const Real& distance,
                           const Real& speed) {
-  using std::abs;
   using std::max;
-  const Real lever = abs(Real(distance - map.phi));
+  const Real lever = magnitude(Real(distance - map.phi));
   const Real radius = hypotenuse(speed, lever);
   const Real arrival = distance * (distance - 2 * map.phi) + speed * speed;  // (12)
   if (arrival < 0) {
@@ -72,25 +72,17 @@ FirstLeg<Real> inward_leg(const HalfCycleMap<Real>& map, int side, const Real& d
 /// Rules 2 and 4 of docs/theory.md at the start, then the first arc.
 template <class Real>
 FirstLeg<Real> first_leg(const HalfCycleMap<Real>& map, const BasicStart<Real>& start) {
-  using std::abs;
-  const Real distance = map.p * abs(start.x0);
-  const Real speed = abs(start.v0);
+  const Real distance = map.p * magnitude(start.x0);
+  const Real speed = magnitude(start.v0);
   const int side = start.x0 != 0 ? (start.x0 > 0 ? 1 : -1) : (start.v0 < 0 ? -1 : 1);
   const bool at_zero = distance == 0;
   if (speed == 0 && distance <= map.phi) {
-    return {FirstLegEnd::no_motion,
-            side,
-            distance,
-            speed,
-            Real(0),
-            distance,
-            Real(0),
-            distance,
-            Real(0)};
+    FirstLeg<Real> still{FirstLegEnd::no_motion, side, distance, speed};
+    still.farthest = still.rest = distance;
+    return still;
   }
   if (at_zero && speed * speed < map.notch) {
-    return {
-        FirstLegEnd::caught, side, distance, speed, Real(0), Real(0), Real(0), Real(0), Real(0)};
+    return {FirstLegEnd::caught, side, distance, speed};
   }
   const bool outward = at_zero || (start.v0 > 0) == (start.x0 > 0);
   return outward && speed != 0 ? detail::outward_leg(map, side, distance, speed)

@@ -21,6 +21,7 @@
 #include "kernel/drives.hpp"
 #include "kernel/exact_sum.hpp"
 #include "kernel/forced_state.hpp"
+#include "kernel/functions.hpp"
 #include "kernel/half_cycle_map.hpp"
 #include "kernel/piece_end.hpp"
 #include "kernel/rest.hpp"
@@ -220,11 +221,6 @@ class ForcedRun {
     const Real a =
         s_.first_acceleration ? *s_.first_acceleration : Real(-(y + sign * w + law_.phi_ahead(y)));
     return {y, sign * s_.v, a, s_.direction};
-  }
-
-  static Real magnitude(const Real& value) {
-    using std::abs;
-    return abs(value);
   }
 
  private:

@@ -3,6 +3,8 @@
 
 #include <stillpoint/core/elementary.hpp>
 
+#include <cmath>
+
 /// The functions of elementary.hpp for the other scalars of the kernels, from their own libraries.
 namespace stillpoint::elementary {
 
@@ -38,3 +40,14 @@ template <class Real>
 }
 
 }  // namespace stillpoint::elementary
+
+namespace stillpoint {
+
+/// |value|, of any scalar.
+template <class Real>
+[[nodiscard]] Real magnitude(const Real& value) {
+  using std::abs;
+  return abs(value);
+}
+
+}  // namespace stillpoint

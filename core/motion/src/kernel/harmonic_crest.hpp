@@ -5,6 +5,7 @@
 // section 6. Its stationary points are the zeros of the jerk, which obeys the equation of v with
 // the forcing differentiated twice, so that the proofs of positivity.hpp hold for it.
 
+#include "kernel/functions.hpp"
 #include "kernel/harmonic_flow.hpp"
 #include "kernel/positivity.hpp"
 
@@ -40,11 +41,6 @@ class HarmonicCrest {
   }
 
  private:
-  static Real magnitude(const Real& value) {
-    using std::abs;
-    return abs(value);
-  }
-
   /// y is the acceleration of the motion, v its jerk, and so on.
   [[nodiscard]] Point lifted(const Point& point) const {
     return twice_differentiated(point, flow_.r());

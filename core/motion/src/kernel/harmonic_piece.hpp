@@ -86,11 +86,6 @@ class HarmonicPiece {
     return flow().r() * (guess > 0 ? guess : Real(2)) <= few_turns();
   }
 
-  static Real magnitude(const Real& value) {
-    using std::abs;
-    return abs(value);
-  }
-
   /// Times closer than this are the same: a few ulp of the time scale or of h itself.
   [[nodiscard]] Real resolution(const Real& h) const {
     return 2 * std::numeric_limits<Real>::epsilon() * std::max(h, Real(flow().time_scale() / 16));

@@ -14,6 +14,8 @@
 // | r    | lambda / p                        |
 // | h    | p times the time since the point  |
 
+#include "kernel/functions.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -65,9 +67,8 @@ Real inverse(int n) {
 /// ulp of the terms themselves, so that a motion that begins like h^2 or h^3 keeps its digits.
 template <class Real>
 HarmonicPoint<Real> shifted(const HarmonicPoint<Real>& point, const Real& r, const Real& h) {
-  using std::abs;
   using std::max;
-  const Real z = max(Real(1), r) * abs(h);
+  const Real z = max(Real(1), r) * magnitude(h);
   const Real hh = h * h;
   const Real rr = r * r * hh;
   // The terms of v and of q, n = 0, 1; then each from the one before the last.
@@ -182,7 +183,6 @@ HarmonicPoint<Real> nudged(const HarmonicPoint<Real>& point, const HarmonicTaylo
 template <class Real>
 Real polynomial_root(const std::array<Real, 8>& c, const Real& short_step,
                      const Real& share = Real(1) / 32) {
-  using std::abs;
   using std::max;
   const Real inverse_slope = 1 / c[1];
   const Real zero = -c[0] * inverse_slope;
@@ -197,9 +197,10 @@ Real polynomial_root(const std::array<Real, 8>& c, const Real& short_step,
   const Real third = t2 - (2 * t22 - t3);
   const Real fourth = t2 * (5 * (t3 - t22)) - t4;
   const Real fifth = (14 * t22 - 21 * t3) * t22 + 3 * t3 * t3 + (6 * t2 * t4 - t5);
-  const Real closeness = max(max(Real(abs(t2)), Real(abs(t3))), max(Real(abs(t4)), Real(abs(t5))));
+  const Real closeness = max(max(magnitude(t2), magnitude(t3)), max(magnitude(t4), magnitude(t5)));
   Real d = closeness < Real(1) / 8 ? Real(zero - zero * (third - (fourth + fifth))) : zero;
-  if (closeness <= share * eighth_root_of_epsilon<Real>() && abs(zero) <= share * short_step) {
+  if (closeness <= share * eighth_root_of_epsilon<Real>() &&
+      magnitude(zero) <= share * short_step) {
     return d;
   }
   for (int turn = 0; turn < 4; ++turn) {
@@ -208,9 +209,9 @@ Real polynomial_root(const std::array<Real, 8>& c, const Real& short_step,
     const Real high = (5 * c[5] + 6 * c[6] * d) + d2 * (7 * c[7]);
     const Real correction = polynomial(c, d) / (low + d2 * d2 * high);
     d -= correction;
-    const Real size = abs(d);
+    const Real size = magnitude(d);
     const Real tolerated = size <= short_step ? last_correction<Real>() : Real(Real(1) / 64);
-    if (abs(correction) <= tolerated * size) {
+    if (magnitude(correction) <= tolerated * size) {
       return d;
     }
   }

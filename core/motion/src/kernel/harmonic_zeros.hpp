@@ -4,6 +4,7 @@
 // Zeros of v and of y on a harmonic piece, found fast: docs/forced.md (F11). The caller proves that
 // a zero is the first one. Symbols as in harmonic_point.hpp.
 
+#include "kernel/functions.hpp"
 #include "kernel/harmonic_flow.hpp"
 #include "kernel/piece_end.hpp"
 
@@ -110,11 +111,6 @@ class HarmonicZeros {
   }
 
  private:
-  static Real magnitude(const Real& value) {
-    using std::abs;
-    return abs(value);
-  }
-
   HarmonicFlow<Real> flow_;
 };
 

@@ -7,6 +7,7 @@
 // decide whether it is held. If they are too close to tell, W, p u and f themselves decide.
 
 #include "kernel/exact_sum.hpp"
+#include "kernel/functions.hpp"
 
 #include <cmath>
 #include <limits>
@@ -45,21 +46,16 @@ class Hold {
   [[nodiscard]] int sign(const Load<Real>& load) const { return load.w + u_ > 0 ? 1 : -1; }
 
   /// The scale of a load: its error is a few epsilon of this.
-  [[nodiscard]] Real size(const Real& w) const {
-    using std::abs;
-    return abs(u_) + abs(w) + phi_;
-  }
+  [[nodiscard]] Real size(const Real& w) const { return magnitude(u_) + magnitude(w) + phi_; }
 
   /// Whether a difference of w + u and phi may be rounding alone.
   [[nodiscard]] static bool may_tie(const Real& difference, const Real& size) {
-    using std::abs;
-    return abs(difference) <= 4 * std::numeric_limits<Real>::epsilon() * size;
+    return magnitude(difference) <= 4 * std::numeric_limits<Real>::epsilon() * size;
   }
 
   /// Up to this, |w + u| is certainly held: it is not a tie, since |w| <= |w + u| + |u| there.
   [[nodiscard]] Real held_for_certain() const {
-    using std::abs;
-    return phi_ - 16 * std::numeric_limits<Real>::epsilon() * (phi_ + abs(u_));
+    return phi_ - 16 * std::numeric_limits<Real>::epsilon() * (phi_ + magnitude(u_));
   }
 
   /// By how much load and spring exceed phi in the direction `sign`; held where <= 0.

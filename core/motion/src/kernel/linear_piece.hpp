@@ -170,12 +170,11 @@ class LinearPiece {
 
   /// The largest |a| up to `end`, or `so_far` where that is larger: (a, a') turns rigidly.
   [[nodiscard]] Real largest_acceleration(const End& end, const Real& so_far) const {
-    using std::abs;
     using std::max;
     using std::sqrt;
     const Real jerk = -(start_.v + rate_);
     const Real end_jerk = -(end.at.v + rate_);
-    const Real most = max(so_far, max(Real(abs(start_.a)), Real(abs(end.at.a))));
+    const Real most = max(so_far, max(magnitude(start_.a), magnitude(end.at.a)));
     const bool crest = end.h >= pi<Real>() || (jerk < 0) != (end_jerk < 0);
     return crest ? max(most, Real(sqrt(start_.a * start_.a + jerk * jerk))) : most;
   }
@@ -205,16 +204,14 @@ class LinearPiece {
   /// (F33): whether the smallest v is 0 within rounding, for rate < 0. `square` is the discriminant
   /// of (F17).
   [[nodiscard]] bool touches(const Real& square) const {
-    using std::abs;
-    return abs(square) <= -2 * rate_ * rounding();
+    return magnitude(square) <= -2 * rate_ * rounding();
   }
 
   /// The possible error of v. Friction is at most load + |y| + |a|.
   [[nodiscard]] Real rounding() const {
-    using std::abs;
     const Point& s = start_;
     return 16 * std::numeric_limits<Real>::epsilon() *
-           (abs(s.y) + load_ + s.v + abs(s.a) + abs(rate_));
+           (magnitude(s.y) + load_ + s.v + magnitude(s.a) + magnitude(rate_));
   }
 
   /// The touch, or the end at `limit`; v > 0 there, so that the mass slides on.
@@ -254,12 +251,11 @@ class LinearPiece {
   /// Where y = 0 next to the state `now` at h, if the neglected orders are below rounding there.
   [[nodiscard]] std::optional<End> arrival_near(const Real& h, const Point& now) const {
     if constexpr (std::is_same_v<Real, double>) {
-      using std::abs;
       constexpr double small = 0x1p-18;  // its third power is below rounding
       const Real z = now.y / now.v;
       const Real jerk = -(now.v + rate_);
-      if (abs(z) <= small * h && abs(z * now.a) <= small * now.v &&
-          abs(z * z * jerk) <= small * small * now.v) {
+      if (magnitude(z) <= small * h && magnitude(z * now.a) <= small * now.v &&
+          magnitude(z * z * jerk) <= small * small * now.v) {
         const Real d = -z * (1 + z * now.a / (2 * now.v));
         return End{
             PieceEvent::arrival,

@@ -12,6 +12,7 @@
 // it.
 
 #include "kernel/first_leg.hpp"
+#include "kernel/functions.hpp"
 #include "kernel/half_cycle_map.hpp"
 
 #include <cmath>
@@ -29,7 +30,6 @@ class MarginKeeper {
     const Real& x = leg.distance;
     const Real& v = leg.speed;
     const Real& phi = map.phi;
-    using std::abs;
     if (v == 0 && x != 0 && phi > 0) {
       decide(x - phi, 2 * x + 2 * phi);
     }
@@ -42,8 +42,8 @@ class MarginKeeper {
       spread_square_ = 2 * leg.radius * spread_radius_;
     } else if (leg.end == FirstLegEnd::arrival || leg.end == FirstLegEnd::rest) {
       const Real g = x * (x - 2 * phi) + v * v;
-      spread_arrival_ = 4 * x * abs(Real(x - phi)) + 4 * x * phi + 2 * v * v;
-      spread_square_ = 4 * abs(Real(x - phi)) * (x + phi) + 2 * v * v;
+      spread_arrival_ = 4 * x * magnitude(Real(x - phi)) + 4 * x * phi + 2 * v * v;
+      spread_square_ = 4 * magnitude(Real(x - phi)) * (x + phi) + 2 * v * v;
       if (phi > 0) {
         decide(g, spread_arrival_);
       }
@@ -104,8 +104,7 @@ class MarginKeeper {
 
  private:
   void decide(const Real& g, const Real& spread) {
-    using std::abs;
-    const Real distance = abs(g) / spread;
+    const Real distance = magnitude(g) / spread;
     if (!margin_ || distance < *margin_) {
       margin_ = distance;
     }

@@ -7,6 +7,7 @@
 // ForcedRun::through.
 
 #include "kernel/forced_run.hpp"
+#include "kernel/functions.hpp"
 #include "kernel/record_samples.hpp"
 #include "kernel/record_slide.hpp"
 
@@ -71,7 +72,7 @@ class RecordRun {
   /// only a larger one can matter to the margin. Initially -1.
   template <class AnyHold>
   void look_at_crest(std::size_t i, const AnyHold& hold, Real& crest) {
-    if (const Real size = Run::magnitude(Real(hold.u() + samples_[i])); size > crest) {
+    if (const Real size = magnitude(Real(hold.u() + samples_[i])); size > crest) {
       if (decide_held_crest(i, hold)) {
         crest = size;
       }
@@ -163,7 +164,7 @@ class RecordRun {
   template <class AnyHold>
   void decide_hold(std::size_t i, const AnyHold& hold, int sign) {
     const Real excess = hold.excess(samples_.load(i), sign);
-    run_.state().margin.decide(Run::magnitude(excess), hold.size(samples_[i]));
+    run_.state().margin.decide(magnitude(excess), hold.size(samples_[i]));
   }
 
   std::size_t slide_from(std::size_t i) {
@@ -191,7 +192,7 @@ class RecordRun {
       Real pull = hold.u() + samples_[i];
       for (const std::size_t end = std::min(i + at_once, last); i < end; ++i) {
         const Real next = hold.u() + samples_[i + 1];
-        if (pull * (next - pull) <= 0 && Run::magnitude(pull) > crest) {
+        if (pull * (next - pull) <= 0 && magnitude(pull) > crest) {
           look_at_crest(i, hold, crest);
         }
         if (!held(i + 1, hold, certain)) {
@@ -205,8 +206,7 @@ class RecordRun {
 
   template <class AnyHold>
   [[nodiscard]] bool held(std::size_t i, const AnyHold& hold, const Real& certain) const {
-    return Run::magnitude(Real(hold.u() + samples_[i])) <= certain ||
-           hold.drives(samples_.load(i)) == 0;
+    return magnitude(Real(hold.u() + samples_[i])) <= certain || hold.drives(samples_.load(i)) == 0;
   }
 
   Run& run_;

@@ -5,6 +5,7 @@
 
 #include "kernel/drives.hpp"
 #include "kernel/exact_sum.hpp"
+#include "kernel/functions.hpp"
 #include "kernel/record_intervals.hpp"
 
 #include <stillpoint/core/excitation.hpp>
@@ -40,11 +41,10 @@ class RecordSamples {
   static constexpr std::size_t at_once = 8;  ///< samples of a rest looked at together
   /// The largest |w + u| at samples i to i + at_once - 1, in any order.
   [[nodiscard]] Real largest_pull(std::size_t i, const Real& u) const {
-    using std::abs;
     std::array<Real, at_once / 2> most{};
     for (std::size_t k = 0; k < most.size(); ++k) {
-      most[k] = std::max(Real(abs(Real(u + (*this)[i + k]))),
-                         Real(abs(Real(u + (*this)[i + most.size() + k]))));
+      most[k] = std::max(magnitude(Real(u + (*this)[i + k])),
+                         magnitude(Real(u + (*this)[i + most.size() + k])));
     }
     return *std::max_element(most.begin(), most.end());
   }
@@ -60,7 +60,6 @@ class RecordSamples {
 template <class Real>
 Real largest_load(const BasicRecord<Real>& record, const Real& p, const ExactSum<Real>& from,
                   const ExactSum<Real>& until) {
-  using std::abs;
   using std::max;
   const RecordTimes<Real> times(record, p);
   const ExactSum<Real> begin = from.minus(times.at(0)) < 0 ? times.at(0) : from;
@@ -75,18 +74,18 @@ Real largest_load(const BasicRecord<Real>& record, const Real& p, const ExactSum
     const Real part = when.minus(times.at(i)) / times.length(i);
     return Real(record.values[i] + (record.values[i + 1] - record.values[i]) * part);
   };
-  const Real largest = max(Real(abs(load(begin))), Real(abs(load(until))));
+  const Real largest = max(magnitude(load(begin)), magnitude(load(until)));
   std::array<Real, 8> most{};  // several, which do not wait for each other
   most.fill(largest);
   const std::size_t end = times.latest(until) + 1;
   std::size_t i = times.latest(begin) + 1;
   for (; i + most.size() <= end; i += most.size()) {
     for (std::size_t k = 0; k < most.size(); ++k) {
-      most[k] = max(most[k], Real(abs(record.values[i + k])));
+      most[k] = max(most[k], magnitude(record.values[i + k]));
     }
   }
   for (; i < end; ++i) {
-    most[0] = max(most[0], Real(abs(record.values[i])));
+    most[0] = max(most[0], magnitude(record.values[i]));
   }
   return *std::max_element(most.begin(), most.end());
 }

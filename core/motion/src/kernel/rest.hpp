@@ -6,6 +6,7 @@
 
 #include "kernel/exact_sum.hpp"
 #include "kernel/forced_state.hpp"
+#include "kernel/functions.hpp"
 #include "kernel/hold.hpp"
 #include "kernel/transmitted.hpp"
 
@@ -61,10 +62,10 @@ void rest(Run& run, Drive& drive, ExactSum<Real>& left, bool for_ever) {
   const Real load = s.u + w;
   const int sign = load > 0 ? 1 : -1;
   const Real phi = law.capacity(s.u, sign);
-  const Real size = Run::magnitude(s.u) + Run::magnitude(w) + phi;
-  Real excess = Run::magnitude(load) - phi;
+  const Real size = magnitude(s.u) + magnitude(w) + phi;
+  Real excess = magnitude(load) - phi;
   if (s.fresh) {
-    s.margin.decide(Run::magnitude(excess), std::max(size, Real(drive.amplitude())));
+    s.margin.decide(magnitude(excess), std::max(size, Real(drive.amplitude())));
   }
   if (Hold<Real>::may_tie(excess, size)) {
     excess = law.hold_at(s.u).excess(drive.load(), sign);
@@ -80,7 +81,7 @@ void rest(Run& run, Drive& drive, ExactSum<Real>& left, bool for_ever) {
   const auto hold = law.hold_at(s.u);
   if (for_ever) {
     const Real largest = drive.largest_load(s.u);
-    s.margin.decide(Run::magnitude(Real(largest - phi)), largest + phi);
+    s.margin.decide(magnitude(Real(largest - phi)), largest + phi);
     if (!(drive.largest_excess(hold) > 0)) {
       run.stop_where_it_rests();
       return;

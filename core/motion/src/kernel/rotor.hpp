@@ -58,10 +58,9 @@ struct Rotor {
 /// The angle of `a` minus that of `b`, without their quarter turns: in [-pi/2, pi/2].
 template <class Real>
 Real angle_between(const Rotor<Real>& a, const Rotor<Real>& b) {
-  using std::abs;
   const Real x = a.cosine * b.cosine + a.sine * b.sine;
   const Real y = a.sine * b.cosine - a.cosine * b.sine;
-  const Real scale = unit_scale(Real(x + abs(y)));
+  const Real scale = unit_scale(Real(x + magnitude(y)));
   return elementary::atan2(Real(y * scale), Real(x * scale));
 }
 

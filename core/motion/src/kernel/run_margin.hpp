@@ -5,6 +5,7 @@
 // docs/forced.md section 7. Symbols as in forced_run.hpp.
 
 #include "kernel/forced_state.hpp"
+#include "kernel/functions.hpp"
 #include "kernel/hold.hpp"
 
 #include <cmath>
@@ -14,26 +15,24 @@ namespace stillpoint {
 /// Is the mass held?
 template <class Run, class Real>
 void decide_hold(Run& run, const Load<Real>& load) {
-  using std::abs;
   const Real& u = run.state().u;
   const auto hold = run.law().hold_at(u);
-  const Real excess = abs(Real(u + load.w)) - hold.phi(hold.sign(load));
-  run.state().margin.decide(abs(excess), hold.size(load.w));
+  const Real excess = magnitude(Real(u + load.w)) - hold.phi(hold.sign(load));
+  run.state().margin.decide(magnitude(excess), hold.size(load.w));
 }
 
 /// Does the last turn, or the next under this load, come before this instant or after it? By its
 /// distance in time to first order, of the time so far.
 template <class Run, class Real>
 void decide_turn_at(Run& run, const Load<Real>& load) {
-  using std::abs;
   ForcedState<Real>& s = run.state();
   const Real now = s.now.value();
   if (s.mode == ForcedMode::resting) {
     s.margin.decide(s.now.minus(s.rest_begin), now);
     return;
   }
-  const Real v = abs(s.v);
-  s.margin.decide(v, v + abs(run.own_direction(load.w).a) * now);
+  const Real v = magnitude(s.v);
+  s.margin.decide(v, v + magnitude(run.own_direction(load.w).a) * now);
 }
 
 /// W jumps here: docs/forced.md (F26).
@@ -58,7 +57,6 @@ void decide_jump(Run& run, const Load<Real>& from, const Load<Real>& to) {
 /// The run ends here, before the motion does: (F26) again, and for passages too.
 template <class Run, class Real>
 void decide_end(Run& run, const Load<Real>& load) {
-  using std::abs;
   if (run.over()) {
     return;
   }
@@ -67,8 +65,8 @@ void decide_end(Run& run, const Load<Real>& load) {
   if (s.mode == ForcedMode::resting) {
     decide_hold(run, load);
   } else {
-    const Real distance = abs(s.u);
-    s.margin.decide(distance, distance + abs(s.v) * s.now.value());
+    const Real distance = magnitude(s.u);
+    s.margin.decide(distance, distance + magnitude(s.v) * s.now.value());
   }
 }
 

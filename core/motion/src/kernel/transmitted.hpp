@@ -6,6 +6,7 @@
 
 #include "kernel/drive_phase.hpp"
 #include "kernel/exact_sum.hpp"
+#include "kernel/functions.hpp"
 #include "kernel/phase_clock.hpp"
 
 #include <stillpoint/core/excitation.hpp>
@@ -27,9 +28,8 @@ struct Transmitted {
 
   /// (F28): at both ends of a slide. y is the place in its direction.
   void slides(const Real& y, const Real& phi) {
-    using std::abs;
     using std::max;
-    slid = max(slid, Real(abs(Real(y + phi))));
+    slid = max(slid, magnitude(Real(y + phi)));
   }
 };
 
@@ -46,10 +46,9 @@ void slides(ForcedState<Real>& s, const Law& law) {
 /// (F29): from rest_begin until `end`.
 template <class Real, class Law>
 void is_held(ForcedState<Real>& s, const Law& law, const ExactSum<Real>& end) {
-  using std::abs;
   using std::max;
   const bool locks = law.notch_holds(s.u, s.moved || s.caught);
-  const bool may_count = locks || Real(abs(s.u) + law.most_held(s.u)) > s.transmitted.slid;
+  const bool may_count = locks || Real(magnitude(s.u) + law.most_held(s.u)) > s.transmitted.slid;
   if (may_count && s.transmitted.largest_load) {
     const Real load = s.transmitted.largest_load(s.rest_begin, end);
     s.transmitted.held = max(s.transmitted.held, load);
@@ -72,7 +71,6 @@ void feel_the_end(ForcedState<Real>& s, const Law& law, const ExactSum<Real>& en
 template <class Real>
 Real largest_wave(const Real& k, DrivePhase<Real> psi, const ExactSum<Real>& from,
                   const ExactSum<Real>& until) {
-  using std::abs;
   using std::max;
   psi.advance(from);
   const Real half = pi<Real>();
@@ -84,11 +82,11 @@ Real largest_wave(const Real& k, DrivePhase<Real> psi, const ExactSum<Real>& fro
   }
   const Real length = until.minus(from);
   if (!(psi.ratio() * length < to_crest)) {
-    return abs(k);
+    return magnitude(k);
   }
-  const Real begin = abs(psi.sin_cos().sine);
+  const Real begin = magnitude(psi.sin_cos().sine);
   psi.advance(length);
-  return abs(k) * max(begin, Real(abs(psi.sin_cos().sine)));
+  return magnitude(k) * max(begin, magnitude(psi.sin_cos().sine));
 }
 
 // (F30): the largest |W| from `from` until `until`, which is later and not after the end of the
@@ -106,23 +104,22 @@ Real largest_load(const BasicHarmonic<Real>& wave, const Real& p, const ExactSum
   return largest_wave(wave.k, DrivePhase<Real>(wave.lambda, p, wave.phase), from, until);
 }
 
-template <class Real>
-Real largest_load(const BasicHalfSine<Real>& pulse, const Real& p, const ExactSum<Real>& from,
+template <class Real, IsPulse Pulse>
+Real largest_load(const Pulse& pulse, const Real& p, const ExactSum<Real>& from,
                   const ExactSum<Real>& until) {
-  return largest_wave(pulse.k, DrivePhase<Real>(pulse.lambda, p, Real(0)), from, until);
-}
-
-template <class Real>
-Real largest_load(const BasicFullSine<Real>& pulse, const Real& p, const ExactSum<Real>& from,
-                  const ExactSum<Real>& until) {
-  return largest_wave(pulse.k, DrivePhase<Real>(pulse.lambda, p, Real(0)), from, until);
-}
-
-template <class Real>
-Real largest_load(const BasicRectangle<Real>& pulse, const Real& /*p*/,
-                  const ExactSum<Real>& /*from*/, const ExactSum<Real>& /*until*/) {
-  using std::abs;
-  return abs(pulse.k);
+  if constexpr (IsLine<Pulse>) {
+    using std::abs;
+    using std::max;
+    const Real per_turn = pulse.lambda / (p * Real(2 * Pulse::turns) * pi<Real>());
+    const auto load = [&](const ExactSum<Real>& at) {
+      const Real part = at.value() * per_turn;
+      return Real(abs(Real(
+          pulse.k * (Real(Pulse::line.begin) + Real(Pulse::line.end - Pulse::line.begin) * part))));
+    };
+    return max(load(from), load(until));
+  } else {
+    return largest_wave(pulse.k, DrivePhase<Real>(pulse.lambda, p, Real(0)), from, until);
+  }
 }
 
 }  // namespace stillpoint

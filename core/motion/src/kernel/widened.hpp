@@ -12,10 +12,6 @@
 
 namespace stillpoint {
 
-template <class Real>
-using AnyExcitation = std::variant<NoExcitation, BasicHarmonic<Real>, BasicHalfSine<Real>,
-                                   BasicFullSine<Real>, BasicRectangle<Real>, BasicRecord<Real>>;
-
 template <class Wide>
 BasicOscillator<Wide> widened(const Oscillator& oscillator) {
   return {Wide(oscillator.p), Wide(oscillator.f), Wide(oscillator.delta),
@@ -38,23 +34,23 @@ BasicSurface<Wide> widened(const Surface& surface) {
 
 template <class Wide>
 struct Widen {
-  AnyExcitation<Wide> operator()(const NoExcitation& none) const { return none; }
-  AnyExcitation<Wide> operator()(const Harmonic& e) const {
+  BasicExcitation<Wide> operator()(const NoExcitation& none) const { return none; }
+  BasicExcitation<Wide> operator()(const Harmonic& e) const {
     return BasicHarmonic<Wide>{Wide(e.k), Wide(e.lambda), Wide(e.phase),
                                std::optional<Wide>(e.duration)};
   }
   template <template <class> class Pulse>
-  AnyExcitation<Wide> operator()(const Pulse<double>& e) const {
+  BasicExcitation<Wide> operator()(const Pulse<double>& e) const {
     return Pulse<Wide>{Wide(e.k), Wide(e.lambda)};
   }
-  AnyExcitation<Wide> operator()(const Record& e) const {
+  BasicExcitation<Wide> operator()(const Record& e) const {
     return BasicRecord<Wide>{
         {e.values.begin(), e.values.end()}, Wide(e.step), {e.times.begin(), e.times.end()}};
   }
 };
 
 template <class Wide>
-AnyExcitation<Wide> widened(const Excitation& excitation) {
+BasicExcitation<Wide> widened(const Excitation& excitation) {
   return std::visit(Widen<Wide>(), excitation);
 }
 

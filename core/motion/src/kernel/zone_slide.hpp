@@ -8,6 +8,7 @@
 #include "kernel/drives.hpp"
 #include "kernel/exact_sum.hpp"
 #include "kernel/forced_state.hpp"
+#include "kernel/functions.hpp"
 #include "kernel/piece_end.hpp"
 #include "kernel/touch.hpp"
 
@@ -21,7 +22,6 @@ namespace stillpoint {
 /// The mass has come to an edge with its v.
 template <class Run>
 void reach_edge(Run& run) {
-  using std::abs;
   auto& s = run.state();
   if (s.u == 0 && run.map().notch > 0) {
     run.arrive();
@@ -30,7 +30,7 @@ void reach_edge(Run& run) {
   const auto energy = decltype(s.v)(s.v * s.v);
   s.margin.decide(energy, decltype(s.v)(energy + s.farthest * s.farthest));
   if (s.u == 0) {
-    s.arrival_speed = abs(s.v);
+    s.arrival_speed = magnitude(s.v);
     run.event(EventKind::arrival);
   }
   if (s.v == 0) {

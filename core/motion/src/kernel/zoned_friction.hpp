@@ -7,6 +7,7 @@
 // ..., the last one without end. y is the place in the direction of the motion, so that a zone is
 // entered at -e_(i+1) or e_i.
 
+#include "kernel/functions.hpp"
 #include "kernel/hold.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
@@ -110,10 +111,9 @@ class ZonedFriction {
   [[nodiscard]] const Real& spare() const { return spare_; }
 
   [[nodiscard]] Real from_edge(const Real& distance) const {
-    using std::abs;
     Real least = distance;
     for (const Zone& zone : zones_) {
-      least = std::min(least, Real(abs(Real(distance - zone.from))));
+      least = std::min(least, magnitude(Real(distance - zone.from)));
     }
     return least;
   }
@@ -127,22 +127,19 @@ class ZonedFriction {
   }
 
   [[nodiscard]] bool notch_holds(const Real& u, bool came_there) const {
-    using std::abs;
-    return abs(u) <= half_width_ || (notched_ && u == 0 && (came_there || lets_go_));
+    return magnitude(u) <= half_width_ || (notched_ && u == 0 && (came_there || lets_go_));
   }
 
   [[nodiscard]] Outcome rest_at(const Real& u) const {
-    using std::abs;
-    return u == 0                  ? Outcome::stopped_at_zero
-           : abs(u) <= half_width_ ? Outcome::stopped_in_notch
-                                   : Outcome::stopped_in_dead_zone;
+    return u == 0                        ? Outcome::stopped_at_zero
+           : magnitude(u) <= half_width_ ? Outcome::stopped_in_notch
+                                         : Outcome::stopped_in_dead_zone;
   }
 
   /// Whether there is no friction at all within |u|.
   [[nodiscard]] bool frictionless_up_to(const Real& u) const {
-    using std::abs;
     return std::ranges::all_of(
-        zones_, [&](const Zone& zone) { return zone.phi == 0 || !(zone.from < abs(u)); });
+        zones_, [&](const Zone& zone) { return zone.phi == 0 || !(zone.from < magnitude(u)); });
   }
 
  private:

@@ -18,7 +18,6 @@
 #include <stillpoint/design/record_design.hpp>
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/search.hpp>
-#include <stillpoint/design/search_options.hpp>
 #include <stillpoint/design/spectrum.hpp>
 #include <stillpoint/design/trade_off.hpp>
 #include <stillpoint/design/works_for.hpp>

@@ -31,19 +31,15 @@ CrossCheck cross_check(const Prediction& prediction, const Problem& problem, dou
   CheckMethod map;
   map.wall_time_s = timed([&] {
     const Response response = free_response(oscillator, {0, problem.v0});
-    map.peak_amplitude = response.peak_amplitude;
-    map.peak_acceleration = response.peak_acceleration;
-    map.stop_time = *response.stop_time;
-    map.arrival_speed = response.arrival_speed.value_or(0);
-    map.half_cycles = *response.half_cycles;
-    map.stop_position = *response.stop_position;
+    static_cast<MotionFigures&>(map) = figures_of(response);
     margin = response.decision_margin.value_or(0);
   });
   judge(map, map_quality, prediction, problem, f, delta, margin);
 
   CheckMethod integrated;
   integrated.wall_time_s = timed([&] {
-    take(integrated, integrate_free_motion(oscillator, problem.v0, integrator_tolerance));
+    static_cast<MotionFigures&>(integrated) =
+        integrate_free_motion(oscillator, problem.v0, integrator_tolerance);
   });
   judge(integrated, runge_kutta_quality, prediction, problem, f, delta, margin);
 

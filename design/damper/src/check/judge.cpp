@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "check/judge.hpp"
 
-#include "check/rest.hpp"
 #include "way/unit_strip.hpp"
 
 #include <algorithm>
@@ -45,25 +44,33 @@ void judge(CheckMethod& method, const Quality& quality, const Prediction& predic
   method.tolerance =
       quality.tolerance * grazing_factor(prediction, problem, f, delta, quality.tolerance);
   method.decided = same_end || margin > quality.resolution * prediction.half_cycles;
-  method.relative_error = error_of(method.peak_amplitude, prediction.peak_amplitude);
-  if (method.decided) {
-    const double acceleration =
-        quality.acceleration ? error_of(method.peak_acceleration, prediction.peak_acceleration) : 0;
-    for (const double error :
-         {acceleration, error_of(method.stop_time, prediction.stop_time),
-          std::abs(method.arrival_speed - prediction.arrival_speed) / problem.v0,
-          std::abs(method.stop_position - prediction.stop_position) / prediction.peak_amplitude}) {
-      // Not std::max: that may ignore a NaN.
-      if (std::isnan(error) || error > method.relative_error) {
-        method.relative_error = error;
-      }
+  conclude(
+      method, same_end, error_of(method.peak_amplitude, prediction.peak_amplitude),
+      {quality.acceleration ? error_of(method.peak_acceleration, prediction.peak_acceleration) : 0,
+       error_of(method.stop_time, prediction.stop_time),
+       std::abs(method.arrival_speed - prediction.arrival_speed) / problem.v0,
+       std::abs(method.stop_position - prediction.stop_position) / prediction.peak_amplitude});
+}
+
+void conclude(CheckMethod& method, bool same_end, double error_of_peak,
+              std::initializer_list<double> others) {
+  method.relative_error = error_of_peak;
+  for (const double error : others) {
+    // Not std::max: that may ignore a NaN.
+    if (method.decided && (std::isnan(error) || error > method.relative_error)) {
+      method.relative_error = error;
     }
   }
   method.passed = method.relative_error <= method.tolerance && (same_end || !method.decided);
 }
 
-void take(CheckMethod& method, const IntegratedMotion& motion) {
-  static_cast<MotionFigures&>(method) = motion;
+MotionFigures figures_of(const Response& response) {
+  return {.peak_amplitude = response.peak_amplitude,
+          .peak_acceleration = response.peak_acceleration,
+          .stop_time = response.stop_time.value_or(0),
+          .arrival_speed = response.arrival_speed.value_or(0),
+          .half_cycles = response.half_cycles.value_or(0),
+          .stop_position = response.stop_position.value_or(0)};
 }
 
 }  // namespace stillpoint::design

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "check/runge_kutta.hpp"
-
+#include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/seconds.hpp>
-#include <stillpoint/design/check_method.hpp>
-#include <stillpoint/design/prediction.hpp>
+#include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/problem.hpp>
 
+#include <initializer_list>
 #include <string_view>
 
 namespace stillpoint::design {
@@ -26,8 +25,13 @@ struct Quality {
 void judge(CheckMethod& method, const Quality& quality, const Prediction& prediction,
            const Problem& problem, double f, double delta, double margin);
 
-/// Copies the figures of a motion.
-void take(CheckMethod& method, const IntegratedMotion& motion);
+/// Judges a method by the error of its peak and, if it is decided, the others. `same_end`: it ends
+/// like the expected motion.
+void conclude(CheckMethod& method, bool same_end, double error_of_peak,
+              std::initializer_list<double> others);
+
+/// The figures of a motion.
+[[nodiscard]] MotionFigures figures_of(const Response& response);
 
 /// Runs it and returns how long that took, in seconds.
 template <class Run>

@@ -4,16 +4,31 @@
 // One monotone piece of a motion, by Boost.Odeint's dopri5 with dense output: for the integrators
 // that check a design.
 
-#include "check/bracketed_root.hpp"
-
 #include <stillpoint/core/elementary.hpp>
 
+#include <boost/math/tools/toms748_solve.hpp>
 #include <boost/numeric/odeint.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 namespace stillpoint::design {
+
+/// Where the function changes its sign; the end at which it is 0, or `from` if it does not.
+template <class Function>
+double bracketed_root(const Function& function, double from, double to) {
+  const double at_from = function(from);
+  const double at_to = function(to);
+  if (at_from == 0 || (at_from > 0) == (at_to > 0)) {
+    return at_to == 0 ? to : from;
+  }
+  std::uintmax_t most_evaluations = 200;
+  return boost::math::tools::toms748_solve(function, from, to, at_from, at_to,
+                                           boost::math::tools::eps_tolerance<double>(),
+                                           most_evaluations)
+      .first;
+}
 
 using MotionState = std::array<double, 2>;  // x, v
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/design/prediction.hpp>
+#include <stillpoint/design/cross_check.hpp>
 
-#include "check/rest.hpp"
 #include "region/edges.hpp"
 #include "unit_problem.hpp"
 #include "way/unit_strip.hpp"

@@ -20,24 +20,6 @@ namespace {
 constexpr double first_kutta_step =
     1e-3;  // of 1 / p; the controller corrects a poor choice at once
 
-/// From rest at a turn or with a speed at x = 0, to the next of them.
-class Slides {
- public:
-  Slides(double a, double tolerance) : a_(a), tolerance_{tolerance, tolerance} {}
-
-  PieceEnd follow_next(MonotonePiece& piece) const {
-    const auto motion = [this, &piece](const MotionState& now, MotionState& rate, double /*t*/) {
-      rate = {now[1], -piece.direction * a_ - now[0]};
-    };
-    return follow(piece, motion, tolerance_, first_kutta_step, HUGE_VAL,
-                  [](const MotionState&, double) {});
-  }
-
- private:
-  double a_;
-  IntegratorTolerance tolerance_;
-};
-
 }  // namespace
 
 IntegratedMotion integrate_free_motion(const Oscillator& oscillator, double v0, double tolerance,
@@ -50,7 +32,14 @@ IntegratedMotion integrate_free_motion(const Oscillator& oscillator, double v0, 
   if (a == 0 && notch == 0) {
     throw InputError("f, delta", "0", "some friction is needed for the motion to stop");
   }
-  const Slides slides(a, tolerance);
+  // From rest at a turn or with a speed at x = 0, to the next of them.
+  const auto follow_next = [&](MonotonePiece& piece) {
+    const auto motion = [&](const MotionState& now, MotionState& rate, double /*t*/) {
+      rate = {now[1], -piece.direction * a - now[0]};
+    };
+    return follow(piece, motion, {tolerance, tolerance}, first_kutta_step, HUGE_VAL,
+                  [](const MotionState&, double) {});
+  };
   IntegratedMotion motion;
   motion.half_cycles = 0;
   double peak = 0;
@@ -67,7 +56,7 @@ IntegratedMotion integrate_free_motion(const Oscillator& oscillator, double v0, 
   }
   while (!motion.stopped && motion.half_cycles < max_half_cycles) {
     ++motion.half_cycles;
-    slides.follow_next(now);
+    follow_next(now);
     const double top = now.state[0];
     peak = std::max(peak, std::abs(top));
     acceleration = std::max(acceleration, std::abs(top) + a);
@@ -76,7 +65,7 @@ IntegratedMotion integrate_free_motion(const Oscillator& oscillator, double v0, 
       break;
     }
     now = {now.time, {top, 0}, std::copysign(1.0, -top)};
-    if (slides.follow_next(now) == PieceEnd::turn) {
+    if (follow_next(now) == PieceEnd::turn) {
       stop(now.state[0]);
       break;
     }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <stillpoint/core/oscillator.hpp>
-
-#include <stillpoint/design/prediction.hpp>
+#include <stillpoint/design/cross_check.hpp>
+#include <stillpoint/design/pulse.hpp>
 
 namespace stillpoint::design {
 
@@ -22,5 +22,13 @@ struct IntegratedMotion : MotionFigures {
 [[nodiscard]] IntegratedMotion integrate_free_motion(const Oscillator& oscillator, double v0,
                                                      double tolerance,
                                                      double max_half_cycles = 1000);
+
+/// The motion from rest under a pulse up to its first arrival at x = 0 or its rest elsewhere, by
+/// adaptive Runge-Kutta as integrate_free_motion. It shares only the rules with the kernel. A
+/// passage ends it, with half_cycles = 2 and not stopped. `tolerance` is the integrator's,
+/// relative, and absolute of `size`, the peak to expect.
+[[nodiscard]] IntegratedMotion integrate_under_pulse(const Oscillator& oscillator,
+                                                     const Pulse& pulse, double size,
+                                                     double tolerance);
 
 }  // namespace stillpoint::design

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pulse/closed_return.hpp"
+#include "pulse/first_return.hpp"
 
 #include "pulse/sine_slide.hpp"
 

@@ -5,9 +5,10 @@
 // pass. In units of k and p: k = p = 1, so that f is f/k, a length is x p^2/k, Delta is
 // Delta p^2/k^2, time is p tau, and only lambda/p is left.
 
-#include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/pulse.hpp>
 
 #include <cmath>
+#include <optional>
 
 namespace stillpoint::design {
 
@@ -39,5 +40,17 @@ struct FirstReturn {
     return criterion == Criterion::exact ? need_slope : need_slope + f;
   }
 };
+
+/// The pulse in units of k and p.
+[[nodiscard]] Pulse unit_pulse(const Pulse& pulse, double p);
+
+/// One run of the pulse with that f, in units of k and p; the pulse is in its own units.
+[[nodiscard]] FirstReturn first_return(const Pulse& pulse, double p, double f);
+
+/// The same without a search for events, docs/theory.md section 16, of the pulse in units of k and
+/// p with friction f < 1; empty for a full sine that is very short,
+/// whose speed is a small difference. Accurate to a few roundings, except for what an f barely
+/// below 1 amplifies.
+[[nodiscard]] std::optional<FirstReturn> closed_return(const Pulse& pulse, double f);
 
 }  // namespace stillpoint::design

@@ -3,16 +3,13 @@
 // In units of k and p: x'' = -W - s f - x, s = sgn x' on each slide, W the load of a pulse with
 // k = p = 1. A slide is also cut where the pulse ends.
 
-#include "pulse/integration.hpp"
-
-#include "check/bracketed_root.hpp"
 #include "check/monotone_piece.hpp"
+#include "check/runge_kutta.hpp"
 
 #include <stillpoint/core/elementary.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 
 namespace stillpoint::design {

@@ -6,7 +6,7 @@
 
 #include "pulse/edge.hpp"
 #include "pulse/first_return.hpp"
-#include "pulse/turning.hpp"
+#include "pulse/neighbours.hpp"
 
 #include <boost/math/tools/minima.hpp>
 
@@ -16,11 +16,8 @@
 
 namespace stillpoint::design {
 
-/// An interval of f, in units of k.
-struct Island {
-  double low{0};
-  double high{0};
-};
+/// Of f, in units of k.
+using Island = Interval;
 
 /// More than the rounding of a motion in other units, and less than any manufacturing accuracy.
 inline constexpr double edge_rounding = 1e-13;

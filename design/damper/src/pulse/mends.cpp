@@ -7,7 +7,6 @@
 #include <stillpoint/core/oscillator.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace stillpoint::design {
@@ -23,41 +22,30 @@ constexpr double far = 1e6;
 struct PulseCase {
   PulseProblem problem;
   Limits limits;
-  /// Only of lambda, p and the ranges, in units of k.
+  /// Only of lambda, p and the ranges, in units of k; empty where one of them has changed.
   std::shared_ptr<const WorstReturn> profile;
-
-  void set(const PulseProblem& changed) {
-    problem = changed;
-    profile = std::make_shared<WorstReturn>(problem);
-  }
 };
 
 void set_k(PulseCase& now, double k) {
   std::visit([k](auto& kind) { kind.k = k; }, now.problem.pulse);
   if (now.problem.ranges.k_low) {
-    now.set(now.problem);
+    now.profile.reset();
   }
 }
 
 void set_lambda(PulseCase& now, double lambda) {
   std::visit([lambda](auto& kind) { kind.lambda = lambda; }, now.problem.pulse);
-  now.set(now.problem);
+  now.profile.reset();
 }
 
 void set_p(PulseCase& now, double p) {
   now.problem.p = p;
-  now.set(now.problem);
-}
-
-/// One end of a range.
-template <class Change>
-void set_end(PulseCase& now, const Change& change) {
-  change(now.problem);
-  now.set(now.problem);
+  now.profile.reset();
 }
 
 bool fits(const PulseCase& now) {
-  return PulseRegion(now.profile, now.problem, now.limits).feasible();
+  const auto profile = now.profile ? now.profile : std::make_shared<const WorstReturn>(now.problem);
+  return PulseRegion(profile, now.problem, now.limits).feasible();
 }
 
 /// For an input that does not always help or always harm: the nearest value on either side that
@@ -106,7 +94,8 @@ std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits) {
   const double k = peak_load(problem.pulse);
   if (k_low) {
     add({"k_low", *k_low, k, [](PulseCase& now, double value) {
-           set_end(now, [value](PulseProblem& end) { end.ranges.k_low = value; });
+           now.problem.ranges.k_low = value;
+           now.profile.reset();
          }});
     add({"k_high", k, *k_low, set_k});
   } else {
@@ -117,7 +106,8 @@ std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits) {
   if (lambda_high) {
     add({"lambda_low", lambda, *lambda_high, set_lambda});
     add({"lambda_high", *lambda_high, lambda, [](PulseCase& now, double value) {
-           set_end(now, [value](PulseProblem& end) { end.ranges.lambda_high = value; });
+           now.problem.ranges.lambda_high = value;
+           now.profile.reset();
          }});
   } else if (const auto value = nearest_either_way(
                  base, lambda,
@@ -129,7 +119,8 @@ std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits) {
   if (problem.p_high) {
     add({"p_low", p, *problem.p_high, set_p});
     add({"p_high", *problem.p_high, p, [](PulseCase& now, double value) {
-           set_end(now, [value](PulseProblem& end) { end.p_high = value; });
+           now.problem.p_high = value;
+           now.profile.reset();
          }});
   } else if (const auto value = nearest_either_way(
                  base, p, std::max(p / far, lambda_high.value_or(lambda) / fastest_pulse),

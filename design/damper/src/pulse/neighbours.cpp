@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pulse/neighbours.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace stillpoint::design {
 
 Rated need_of(const FirstReturn& motion, Criterion criterion) {
@@ -16,12 +13,14 @@ Rated need_over_square(const FirstReturn& motion, Criterion criterion) {
   return {need / f / f, (slope - 2 * need / f) / f / f};
 }
 
-bool top_of_cubic(const Rated& a, const Rated& b, double step) {
+CubicSlope slope_of_cubic(const Rated& a, const Rated& b, double step) {
   const double chord = (b.value - a.value) / step;
-  // Its slope over the part x of the step: a + 2 (3 c - 2 a - b) x + 3 (a + b - 2 c) x^2.
-  const double linear = 3 * chord - 2 * a.slope - b.slope;
-  const double square = 3 * (a.slope + b.slope - 2 * chord);
-  const double root = linear * linear - square * a.slope;
+  return {a.slope, 3 * chord - 2 * a.slope - b.slope, 3 * (a.slope + b.slope - 2 * chord)};
+}
+
+bool top_of_cubic(const Rated& a, const Rated& b, double step) {
+  const auto [start, linear, square] = slope_of_cubic(a, b, step);
+  const double root = linear * linear - square * start;
   constexpr double visible = 1e-4;
   const double most = std::max(a.slope, -b.slope) * step * 4 / 27;
   if (!(root > 0) || most <= visible * std::max(a.value, b.value)) {
@@ -29,7 +28,7 @@ bool top_of_cubic(const Rated& a, const Rated& b, double step) {
   }
   const double twist = -(linear + std::copysign(std::sqrt(root), linear));
   const double first = twist / square;
-  const double second = a.slope / twist;
+  const double second = start / twist;
   const auto inside = [](double x) { return x > 0 && x < 1; };
   return inside(first) || inside(second);
 }

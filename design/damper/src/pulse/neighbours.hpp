@@ -9,6 +9,9 @@
 
 #include <stillpoint/design/problem.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace stillpoint::design {
 
 /// What a box asks for.
@@ -16,8 +19,45 @@ namespace stillpoint::design {
 /// Of need/f^2: section 15.
 [[nodiscard]] Rated need_over_square(const FirstReturn& motion, Criterion criterion);
 
+/// The slope of the cubic with these ends, over the part x of the step between them:
+/// start + 2 linear x + square x^2.
+struct CubicSlope {
+  double start;
+  double linear;
+  double square;
+};
+[[nodiscard]] CubicSlope slope_of_cubic(const Rated& a, const Rated& b, double step);
+
 /// The cubic with these ends rises beyond both of them, or falls and rises between.
 [[nodiscard]] bool top_of_cubic(const Rated& a, const Rated& b, double step);
+
+/// The motion where a figure is largest between one where it rises and one where it falls: by the
+/// cubic through both where it is smooth, and by the crossing of the tangents, which finds a kink.
+/// `at` gives the motion of an f, `figure` its value and slope.
+template <class At, class Figure>
+FirstReturn maximum(FirstReturn low, FirstReturn high, const At& at, const Figure& figure) {
+  constexpr double close = 1e-10;  // of the value, by the tangents
+  constexpr int most_motions = 60;
+  for (int step = 0; step < most_motions; ++step) {
+    const Rated rises = figure(low);
+    const Rated falls = figure(high);
+    const double width = high.f - low.f;
+    const double tangents =
+        (falls.value - rises.value - falls.slope * width) / (rises.slope - falls.slope);
+    const double most = std::max(rises.value, falls.value);
+    if (rises.value + rises.slope * tangents <= most + close * std::abs(most) ||
+        width <= 2 * edge_width(low.f, high.f)) {
+      break;
+    }
+    const auto [start, linear, square] = slope_of_cubic(rises, falls, width);
+    const double cubic = width * (start / (std::sqrt(linear * linear - square * start) - linear));
+    const double least = edge_width(low.f, high.f);
+    const FirstReturn now =
+        at(low.f + std::clamp(step % 3 < 2 ? cubic : tangents, least, width - least));
+    (figure(now).slope > 0 ? low : high) = now;
+  }
+  return figure(low).value > figure(high).value ? low : high;
+}
 
 /// The need neither jumps nor turns unseen between the two: their slopes explain what it changes by
 /// to 1e-4 of the largest need of all; to 5 % of the change as well where they are of one kind, of

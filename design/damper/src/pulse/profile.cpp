@@ -2,9 +2,8 @@
 #include "pulse/profile.hpp"
 
 #include "pulse/edge.hpp"
+#include "pulse/first_return.hpp"
 #include "pulse/neighbours.hpp"
-#include "pulse/pulse_run.hpp"
-#include "pulse/turning.hpp"
 
 #include <stillpoint/core/elementary.hpp>
 

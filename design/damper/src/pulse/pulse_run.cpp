@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pulse/pulse_run.hpp"
-
-#include "pulse/closed_return.hpp"
+#include "pulse/first_return.hpp"
 
 #include <stillpoint/core/cancellation.hpp>
 #include <stillpoint/core/forced_motion.hpp>

@@ -120,7 +120,7 @@ class PulseRegion {
 /// more is asked for.
 inline constexpr double widest_tolerance = 0.995;
 
-/// Like mends() of mends.hpp, with k and lambda instead of v0.
+/// Like mends() of a hit, with k and lambda instead of v0.
 [[nodiscard]] std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits);
 
 }  // namespace stillpoint::design

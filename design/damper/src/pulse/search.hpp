@@ -15,7 +15,6 @@ struct PulseOptimum {
   Island island;        ///< in which it lies
   double searched{0};   ///< the objective at the best f that NLopt saw
   double bracketed{0};  ///< the same along f alone
-  [[nodiscard]] bool by_brackets() const { return bracketed < searched; }
 };
 
 /// Empty if the region is not feasible. The better of both is the answer.

@@ -2,7 +2,7 @@
 #include "finding.hpp"
 
 #include "check/judge.hpp"
-#include "pulse/integration.hpp"
+#include "check/runge_kutta.hpp"
 
 #include <stillpoint/core/elementary.hpp>
 #include <stillpoint/design/cross_check.hpp>
@@ -69,17 +69,10 @@ void compare(CheckMethod& method, double tolerance, double resolution, const Fir
       tolerance * std::max(1.0, expected.f / graze) / std::max(1 - expected.f, tolerance);
   const bool same_end = method.half_cycles == 1 && method.stop_position == 0;
   method.decided = same_end || margin > resolution;
-  method.relative_error = std::abs(method.peak_amplitude / peak - 1);
-  if (method.decided) {
-    for (const double error : {std::abs(method.stop_time * problem.p / expected.time - 1),
-                               std::abs(method.arrival_speed - speed) / (problem.p * peak),
-                               std::abs(method.stop_position) / peak}) {
-      if (std::isnan(error) || error > method.relative_error) {
-        method.relative_error = error;
-      }
-    }
-  }
-  method.passed = method.relative_error <= method.tolerance && (same_end || !method.decided);
+  conclude(method, same_end, std::abs(method.peak_amplitude / peak - 1),
+           {std::abs(method.stop_time * problem.p / expected.time - 1),
+            std::abs(method.arrival_speed - speed) / (problem.p * peak),
+            std::abs(method.stop_position) / peak});
 }
 
 }  // namespace
@@ -103,12 +96,7 @@ Finding finding_under_pulse(const PulseProblem& problem, const Limits& limits,
       timed([&] { check.response = forced_response(oscillator, {}, excitation(problem.pulse)); });
   const ForcedResponse& response = check.response;
   const double margin = response.decision_margin.value_or(0);
-  forced.peak_amplitude = response.peak_amplitude;
-  forced.peak_acceleration = response.peak_acceleration;
-  forced.stop_time = response.stop_time.value_or(0);
-  forced.arrival_speed = response.arrival_speed.value_or(0);
-  forced.half_cycles = response.half_cycles.value_or(0);
-  forced.stop_position = response.stop_position.value_or(0);
+  static_cast<MotionFigures&>(forced) = figures_of(response);
   compare(forced, map_tolerance, 0, expected, problem, margin);
   // What was asked for, whatever the margin.
   forced.passed = forced.passed && response.stops_at_zero && response.half_cycles == 1.0 &&
@@ -117,8 +105,8 @@ Finding finding_under_pulse(const PulseProblem& problem, const Limits& limits,
   CheckMethod integrated;
   integrated.name = "runge_kutta";
   integrated.wall_time_s = timed([&] {
-    take(integrated, integrate_under_pulse(oscillator, problem.pulse, response.peak_amplitude,
-                                           kutta_tolerance));
+    static_cast<MotionFigures&>(integrated) =
+        integrate_under_pulse(oscillator, problem.pulse, response.peak_amplitude, kutta_tolerance);
   });
   compare(integrated, runge_kutta_tolerance, runge_kutta_resolution, expected, problem, margin);
 

@@ -190,25 +190,19 @@ std::vector<Constraint> constraints_of(const PulseRequest& request, const Design
                                        const FirstReturn& motion, const PulseRegion& region) {
   const auto& [problem, limits, options] = request;
   const auto below = [](std::string_view name, std::string_view variable, double value,
-                        double limit, bool strict = false) {
-    return Constraint{name,
-                      variable,
-                      strict ? "<" : "<=",
-                      value,
-                      limit,
-                      limit - value,
-                      strict ? value < limit : value <= limit};
+                        double limit) {
+    return Constraint::compared(name, variable, "<=", value, limit);
   };
   std::vector<Constraint> list{
-      below("start", "f", point.f, problem.ranges.k_low.value_or(peak_load(problem.pulse)), true),
+      Constraint::compared("start", "f", "<", point.f,
+                           problem.ranges.k_low.value_or(peak_load(problem.pulse))),
       below("amplitude", "peak", motion.peak * region.length_unit(), problem.beta)};
   if (list.front().satisfied) {
     list.push_back(return_of(region, motion, point.f));
   }
   if (motion.returns) {
-    const double need = motion.need(problem.criterion) * region.delta_unit();
-    list.push_back(
-        {"stop", "delta", ">=", point.delta, need, point.delta - need, point.delta >= need});
+    list.push_back(Constraint::compared("stop", "delta", ">=", point.delta,
+                                        motion.need(problem.criterion) * region.delta_unit()));
   }
   if (limits.f_max) {
     list.push_back(below("f_max", "f", point.f, *limits.f_max));

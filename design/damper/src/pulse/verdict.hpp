@@ -6,9 +6,10 @@
 #include "pulse/region.hpp"
 #include "pulse/search.hpp"
 
-#include <stillpoint/design/design_result.hpp>
+#include <stillpoint/design/catalogue.hpp>
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace stillpoint::design {
@@ -42,6 +43,9 @@ namespace stillpoint::design {
 
 /// `region` under a pulse.
 [[nodiscard]] RegionAnswer answer_under_pulse(const RegionRequest& asked);
+
+/// `choose` under a pulse.
+[[nodiscard]] Choice choose_under_pulse(const PulseRequest& request, std::span<const Part> parts);
 
 /// A damper, simulated and checked; `unit_f` is its f in the units of the region.
 void add_finding(DesignResult& result, const PulseRequest& request, const PulseRegion& region,

@@ -33,9 +33,7 @@ constexpr std::uint64_t sampling_seed = 20'081;
 double largest_load(const std::vector<SuiteRecord>& records) {
   double most = 0;
   for (const SuiteRecord& record : records) {
-    for (const double value : record.record.values) {
-      most = std::max(most, std::abs(record.scale * value));
-    }
+    most = std::max(most, std::abs(record.scale) * records::peak_acceleration(record.record));
   }
   return most;
 }
@@ -91,12 +89,10 @@ RecordDesignRequest completed(RecordDesignRequest request) {
     double peak = request.limits.peak.value_or(0);
     for (const SuiteRecord& record : request.records) {
       if (!request.limits.peak) {
-        const Oscillator none{request.p.low, 0, 0};
         const Excitation load = record.record;
-        ForcedOptions options;
-        options.t_end = duration(load);
-        peak = std::max(
-            peak, std::abs(record.scale) * forced_response(none, {}, load, options).peak_amplitude);
+        const ForcedResponse free =
+            forced_response({request.p.low, 0, 0}, {}, load, {.t_end = duration(load)});
+        peak = std::max(peak, std::abs(record.scale) * free.peak_amplitude);
       }
     }
     const double speed = request.p.high * peak;
@@ -159,8 +155,8 @@ SuiteCheck check(const Suite& suite, const SuiteDamper& damper,
   check.passed = true;
   for (std::size_t i = 0; i < responses.size(); ++i) {
     const ForcedResponse& kernel = responses[i];
-    const IntegratedSuiteMotion other = integrate_record_motion(
-        suite.oscillator(damper), suite.surface(), std::get<Record>(suite.loads()[i]));
+    const SuiteFigures other = integrate_record_motion(suite.oscillator(damper), suite.surface(),
+                                                       std::get<Record>(suite.loads()[i]));
     const double error =
         std::max({relative(other.peak - kernel.peak_amplitude, kernel.peak_amplitude),
                   relative(other.acceleration - kernel.peak_absolute_acceleration,

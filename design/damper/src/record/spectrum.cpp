@@ -22,18 +22,16 @@ namespace {
 /// friction only takes energy from then on.
 SpectrumFigures figures_to_the_peak(const Oscillator& oscillator, const Excitation& load,
                                     const Surface& surface) {
-  ForcedOptions options;
-  options.t_end = duration(load).value() + 2 * std::numbers::pi / oscillator.p;
-  const ForcedResponse motion = forced_response(oscillator, {}, load, options, surface);
+  const double t_end = duration(load).value() + 2 * std::numbers::pi / oscillator.p;
+  const ForcedResponse motion = forced_response(oscillator, {}, load, {.t_end = t_end}, surface);
   return {motion.peak_amplitude, motion.peak_absolute_acceleration, std::nullopt};
 }
 
 SpectrumFigures figures(const Oscillator& oscillator, const Excitation& load,
                         const Surface& surface) {
-  ForcedOptions options;
-  options.half_cycle_limit = most_suite_half_cycles;
   try {
-    const ForcedResponse motion = forced_response(oscillator, {}, load, options, surface);
+    const ForcedResponse motion = forced_response(
+        oscillator, {}, load, {.half_cycle_limit = most_suite_half_cycles}, surface);
     SpectrumFigures all{motion.peak_amplitude, motion.peak_absolute_acceleration, std::nullopt,
                         motion.locked_from, motion.largest_load_while_locked};
     if (motion.stop_position && rests_in_time(motion.half_cycles.value())) {
@@ -82,6 +80,25 @@ SpectrumFigures combined(const std::vector<std::vector<SpectrumPoint>>& records,
   return all;
 }
 
+using Value = double (*)(const SpectrumFigures&);
+
+double transmitted(const SpectrumFigures& one) {
+  return one.acceleration;
+}
+
+/// At how many of the periods `first` has less than `second`.
+std::string periods_with_less(const std::vector<SpectrumPoint>& points, Value value,
+                              SpectrumFigures SpectrumPoint::*first,
+                              SpectrumFigures SpectrumPoint::*second) {
+  const auto all = static_cast<std::ptrdiff_t>(points.size());
+  const auto less = std::ranges::count_if(points, [&](const SpectrumPoint& point) {
+    return value(point.*first) < value(point.*second);
+  });
+  return less == 0     ? "at no period"
+         : less == all ? "at every period"
+                       : fmt::format("at {} of {} periods", less, all);
+}
+
 }  // namespace
 
 Spectrum spectrum(const SpectrumRequest& request, const std::function<bool(double)>& go_on) {
@@ -122,29 +139,6 @@ Spectrum spectrum(const SpectrumRequest& request, const std::function<bool(doubl
   return result;
 }
 
-namespace {
-
-using Value = double (*)(const SpectrumFigures&);
-
-double transmitted(const SpectrumFigures& one) {
-  return one.acceleration;
-}
-
-/// At how many of the periods `first` has less than `second`.
-std::string periods_with_less(const std::vector<SpectrumPoint>& points, Value value,
-                              SpectrumFigures SpectrumPoint::*first,
-                              SpectrumFigures SpectrumPoint::*second) {
-  const auto all = static_cast<std::ptrdiff_t>(points.size());
-  const auto less = std::ranges::count_if(points, [&](const SpectrumPoint& point) {
-    return value(point.*first) < value(point.*second);
-  });
-  return less == 0     ? "at no period"
-         : less == all ? "at every period"
-                       : fmt::format("at {} of {} periods", less, all);
-}
-
-}  // namespace
-
 std::string summary(const Spectrum& spectrum) {
   const std::vector<SpectrumPoint>& points = spectrum.combined;
   const SpectrumRequest& task = spectrum.request;
@@ -155,12 +149,12 @@ std::string summary(const Spectrum& spectrum) {
     return periods_with_less(points, value, &SpectrumPoint::with_notch, &SpectrumPoint::without);
   };
   const bool largest = *task.combine == Combine::max;
-  const std::string of =
-      task.records.size() == 1
-          ? std::string("under the record")
-          : fmt::format("({} of {} records)", largest ? "largest" : "mean", task.records.size());
+  const std::string of = task.records.size() == 1
+                             ? std::string("Under the record")
+                             : fmt::format("Taking the {} of {} records",
+                                           largest ? "largest" : "mean", task.records.size());
   std::string text = fmt::format(
-      "The notch lowers the residual {} {}, the transmitted acceleration {}, the peak {}.", of,
+      "{}, the notch lowers the residual {}, the transmitted acceleration {}, and the peak {}.", of,
       lowered([](const SpectrumFigures& one) { return one.residual.value_or(HUGE_VAL); }),
       lowered(transmitted), lowered([](const SpectrumFigures& one) { return one.peak; }));
   const std::string raised =

@@ -3,8 +3,10 @@
 
 #include <stillpoint/core/forced_batch.hpp>
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/names.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <variant>
 
@@ -16,6 +18,40 @@ namespace {
 constexpr double never_rests = 1e9;
 
 }  // namespace
+
+std::span<const Named<SuiteObjective>> enumerators(SuiteObjective) noexcept {
+  static constexpr auto rows =
+      std::to_array<Named<SuiteObjective>>({{SuiteObjective::acceleration, "acceleration"},
+                                            {SuiteObjective::amplitude, "amplitude"},
+                                            {SuiteObjective::residual, "residual"}});
+  return rows;
+}
+
+std::span<const Named<Combine>> enumerators(Combine) noexcept {
+  static constexpr auto rows =
+      std::to_array<Named<Combine>>({{Combine::max, "max"}, {Combine::mean, "mean"}});
+  return rows;
+}
+
+Record scaled(const SuiteRecord& record) {
+  Record load = record.record;
+  for (double& value : load.values) {
+    value *= record.scale;
+  }
+  return load;
+}
+
+double value_of(const SuiteFigures& figures, SuiteObjective which) {
+  switch (which) {
+    case SuiteObjective::amplitude:
+      return figures.peak;
+    case SuiteObjective::residual:
+      return figures.residual;
+    case SuiteObjective::acceleration:
+      break;
+  }
+  return figures.acceleration;
+}
 
 void require_valid(const std::vector<SuiteRecord>& records) {
   if (records.empty()) {
@@ -43,9 +79,8 @@ Suite::Suite(const RecordDesignRequest& request)
       surface_{request.notch_width, {}} {}
 
 ForcedResponse Suite::response(const SuiteDamper& damper, const Excitation& load) const {
-  ForcedOptions options;
-  options.half_cycle_limit = most_suite_half_cycles;
-  return forced_response(oscillator(damper), {}, load, options, surface_);
+  return forced_response(oscillator(damper), {}, load, {.half_cycle_limit = most_suite_half_cycles},
+                         surface_);
 }
 
 std::vector<ForcedResponse> Suite::responses(const SuiteDamper& damper) const {
@@ -57,13 +92,13 @@ std::vector<ForcedResponse> Suite::responses(const SuiteDamper& damper) const {
   return list;
 }
 
-void Suite::add(SuiteFigures& all, const Motion& one) const {
+void Suite::add(SuiteFigures& all, const SuiteFigures& one) const {
   const auto add = [this](double& figure, double value) {
     figure = combine_ == Combine::max ? std::max(figure, value) : figure + value;
   };
   add(all.peak, one.peak);
   add(all.acceleration, one.acceleration);
-  add(all.residual, std::abs(one.residual));
+  add(all.residual, one.residual);
   all.margin = std::min(all.margin, one.margin);
 }
 
@@ -86,7 +121,7 @@ SuiteFigures Suite::figures(const SuiteDamper& damper) const {
       const ForcedResponse one = response(damper, load);
       all.settled = one.stop_position && rests_in_time(one.half_cycles.value());
       if (all.settled) {
-        add(all, {one.peak_amplitude, one.peak_absolute_acceleration, *one.stop_position,
+        add(all, {one.peak_amplitude, one.peak_absolute_acceleration, std::abs(*one.stop_position),
                   one.decision_margin.value_or(1)});
       }
     } catch (const TooManyHalfCycles&) {
@@ -120,7 +155,7 @@ std::vector<SuiteFigures> Suite::figures(std::span<const SuiteDamper> dampers, i
                     found.outcome[i] != Outcome::never_stops && rests_in_time(found.half_cycles[i]);
       if (all.settled) {
         add(all, {found.peak_amplitude[i], found.peak_absolute_acceleration[i],
-                  found.stop_position[i], found.decision_margin[i]});
+                  std::abs(found.stop_position[i]), found.decision_margin[i]});
       }
     }
   }

@@ -55,14 +55,8 @@ class Suite {
   [[nodiscard]] const Surface& surface() const { return surface_; }
 
  private:
-  /// The contribution of one record.
-  struct Motion {
-    double peak;
-    double acceleration;
-    double residual;
-    double margin;
-  };
-  void add(SuiteFigures& all, const Motion& one) const;
+  /// The figures of one record.
+  void add(SuiteFigures& all, const SuiteFigures& one) const;
   /// For all records; empty if one of them does not settle.
   void combine(SuiteFigures& all) const;
   [[nodiscard]] ForcedResponse response(const SuiteDamper& damper, const Excitation& load) const;

@@ -56,7 +56,7 @@ class Integration {
     }
   }
 
-  IntegratedSuiteMotion run(const Record& record) {
+  SuiteFigures run(const Record& record) {
     if (!record.times.empty()) {
       follow({record.times.front(), 0, 0});
     }
@@ -255,13 +255,13 @@ class Integration {
   double direction_{1};
   bool resting_{true};
   bool locked_{false};
-  IntegratedSuiteMotion result_;
+  SuiteFigures result_{.settled = false};
 };
 
 }  // namespace
 
-IntegratedSuiteMotion integrate_record_motion(const Oscillator& oscillator, const Surface& surface,
-                                              const Record& record) {
+SuiteFigures integrate_record_motion(const Oscillator& oscillator, const Surface& surface,
+                                     const Record& record) {
   return Integration(oscillator, surface).run(record);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "record/suite_descent.hpp"
+#include "record/suite_points.hpp"
 
 #include "search/nlopt_fence.hpp"
 

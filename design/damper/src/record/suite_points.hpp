@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// The points of a search under records, and the phases that find better ones: suite_descent.cpp,
+// suite_population.cpp.
+
 #include "record/suite_scan.hpp"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace stillpoint::design {
@@ -53,5 +57,29 @@ class SuitePoints {
   SuiteWatch& watch_;
   std::int64_t evaluations_{0};
 };
+
+/// The points of a grid, so many to a side, that no neighbour betters, best first; at most `most`.
+[[nodiscard]] std::vector<std::size_t> valleys(std::int64_t points, std::size_t variables,
+                                               const std::vector<SuiteRank>& ranks,
+                                               std::size_t most);
+
+/// A search by NLopt.
+struct SuiteDescent {
+  RankedPoint best;  ///< that it tried, the start included
+  const char* algorithm;
+  std::string status;  ///< NLopt's own
+  int evaluations{0};
+};
+
+/// From each start, with this first step. If asked, a global search comes first, which takes
+/// longest, with a descent from its best.
+[[nodiscard]] std::vector<SuiteDescent> descents(const SuitePoints& points,
+                                                 const std::vector<RankedPoint>& starts,
+                                                 double first_step, bool global);
+
+/// The best of each population that is bred from `found` and from points about `best`.
+[[nodiscard]] std::vector<RankedPoint> bred(SuitePoints& points,
+                                            const std::vector<RankedPoint>& found,
+                                            const RankedPoint& best);
 
 }  // namespace stillpoint::design

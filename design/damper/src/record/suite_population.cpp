@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "record/suite_population.hpp"
+#include "record/suite_points.hpp"
 
 #include "record/suite_offspring.hpp"
 

@@ -4,13 +4,11 @@
 // from one start fails: a scan, then local searches from its best valleys, and a global one
 // as a second opinion. The scan is too coarse for thin islands, so slices through the best points,
 // with one variable fixed, and ever smaller boxes around the best are scanned as well. With three
-// variables the best points then breed: suite_population.hpp.
+// variables the best points then breed: suite_population.cpp.
 
 #include "record/suite_search.hpp"
 
-#include "record/suite_descent.hpp"
-#include "record/suite_population.hpp"
-#include "record/suite_valleys.hpp"
+#include "record/suite_points.hpp"
 
 #include <algorithm>
 #include <array>

@@ -17,47 +17,20 @@ namespace stillpoint::design {
 namespace {
 
 Region region_of(const Edges& edge, const Limits& limits) {
-  Region region;
-  region.f1 = edge.f1;
-  region.f2 = edge.f2;
-  region.f3 = edge.f3;
-  if (limits.acceleration_max) {
-    region.f4 = edge.f4;
-  }
-  region.delta2 = edge.delta2;
-  return region;
+  return {.f1 = edge.f1,
+          .f2 = edge.f2,
+          .f3 = edge.f3,
+          .f4 = limits.acceleration_max ? std::optional(edge.f4) : std::nullopt,
+          .delta2 = edge.delta2,
+          .f_lower = {},
+          .f_upper = {}};
 }
 
-Conflict conflict_of(const Problem& problem, const Edges& edges, const Limits& limits) {
-  if (!amplitude_fits_return(edges, limits)) {
-    return Conflict::amplitude_against_return;
-  }
-  if (!amplitude_fits_f_max(edges, limits)) {
-    return Conflict::amplitude_against_f_max;
-  }
-  if (edges.f4 < 0) {
-    return Conflict::acceleration_alone;
-  }
-  if (!amplitude_fits_acceleration(edges, limits)) {
-    return Conflict::amplitude_against_acceleration;
-  }
-  if (problem.arrivals > 1) {
-    return Conflict::no_arrival;
-  }
-  if (!stop_fits(problem, edges, limits)) {
-    return limits.delta_max && *limits.delta_max == edges.delta_cap
-               ? Conflict::stop_against_delta_max
-               : Conflict::stop_against_start;
-  }
-  return Conflict::none;
-}
-
-/// Why no way has a point.
-Conflict conflict_of_ways(const Problem& problem, const Limits& limits, const Edges& edge) {
-  const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
-  const auto fits = [&, f_low = f_low, f_high = f_high](double cap) {
-    return lowest_centre(edge.f2, limits.tolerance * f_low) <=
-           highest_centre(cap, limits.tolerance * f_high);
+/// Why no way has a point, the paper's or any.
+Conflict conflict_of(const Problem& problem, const Limits& limits, const Edges& edge) {
+  const auto fits = [&](double cap) {
+    return lowest_centre(edge.f2, limits.tolerance * limits.shape.f_low) <=
+           highest_centre(cap, limits.tolerance * limits.shape.f_high);
   };
   if (!fits(largest_f(problem))) {
     return Conflict::amplitude_against_return;
@@ -68,8 +41,18 @@ Conflict conflict_of_ways(const Problem& problem, const Limits& limits, const Ed
   if (edge.f4 < 0) {
     return Conflict::acceleration_alone;
   }
-  return !std::isinf(edge.f4) && !fits(edge.f4) ? Conflict::amplitude_against_acceleration
-                                                : Conflict::no_arrival;
+  if (!std::isinf(edge.f4) && !fits(edge.f4)) {
+    return Conflict::amplitude_against_acceleration;
+  }
+  if (problem.arrivals > 1 || !is_plain(problem, limits)) {
+    return Conflict::no_arrival;
+  }
+  if (!stop_fits(problem, edge, limits)) {
+    return limits.delta_max && *limits.delta_max == edge.delta_cap
+               ? Conflict::stop_against_delta_max
+               : Conflict::stop_against_start;
+  }
+  return Conflict::none;
 }
 
 /// V0/(sqrt(2) p), (10), as the least double that leaves an f between the rounded edges.
@@ -82,7 +65,7 @@ double least_beta(Problem problem) {
   for (int i = 0; i < ulps_below; ++i) {
     problem.beta = std::nextafter(problem.beta, 0.0);
   }
-  while (!amplitude_fits_return(edges(problem, {}), {})) {
+  for (Edges edge = edges(problem, {}); !box_fits(edge.f2, edge.f3, 0); edge = edges(problem, {})) {
     problem.beta = std::nextafter(problem.beta, HUGE_VAL);
   }
   return problem.beta;
@@ -107,8 +90,7 @@ Region admissible_region(const Problem& problem, const Limits& limits) {
   });
   region.feasible = region.f_lower.has_value();
   if (!region.feasible) {
-    region.conflict =
-        plain ? conflict_of(problem, edge, limits) : conflict_of_ways(problem, limits, edge);
+    region.conflict = conflict_of(problem, limits, edge);
   }
   return region;
 }

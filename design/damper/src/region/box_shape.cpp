@@ -11,7 +11,7 @@ namespace stillpoint::design {
 
 Spread spread_of_tolerance(const std::string& field, double tolerance) {
   if (!(tolerance >= 0 && tolerance < 1)) {
-    throw InputError(field, tolerance, "must be at least 0 and less than 1");
+    throw InputError(field, tolerance, "must be at least 0 and less than 1 (0.1 is 10 %)");
   }
   return {tolerance, tolerance};
 }

@@ -2,7 +2,6 @@
 #include <stillpoint/design/constraints.hpp>
 
 #include "region/edges.hpp"
-#include "way/arrival.hpp"
 #include "way/way.hpp"
 
 #include <stillpoint/core/input_error.hpp>
@@ -40,21 +39,13 @@ constexpr std::array<Condition, 5> conditions{{
      [](const Asked& asked) { return delta1(asked.problem, asked.f).value_or(0); }},
 }};
 
-Constraint compared(std::string_view name, std::string_view variable, std::string_view relation,
-                    double value, double limit) {
-  const bool below = relation.front() == '<';
-  const double slack = below ? limit - value : value - limit;
-  const bool strict = relation.size() == 1;
-  return {name, variable, relation, value, limit, slack, strict ? slack > 0 : slack >= 0};
-}
-
 /// `return` and `stop` of a later arrival, as in constraints.hpp.
 void compare_hits(std::array<Constraint, 5>& list, const Problem& problem, double f, double delta) {
   const int n = deciding_arrival(problem, f, delta).n;
   if (n > 1) {
     const auto [reach, pass] = way_speeds(Way(problem, {}, n), f, delta);
-    list[3] = compared("return", "v0", ">=", problem.v0, reach);
-    list[4] = compared("stop", "v0", "<", problem.v0, pass);
+    list[3] = Constraint::compared("return", "v0", ">=", problem.v0, reach);
+    list[4] = Constraint::compared("stop", "v0", "<", problem.v0, pass);
   }
 }
 
@@ -67,13 +58,22 @@ void compare_way(std::array<Constraint, 5>& list, const Problem& problem, double
     return;
   }
   const auto [reach, pass] = way_speeds(way, f, delta);
-  list[3] = n == 0          ? compared("residual", "f", "<=", f, way.f_cap)
-            : way.v_low > 0 ? compared("return", "v0", ">=", way.v_low * problem.v0, reach)
-                            : compared("return", "delta", ">=", delta, reach);
-  list[4] = compared("stop", "v0", "<", problem.v0, pass);
+  list[3] = n == 0 ? Constraint::compared("residual", "f", "<=", f, way.f_cap)
+            : way.v_low > 0
+                ? Constraint::compared("return", "v0", ">=", way.v_low * problem.v0, reach)
+                : Constraint::compared("return", "delta", ">=", delta, reach);
+  list[4] = Constraint::compared("stop", "v0", "<", problem.v0, pass);
 }
 
 }  // namespace
+
+Constraint Constraint::compared(std::string_view name, std::string_view variable,
+                                std::string_view relation, double value, double limit) {
+  const bool below = relation.front() == '<';
+  const double slack = below ? limit - value : value - limit;
+  const bool strict = relation.size() == 1;
+  return {name, variable, relation, value, limit, slack, strict ? slack > 0 : slack >= 0};
+}
 
 std::array<Constraint, 5> constraints(const Problem& problem, double f, double delta) {
   require_valid(problem);
@@ -83,8 +83,8 @@ std::array<Constraint, 5> constraints(const Problem& problem, double f, double d
   const Asked asked{problem, edge, f};
   std::array<Constraint, 5> list;
   std::ranges::transform(conditions, list.begin(), [&](const Condition& condition) {
-    return compared(condition.name, condition.variable, condition.relation,
-                    condition.variable == "f" ? f : delta, condition.limit(asked));
+    return Constraint::compared(condition.name, condition.variable, condition.relation,
+                                condition.variable == "f" ? f : delta, condition.limit(asked));
   });
   if (!is_plain(problem, {})) {
     compare_way(list, problem, f, delta);
@@ -99,13 +99,13 @@ std::vector<Constraint> constraints(const Problem& problem, const Limits& limits
   const auto of_the_motion = constraints(problem, f, delta);
   std::vector<Constraint> list(of_the_motion.begin(), of_the_motion.end());
   if (limits.f_max) {
-    list.push_back(compared("f_max", "f", "<=", f, *limits.f_max));
+    list.push_back(Constraint::compared("f_max", "f", "<=", f, *limits.f_max));
   }
   if (limits.delta_max) {
-    list.push_back(compared("delta_max", "delta", "<=", delta, *limits.delta_max));
+    list.push_back(Constraint::compared("delta_max", "delta", "<=", delta, *limits.delta_max));
   }
   if (limits.acceleration_max) {
-    list.push_back(compared("acceleration", "f", "<=", f, edges(problem, limits).f4));
+    list.push_back(Constraint::compared("acceleration", "f", "<=", f, edges(problem, limits).f4));
   }
   return list;
 }

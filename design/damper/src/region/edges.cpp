@@ -43,10 +43,6 @@ double acceleration_edge(Wide most, Wide p_v0) {
   return square < 0 ? rounded_down(-root(-square)) : rounded_down(root(square));
 }
 
-bool fits(double floor, double cap, double tolerance) {
-  return lowest_centre(floor, tolerance) <= highest_centre(cap, tolerance);
-}
-
 }  // namespace
 
 Edges edges(const Problem& problem, const Limits& limits) {
@@ -70,16 +66,8 @@ Edges edges(const Problem& problem, const Limits& limits) {
   return result;
 }
 
-bool amplitude_fits_return(const Edges& edges, const Limits& limits) {
-  return fits(edges.f2, edges.f3, limits.tolerance);
-}
-
-bool amplitude_fits_f_max(const Edges& edges, const Limits& limits) {
-  return !limits.f_max || fits(edges.f2, *limits.f_max, limits.tolerance);
-}
-
-bool amplitude_fits_acceleration(const Edges& edges, const Limits& limits) {
-  return std::isinf(edges.f4) || (edges.f4 >= 0 && fits(edges.f2, edges.f4, limits.tolerance));
+bool box_fits(double floor, double cap, double tolerance) {
+  return lowest_centre(floor, tolerance) <= highest_centre(cap, tolerance);
 }
 
 double unchecked_delta1(const Problem& problem, double f) {
@@ -113,13 +101,13 @@ bool stop_fits(const Problem& problem, const Edges& edges, const Limits& limits)
   return unchecked_delta1(problem, f * (1 - limits.tolerance)) < delta * (1 - limits.tolerance);
 }
 
-ValidInterval valid_v0(const Problem& problem) {
+Interval valid_v0(const Problem& problem) {
   const double speed = problem.p * problem.beta;
   return {std::max(smallest_speed, speed / far_ratio),
           std::min({largest_speed, speed * far_ratio, std::sqrt(problem.beta) * sqrt_of_far_f2})};
 }
 
-ValidInterval valid_p(const Problem& problem) {
+Interval valid_p(const Problem& problem) {
   const double least = problem.v0 / problem.beta / far_ratio;
   const double most = problem.v0 / problem.beta * far_ratio;
   return {std::max({smallest_speed, smallest_speed / problem.beta, least}),

@@ -22,12 +22,8 @@ struct Edges {
 
 [[nodiscard]] Edges edges(const Problem& problem, const Limits& limits);
 
-/// There is an f whose box lies between f2 and f3, or f2 and f_max. A larger beta or p, or a
-/// smaller v0, only helps.
-[[nodiscard]] bool amplitude_fits_return(const Edges& edges, const Limits& limits);
-[[nodiscard]] bool amplitude_fits_f_max(const Edges& edges, const Limits& limits);
-/// The same of f4, which falls with p: a larger p may help or harm. Not met where f4 < 0.
-[[nodiscard]] bool amplitude_fits_acceleration(const Edges& edges, const Limits& limits);
+/// There is an f whose box, of the same tolerance on both sides, lies between the two.
+[[nodiscard]] bool box_fits(double floor, double cap, double tolerance);
 
 /// At the largest f within the limits, where Delta1 is smallest, there is a Delta between Delta1
 /// and the cap, for the whole box. A smaller v0 or p only helps.
@@ -42,13 +38,9 @@ struct Edges {
 
 /// As far as an input may be changed with the others as they are: as long as it stays valid
 /// (problem.hpp), but for one decade.
-struct ValidInterval {
-  double least;
-  double most;
-};
 inline constexpr double far_ratio = 1e99;  // of p beta to v0, or the other way round
-[[nodiscard]] ValidInterval valid_v0(const Problem& problem);
-[[nodiscard]] ValidInterval valid_p(const Problem& problem);
+[[nodiscard]] Interval valid_v0(const Problem& problem);
+[[nodiscard]] Interval valid_p(const Problem& problem);
 
 /// The largest f whose box stays at or below the cap, and the smallest one at or above the floor,
 /// as double arithmetic evaluates f (1 + R) and f (1 - R).

@@ -88,46 +88,4 @@ std::optional<Mend> arrivals_mend(const Problem& problem, const Fits& fits) {
   return Mend{"arrivals", static_cast<double>(enough), true};
 }
 
-/// The JointMend of a case without a single one. `inputs` are those that bring the peak below beta,
-/// the likeliest to be changed first; the tolerance is the last of the limits.
-template <class Case, class Fits>
-std::optional<JointMend> joint_mend_of(const Case& base, const Fits& fits,
-                                       const std::vector<Input<Case>>& inputs) {
-  constexpr double far = 1e99;     // to the end of every input
-  constexpr double nearer = 1e-9;  // is the same
-  const auto limits = limit_inputs<Case>(base.limits);
-  if (!(base.limits.tolerance > 0)) {
-    return std::nullopt;
-  }
-  const Input<Case>& tolerance = limits.back();
-  Case wide = inputs.front().in(base, inputs.front().to);
-  wide.limits = {};
-  const auto largest = nearest_fit(tolerance.from, tolerance.to,
-                                   [&](double value) { return fits(tolerance.in(wide, value)); });
-  std::vector<Input<Case>> others = inputs;
-  others.insert(others.end(), limits.begin(), limits.end() - 1);
-  std::optional<double> least;
-  JointMend joint{largest.value_or(0), {}};
-  for (const Input<Case>& other : others) {
-    const auto with = [&](double value, double its_tolerance) {
-      return fits(tolerance.in(other.in(base, value), its_tolerance));
-    };
-    const auto factor = nearest_fit(
-        1.0, far, [&](double by) { return with(other.moved(by), tolerance.moved(by)); });
-    if (!factor || (least && *factor >= *least * (1 - nearer))) {
-      continue;
-    }
-    least = factor;
-    // One of them may have gone farther than necessary. At the largest possible tolerance rounding
-    // decides, so the other is sought slightly inside it.
-    const double most = tolerance.moved(*factor) * (1 - nearer);
-    const double value =
-        *nearest_fit(other.from, other.moved(*factor), [&](double now) { return with(now, most); });
-    const double its_tolerance =
-        *nearest_fit(tolerance.from, most, [&](double now) { return with(value, now); });
-    joint.mends = {tolerance.mend(its_tolerance), other.mend(value)};
-  }
-  return least ? std::optional(joint) : std::nullopt;
-}
-
 }  // namespace stillpoint::design

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/design/mends.hpp>
+#include <stillpoint/design/region.hpp>
 
 #include "nearest_fit.hpp"
 #include "region/edges.hpp"
@@ -21,13 +21,18 @@ struct Case {
   Limits limits;
 };
 
+/// There is an f between f2 and f3, or f2 and f_max. A larger beta or p, or a smaller v0, only
+/// helps.
 bool amplitude_fits(const Case& now) {
   const Edges edge = edges(now.problem, now.limits);
-  return amplitude_fits_return(edge, now.limits) && amplitude_fits_f_max(edge, now.limits);
+  return box_fits(edge.f2, std::min(edge.f3, now.limits.f_max.value_or(HUGE_VAL)),
+                  now.limits.tolerance);
 }
 
+/// The same of f4, which falls with p: a larger p may help or harm.
 bool acceleration_fits(const Case& now) {
-  return amplitude_fits_acceleration(edges(now.problem, now.limits), now.limits);
+  const Edges edge = edges(now.problem, now.limits);
+  return std::isinf(edge.f4) || (edge.f4 >= 0 && box_fits(edge.f2, edge.f4, now.limits.tolerance));
 }
 
 bool strip_fits(const Case& now) {
@@ -53,7 +58,7 @@ bool has_damper(const Case& now) {
 }
 
 Input<Case> v0_of(const Problem& problem) {
-  return {"v0", problem.v0, valid_v0(problem).least,
+  return {"v0", problem.v0, valid_v0(problem).low,
           [](Case& now, double value) { now.problem.v0 = value; }};
 }
 
@@ -118,7 +123,7 @@ std::optional<double> mended_p(const Case& base, int n) {
     return std::nullopt;
   }
   const double part = (1 + tolerance) / (base.problem.v0 * base.problem.p);
-  const unit::Ends corners{centres->low * part, centres->high * part};
+  const Interval corners{centres->low * part, centres->high * part};
   const auto amplitude = [&](const Case& now) {
     const Way strip = in_strip(now);
     const double cap = std::min(strip.f_of(corners.high), now.limits.f_max.value_or(HUGE_VAL));
@@ -169,7 +174,7 @@ std::vector<Mend> mends_of_ranges(const Case& base) {
       add({"v0_low", *problem.v0_low, problem.v0,
            [](Case& now, double value) { now.problem.v0_low = value; }});
     }
-    add({"v0_high", problem.v0, std::max(*problem.v0_low, valid_v0(problem).least),
+    add({"v0_high", problem.v0, std::max(*problem.v0_low, valid_v0(problem).low),
          [](Case& now, double value) { now.problem.v0 = value; }});
   } else {
     add(v0_of(problem));
@@ -225,6 +230,47 @@ std::optional<Mend> more_arrivals(const Case& base) {
                     : std::nullopt;
 }
 
+/// The JointMend of a case without a single one. `inputs` are those that bring the peak below beta,
+/// the likeliest to be changed first; the tolerance is the last of the limits.
+std::optional<JointMend> joint_mend_of(const Case& base, const std::vector<Input<Case>>& inputs) {
+  constexpr double far = 1e99;     // to the end of every input
+  constexpr double nearer = 1e-9;  // is the same
+  const auto limits = limit_inputs<Case>(base.limits);
+  if (!(base.limits.tolerance > 0)) {
+    return std::nullopt;
+  }
+  const Input<Case>& tolerance = limits.back();
+  Case wide = inputs.front().in(base, inputs.front().to);
+  wide.limits = {};
+  const auto largest = nearest_fit(tolerance.from, tolerance.to, [&](double value) {
+    return has_damper(tolerance.in(wide, value));
+  });
+  std::vector<Input<Case>> others = inputs;
+  others.insert(others.end(), limits.begin(), limits.end() - 1);
+  std::optional<double> least;
+  JointMend joint{largest.value_or(0), {}};
+  for (const Input<Case>& other : others) {
+    const auto with = [&](double value, double its_tolerance) {
+      return has_damper(tolerance.in(other.in(base, value), its_tolerance));
+    };
+    const auto factor = nearest_fit(
+        1.0, far, [&](double by) { return with(other.moved(by), tolerance.moved(by)); });
+    if (!factor || (least && *factor >= *least * (1 - nearer))) {
+      continue;
+    }
+    least = factor;
+    // One of them may have gone farther than necessary. At the largest possible tolerance rounding
+    // decides, so the other is sought slightly inside it.
+    const double most = tolerance.moved(*factor) * (1 - nearer);
+    const double value =
+        *nearest_fit(other.from, other.moved(*factor), [&](double now) { return with(now, most); });
+    const double its_tolerance =
+        *nearest_fit(tolerance.from, most, [&](double now) { return with(value, now); });
+    joint.mends = {tolerance.mend(its_tolerance), other.mend(value)};
+  }
+  return least ? std::optional(joint) : std::nullopt;
+}
+
 }  // namespace
 
 std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
@@ -258,7 +304,7 @@ std::optional<JointMend> joint_mend(const Problem& problem, const Limits& limits
     return std::nullopt;
   }
   // More p does no better than more beta: p beta / v0 is the same, and f_max comes closer.
-  return joint_mend_of(base, has_damper, {beta_of(problem), v0_of(problem)});
+  return joint_mend_of(base, {beta_of(problem), v0_of(problem)});
 }
 
 }  // namespace stillpoint::design

@@ -31,12 +31,20 @@ std::pair<std::string, std::string> told_apart(double a, double b, const std::st
              : std::pair{fmt::format("{}{}", a, behind), fmt::format("{}{}", b, behind)};
 }
 
+/// "beta", or the stroke if there are units.
+std::string stroke(const Problem& problem, const ReasonUnits& units) {
+  return units.delta_unit.empty()
+             ? "beta"
+             : fmt::format("{:.6g} {}", problem.beta * units.delta, units.delta_unit);
+}
+
 /// f2 is above `most`, which is `what`.
-std::string too_much_friction(const Region& region, double most, std::string_view rival,
-                              std::string_view what, const std::string& box) {
+std::string too_much_friction(const Region& region, double most, const std::string& stroke,
+                              std::string_view rival, std::string_view what,
+                              const std::string& box) {
   const auto [least, allowed] = told_apart(region.f2, most);
-  return fmt::format("amplitude and {} conflict: a peak within beta needs f >= f2 = {}, {} {}{}",
-                     rival, least, what, allowed, box);
+  return fmt::format("amplitude and {} conflict: a peak within {} needs f >= f2 = {}, {} {}{}",
+                     rival, stroke, least, what, allowed, box);
 }
 
 std::string acceleration_alone(const Problem& problem, const Limits& limits) {
@@ -87,20 +95,21 @@ std::string reason(const Region& region, const Problem& problem, const Limits& l
   const std::string box = limits.tolerance > 0
                               ? fmt::format(", with a tolerance of {:g} %", 100 * limits.tolerance)
                               : "";
+  const std::string limit = stroke(problem, units);
   switch (region.conflict) {
     case Conflict::none:
       break;
     case Conflict::amplitude_against_return:
       return problem.residual
-                 ? too_much_friction(region, largest_f(problem), "return",
+                 ? too_much_friction(region, largest_f(problem), limit, "return",
                                      "coming to rest within the residual needs f <=", box)
-                 : too_much_friction(region, region.f3, "return",
+                 : too_much_friction(region, region.f3, limit, "return",
                                      "coming back to x = 0 needs f <= f3 =", box);
     case Conflict::amplitude_against_f_max:
-      return too_much_friction(region, *limits.f_max, "f_max", "f_max is", box);
+      return too_much_friction(region, *limits.f_max, limit, "f_max", "f_max is", box);
     case Conflict::amplitude_against_acceleration:
       return too_much_friction(
-          region, *region.f4, "acceleration",
+          region, *region.f4, limit, "acceleration",
           fmt::format("a transmitted acceleration within {:.6g} g needs f <= f4 =",
                       *limits.acceleration_max),
           box);

@@ -10,14 +10,14 @@
 
 namespace stillpoint::design {
 
-std::optional<DeltaRange> delta_range(const Problem& problem, std::int64_t arrival, double f) {
+std::optional<Interval> delta_range(const Problem& problem, std::int64_t arrival, double f) {
   require_valid(problem);
   require_within("f", f, 0, largest_square);
   const double square = problem.v0 * problem.v0;
   const bool plain = is_plain(problem, {});
   if (plain && arrival == 1) {
     return f <= edges(problem, {}).f3
-               ? std::optional(DeltaRange{unchecked_delta1(problem, f), square / 2})
+               ? std::optional(Interval{unchecked_delta1(problem, f), square / 2})
                : std::nullopt;
   }
   Problem any = problem;
@@ -25,8 +25,19 @@ std::optional<DeltaRange> delta_range(const Problem& problem, std::int64_t arriv
     any.beta = 2 * problem.v0 / problem.p;  // f2 < 0
   }
   const auto range = centre_range(Way(any, {}, static_cast<int>(arrival)), f, 0);
-  return range ? std::optional(DeltaRange{range->low * square, range->high * square})
-               : std::nullopt;
+  return range ? std::optional(Interval{range->low * square, range->high * square}) : std::nullopt;
+}
+
+double largest_stopping_f(const Problem& problem) {
+  require_valid(problem);
+  return largest_f(problem);
+}
+
+double least_stopping_delta(const Problem& problem, double f) {
+  require_valid(problem);
+  require_within("f", f, 0, largest_square);
+  const Way last(problem, {}, static_cast<int>(problem.arrivals));
+  return d_of_last_stop(last, last.scaled(f)) * last.square();
 }
 
 std::vector<Strip> strips(const Problem& problem, const Limits& limits) {

@@ -94,13 +94,13 @@ WorksFor works_for(const Way& way, double f, double delta) {
   const auto end = [](double from, double nominal, const auto& fits) {
     return *nearest_fit(from, nominal, fits);
   };
-  const ValidInterval of_v0 = valid_v0(way.problem);
-  const ValidInterval of_p = valid_p(way.problem);
+  const Interval of_v0 = valid_v0(way.problem);
+  const Interval of_p = valid_p(way.problem);
   WorksFor served;
-  served.v0 = {end(std::min(v0, of_v0.least), v0, with_v0),
-               end(std::max(v0, of_v0.most), v0, with_v0)};
-  served.p.low = end(std::min(p, of_p.least), p, with_p);
-  if (const double most = std::max(p, of_p.most); !with_p(most)) {
+  served.v0 = {end(std::min(v0, of_v0.low), v0, with_v0),
+               end(std::max(v0, of_v0.high), v0, with_v0)};
+  served.p.low = end(std::min(p, of_p.low), p, with_p);
+  if (const double most = std::max(p, of_p.high); !with_p(most)) {
     served.p.high = end(most, p, with_p);
   }
   return served;
@@ -117,22 +117,22 @@ WorksFor served_ranges(const Problem& problem, const Limits& limits, double f, d
   };
   const double low = problem.v0_low.value_or(problem.v0);
   const double stiffest = problem.stiffest_p();
-  const ValidInterval of_v0 = valid_v0(problem);
-  const ValidInterval of_p = valid_p(problem);
+  const Interval of_v0 = valid_v0(problem);
+  const Interval of_p = valid_p(problem);
   WorksFor served;
   served.v0 = {low == 0 ? 0
-                        : grown(std::min(low, of_v0.least), low,
+                        : grown(std::min(low, of_v0.low), low,
                                 [](Problem& now, double value) { now.v0_low = value; }),
-               grown(std::max(problem.v0, of_v0.most), problem.v0, [&](Problem& now, double value) {
+               grown(std::max(problem.v0, of_v0.high), problem.v0, [&](Problem& now, double value) {
                  now.v0 = value;
                  now.v0_low = low;
                })};
-  served.p.low = grown(std::min(problem.p, of_p.least), problem.p, [&](Problem& now, double value) {
+  served.p.low = grown(std::min(problem.p, of_p.low), problem.p, [&](Problem& now, double value) {
     now.p = value;
     now.p_high = stiffest;
   });
   const auto raise = [](Problem& now, double value) { now.p_high = value; };
-  const double most = std::max(stiffest, of_p.most);
+  const double most = std::max(stiffest, of_p.high);
   if (const double high = grown(most, stiffest, raise); high < most) {
     served.p.high = high;
   }
@@ -164,15 +164,15 @@ std::optional<WorksFor> works_for(const Problem& problem, const Limits& limits, 
   }
   const HitDamper damper{f, 2 * Wide(delta), problem.beta, problem.criterion,
                          limits.acceleration_max};
-  const ValidInterval of_v0 = valid_v0(problem);
-  const ValidInterval of_p = valid_p(problem);
-  const auto ends = [](Wide low, Wide high, double nominal, const ValidInterval& valid,
+  const Interval of_v0 = valid_v0(problem);
+  const Interval of_p = valid_p(problem);
+  const auto ends = [](Wide low, Wide high, double nominal, const Interval& valid,
                        const auto& fits) {
     ServedInterval interval;
     interval.low =
-        last_fit(std::max(static_cast<double>(low), std::min(nominal, valid.least)), nominal, fits);
+        last_fit(std::max(static_cast<double>(low), std::min(nominal, valid.low)), nominal, fits);
     if (high < HUGE_VAL) {
-      interval.high = last_fit(std::min(static_cast<double>(high), std::max(nominal, valid.most)),
+      interval.high = last_fit(std::min(static_cast<double>(high), std::max(nominal, valid.high)),
                                nominal, fits);
     }
     return interval;

@@ -51,7 +51,7 @@ double soonest_at(const Way& way, double f) {
 
 /// The same over all f. It jumps where such a Delta becomes small enough to be allowed, which it
 /// does as f grows; between two jumps the minimum is sought.
-double soonest(const Way& way, const unit::Ends& f) {
+double soonest(const Way& way, const Interval& f) {
   double least = HUGE_VAL;
   const auto between = [&](double low, double high) {
     const auto worth = [&](double at) { return -soonest_at(way, at); };
@@ -83,7 +83,7 @@ double soonest(const Way& way, const unit::Ends& f) {
 
 /// The peak falls with f and the acceleration grows. The time grows with f at the first arrival,
 /// and at later ones first falls and then grows; with Delta it grows.
-double least_cost(const Way& way, Objective objective, const unit::Ends& f) {
+double least_cost(const Way& way, Objective objective, const Interval& f) {
   if (objective != Objective::time) {
     return objective_value(objective,
                            way.scaled(objective == Objective::amplitude ? f.high : f.low));

@@ -2,6 +2,7 @@
 #include "search/run.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -48,7 +49,8 @@ NloptAlgorithm find_algorithm(const std::optional<std::string>& wanted) {
   const auto found = std::ranges::find(list, *wanted, &NloptAlgorithm::name);
   if (found == list.end()) {
     throw InputError("algorithm", wanted->empty() ? "\"\"" : *wanted,
-                     fmt::format("must be one of {}", fmt::join(algorithm_names(), ", ")));
+                     fmt::format("must be one of {}{}", fmt::join(algorithm_names(), ", "),
+                                 records::suggestion(*wanted, algorithm_names())));
   }
   return *found;
 }

@@ -128,7 +128,7 @@ class Best {
 
 /// The dampers that stop the shown motion soonest: at the n-th arrival, with the least Delta of
 /// those that stop it there, the time grows with f for n = 1, and else first falls and then grows.
-void consider_stops(const Way& way, const unit::Ends& ends, Best& best) {
+void consider_stops(const Way& way, const Interval& ends, Best& best) {
   const double t = way.limits.tolerance;
   for (int n = 1; n <= way.passages() && n < best.cost(); ++n) {
     const auto largest = [&](double f) {

@@ -21,11 +21,6 @@ namespace stillpoint::design {
 
 namespace {
 
-struct Span {
-  double low;
-  double high;
-};
-
 /// The task at one f, as a function of Delta.
 struct AtF {
   const Problem& problem;
@@ -48,7 +43,7 @@ struct AtF {
   }
 
   /// The best Delta of the span; if only f binds, the middle of those that are equally good.
-  [[nodiscard]] double best_in(Span span) const {
+  [[nodiscard]] double best_in(Interval span) const {
     const auto [low, high] = span;
     constexpr double golden = std::numbers::phi - 1;
     constexpr int rounds = 75;  // golden^75 = 2e-16
@@ -117,17 +112,17 @@ std::optional<DesignPoint> best_with(const AtF& task) {
 }
 
 /// The f of the dampers that have the tolerance asked for.
-std::vector<Span> feasible_spans(const Problem& problem, const Limits& limits,
-                                 const Region& region) {
-  std::vector<Span> strip_spans;
+std::vector<Interval> feasible_spans(const Problem& problem, const Limits& limits,
+                                     const Region& region) {
+  std::vector<Interval> strip_spans;
   for (const Strip& strip : strips(problem, limits)) {
     if (strip.f_lower) {
       strip_spans.push_back({*strip.f_lower, *strip.f_upper});
     }
   }
-  std::ranges::sort(strip_spans, {}, &Span::low);
-  std::vector<Span> spans;
-  for (const Span& span : strip_spans) {
+  std::ranges::sort(strip_spans, {}, &Interval::low);
+  std::vector<Interval> spans;
+  for (const Interval& span : strip_spans) {
     if (spans.empty() || spans.back().high < span.low) {
       spans.push_back(span);
     } else {
@@ -153,9 +148,9 @@ std::vector<Span> feasible_spans(const Problem& problem, const Limits& limits,
 
 /// The f of the front's damper number `place` of `count`: at equal steps of the widths of all
 /// spans.
-double f_at(const std::vector<Span>& spans, std::int64_t place, std::int64_t count) {
+double f_at(const std::vector<Interval>& spans, std::int64_t place, std::int64_t count) {
   double width = 0;
-  for (const Span& span : spans) {
+  for (const Interval& span : spans) {
     width += span.high - span.low;
   }
   double at = width * static_cast<double>(place - 1) / static_cast<double>(count - 1);
@@ -199,7 +194,7 @@ std::vector<TradeOff> trade_off(const Problem& problem, const Limits& limits, st
   if (!region.feasible) {
     return {};
   }
-  const std::vector<Span> spans = feasible_spans(problem, limits, region);
+  const std::vector<Interval> spans = feasible_spans(problem, limits, region);
   std::vector<TradeOff> front;
   for (std::int64_t place = 1; place <= count; ++place) {
     const double f = f_at(spans, place, count);

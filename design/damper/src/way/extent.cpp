@@ -15,15 +15,13 @@ namespace stillpoint::design {
 
 namespace {
 
-using unit::Ends;
-
 /// The f of the centres whose box is within the edges of f alone.
-std::optional<Ends> within_f(const Way& way, double tolerance) {
+std::optional<Interval> within_f(const Way& way, double tolerance) {
   if (!(way.f_top > 0)) {
     return std::nullopt;
   }
-  const Ends all{lowest_centre(way.f2, tolerance * way.limits.shape.f_low),
-                 highest_centre(way.f_top, tolerance * way.limits.shape.f_high)};
+  const Interval all{lowest_centre(way.f2, tolerance * way.limits.shape.f_low),
+                     highest_centre(way.f_top, tolerance * way.limits.shape.f_high)};
   return all.low <= all.high ? std::optional(all) : std::nullopt;
 }
 
@@ -41,10 +39,10 @@ double off_the_tip(const Way& way, double high) {
 }
 
 /// The part that is searched: not the open end at 0, and not the tip.
-Ends scanned_f(const Way& way, const Ends& all) {
+Interval scanned_f(const Way& way, const Interval& all) {
   const double low = std::max(all.low, least_f(way, all.high));
   const double high = off_the_tip(way, all.high);
-  return low <= high ? Ends{low, high} : all;
+  return low <= high ? Interval{low, high} : all;
 }
 
 /// No f between these two has any room; shown for each part.
@@ -58,7 +56,7 @@ bool no_room_in_parts(const Way& way, double a_low, double a_high, int deeper) {
 }
 
 /// The f with the most room for Delta, or with enough.
-double roomiest_f(const Way& way, const Ends& f) {
+double roomiest_f(const Way& way, const Interval& f) {
   const double t = way.limits.tolerance;
   if (way.n == 0 || (way.n == 1 && way.v_low > 0)) {
     return f.high;  // nothing but the stop depends on f, and friction helps it
@@ -78,7 +76,7 @@ bool clearly_empty(const Way& way) {
   if (!all) {
     return true;
   }
-  const Ends f = scanned_f(way, *all);
+  const Interval f = scanned_f(way, *all);
   return no_room_in_parts(way, way.scaled(f.low), way.scaled(f.high), times_halved);
 }
 
@@ -102,10 +100,10 @@ std::optional<WayPoint> any_point(const Way& way) {
 
 namespace {
 
-Ends feasible_around(const Way& way, const WayPoint& inside) {
+Interval feasible_around(const Way& way, const WayPoint& inside) {
   const double t = way.limits.tolerance;
-  const Ends all = within_f(way, t).value();
-  const Ends scanned = scanned_f(way, all);
+  const Interval all = within_f(way, t).value();
+  const Interval scanned = scanned_f(way, all);
   const auto left = [&](double log_f) { return room(way, way.scaled(elementary::exp(log_f)), t); };
   const double at_inside = left(elementary::log(inside.f));
   const auto end = [&](double from, double open) {
@@ -129,7 +127,7 @@ Ends feasible_around(const Way& way, const WayPoint& inside) {
 
 }  // namespace
 
-std::optional<Ends> feasible_f(const Way& way) {
+std::optional<Interval> feasible_f(const Way& way) {
   const auto inside = any_point(way);
   return inside ? std::optional(feasible_around(way, *inside)) : std::nullopt;
 }
@@ -139,10 +137,10 @@ std::optional<DesignRange> design_range(const Way& way) {
   if (!inside) {
     return std::nullopt;
   }
-  const Ends all = feasible_around(way, *inside);
+  const Interval all = feasible_around(way, *inside);
   const bool closes = all.high < within_f(way, way.limits.tolerance)->high;
   const double high = closes ? all.high * (1 - way_inset) : off_the_tip(way, all.high);
-  const Ends off_edges{std::max(all.low * (1 + way_inset), least_f(way, high)), high};
+  const Interval off_edges{std::max(all.low * (1 + way_inset), least_f(way, high)), high};
   return DesignRange{off_edges.low <= off_edges.high ? off_edges : all, *inside};
 }
 
@@ -151,7 +149,7 @@ DesignPoint most_tolerant(const Way& way) {
   if (!all) {
     return {};
   }
-  const Ends f = scanned_f(way, *all);
+  const Interval f = scanned_f(way, *all);
   const auto nowhere = [](double, double) { return false; };
   const auto by_tolerance = [](const DesignPoint& a, const DesignPoint& b) {
     return a.tolerance < b.tolerance;

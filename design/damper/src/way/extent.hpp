@@ -23,11 +23,11 @@ struct WayPoint {
 [[nodiscard]] bool clearly_empty(const Way& way);
 
 /// The f of the centres of all boxes that fit; a lower end of 0 is open. Empty as any_point.
-[[nodiscard]] std::optional<unit::Ends> feasible_f(const Way& way);
+[[nodiscard]] std::optional<Interval> feasible_f(const Way& way);
 /// The same for a design: a relative 1e-9 away from where an arrival grazes x = 0 or Delta has no
 /// room left, if that leaves any; and a point for the worst case.
 struct DesignRange {
-  unit::Ends f;
+  Interval f;
   WayPoint inside;
 };
 [[nodiscard]] std::optional<DesignRange> design_range(const Way& way);

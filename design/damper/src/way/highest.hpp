@@ -25,7 +25,7 @@ struct Highest {
 template <class F>
 class HighestSearch {
  public:
-  HighestSearch(const F& function, unit::Ends f, double enough)
+  HighestSearch(const F& function, Interval f, double enough)
       : function_(function), f_(f), enough_(enough) {}
 
   [[nodiscard]] double high() const { return high_; }
@@ -39,14 +39,14 @@ class HighestSearch {
 
   /// Tries some values from above, where the designs with some constant friction are. Empty if one
   /// is enough, else the neighbours of the best.
-  std::optional<unit::Ends> scan() {
+  std::optional<Interval> scan() {
     const auto places = scanned();
     for (const double at : places) {
       if (consider(at)) {
         return std::nullopt;
       }
     }
-    unit::Ends around{low_, high_};
+    Interval around{low_, high_};
     for (const double at : places) {
       if (at > best_.at) {
         around.high = at;
@@ -59,7 +59,7 @@ class HighestSearch {
   }
 
   /// By golden sections.
-  void narrow(const unit::Ends& around) {
+  void narrow(const Interval& around) {
     constexpr double golden = std::numbers::phi - 1;
     constexpr double resolved = 1e-9;
     auto [left, right] = around;
@@ -115,7 +115,7 @@ class HighestSearch {
   }
 
   const F& function_;
-  unit::Ends f_;
+  Interval f_;
   double enough_;
   double low_{elementary::log(f_.low)};
   double high_{elementary::log(f_.high)};
@@ -125,7 +125,7 @@ class HighestSearch {
 /// The largest value of a function of log f that first rises and then falls, or the first that is
 /// `enough`. It stops at once if `nowhere` says that no value between two f is positive.
 template <class F, class Nowhere>
-Highest highest(const F& function, unit::Ends f, double enough, const Nowhere& nowhere) {
+Highest highest(const F& function, Interval f, double enough, const Nowhere& nowhere) {
   HighestSearch search(function, f, enough);
   if (search.consider(search.high())) {
     return search.found();

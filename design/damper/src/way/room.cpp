@@ -12,8 +12,6 @@ namespace stillpoint::design {
 namespace {
 
 using unit::EdgeStart;
-using unit::Ends;
-
 /// How far a side may go, (edge - value) / value over its part of the tolerance.
 double side_room(double room, double value, double part) {
   return room < 0 ? 0 : part * value > 0 ? room / value / part : 1;
@@ -55,11 +53,15 @@ double d_that_stops_at(int n, double a) {
   return d_on_edge({a, 1, a}, n, 1);
 }
 
+double d_of_last_stop(const Way& way, double a) {
+  return d_on_edge(last_start(way, a), way.passages(), 1);
+}
+
 namespace {
 
 /// The least d with which the strongest hit stops, at the low corner.
 double d_that_stops(const Way& way, double a) {
-  const double last = way.stops_last() ? d_on_edge(last_start(way, a), way.passages(), 1) : 0;
+  const double last = way.stops_last() ? d_of_last_stop(way, a) : 0;
   return way.stops_early() ? std::max(last, d_on_edge(stop_start(way, a), way.n, 1)) : last;
 }
 
@@ -76,13 +78,13 @@ double d_that_moves(const Way& way, double a) {
 }
 
 /// At the low corner the least d, at the high one the largest.
-Ends edges_at(const Way& way, double a, const Sides& box) {
+Interval edges_at(const Way& way, double a, const Sides& box) {
   const double a_high = a * box.f_high;
   return {std::max(d_that_stops(way, a * box.f_low), d_that_moves(way, a_high)),
           d_that_returns(way, a_high)};
 }
 
-double room_between(const Ends& edge, const Sides& box) {
+double room_between(const Interval& edge, const Sides& box) {
   const double least = edge.low / box.delta_low;
   const double most = edge.high / box.delta_high;
   return least + most > 0 ? (most - least) / (most + least) : 0;
@@ -90,13 +92,13 @@ double room_between(const Ends& edge, const Sides& box) {
 
 }  // namespace
 
-std::optional<Ends> centre_range(const Way& way, double f, double tolerance) {
+std::optional<Interval> centre_range(const Way& way, double f, double tolerance) {
   const Sides box = sides(way.limits.shape, tolerance);
   if (!(f * box.f_low >= way.f2 && f * box.f_high <= way.f_top)) {
     return std::nullopt;
   }
   const auto [low, high] = edges_at(way, way.scaled(f), box);
-  const Ends ends{low / box.delta_low, high / box.delta_high};
+  const Interval ends{low / box.delta_low, high / box.delta_high};
   return ends.low <= ends.high ? std::optional(ends) : std::nullopt;
 }
 
@@ -107,7 +109,7 @@ double room(const Way& way, double a, double tolerance) {
 
 bool no_room_between(const Way& way, double a_low, double a_high, double tolerance) {
   const Sides box = sides(way.limits.shape, tolerance);
-  const Ends widest{
+  const Interval widest{
       std::max(d_that_stops(way, a_high * box.f_low), d_that_moves(way, a_low * box.f_high)),
       d_that_returns(way, a_low * box.f_high)};
   return room_between(widest, box) < 0;
@@ -199,7 +201,7 @@ double best_delta(const Way& way, double f, BestDelta choice) {
     t = std::max(0.0, t - step);
     range = centre_range(way, f, t);
   }
-  const auto [low, high] = range.value_or(Ends{0, 0});
+  const auto [low, high] = range.value_or(Interval{0, 0});
   return settled(choice == BestDelta::least     ? std::min(low * (1 + way_inset), high)
                  : choice == BestDelta::largest ? std::max(high * (1 - way_inset), low)
                                                 : low + (high - low) / 2);

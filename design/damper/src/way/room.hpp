@@ -15,10 +15,12 @@
 namespace stillpoint::design {
 
 /// The Delta of the centres of the boxes that fit for one f, over V0^2.
-[[nodiscard]] std::optional<unit::Ends> centre_range(const Way& way, double f, double tolerance);
+[[nodiscard]] std::optional<Interval> centre_range(const Way& way, double f, double tolerance);
 
 /// The least Delta over V0^2 with which one hit stops at the n-th arrival at the latest.
 [[nodiscard]] double d_that_stops_at(int n, double a);
+/// The least Delta over V0^2 with which the strongest hit does not pass the last arrival allowed.
+[[nodiscard]] double d_of_last_stop(const Way& way, double a);
 
 /// The tolerance of Delta alone that the room for Delta leaves with a box of f of that tolerance,
 /// negative if there is none. In [-1, 1].

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "way/space.hpp"
 
-#include "check/rest.hpp"
 #include "search/objectives.hpp"
 #include "unit_problem.hpp"
 #include "way/room.hpp"
+#include "way/unit_strip.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -42,33 +42,13 @@ class Conditions {
 
   [[nodiscard]] std::vector<Function> list() && { return std::move(list_); }
 
-  void add_amplitude() {
+  /// Of f at its low side, and of f and Delta at their high ones.
+  void add_sides() {
     if (way_.a2 > 0) {
-      list_.emplace_back([scale = scale_, part = shape_.f_low, a2 = way_.a2](
-                             const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
-        const double low = 1 - part * scale.box(at);
-        scale.slopes(gradient, -low / scale.a_cap, 0, at[0] * part);
-        return a2 / scale.a_cap - at[0] * low;
-      });
+      add_side(0, -1, shape_.f_low, way_.a2 / scale_.a_cap);
     }
-  }
-
-  void add_cap() {
-    list_.emplace_back([scale = scale_, part = shape_.f_high](const Eigen::VectorXd& at,
-                                                              Eigen::VectorXd& gradient) {
-      const double high = 1 + part * scale.box(at);
-      scale.slopes(gradient, high / scale.a_cap, 0, at[0] * part);
-      return at[0] * high - 1;
-    });
-  }
-
-  void add_start() {
-    list_.emplace_back([scale = scale_, part = shape_.delta_high](const Eigen::VectorXd& at,
-                                                                  Eigen::VectorXd& gradient) {
-      const double high = 1 + part * scale.box(at);
-      scale.slopes(gradient, 0, high / scale.d_cap, at[1] * part);
-      return at[1] * high - 1;
-    });
+    add_side(0, 1, shape_.f_high, 1);
+    add_side(1, 1, shape_.delta_high, 1);
   }
 
   void add_return() {
@@ -108,6 +88,17 @@ class Conditions {
     return speed;
   }
 
+  /// A side of x (0) or y (1), `outwards` = +1 or -1, is not beyond `limit`.
+  void add_side(int which, double outwards, double part, double limit) {
+    list_.emplace_back([=, scale = scale_](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
+      const double side = 1 + outwards * part * scale.box(at);
+      const double by_f = which == 0 ? outwards * side / scale.a_cap : 0;
+      const double by_d = which == 1 ? outwards * side / scale.d_cap : 0;
+      scale.slopes(gradient, by_f, by_d, at[which] * part);
+      return outwards * (at[which] * side - limit);
+    });
+  }
+
   /// At a corner of the box: each side goes outwards, +1, or inwards, -1.
   template <class Value>
   void add_edge(double outwards_f, double outwards_d, double sign, const Value& value) {
@@ -134,9 +125,7 @@ class Conditions {
 
 std::vector<Function> conditions_of(const Way& way, const Scaled& scale) {
   Conditions conditions(way, scale);
-  conditions.add_amplitude();
-  conditions.add_cap();
-  conditions.add_start();
+  conditions.add_sides();
   conditions.add_return();
   conditions.add_stop();
   return std::move(conditions).list();

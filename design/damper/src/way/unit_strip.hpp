@@ -25,12 +25,6 @@ struct EdgeStart {
 /// (39): `steps` half-cycles back from the start, then to V0.
 [[nodiscard]] EdgeSpeed followed_back(const EdgeStart& start, int steps, double d);
 
-/// Of an interval.
-struct Ends {
-  double low;
-  double high;
-};
-
 /// The motion up to its n-th arrival.
 struct Course {
   double phase{0};  ///< p T, (52)
@@ -43,5 +37,18 @@ struct Course {
 /// A half-cycle that does not come back counts as one that only just does. `error` is the absolute
 /// error of (w / V0)^2 in (53).
 [[nodiscard]] Course course(int n, double a, double d, double error = 1e-16);
+
+/// The whole motion of a hit, wherever it comes to rest: docs/theory.md sections 3 and 5. Not taken
+/// from the kernel.
+struct Rest {
+  double phase{0};  ///< p T
+  int half_cycles{0};
+  double position{0};       ///< p x / V0; 0 where it stops at x = 0
+  double arrival_speed{0};  ///< of the last arrival, over V0; 0 without one
+  double grazing{0};        ///< the error of phase and position over that of the energies, as (53)
+};
+
+/// Followed for at most that many half-cycles. `error` is the absolute one of (w / V0)^2.
+[[nodiscard]] Rest rest(double a, double d, int most, double error = 1e-16);
 
 }  // namespace stillpoint::design::unit

@@ -95,6 +95,17 @@ struct WaySpeeds {
 };
 [[nodiscard]] WaySpeeds way_speeds(const Way& way, double f, double delta);
 
+/// The task of only the motion shown, by the model itself.
+[[nodiscard]] Problem strongest_hit(Problem problem);
+
+/// The arrival that decides about a damper: that at which it stops the mass, or else the first one
+/// that the mass does not reach, or the last one allowed if it passes all.
+struct DecidingArrival {
+  int n;
+  bool stops;
+};
+[[nodiscard]] DecidingArrival deciding_arrival(const Problem& problem, double f, double delta);
+
 /// f <= r p^2, and below f1, where the dead zone begins to be wider than beta.
 [[nodiscard]] double largest_f_at_rest(const Problem& problem);
 /// The largest f of any way, whatever beta and the limits are.

@@ -78,7 +78,7 @@ std::unique_ptr<RowSink> open_stream(const std::string& path) {
 
 void require_streamable(const SweepSpec& spec, bool terminal) {
   if (spec.resume) {
-    throw InputError("resume", "true", "needs an output file, which is then resumed");
+    throw InputError::missing("output", "resume continues the file of an interrupted sweep");
   }
   if (spec.format == RowFormat::npy && terminal) {
     throw InputError("format", "npy", "needs an output file: it cannot be shown on a terminal");

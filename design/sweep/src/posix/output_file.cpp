@@ -54,7 +54,7 @@ void make_directory(std::string_view field, const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error) {
-    throw records::FileError({std::string(field), path}, error.message());
+    refuse_writing(field, path, error.value());
   }
 }
 

@@ -58,7 +58,11 @@ BOOST_FIXTURE_TEST_CASE(commands_that_take_no_options_say_what_they_take, Sandbo
   check_refusal(run("help sweep design"), {"help sweep", "one command"});
   check_refusal(run("init bulding"),
                 {"init = bulding", "building, machine or equipment", "mean building?"});
-  check_refusal(run("init building machine"), {"machine", "unexpected"});
+  check_refusal(run("init building machine"), {"machine: unexpected, only one word"});
+  check_refusal(run("scene.json"), {"command scene.json", "did you mean design scene.json?"});
+  for (const char* const merge : {"sweep merge", "sweep merge out.csv", "design merge"}) {
+    check_refusal(run(merge), {"merge needs the file to write and the file of each part"});
+  }
   check_refusal(run("init --json"), {"--json", "not an option of init"});
 }
 

@@ -105,13 +105,13 @@ BOOST_AUTO_TEST_CASE(whose_text_is_long_is_quoted_in_part) {
       {{"design", "--" + text}, {"xxx", "unknown option"}},
       {{"design", "a", text}, {"xxx", "only one scene"}},
       {{text}, {"command xxx", "must be design"}},
-      {{"design", "--v0", text}, {"v0 = ", "finite number"}},
+      {{"design", "--v0", text}, {"v0 = ", "must be a number"}},
       {design({"--criterion", text}), {"criterion = xxx", "published or exact"}},
       {design({"--algorithm", text}), {"algorithm = xxx"}},
       {simulate({"--samples", text}), {"samples = ", "whole number"}},
       {simulate({"--record", text}), {"record xxx", "cannot be read"}},
       {simulate({"--trajectory", text}), {"trajectory xxx", "cannot be written"}},
-      {{"sweep", "--v0", text + ":1:2"}, {"v0 = ", "finite number"}},
+      {{"sweep", "--v0", text + ":1:2"}, {"v0 = ", "must be a number"}},
       {{"sweep", "--v0", "1", "--list", text}, {"list xxx", "cannot be read"}},
   };
   for (const Wrong& wrong : long_ones) {

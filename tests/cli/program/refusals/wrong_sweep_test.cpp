@@ -37,10 +37,11 @@ Wrong forced(const Arguments& more, const Texts& says) {
 const std::vector<Wrong> sweeps{
     axis("0:1", {"f = 0:1", "first:last:count"}),
     axis("0:1:2:3", {"f = 0:1:2:3", "first:last:count:log"}),
-    axis("a:1:2", {"f = \"a\"", "finite number"}),
-    axis("0.1,,0.2", {"f = \"\"", "finite number"}),
-    axis("0:1:2.5", {"f = 2.5", "whole number"}),
+    axis("a:1:2", {"f = \"a\": must be a number"}),
+    axis("0.1,,0.2", {"f = \"\": must be a number"}),
+    axis("0:1:2.5", {"f = 0:1:2.5: must have a whole count from 1"}),
     axis("0:1:0", {"f = 0:1:0", "count from 1"}),
+    axis("0:1:many", {"f = 0:1:many: must have a whole count from 1"}),
     axis("0:1:3:log", {"f = 0:1:3:log", "above 0"}),
     axis("-1e308:1e308:3", {"f = -1e308", "length"}),
     axis("0.1:-0.1:3", {"stillpoint: f = -0.1: must be a number from 0"}),
@@ -68,7 +69,7 @@ const std::vector<Wrong> sweeps{
     {sweep("--beta 1 --k 1"), {"k needs a pulse", "--pulse"}},
     {"sweep --p 1 --beta 1 --pulse half-sine --k 1", {"lambda is missing"}},
     {"sweep --p 1 --beta 1 --pulse half-sine --k 1 --lambda 1 --residual 0.1",
-     {"pulse = half-sine", "residual"}},
+     {"residual and pulse cannot be combined"}},
     {"sweep --p 1 --f 1 --delta 1 --pulse half-sine --k 1", {"pulse needs a design"}},
     forced("--excitation half-sine --k 1,2 --lambda 1", {"k = 1,2", "one number for motions"}),
     forced("--excitation half-sine --k 1 --lambda 1:2", {"lambda = 1:2", "one number for motions"}),
@@ -142,7 +143,7 @@ BOOST_AUTO_TEST_CASE(that_cannot_be) {
   };
   for (const auto& [more, says] : std::vector<std::pair<Arguments, Texts>>{
            {{"--json"}, {"json and the rows", "give --output FILE"}},
-           {{"--resume"}, {"resume = true", "an output file"}},
+           {{"--resume"}, {"output is missing", "resume continues the file"}},
            {{"--output", ""}, {"output = \"\"", "name of a file"}},
            {{"--output", "-"}, {"output = -"}},
            {{"--output", "."}, {"output .", "directory"}},

@@ -1,19 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "random_source.hpp"
-
-#include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/design/catalogue.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <string>
-#include <string_view>
-#include <vector>
+#include "damper.hpp"
+#include "random_pulse.hpp"
 
 BOOST_AUTO_TEST_SUITE(pulse_catalogue_test)
 
@@ -21,8 +8,6 @@ BOOST_AUTO_TEST_SUITE(pulse_catalogue_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
 /// Relative; nearer to an edge than that, the rounding of the simulation decides.
@@ -71,24 +56,18 @@ Shop random_shop(RandomSource& random, int size) {
   problem.criterion = Criterion::exact;  // which the simulation knows
   const double k = random.log_uniform(0.1, 10);
   const double lambda = problem.p / random.log_uniform(0.05, 3);
-  shop.request.pulse =
-      std::array<Pulse, 3>{HalfSine{k, lambda}, FullSine{k, lambda},
-                           Rectangle{k, lambda}}[static_cast<std::size_t>(random.pick(3))];
+  constexpr std::array kinds{0, 2, 1};
+  shop.request.pulse = pulse_of(kinds.at(static_cast<std::size_t>(random.pick(3))), k, lambda);
   const ForcedResponse free = simulated(shop.request, 1e-3 * k, 1e200);
   const double w = free.arrival_speed.value_or(0);
   const double f_unit = std::min(k, free.peak_absolute_acceleration);
   problem.beta = random.uniform(0.5, 1.2) * free.peak_amplitude;
   Limits& limits = shop.request.limits;
   limits.tolerance = random.pick(2) == 0 ? 0 : random.uniform(0, 0.3);
-  if (random.pick(3) == 0) {
-    limits.f_max = random.uniform(0.1, 0.4) * f_unit;
-  }
-  if (random.pick(3) == 0) {
-    limits.delta_max = random.uniform(0.4, 1) * w * w;
-  }
-  if (random.pick(3) == 0) {
-    limits.acceleration_max = random.uniform(0.9, 1.2) * free.peak_absolute_acceleration;
-  }
+  random.one_in(3, limits.f_max, [&] { return random.uniform(0.1, 0.4) * f_unit; });
+  random.one_in(3, limits.delta_max, [&] { return random.uniform(0.4, 1) * w * w; });
+  random.one_in(3, limits.acceleration_max,
+                [&] { return random.uniform(0.9, 1.2) * free.peak_absolute_acceleration; });
   for (int i = 0; i < size; ++i) {
     shop.parts.push_back({"part " + std::to_string(i), i == 0 ? 0 : random.uniform(0, 0.5) * f_unit,
                           random.uniform(0, 1) * w * w});
@@ -96,34 +75,17 @@ Shop random_shop(RandomSource& random, int size) {
   return shop;
 }
 
-double value_of(const DesignRequest& request, const RatedPart& rated) {
-  const ForcedResponse motion = simulated(request, rated.part.f, rated.part.delta);
-  switch (request.search.objective) {
-    case Objective::robust:
-      return -rated.tolerance.value_or(0);
-    case Objective::amplitude:
-      return motion.peak_amplitude;
-    case Objective::time:
-      return motion.stop_time.value_or(0);
-    case Objective::acceleration:
-      break;
-  }
-  return motion.peak_absolute_acceleration;
+double part_value(const DesignRequest& request, const RatedPart& rated) {
+  const Objective objective = request.search.objective;
+  return objective == Objective::robust
+             ? -rated.tolerance.value_or(0)
+             : value_of(objective, simulated(request, rated.part.f, rated.part.delta));
 }
 
 DesignRequest mended(DesignRequest request, std::string_view field, double value) {
-  if (field == "beta") {
-    request.problem.beta = value;
-  } else if (field == "tolerance") {
-    request.limits.tolerance = value;
-  } else if (field == "f_max") {
-    request.limits.f_max = value;
-  } else if (field == "delta_max") {
-    request.limits.delta_max = value;
-  } else {
-    BOOST_REQUIRE(field == "acceleration_max");
-    request.limits.acceleration_max = value;
-  }
+  const Task changed = Task{request.problem, request.limits}.with(field, value);
+  request.problem = changed.problem;
+  request.limits = changed.limits;
   return request;
 }
 
@@ -171,8 +133,8 @@ BOOST_AUTO_TEST_CASE(every_part_is_judged_as_its_simulation_judges_it) {
           }
           if (n > 0 && now.admissible) {
             BOOST_TEST(choice.parts[n - 1].admissible);
-            BOOST_TEST(value_of(request, choice.parts[n - 1]) <=
-                       value_of(request, now) + undecided_within);
+            BOOST_TEST(part_value(request, choice.parts[n - 1]) <=
+                       part_value(request, now) + undecided_within);
           }
         }
         (now.admissible ? fit : fail) += 1;
@@ -218,13 +180,12 @@ BOOST_AUTO_TEST_CASE(parts_under_a_known_pulse_fail_as_they_must) {
   };
   const auto violates = [&](std::string_view name) { return of(name).violated.at(0).name; };
   BOOST_TEST(choice.parts.front().part.name == "fits");
-  BOOST_TEST(of("fits").tolerance.value() == 0.25, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(of("fits").tolerance.value() == 0.25, tt::tolerance(1e-9));
   BOOST_TEST(violates("held") == "start");
   BOOST_TEST(violates("off centre") == "return");
   BOOST_TEST(violates("too far") == "amplitude");
   BOOST_TEST(violates("passes") == "stop");
-  BOOST_TEST(of("passes").violated.at(0).limit == 2 * 0.3 * 0.1,
-             boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(of("passes").violated.at(0).limit == 2 * 0.3 * 0.1, tt::tolerance(1e-9));
   BOOST_CHECK_THROW((void)choose(request, {}), InputError);
 }
 
@@ -240,7 +201,7 @@ BOOST_AUTO_TEST_CASE(parts_hold_for_a_range_of_pulses) {
   BOOST_TEST(choice.parts.at(0).part.name == "fits");
   BOOST_TEST(choice.parts.at(0).admissible);
   BOOST_TEST(!choice.parts.at(1).admissible);
-  BOOST_TEST(choice.parts.at(1).violated.at(0).limit == 0.175, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(choice.parts.at(1).violated.at(0).limit == 0.175, tt::tolerance(1e-9));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

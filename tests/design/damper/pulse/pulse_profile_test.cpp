@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "damper.hpp"
 #include "pulse/edge.hpp"
+#include "pulse/first_return.hpp"
 #include "pulse/known_motions.hpp"
-#include "pulse/pulse_run.hpp"
 #include "pulse/worst_return.hpp"
 #include "pulse_request.hpp"
 #include "pulse_scan.hpp"
 #include "random_pulse.hpp"
-#include "random_source.hpp"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(pulse_profile_test)
 
@@ -23,8 +15,6 @@ BOOST_AUTO_TEST_SUITE(pulse_profile_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
 /// A need that rises above what a box knows that ends on either side of it, as a part of that.
@@ -125,7 +115,7 @@ BOOST_AUTO_TEST_CASE(no_simulation_finds_a_larger_need_between_samples) {
     const PulseProfile profile(pulse, 1, Criterion::exact);
     const Missed missed = missed_by(profile, Criterion::exact, 12, [&](double f) {
       const Scanned now = scanned(request, pulse, 1, f);
-      return Seen{now.holds, now.peak, now.need};
+      return Seen{now.holds, now.peak_amplitude, now.need};
     });
     BOOST_TEST_CONTEXT("pulse " << i << ", " << name(pulse) << ", p/lambda " << slowness) {
       BOOST_TEST(missed.returns == 0);

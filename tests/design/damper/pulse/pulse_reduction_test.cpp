@@ -1,38 +1,25 @@
 // SPDX-License-Identifier: MIT
+#include "damper.hpp"
 #include "pulse_request.hpp"
 #include "random_pulse.hpp"
-#include "testing/printing.hpp"
-
-#include <stillpoint/design/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(pulse_reduction_test)
 
 // The velocity that a short pulse leaves, compared with the motion under the pulse itself.
 
-namespace {
-
-using namespace stillpoint;
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
-
-}  // namespace
 
 // As p/lambda -> 0 the peak and the arrival become those of the velocity.
 BOOST_AUTO_TEST_CASE(short_pulses_tend_to_the_reduction) {
   for (const Pulse& pulse : {Pulse(HalfSine{1, 1e4}), Pulse(Rectangle{1, 1e4})}) {
     const double v0 = equivalent_start(pulse, 0).value().speed;
     PulseRequest request = request_of(pulse, 0.9 * v0);
-    const DesignResult result = stillpoint::design::design(request);
+    const DesignResult result = design::design(request);
     const Region hit = admissible_region({v0, 1, 0.9 * v0, Criterion::exact});
     // f takes a part of the velocity, of the order of f over k.
-    BOOST_TEST(result.region.f2 == hit.f2, boost::test_tools::tolerance(1e-3));
-    BOOST_TEST(result.region.f3 == hit.f3, boost::test_tools::tolerance(1e-3));
-    BOOST_TEST(result.region.beta_min == hit.beta_min, boost::test_tools::tolerance(1e-3));
+    BOOST_TEST(result.region.f2 == hit.f2, tt::tolerance(1e-3));
+    BOOST_TEST(result.region.f3 == hit.f3, tt::tolerance(1e-3));
+    BOOST_TEST(result.region.beta_min == hit.beta_min, tt::tolerance(1e-3));
     const PulseCheck& check = result.finding.value().pulse.value();
     BOOST_TEST(std::abs(check.peak_error.value()) < 1e-6);
     BOOST_TEST(std::abs(check.stop_time_error.value()) < 1e-6);
@@ -69,7 +56,7 @@ BOOST_AUTO_TEST_CASE(the_reduction_errs_to_the_safe_side_by_less_than_its_bound)
 
 BOOST_AUTO_TEST_CASE(what_makes_the_reduction_poor_is_named) {
   const auto warnings = [](const Pulse& pulse, double beta, Objective objective) {
-    return stillpoint::design::design(request_of(pulse, beta, objective))
+    return design::design(request_of(pulse, beta, objective))
         .finding.value()
         .pulse.value()
         .warnings;

@@ -1,21 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "damper.hpp"
 #include "random_pulse.hpp"
-#include "testing/printing.hpp"
-
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/design/box_shape.hpp>
-#include <stillpoint/design/design.hpp>
-#include <stillpoint/design/region.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
-#include <set>
-#include <string>
-#include <string_view>
 
 BOOST_AUTO_TEST_SUITE(pulse_region_test)
 
@@ -24,8 +9,6 @@ BOOST_AUTO_TEST_SUITE(pulse_region_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 using Names = std::set<std::string_view>;
 
@@ -77,14 +60,14 @@ void check_same(const RegionVerdict& region, const RegionVerdict& of_design) {
                       now.f_upper.value_or(-1)};
   };
   BOOST_TEST(region.region.feasible == of_design.region.feasible);
-  BOOST_TEST(edges(region) == edges(of_design), boost::test_tools::per_element());
+  BOOST_TEST(edges(region) == edges(of_design), tt::per_element());
   BOOST_TEST((region.region.conflict == of_design.region.conflict));
   BOOST_TEST(region.reason == of_design.reason);
   const auto same_mend = [](const Mend& a, const Mend& b) {
     return a.field == b.field && a.value == b.value && a.upwards == b.upwards;
   };
   BOOST_TEST(std::ranges::equal(region.mends, of_design.mends, same_mend));
-  const auto same_interval = [](const FrictionInterval& a, const FrictionInterval& b) {
+  const auto same_interval = [](const Interval& a, const Interval& b) {
     return a.low == b.low && a.high == b.high;
   };
   BOOST_TEST(
@@ -112,15 +95,8 @@ bool near_an_edge(const PulseRequest& request, double f, double delta) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(of_a_rectangle_of_half_a_natural_period_is_known) {
-  const auto close = boost::test_tools::tolerance(1e-9);
+  const auto close = tt::tolerance(1e-9);
   const RegionAnswer bounds = answer(half_period());
-  BOOST_TEST(bounds.region.feasible);
-  BOOST_TEST(bounds.region.f2 == 0.1, close);
-  BOOST_TEST(bounds.region.f3 == 0.25, close);
-  BOOST_TEST(bounds.region.beta_min == 0.5, close);
-  BOOST_TEST_REQUIRE(bounds.intervals.value().size() == 1U);
-  BOOST_TEST(bounds.intervals->front().low == 0.1, close);
-  BOOST_TEST(bounds.intervals->front().high == 0.25, close);
   BOOST_TEST(!bounds.admissible.has_value());
   BOOST_TEST(bounds.strips.empty());
 
@@ -178,7 +154,7 @@ BOOST_AUTO_TEST_CASE(the_tolerance_asked_for_decides) {
   const RegionAnswer lacking = at(task, 0.175, 0.49);
   BOOST_TEST(!lacking.admissible.value());
   BOOST_TEST(violated(lacking).empty());
-  BOOST_TEST(lacking.tolerance.value() == 3.0 / 7, boost::test_tools::tolerance(1e-8));
+  BOOST_TEST(lacking.tolerance.value() == 3.0 / 7, tt::tolerance(1e-8));
   // f may be off upwards alone: from 0.175 to 0.25, by 3/7 of it.
   task.limits.tolerance = 0;
   shape_box(task.limits, spread_of_factors("tolerance-f", 1, 1.42), std::nullopt);
@@ -194,7 +170,7 @@ BOOST_AUTO_TEST_CASE(is_that_of_the_design_which_is_admissible_in_it) {
   for (int i = 0; i < 120; ++i) {
     PulseRequest request = random_request(random);
     BOOST_TEST_CONTEXT("request " << i << ", " << name(request.problem.pulse)) {
-      const DesignResult designed = stillpoint::design::design(request);
+      const DesignResult designed = design::design(request);
       RegionRequest region = region_of(request);
       if (designed.finding) {
         ++feasible;
@@ -212,7 +188,7 @@ BOOST_AUTO_TEST_CASE(is_that_of_the_design_which_is_admissible_in_it) {
         ++empty;
       }
       request.search.objective = Objective::robust;
-      check_same(answer(region), stillpoint::design::design(request));
+      check_same(answer(region), design::design(request));
     }
   }
   BOOST_TEST(feasible > 40);
@@ -254,7 +230,7 @@ BOOST_AUTO_TEST_CASE(random_dampers_stand_as_their_own_motion_says) {
 // and f_max or the acceleration for an f that is hardly larger: no look at an f comes to lie
 // between.
 BOOST_AUTO_TEST_CASE(a_narrow_interval_between_two_limits_is_found) {
-  const auto close = boost::test_tools::tolerance(1e-9);
+  const auto close = tt::tolerance(1e-9);
   RegionRequest by_f_max = half_period(0.64);
   by_f_max.limits.f_max = 0.1801;
   const RegionAnswer narrow = answer(by_f_max);
@@ -290,7 +266,7 @@ BOOST_AUTO_TEST_CASE(with_ranges_every_pulse_counts) {
   task.pulse_ranges.k_low = 0.45;
   // The weakest returns for f <= 0.225, and the peak of the strongest is 2 (0.55 - f).
   const RegionAnswer bounds = answer(task);
-  const auto close = boost::test_tools::tolerance(1e-8);
+  const auto close = tt::tolerance(1e-8);
   BOOST_TEST(bounds.intervals.value().front().low == 0.1, close);
   BOOST_TEST(bounds.intervals->front().high == 0.225, close);
   BOOST_TEST((violated(at(task, 0.0999, 2)) == Names{"amplitude"}));
@@ -300,31 +276,18 @@ BOOST_AUTO_TEST_CASE(with_ranges_every_pulse_counts) {
 }
 
 BOOST_AUTO_TEST_CASE(wrong_input_names_its_field) {
-  const auto field_of = [](const RegionRequest& wrong) {
-    try {
-      static_cast<void>(answer(wrong));
-    } catch (const InputError& error) {
-      return std::string(error.field());
-    }
-    return std::string();
+  const auto field_of = [](const std::function<void(RegionRequest&)>& spoil) {
+    RegionRequest wrong = half_period();
+    spoil(wrong);
+    return refused_field([&] { static_cast<void>(answer(wrong)); });
   };
-  RegionRequest wrong = half_period();
-  BOOST_TEST(field_of(wrong).empty());
-  wrong.problem.arrivals = 2;
-  BOOST_TEST(field_of(wrong) == "arrivals");
-  wrong = half_period();
-  wrong.problem.residual = 0.1;
-  BOOST_TEST(field_of(wrong) == "pulse");
-  wrong = half_period();
-  wrong.delta = 1;
-  BOOST_TEST(field_of(wrong) == "f");
-  wrong.f = -1;
-  BOOST_TEST(field_of(wrong) == "f");
-  wrong = half_period(-1);
-  BOOST_TEST(field_of(wrong) == "beta");
-  wrong = half_period();
-  wrong.pulse = Rectangle{0, 1};
-  BOOST_TEST(field_of(wrong) == "k");
+  BOOST_TEST(field_of([](auto&) {}).empty());
+  BOOST_TEST(field_of([](auto& wrong) { wrong.problem.arrivals = 2; }) == "arrivals");
+  BOOST_TEST(field_of([](auto& wrong) { wrong.problem.residual = 0.1; }) == "residual");
+  BOOST_TEST(field_of([](auto& wrong) { wrong.delta = 1; }) == "f");
+  BOOST_TEST(field_of([](auto& wrong) { wrong.f = -1, wrong.delta = 1; }) == "f");
+  BOOST_TEST(field_of([](auto& wrong) { wrong.problem.beta = -1; }) == "beta");
+  BOOST_TEST(field_of([](auto& wrong) { wrong.pulse = Rectangle{0, 1}; }) == "k");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "pulse/closed_return.hpp"
+#include "damper.hpp"
 #include "pulse/edge.hpp"
-#include "random_source.hpp"
-
-#include <stillpoint/core/forced_motion.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include "pulse/first_return.hpp"
+#include "random_pulse.hpp"
 
 BOOST_AUTO_TEST_SUITE(pulse_return_test)
 
@@ -17,8 +10,6 @@ BOOST_AUTO_TEST_SUITE(pulse_return_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
 /// About ten roundings of the pieces, and those of the time of a slow return: lambda times the
@@ -39,9 +30,7 @@ BOOST_AUTO_TEST_CASE(random_motions_are_those_of_the_forced_run) {
     const double lambda = std::pow(10, random.uniform(-2, i % 2 == 0 ? 0.5 : 4));
     const double f = i % 3 == 0 ? random.uniform(0, 0.999)
                                 : std::min(0.999, std::pow(10, random.uniform(-5, 0.3)) / lambda);
-    const Pulse pulse =
-        std::array<Pulse, 3>{HalfSine{1, lambda}, FullSine{1, lambda},
-                             Rectangle{1, lambda}}[static_cast<std::size_t>(random.pick(3))];
+    const Pulse pulse = random_pulse(random, 1, lambda);
     const auto found = closed_return(pulse, f);
     const ForcedResponse motion = forced_response({1, f, 1e200}, {}, excitation(pulse));
     BOOST_TEST(found.has_value() == (lambda <= shortest || pulse.index() != 1));
@@ -75,7 +64,7 @@ BOOST_AUTO_TEST_CASE(random_motions_are_those_of_the_forced_run) {
 BOOST_AUTO_TEST_CASE(a_rectangle_of_half_a_natural_period_is_known_by_hand) {
   const auto found = closed_return(Rectangle{1, 1}, 0.25);
   BOOST_REQUIRE(found.has_value());
-  const auto close = boost::test_tools::tolerance(1e-14);
+  const auto close = tt::tolerance(1e-14);
   BOOST_TEST(found->returns);
   BOOST_TEST(found->peak == 1.5, close);
   BOOST_TEST(found->speed == std::sqrt(1.5), close);
@@ -91,7 +80,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_return_says_how_far_it_is_from_it) {
   BOOST_REQUIRE(swings_back.has_value());
   BOOST_TEST(!swings_back->returns);
   BOOST_TEST(swings_back->turns == 2);
-  BOOST_TEST(swings_back->clearance == 0.8 * (0.8 - 1.2), boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(swings_back->clearance == 0.8 * (0.8 - 1.2), tt::tolerance(1e-14));
   const auto rests = closed_return(Rectangle{1, 1}, 0.7);  // A = 0.6 < f
   BOOST_REQUIRE(rests.has_value());
   BOOST_TEST(!rests->returns);
@@ -108,8 +97,7 @@ BOOST_AUTO_TEST_CASE(an_edge_is_the_last_place_that_is_not_negative) {
     return std::cos(x) - x;
   };
   constexpr double fixed_point = 0.73908513321516064166;
-  BOOST_TEST(last_not_negative(0.0, 1.0, smooth) == fixed_point,
-             boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(last_not_negative(0.0, 1.0, smooth) == fixed_point, tt::tolerance(1e-14));
   BOOST_TEST(std::cos(last_not_negative(0.0, 1.0, smooth)) >= last_not_negative(0.0, 1.0, smooth));
   BOOST_TEST(calls <= 3 * 14);
   calls = 0;
@@ -118,20 +106,20 @@ BOOST_AUTO_TEST_CASE(an_edge_is_the_last_place_that_is_not_negative) {
     return Rated{std::cos(x) - x, -std::sin(x) - 1};
   };
   const double by_slopes = last_not_negative_by_slopes(0.0, 1.0, with_slope);
-  BOOST_TEST(by_slopes == fixed_point, boost::test_tools::tolerance(2e-13));
+  BOOST_TEST(by_slopes == fixed_point, tt::tolerance(2e-13));
   BOOST_TEST(std::cos(by_slopes) >= by_slopes);
   BOOST_TEST(calls <= 6);
   const auto jump = [&](double x) { return x > 0.3 ? 1e-300 : -1.0; };
   const double edge = last_not_negative(1.0, 0.0, jump);
   BOOST_TEST(edge > 0.3);
-  BOOST_TEST(edge == 0.3, boost::test_tools::tolerance(2e-14));
+  BOOST_TEST(edge == 0.3, tt::tolerance(2e-14));
   // Slopes that say nothing, or the wrong thing, cost steps and nothing else.
   for (const double slope : {0.0, 1.0, -1.0}) {
     const double found = last_not_negative_by_slopes(1.0, 0.0, [&](double x) {
       return Rated{x > 0.3 ? 1.0 : -1.0, slope};
     });
     BOOST_TEST(found > 0.3);
-    BOOST_TEST(found == 0.3, boost::test_tools::tolerance(2e-13));
+    BOOST_TEST(found == 0.3, tt::tolerance(2e-13));
   }
 }
 

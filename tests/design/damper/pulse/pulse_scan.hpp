@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace stillpoint::design_test {
@@ -17,9 +18,9 @@ struct Scanned {
   double f{0};
   bool holds{false};  ///< every requirement that is not one of Delta
   double need{0};     ///< the least Delta that stops it
-  double peak{0};
-  double time{0};
-  double acceleration{0};
+  double peak_amplitude{0};
+  std::optional<double> stop_time{};
+  double peak_absolute_acceleration{0};
 };
 
 /// One pulse with one spring; the rest is that of the request.
@@ -36,7 +37,7 @@ inline Scanned scanned(const design::PulseRequest& request, const design::Pulse&
               motion.peak_absolute_acceleration <= limits.acceleration_max.value_or(HUGE_VAL),
           (w * w + phi * phi) / 2,
           motion.peak_amplitude,
-          motion.stop_time.value_or(0),
+          motion.stop_time,
           motion.peak_absolute_acceleration};
 }
 

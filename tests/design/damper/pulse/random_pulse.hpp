@@ -51,22 +51,16 @@ inline design::PulseRequest random_request(RandomSource& random) {
                      random.pick(2) == 0 ? design::Criterion::published : design::Criterion::exact};
   const ForcedResponse free = simulated(request.problem, 1e-3 * k, 1e200);
   request.problem.beta = random.uniform(0.35, 1.2) * free.peak_amplitude;
-  if (random.pick(2) == 0) {
-    request.limits.tolerance = random.uniform(0, 0.3);
-  }
-  if (random.pick(4) == 0) {
-    request.limits.f_max = random.uniform(0.05, 0.5) * free.peak_absolute_acceleration;
-  }
+  random.one_in(2, request.limits.tolerance, [&] { return random.uniform(0, 0.3); });
+  random.one_in(4, request.limits.f_max,
+                [&] { return random.uniform(0.05, 0.5) * free.peak_absolute_acceleration; });
   if (random.pick(4) == 0) {
     const double w = free.arrival_speed.value_or(0);
     request.limits.delta_max = random.uniform(0.2, 1.5) * w * w / 2;
   }
-  if (random.pick(4) == 0) {
-    request.limits.acceleration_max = random.uniform(0.8, 1.5) * free.peak_absolute_acceleration;
-  }
-  request.search.objective =
-      std::array{design::Objective::robust, design::Objective::amplitude, design::Objective::time,
-                 design::Objective::acceleration}[static_cast<std::size_t>(random.pick(4))];
+  random.one_in(4, request.limits.acceleration_max,
+                [&] { return random.uniform(0.8, 1.5) * free.peak_absolute_acceleration; });
+  request.search.objective = random_objective(random);
   return request;
 }
 

@@ -37,12 +37,13 @@ struct FigureCurve {
 /// A box lies on top of curves, and has an edge.
 enum class AreaLook { filled, hatched, box };
 
-/// A polygon. It is named inside if there is room, else in the legend.
+/// A polygon. It is named inside if there is room, else in the legend if it may be.
 struct FigureArea {
   std::string name;
   std::vector<FigurePoint> outline;
   Ink ink{Ink::blue};
   AreaLook look{AreaLook::filled};
+  bool in_legend{true};
 };
 
 /// A shaded span of the horizontal axis, named like an area.

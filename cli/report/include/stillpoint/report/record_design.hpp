@@ -28,6 +28,9 @@ struct RecordDesignReport {
   std::optional<design::PhysicalInput> physical{};
 };
 
+/// "stroke", "acceleration" or "residual".
+[[nodiscard]] std::string_view quantity(design::SuiteObjective objective);
+
 /// Why there is no damper, in one sentence; empty if there is one.
 [[nodiscard]] std::string shortfall_sentence(const RecordDesignReport& report);
 

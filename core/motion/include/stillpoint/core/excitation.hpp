@@ -13,6 +13,7 @@ namespace stillpoint {
 /// W = k sin(lambda tau + phase) for 0 <= tau < duration.
 template <class Real>
 struct BasicHarmonic {
+  static constexpr std::string_view name = "harmonic";
   Real k{0};
   Real lambda{1};  ///< > 0
   Real phase{0};
@@ -20,25 +21,39 @@ struct BasicHarmonic {
 };
 using Harmonic = BasicHarmonic<double>;
 
-/// W = k sin(lambda tau) for half a period, pi / lambda.
+// A pulse lasts `turns` times 2 pi / lambda. It is W = k sin(lambda tau) or, with a `line`,
+// straight from one part of k to another. What computes with it follows from these; a load with
+// another law also needs what a record has: in src/kernel, in the peers and in its figure.
+
+/// The parts of k at the begin and at the end.
+struct PulseLine {
+  double begin;
+  double end;
+};
+
 template <class Real>
 struct BasicHalfSine {
+  static constexpr std::string_view name = "half-sine";
+  static constexpr double turns = 0.5;
   Real k{0};
   Real lambda{1};
 };
 using HalfSine = BasicHalfSine<double>;
 
-/// W = k sin(lambda tau) for a whole period, 2 pi / lambda.
 template <class Real>
 struct BasicFullSine {
+  static constexpr std::string_view name = "full-sine";
+  static constexpr double turns = 1;
   Real k{0};
   Real lambda{1};
 };
 using FullSine = BasicFullSine<double>;
 
-/// W = k for 0 <= tau < pi / lambda.
 template <class Real>
 struct BasicRectangle {
+  static constexpr std::string_view name = "rectangle";
+  static constexpr double turns = 0.5;
+  static constexpr PulseLine line{1, 1};
   Real k{0};
   Real lambda{1};
 };
@@ -48,6 +63,7 @@ using Rectangle = BasicRectangle<double>;
 /// jump; a single sample has no duration.
 template <class Real>
 struct BasicRecord {
+  static constexpr std::string_view name = "record";
   std::vector<Real> values;
   Real step{0};             ///< sample i is at i * step; > 0 unless times are given
   std::vector<Real> times;  ///< empty, or the time of each sample: >= 0 and growing
@@ -55,11 +71,27 @@ struct BasicRecord {
 using Record = BasicRecord<double>;
 
 /// W = 0.
-struct NoExcitation {};
+struct NoExcitation {
+  static constexpr std::string_view name = "none";
+};
 
-using Excitation = std::variant<NoExcitation, Harmonic, HalfSine, FullSine, Rectangle, Record>;
+/// A new kind of excitation is one of these.
+template <class Real>
+using BasicExcitation = std::variant<NoExcitation, BasicHarmonic<Real>, BasicHalfSine<Real>,
+                                     BasicFullSine<Real>, BasicRectangle<Real>, BasicRecord<Real>>;
+using Excitation = BasicExcitation<double>;
 
-/// "harmonic", "half-sine", "full-sine", "rectangle", "record"; "none".
+template <class Kind>
+concept IsPulse = requires {
+  Kind::turns;
+};
+/// Straight, not a part of a sine.
+template <class Kind>
+concept IsLine = requires {
+  Kind::line;
+};
+
+/// That of its kind.
 [[nodiscard]] std::string_view name(const Excitation& excitation) noexcept;
 
 /// p tau, lambda tau and the phase are at most this in a run under an excitation: beyond it sines

@@ -29,6 +29,32 @@ struct SuiteFiles {
 [[nodiscard]] std::vector<SuiteRecord> read_suite(const SuiteFiles& files, const RecordScale& scale,
                                                   const RecordOptions& options);
 
+/// The files of a folder by the ending of their names, each kind in the order of the names.
+struct FolderFiles {
+  std::vector<std::string> records;
+  std::vector<std::string> plain_text;  ///< which ends like a record; see is_plain_text
+};
+
+/// Empty if `path` is not a folder.
+[[nodiscard]] FolderFiles folder_files(const std::string& path);
+
+/// The records of a folder: the files whose names have the ending of one, in the order of their
+/// names, but for a .txt, .csv or .dat that is plain text. If `path` is not a folder, the path
+/// itself. Throws FileError for a folder without any.
+[[nodiscard]] std::vector<std::string> record_files(const std::string& path);
+
+/// A line of a list of records.
+struct ListedRecord {
+  std::string
+      path;         ///< in the list's folder if it is there, else relative to the working directory
+  double scale{1};  ///< not 0
+  RecordTarget target{};
+};
+
+/// CSV with the header file,scale or file,peak or file,spectrum; blank lines and those that begin
+/// with # are skipped. Throws FileError, with the line, for what is wrong.
+[[nodiscard]] std::vector<ListedRecord> read_record_list(const std::string& path);
+
 /// The files in the folders of a suite that were skipped as plain text.
 [[nodiscard]] std::vector<std::string> left_out_files(const SuiteFiles& files);
 

@@ -42,11 +42,15 @@ inline constexpr std::size_t longest_path = 300;
 /// "robust, amplitude, time or acceleration"; of at least two.
 [[nodiscard]] std::string listed(std::span<const std::string_view> words);
 
-/// "; did you mean NAME?" for the name that is at most two slips away, else ""; the prefix is put
-/// before it.
+/// "; did you mean NAME?" for the name that is at most two slips away, or the only one that begins
+/// so, else ""; the prefix is put before it.
 [[nodiscard]] std::string suggestion(std::string_view wrong,
                                      std::span<const std::string_view> names,
                                      std::string_view prefix = "");
+
+/// "must be robust, amplitude or time", `where` that is so, and a suggestion.
+[[nodiscard]] std::string must_be(std::string_view wrong, std::span<const std::string_view> names,
+                                  std::string_view where = "");
 
 /// A part of a file as messages quote it.
 [[nodiscard]] std::string quoted(std::string_view text);

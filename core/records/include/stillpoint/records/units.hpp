@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/core/surface.hpp>
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,7 +50,17 @@ inline constexpr double standard_gravity_m_per_s2 = 9.80665;
 [[nodiscard]] double parse_value(std::string_view field, Dimension dimension, std::string_view text,
                                  std::string_view instead = "");
 
+/// Throws InputError, "velocity = -1 m/s: must be from 1e-30 to 1e+30 m/s", unless a value in the
+/// first of its units is from `least` to largest_physical.
+void require_physical(std::string_view field, Dimension dimension, double value,
+                      double least = smallest_physical);
+
 /// Whether something follows the number of `text`.
 [[nodiscard]] bool has_unit(std::string_view text);
+
+/// The zones of "X:F,X:F,...", each an edge, which may have a unit if it has a dimension, and the
+/// friction up to it. Throws InputError, which names the field and the zone.
+[[nodiscard]] std::vector<FrictionZone> parse_zones(std::string_view field, Dimension edge,
+                                                    std::string_view text);
 
 }  // namespace stillpoint::records

@@ -31,6 +31,10 @@ struct Constraint {
   double limit{0};
   double slack{0};
   bool satisfied{false};
+
+  /// With the slack of a relation <, <=, > or >=.
+  [[nodiscard]] static Constraint compared(std::string_view name, std::string_view variable,
+                                           std::string_view relation, double value, double limit);
 };
 
 /// In the order of the table. Throws InputError for a wrong problem and f or delta not in [0,

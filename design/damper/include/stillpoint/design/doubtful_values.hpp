@@ -18,8 +18,8 @@ struct GivenValue {
 /// By names such as velocity, max-displacement, natural-frequency.
 using GivenValues = std::map<std::string, GivenValue, std::less<>>;
 
-/// A value that makes no sense with the others, most often a number in millimetres, milliseconds or
-/// tonnes where metres, seconds or kilograms are meant.
+/// A value that makes no sense with the others, or is of no usual size, most often a number in
+/// millimetres, milliseconds or tonnes where metres, seconds or kilograms are meant.
 struct Doubt {
   /// What was probably meant: this number, in this unit.
   struct Meant {
@@ -27,6 +27,7 @@ struct Doubt {
     double value;
     std::string unit;
   };
+  std::string name;  ///< of the value; empty if several could be at fault
   std::string text;  ///< names the value and says what is wrong with it
   std::optional<Meant> meant{};
 };

@@ -13,7 +13,7 @@ namespace stillpoint::design {
 /// not exist (without friction, without a stop at x = 0) is empty, as is what a double cannot hold.
 struct Practice {
   std::optional<double> secant_stiffness;    ///< (f + p^2 A)/A; p^2 is the spring's
-  std::optional<double> equivalent_damping;  ///< of a full cycle of amplitude A, (43)
+  std::optional<double> equivalent_damping;  ///< of a full cycle of amplitude A, (43), at most 1
   double base_shear{0};                      ///< f + p^2 A, which is S
   double restoring{0};                       ///< p^2 A
   std::optional<double> energy_ratio;        ///< E_s/E_h = p^2 A/(2f), EN 15129

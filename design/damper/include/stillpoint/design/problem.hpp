@@ -9,6 +9,12 @@
 
 namespace stillpoint::design {
 
+/// Of f, of Delta or of an input.
+struct Interval {
+  double low{0};
+  double high{0};
+};
+
 /// Which lower bound of Delta keeps the motion at x = 0 on its first return.
 enum class Criterion {
   published,  ///< the paper's condition 5: safe, too large by f^2/(2 p^2); of a later arrival

@@ -62,12 +62,6 @@ void require_valid(const PulseProblem& problem, const Limits& limits = {});
 /// The same as a function of f, for many f.
 [[nodiscard]] std::function<std::optional<double>(double)> least_delta(const PulseProblem& problem);
 
-/// An interval of f for which the motion returns, stays within beta and meets the limits.
-struct FrictionInterval {
-  double low{0};
-  double high{0};
-};
-
 /// Why a pulse does not act like an initial velocity.
 enum class PulseWarning {
   pulse_not_short,     ///< p / lambda > 0.2

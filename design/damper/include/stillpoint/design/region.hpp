@@ -5,14 +5,21 @@
 
 #include <stillpoint/design/admissible_region.hpp>
 #include <stillpoint/design/constraints.hpp>
-#include <stillpoint/design/mends.hpp>
 #include <stillpoint/design/region_result.hpp>
 #include <stillpoint/design/strips.hpp>
 #include <stillpoint/design/tolerance.hpp>
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace stillpoint::design {
+
+/// One entry for each input that suffices alone; none if the region is not empty.
+[[nodiscard]] std::vector<Mend> mends(const Problem& problem, const Limits& limits);
+
+/// Empty if the region is not empty, or if one input suffices.
+[[nodiscard]] std::optional<JointMend> joint_mend(const Problem& problem, const Limits& limits);
 
 /// The answer in one line for people: the interval of f, or why the region is empty.
 [[nodiscard]] std::string summary(const RegionVerdict& verdict);

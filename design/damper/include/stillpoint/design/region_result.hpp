@@ -43,8 +43,9 @@ struct RegionVerdict {
   std::vector<Mend> mends{};
   std::optional<JointMend> joint_mend{};
   std::optional<DesignPoint> most_tolerant{};  ///< not for the parts of a catalogue
-  /// Of admissible f, with a pulse: the region is then that of the forced motion itself.
-  std::optional<std::vector<FrictionInterval>> intervals{};
+  /// With a pulse, of the f for which the motion returns, stays within beta and meets the limits:
+  /// the region is then that of the forced motion itself.
+  std::optional<std::vector<Interval>> intervals{};
 };
 
 /// A region, and a damper to compare with it.

@@ -25,12 +25,15 @@ struct Strip {
 /// The Delta with which a damper with that f stops the mass at the n-th arrival: the lower edge is
 /// excluded, the peak and the limits are not checked. Accurate to a few roundings; empty if there
 /// is none. Throws InputError.
-struct DeltaRange {
-  double low;
-  double high;
-};
-[[nodiscard]] std::optional<DeltaRange> delta_range(const Problem& problem, std::int64_t arrival,
-                                                    double f);
+[[nodiscard]] std::optional<Interval> delta_range(const Problem& problem, std::int64_t arrival,
+                                                  double f);
+
+/// The f beyond which no Delta lets the mass stop or rest as it must. Throws InputError.
+[[nodiscard]] double largest_stopping_f(const Problem& problem);
+
+/// The Delta below which the mass passes x = 0 more often than it may; 0 where it never does.
+/// Throws InputError.
+[[nodiscard]] double least_stopping_delta(const Problem& problem, double f);
 
 /// The arrival, of those that are allowed, at which the damper stops the mass at x = 0 by the
 /// problem's criterion; empty if there is none. The peak and the limits are not checked.

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <type_traits>
 #include <variant>
 
 namespace stillpoint::peers {
@@ -31,20 +32,15 @@ class WaveLoad {
       : k_(k), lambda_(lambda), phase_(phase), end_(end) {}
   explicit WaveLoad(const Harmonic& e)
       : WaveLoad(e.k, e.lambda, e.phase, e.duration.value_or(for_ever)) {}
-  explicit WaveLoad(const HalfSine& e) : WaveLoad(e.k, e.lambda, 0, std::numbers::pi / e.lambda) {}
-  explicit WaveLoad(const FullSine& e)
-      : WaveLoad(e.k, e.lambda, 0, 2 * std::numbers::pi / e.lambda) {}
-  explicit WaveLoad(const Rectangle& e)
-      : WaveLoad(e.k, 0, std::numbers::pi / 2, std::numbers::pi / e.lambda) {}
+  template <IsPulse Pulse>
+  explicit WaveLoad(const Pulse& e) : WaveLoad(e.k, e.lambda, 0, duration(e).value()) {}
 
   double operator()(double t) const { return k_ * std::sin(lambda_ * t + phase_); }
   [[nodiscard]] double stretch_end() const { return end_; }
   /// The largest |W| from here on; infinite if something else still comes.
   [[nodiscard]] double largest() const { return end_ == for_ever ? std::abs(k_) : for_ever; }
   /// Between looks at the load of a mass at rest.
-  [[nodiscard]] double scan_step() const {
-    return lambda_ > 0 ? std::numbers::pi / 16 / lambda_ : for_ever;
-  }
+  [[nodiscard]] double scan_step() const { return std::numbers::pi / 16 / lambda_; }
   /// Moves on to what follows; true: W jumps there.
   bool next_stretch() {
     k_ = 0;
@@ -57,6 +53,31 @@ class WaveLoad {
   double lambda_;
   double phase_;
   double end_;
+};
+
+/// A straight line up to `end`, then 0.
+class LineLoad {
+ public:
+  template <IsLine Pulse>
+  explicit LineLoad(const Pulse& e)
+      : end_(duration(e).value()),
+        w_(Pulse::line.begin * e.k),
+        slope_((Pulse::line.end - Pulse::line.begin) * e.k / end_) {}
+
+  double operator()(double t) const { return w_ + slope_ * t; }
+  [[nodiscard]] double stretch_end() const { return end_; }
+  [[nodiscard]] double largest() const { return end_ == for_ever ? 0 : for_ever; }
+  [[nodiscard]] static double scan_step() { return for_ever; }
+  bool next_stretch() {
+    w_ = slope_ = 0;
+    end_ = for_ever;
+    return true;
+  }
+
+ private:
+  double end_;
+  double w_;
+  double slope_;
 };
 
 /// Straight lines between samples.
@@ -101,16 +122,19 @@ class RecordLoad {
 /// Calls `action` with the load of an excitation.
 template <class Action>
 auto with_load(const Excitation& excitation, Action action) {
-  struct Choose {
-    Action& action;
-    auto operator()(const NoExcitation& /*none*/) { return action(NoLoad()); }
-    auto operator()(const Record& record) { return action(RecordLoad(record)); }
-    auto operator()(const Harmonic& e) { return action(WaveLoad(e)); }
-    auto operator()(const HalfSine& e) { return action(WaveLoad(e)); }
-    auto operator()(const FullSine& e) { return action(WaveLoad(e)); }
-    auto operator()(const Rectangle& e) { return action(WaveLoad(e)); }
-  };
-  return std::visit(Choose{action}, excitation);
+  return std::visit(
+      [&]<class Kind>(const Kind& kind) {
+        if constexpr (std::is_same_v<Kind, NoExcitation>) {
+          return action(NoLoad());
+        } else if constexpr (std::is_same_v<Kind, Record>) {
+          return action(RecordLoad(kind));
+        } else if constexpr (IsLine<Kind>) {
+          return action(LineLoad(kind));
+        } else {
+          return action(WaveLoad(kind));
+        }
+      },
+      excitation);
 }
 
 }  // namespace stillpoint::peers

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/sweep/files_apart.hpp>
+#include <stillpoint/sweep/output_file.hpp>
 #include <stillpoint/sweep/sink.hpp>
 
 #include <cstdint>

@@ -3,10 +3,12 @@
 
 #include <stillpoint/core/state.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace stillpoint::sweep {
@@ -108,6 +110,10 @@ constexpr std::string_view name(Quantity quantity) {
 }
 constexpr Form form(Quantity quantity) {
   return quantity_forms[index(quantity)].form;
+}
+
+constexpr bool contains(std::span<const Quantity> quantities, Quantity quantity) {
+  return std::ranges::find(quantities, quantity) != quantities.end();
 }
 
 /// If an input is a range, the quantity of the end that does not stand for it.

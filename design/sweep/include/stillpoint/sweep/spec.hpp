@@ -130,7 +130,13 @@ void require_in_order(const SweepSpec& spec, Quantity input, double value, doubl
 
 /// "f,delta,peak_amplitude". Throws InputError for a name that is not a column of this kind, and
 /// for one that occurs twice.
-[[nodiscard]] std::vector<Quantity> parse_columns(std::string_view names, SweepKind kind,
+[[nodiscard]] std::vector<Quantity> parse_columns(std::string_view text, SweepKind kind,
                                                   const std::optional<SweepUnits>& units = {});
+
+/// SweepSpec::identity of a spec that is otherwise complete. `inputs` is a JSON object with
+/// everything that decides the rows, as given, and `version` is that of the program that computes
+/// them.
+[[nodiscard]] std::string identity_of(const SweepSpec& spec, const std::string& inputs,
+                                      std::string_view version);
 
 }  // namespace stillpoint::sweep

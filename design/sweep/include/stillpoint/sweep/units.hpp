@@ -5,6 +5,7 @@
 #include <stillpoint/sweep/quantity.hpp>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -38,6 +39,15 @@ struct SweepUnits {
 
 /// The same as an option and in messages: "stop-time-s".
 [[nodiscard]] std::string option_name(Quantity quantity, const std::optional<SweepUnits>& units);
+
+/// The quantity of that name among these; '-' and '_' are the same.
+[[nodiscard]] std::optional<Quantity> find_named(std::span<const Quantity> quantities,
+                                                 std::string_view written,
+                                                 const std::optional<SweepUnits>& units);
+
+/// Their names: "f, delta, stop_time".
+[[nodiscard]] std::string names(std::span<const Quantity> quantities,
+                                const std::optional<SweepUnits>& units);
 
 /// The dimension of the quantity; none without units.
 [[nodiscard]] records::Dimension dimension(Quantity quantity,

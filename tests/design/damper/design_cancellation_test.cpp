@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "random_source.hpp"
-
-#include <stillpoint/core/cancellation.hpp>
-#include <stillpoint/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <functional>
-#include <string>
-#include <vector>
+#include "damper.hpp"
 
 BOOST_AUTO_TEST_SUITE(cancellation_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
+using namespace stillpoint::design_test;
 
 /// How often `work` asks, if nobody cancels it.
 int times_asked(const std::function<void()>& work) {

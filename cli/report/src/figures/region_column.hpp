@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/strips.hpp>
+
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+namespace stillpoint::report {
+
+/// How Delta decides at one f that the peak allows and with which the mass can come back.
+struct RegionColumn {
+  double f;
+  double stop;  ///< below it the mass passes the last arrival allowed
+  /// The strips by arrival, from 0, any rest within the residual. Those of arrivals beyond the ones
+  /// that are drawn are one.
+  std::vector<std::optional<design::DeltaRange>> strips;
+};
+
+/// The f closest to `outside` at which something still holds that holds at `inside`.
+template <class Holds>
+double last_inside(double inside, double outside, const Holds& holds) {
+  constexpr int halvings = 40;  // far below a pixel
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = std::midpoint(inside, outside);
+    (holds(middle) ? inside : outside) = middle;
+  }
+  return inside;
+}
+
+/// Columns at these f, in rising order, and on both sides of each f between them where a strip
+/// begins or ends.
+[[nodiscard]] std::vector<RegionColumn> region_columns(const design::Problem& problem,
+                                                       const std::vector<double>& at);
+
+/// Where the mass rests off centre or beyond the residual: from the next lower strip, or the stop,
+/// to that of arrival n; n = 0: up to the start. Empty if there is no such strip or nothing
+/// between.
+[[nodiscard]] std::optional<design::DeltaRange> below_strip(const RegionColumn& column,
+                                                            std::size_t n);
+
+}  // namespace stillpoint::report
