@@ -165,7 +165,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   // A weaker hit than this is caught at the start: rule 4 of docs/theory.md, section 1.
   if (const double caught = std::sqrt(2 * delta); problem.v0_low && *problem.v0_low < caught) {
     const std::string words = FigureUnits(physical).velocity_words(caught);
-    answer.row("weak hits", format("below {} are held, and felt in full: up to {}", words,
+    answer.row("weak hits", format("below {} are held: felt in full, up to {}", words,
                                    impulse_shown(physical, caught)));
   }
   if (finding.cross_check.passed) {
