@@ -8,9 +8,11 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -92,12 +94,10 @@ bool is_off_edges(const Problem& problem, const Figure& figure, const FigurePoin
   constexpr double apart = 0.004;  // of the axes
   const double dx = apart * (figure.x.most - figure.x.least);
   const double dy = apart * (figure.y.most - figure.y.least);
-  for (const auto& [x, y] : std::vector<FigurePoint>{{dx, 0}, {-dx, 0}, {0, dy}, {0, -dy}}) {
-    if (truth(problem, {at.x + x, std::max(0.0, at.y + y)}) != truth(problem, at)) {
-      return false;
-    }
-  }
-  return true;
+  const std::vector<FigurePoint> beside{{dx, 0}, {-dx, 0}, {0, dy}, {0, -dy}};
+  return std::ranges::all_of(beside, [&](const FigurePoint& by) {
+    return truth(problem, {at.x + by.x, std::max(0.0, at.y + by.y)}) == truth(problem, at);
+  });
 }
 
 FigurePoint anywhere(Dice& dice, const Figure& figure) {
