@@ -2,6 +2,8 @@
 // The text of a report: the answer first, short enough for a terminal, the rest on demand.
 #include "cli_test.hpp"
 
+#include <stillpoint/report/digits.hpp>
+
 BOOST_AUTO_TEST_SUITE(answer_test)
 
 namespace {

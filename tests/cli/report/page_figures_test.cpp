@@ -7,6 +7,8 @@
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/report/report.hpp>
 
+#include <regex>
+
 // What a reader must see in the figures of a page.
 
 BOOST_AUTO_TEST_SUITE(page_figures_test)
@@ -257,9 +259,10 @@ BOOST_AUTO_TEST_CASE(the_caption_says_what_a_clear_area_and_a_strip_mean) {
   const design::RegionRequest only{.problem = {.v0 = 1.1, .p = 1, .beta = 0.95, .v0_low = 0.9}};
   const Figure one = figure(page(RegionReport{only, design::answer(only)}), "region");
   BOOST_TEST((named(one.areas, "admissible").ink == figures::Ink::sky));
-  BOOST_TEST(one.caption ==
-             "A damper in the clear area is admissible; each hatched side says what goes wrong "
-             "there for some hits or springs of the ranges.");
+  BOOST_TEST(
+      one.caption ==
+      "A damper in the area without hatching is admissible; each hatched side says what goes "
+      "wrong there for some hits or springs of the ranges.");
 }
 
 /// m V0^2/2 = 100 t (0.4 m/s)^2/2 = 8 kJ.

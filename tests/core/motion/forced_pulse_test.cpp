@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(a_straight_pulse_is_a_record_of_two_samples) {
   for (const double k : {0.5, -0.8}) {
     for (const double lambda : {0.4, 3.0}) {
       const Ramp ramp{k, lambda};
-      const double lasts = half_circle / lambda;
+      const double lasts = pi / lambda;
       ForcedScene<> scene{{.x0 = 0.1, .v0 = 0.2, .p = 1, .f = 0.1, .delta = 0.02},
                           Record{{k, k / 4}, 0, {0, lasts}},
                           1.5 * lasts};

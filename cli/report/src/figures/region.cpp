@@ -120,7 +120,7 @@ std::string admissible_caption(const Problem& problem) {
   const std::string sides = format("each hatched side says what goes wrong there{}.",
                                    ranges ? " for some hits or springs of the ranges" : "");
   if (is_one_strip(problem)) {
-    return "A damper in the clear area is admissible; " + sides;
+    return "A damper in the area without hatching is admissible; " + sides;
   }
   return format(
       "A damper in a strip {} at that arrival{}; {}",
