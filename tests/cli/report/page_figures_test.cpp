@@ -2,7 +2,6 @@
 #include "drawn_pages.hpp"
 #include "testing/test.hpp"
 
-#include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/report/report.hpp>
@@ -118,32 +117,6 @@ BOOST_AUTO_TEST_CASE(the_hits_are_told_with_the_digits_that_tell_them_apart) {
   const std::string& caption = figure(drawn, "hits").caption;
   BOOST_TEST(contains(caption, "0.9998"), caption);
   BOOST_TEST(contains(caption, "1.0000"), caption);
-}
-
-/// For springs that vary, as for one: no forbidden part of the plane is left without words.
-BOOST_AUTO_TEST_CASE(the_sides_of_strips_have_names) {
-  design::DesignRequest request;
-  request.problem = {.v0 = 1.1, .p = 0.95, .beta = 2, .v0_low = 0.9, .p_high = 1.05};
-  request.problem.criterion = design::Criterion::exact;
-  const Figure drawn = figure(page(DesignReport{design::design(request), {}}), "region");
-  for (const char* side :
-       {"notch holds at the start", "too strong: does not return", "notch too weak"}) {
-    const auto& found = named(drawn.areas, side);
-    BOOST_TEST((found.look == figures::AreaLook::hatched));
-  }
-  // The hardest hit on the stiffest spring passes a notch just below the edge, not one just above.
-  const auto& weak = named(drawn.areas, "notch too weak").outline;
-  constexpr double aside = 1e-3;
-  for (std::size_t i = 0; i + 2 < weak.size(); ++i) {
-    const auto passages = [&](double delta) {
-      return free_response({.p = 1.05, .f = weak[i].x, .delta = delta}, {.x0 = 0, .v0 = 1.1})
-          .zero_passages.value();
-    };
-    if (weak[i].x > 0) {
-      BOOST_TEST(passages(weak[i].y * (1 - aside)) > 0, weak[i].x);
-      BOOST_TEST(passages(weak[i].y * (1 + aside)) == 0, weak[i].x);
-    }
-  }
 }
 
 /// The peak is 11 mm below the limit, and so are its words, though there is more room above.

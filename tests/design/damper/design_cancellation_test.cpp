@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "damper.hpp"
 
-BOOST_AUTO_TEST_SUITE(cancellation_test)
+BOOST_AUTO_TEST_SUITE(design_cancellation_test)
 
 namespace {
 
