@@ -147,7 +147,7 @@ void check_scaled(const Record& record, double p, double /*t_end*/) {
 
 }  // namespace
 
-std::string_view name(const Excitation& excitation) noexcept {
+std::string_view name(const Excitation& excitation) {
   return std::visit([](const auto& kind) { return kind.name; }, excitation);
 }
 

@@ -92,7 +92,7 @@ concept IsLine = requires {
 };
 
 /// That of its kind.
-[[nodiscard]] std::string_view name(const Excitation& excitation) noexcept;
+[[nodiscard]] std::string_view name(const Excitation& excitation);
 
 /// p tau, lambda tau and the phase are at most this in a run under an excitation: beyond it sines
 /// lose their digits.
