@@ -13,8 +13,8 @@ namespace stillpoint::design {
 
 /// A point whose box fits; empty if there is none.
 struct WayPoint {
-  double f;
-  double delta;
+  double f{0};
+  double delta{0};
 };
 [[nodiscard]] std::optional<WayPoint> any_point(const Way& way);
 

@@ -49,10 +49,10 @@ class WaveLoad {
   }
 
  private:
-  double k_;
-  double lambda_;
-  double phase_;
-  double end_;
+  double k_{0};
+  double lambda_{0};
+  double phase_{0};
+  double end_{0};
 };
 
 /// A straight line up to `end`, then 0.
