@@ -6,6 +6,7 @@
 
 #include "nearest_fit.hpp"
 #include "region/edges.hpp"
+#include "region/limit_table.hpp"
 #include "way/way.hpp"
 #include "wide.hpp"
 
@@ -158,13 +159,15 @@ std::optional<WorksFor> works_for(const Problem& problem, const Limits& limits, 
   const HitDamper damper{f, 2 * Wide(delta), problem.beta, problem.criterion};
   const Interval of_v0 = valid_v0(problem);
   const Interval of_p = valid_p(problem);
-  const auto ends = [](Wide low, Wide high, double nominal, const Interval& valid,
-                       const auto& fits) {
+  // At the largest p rounding decides what nothing bounds.
+  const bool limited = figures_edge(problem, limits) < HUGE_VAL;
+  const auto ends = [limited](Wide low, Wide high, double nominal, const Interval& valid,
+                              const auto& fits) {
     ServedInterval interval;
     interval.low =
         last_fit(std::max(static_cast<double>(low), std::min(nominal, valid.low)), nominal, fits);
     const double most = std::max(nominal, valid.high);
-    if (high < HUGE_VAL || !fits(most)) {
+    if (high < HUGE_VAL || (limited && !fits(most))) {
       interval.high = last_fit(std::min(static_cast<double>(high), most), nominal, fits);
     }
     return interval;
