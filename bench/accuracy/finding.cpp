@@ -65,7 +65,7 @@ std::vector<Errors> errors_of_neighbours(const HardCase& hard_case, double condi
     neighbours.push_back(hard_case.neighbour(dice));
   }
   std::vector<Errors> errors(neighbours.size());
-  for_each_entry(std::ssize(neighbours), 0, {}, [&](std::ptrdiff_t entry) {
+  for_each_entry(std::ssize(neighbours), {}, {}, [&](std::ptrdiff_t entry) {
     const auto i = static_cast<std::size_t>(entry);
     errors[i] = errors_at(hard_case, neighbours[i], condition_alike);
   });

@@ -66,7 +66,7 @@ class DenseScan {
       sides.at(i) = box.varies(i) ? static_cast<std::int64_t>(box.side()) : 1;
     }
     const std::int64_t size = sides[0] * sides[1] * sides[2];
-    for_each_entry(size, 0, {}, [&](std::ptrdiff_t index) {
+    for_each_entry(size, {}, {}, [&](std::ptrdiff_t index) {
       Place here = box.low;
       for (std::size_t i = 0; i < sides.size(); index /= sides.at(i), ++i) {
         if (sides.at(i) > 1) {

@@ -96,9 +96,7 @@ ordered_json described(const Option& option) {
 
 /// Under both spellings of its name.
 void add(ordered_json& properties, const Option& option, const ordered_json& entry) {
-  std::string underscored(option.name);
-  std::ranges::replace(underscored, '-', '_');
-  properties[underscored] = entry;
+  properties[records::underscored(option.name)] = entry;
   properties[std::string(option.name)] = entry;
 }
 

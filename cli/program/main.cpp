@@ -15,10 +15,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
@@ -88,10 +86,9 @@ ExitCode run_command(const Invocation& invocation, Output& output) {
     require_files_apart(invocation.command, settings, invocation.scene);
     return run(invocation.command, settings, output);
   });
-  std::vector<std::string> warnings = doubts(settings, invocation.command);
-  std::ranges::move(left_out_files(settings), std::back_inserter(warnings));
+  const std::vector<std::string> sentences = warnings(settings, invocation.command);
   output.commit();
-  for (const std::string& warning : warnings) {
+  for (const std::string& warning : sentences) {
     remark(fmt::format("warning: {}", warning));
   }
   note_unused(scene, settings, invocation.command);

@@ -61,7 +61,7 @@ void link_explorer(const Settings& settings, figures::HtmlPage& page) {
   for (const auto& [name, entry] : settings.entries()) {
     const Option& option = *find_option(name);
     if (option.traits.role == Role::input && option.serves(Command::design) &&
-        option.traits.file == FileUse::none && name != "trade-off") {
+        option.traits.file == FileUse::none && option.traits.explored) {
       const nlohmann::ordered_json plain = as_json(entry.value);
       options.emplace_back(name, entry.with_unit.value_or(
                                      plain.is_string()  ? plain.get<std::string>()

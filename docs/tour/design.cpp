@@ -21,7 +21,7 @@ int main() {
 
   const stillpoint::design::DesignResult result = stillpoint::design::design(request);
   if (!result.finding) {
-    std::cout << "no damper can do it: " << result.reason << '\n';
+    std::cout << "no damper can do it: " << *result.reason << '\n';
     return 1;
   }
   const stillpoint::design::Finding& found = *result.finding;

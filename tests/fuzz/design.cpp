@@ -122,9 +122,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const DesignRequest request = any_request(numbers);
     const DesignResult result = stillpoint::design::design(request);
     require(result.region.feasible == result.finding.has_value() &&
-                result.reason.empty() == result.finding.has_value(),
+                result.reason.has_value() != result.finding.has_value(),
             "{}: the region is {}feasible: {}", shown(request), result.region.feasible ? "" : "in",
-            result.reason);
+            result.reason.value_or(""));
     if (!result.finding) {
       return;
     }

@@ -14,6 +14,7 @@
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/core/state.hpp>
 #include <stillpoint/design/problem.hpp>
+#include <stillpoint/records/text.hpp>
 #include <stillpoint/report/version.hpp>
 
 #include <fmt/format.h>
@@ -45,8 +46,7 @@ Settings given(Command command, const json& options) {
   Settings texts;
   json scene = json::object();
   for (const auto& [key, value] : options.items()) {
-    std::string name = key;
-    std::ranges::replace(name, '_', '-');
+    const std::string name = records::hyphened(key);
     const Option* const option = find_option(name);
     if (value.is_string() && option != nullptr && option->kind != OptionKind::flag) {
       texts.set_text(*option, value.get<std::string>(), command);

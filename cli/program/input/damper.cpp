@@ -7,7 +7,6 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/box_shape.hpp>
-#include <stillpoint/design/record_design.hpp>
 #include <stillpoint/sweep/catalogue_file.hpp>
 
 #include <fmt/format.h>
@@ -56,10 +55,15 @@ Task read_task(const Settings& settings, Command command) {
   }
   Task task{
       {motion.v0, motion.p, beta, criterion(settings), settings.integer("arrivals").value_or(1)},
-      {settings.number("f-max"),
-       point_friction(settings, "delta-max", "delta-max-m", motion.physical, smallest_limit),
-       settings.number("tolerance").value_or(0), settings.number("acceleration-max")},
+      {.tolerance = settings.number("tolerance").value_or(0)},
       motion.physical};
+  for (const design::LimitKind& kind : design::limit_kinds()) {
+    task.limits.*kind.value =
+        kind.in_metres.empty()
+            ? settings.number(records::hyphened(kind.field))
+            : point_friction(settings, records::hyphened(kind.field),
+                             records::hyphened(kind.in_metres), motion.physical, smallest_limit);
+  }
   task.problem.v0_low = motion.v0_low;
   task.problem.p_high = motion.p_high;
   task.problem.residual = point_friction(settings, "residual", "residual-m", motion.physical);
@@ -107,17 +111,10 @@ design::Criterion criterion(const Settings& settings) {
 }
 
 design::Objective objective(const Settings& settings) {
-  const auto wanted = settings.text("objective");
-  if (!wanted) {
-    return design::SearchOptions().objective;
-  }
-  const auto objective = parse<design::Objective>(*wanted);
-  if (!objective) {
-    throw InputError("objective", *wanted,
-                     must_be(*wanted, names<design::Objective>(),
-                             parse<design::SuiteObjective>(*wanted) ? " without records" : ""));
-  }
-  return *objective;
+  const bool of_records =
+      parse<design::SuiteObjective>(settings.text("objective").value_or("")).has_value();
+  return objective_of(settings, design::SearchOptions().objective,
+                      of_records ? " without records" : "");
 }
 
 answers::DesignTask design_input(const Settings& settings) {
@@ -133,26 +130,17 @@ answers::DesignTask design_input(const Settings& settings) {
   task.notch = notch_shape(settings, given);
   task.catalogue = catalogue(settings, given);
   task.trade_offs = settings.integer("trade-off");
-  if (task.trade_offs && pulse) {
-    throw UsageError(
-        "trade-off and pulse cannot be combined: the front is for a hit given as a velocity");
-  }
   return task;
 }
 
 answers::RegionTask region_input(const Settings& settings) {
   const Task given = read_task(settings, Command::region);
   const std::optional<design::Pulse> pulse = pulse_input(settings, given.physical);
-  answers::RegionTask asked{
-      {given.problem, given.limits, settings.number("f"), {}, pulse, pulse_ranges(settings, pulse)},
-      given.physical};
-  auto& [problem, limits, f, delta, same_pulse, ranges] = asked.request;
-  delta = point_friction(settings, "delta", "delta-m", given.physical);
-  if (f) {
-    require_valid(Oscillator{problem.p, *f, delta.value_or(0)});
-  }
-  asked.catalogue = catalogue(settings, given);
-  return asked;
+  return {{given.problem, given.limits, settings.number("f"),
+           point_friction(settings, "delta", "delta-m", given.physical), pulse,
+           pulse_ranges(settings, pulse)},
+          given.physical,
+          catalogue(settings, given)};
 }
 
 std::vector<design::Part> catalogue_input(const Settings& settings,

@@ -9,29 +9,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace stillpoint::cli {
 
 namespace {
-
-/// Throws UsageError if more than one option of a set of rivals is given. Among the hits only those
-/// that the command takes count: a scene's pulse is for designs.
-void require_no_rivals(const Settings& settings, Command command) {
-  std::map<Rivals, std::string_view> given;
-  for (const Option& option : options()) {
-    const Rivals rivals = option.traits.rivals;
-    if (rivals == Rivals::none || !settings.has(option.name) ||
-        (rivals == Rivals::hit && !option.serves(command))) {
-      continue;
-    }
-    const auto [first, alone] = given.emplace(rivals, option.name);
-    if (!alone) {
-      throw UsageError(fmt::format("{} and {} cannot be combined: give one of them", first->second,
-                                   option.name));
-    }
-  }
-}
 
 /// The first option in these units that is set; null if there is none.
 const Option* first_in(Units units, const Settings& settings) {
@@ -43,11 +24,6 @@ const Option* first_in(Units units, const Settings& settings) {
   });
 }
 
-double initial_velocity(const Settings& settings, std::string_view name, bool may_be_missing,
-                        std::string_view hint) {
-  return may_be_missing ? settings.number(name).value_or(0) : settings.required(name, hint);
-}
-
 MotionInput physical_motion(const Settings& settings, bool from_rest) {
   design::PhysicalIsolator isolator;
   isolator.period_s = settings.number("period");
@@ -56,8 +32,9 @@ MotionInput physical_motion(const Settings& settings, bool from_rest) {
   isolator.mass_kg = settings.number("mass");
   isolator.gravity_m_per_s2 = settings.number("gravity").value_or(isolator.gravity_m_per_s2);
   const double x0_m = settings.number("x0-m").value_or(0);
-  const double velocity = initial_velocity(settings, "velocity", x0_m != 0 || from_rest,
-                                           "give the initial velocity in m/s");
+  const double velocity = x0_m != 0 || from_rest
+                              ? settings.number("velocity").value_or(0)
+                              : settings.required("velocity", "give the initial velocity in m/s");
   const design::PhysicalInput physical = design::physical_input(isolator, velocity, x0_m);
   const design::Scales& scales = physical.scales;
   MotionInput motion;
@@ -81,7 +58,7 @@ MotionInput physical_motion(const Settings& settings, bool from_rest) {
 }  // namespace
 
 bool is_physical(const Settings& settings, Command command) {
-  require_no_rivals(settings, command);
+  require_together(settings, command);
   const Option* const plain = first_in(Units::dimensionless, settings);
   const Option* const physical = first_in(Units::physical, settings);
   if (plain != nullptr && physical != nullptr) {
@@ -99,8 +76,9 @@ MotionInput motion_input(const Settings& settings, Command command, bool from_re
   }
   MotionInput motion;
   motion.x0 = settings.number("x0").value_or(0);
-  motion.v0 = initial_velocity(settings, "v0", motion.x0 != 0 || from_rest,
-                               "give --v0, or --velocity in m/s");
+  motion.v0 = motion.x0 != 0 || from_rest
+                  ? settings.number("v0").value_or(0)
+                  : settings.required("v0", "give --v0, or --velocity in m/s");
   motion.p = settings.required("p", "give --p, or --period in s");
   if (const auto range = settings.range("v0")) {
     motion.v0_low = range->low;
@@ -112,7 +90,7 @@ MotionInput motion_input(const Settings& settings, Command command, bool from_re
 }
 
 std::optional<double> in_either(const Settings& settings, std::string_view plain,
-                                const char* physical, double unit, double least) {
+                                std::string_view physical, double unit, double least) {
   const auto value = settings.number(physical);
   if (!value) {
     return settings.number(plain);

@@ -40,7 +40,7 @@ struct MotionInput {
 /// A value given dimensionless or, as the option `physical`, in its SI unit; then it must be from
 /// `least` to largest_physical, and is `unit` times as large. Empty if not given.
 [[nodiscard]] std::optional<double> in_either(const Settings& settings, std::string_view plain,
-                                              const char* physical, double unit, double least);
+                                              std::string_view physical, double unit, double least);
 
 /// A point friction, which may be given in metres, then at least `least`. Empty if not given.
 [[nodiscard]] std::optional<double> point_friction(const Settings& settings, std::string_view plain,

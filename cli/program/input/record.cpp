@@ -66,8 +66,8 @@ std::vector<records::SuiteRecord> read_suite(const Settings& settings,
                              record_options(settings, clock));
 }
 
-std::vector<std::string> left_out_files(const Settings& settings) {
-  std::vector<std::string> sentences;
+std::vector<std::string> warnings(const Settings& settings, Command command) {
+  std::vector<std::string> sentences = doubts(settings, command);
   for (const std::string& file : records::left_out_files(suite_files(settings))) {
     sentences.push_back(fmt::format("record {}: is left out because it begins with text",
                                     records::shortened(file, records::longest_path)));

@@ -30,7 +30,8 @@ namespace stillpoint::cli {
                                                            const records::RecordClock& clock,
                                                            std::optional<double> p);
 
-/// A sentence for each file in a folder of records that is skipped. Throws FileError.
-[[nodiscard]] std::vector<std::string> left_out_files(const Settings& settings);
+/// A sentence for each doubt about the values, and for each file in a folder of records that is
+/// skipped. Throws FileError.
+[[nodiscard]] std::vector<std::string> warnings(const Settings& settings, Command command);
 
 }  // namespace stillpoint::cli

@@ -46,16 +46,6 @@ MotionInput suite_motion(const Settings& settings,
   return motion_input(whole, Command::design, true);
 }
 
-design::SuiteObjective suite_objective(const Settings& settings) {
-  const auto wanted = settings.text("objective");
-  const auto objective = parse<design::SuiteObjective>(wanted.value_or("acceleration"));
-  if (!objective) {
-    throw InputError("objective", *wanted,
-                     must_be(*wanted, names<design::SuiteObjective>(), " under records"));
-  }
-  return *objective;
-}
-
 }  // namespace
 
 bool designs_under_records(const Settings& settings) {
@@ -80,9 +70,6 @@ void require_options_for(const Settings& settings, DesignFor design) {
 
 report::RecordDesignInput record_design_input(const Settings& settings) {
   require_options_for(settings, DesignFor::records);
-  if (settings.flag("resume") && !settings.has("part")) {
-    throw UsageError("resume needs a part of a design: give --part as well");
-  }
   const auto periods = search_range(settings, "search-period");
   const MotionInput start = suite_motion(settings, periods);
   report::RecordDesignInput input;
@@ -104,7 +91,7 @@ report::RecordDesignInput record_design_input(const Settings& settings) {
     request.delta = design::SearchRange{range->low / length, range->high / length};
   }
   request.delta_max = point_friction(settings, "delta-max", "delta-max-m", start.physical);
-  request.objective = suite_objective(settings);
+  request.objective = objective_of(settings, request.objective, " under records");
   request.combine = settings.named<design::Combine>("combine");
   request.limits = {in_either(settings, "beta", "max-displacement", length, smallest_physical),
                     settings.number("acceleration-max"),
@@ -113,7 +100,7 @@ report::RecordDesignInput record_design_input(const Settings& settings) {
   request.notch_width = notch_width(settings, start.physical);
   request.tolerance = settings.number("tolerance").value_or(request.tolerance);
   request.scan_points = settings.integer("scan-points").value_or(request.scan_points);
-  request.threads = static_cast<int>(settings.integer("threads").value_or(0));
+  request.threads = threads(settings);
   return input;
 }
 

@@ -4,6 +4,7 @@
 #include "options/settings.hpp"
 
 #include <stillpoint/answers/hit.hpp>
+#include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/catalogue.hpp>
 #include <stillpoint/design/physical.hpp>
@@ -22,6 +23,12 @@ namespace stillpoint::cli {
 
 /// Empty if not given. Throws InputError outside 1 to 1e15.
 [[nodiscard]] std::optional<double> half_cycle_limit(const Settings& settings);
+
+/// Empty for all of them, which is 0 for the user.
+[[nodiscard]] inline Threads threads(const Settings& settings) {
+  const auto given = settings.integer("threads").value_or(0);
+  return given == 0 ? Threads() : Threads(static_cast<int>(given));
+}
 
 /// Each throws UsageError for something missing or contradictory and InputError for a wrong value.
 [[nodiscard]] answers::DesignTask design_input(const Settings& settings);
@@ -67,6 +74,18 @@ void resolve_part(Settings& settings);
 /// The box of --tolerance-f and --tolerance-delta around the tolerance of `limits`. Throws
 /// InputError.
 void shape_box(const Settings& settings, design::Limits& limits);
+
+/// --objective, of the kind that the design takes, which `where` names.
+template <class Objective>
+[[nodiscard]] Objective objective_of(const Settings& settings, Objective usual,
+                                     std::string_view where) {
+  const auto wanted = settings.text("objective");
+  const auto objective = wanted ? parse<Objective>(*wanted) : std::optional(usual);
+  if (!objective) {
+    throw InputError("objective", *wanted, records::must_be(*wanted, names<Objective>(), where));
+  }
+  return *objective;
+}
 
 /// The options of those names, or their defaults. Throw InputError.
 [[nodiscard]] design::Criterion criterion(const Settings& settings);

@@ -33,11 +33,8 @@ void add_output(const Settings& settings, SimulationRequest& request) {
     throw UsageError(
         "json and the trajectory would both go to standard output: give --trajectory FILE");
   }
-  const std::int64_t samples = settings.integer("samples").value_or(1000);
   if (trajectory) {
-    request.samples = samples;
-  } else if (settings.has("samples")) {
-    throw UsageError("samples needs a trajectory: give --trajectory FILE as well");
+    request.samples = settings.integer("samples").value_or(1000);
   }
 }
 

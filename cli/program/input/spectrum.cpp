@@ -58,7 +58,7 @@ report::SpectrumReport spectrum_input(const Settings& settings) {
   request.combine = settings.named<design::Combine>("combine");
   request.hold = settings.number("hold");
   request.notch_width = notch_width(settings, report.physical);
-  request.threads = static_cast<int>(settings.integer("threads").value_or(0));
+  request.threads = threads(settings);
   if (!asks_for_records(settings)) {
     throw InputError::missing("record", "give --record FILE or --records-list FILE");
   }

@@ -31,14 +31,10 @@ using sweep::SweepUnits;
 
 std::shared_ptr<sweep::List> open_list(const Settings& settings,
                                        const std::optional<SweepUnits>& units) {
-  const auto format = settings.named<sweep::ListFormat>("list-format");
-  if (const auto path = settings.text("list")) {
-    return std::make_shared<sweep::List>(*path, format, units);
-  }
-  if (format) {
-    throw UsageError("list-format needs a list: give --list FILE as well");
-  }
-  return {};
+  const auto path = settings.text("list");
+  return path ? std::make_shared<sweep::List>(
+                    *path, settings.named<sweep::ListFormat>("list-format"), units)
+              : nullptr;
 }
 
 bool given(const Settings& settings, const SweepSpec& spec, Quantity quantity) {
@@ -125,11 +121,6 @@ void refuse_for_other_kinds(const Settings& settings, const SweepSpec& spec) {
     if (const Option* const wrong = settings.first(is_of_motions)) {
       throw UsageError(fmt::format("{} and {} cannot be combined", beta, wrong->name));
     }
-    for (const char* const other : {"pulse", "catalogue", "objective"}) {
-      if (settings.has("trade-off") && settings.has(other)) {
-        throw UsageError(fmt::format("trade-off and {} cannot be combined in a sweep", other));
-      }
-    }
     return;
   }
   if (const Option* const wrong = settings.first(is_of_designs)) {
@@ -179,9 +170,11 @@ void add_design(const Settings& settings, SweepSpec& spec) {
   }
   spec.task.criterion = criterion(settings);
   spec.search.objective = objective(settings);
-  spec.limits.f_max = settings.number("f-max");
-  spec.limits.delta_max = settings.number(spec.units ? "delta-max-m" : "delta-max");
-  spec.limits.acceleration_max = settings.number("acceleration-max");
+  for (const design::LimitKind& kind : design::limit_kinds()) {
+    const bool in_metres = spec.units && !kind.in_metres.empty();
+    spec.limits.*kind.value =
+        settings.number(records::hyphened(in_metres ? kind.in_metres : kind.field));
+  }
   spec.limits.tolerance = settings.number("tolerance").value_or(0);
   shape_box(settings, spec.limits);
   spec.parts = catalogue_input(settings, spec.units);
@@ -189,27 +182,14 @@ void add_design(const Settings& settings, SweepSpec& spec) {
 
 std::vector<Quantity> columns(const Settings& settings, const SweepSpec& spec) {
   const auto asked = settings.text("columns");
-  const bool times = settings.flag("times");
-  if (asked && times) {
-    throw UsageError("columns and times cannot be combined: name stop_time among the columns");
-  }
   return asked ? sweep::parse_columns(*asked, spec.kind, spec.units)
-               : sweep::default_columns(spec, times);
+               : sweep::default_columns(spec, settings.flag("times"));
 }
 
 /// What is kept from the rows that are not written.
 std::optional<sweep::ReductionRequest> reduction(const Settings& settings, const SweepSpec& spec) {
   if (!settings.flag("reduce")) {
-    for (const char* const option : {"histogram", "best"}) {
-      if (settings.has(option)) {
-        throw UsageError(
-            fmt::format("{} needs a sweep without rows: give --reduce as well", option));
-      }
-    }
     return std::nullopt;
-  }
-  if (settings.has("format")) {
-    throw UsageError("format and reduce cannot be combined: the report is JSON");
   }
   sweep::ReductionRequest asked;
   for (const std::string& bins : settings.texts("histogram")) {
@@ -249,9 +229,8 @@ SweepSpec sweep_request(const Settings& settings) {
   SweepSpec spec;
   spec.output = settings.text("output");
   spec.format = row_format(settings);
-  const auto threads = settings.integer("threads").value_or(0);
-  const std::int64_t all = std::max(1U, std::thread::hardware_concurrency());
-  spec.threads = static_cast<int>(threads == 0 ? all : threads);
+  const int all = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  spec.threads = threads(settings).value_or(all);
   spec.resume = settings.flag("resume");
   spec.units = units(settings);
   spec.list = open_list(settings, spec.units);

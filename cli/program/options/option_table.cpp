@@ -48,6 +48,8 @@ constexpr CommandSet of_waves = design | region | of_excitations;
 constexpr CommandSet in_records = of_suites | of_excitations;
 constexpr CommandSet drawn = design | region | simulate | spectrum | sweep;
 
+constexpr Need of_a_reduction{sweep, "reduce", "a sweep without rows"};
+
 /// A scan keeps about 100 bytes for each.
 constexpr std::int64_t most_scan_points = 10'000'000;
 
@@ -210,7 +212,12 @@ std::vector<Option> rows() {
           "also N dampers along the front of stroke, acceleration and tolerance, from 2 to 1000; "
           "in a sweep, one row each instead of the design",
           design | sweep,
-          for_hits({.bounds = {design::least_trade_offs, design::most_trade_offs}})),
+          for_hits(
+              {.bounds = {design::least_trade_offs, design::most_trade_offs},
+               .excludes = {{design | sweep, "pulse", "the front is for a hit given as a velocity"},
+                            {sweep, "catalogue", "in a sweep each row is a damper of the front"},
+                            {sweep, "objective", "in a sweep each row is a damper of the front"}},
+               .explored = false})),
       row("objective", text, "NAME", searching,
           with_default(names<design::Objective>()) + "; under records " +
               with_default(names<design::SuiteObjective>()),
@@ -297,12 +304,18 @@ std::vector<Option> rows() {
           {.role = entries, .file = FileUse::read}),
       row("list-format", text, "NAME", sweeping,
           "{}; default: jsonl if the list begins with a brace, else csv", sweep,
-          {.role = entries, .values = names<sweep::ListFormat>()}),
+          {.role = entries,
+           .values = names<sweep::ListFormat>(),
+           .needs = {sweep, "list", "a list"}}),
       row("format", text, "NAME", sweeping,
           "{}; default: npy if the output's name ends in .npy, else csv", sweep,
-          {.role = content, .values = names<sweep::RowFormat>()}),
+          {.role = content,
+           .values = names<sweep::RowFormat>(),
+           .excludes = {{sweep, "reduce", "the report is JSON"}}}),
       row("columns", text, "NAMES", sweeping, "what to write, e.g. f,delta,peak_amplitude", sweep,
-          goes()),
+          {.role = output,
+           .excludes = {{sweep, "times", "name stop_time among the columns"}},
+           .python = InPython{sweep}}),
       row("times", flag, "", sweeping, "write stop_time as well", sweep, {.role = content}),
       row("threads", integer, "N", sweeping, "default 0: all; no result depends on it",
           of_suites | sweep, merges(under_records({.role = execution, .bounds = {0, 1024}}))),
@@ -312,18 +325,18 @@ std::vector<Option> rows() {
           sweep),
       row("histogram", text, "BINS", sweeping,
           "with --reduce: peak_amplitude:0:1:50 or :50:log, or edges, peak_amplitude:0,0.1,0.5",
-          sweep, {.repeats = true}),
+          sweep, {.repeats = true, .needs = of_a_reduction}),
       row("best", text, "ROWS", sweeping,
           "with --reduce: the ten rows with the smallest value, peak_amplitude:10, or the largest, "
           "tolerance:10:largest",
-          sweep, {.repeats = true}),
+          sweep, {.repeats = true, .needs = of_a_reduction}),
       row("part", text, "I/N", sweeping,
           "one of N parts, for sweep merge or, under records, design merge; auto or auto/N: from "
           "the launcher. {part} in the output's name becomes I-of-N",
           design | sweep, under_records({.role = execution})),
       row("resume", flag, "", sweeping,
           "continue an interrupted sweep; leave a complete part as it is", design | sweep,
-          under_records({.role = execution})),
+          under_records({.role = execution, .needs = {design, "part", "a part of a design"}})),
 
       row("max-half-cycles", integer, "N", writing, "half-cycles listed (default 1000)", simulate,
           {.role = content, .bounds = {0, 100'000}}),
@@ -336,7 +349,12 @@ std::vector<Option> rows() {
           goes(FileUse::written)),
       row("samples", integer, "N", writing,
           "evenly spaced instants in the trajectory, besides every event (default 1000)", simulate,
-          {.role = output, .bounds = {2, 1'000'000}}),
+          {.role = output,
+           .bounds = {2, 1'000'000},
+           .needs = {simulate, "trajectory", "a trajectory"},
+           .python =
+               InPython{simulate,
+                        "asks for the trajectory: evenly spaced instants besides every event"}}),
       row("table", text, "FILE", writing,
           "write each record and period to a file: NumPy's format if its name ends in .npy, else "
           "CSV; - prints CSV instead of the report",
@@ -348,12 +366,14 @@ std::vector<Option> rows() {
       row("open", flag, "", writing, "open the page of --html, or a temporary one, in a browser",
           drawn, goes()),
       row("title", text, "TEXT", writing, "a heading for the report", reporting,
-          merges({.role = content})),
+          merges({.role = content, .python = InPython{}})),
       row("json", flag, "", writing, "print the JSON report, and nothing else", reporting,
           merges(goes())),
       row("output", text, "FILE", writing,
           "write the JSON report (for a sweep, the rows) to FILE, whole or not at all", reporting,
-          goes(FileUse::written)),
+          {.role = output,
+           .file = FileUse::written,
+           .python = InPython{design | sweep, "a file: of a sweep its rows, of a part that part"}}),
       row("quiet", flag, "", writing, "print nothing but errors on standard error", reporting,
           merges({.rivals = Rivals::verbosity, .role = output})),
       row("verbose", flag, "", writing, "print the whole report", reporting,

@@ -23,6 +23,7 @@ using stillpoint::name;
 /// Some of the commands: design | sweep.
 class CommandSet {
  public:
+  constexpr CommandSet() = default;
   // One command is a set of one. NOLINTNEXTLINE(google-explicit-constructor)
   constexpr CommandSet(Command one) : bits_(1U << static_cast<unsigned>(one)) {}
 
@@ -35,7 +36,7 @@ class CommandSet {
   }
 
  private:
-  unsigned bits_;
+  unsigned bits_{0};
 };
 
 constexpr CommandSet operator|(Command a, Command b) {
@@ -102,6 +103,26 @@ struct Bounds {
   std::int64_t most{0};
 };
 
+/// An option that another one needs to mean anything, in some commands.
+struct Need {
+  CommandSet commands{};
+  std::string_view option{};
+  std::string_view what{};  ///< that it stands for: "a trajectory"
+};
+
+/// An option that cannot be given beside another one, in some commands, and why.
+struct Exclusion {
+  CommandSet commands;
+  std::string_view option;
+  std::string_view why;
+};
+
+/// The commands that take an option in Python, where results are objects, and what it is there.
+struct InPython {
+  CommandSet commands{};
+  std::string_view help{};  ///< empty: as elsewhere
+};
+
 /// Traits that most options leave at their defaults.
 struct OptionTraits {
   bool sweeps{false};            ///< a number, but in a sweep an axis
@@ -120,6 +141,10 @@ struct OptionTraits {
   Bounds bounds{};  ///< of an integer
   InScene in_scene{InScene::plain};
   bool merges{false};  ///< design merge takes it, which has the task from the parts
+  Need needs{};
+  std::vector<Exclusion> excludes{};
+  std::optional<InPython> python{};  ///< empty: what its role says
+  bool explored{true};               ///< an input that the page with the program in it takes
 };
 
 /// One option of the program: a flag --name on the command line and a key of a scene file, where
@@ -157,6 +182,11 @@ struct Option {
     return traits.load == Load::record ? DesignFor::records
            : shapes(Load::pulse)       ? DesignFor::hit
                                        : traits.design;
+  }
+  /// In Python files that show a report do not exist.
+  [[nodiscard]] bool serves_in_python(Command command) const {
+    return serves(command) &&
+           (traits.python ? traits.python->commands.has(command) : traits.role != Role::output);
   }
   /// Whether a report repeats it in its scene.
   [[nodiscard]] bool is_echoed() const { return traits.role <= Role::content; }

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 #include <vector>
 
@@ -27,25 +28,19 @@ std::string shown(std::string_view key) {
   return records::printable(key, records::longest_word);
 }
 
-/// As options are spelled.
-std::string hyphened(std::string key) {
-  std::ranges::replace(key, '_', '-');
-  return key;
-}
-
-/// "LOW:HIGH" for [LOW, HIGH], as on the command line.
+/// A number, or "LOW:HIGH" for [LOW, HIGH], as on the command line.
 std::string range_text(const Option& option, const nlohmann::json& value) {
-  if (value.is_string()) {
-    return value.get<std::string>();
-  }
   const auto is_end = [](const nlohmann::json& end) { return end.is_number() || end.is_string(); };
+  const auto text = [](const nlohmann::json& end) {
+    return end.is_string() ? end.get<std::string>() : fmt::format("{}", end.get<double>());
+  };
+  if (is_end(value)) {
+    return text(value);
+  }
   if (value.size() != 2 || !std::ranges::all_of(value, is_end)) {
     throw InputError(std::string(option.name), value.dump(),
                      "must be a number, or a range [LOW, HIGH]");
   }
-  const auto text = [](const nlohmann::json& end) {
-    return end.is_string() ? end.get<std::string>() : fmt::format("{}", end.get<double>());
-  };
   return fmt::format("{}:{}", text(value[0]), text(value[1]));
 }
 
@@ -53,132 +48,104 @@ bool is_text_of(const nlohmann::json& value, char character) {
   return value.is_string() && value.get<std::string>().find(character) != std::string::npos;
 }
 
+bool has_its_unit(const Option& option, const nlohmann::json& value) {
+  return option.traits.dimension != Dimension::none && value.is_string() &&
+         has_unit(value.get<std::string>());
+}
+
 /// A number, a string "first:last:count" or an array of numbers, which may be ranges if the option
 /// takes one.
-Axis axis(const Option& option, const nlohmann::json& value, Command command) {
-  const std::string field(option.name);
-  const auto wrong = [&] {
-    return InputError(field, value.dump(),
-                      "must be a number, a range \"first:last:count\" or an array of numbers");
-  };
+std::string axis_text(const Option& option, const nlohmann::json& value, Command command) {
   if (value.is_string()) {
-    return axis_value(option, value.get<std::string>(), command);
+    return value.get<std::string>();
   }
-  const auto is_range = [&](const nlohmann::json& entry) {
-    return option.takes_range_in(command) && (entry.is_array() || is_text_of(entry, ':'));
-  };
-  if (value.is_array() && std::ranges::any_of(value, is_range)) {
-    std::string text;
-    for (const nlohmann::json& entry : value) {
-      text +=
-          (text.empty() ? "" : ",") +
-          (entry.is_number() ? fmt::format("{}", entry.get<double>()) : range_text(option, entry));
-    }
-    return axis_value(option, text, command);
-  }
-  std::vector<double> values;
-  for (const nlohmann::json& entry : value.is_array() ? value : nlohmann::json::array({value})) {
-    if (entry.is_string() && option.traits.dimension != Dimension::none &&
-        has_unit(entry.get<std::string>())) {
-      values.push_back(parse_value(option, entry.get<std::string>()));
-    } else if (entry.is_number()) {
-      values.push_back(entry.get<double>());
-    } else {
-      throw wrong();
-    }
-  }
-  if (values.empty()) {
-    throw wrong();
-  }
-  return Axis(std::move(values));
-}
-
-std::string must_be_text(const Option& option, Command command) {
-  return option.traits.file == FileUse::none                    ? "must be a string"
-         : option.traits.repeats && !option.repeats_in(command) ? "must be one path"
-                                                                : "must be a path";
-}
-
-/// One line for each, as repeated flags give them.
-std::string joined_texts(const Option& option, const nlohmann::json& list, Command command) {
+  const bool has_ranges =
+      value.is_array() && std::ranges::any_of(value, [&](const nlohmann::json& entry) {
+        return option.takes_range_in(command) && (entry.is_array() || is_text_of(entry, ':'));
+      });
   std::string text;
-  for (const nlohmann::json& entry : list) {
-    if (!entry.is_string()) {
-      throw InputError(std::string(option.name), entry.dump(), must_be_text(option, command));
+  for (const nlohmann::json& entry : value.is_array() ? value : nlohmann::json::array({value})) {
+    if (!has_ranges && !has_its_unit(option, entry) && !entry.is_number()) {
+      text.clear();
+      break;
     }
-    text += (text.empty() ? "" : "\n") + entry.get<std::string>();
+    text += (text.empty() ? "" : ",") + range_text(option, entry);
   }
   if (text.empty()) {
-    throw InputError(std::string(option.name), list.dump(), "must have at least one string");
+    throw InputError(std::string(option.name), value.dump(),
+                     "must be a number, a range \"first:last:count\" or an array of numbers");
   }
   return text;
 }
 
-/// For any value but a string with a number and its unit.
-Settings::Value typed(const Option& option, const nlohmann::json& value, Command command) {
-  const auto wrong_type = [&](std::string_view wanted) {
-    return InputError(std::string(option.name), value.dump(), fmt::format("must be {}", wanted));
+/// As on the command line; for any option but a flag.
+std::string text_of(const Option& option, const nlohmann::json& value, Command command) {
+  const auto must_be = [&](bool right, const std::string& wanted) {
+    if (!right) {
+      throw InputError(std::string(option.name), value.dump(), wanted);
+    }
   };
+  const bool takes_range = option.takes_range_in(command);
   switch (option.kind_in(command)) {
     case OptionKind::axis:
-      return axis(option, value, command);
+      return axis_text(option, value, command);
     case OptionKind::number:
-      if (value.is_array()) {
-        throw wrong_type("one number, not a range");
-      }
-      if (!value.is_number()) {
-        throw wrong_type(fmt::format(
-            "a number{}{}",
-            option.traits.dimension == Dimension::none ? ""
-                                                       : ", or a string with a number and its unit",
-            option.takes_range_in(command) ? ", or a range [LOW, HIGH]" : ""));
-      }
-      return value.get<double>();
+      must_be(takes_range || !value.is_array(), "must be one number, not a range");
+      must_be(value.is_number() || has_its_unit(option, value) ||
+                  (takes_range && (value.is_array() || is_text_of(value, ':'))),
+              fmt::format("must be a number{}{}",
+                          option.traits.dimension == Dimension::none
+                              ? ""
+                              : ", or a string with a number and its unit",
+                          takes_range ? ", or a range [LOW, HIGH]" : ""));
+      return range_text(option, value);
     case OptionKind::integer:
-      if (!value.is_number()) {
-        throw wrong_type(whole_number(option));
-      }
-      return integer_value(option, value.dump());
+      must_be(value.is_number(), fmt::format("must be {}", whole_number(option)));
+      return value.dump();
     case OptionKind::text:
-      if (option.traits.in_scene == InScene::zones && value.is_array()) {
-        return zones_text(value);
-      }
-      if (option.traits.repeats && value.is_array() &&
-          (option.repeats_in(command) || !option.serves(command))) {
-        return joined_texts(option, value, command);
-      }
-      if (!value.is_string()) {
-        throw InputError(std::string(option.name), value.dump(), must_be_text(option, command));
-      }
-      return value.get<std::string>();
     case OptionKind::flag:
       break;
   }
-  if (!value.is_boolean()) {
-    throw wrong_type("true or false");
+  if (option.traits.in_scene == InScene::zones && value.is_array()) {
+    return zones_text(value);
   }
-  return value.get<bool>();
+  const bool is_one = option.traits.repeats && !option.repeats_in(command);
+  const char* const wanted = option.traits.file == FileUse::none ? "must be a string"
+                             : is_one                            ? "must be one path"
+                                                                 : "must be a path";
+  const bool takes_list = option.traits.repeats && !(is_one && option.serves(command));
+  if (!takes_list || !value.is_array()) {
+    must_be(value.is_string(), wanted);
+    return value.get<std::string>();
+  }
+  must_be(!value.empty(), "must have at least one string");
+  std::string lines;  // as repeated flags give them
+  for (const nlohmann::json& entry : value) {
+    if (!entry.is_string()) {
+      throw InputError(std::string(option.name), entry.dump(), wanted);
+    }
+    lines += (lines.empty() ? "" : "\n") + entry.get<std::string>();
+  }
+  return lines;
 }
 
 void set_key(Settings& settings, const std::string& key, const nlohmann::json& value,
              const Option* option, Command command) {
   if (option == nullptr) {
     throw InputError(shown(key), value.dump(),
-                     fmt::format("is not a key of a scene{}", suggestion(hyphened(key))));
+                     fmt::format("is not a key of a scene{}", suggestion(records::hyphened(key))));
   }
   if (settings.has(option->name)) {
     throw UsageError(
         fmt::format("{} is set twice in the scene: a key may appear only once", shown(key)));
   }
-  const bool is_range =
-      option->takes_range_in(command) && (value.is_array() || is_text_of(value, ':'));
-  const bool with_unit = option->traits.dimension != Dimension::none && value.is_string() &&
-                         has_unit(value.get<std::string>());
-  if (option->kind_in(command) == OptionKind::number && (is_range || with_unit)) {
-    settings.set_number(*option, range_text(*option, value), command);
-  } else {
-    settings.set(*option, typed(*option, value, command));
+  if (option->kind != OptionKind::flag) {
+    return settings.set_text(*option, text_of(*option, value, command), command);
   }
+  if (!value.is_boolean()) {
+    throw InputError(std::string(option->name), value.dump(), "must be true or false");
+  }
+  settings.set(*option, value.get<bool>());
 }
 
 void add_key(Settings& settings, const std::string& key, const nlohmann::json& value,
@@ -189,9 +156,7 @@ void add_key(Settings& settings, const std::string& key, const nlohmann::json& v
   }
   try {
     set_key(settings, key, value, option, command);
-  } catch (const InputError& error) {
-    throw records::FileError(place->second, error.what());
-  } catch (const UsageError& error) {
+  } catch (const std::exception& error) {
     throw records::FileError(place->second, error.what());
   }
   settings.set_place(*option, place->second);
@@ -210,7 +175,7 @@ const Option* option_within(const Option& outer, std::string_view key) {
 void add_keys(Settings& settings, const nlohmann::json& object, Command command,
               const sweep::KeyPlaces& places) {
   for (const auto& [key, value] : object.items()) {
-    const Option* const option = find_option(hyphened(key));
+    const Option* const option = find_option(records::hyphened(key));
     const bool is_group = option != nullptr && option->traits.in_scene == InScene::group;
     if (!is_group || !value.is_object()) {
       add_key(settings, key, value, option, command, places);
@@ -221,7 +186,7 @@ void add_keys(Settings& settings, const nlohmann::json& object, Command command,
     }
     for (const auto& [inner, inner_value] : value.items()) {
       add_key(settings, fmt::format("{}.{}", key, inner), inner_value,
-              option_within(*option, hyphened(inner)), command, places);
+              option_within(*option, records::hyphened(inner)), command, places);
     }
   }
 }

@@ -26,18 +26,6 @@ sweep::NumberReader reader(const Option& option) {
   return [&option](std::string_view number) { return parse_value(option, number); };
 }
 
-}  // namespace
-
-double parse_value(const Option& option, std::string_view text) {
-  if (text.find(':') != std::string_view::npos) {
-    throw InputError(std::string(option.name), fmt::format("\"{}\"", text),
-                     "must be one number, not a range");
-  }
-  const Dimension dimension = option.traits.dimension;
-  return records::parse_value(option.name, dimension, text,
-                              dimension == Dimension::none ? with_a_unit(option) : "");
-}
-
 std::int64_t integer_value(const Option& option, std::string_view text) {
   const Bounds& bounds = option.traits.bounds;
   const auto value = records::scan_integer(text);
@@ -52,6 +40,18 @@ std::int64_t integer_value(const Option& option, std::string_view text) {
                    fmt::format("must be {}", whole_number(option)));
 }
 
+}  // namespace
+
+double parse_value(const Option& option, std::string_view text) {
+  if (text.find(':') != std::string_view::npos) {
+    throw InputError(std::string(option.name), fmt::format("\"{}\"", text),
+                     "must be one number, not a range");
+  }
+  const Dimension dimension = option.traits.dimension;
+  return records::parse_value(option.name, dimension, text,
+                              dimension == Dimension::none ? with_a_unit(option) : "");
+}
+
 std::string whole_number(const Option& option) {
   const auto [least, most] = option.traits.bounds;
   return fmt::format("a whole number from {} to {}", least, most);
@@ -59,11 +59,6 @@ std::string whole_number(const Option& option) {
 
 Range range_value(const Option& option, std::string_view text) {
   return sweep::parse_range(option.name, text, reader(option));
-}
-
-Axis axis_value(const Option& option, std::string_view text, Command command) {
-  return sweep::parse_axis(option.name, text, reader(option),
-                           option.takes_range_in(command) ? option.traits.range : RangeEnd::none);
 }
 
 std::optional<double> Settings::number(std::string_view name) const {
@@ -80,15 +75,10 @@ std::optional<double> Settings::number(std::string_view name) const {
 }
 
 std::vector<std::string> Settings::texts(std::string_view name) const {
-  std::vector<std::string> list;
-  if (const auto joined = text(name)) {
-    for (std::size_t begin = 0; begin <= joined->size();) {
-      const std::size_t end = std::min(joined->find('\n', begin), joined->size());
-      list.push_back(joined->substr(begin, end - begin));
-      begin = end + 1;
-    }
-  }
-  return list;
+  const std::string joined = text(name).value_or("");
+  const auto lines = records::split(joined, '\n');
+  return has(name) ? std::vector<std::string>(lines.begin(), lines.end())
+                   : std::vector<std::string>();
 }
 
 std::optional<std::string> Settings::known(std::string_view name) const {
@@ -100,23 +90,22 @@ std::optional<std::string> Settings::known(std::string_view name) const {
   return wanted;
 }
 
-void Settings::set_number(const Option& option, std::string_view text, Command command) {
-  const std::size_t colon =
-      option.takes_range_in(command) ? text.find(':') : std::string_view::npos;
-  const bool is_range = colon != std::string_view::npos;
-  Entry& entry = entries_[option.name] =
-      is_range ? Entry{range_value(option, text)} : Entry{parse_value(option, text)};
-  if (has_unit(text.substr(0, colon)) || (is_range && has_unit(text.substr(colon + 1)))) {
-    entry.with_unit = text;
-  }
-}
-
 void Settings::set_text(const Option& option, const std::string& text, Command command) {
+  const bool takes_range = option.takes_range_in(command);
   switch (option.kind_in(command)) {
     case OptionKind::axis:
-      return set(option, axis_value(option, text, command));
-    case OptionKind::number:
-      return set_number(option, text, command);
+      return set(option, sweep::parse_axis(option.name, text, reader(option),
+                                           takes_range ? option.traits.range : RangeEnd::none));
+    case OptionKind::number: {
+      const std::size_t colon = takes_range ? text.find(':') : std::string::npos;
+      const bool is_range = colon != std::string::npos;
+      Entry& entry = entries_[option.name] =
+          is_range ? Entry{range_value(option, text)} : Entry{parse_value(option, text)};
+      if (has_unit(text.substr(0, colon)) || (is_range && has_unit(text.substr(colon + 1)))) {
+        entry.with_unit = text;
+      }
+      return;
+    }
     case OptionKind::integer:
       return set(option, integer_value(option, text));
     case OptionKind::text:
@@ -128,8 +117,7 @@ void Settings::set_text(const Option& option, const std::string& text, Command c
 
 std::optional<records::FilePlace> Settings::place_of(std::string_view field) const {
   // Of "friction-zones 2: f" too.
-  std::string wanted(field.substr(0, field.find_first_of("[ ")));
-  std::ranges::replace(wanted, '_', '-');
+  std::string wanted = records::hyphened(field.substr(0, field.find_first_of("[ ")));
   for (const std::string_view end : {"-low", "-high"}) {
     if (wanted.ends_with(end)) {
       wanted.resize(wanted.size() - end.size());

@@ -35,11 +35,8 @@ using records::parse_number;
 using sweep::Axis;
 using sweep::Range;
 
-/// The value of an option, in its SI unit, and each number of an axis, "100mm:200mm:5"; see
-/// records/units.hpp. Throws InputError.
+/// The value of an option, in its SI unit; see records/units.hpp. Throws InputError.
 [[nodiscard]] double parse_value(const Option& option, std::string_view text);
-[[nodiscard]] std::int64_t integer_value(const Option& option, std::string_view text);
-[[nodiscard]] Axis axis_value(const Option& option, std::string_view text, Command command);
 
 /// "a whole number from 1 to 1000", of an integer option.
 [[nodiscard]] std::string whole_number(const Option& option);
@@ -59,10 +56,8 @@ class Settings {
   };
 
   void set(const Option& option, Value value) { entries_[option.name].value = std::move(value); }
-  /// A number, or a range if the option takes one, from its text, which may have units. Throws
+  /// An option of any kind but a flag, as on the command line: numbers may have units. Throws
   /// InputError.
-  void set_number(const Option& option, std::string_view text, Command command);
-  /// An option of any kind but a flag, as on the command line. Throws InputError.
   void set_text(const Option& option, const std::string& text, Command command);
   [[nodiscard]] bool has(std::string_view name) const { return entries_.contains(name); }
 
@@ -162,6 +157,10 @@ auto with_places(const Settings& settings, const Body& body) {
     throw given;
   }
 }
+
+/// Throws UsageError for options that do not go together, as their rows say: two rivals, one that
+/// needs another, and one that another excludes.
+void require_together(const Settings& settings, Command command);
 
 /// Warnings about values that make no sense together, a sentence each; they are computed all the
 /// same.

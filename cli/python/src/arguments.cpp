@@ -6,12 +6,12 @@
 #include "values.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -26,20 +26,18 @@ namespace {
 
 /// An option in Python; lambda is a keyword of the language.
 std::string keyword_of(const Option& option) {
-  std::string keyword(option.name);
-  std::ranges::replace(keyword, '-', '_');
+  std::string keyword = records::underscored(option.name);
   return keyword == "lambda" ? "lambda_" : keyword;
 }
 
 const Option& option_of(Command command, const std::string& keyword) {
-  std::string wanted = keyword == "lambda_" ? "lambda" : keyword;
-  std::ranges::replace(wanted, '_', '-');
+  const std::string wanted = records::hyphened(keyword == "lambda_" ? "lambda" : keyword);
   const Option* const option = cli::find_option(wanted);
   if (option == nullptr) {
     throw cli::UsageError(
         fmt::format("{}: unknown option{}", keyword, cli::suggestion(wanted, command)));
   }
-  if (!takes(command, *option)) {
+  if (!option->serves_in_python(command)) {
     throw cli::UsageError(fmt::format("{}: is not an option of {}", keyword, name(command)));
   }
   return *option;
@@ -53,7 +51,7 @@ Settings from_scene(Command command, const py::object& scene) {
   Settings all = given.is_object() ? cli::scene_settings(given, command)
                                    : cli::read_scene(given.get<std::string>(), command);
   for (const Option& option : cli::options()) {
-    if (option.traits.role == cli::Role::output && !takes(command, option)) {
+    if (option.traits.role == cli::Role::output && !option.serves_in_python(command)) {
       all.drop(option.name);
     }
   }
@@ -83,34 +81,21 @@ std::string type_of(const Option& option, Command command) {
                                                          : "str";
 }
 
-/// In Python a trajectory is an array, not a file, and so is a report.
-std::string help_of(const Option& option, Command command) {
-  return option.name == "samples"
-             ? "asks for the trajectory: evenly spaced instants besides every event"
-         : option.name == "output" && command == Command::design
-             ? "with part: the file of that part"
-             : option.help;
+std::string help_of(const Option& option) {
+  const auto& here = option.traits.python;
+  return here && !here->help.empty() ? std::string(here->help) : option.help;
 }
 
 }  // namespace
-
-bool takes(Command command, const Option& option) {
-  const bool of_rows = command == Command::sweep && option.name == "columns";
-  const bool of_parts =
-      option.name == "output" && (command == Command::sweep || command == Command::design);
-  return option.serves(command) && option.name != "title" &&
-         (option.traits.role != cli::Role::output || option.name == "samples" || of_rows ||
-          of_parts);
-}
 
 std::string documentation(Command command, std::string_view about) {
   std::string signature = fmt::format("{}(scene=None, /, *", name(command));
   std::string list;
   for (const Option& option : cli::options()) {
-    if (takes(command, option)) {
+    if (option.serves_in_python(command)) {
       const std::string keyword = keyword_of(option);
       signature += fmt::format(", {}=None", keyword);
-      list += fmt::format("\n{:<21} {}", keyword, help_of(option, command));
+      list += fmt::format("\n{:<21} {}", keyword, help_of(option));
     }
   }
   return fmt::format(
@@ -128,18 +113,15 @@ py::list options(const std::string& command) {
     throw InputError("command", command, "must be design, region, simulate, spectrum or sweep");
   }
   for (const Option& option : cli::options()) {
-    if (takes(*known, option)) {
-      all.append(
-          py::make_tuple(keyword_of(option), type_of(option, *known), help_of(option, *known)));
+    if (option.serves_in_python(*known)) {
+      all.append(py::make_tuple(keyword_of(option), type_of(option, *known), help_of(option)));
     }
   }
   return all;
 }
 
 void warn_of_doubts(const Settings& settings, Command command) {
-  std::vector<std::string> warnings = cli::doubts(settings, command);
-  std::ranges::move(cli::left_out_files(settings), std::back_inserter(warnings));
-  for (const std::string& warning : warnings) {
+  for (const std::string& warning : cli::warnings(settings, command)) {
     if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) {
       throw py::error_already_set();
     }

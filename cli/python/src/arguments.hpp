@@ -7,10 +7,6 @@
 
 namespace stillpoint::python {
 
-/// Whether the command has the option in Python: files that show a report exist only in the
-/// program.
-[[nodiscard]] bool takes(cli::Command command, const cli::Option& option);
-
 /// What help() says: the signature as Python reads it, `about`, and the options in the order of
 /// --help.
 [[nodiscard]] std::string documentation(cli::Command command, std::string_view about);

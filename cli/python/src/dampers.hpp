@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/core/for_each_entry.hpp>
+
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
@@ -28,6 +30,11 @@ struct Dampers {
   /// Makes an array of a single number.
   void spread(Place place);
 };
+
+/// 0 in Python stands for all threads.
+[[nodiscard]] inline Threads threads_of(int given) {
+  return given == 0 ? Threads() : Threads(given);
+}
 
 /// Throws ArgumentError for what are no numbers, and for shapes that do not go together.
 [[nodiscard]] Dampers dampers(const Arguments& arguments);

@@ -95,7 +95,7 @@ py::dict motions(const py::object& f, const py::object& delta, const py::object&
   options.times = times;
   options.acceleration = acceleration;
   options.half_cycle_limit = half_cycle_limit;
-  options.threads = threads;
+  options.threads = threads_of(threads);
   const auto column = [&given](const char* name, Eigen::ArrayXd BatchResult::*values) {
     return Column{name, values, Doubles(given.shape)};
   };

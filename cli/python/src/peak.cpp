@@ -47,7 +47,7 @@ double peak_of(double f, double delta, double v0, double p) {
   return free_peak({.p = p, .f = f, .delta = delta}, {.x0 = 0, .v0 = v0});
 }
 
-Doubles peaks(const Dampers& given, int threads) {
+Doubles peaks(const Dampers& given, const Threads& threads) {
   Doubles found(given.shape);
   double* const peak = found.mutable_data();
   const Values f(given, at_f);
@@ -85,7 +85,7 @@ py::object peak(const py::object& f, const py::object& delta, const py::object& 
         peak_of(f.cast<double>(), delta.cast<double>(), v0.cast<double>(), p.cast<double>()));
   }
   const Dampers given = dampers({f, delta, v0, p});
-  return peaks(given, threads);
+  return peaks(given, threads_of(threads));
 }
 
 /// peak(f, delta, v0, p) of four floats, without the conversions of pybind11: half a microsecond

@@ -32,7 +32,7 @@ std::string_view not_run(peers::Run run) {
 
 /// "tolerance 1e-09"; "" if it has none.
 std::string setting(const peers::MethodRow& now) {
-  return now.knob.empty() ? "" : format("{} {:.3g}", now.knob, now.setting);
+  return now.setting ? format("{} {:.3g}", now.setting->name, now.setting->value) : "";
 }
 
 ordered_json method_json(const peers::MethodRow& now, bool used) {

@@ -100,8 +100,8 @@ void add_motion(Document& document, const design::Finding& finding, double beta,
   add_practice(motion, finding.practice, physical);
 }
 
-void add_search(Document& document, const design::DesignResult& result) {
-  const design::SearchRecord& search = result.finding->search;
+void add_search(Document& document, const design::SearchRecord& search,
+                const design::DesignResult& result) {
   const design::Objective objective = result.request.search.objective;
   Section& sought = document.detail("Search");
   sought.line(format("NLopt {} {}: {} after {} evaluations, {:.2g} ms", design::nlopt_version(),
@@ -177,8 +177,8 @@ Document document(const DesignReport& report) {
     add_built_notch(document, *report.built_notch, finding, physical);
   }
   add_checks(document, finding.cross_check, physical);
-  if (!report.catalogue) {  // which is chosen without a search
-    add_search(document, result);
+  if (finding.search) {
+    add_search(document, *finding.search, result);
   }
   return document;
 }

@@ -153,14 +153,12 @@ Section& add_problem(Document& document, const design::Problem& problem,
   }
   std::string limit;
   const auto add = [&](const std::string& text) { limit += (limit.empty() ? "" : ", ") + text; };
-  if (limits.f_max) {
-    add(format("f <= {:.6g}", *limits.f_max));
-  }
-  if (limits.delta_max) {
-    add(format("delta <= {}", length_text(physical, *limits.delta_max)));
-  }
-  if (limits.acceleration_max) {
-    add(format("transmitted acceleration <= {:.6g} g", *limits.acceleration_max));
+  for (const design::LimitKind& kind : design::limit_kinds()) {
+    if (const auto& most = limits.*kind.value) {
+      add(format(
+          "{} <= {}", kind.quantity,
+          kind.bounds_f() ? format("{:.6g}{}", *most, kind.unit) : length_text(physical, *most)));
+    }
   }
   if (limits.shape != design::BoxShape{}) {
     add(box_text(limits, limits.tolerance));

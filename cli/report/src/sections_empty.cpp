@@ -17,18 +17,21 @@ struct ShownMend {
   std::string name;
   double value;
   bool upwards;
-  std::string unit;  ///< that of the figures for lengths
+  std::string unit;  ///< after a blank; that of the figures for lengths
 
   /// "at least 168.8 mm", rounded to the safe side.
   [[nodiscard]] std::string bound(int shown = every_digit) const {
-    return format("at {} {}{}{}", upwards ? "least" : "most", limit_digits(value, upwards, shown),
-                  unit.empty() ? "" : " ", unit);
+    return format("at {} {}{}", upwards ? "least" : "most", limit_digits(value, upwards, shown),
+                  unit);
   }
 };
 
 ShownMend dimensionless(const design::Mend& mend) {
-  const bool load = mend.field.starts_with("k") || mend.field == "acceleration_max";
-  return {std::string(mend.field), mend.value, mend.upwards, load ? "g" : ""};
+  std::string_view unit = mend.field.starts_with("k") ? " g" : "";
+  for (const design::LimitKind& kind : design::limit_kinds()) {
+    unit = kind.field == mend.field ? kind.unit : unit;
+  }
+  return {std::string(mend.field), mend.value, mend.upwards, std::string(unit)};
 }
 
 std::optional<ShownMend> with_units(const design::Mend& mend, const EmptyTask& task) {
@@ -36,11 +39,11 @@ std::optional<ShownMend> with_units(const design::Mend& mend, const EmptyTask& t
   if (!now) {
     return std::nullopt;
   }
-  ShownMend shown{std::string(now->name), now->value, now->upwards, std::string(now->unit)};
-  if (shown.unit == "m") {
+  ShownMend shown{std::string(now->name), now->value, now->upwards, format(" {}", now->unit)};
+  if (now->unit == "m") {
     const FigureUnits units(task.physical);
     shown.value *= units.length / task.physical->scales.length_m;
-    shown.unit = units.length_unit;
+    shown.unit = " " + units.length_unit;
   }
   return shown;
 }
@@ -101,11 +104,12 @@ std::string most_tolerant_text(const design::DesignPoint& most, const design::Li
 /// without numbers that have a unit.
 std::string reason_in_units(const design::RegionVerdict& empty, const EmptyTask& task) {
   if (!task.physical || task.pulse || empty.region.conflict == design::Conflict::none) {
-    return empty.reason;
+    return empty.reason.value();
   }
   const FigureUnits units(task.physical);
   return design::reason(empty.region, task.problem, task.limits,
-                        {units.length, units.length_unit, units.velocity, units.velocity_unit});
+                        {units.length, units.length_unit, units.velocity, units.velocity_unit})
+      .value();
 }
 
 }  // namespace

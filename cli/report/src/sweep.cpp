@@ -80,9 +80,7 @@ ordered_json json(const SweepReport& report) {
       {"program", program_json()},
       {"kind", name(spec.kind)},
       {"output",
-       {{"file", text_or_null(spec.output.value_or(""))},
-        {"format", name(spec.format)},
-        {"columns", columns}}},
+       {{"file", or_null(spec.output)}, {"format", name(spec.format)}, {"columns", columns}}},
       {"part", spec.part ? ordered_json{{"number", spec.part->number}, {"count", spec.part->count}}
                          : ordered_json(nullptr)},
       {"rows", state.rows},

@@ -65,7 +65,7 @@ BatchEntries entries_of(const BatchValues& v0, const BatchValues& p, const Batch
   return {each(v0), each(p), each(f), each(delta), f.size()};
 }
 
-void run_batch(const BatchEntries& entries, std::ptrdiff_t block, int threads,
+void run_batch(const BatchEntries& entries, std::ptrdiff_t block, const Threads& threads,
                const std::function<void(EntryThreads&)>& worker) {
   const std::function<bool()> always;
   EntryThreads work(entries.size, block, always);
@@ -104,12 +104,12 @@ void EntryThreads::guard(std::ptrdiff_t i, const std::function<void()>& entry) {
   }
 }
 
-void EntryThreads::run(int threads, const std::function<void()>& worker) {
-  if (threads < 0) {
-    throw InputError("threads", threads, "must be 0 or more");
+void EntryThreads::run(const Threads& threads, const std::function<void()>& worker) {
+  if (threads && *threads < 1) {
+    throw InputError("threads", *threads, "must be 1 or more");
   }
   const std::ptrdiff_t at_once = std::thread::hardware_concurrency();
-  const std::ptrdiff_t wanted = threads > 0 ? threads : at_once;
+  const std::ptrdiff_t wanted = threads ? *threads : at_once;
   const std::ptrdiff_t blocks = (size_ + block_ - 1) / block_;
   {
     std::vector<std::jthread> others;
@@ -123,7 +123,7 @@ void EntryThreads::run(int threads, const std::function<void()>& worker) {
   }
 }
 
-void for_each_entry(std::ptrdiff_t size, int threads, const std::function<bool()>& go_on,
+void for_each_entry(std::ptrdiff_t size, const Threads& threads, const std::function<bool()>& go_on,
                     const std::function<void(std::ptrdiff_t)>& body) {
   EntryThreads entries(size, 1, go_on);
   entries.run(threads, [&] {

@@ -29,9 +29,9 @@ class EntryThreads {
   /// order and finished once begun, so which entry that is does not depend on the threads.
   void guard(std::ptrdiff_t i, const std::function<void()>& entry);
 
-  /// Calls `worker` on that many threads (0: one per hardware thread), but on no more
-  /// than there are blocks; then throws EntryError if an entry failed. InputError for threads < 0.
-  void run(int threads, const std::function<void()>& worker);
+  /// Calls `worker` on that many threads, but on no more than there are blocks; then throws
+  /// EntryError if an entry failed. InputError for threads < 1.
+  void run(const Threads& threads, const std::function<void()>& worker);
 
  private:
   std::ptrdiff_t size_;
@@ -54,7 +54,7 @@ BatchEntries entries_of(const BatchValues& v0, const BatchValues& p, const Batch
 
 /// Calls worker(EntryThreads&) on several threads; it draws its entries and runs each in a guard.
 /// Then throws the first error, with the entry in it.
-void run_batch(const BatchEntries& entries, std::ptrdiff_t block, int threads,
+void run_batch(const BatchEntries& entries, std::ptrdiff_t block, const Threads& threads,
                const std::function<void(EntryThreads&)>& worker);
 
 }  // namespace stillpoint

@@ -69,11 +69,12 @@ TooManyHalfCycles TooManyHalfCycles::in_entry(std::ptrdiff_t index) const {
   return TooManyHalfCycles(fmt::format("entry {}: {}", index, what()));
 }
 
-void require_within(const char* field, double value, double low, double high) {
+void require_within(std::string_view field, double value, double low, double high) {
   if (std::isfinite(value) && value >= low && value <= high) {
     return;
   }
-  throw InputError(field, value, fmt::format("must be a number from {} to {}", low, high));
+  throw InputError(std::string(field), value,
+                   fmt::format("must be a number from {} to {}", low, high));
 }
 
 }  // namespace stillpoint

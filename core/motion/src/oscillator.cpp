@@ -24,7 +24,7 @@ void require_speed(const char* field, double value, double speed, const char* wh
 
 /// A length and p times it.
 void require_length(const std::string& field, double value, double p) {
-  require_within(field.c_str(), value, smallest_speed, largest_speed);
+  require_within(field, value, smallest_speed, largest_speed);
   const double speed = p * value;
   if (!(speed >= smallest_speed && speed <= largest_speed)) {
     throw InputError(field, value,
@@ -35,7 +35,7 @@ void require_length(const std::string& field, double value, double p) {
 
 /// A friction, or the load that a notch holds: 0, or f / p within the bounds of oscillator.hpp.
 void require_friction(const std::string& field, double f, double p) {
-  require_within(field.c_str(), f, 0, largest_speed * p);
+  require_within(field, f, 0, largest_speed * p);
   if (f != 0 && f / p < smallest_friction_speed) {
     throw InputError(
         field, f, fmt::format("must be 0 or at least {} p (p = {})", smallest_friction_speed, p));

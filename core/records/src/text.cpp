@@ -144,6 +144,18 @@ std::string printable(std::string_view text, std::size_t longest) {
   return result;
 }
 
+std::string hyphened(std::string_view name) {
+  std::string result(name);
+  std::ranges::replace(result, '_', '-');
+  return result;
+}
+
+std::string underscored(std::string_view name) {
+  std::string result(name);
+  std::ranges::replace(result, '-', '_');
+  return result;
+}
+
 std::string listed(std::span<const std::string_view> words) {
   return fmt::format("{} or {}", fmt::join(words.first(words.size() - 1), ", "), words.back());
 }

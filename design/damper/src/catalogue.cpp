@@ -2,6 +2,7 @@
 #include <stillpoint/design/catalogue.hpp>
 
 #include "finding.hpp"
+#include "nearest_fit.hpp"
 #include "pulse/verdict.hpp"
 #include "ranking.hpp"
 #include "region/mend_list.hpp"
@@ -11,11 +12,11 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/design.hpp>
+#include <stillpoint/design/limit_kinds.hpp>
 #include <stillpoint/design/region.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace stillpoint::design {
 
@@ -62,28 +63,18 @@ struct Loosened {
 };
 
 /// The inputs of `task` and `allowed`, which are as given.
-std::vector<Loosened> loosened(const Problem& problem, const Limits& limits,
-                               std::span<const Part> parts, Problem& task, Limits& allowed) {
-  // No friction has a larger peak than V0/p. A box reaches up to twice its centre.
-  const double f = 2 * std::ranges::max(parts, {}, &Part::f).f;
-  const double delta = 2 * std::ranges::max(parts, {}, &Part::delta).delta;
+std::vector<Loosened> loosened(const Problem& problem, const Limits& limits, Problem& task,
+                               Limits& allowed) {
+  // No friction has a larger peak than V0/p.
   std::vector<Loosened> inputs{
       {"beta", problem.beta, std::max(problem.beta, 2 * problem.v0 / problem.p), task.beta}};
   if (limits.tolerance > 0) {
     inputs.push_back({"tolerance", limits.tolerance, 0, allowed.tolerance});
   }
-  if (limits.f_max) {
-    inputs.push_back({"f_max", *limits.f_max, std::max(*limits.f_max, f), *allowed.f_max});
-  }
-  if (limits.delta_max) {
-    inputs.push_back(
-        {"delta_max", *limits.delta_max, std::max(*limits.delta_max, delta), *allowed.delta_max});
-  }
-  if (limits.acceleration_max) {
-    const double least = 2 * (f + problem.v0 * problem.p);
-    inputs.push_back({"acceleration_max", *limits.acceleration_max,
-                      std::clamp(least, *limits.acceleration_max, largest_square),
-                      *allowed.acceleration_max});
+  for (const LimitKind& kind : limit_kinds()) {
+    if (auto& limit = allowed.*kind.value) {
+      inputs.push_back({kind.field, *limit, largest_square, *limit});
+    }
   }
   return inputs;
 }
@@ -93,24 +84,17 @@ std::vector<Loosened> loosened(const Problem& problem, const Limits& limits,
 template <class Fits>
 std::optional<double> least_change(const Loosened& loosened, std::span<const Part> parts,
                                    const Fits& fits) {
-  const auto& [field, now, loosest, input] = loosened;
-  double best = loosest;
-  bool found = false;
+  std::optional<double> best;
   for (const Part& part : parts) {
-    input = best;
-    if (!fits(part)) {
-      continue;
-    }
-    found = true;
-    double refused = now;
-    for (double middle = std::midpoint(refused, best); middle != refused && middle != best;
-         middle = std::midpoint(refused, best)) {
-      input = middle;
-      (fits(part) ? best : refused) = middle;
-    }
+    const auto nearest =
+        nearest_fit(loosened.now, best.value_or(loosened.loosest), [&](double value) {
+          loosened.input = value;
+          return fits(part);
+        });
+    best = nearest ? nearest : best;
   }
-  input = now;
-  return found ? std::optional(best) : std::nullopt;
+  loosened.input = loosened.now;
+  return best;
 }
 
 }  // namespace
@@ -139,7 +123,7 @@ std::vector<Mend> part_mends(const Problem& problem, const Limits& limits,
     return {};
   }
   std::vector<Mend> mends;
-  for (const Loosened& input : loosened(problem, limits, parts, task, allowed)) {
+  for (const Loosened& input : loosened(problem, limits, task, allowed)) {
     if (const auto value = least_change(input, parts, any_fits)) {
       mends.push_back({input.field, *value, *value > input.now});
     }
@@ -169,7 +153,7 @@ Choice choose(const DesignRequest& request, std::span<const Part> parts) {
   const RatedPart& best = choice.parts.front();
   if (best.admissible) {
     const auto& [name, f, delta] = best.part;
-    result.finding = finding_of(problem, limits, {{f, delta, best.tolerance.value_or(0)}, {}});
+    result.finding = finding_of(problem, limits, {f, delta, best.tolerance.value_or(0)});
     result.finding->works_for = works_for(problem, limits, f, delta);
     return choice;
   }

@@ -31,11 +31,9 @@ PulseRequest pulse_request(const RegionRequest& request) {
       DesignRequest{request.problem, request.limits, {}, request.pulse, request.pulse_ranges});
 }
 
-Finding finding_of(const Problem& problem, const Limits& limits, const SearchResult& found) {
-  const auto& [point, record] = found;
+Finding finding_of(const Problem& problem, const Limits& limits, const DesignPoint& point) {
   Finding finding;
   finding.point = point;
-  finding.search = record;
   finding.arrival = arrival_of(problem, point.f, point.delta);
   finding.constraints = constraints(problem, limits, point.f, point.delta);
   const Oscillator oscillator{problem.p, point.f, point.delta};
@@ -66,7 +64,8 @@ DesignResult design(const DesignRequest& request) {
     result.most_tolerant = most_tolerant(problem, limits);
     return result;
   }
-  result.finding = finding_of(problem, limits, *found);
+  result.finding = finding_of(problem, limits, found->point);
+  result.finding->search = found->record;
   result.finding->works_for = works_for(problem, limits, found->point.f, found->point.delta);
   return result;
 }
@@ -88,7 +87,7 @@ double even_tolerance(const DesignResult& result) {
 
 std::string summary(const DesignResult& result) {
   if (!result.finding) {
-    return "no damper: " + result.reason;
+    return "no damper: " + result.reason.value();
   }
   const Finding& found = *result.finding;
   return fmt::format("f = {:.6g}, delta = {:.6g} within {:.3g} %: {}{}", found.point.f,

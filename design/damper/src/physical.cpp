@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/limit_kinds.hpp>
 #include <stillpoint/design/physical.hpp>
 
 #include <algorithm>
@@ -143,9 +144,13 @@ std::optional<PhysicalMend> physical_mend(const PhysicalInput& physical, const M
     const double angle = duration(excitation(*pulse)).value() * angular_frequency(*pulse);
     return mended("pulse_duration", "s", angle / mend.value * scales.time_s, !up);
   }
+  const auto kinds = limit_kinds();
+  const auto limit = std::ranges::find(kinds, mend.field, &LimitKind::field);
+  if (limit != kinds.end() && !limit->in_metres.empty()) {
+    return mended(limit->in_metres, "m", scales.delta_m(mend.value), up);
+  }
   for (const auto& [field, name] :
-       {std::pair("beta", "max_displacement"), std::pair("delta_max", "delta_max_m"),
-        std::pair("residual", "residual_m")}) {
+       {std::pair("beta", "max_displacement"), std::pair("residual", "residual_m")}) {
     if (mend.field == field) {
       return mended(name, "m", mend.value * scales.length_m, up);
     }

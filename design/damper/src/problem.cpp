@@ -2,6 +2,7 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/design/limit_kinds.hpp>
 #include <stillpoint/design/problem.hpp>
 
 #include <fmt/format.h>
@@ -65,14 +66,10 @@ void require_valid(const Problem& problem, const Limits& limits) {
   if (!(std::max({f_low, f_high, delta_low, delta_high}) > 0)) {
     throw InputError("tolerance", 0.0, "must be above 0 on at least one side of f or delta");
   }
-  if (limits.f_max) {
-    require_within("f_max", *limits.f_max, smallest_limit, largest_square);
-  }
-  if (limits.delta_max) {
-    require_within("delta_max", *limits.delta_max, smallest_limit, largest_square);
-  }
-  if (limits.acceleration_max) {
-    require_within("acceleration_max", *limits.acceleration_max, smallest_limit, largest_square);
+  for (const LimitKind& kind : limit_kinds()) {
+    if (const auto& limit = limits.*kind.value) {
+      require_within(kind.field, *limit, smallest_limit, largest_square);
+    }
   }
   if (!(limits.tolerance >= 0 && limits.tolerance < 1)) {
     throw InputError("tolerance", limits.tolerance,

@@ -71,12 +71,27 @@ class Wide {
 
 #endif
 
-// One half-cycle back, (39), for decisions that are right to the last bit.
-
-[[nodiscard]] inline double least_double_from(Wide value) {
+/// The nearest double that is not below.
+[[nodiscard]] inline double rounded_up(Wide value) {
   const auto nearest = static_cast<double>(value);
   return nearest < value ? std::nextafter(nearest, HUGE_VAL) : nearest;
 }
+
+/// The nearest double that is not above.
+[[nodiscard]] inline double rounded_down(Wide value) {
+  const auto nearest = static_cast<double>(value);
+  return nearest > value ? std::nextafter(nearest, -HUGE_VAL) : nearest;
+}
+
+/// Two speeds, as V0 = beta p, so that f2 = 0 (or A = V0 p and f4 = 0): each of the three is a
+/// decimal rounded by 2^-53 of itself at most, |V0 - beta p| <= 3 2^-53 V0, and their difference
+/// would be that rounding alone.
+[[nodiscard]] inline bool is_same(Wide v0, Wide speed) {
+  const Wide difference = v0 < speed ? speed - v0 : v0 - speed;
+  return difference <= 0x3p-53 * v0;
+}
+
+// One half-cycle back, (39), for decisions that are right to the last bit.
 
 /// In speeds: phi = f/p, d = 2 Delta.
 struct WideNotch {
@@ -92,7 +107,7 @@ struct WideNotch {
   }
   /// The least V0 whose first half-cycle has that radius or a larger one.
   [[nodiscard]] double speed(Wide radius) const {
-    return least_double_from(root((radius - phi) * (radius + phi)));
+    return rounded_up(root((radius - phi) * (radius + phi)));
   }
 };
 

@@ -67,17 +67,17 @@ struct Contestant {
 /// Settings from coarse to fine, as a user would try them.
 std::vector<Contestant> contestants(const Scene& scene, const Size& size) {
   std::vector<Contestant> list;
-  const auto add = [&](const char* name, const char* knob, double setting, const Call& call) {
-    list.push_back({{.name = name, .knob = knob, .setting = setting}, call});
+  const auto add = [&](const char* name, const std::optional<Setting>& setting, const Call& call) {
+    list.push_back({{.name = name, .setting = setting}, call});
   };
-  add("stillpoint", "", 0, kernel);
+  add("stillpoint", {}, kernel);
   for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
-    add("dopri5", "tolerance", tolerance,
+    add("dopri5", Setting{"tolerance", tolerance},
         [=](const Scene& now) { return dopri5(now, tolerance, size, most_effort); });
   }
   for (const double part : {0.1, 0.01, 0.001}) {
     const double step = part / rate(scene);
-    add("RK4", "step", step,
+    add("RK4", Setting{"step", step},
         [=](const Scene& now) { return runge_kutta4(now, step, most_effort); });
   }
   const bool has_hold = scene.oscillator.delta > 0 && scene.oscillator.hold;
@@ -85,7 +85,7 @@ std::vector<Contestant> contestants(const Scene& scene, const Size& size) {
     if (has_hold) {
       break;  // which the model does not know
     }
-    add("regularised", "width", width,
+    add("regularised", Setting{"width", width},
         [=](const Scene& now) { return regularised(now, width, size, most_effort); });
   }
   return list;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/sweep/units.hpp>
 
+#include <stillpoint/records/text.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -141,10 +143,8 @@ records::Dimension dimension(Quantity quantity, const std::optional<SweepUnits>&
 
 std::optional<Quantity> find_named(std::span<const Quantity> quantities, std::string_view written,
                                    const std::optional<SweepUnits>& units) {
-  std::string underscored(written);
-  std::ranges::replace(underscored, '-', '_');
-  const auto found = std::ranges::find_if(
-      quantities, [&](Quantity quantity) { return name(quantity, units) == underscored; });
+  const auto found = std::ranges::find(quantities, records::underscored(written),
+                                       [&](Quantity quantity) { return name(quantity, units); });
   return found == quantities.end() ? std::nullopt : std::optional(*found);
 }
 
@@ -157,9 +157,7 @@ std::string names(std::span<const Quantity> quantities, const std::optional<Swee
 }
 
 std::string option_name(Quantity quantity, const std::optional<SweepUnits>& units) {
-  std::string option(name(quantity, units));
-  std::ranges::replace(option, '_', '-');
-  return option;
+  return records::hyphened(name(quantity, units));
 }
 
 }  // namespace stillpoint::sweep

@@ -7,7 +7,9 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/core/surface.hpp>
+#include <stillpoint/design/limit_kinds.hpp>
 #include <stillpoint/design/physical.hpp>
+#include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 
@@ -33,8 +35,12 @@ void require_in_units(const SweepSpec& spec) {
       require_ends(*other_end(swept.quantity), swept.axis.other_ends());
     }
   }
-  if (spec.units && spec.limits.delta_max) {
-    records::require_physical("delta-max-m", records::Dimension::length, *spec.limits.delta_max);
+  for (const design::LimitKind& kind : design::limit_kinds()) {
+    const auto& limit = spec.limits.*kind.value;
+    if (spec.units && limit && !kind.in_metres.empty()) {
+      records::require_physical(records::hyphened(kind.in_metres), records::Dimension::length,
+                                *limit);
+    }
   }
 }
 

@@ -115,6 +115,32 @@ BOOST_AUTO_TEST_CASE(name_every_option) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
+BOOST_AUTO_TEST_SUITE(rows)
+
+/// The options that a row needs or excludes exist, in the same commands.
+BOOST_AUTO_TEST_CASE(name_options_of_the_same_command) {
+  const auto check = [](const cli::Option& option, cli::CommandSet commands,
+                        std::string_view other) {
+    const cli::Option* const named = cli::find_option(other);
+    BOOST_TEST_REQUIRE(named != nullptr, option.name << " names " << other);
+    for (const cli::Command command :
+         {cli::Command::design, cli::Command::simulate, cli::Command::sweep}) {
+      BOOST_TEST((!commands.has(command) || (option.serves(command) && named->serves(command))),
+                 option.name << " and " << other << " in " << name(command));
+    }
+  };
+  for (const cli::Option& option : cli::options()) {
+    if (!option.traits.needs.option.empty()) {
+      check(option, option.traits.needs.commands, option.traits.needs.option);
+    }
+    for (const auto& [commands, other, why] : option.traits.excludes) {
+      check(option, commands, other);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
 BOOST_AUTO_TEST_CASE(the_tables_of_the_theory_match_the_library) {
   const std::string page = text_of(fs::path(STILLPOINT_DATA_DIR).parent_path() / "docs/theory.md");
   const std::string tables = cli::tolerance_tables();

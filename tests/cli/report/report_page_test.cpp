@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(an_empty_region_says_why_and_what_would_help) {
   const RegionReport report{request, design::answer(request)};
   const Document made = document(report);
   BOOST_TEST((made.tone == Tone::bad));
-  BOOST_TEST(contains(made.verdict, report.answer.reason), made.verdict);
+  BOOST_TEST(contains(made.verdict, report.answer.reason.value()), made.verdict);
   BOOST_TEST_REQUIRE(!report.answer.mends.empty());
   for (const design::Mend& mend : report.answer.mends) {
     BOOST_TEST(contains(text(made), limit_digits(mend.value, mend.upwards)), text(made));

@@ -84,10 +84,10 @@ std::vector<Response> each_alone(const Batch& batch) {
 }
 
 /// Every instruction set, with and without times and acceleration, and these numbers of threads.
-void is_identical(const Batch& batch, const std::vector<int>& numbers_of_threads) {
+void is_identical(const Batch& batch, const std::vector<Threads>& numbers_of_threads) {
   const std::vector<Response> alone = each_alone(batch);
   with_each_instruction_set([&] {
-    for (const int threads : numbers_of_threads) {
+    for (const Threads& threads : numbers_of_threads) {
       for (const bool times : {false, true}) {
         const BatchResult result =
             batch.run({.times = times, .acceleration = times, .threads = threads});
@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(any_size_and_any_number_of_threads) {
     is_identical(batch_of(size, [&] { return any_scene(dice); }), {1, 2});
   }
   for (const Eigen::Index size : {4095, 4096, 4097, 13000}) {
-    is_identical(batch_of(size, [&] { return any_scene(dice); }), {0, 1, 2, 3, 7});
+    is_identical(batch_of(size, [&] { return any_scene(dice); }), {Threads(), 1, 2, 3, 7});
   }
 }
 

@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(what_is_asked_for_is_checked) {
              "p = an array of 3: must have as many entries as f, 2");
   BOOST_TEST(message(two, two, three, {}) ==
              "delta = an array of 3: must have as many entries as f, 2");
-  BOOST_TEST(message(two, two, two, {.threads = -1}) == "threads = -1: must be 0 or more");
+  BOOST_TEST(message(two, two, two, {.threads = -1}) == "threads = -1: must be 1 or more");
   BOOST_TEST(message(two, two, two, {.half_cycle_limit = 0}) ==
              "half_cycle_limit = 0: must be a number from 1 to 1000000000000000");
 }

@@ -8,7 +8,7 @@ namespace stillpoint::test {
 BOOST_AUTO_TEST_SUITE(for_each_entry_test)
 
 BOOST_AUTO_TEST_CASE(each_entry_is_called_once) {
-  for (const int threads : {0, 1, 2, 7}) {
+  for (const Threads& threads : {Threads(), Threads(1), Threads(2), Threads(7)}) {
     std::vector<std::atomic<int>> calls(1000);
     for_each_entry(1000, threads, {},
                    [&](std::ptrdiff_t i) { ++calls[static_cast<std::size_t>(i)]; });
@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_stopped_skips_the_rest) {
 BOOST_AUTO_TEST_CASE(a_negative_number_of_threads_is_refused) {
   BOOST_TEST(refusal_of<InputError>([] {
                for_each_entry(1, -1, {}, [](std::ptrdiff_t /*i*/) {});
-             }) == "threads = -1: must be 0 or more");
+             }) == "threads = -1: must be 1 or more");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

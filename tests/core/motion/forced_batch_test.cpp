@@ -9,7 +9,7 @@ BOOST_AUTO_TEST_SUITE(forced_batch_test)
 
 namespace {
 
-ForcedBatchOptions until(double t_end, int threads) {
+ForcedBatchOptions until(double t_end, const Threads& threads) {
   ForcedBatchOptions options;
   options.scene.t_end = t_end;
   options.threads = threads;
@@ -43,12 +43,12 @@ BOOST_AUTO_TEST_CASE(each_scene_is_that_of_forced_response) {
   Dice dice(912);
   for (const Excitation& excitation : excitations()) {
     const auto scenes = random_scenes(150, dice);
-    for (const int threads : {0, 1, 2, 3, 7}) {
+    for (const Threads& threads : {Threads(), Threads(1), Threads(2), Threads(3), Threads(7)}) {
       const std::vector<ForcedResponse> together =
           forced_batch(scenes[0], scenes[1], scenes[2], scenes[3], excitation, until(40, threads));
       BOOST_TEST(together.size() == 150U);
       for (Eigen::Index i = 0; i < 150; ++i) {
-        BOOST_TEST_CONTEXT("seed 912, scene " << i << ", threads " << threads) {
+        BOOST_TEST_CONTEXT("seed 912, scene " << i << ", threads " << threads.value_or(0)) {
           const ForcedResponse alone =
               forced_response({scenes[1][i], scenes[2][i], scenes[3][i]}, {0, scenes[0][i]},
                               excitation, until(40, 1).scene);
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(errors_name_the_first_scene_at_fault) {
   BOOST_TEST(
       message(Harmonic{0.2, 1}, until(9, 1)).starts_with("lambda = 1: lambda / p must be from"));
   BOOST_TEST(message(harmonic, {}).starts_with("t_end = nothing: must be given"));
-  BOOST_TEST(message(harmonic, until(9, -1)) == "threads = -1: must be 0 or more");
+  BOOST_TEST(message(harmonic, until(9, -1)) == "threads = -1: must be 1 or more");
 }
 
 BOOST_AUTO_TEST_CASE(too_many_half_cycles_name_their_scene) {

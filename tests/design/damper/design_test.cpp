@@ -12,7 +12,7 @@ BOOST_AUTO_TEST_CASE(a_design_carries_all_that_its_report_needs) {
     request.problem = random_feasible_problem(random);
     const DesignResult result = design::design(request);
     BOOST_TEST(result.region.feasible);
-    BOOST_TEST(result.reason.empty());
+    BOOST_TEST(!result.reason.has_value());
     BOOST_TEST(result.mends.empty());
     BOOST_REQUIRE(result.finding.has_value());
     const Finding& finding = *result.finding;
@@ -28,9 +28,9 @@ BOOST_AUTO_TEST_CASE(a_design_carries_all_that_its_report_needs) {
     BOOST_TEST(response.peak_amplitude <= request.problem.beta);
     BOOST_TEST(*response.decision_margin > 0);
     BOOST_TEST(finding.cross_check.passed);
-    BOOST_TEST(finding.search.evaluations > 0);
-    BOOST_TEST(finding.search.wall_time_s >= 0);
-    BOOST_TEST(finding.search.algorithm == "LD_SLSQP");
+    BOOST_TEST(finding.search.value().evaluations > 0);
+    BOOST_TEST(finding.search.value().wall_time_s >= 0);
+    BOOST_TEST(finding.search.value().algorithm == "LD_SLSQP");
   }
 }
 
@@ -40,7 +40,7 @@ BOOST_AUTO_TEST_CASE(an_empty_region_is_a_result_that_explains_itself) {
   const DesignResult result = design::design(request);
   BOOST_TEST(!result.region.feasible);
   BOOST_TEST(!result.finding);
-  BOOST_TEST(!result.reason.empty());
+  BOOST_TEST(result.reason.has_value());
   BOOST_TEST(result.mends.size() == 3U);
 }
 
@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(a_design_in_one_line) {
   BOOST_TEST(summary(result) == line + "; the cross-check failed");
   request.problem.beta = 0.5;
   result = design::design(request);
-  BOOST_TEST(summary(result) == "no damper: " + result.reason);
+  BOOST_TEST(summary(result) == "no damper: " + result.reason.value());
   const RegionAnswer region = answer(RegionRequest{{1, 1, 0.9}});
   BOOST_TEST(summary(region).starts_with("admissible for f from 0."), summary(region));
   BOOST_TEST(summary(region).ends_with(" to 0.353553"), summary(region));  // f3 = V0 p / sqrt(8)

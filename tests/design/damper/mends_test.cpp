@@ -275,7 +275,7 @@ BOOST_AUTO_TEST_CASE(a_limit_of_the_acceleration_below_p_v0_is_mended_for_severa
   Limits limits;
   limits.acceleration_max = 938.363;
   limits.tolerance = 0.01;
-  BOOST_TEST((admissible_region(problem, limits).conflict == Conflict::acceleration_alone));
+  BOOST_TEST((admissible_region(problem, limits).conflict == Conflict::limit_alone));
   const auto list = mends(problem, limits);
   const auto mend = std::ranges::find(list, "acceleration_max", &Mend::field);
   BOOST_REQUIRE((mend != list.end()));

@@ -67,7 +67,7 @@ void add_pulse_areas(Figure& figure, const DrawnPulseRegion& drawn, const LeastD
                      const FigureUnits& units) {
   const double right = figure.x.most;
   const double top = figure.y.most;
-  const double cap = std::min(top, drawn.limits.delta_max.value_or(HUGE_VAL) * units.length);
+  const double cap = std::min(top, design::largest_delta_allowed(drawn.limits) * units.length);
   double from = 0;
   for (const auto& interval : drawn.intervals) {
     figure.areas.push_back(
@@ -151,7 +151,7 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
       drawn.region.f3);
   figure.caption =
       drawn.intervals.empty() ? "No f returns and meets the limits."
-      : drawn.limits.delta_max
+      : std::isfinite(design::largest_delta_allowed(drawn.limits))
           ? "A damper in the area without hatching is admissible."
           : "A damper in the area without hatching is admissible: nothing bounds Δ from "
             "above, because the mass starts from rest.";

@@ -10,7 +10,6 @@
 #include "figures/report_figures.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -58,9 +57,13 @@ class Sides {
                                        {figure_.x.least, figure_.y.most}});
     }
     double last = std::min(strong_, figure_.x.most);
-    if (const double allowed = last_within_limits(); allowed < last) {
-      upright(allowed == drawn_.region.f4 ? "too strong: acceleration" : "above the largest f",
-              std::max(allowed, first_), last, Ink::amber);
+    if (const double allowed = design::largest_f_allowed(drawn_.problem, drawn_.limits);
+        allowed < last) {
+      const auto given = design::limit_edges(drawn_.problem, drawn_.limits);
+      const auto least = std::ranges::find_if(given, [allowed](const design::LimitEdge& one) {
+        return one.kind->bounds_f() && one.edge == allowed;
+      });
+      upright(std::string(least->kind->beyond), std::max(allowed, first_), last, Ink::amber);
       last = allowed;
     }
     between(std::max(first_, figure_.x.least), last);
@@ -69,10 +72,6 @@ class Sides {
  private:
   [[nodiscard]] double shown_delta(double delta) const {
     return std::clamp(delta * units_.length, figure_.y.least, figure_.y.most);
-  }
-
-  [[nodiscard]] double last_within_limits() const {
-    return std::min(drawn_.limits.f_max.value_or(HUGE_VAL), drawn_.region.f4.value_or(HUGE_VAL));
   }
 
   void add(std::string name, std::vector<FigurePoint> outline, Ink ink = Ink::grey,
@@ -135,7 +134,7 @@ class Sides {
     }
     const std::vector<RegionColumn> over_f = region_columns(drawn_.problem, grid);
     const double start = drawn_.region.delta2.value();
-    const double top = std::min(start, drawn_.limits.delta_max.value_or(HUGE_VAL));
+    const double top = std::min(start, design::largest_delta_allowed(drawn_.limits));
     spans("notch too weak", over_f, [&](const RegionColumn& at) {
       return std::optional(Interval{0, std::min(at.stop, top)});
     });

@@ -51,7 +51,7 @@ class Strips {
       return {};
     }
     const double from = strip.first > 0 ? std::max(f->low, rest_end_) : f->low;
-    const double most = drawn_.limits.delta_max.value_or(HUGE_VAL);
+    const double most = design::largest_delta_allowed(drawn_.limits);
     std::vector<FigurePoint> lower;
     std::vector<FigurePoint> upper;
     const auto has = [&](double at) {
@@ -116,10 +116,9 @@ class Strips {
     if (plain_ && arrival > 0) {
       const auto n = static_cast<double>(arrival);
       const double tip = drawn_.problem.v0 * drawn_.problem.p / (2 * std::sqrt(n * (n + 1)));
-      return Extent{
-          std::max(drawn_.region.f2, 0.0),
-          std::min({arrival == 1 ? drawn_.region.f3 : tip, drawn_.limits.f_max.value_or(HUGE_VAL),
-                    drawn_.region.f4.value_or(HUGE_VAL)})};
+      return Extent{std::max(drawn_.region.f2, 0.0),
+                    std::min(arrival == 1 ? drawn_.region.f3 : tip,
+                             design::largest_f_allowed(drawn_.problem, drawn_.limits))};
     }
     const auto found = std::ranges::find(found_, arrival, &design::Strip::arrival);
     return found != found_.end() && found->f_lower

@@ -59,8 +59,7 @@ ordered_json strips_json(const std::vector<design::Strip>& strips) {
   });
 }
 
-ordered_json search_json(const design::DesignResult& result) {
-  const design::SearchRecord& search = result.finding->search;
+ordered_json search_json(const design::SearchRecord& search, const design::DesignResult& result) {
   const Optimum optimum = optimum_of(result);
   return {{"library", "NLopt"},
           {"library_version", design::nlopt_version()},
@@ -185,9 +184,9 @@ ordered_json json(const DesignReport& report) {
     json["practice"] = or_null(finding.practice, practice_json);
     json["response"] =
         finding.pulse ? forced_json(finding.pulse->response) : response_json(finding.response);
-    if (!report.catalogue) {
-      json["search"] = search_json(report.result);
-    }
+    json["search"] = or_null(finding.search, [&](const design::SearchRecord& record) {
+      return search_json(record, result);
+    });
     json["cross_check"] = cross_check_json(finding.cross_check);
     if (finding.pulse) {
       json["pulse"] = pulse_check_json(*finding.pulse);

@@ -42,22 +42,20 @@ ordered_json intervals_json(const std::vector<design::Interval>& intervals) {
 }
 
 /// The constraints and limits that conflict, by name; null where none do.
-ordered_json conflict_json(design::Conflict conflict) {
-  switch (conflict) {
+ordered_json conflict_json(const design::Region& region) {
+  switch (region.conflict) {
     case design::Conflict::none:
       break;
     case design::Conflict::amplitude_against_return:
       return {"amplitude", "return"};
-    case design::Conflict::amplitude_against_f_max:
-      return {"amplitude", "f_max"};
-    case design::Conflict::amplitude_against_acceleration:
-      return {"amplitude", "acceleration"};
-    case design::Conflict::acceleration_alone:
-      return {"acceleration"};
+    case design::Conflict::amplitude_against_limit:
+      return {"amplitude", region.limit->constraint};
+    case design::Conflict::limit_alone:
+      return {region.limit->constraint};
     case design::Conflict::stop_against_start:
       return {"stop", "start"};
-    case design::Conflict::stop_against_delta_max:
-      return {"stop", "delta_max"};
+    case design::Conflict::stop_against_limit:
+      return {"stop", region.limit->constraint};
     case design::Conflict::no_arrival:
       return {"stop", "arrivals"};
     case design::Conflict::narrower_than_rounding:
@@ -85,10 +83,6 @@ ordered_json count(const std::optional<double>& value) {
   return number(value);
 }
 
-ordered_json text_or_null(const std::string& value) {
-  return value.empty() ? ordered_json(nullptr) : ordered_json(value);
-}
-
 ordered_json metres(const Physical& physical, const std::optional<double>& length) {
   return physical && length ? number(*length * physical->scales.length_m) : ordered_json(nullptr);
 }
@@ -100,8 +94,8 @@ ordered_json seconds(const Physical& physical, const std::optional<double>& tau)
 ordered_json region_fields(const design::RegionVerdict& verdict) {
   const design::Region& region = verdict.region;
   return {{"feasible", region.feasible},
-          {"reason", text_or_null(verdict.reason)},
-          {"conflict", conflict_json(region.conflict)},
+          {"reason", or_null(verdict.reason)},
+          {"conflict", conflict_json(region)},
           {"f1", number(region.f1)},
           {"f2", number(region.f2)},
           {"f3", number(region.f3)},
@@ -161,21 +155,22 @@ ordered_json task_json(const design::Problem& problem, const design::Limits& lim
   const double t = limits.tolerance;
   const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
   const bool shaped = limits.shape != design::BoxShape{};
-  return {{"v0", number(problem.v0)},
-          {"v0_range",
-           range(problem.v0_low.value_or(problem.v0), problem.v0, problem.v0_low.has_value())},
-          {"p", number(problem.p)},
-          {"p_range", range(problem.p, problem.stiffest_p(), problem.p_high.has_value())},
-          {"beta", number(problem.beta)},
-          {"criterion", name(problem.criterion)},
-          {"arrivals", problem.arrivals},
-          {"residual", number(problem.residual)},
-          {"tolerance", number(t * std::min({f_low, f_high, delta_low, delta_high}))},
-          {"tolerance_f", range(1 - t * f_low, 1 + t * f_high, shaped)},
-          {"tolerance_delta", range(1 - t * delta_low, 1 + t * delta_high, shaped)},
-          {"f_max", number(limits.f_max)},
-          {"delta_max", number(limits.delta_max)},
-          {"acceleration_max", number(limits.acceleration_max)}};
+  ordered_json json{{"v0", number(problem.v0)},
+                    {"v0_range", range(problem.v0_low.value_or(problem.v0), problem.v0,
+                                       problem.v0_low.has_value())},
+                    {"p", number(problem.p)},
+                    {"p_range", range(problem.p, problem.stiffest_p(), problem.p_high.has_value())},
+                    {"beta", number(problem.beta)},
+                    {"criterion", name(problem.criterion)},
+                    {"arrivals", problem.arrivals},
+                    {"residual", number(problem.residual)},
+                    {"tolerance", number(t * std::min({f_low, f_high, delta_low, delta_high}))},
+                    {"tolerance_f", range(1 - t * f_low, 1 + t * f_high, shaped)},
+                    {"tolerance_delta", range(1 - t * delta_low, 1 + t * delta_high, shaped)}};
+  for (const design::LimitKind& kind : design::limit_kinds()) {
+    json[std::string(kind.field)] = number(limits.*kind.value);
+  }
+  return json;
 }
 
 ordered_json program_json() {

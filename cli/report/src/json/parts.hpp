@@ -25,8 +25,6 @@ namespace stillpoint::report {
 [[nodiscard]] nlohmann::ordered_json number(const std::optional<double>& value);
 /// A count: an integer, if a double holds it exactly.
 [[nodiscard]] nlohmann::ordered_json count(const std::optional<double>& value);
-/// Null where it is empty.
-[[nodiscard]] nlohmann::ordered_json text_or_null(const std::string& value);
 /// A length and a tau in SI units; null without physical input as well.
 [[nodiscard]] nlohmann::ordered_json metres(const Physical& physical,
                                             const std::optional<double>& length);

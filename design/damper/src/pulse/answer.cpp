@@ -100,6 +100,9 @@ RegionAnswer answer_under_pulse(const RegionRequest& asked) {
   const PulseRequest request = pulse_request(asked);
   const auto& [problem, limits, options] = request;
   require_valid(problem, limits);
+  if (asked.f) {
+    require_valid(Oscillator{problem.p, *asked.f, asked.delta.value_or(0)});
+  }
   const PulseRegion region(problem, limits);
   // Of several intervals, the region is the one with the most tolerant damper.
   RegionAnswer answer{around(search(region, options), request, region)};
@@ -107,7 +110,6 @@ RegionAnswer answer_under_pulse(const RegionRequest& asked) {
     return answer;
   }
   const double f = *asked.f;
-  require_valid(Oscillator{problem.p, f, asked.delta.value_or(0)});
   const auto least = [&](Criterion criterion) {
     PulseProblem task = request.problem;
     task.criterion = criterion;
@@ -122,15 +124,15 @@ RegionAnswer answer_under_pulse(const RegionRequest& asked) {
 }
 
 void add_finding(DesignResult& result, const PulseRequest& request, const PulseRegion& region,
-                 const SearchResult& found, double unit_f) {
+                 const DesignPoint& point, double unit_f) {
   const auto& [problem, limits, options] = request;
   const FirstReturn worst = region.at(unit_f);
   const PulseProblem shown = region.profile()->largest_peak(problem, unit_f);
   const FirstReturn motion = first_return(shown.pulse, shown.p, unit_f);
-  result.reduced_v0 = reduced_v0(shown.pulse, found.point.f);
-  result.finding = finding_under_pulse(shown, limits, found, motion);
-  result.finding->constraints = constraints_of(request, found.point, worst, region);
-  result.finding->pulse->even_tolerance = even_tolerance(request, region, found.point, unit_f);
+  result.reduced_v0 = reduced_v0(shown.pulse, point.f);
+  result.finding = finding_under_pulse(shown, limits, point, motion);
+  result.finding->constraints = constraints_of(request, point, worst, region);
+  result.finding->pulse->even_tolerance = even_tolerance(request, region, point, unit_f);
   if (problem.has_ranges()) {
     result.finding->pulse->worst =
         PulseWorst{worst.peak * region.length_unit(), worst.acceleration * region.f_unit(),
@@ -150,7 +152,8 @@ DesignResult design(const PulseRequest& request) {
   }
   const auto& [f, delta, tolerance] = optimum->found.point;
   const DesignPoint point{f * region.f_unit(), delta * region.delta_unit(), tolerance};
-  add_finding(result, request, region, {point, optimum->found.record}, f);
+  add_finding(result, request, region, point, f);
+  result.finding->search = optimum->found.record;
   result.finding->pulse->searched =
       in_units(region, options.objective, problem.p, optimum->searched);
   result.finding->pulse->bracketed =

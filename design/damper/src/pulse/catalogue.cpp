@@ -5,10 +5,13 @@
 
 #include "finding.hpp"
 #include "ranking.hpp"
+#include "region/limit_table.hpp"
 #include "search/objectives.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -23,9 +26,7 @@ struct TriedPart {
   RatedPart rated;
   bool returns{false};
   double peak{0};
-  double acceleration{0};
-  double f{0};
-  double delta{0};
+  std::array<double, limit_table.size()> limited{};  ///< what each of the limits bounds
   bool stops{false};
 };
 
@@ -34,10 +35,11 @@ constexpr double within_limits = 1 - 2e-13;
 
 /// The part with its box, for another beta or other limits than those asked for.
 bool part_fits(const TriedPart& now, double beta, const Limits& limits) {
-  return now.returns && now.stops && now.peak <= beta * within_limits &&
-         now.f <= limits.f_max.value_or(HUGE_VAL) * within_limits &&
-         now.delta <= limits.delta_max.value_or(HUGE_VAL) * within_limits &&
-         now.acceleration <= limits.acceleration_max.value_or(HUGE_VAL) * within_limits;
+  bool kept = now.returns && now.stops && now.peak <= beta * within_limits;
+  for (std::size_t i = 0; i < limit_table.size(); ++i) {
+    kept = kept && now.limited[i] <= limit_or_infinity(limit_table[i], limits) * within_limits;
+  }
+  return kept;
 }
 
 TriedPart tried(const PulseRequest& request, const PulseRegion& region, const Part& part) {
@@ -53,13 +55,21 @@ TriedPart tried(const PulseRequest& request, const PulseRegion& region, const Pa
         region.profile()->between(region.low_of(unit_f, tolerance), std::min(1.0, high));
     now.returns = box.returns && high < 1;
     now.peak = box.peak * region.length_unit();
-    now.acceleration = box.acceleration * region.f_unit();
+    for (std::size_t i = 0; i < limit_table.size(); ++i) {
+      if (const auto& figure = limit_table[i].figure) {
+        now.limited[i] = box.*figure->under_pulse * region.f_unit();
+      }
+    }
     now.stops =
         box.need(problem.criterion) <= unit_delta * (1 - limits.shape.delta_low * tolerance);
     now.rated.tolerance = region.tolerance_of(unit_f, unit_delta);
   }
-  now.f = region.high_of(part.f, tolerance);
-  now.delta = part.delta * (1 + limits.shape.delta_high * tolerance);
+  for (std::size_t i = 0; i < limit_table.size(); ++i) {
+    if (const LimitKind& kind = limit_table[i]; !kind.figure) {
+      now.limited[i] = kind.bounds_f() ? region.high_of(part.f, tolerance)
+                                       : part.delta * (1 + limits.shape.delta_high * tolerance);
+    }
+  }
   now.rated.admissible = now.rated.tolerance && part_fits(now, problem.beta, limits);
   if (!now.rated.tolerance) {
     now.rated.violated =
@@ -81,11 +91,11 @@ std::vector<Mend> mends_of_parts(const PulseRequest& request, const std::vector<
   const auto& [problem, limits, options] = request;
   std::vector<Mend> list;
   const auto add = [&](std::string_view field, double beta, const Limits& others,
-                       double TriedPart::*figure) {
+                       const auto& figure) {
     double least = HUGE_VAL;
     for (const TriedPart& now : parts) {
       if (part_fits(now, beta, others)) {
-        least = std::min(least, now.*figure);
+        least = std::min(least, figure(now));
       }
     }
     constexpr double outside = 1 + 1e-11;
@@ -93,7 +103,7 @@ std::vector<Mend> mends_of_parts(const PulseRequest& request, const std::vector<
       list.push_back({field, least / within_limits * outside, true});
     }
   };
-  add("beta", HUGE_VAL, limits, &TriedPart::peak);
+  add("beta", HUGE_VAL, limits, [](const TriedPart& now) { return now.peak; });
   if (limits.tolerance > 0) {
     std::optional<double> most;
     for (const TriedPart& now : parts) {
@@ -104,20 +114,13 @@ std::vector<Mend> mends_of_parts(const PulseRequest& request, const std::vector<
       list.push_back({"tolerance", *most * less, false});
     }
   }
-  const auto without = [&given = limits](std::optional<double> Limits::*limit) {
-    Limits others = given;
-    others.*limit = std::nullopt;
-    return others;
-  };
-  if (limits.f_max) {
-    add("f_max", problem.beta, without(&Limits::f_max), &TriedPart::f);
-  }
-  if (limits.delta_max) {
-    add("delta_max", problem.beta, without(&Limits::delta_max), &TriedPart::delta);
-  }
-  if (limits.acceleration_max) {
-    add("acceleration_max", problem.beta, without(&Limits::acceleration_max),
-        &TriedPart::acceleration);
+  for (std::size_t i = 0; i < limit_table.size(); ++i) {
+    const LimitKind& kind = limit_table[i];
+    if (limits.*kind.value) {
+      Limits others = limits;
+      others.*kind.value = std::nullopt;
+      add(kind.field, problem.beta, others, [i](const TriedPart& now) { return now.limited[i]; });
+    }
   }
   return list;
 }
@@ -147,11 +150,10 @@ Choice choose_under_pulse(const PulseRequest& request, std::span<const Part> par
   const RatedPart& best = choice.parts.front();
   if (best.admissible) {
     const auto& [name, f, delta] = best.part;
-    add_finding(choice.result, request, region, {{f, delta, *best.tolerance}, {}},
-                f / region.f_unit());
+    add_finding(choice.result, request, region, {f, delta, *best.tolerance}, f / region.f_unit());
     return choice;
   }
-  if (choice.result.reason.empty()) {
+  if (!choice.result.reason) {
     choice.result.reason = none_admissible(parts.size());
   }
   choice.result.mends = mends_of_parts(request, all);

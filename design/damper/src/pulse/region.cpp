@@ -16,25 +16,32 @@ PulseRegion::PulseRegion(std::shared_ptr<const WorstReturn> profile, const Pulse
       k_(peak_load(problem.pulse)),
       length_(k_ / problem.p / problem.p),
       beta_(problem.beta / length_ * (1 - edge_rounding)),
-      f_max_(limits.f_max.value_or(HUGE_VAL) / k_ * (1 - edge_rounding)),
-      delta_max_(limits.delta_max.value_or(HUGE_VAL) / length_ / k_ * (1 - edge_rounding)),
-      acceleration_max_(limits.acceleration_max.value_or(HUGE_VAL) / k_ * (1 - edge_rounding)),
+      f_max_(least_limit(Bounded::f, limits) / k_ * (1 - edge_rounding)),
+      delta_max_(least_limit(Bounded::delta, limits) / length_ / k_ * (1 - edge_rounding)),
       asked_(limits.tolerance),
       shape_(limits.shape) {
+  std::ranges::transform(limited_figures, figures_max_.begin(), [&](const LimitKind* kind) {
+    return limit_or_infinity(*kind, limits) / k_ * (1 - edge_rounding);
+  });
   find_islands();
 }
 
-/// By how much f_max, beta and the limit of acceleration are kept, as parts of them: >= 0 where
-/// they are.
+/// By how much each is kept, as a part of it: >= 0 where it is.
 PulseRegion::Rooms PulseRegion::rooms(const FirstReturn& motion) const {
+  Rooms left{};
   if (!motion.returns) {
-    return {-1, -1, -1};
+    left.fill(-1);
+    return left;
   }
-  const auto left = [](double value, double limit) {
+  const auto room = [](double value, double limit) {
     return std::isinf(limit) ? 1 : (limit - value) / limit;
   };
-  return {left(motion.f, f_max_), left(motion.peak, beta_),
-          left(motion.acceleration, acceleration_max_)};
+  left[0] = room(motion.f, f_max_);
+  left[1] = room(motion.peak, beta_);
+  for (std::size_t i = 0; i < figure_count; ++i) {
+    left[2 + i] = room(motion.*limited_figures[i]->figure->under_pulse, figures_max_[i]);
+  }
+  return left;
 }
 
 void PulseRegion::find_islands() {
@@ -47,9 +54,12 @@ void PulseRegion::find_islands() {
     }
     std::ranges::sort(points, {}, &FirstReturn::f);
   }
-  if (std::isfinite(acceleration_max_)) {
-    add_minima(
-        points, at_f, [](const FirstReturn& now) { return now.acceleration; }, acceleration_max_);
+  for (std::size_t i = 0; i < figure_count; ++i) {
+    if (std::isfinite(figures_max_[i])) {
+      const auto figure = limited_figures[i]->figure->under_pulse;
+      add_minima(
+          points, at_f, [figure](const FirstReturn& now) { return now.*figure; }, figures_max_[i]);
+    }
   }
   add_overlaps(points);
   islands_ = where(points, at_f, [&](const FirstReturn& now) { return room(now); });

@@ -7,6 +7,7 @@
 #include "pulse/intervals.hpp"
 #include "pulse/known_motions.hpp"
 #include "pulse/worst_return.hpp"
+#include "region/limit_table.hpp"
 
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/pulse.hpp>
@@ -93,7 +94,8 @@ class PulseRegion {
   [[nodiscard]] double most_tolerance() const;
 
  private:
-  using Rooms = std::array<double, 3>;
+  /// Of f_max, of beta, and of the limits of figures.
+  using Rooms = std::array<double, 2 + figure_count>;
   [[nodiscard]] Rooms rooms(const FirstReturn& motion) const;
   [[nodiscard]] double room(const FirstReturn& motion) const {
     return std::ranges::min(rooms(motion));
@@ -110,7 +112,7 @@ class PulseRegion {
   double beta_;
   double f_max_;
   double delta_max_;
-  double acceleration_max_;
+  std::array<double, figure_count> figures_max_;
   double asked_;  ///< tolerance
   BoxShape shape_;
 };

@@ -78,11 +78,10 @@ void compare(CheckMethod& method, double tolerance, double resolution, const Fir
 }  // namespace
 
 Finding finding_under_pulse(const PulseProblem& problem, const Limits& limits,
-                            const SearchResult& found, const FirstReturn& expected) {
+                            const DesignPoint& point, const FirstReturn& expected) {
   Finding finding;
-  finding.point = found.point;
-  finding.search = found.record;
-  const auto& [f, delta, tolerance] = found.point;
+  finding.point = point;
+  const auto& [f, delta, tolerance] = point;
   const Oscillator oscillator{problem.p, f, delta};
   PulseCheck check;
   check.pulse = problem.pulse;

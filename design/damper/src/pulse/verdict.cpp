@@ -58,29 +58,38 @@ Region edges_of(const PulseRegion& region, const PulseProblem& problem,
 }
 
 /// The first requirement that leaves nothing, in the order of the sentences of `reason_of`.
-Conflict conflict_of(const PulseRegion& region, const PulseProblem& problem, const Limits& limits) {
-  const auto fits = [&](Limits some, bool beta = true) {
-    some.tolerance = limits.tolerance;
-    some.shape = limits.shape;
-    return leaves_any(region, problem, some, beta);
+void explain(Region& found, const PulseRegion& region, const PulseProblem& problem,
+             const Limits& limits) {
+  Limits some{.tolerance = limits.tolerance, .shape = limits.shape};
+  const auto fits = [&](const Limits& now, bool beta = true) {
+    return leaves_any(region, problem, now, beta);
   };
-  const auto& acceleration_max = limits.acceleration_max;
-  if (!fits({})) {
-    return Conflict::amplitude_against_return;
+  const auto because = [&](Conflict conflict, const LimitKind* limit) {
+    found.conflict = conflict;
+    found.limit = limit;
+  };
+  if (!fits(some)) {
+    return because(Conflict::amplitude_against_return, nullptr);
   }
-  if (!fits({.f_max = limits.f_max})) {
-    return Conflict::amplitude_against_f_max;
+  const Limits none = some;
+  for (const LimitKind& kind : limit_table) {
+    if (!kind.bounds_f() || !(limits.*kind.value)) {
+      continue;
+    }
+    Limits alone = none;
+    alone.*kind.value = some.*kind.value = limits.*kind.value;
+    if (kind.figure && !fits(alone, false)) {
+      return because(Conflict::limit_alone, &kind);
+    }
+    if (!fits(some)) {
+      return because(Conflict::amplitude_against_limit, &kind);
+    }
   }
-  if (!fits({.acceleration_max = acceleration_max}, false)) {
-    return Conflict::acceleration_alone;
-  }
-  if (!fits({.f_max = limits.f_max, .acceleration_max = acceleration_max})) {
-    return Conflict::amplitude_against_acceleration;
-  }
-  return Conflict::stop_against_delta_max;
+  const auto by_delta = std::ranges::find(limit_table, Bounded::delta, &LimitKind::bounds);
+  because(Conflict::stop_against_limit, &*by_delta);
 }
 
-std::string reason_of(Conflict conflict, const PulseRegion& region, const PulseProblem& problem,
+std::string reason_of(const Region& found, const PulseRegion& region, const PulseProblem& problem,
                       const Limits& limits) {
   const bool even = limits.shape == BoxShape{};
   const std::string box = limits.tolerance > 0 && even
@@ -90,7 +99,9 @@ std::string reason_of(Conflict conflict, const PulseRegion& region, const PulseP
   const PulseRegion amplitude(region.profile(), problem, {});
   const double k = region.f_unit();
   const FirstReturn last = last_return(region);
-  switch (conflict) {
+  const LimitKind* const kind = found.limit;
+  const double limit = kind == nullptr ? 0 : (limits.*kind->value).value_or(0);
+  switch (found.conflict) {
     case Conflict::amplitude_against_return:
       if (amplitude.islands().empty()) {
         return fmt::format(
@@ -102,24 +113,24 @@ std::string reason_of(Conflict conflict, const PulseRegion& region, const PulseP
           "amplitude and return conflict: a peak within beta needs f >= {:.6g}, coming "
           "back to x = 0 needs f <= {:.6g}{}",
           amplitude.islands().front().low * k, amplitude.islands().back().high * k, box);
-    case Conflict::amplitude_against_f_max:
-      return fmt::format(
-          "amplitude and f_max conflict: a peak within beta needs f >= {:.6g}, f_max is "
-          "{:.6g}{}",
-          amplitude.islands().front().low * k, *limits.f_max, box);
-    case Conflict::acceleration_alone:
-      return fmt::format("no f that returns keeps the transmitted acceleration within {:.6g} g{}",
-                         *limits.acceleration_max, box);
-    case Conflict::amplitude_against_acceleration:
-      return fmt::format(
-          "amplitude and acceleration conflict: no f that returns keeps both the peak "
-          "within beta and the transmitted acceleration within {:.6g} g{}",
-          *limits.acceleration_max, box);
+    case Conflict::limit_alone:
+      return fmt::format("no f that returns keeps the {} within {:.6g}{}{}", kind->quantity, limit,
+                         kind->unit, box);
+    case Conflict::amplitude_against_limit:
+      return kind->figure ? fmt::format(
+                                "amplitude and {} conflict: no f that returns keeps both the peak "
+                                "within beta and the {} within {:.6g}{}{}",
+                                kind->constraint, kind->quantity, limit, kind->unit, box)
+                          : fmt::format(
+                                "amplitude and {} conflict: a peak within beta needs f >= {:.6g}, "
+                                "{} is {:.6g}{}",
+                                kind->constraint, amplitude.islands().front().low * k, kind->field,
+                                limit, box);
     default:
       return fmt::format(
-          "stop and delta_max conflict: no f that meets the other requirements arrives "
-          "slowly enough for a notch within delta_max{}",
-          box);
+          "stop and {} conflict: no f that meets the other requirements arrives "
+          "slowly enough for a notch within {}{}",
+          kind->constraint, kind->field, box);
   }
 }
 
@@ -174,8 +185,8 @@ DesignResult without_finding(const PulseRequest& request, const PulseRegion& reg
     result.intervals->push_back({island.low * region.f_unit(), island.high * region.f_unit()});
   }
   if (!within) {
-    result.region.conflict = conflict_of(region, problem, limits);
-    result.reason = reason_of(result.region.conflict, region, problem, limits);
+    explain(result.region, region, problem, limits);
+    result.reason = reason_of(result.region, region, problem, limits);
   }
   return result;
 }
@@ -204,15 +215,18 @@ std::vector<Constraint> constraints_of(const PulseRequest& request, const Design
     list.push_back(Constraint::compared("stop", "delta", ">=", point.delta,
                                         motion.need(problem.criterion) * region.delta_unit()));
   }
-  if (limits.f_max) {
-    list.push_back(below("f_max", "f", point.f, *limits.f_max));
-  }
-  if (limits.delta_max) {
-    list.push_back(below("delta_max", "delta", point.delta, *limits.delta_max));
-  }
-  if (limits.acceleration_max && motion.f < 1) {
-    list.push_back(below("acceleration", "acceleration", motion.acceleration * region.f_unit(),
-                         *limits.acceleration_max));
+  for (const LimitKind& kind : limit_table) {
+    const auto& limit = limits.*kind.value;
+    if (!limit) {
+      continue;
+    }
+    if (!kind.figure) {
+      list.push_back(kind.bounds_f() ? below(kind.constraint, "f", point.f, *limit)
+                                     : below(kind.constraint, "delta", point.delta, *limit));
+    } else if (motion.f < 1) {
+      list.push_back(below(kind.constraint, kind.constraint,
+                           motion.*kind.figure->under_pulse * region.f_unit(), *limit));
+    }
   }
   return list;
 }

@@ -49,6 +49,6 @@ namespace stillpoint::design {
 
 /// A damper, simulated and checked; `unit_f` is its f in the units of the region.
 void add_finding(DesignResult& result, const PulseRequest& request, const PulseRegion& region,
-                 const SearchResult& found, double unit_f);
+                 const DesignPoint& point, double unit_f);
 
 }  // namespace stillpoint::design

@@ -135,7 +135,8 @@ SuiteFigures Suite::figures(const SuiteDamper& damper) const {
   return all;
 }
 
-std::vector<SuiteFigures> Suite::figures(std::span<const SuiteDamper> dampers, int threads) const {
+std::vector<SuiteFigures> Suite::figures(std::span<const SuiteDamper> dampers,
+                                         const Threads& threads) const {
   const auto size = static_cast<Eigen::Index>(dampers.size());
   const auto column = [&](double SuiteDamper::*member) -> Eigen::ArrayXd {
     return Eigen::ArrayXd::NullaryExpr(

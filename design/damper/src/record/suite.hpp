@@ -44,7 +44,7 @@ class Suite {
   [[nodiscard]] SuiteFigures figures(const SuiteDamper& damper) const;
   /// The same for many, in their order, computed in parallel; `threads` as in record_batch.
   [[nodiscard]] std::vector<SuiteFigures> figures(std::span<const SuiteDamper> dampers,
-                                                  int threads) const;
+                                                  const Threads& threads) const;
   /// For one damper, with each motion.
   [[nodiscard]] std::vector<ForcedResponse> responses(const SuiteDamper& damper) const;
 

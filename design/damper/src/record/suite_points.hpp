@@ -26,7 +26,7 @@ inline constexpr double no_difference = 1e-6;
 class SuitePoints {
  public:
   SuitePoints(const Suite& suite, const SuiteBox& box, SuiteObjective objective,
-              const SuiteLimits& limits, int threads, SuiteWatch& watch)
+              const SuiteLimits& limits, const Threads& threads, SuiteWatch& watch)
       : suite_(suite),
         box_(box),
         objective_(objective),
@@ -36,7 +36,7 @@ class SuitePoints {
 
   [[nodiscard]] const SuiteBox& box() const { return box_; }
   [[nodiscard]] std::size_t records() const { return suite_.loads().size(); }
-  [[nodiscard]] int threads() const { return threads_; }
+  [[nodiscard]] const Threads& threads() const { return threads_; }
   [[nodiscard]] bool stopped() const { return watch_.stopped(); }
 
   /// Several threads may call this at once.
@@ -53,7 +53,7 @@ class SuitePoints {
   const SuiteBox& box_;
   SuiteObjective objective_;
   SuiteLimits limits_;
-  int threads_;
+  Threads threads_;
   SuiteWatch& watch_;
   std::int64_t evaluations_{0};
 };

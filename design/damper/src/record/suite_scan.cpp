@@ -79,8 +79,8 @@ GridSize grid_size(const SuiteBox& box, std::int64_t points) {
 }
 
 std::vector<SuiteFigures> grid_figures(const Suite& suite, const SuiteBox& box, std::int64_t side,
-                                       std::int64_t first, std::int64_t count, int threads,
-                                       SuiteWatch& watch) {
+                                       std::int64_t first, std::int64_t count,
+                                       const Threads& threads, SuiteWatch& watch) {
   const SuiteScan grid{side, {}};
   std::vector<SuiteFigures> all;
   all.reserve(static_cast<std::size_t>(count));

@@ -53,7 +53,7 @@ struct GridSize {
 /// The figures of the points first <= i < first + count of a grid; fewer after a stop.
 [[nodiscard]] std::vector<SuiteFigures> grid_figures(const Suite& suite, const SuiteBox& box,
                                                      std::int64_t side, std::int64_t first,
-                                                     std::int64_t count, int threads,
+                                                     std::int64_t count, const Threads& threads,
                                                      SuiteWatch& watch);
 
 }  // namespace stillpoint::design

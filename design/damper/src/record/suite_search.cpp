@@ -221,7 +221,7 @@ std::int64_t usual_evaluations(const SuiteBox& box) {
 }
 
 SuiteOptimum optimum(const Suite& suite, const SuiteBox& box, const SuiteScan& scan,
-                     SuiteObjective objective, const SuiteLimits& limits, int threads,
+                     SuiteObjective objective, const SuiteLimits& limits, const Threads& threads,
                      SuiteWatch& watch) {
   return Search({suite, box, objective, limits, threads, watch}).run(scan);
 }

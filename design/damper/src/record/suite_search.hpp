@@ -20,7 +20,7 @@ struct SuiteOptimum {
 [[nodiscard]] std::int64_t usual_evaluations(const SuiteBox& box);
 
 [[nodiscard]] SuiteOptimum optimum(const Suite& suite, const SuiteBox& box, const SuiteScan& scan,
-                                   SuiteObjective objective, const SuiteLimits& limits, int threads,
-                                   SuiteWatch& watch);
+                                   SuiteObjective objective, const SuiteLimits& limits,
+                                   const Threads& threads, SuiteWatch& watch);
 
 }  // namespace stillpoint::design

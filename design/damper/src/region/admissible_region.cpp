@@ -26,33 +26,39 @@ Region region_of(const Edges& edge, const Limits& limits) {
           .f_upper = {}};
 }
 
+void explain(Region& region, Conflict conflict, const LimitKind* limit = nullptr) {
+  region.conflict = conflict;
+  region.limit = limit;
+}
+
 /// Why no way has a point, the paper's or any.
-Conflict conflict_of(const Problem& problem, const Limits& limits, const Edges& edge) {
+void explain(Region& region, const Problem& problem, const Limits& limits, const Edges& edge) {
   const auto fits = [&](double cap) {
     return lowest_centre(edge.f2, limits.tolerance * limits.shape.f_low) <=
            highest_centre(cap, limits.tolerance * limits.shape.f_high);
   };
   if (!fits(largest_f(problem))) {
-    return Conflict::amplitude_against_return;
+    return explain(region, Conflict::amplitude_against_return);
   }
-  if (limits.f_max && !fits(*limits.f_max)) {
-    return Conflict::amplitude_against_f_max;
-  }
-  if (edge.f4 < 0) {
-    return Conflict::acceleration_alone;
-  }
-  if (!std::isinf(edge.f4) && !fits(edge.f4)) {
-    return Conflict::amplitude_against_acceleration;
+  const auto given = limit_edges(problem, limits);
+  for (const auto& [kind, limit, most] : given) {
+    if (kind->bounds_f() && !(most >= 0 && fits(most))) {
+      return explain(region, most < 0 ? Conflict::limit_alone : Conflict::amplitude_against_limit,
+                     kind);
+    }
   }
   if (problem.arrivals > 1 || !is_plain(problem, limits)) {
-    return Conflict::no_arrival;
+    return explain(region, Conflict::no_arrival);
   }
-  if (!stop_fits(problem, edge, limits)) {
-    return limits.delta_max && *limits.delta_max == edge.delta_cap
-               ? Conflict::stop_against_delta_max
-               : Conflict::stop_against_start;
+  if (stop_fits(problem, edge, limits)) {
+    return;
   }
-  return Conflict::none;
+  explain(region, Conflict::stop_against_start);
+  for (const auto& [kind, limit, most] : given) {
+    if (!kind->bounds_f() && most == edge.delta_cap) {
+      explain(region, Conflict::stop_against_limit, kind);
+    }
+  }
 }
 
 /// V0/(sqrt(2) p), (10), as the least double that leaves an f between the rounded edges.
@@ -90,7 +96,7 @@ Region admissible_region(const Problem& problem, const Limits& limits) {
   });
   region.feasible = region.f_lower.has_value();
   if (!region.feasible) {
-    region.conflict = conflict_of(problem, limits, edge);
+    explain(region, problem, limits, edge);
   }
   return region;
 }

@@ -7,6 +7,7 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/admissible_region.hpp>
+#include <stillpoint/design/limit_kinds.hpp>
 
 #include <algorithm>
 #include <array>
@@ -98,14 +99,10 @@ std::vector<Constraint> constraints(const Problem& problem, const Limits& limits
                                     double delta) {
   const auto of_the_motion = constraints(problem, f, delta);
   std::vector<Constraint> list(of_the_motion.begin(), of_the_motion.end());
-  if (limits.f_max) {
-    list.push_back(Constraint::compared("f_max", "f", "<=", f, *limits.f_max));
-  }
-  if (limits.delta_max) {
-    list.push_back(Constraint::compared("delta_max", "delta", "<=", delta, *limits.delta_max));
-  }
-  if (limits.acceleration_max) {
-    list.push_back(Constraint::compared("acceleration", "f", "<=", f, edges(problem, limits).f4));
+  for (const auto& [kind, limit, edge] : limit_edges(problem, limits)) {
+    const bool of_f = kind->bounds_f();
+    list.push_back(
+        Constraint::compared(kind->constraint, of_f ? "f" : "delta", "<=", of_f ? f : delta, edge));
   }
   return list;
 }

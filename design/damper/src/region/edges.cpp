@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "region/edges.hpp"
 
+#include "region/limit_table.hpp"
 #include "unit_problem.hpp"
 #include "wide.hpp"
 
@@ -13,35 +14,8 @@ namespace stillpoint::design {
 
 namespace {
 
-double rounded_up(Wide value) {
-  const auto nearest = static_cast<double>(value);
-  return nearest < value ? std::nextafter(nearest, HUGE_VAL) : nearest;
-}
-
-double rounded_down(Wide value) {
-  const auto nearest = static_cast<double>(value);
-  return nearest > value ? std::nextafter(nearest, -HUGE_VAL) : nearest;
-}
-
 /// f2 is v0^2 / beta at most, and must stay below 1e305.
 constexpr double sqrt_of_far_f2 = 1e152;
-
-/// V0 = beta p, so that f2 = 0 (or A = V0 p and f4 = 0): each of the three is a decimal rounded by
-/// 2^-53 of itself at most, |V0 - beta p| <= 3 2^-53 V0, and their difference would be that
-/// rounding alone.
-bool is_same(Wide v0, Wide speed) {
-  const Wide difference = v0 < speed ? speed - v0 : v0 - speed;
-  return difference <= 0x3p-53 * v0;
-}
-
-/// (33). Where p V0 alone is above the limit, minus the root of the opposite: no f >= 0 meets that.
-double acceleration_edge(Wide most, Wide p_v0) {
-  if (is_same(p_v0, most)) {
-    return 0;
-  }
-  const Wide square = (most - p_v0) * (most + p_v0);
-  return square < 0 ? rounded_down(-root(-square)) : rounded_down(root(square));
-}
 
 }  // namespace
 
@@ -54,15 +28,11 @@ Edges edges(const Problem& problem, const Limits& limits) {
   result.f1 = problem.beta * problem.p * problem.p;
   result.f2 = is_same(v0, speed) ? 0 : rounded_up((v0 - speed) * (v0 + speed) / (2 * beta));
   result.f3 = rounded_down(problem.starting_v0() * p / (root(Wide(8))));
-  result.f4 = limits.acceleration_max
-                  ? acceleration_edge(*limits.acceleration_max, v0 * problem.stiffest_p())
-                  : HUGE_VAL;
-  result.f_cap = std::min(result.f3, result.f4);
-  if (limits.f_max) {
-    result.f_cap = std::min(result.f_cap, *limits.f_max);
-  }
+  result.f_max = least_limit(Bounded::f, limits);
+  result.f4 = figures_edge(problem, limits);
+  result.f_cap = std::min({result.f3, result.f_max, result.f4});
   result.delta2 = problem.starting_v0() * problem.starting_v0() / 2;
-  result.delta_cap = std::min(result.delta2, limits.delta_max.value_or(HUGE_VAL));
+  result.delta_cap = std::min(result.delta2, least_limit(Bounded::delta, limits));
   return result;
 }
 

@@ -14,7 +14,8 @@ struct Edges {
   double f1;
   double f2;
   double f3;
-  double f4;  ///< where S = acceleration_max, docs/theory.md (33); infinite without a limit
+  double f_max;  ///< the limit of f itself; infinite without one
+  double f4;     ///< that of a figure of the motion, docs/theory.md (33); the same
   double delta2;
   double f_cap;      ///< min(f3, f_max, f4)
   double delta_cap;  ///< min(Delta2, delta_max)

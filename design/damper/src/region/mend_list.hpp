@@ -6,11 +6,13 @@
 #include "nearest_fit.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/design/limit_kinds.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/region_result.hpp>
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <optional>
 #include <string_view>
@@ -24,7 +26,7 @@ struct Input {
   std::string_view field;
   double from{0};
   double to{0};
-  void (*set)(Case&, double){nullptr};
+  std::function<void(Case&, double)> set{};
 
   [[nodiscard]] Case in(Case changed, double value) const {
     set(changed, value);
@@ -40,17 +42,11 @@ struct Input {
 template <class Case>
 std::vector<Input<Case>> limit_inputs(const Limits& limits) {
   std::vector<Input<Case>> list;
-  if (limits.f_max) {
-    list.push_back({"f_max", *limits.f_max, largest_square,
-                    [](Case& now, double value) { now.limits.f_max = value; }});
-  }
-  if (limits.delta_max) {
-    list.push_back({"delta_max", *limits.delta_max, largest_square,
-                    [](Case& now, double value) { now.limits.delta_max = value; }});
-  }
-  if (limits.acceleration_max) {
-    list.push_back({"acceleration_max", *limits.acceleration_max, largest_square,
-                    [](Case& now, double value) { now.limits.acceleration_max = value; }});
+  for (const LimitKind& kind : limit_kinds()) {
+    if (const auto& limit = limits.*kind.value) {
+      list.push_back({kind.field, *limit, largest_square,
+                      [&kind](Case& now, double value) { now.limits.*kind.value = value; }});
+    }
   }
   if (limits.tolerance > 0) {
     list.push_back({"tolerance", limits.tolerance, 0.0,

@@ -3,6 +3,7 @@
 
 #include "nearest_fit.hpp"
 #include "region/edges.hpp"
+#include "region/limit_table.hpp"
 #include "region/mend_list.hpp"
 #include "way/extent.hpp"
 
@@ -25,12 +26,11 @@ struct Case {
 /// helps.
 bool amplitude_fits(const Case& now) {
   const Edges edge = edges(now.problem, now.limits);
-  return box_fits(edge.f2, std::min(edge.f3, now.limits.f_max.value_or(HUGE_VAL)),
-                  now.limits.tolerance);
+  return box_fits(edge.f2, std::min(edge.f3, edge.f_max), now.limits.tolerance);
 }
 
 /// The same of f4, which falls with p: a larger p may help or harm.
-bool acceleration_fits(const Case& now) {
+bool figures_fit(const Case& now) {
   const Edges edge = edges(now.problem, now.limits);
   return std::isinf(edge.f4) || (edge.f4 >= 0 && box_fits(edge.f2, edge.f4, now.limits.tolerance));
 }
@@ -42,7 +42,7 @@ bool strip_fits(const Case& now) {
 
 /// At the first arrival.
 bool first_fits(const Case& now) {
-  return amplitude_fits(now) && acceleration_fits(now) && strip_fits(now);
+  return amplitude_fits(now) && figures_fit(now) && strip_fits(now);
 }
 
 bool has_damper(const Case& now) {
@@ -73,13 +73,15 @@ Case with_p(Case now, double p) {
   return now;
 }
 
-/// The p at which a box has the most room between f2 and f4, the root of (34).
-double roomiest_p(const Case& now) {
-  const double v0 = now.problem.v0;
-  const double wider = (1 + now.limits.tolerance) / (1 - now.limits.tolerance);
-  const double f4 = v0 / now.problem.beta / wider * v0;
-  const double most = now.limits.acceleration_max.value();
-  return f4 < most ? std::sqrt((most - f4) / v0) * std::sqrt((most + f4) / v0) : 0;
+/// The limit of a figure that leaves the least; empty without one. Its edge falls with p.
+std::optional<LimitEdge> limited_figure(const Case& now) {
+  std::optional<LimitEdge> least;
+  for (const LimitEdge& one : limit_edges(now.problem, now.limits)) {
+    if (one.kind->figure && (!least || one.edge < least->edge)) {
+      least = one;
+    }
+  }
+  return least;
 }
 
 /// The conditions that need more p, those that need less, and both.
@@ -89,15 +91,17 @@ std::optional<double> mended_p(const Case& base, const Amplitude& amplitude, con
   const auto [least, most] = valid_p(base.problem);
   const auto with = [&](double p) { return with_p(base, p); };
   // More p helps the amplitude and can only harm the stop, so both are tested one after the other.
-  // With a limit of the acceleration the p that fit are one interval; if it is not empty, the p
+  // With a limit of a figure the p that fit are one interval; if it is not empty, the p
   // with the most room is in it, as far as the other conditions let it.
-  if (base.limits.acceleration_max) {
+  if (const auto figure = limited_figure(base)) {
+    const double roomiest =
+        figure->kind->figure->roomiest_p(base.problem, base.limits, figure->limit);
     const auto low = nearest_fit(least, most, [&](double p) { return amplitude(with(p)); });
     const auto high = nearest_fit(most, least, [&](double p) { return strip(with(p)); });
     if (!low || !high || *low > *high) {
       return std::nullopt;
     }
-    return nearest_fit(base.problem.p, std::clamp(roomiest_p(base), *low, *high),
+    return nearest_fit(base.problem.p, std::clamp(roomiest, *low, *high),
                        [&](double p) { return all(with(p)); });
   }
   const auto raised =
@@ -117,7 +121,11 @@ std::optional<double> mended_p(const Case& base, int n) {
   // Of the centres, over V0 p, whatever beta and the other limits are.
   Case free = base;
   free.problem.beta = 2 * base.problem.v0 / base.problem.p;
-  free.limits.f_max = free.limits.acceleration_max = std::nullopt;
+  for (const LimitKind& kind : limit_table) {
+    if (kind.bounds_f()) {
+      free.limits.*kind.value = std::nullopt;
+    }
+  }
   const auto centres = feasible_f(in_strip(free));
   if (!centres) {
     return std::nullopt;
@@ -126,7 +134,7 @@ std::optional<double> mended_p(const Case& base, int n) {
   const Interval corners{centres->low * part, centres->high * part};
   const auto amplitude = [&](const Case& now) {
     const Way strip = in_strip(now);
-    const double cap = std::min(strip.f_of(corners.high), now.limits.f_max.value_or(HUGE_VAL));
+    const double cap = std::min(strip.f_of(corners.high), least_limit(Bounded::f, now.limits));
     return lowest_centre(strip.f2, tolerance) <= highest_centre(cap, tolerance);
   };
   const auto low_end = [&](const Case& now) {
@@ -135,7 +143,7 @@ std::optional<double> mended_p(const Case& base, int n) {
   };
   const auto all = [&](const Case& now) { return any_point(in_strip(now)).has_value(); };
   const auto nearly = [&](const Case& /*now*/) { return true; };
-  if (base.limits.acceleration_max) {
+  if (limited_figure(base)) {
     return mended_p(base, amplitude, low_end, all);
   }
   const auto p = mended_p(base, amplitude, low_end, nearly);

@@ -47,11 +47,24 @@ std::string too_much_friction(const Region& region, double most, const std::stri
                      rival, stroke, least, what, allowed, box);
 }
 
-std::string acceleration_alone(const Problem& problem, const Limits& limits) {
-  const auto [least, most] = told_apart(problem.p * problem.v0, *limits.acceleration_max);
-  return fmt::format(
-      "even without friction the transmitted acceleration is p V0 = {} g, above the limit of {} g",
-      least, most);
+/// A figure that is above its limit without friction.
+std::string limit_alone(const LimitKind& kind, const Problem& problem, double limit) {
+  const auto& figure = kind.figure.value();
+  const auto [least, most] = told_apart(figure.least(problem), limit);
+  return fmt::format("even without friction the {} is {} = {}{}, above the limit of {}{}",
+                     kind.quantity, figure.least_name, least, kind.unit, most, kind.unit);
+}
+
+std::string amplitude_against(const LimitKind& kind, const Region& region, const Problem& problem,
+                              double limit, const std::string& stroke, const std::string& box) {
+  if (!kind.figure) {
+    return too_much_friction(region, limit, stroke, kind.constraint,
+                             fmt::format("{} is", kind.field), box);
+  }
+  return too_much_friction(region, kind.figure->edge(problem, limit), stroke, kind.constraint,
+                           fmt::format("a {} within {:.6g}{} needs f <= {} =", kind.quantity, limit,
+                                       kind.unit, kind.figure->edge_name),
+                           box);
 }
 
 /// For one hit and one spring.
@@ -90,31 +103,26 @@ std::string too_fast(const Problem& problem, const Limits& limits, const ReasonU
 
 }  // namespace
 
-std::string reason(const Region& region, const Problem& problem, const Limits& limits,
-                   const ReasonUnits& units) {
+std::optional<std::string> reason(const Region& region, const Problem& problem,
+                                  const Limits& limits, const ReasonUnits& units) {
   const std::string box = limits.tolerance > 0
                               ? fmt::format(", with a tolerance of {:g} %", 100 * limits.tolerance)
                               : "";
-  const std::string limit = stroke(problem, units);
+  const std::string allowed = stroke(problem, units);
+  const double limit = region.limit == nullptr ? 0 : (limits.*region.limit->value).value();
   switch (region.conflict) {
     case Conflict::none:
       break;
     case Conflict::amplitude_against_return:
       return problem.residual
-                 ? too_much_friction(region, largest_f(problem), limit, "return",
+                 ? too_much_friction(region, largest_f(problem), allowed, "return",
                                      "coming to rest within the residual needs f <=", box)
-                 : too_much_friction(region, region.f3, limit, "return",
+                 : too_much_friction(region, region.f3, allowed, "return",
                                      "coming back to x = 0 needs f <= f3 =", box);
-    case Conflict::amplitude_against_f_max:
-      return too_much_friction(region, *limits.f_max, limit, "f_max", "f_max is", box);
-    case Conflict::amplitude_against_acceleration:
-      return too_much_friction(
-          region, *region.f4, limit, "acceleration",
-          fmt::format("a transmitted acceleration within {:.6g} g needs f <= f4 =",
-                      *limits.acceleration_max),
-          box);
-    case Conflict::acceleration_alone:
-      return acceleration_alone(problem, limits);
+    case Conflict::amplitude_against_limit:
+      return amplitude_against(*region.limit, region, problem, limit, allowed, box);
+    case Conflict::limit_alone:
+      return limit_alone(*region.limit, problem, limit);
     case Conflict::narrower_than_rounding:
       return "the constraints leave a region narrower than rounding: no damper is that exact";
     case Conflict::no_arrival:
@@ -122,10 +130,11 @@ std::string reason(const Region& region, const Problem& problem, const Limits& l
                                        : no_way(problem, box);
     case Conflict::stop_against_start:
       return too_fast(problem, limits, units, "start", "starting needs delta <= delta2 =", box);
-    case Conflict::stop_against_delta_max:
-      return too_fast(problem, limits, units, "delta_max", "delta_max is", box);
+    case Conflict::stop_against_limit:
+      return too_fast(problem, limits, units, region.limit->constraint,
+                      fmt::format("{} is", region.limit->field), box);
   }
-  return {};
+  return std::nullopt;
 }
 
 }  // namespace stillpoint::design

@@ -20,6 +20,9 @@ RegionAnswer answer(const RegionRequest& request) {
     return answer_under_pulse(request);
   }
   const Region region = admissible_region(problem, limits);
+  if (f) {
+    require_valid(Oscillator{problem.p, *f, delta.value_or(0)});
+  }
   RegionAnswer answer{{region, reason(region, problem, limits), mends(problem, limits),
                        joint_mend(problem, limits)}};
   if (!region.feasible) {
@@ -51,7 +54,7 @@ std::string summary(const RegionVerdict& verdict) {
   const Region& region = verdict.region;
   return region.feasible ? fmt::format("admissible for f from {:.6g} to {:.6g}", *region.f_lower,
                                        *region.f_upper)
-                         : "no damper: " + verdict.reason;
+                         : "no damper: " + verdict.reason.value();
 }
 
 }  // namespace stillpoint::design

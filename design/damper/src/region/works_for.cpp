@@ -6,6 +6,7 @@
 
 #include "nearest_fit.hpp"
 #include "region/edges.hpp"
+#include "region/limit_table.hpp"
 #include "way/way.hpp"
 #include "wide.hpp"
 
@@ -25,43 +26,36 @@ struct HitDamper {
   Wide d{0};
   Wide beta{0};
   Criterion criterion{};
-  std::optional<double> acceleration_max;
 };
-
-Wide root_of_difference(Wide a, Wide b) {
-  return root((a - b) * (a + b));
-}
 
 Wide lowest_v0(const HitDamper& damper, Wide p) {
   return std::max(root(damper.d), root(Wide(8)) * damper.f / p);
 }
 
 Wide highest_v0(const HitDamper& damper, Wide p) {
-  const auto& [f, d, beta, criterion, acceleration] = damper;
+  const auto& [f, d, beta, criterion] = damper;
   const Wide phi = f / p;
   const Wide amplitude = root(p * beta) * root(p * beta + 2 * phi);
   const bool exact = criterion == Criterion::exact;
   const Wide notch = root(exact ? d + phi * phi : d);
   const Wide stop = root((exact ? 4 : 3) * phi * phi + 4 * phi * notch + d);
-  const Wide least = std::min(amplitude, stop);
-  return acceleration ? std::min(least, root_of_difference(*acceleration, f) / p) : least;
+  return std::min(amplitude, stop);
 }
 
 Wide lowest_p(const HitDamper& damper, Wide v0) {
-  const auto& [f, d, beta, criterion, acceleration] = damper;
+  const auto& [f, d, beta, criterion] = damper;
   const Wide square = (v0 / beta) * (v0 / beta) - 2 * f / beta;
   return std::max({root(f / beta), root(std::max(Wide(0), square)), root(Wide(8)) * f / v0});
 }
 
 /// Infinite where nothing bounds it.
 Wide highest_p(const HitDamper& damper, Wide v0) {
-  const auto& [f, d, beta, criterion, acceleration] = damper;
+  const auto& [f, d, beta, criterion] = damper;
   const Wide lost = v0 * v0 - d;
   const Wide root_d = root(d);
   const Wide per_phi =
       criterion == Criterion::exact ? root(8 * (v0 * v0 + d)) : 2 * root_d + root(d + 3 * v0 * v0);
-  const Wide stop = lost > 0 ? f * per_phi / lost : Wide(HUGE_VAL);
-  return acceleration ? std::min(stop, root_of_difference(*acceleration, f) / v0) : stop;
+  return lost > 0 ? f * per_phi / lost : Wide(HUGE_VAL);
 }
 
 /// The edge as the last double that fits, seen from `nominal`, which does. The edge is accurate to
@@ -162,18 +156,19 @@ std::optional<WorksFor> works_for(const Problem& problem, const Limits& limits, 
     // Without constant friction the strips touch, and way 0 covers all.
     return works_for(Way(problem, of_the_point, f == 0 ? 0 : static_cast<int>(arrival)), f, delta);
   }
-  const HitDamper damper{f, 2 * Wide(delta), problem.beta, problem.criterion,
-                         limits.acceleration_max};
+  const HitDamper damper{f, 2 * Wide(delta), problem.beta, problem.criterion};
   const Interval of_v0 = valid_v0(problem);
   const Interval of_p = valid_p(problem);
-  const auto ends = [](Wide low, Wide high, double nominal, const Interval& valid,
-                       const auto& fits) {
+  // At the largest p rounding decides what nothing bounds.
+  const bool limited = figures_edge(problem, limits) < HUGE_VAL;
+  const auto ends = [limited](Wide low, Wide high, double nominal, const Interval& valid,
+                              const auto& fits) {
     ServedInterval interval;
     interval.low =
         last_fit(std::max(static_cast<double>(low), std::min(nominal, valid.low)), nominal, fits);
-    if (high < HUGE_VAL) {
-      interval.high = last_fit(std::min(static_cast<double>(high), std::max(nominal, valid.high)),
-                               nominal, fits);
+    const double most = std::max(nominal, valid.high);
+    if (high < HUGE_VAL || (limited && !fits(most))) {
+      interval.high = last_fit(std::min(static_cast<double>(high), most), nominal, fits);
     }
     return interval;
   };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/design/trade_off.hpp>
 
+#include "region/limit_table.hpp"
+
 #include <stillpoint/core/cancellation.hpp>
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -88,7 +90,7 @@ std::optional<DesignPoint> best_with(const AtF& task) {
   std::optional<DesignPoint> best;
   const auto consider = [&](double low, double high) {
     cancellation_point();
-    high = std::min(high, task.limits.delta_max.value_or(high));
+    high = std::min(high, least_limit(Bounded::delta, task.limits));
     const double delta = low < high ? task.best_in({low, high}) : high;
     if (admissible(task.problem, task.limits, task.f, delta)) {
       const double tolerance =

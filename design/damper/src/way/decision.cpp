@@ -34,7 +34,7 @@ double pass_speed(const Way& way, double f, double delta) {
   const Wide r = residual_of(problem);
   const Wide c = stop_radius(problem);
   const auto speed = [&](Wide phi, Wide radius, int steps) {
-    return least_double_from(root(WideNotch{phi, 2 * Wide(delta)}.square_before(radius, steps)));
+    return rounded_up(root(WideNotch{phi, 2 * Wide(delta)}.square_before(radius, steps)));
   };
   double least = HUGE_VAL;
   if (way.stops_last()) {
@@ -62,7 +62,7 @@ bool admissible(const Way& way, double f, double delta, double tolerance) {
   if (way.n > 0) {
     const Wide reach =
         reach_square(way, f * f_high, delta * (way.v_low > 0 ? delta_high : delta_low));
-    if (!(way.v_low > 0 ? problem.v0_low.value_or(problem.v0) >= least_double_from(root(reach))
+    if (!(way.v_low > 0 ? problem.v0_low.value_or(problem.v0) >= rounded_up(root(reach))
                         : 2 * Wide(delta * delta_low) >= reach)) {
       return false;
     }
@@ -76,7 +76,7 @@ bool admissible(const Way& way, double f, double delta) {
 
 WaySpeeds way_speeds(const Way& way, double f, double delta) {
   const Wide reach = way.n > 0 ? reach_square(way, f, delta) : 0;
-  return {way.v_low > 0 ? least_double_from(root(reach)) : least_double_from(reach / 2),
+  return {way.v_low > 0 ? rounded_up(root(reach)) : rounded_up(reach / 2),
           pass_speed(way, f, delta)};
 }
 

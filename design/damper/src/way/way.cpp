@@ -37,9 +37,7 @@ double residual_of(const Problem& problem) {
 
 double largest_f_at_rest(const Problem& problem) {
   const double r = residual_of(problem);
-  const Wide edge = Wide(r) * problem.p * problem.p;
-  const auto nearest = static_cast<double>(edge);
-  const double below = nearest > edge ? std::nextafter(nearest, -HUGE_VAL) : nearest;
+  const double below = rounded_down(Wide(r) * problem.p * problem.p);
   const double f1 = problem.beta * problem.p * problem.p;
   return r > 0 && below >= f1 ? std::nextafter(f1, 0.0) : below;
 }
@@ -59,7 +57,7 @@ Way::Way(const Problem& what, const Limits& allowed, int arrival)
   const Edges edge = edges(what, allowed);
   f2 = edge.f2;
   delta_cap = edge.delta_cap;
-  f_cap = std::min(edge.f4, allowed.f_max.value_or(HUGE_VAL));
+  f_cap = std::min(edge.f4, edge.f_max);
   if (n == 0) {
     f_cap = std::min(f_cap, largest_f_at_rest(what));
   }

@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(every_part_is_judged_as_its_simulation_judges_it) {
         continue;
       }
       ++without_any;
-      BOOST_TEST(!choice.result.reason.empty());
+      BOOST_TEST(choice.result.reason.has_value());
       for (const Mend& mend : choice.result.mends) {
         BOOST_TEST_CONTEXT(mend.field << " = " << mend.value) {
           BOOST_TEST(any_fits(mended(request, mend.field, mend.value), shop.parts));

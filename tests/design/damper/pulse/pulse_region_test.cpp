@@ -62,7 +62,7 @@ void check_same(const RegionVerdict& region, const RegionVerdict& of_design) {
   BOOST_TEST(region.region.feasible == of_design.region.feasible);
   BOOST_TEST(edges(region) == edges(of_design), tt::per_element());
   BOOST_TEST((region.region.conflict == of_design.region.conflict));
-  BOOST_TEST(region.reason == of_design.reason);
+  BOOST_TEST((region.reason == of_design.reason));
   const auto same_mend = [](const Mend& a, const Mend& b) {
     return a.field == b.field && a.value == b.value && a.upwards == b.upwards;
   };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/state.hpp>
 #include <stillpoint/core/surface.hpp>
 
@@ -16,7 +17,7 @@ struct BatchOptions {
   bool acceleration{false};  ///< peak_absolute_acceleration as well
   /// As in FreeOptions: if a single entry may take more half-cycles, the batch is refused.
   double half_cycle_limit{1e8};
-  int threads{0};     ///< 0: one per hardware thread. No result depends on it.
+  Threads threads{};
   Surface surface{};  ///< for every entry; any but the paper's runs without lanes, much slower
 };
 
@@ -44,7 +45,7 @@ struct BatchResult {
 /// and number of threads: docs/batch.md.
 ///
 /// Throws InputError for input that free_response refuses, with the entry in the field ("f[17]"),
-/// for arrays of different lengths, and for threads < 0; TooManyHalfCycles, naming the entry, as
+/// for arrays of different lengths, and for threads < 1; TooManyHalfCycles, naming the entry, as
 /// free_response does. The first such entry is named, and `result` is then unusable.
 void free_batch(double v0, double p, const BatchValues& f, const BatchValues& delta,
                 const BatchOptions& options, BatchResult& result);

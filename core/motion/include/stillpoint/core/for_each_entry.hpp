@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <exception>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 
 namespace stillpoint {
@@ -21,14 +22,17 @@ class EntryError : public std::runtime_error {
   std::exception_ptr cause_;
 };
 
-/// Calls body(i) for each i from 0 to size - 1 on several threads (0: one per hardware thread).
+/// How many threads, 1 or more; empty: one per hardware thread. No result depends on it.
+using Threads = std::optional<int>;
+
+/// Calls body(i) for each i from 0 to size - 1 on several threads.
 /// Each i is called by one thread only, so no result depends on their number.
 ///
 /// `go_on`, if not empty, is called before each entry, by several threads at once; when it returns
 /// false the remaining entries are skipped. If body throws, no further entry begins, and EntryError
 /// is thrown for the first entry that threw, for every number of threads. Throws InputError for
-/// threads < 0.
-void for_each_entry(std::ptrdiff_t size, int threads, const std::function<bool()>& go_on,
+/// threads < 1.
+void for_each_entry(std::ptrdiff_t size, const Threads& threads, const std::function<bool()>& go_on,
                     const std::function<void(std::ptrdiff_t)>& body);
 
 }  // namespace stillpoint

@@ -3,6 +3,7 @@
 
 #include <stillpoint/core/batch.hpp>
 #include <stillpoint/core/excitation.hpp>
+#include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/state.hpp>
 #include <stillpoint/core/surface.hpp>
@@ -17,7 +18,7 @@ namespace stillpoint {
 struct ForcedBatchOptions {
   /// Of each scene. Several threads may call its go_on at once, each with the tau of its own scene.
   ForcedOptions scene;
-  int threads{0};                ///< 0: one per hardware thread. No result depends on it.
+  Threads threads{};
   std::optional<double> hold{};  ///< for every oscillator
   Surface surface{};             ///< under every mass
 };
@@ -26,7 +27,7 @@ struct ForcedBatchOptions {
 /// each is that of forced_response, for any number of threads.
 ///
 /// Throws what forced_response throws, with the first wrong entry in the field ("f[17]") or the
-/// message, and InputError for arrays of different lengths and for threads < 0.
+/// message, and InputError for arrays of different lengths and for threads < 1.
 [[nodiscard]] std::vector<ForcedResponse> forced_batch(double v0, double p, const BatchValues& f,
                                                        const BatchValues& delta,
                                                        const Excitation& excitation,
@@ -45,7 +46,7 @@ struct RecordBatchOptions {
   /// As in ForcedOptions, but a motion with more half-cycles is not an error: its outcome is
   /// `running`.
   double half_cycle_limit{1e8};
-  int threads{0};  ///< 0: one per hardware thread. No result depends on it.
+  Threads threads{};
 };
 
 /// The metrics of entry i are the i-th of each array, and they are those of forced_response.
@@ -73,7 +74,7 @@ struct RecordBatchResult {
 /// threads: docs/batch.md. Records that give their times run without lanes.
 ///
 /// Throws InputError for input that forced_response refuses, with the entry in the field ("f[17]"),
-/// for arrays of different lengths, and for threads < 0.
+/// for arrays of different lengths, and for threads < 1.
 void record_batch(double v0, const BatchValues& p, const BatchValues& f, const BatchValues& delta,
                   const Record& record, const RecordBatchOptions& options,
                   RecordBatchResult& result);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace stillpoint {
 
@@ -58,6 +59,6 @@ class TooManyHalfCycles : public std::runtime_error {
 };
 
 /// Throws InputError unless `value` is a finite number with low <= value <= high.
-void require_within(const char* field, double value, double low, double high);
+void require_within(std::string_view field, double value, double low, double high);
 
 }  // namespace stillpoint

@@ -26,6 +26,10 @@ std::string_view take_word(std::string_view& text);
 /// Only ASCII letters change, so the locale does not matter.
 [[nodiscard]] std::string upper_case(std::string_view text);
 
+/// A name as options are spelled, with '-' for '_', and as fields are.
+[[nodiscard]] std::string hyphened(std::string_view name);
+[[nodiscard]] std::string underscored(std::string_view name);
+
 /// How much of a wrong word a message quotes.
 inline constexpr std::size_t longest_word = 60;
 /// How much of a file's name.

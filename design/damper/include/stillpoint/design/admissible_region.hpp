@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/design/limit_kinds.hpp>
 #include <stillpoint/design/problem.hpp>
 
 #include <optional>
@@ -11,14 +12,13 @@ namespace stillpoint::design {
 /// Why no (f, Delta) is admissible, by the two constraints that conflict.
 enum class Conflict {
   none,
-  amplitude_against_return,        ///< f2 > f3, or their boxes do not fit: condition (10) fails
-  amplitude_against_f_max,         ///< f2 > f_max
-  amplitude_against_acceleration,  ///< f2 > f4
-  acceleration_alone,              ///< S > acceleration_max without any friction
-  stop_against_start,              ///< Delta1 > Delta2 over the tolerance box
-  stop_against_delta_max,          ///< Delta1 > delta_max
-  no_arrival,                      ///< of several arrivals none has a box that fits
-  narrower_than_rounding,          ///< the rest of the region lies between neighbouring doubles
+  amplitude_against_return,  ///< f2 > f3, or their boxes do not fit: condition (10) fails
+  amplitude_against_limit,   ///< f2 > the f of a limit
+  limit_alone,               ///< which is exceeded without any friction
+  stop_against_start,        ///< Delta1 > Delta2 over the tolerance box
+  stop_against_limit,        ///< Delta1 > the Delta of a limit
+  no_arrival,                ///< of several arrivals none has a box that fits
+  narrower_than_rounding,    ///< the rest of the region lies between neighbouring doubles
 };
 
 /// The admissible region max(f2, 0) <= f <= f3, Delta1(f) < Delta <= Delta2, and its part within
@@ -26,6 +26,7 @@ enum class Conflict {
 struct Region {
   bool feasible{false};
   Conflict conflict{Conflict::none};
+  const LimitKind* limit{nullptr};  ///< of the conflict, if it is with one
   double f1{0};
   double f2{0};
   double f3{0};
@@ -55,8 +56,9 @@ struct ReasonUnits {
 };
 
 /// Why the region is empty, as a sentence with the numbers; empty if it is not.
-[[nodiscard]] std::string reason(const Region& region, const Problem& problem,
-                                 const Limits& limits = {}, const ReasonUnits& units = {});
+[[nodiscard]] std::optional<std::string> reason(const Region& region, const Problem& problem,
+                                                const Limits& limits = {},
+                                                const ReasonUnits& units = {});
 
 /// Delta1(f) of the paper, (26). Throws InputError unless f in [0, 1e300].
 [[nodiscard]] double delta1_published(const Problem& problem, double f);

@@ -41,8 +41,7 @@ struct Constraint {
 /// 1e300].
 [[nodiscard]] std::array<Constraint, 5> constraints(const Problem& problem, double f, double delta);
 
-/// With one more row for each limit that is given: f_max, delta_max, and acceleration, which is
-/// f <= f4.
+/// With one more row for each limit that is given (limit_kinds.hpp).
 [[nodiscard]] std::vector<Constraint> constraints(const Problem& problem, const Limits& limits,
                                                   double f, double delta);
 

@@ -29,8 +29,8 @@ struct Finding {
   /// off centre, within the residual.
   std::optional<std::int64_t> arrival{};
   std::vector<Constraint> constraints;
-  Response response;  ///< by the half-cycle map, or under the pulse
-  SearchRecord search;
+  Response response;                   ///< by the half-cycle map, or under the pulse
+  std::optional<SearchRecord> search;  ///< empty for a part of a catalogue
   CrossCheck cross_check;
   /// Empty for a pulse.
   std::optional<WorksFor> works_for;

@@ -24,8 +24,8 @@ namespace stillpoint::design {
 /// The answer in one line for people: the interval of f, or why the region is empty.
 [[nodiscard]] std::string summary(const RegionVerdict& verdict);
 
-/// Throws InputError as admissible_region does, for f or delta not in [0, 1e300], and for delta
-/// without f; with a pulse as the design does (design.hpp).
+/// Throws InputError as admissible_region does, for f or delta that no oscillator has, and for
+/// delta without f; with a pulse as the design does (design.hpp).
 [[nodiscard]] RegionAnswer answer(const RegionRequest& request);
 
 }  // namespace stillpoint::design

@@ -39,7 +39,7 @@ struct JointMend {
 /// `mends`, or else `joint_mend`, what would help.
 struct RegionVerdict {
   Region region;
-  std::string reason{};
+  std::optional<std::string> reason{};
   std::vector<Mend> mends{};
   std::optional<JointMend> joint_mend{};
   std::optional<DesignPoint> most_tolerant{};  ///< not for the parts of a catalogue

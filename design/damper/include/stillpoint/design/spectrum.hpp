@@ -20,7 +20,7 @@ struct SpectrumRequest {
   std::optional<Combine> combine{};  ///< as in a RecordDesignRequest
   std::optional<double> hold{};
   std::optional<double> notch_width{};  ///< not beside a finite hold
-  int threads{0};                       ///< 0: all. No result depends on it
+  Threads threads{};
 };
 
 /// For one motion from rest at x = 0, or combined for the motions under all records.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stillpoint/core/excitation.hpp>
+#include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/records/record_suite.hpp>
 
@@ -61,7 +62,7 @@ struct RecordDesignRequest {
   std::optional<double> notch_width{};  ///< not beside a hold
   double tolerance{0.1};                ///< of f and delta, for the sensitivity; in [0, 1)
   std::int64_t scan_points{10'000};     ///< about this many; in [1, 1e8]
-  int threads{0};                       ///< 0: all. No result depends on it
+  Threads threads{};
 };
 
 struct SuiteDamper {

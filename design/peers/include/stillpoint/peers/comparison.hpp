@@ -6,6 +6,7 @@
 #include <stillpoint/peers/measure.hpp>
 #include <stillpoint/peers/scene.hpp>
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -26,11 +27,16 @@ enum class Run {
   too_long,       ///< not run to its end: it would take too long
 };
 
+/// "tolerance", 1e-9.
+struct Setting {
+  std::string_view name;
+  double value{0};
+};
+
 /// A method with one setting on a scene; what follows `run` is empty unless that is `done`.
 struct MethodRow {
   std::string_view name;
-  std::string_view knob;  ///< the name of `setting`; "" if there is none
-  double setting{0};
+  std::optional<Setting> setting{};
   Run run{Run::done};
   Timing time{};
   Result result{};

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "options/settings.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace stillpoint::cli {
+
+namespace {
+
+/// A flag that is set to false is not given.
+bool gives(const Settings& settings, const Option& option) {
+  return option.kind == OptionKind::flag ? settings.flag(option.name) : settings.has(option.name);
+}
+
+/// Among the hits only those that the command takes count: a scene's pulse is for designs.
+void require_no_rivals(const Settings& settings, Command command) {
+  std::map<Rivals, std::string_view> given;
+  for (const Option& option : options()) {
+    const Rivals rivals = option.traits.rivals;
+    if (rivals == Rivals::none || !settings.has(option.name) ||
+        (rivals == Rivals::hit && !option.serves(command))) {
+      continue;
+    }
+    const auto [first, alone] = given.emplace(rivals, option.name);
+    if (!alone) {
+      throw UsageError(fmt::format("{} and {} cannot be combined: give one of them", first->second,
+                                   option.name));
+    }
+  }
+}
+
+void require_needs(const Settings& settings, Command command, const Option& option) {
+  const auto& [commands, name, what] = option.traits.needs;
+  const Option* const needed = commands.has(command) ? find_option(name) : nullptr;
+  if (needed != nullptr && !gives(settings, *needed)) {
+    throw UsageError(fmt::format("{} needs {}: give --{}{}{} as well", option.name, what, name,
+                                 needed->placeholder.empty() ? "" : " ", needed->placeholder));
+  }
+}
+
+void refuse_excluded(const Settings& settings, Command command, const Option& option) {
+  for (const auto& [commands, other, why] : option.traits.excludes) {
+    if (commands.has(command) && gives(settings, *find_option(other))) {
+      throw UsageError(fmt::format("{} and {} cannot be combined: {}", option.name, other, why));
+    }
+  }
+}
+
+}  // namespace
+
+void require_together(const Settings& settings, Command command) {
+  require_no_rivals(settings, command);
+  for (const Option& option : options()) {
+    if (option.serves(command) && gives(settings, option)) {
+      require_needs(settings, command, option);
+      refuse_excluded(settings, command, option);
+    }
+  }
+}
+
+}  // namespace stillpoint::cli

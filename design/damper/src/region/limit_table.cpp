@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "region/limit_table.hpp"
+
+#include "region/edges.hpp"
+#include "wide.hpp"
+
+#include <cmath>
+
+namespace stillpoint::design {
+
+double acceleration_edge(const Problem& problem, double limit) {
+  const Wide most = limit;
+  const Wide p_v0 = Wide(problem.v0) * problem.stiffest_p();
+  if (is_same(p_v0, most)) {
+    return 0;
+  }
+  const Wide square = (most - p_v0) * (most + p_v0);
+  return square < 0 ? rounded_down(-root(-square)) : rounded_down(root(square));
+}
+
+double least_acceleration(const Problem& problem) {
+  return problem.p * problem.v0;
+}
+
+double roomiest_p(const Problem& problem, const Limits& limits, double limit) {
+  const double wider = (1 + limits.tolerance) / (1 - limits.tolerance);
+  const double f4 = problem.v0 / problem.beta / wider * problem.v0;
+  return f4 < limit ? std::sqrt((limit - f4) / problem.v0) * std::sqrt((limit + f4) / problem.v0)
+                    : 0;
+}
+
+std::span<const LimitKind> limit_kinds() {
+  return limit_table;
+}
+
+std::vector<LimitEdge> limit_edges(const Problem& problem, const Limits& limits) {
+  std::vector<LimitEdge> list;
+  for (const LimitKind& kind : limit_table) {
+    if (const auto& limit = limits.*kind.value) {
+      list.push_back({&kind, *limit, kind.figure ? kind.figure->edge(problem, *limit) : *limit});
+    }
+  }
+  return list;
+}
+
+double figures_edge(const Problem& problem, const Limits& limits) {
+  double least = HUGE_VAL;
+  for (const LimitKind& kind : limit_table) {
+    if (const auto& limit = limits.*kind.value; limit && kind.figure) {
+      least = std::min(least, kind.figure->edge(problem, *limit));
+    }
+  }
+  return least;
+}
+
+double largest_delta_allowed(const Limits& limits) {
+  return least_limit(Bounded::delta, limits);
+}
+
+double largest_f_allowed(const Problem& problem, const Limits& limits) {
+  return std::min(least_limit(Bounded::f, limits), figures_edge(problem, limits));
+}
+
+}  // namespace stillpoint::design
