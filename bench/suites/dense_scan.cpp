@@ -46,8 +46,11 @@ struct Box {
   [[nodiscard]] bool varies(std::size_t i) const { return low.at(i) < high.at(i); }
   /// Points along a side that varies of a grid of all.
   [[nodiscard]] double side() const {
-    const auto variables = varies(0) + varies(1) + varies(2);
-    return std::pow(points_of_a_grid, 1.0 / variables);
+    double variables = 0;
+    for (std::size_t i = 0; i < low.size(); ++i) {
+      variables += varies(i) ? 1 : 0;
+    }
+    return std::pow(points_of_a_grid, 1 / variables);
   }
 };
 

@@ -11,7 +11,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <exception>
 #include <utility>
 #include <vector>
 
@@ -156,7 +155,9 @@ void add_key(Settings& settings, const std::string& key, const nlohmann::json& v
   }
   try {
     set_key(settings, key, value, option, command);
-  } catch (const std::exception& error) {
+  } catch (const InputError& error) {
+    throw records::FileError(place->second, error.what());
+  } catch (const UsageError& error) {
     throw records::FileError(place->second, error.what());
   }
   settings.set_place(*option, place->second);

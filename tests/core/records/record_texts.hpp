@@ -53,12 +53,13 @@ struct Bad {
 };
 
 inline Good right(const char* name, std::string text, Numbers values, double step,
-                  Numbers times = {}, RecordOptions options = {}) {
-  return {name, std::move(text), std::move(values), step, std::move(times), std::move(options)};
+                  Numbers times = {}, const RecordOptions& options = {}) {
+  return {name, std::move(text), std::move(values), step, std::move(times), options};
 }
 
-inline Bad wrong(const char* name, std::string text, Texts says, RecordOptions options = {}) {
-  return {name, std::move(text), std::move(says), std::move(options)};
+inline Bad wrong(const char* name, std::string text, Texts says,
+                 const RecordOptions& options = {}) {
+  return {name, std::move(text), std::move(says), options};
 }
 
 inline std::ostream& operator<<(std::ostream& stream, const Good& good) {
