@@ -76,7 +76,7 @@ const std::vector<Wrong> scenes{
      {"velocity = [0.3,0.4]: must be one number, not a range"},
      R"({"velocity": [0.3, 0.4], "period": 1, "f": 0.1, "delta_m": 0})"},
     {"simulate -",
-     {"record = [\"a\",\"b\"]: must be one path"},
+     {R"(record = ["a","b"]: must be one path)"},
      R"({"record": ["a", "b"], "period": 1, "f": 0.1, "delta_m": 0})"},
     {"region -", {"velocity is missing"}, R"({"record": ["a", "b"], "period": 1})"},
     // A flag has no place.
