@@ -76,10 +76,9 @@ design::Spectrum watched(const design::SpectrumRequest& request) {
 }
 
 ExitCode run_design(const Settings& settings, Output& output) {
-  if (designs_under_records(settings)) {
-    return run_record_design(settings, output);
-  }
-  return finish(answers::answer(design_input(settings)), Command::design, settings, output);
+  return designs_under_records(settings)
+             ? run_record_design(settings, output)
+             : finish(answers::answer(design_input(settings)), Command::design, settings, output);
 }
 
 ExitCode run_region(const Settings& settings, Output& output) {

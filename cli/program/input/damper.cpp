@@ -145,15 +145,12 @@ answers::RegionTask region_input(const Settings& settings) {
 
 std::vector<design::Part> catalogue_input(const Settings& settings,
                                           const std::optional<sweep::SweepUnits>& physical) {
-  if (!settings.has("catalogue")) {
-    return {};
-  }
   sweep::CatalogueUnits units;
   if (physical) {
     units.length_m = 1;
     units.metres_only = true;
   }
-  return read_parts(settings, units);
+  return settings.has("catalogue") ? read_parts(settings, units) : std::vector<design::Part>();
 }
 
 }  // namespace stillpoint::cli

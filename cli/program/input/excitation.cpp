@@ -146,17 +146,8 @@ void require_no_pulse_options(const Settings& settings) {
   }
 }
 
-void require_no_residual(const Settings& settings) {
-  if (const Option* const residual = settings.given(Rivals::residual)) {
-    throw UsageError(fmt::format(
-        "{} and pulse cannot be combined: a design for a pulse stops at x = 0", residual->name));
-  }
-}
-
 std::optional<design::Pulse> pulse_input(const Settings& settings, const Physical& physical) {
-  const auto type = settings.known("pulse");
-  if (type) {
-    require_no_residual(settings);
+  if (const auto type = settings.known("pulse")) {
     const ExcitationKind& kind = *find_excitation_kind(*type);
     return kind.pulse(wave(settings, "pulse", kind, time_unit(physical)));
   }
@@ -171,11 +162,6 @@ design::PulseRanges pulse_ranges(const Settings& settings,
     return ranges;
   }
   if (const auto k = settings.range("k")) {
-    if (k->low == 0) {
-      throw InputError("k", 0,
-                       "must be more than 0: a pulse hardly stronger than f leaves the mass off "
-                       "centre");
-    }
     ranges.k_low = k->low;
   }
   const Option* const clock = settings.given(Rivals::frequency);

@@ -40,9 +40,6 @@ struct ExcitationInput {
                                                const Excitation& excitation,
                                                const Physical& physical);
 
-/// Throws UsageError for a residual, which a design for a pulse does not take.
-void require_no_residual(const Settings& settings);
-
 /// Throws UsageError for an option of pulses if there is no pulse.
 void require_no_pulse_options(const Settings& settings);
 

@@ -5,7 +5,6 @@
 #include "options/excitation_kinds.hpp"
 
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/design/physical.hpp>
 #include <stillpoint/records/units.hpp>
 #include <stillpoint/report/version.hpp>
 #include <stillpoint/sweep/launcher.hpp>
@@ -78,17 +77,6 @@ std::optional<SweepUnits> units(const Settings& settings) {
   return units;
 }
 
-/// The scales that make an excitation dimensionless.
-std::optional<design::PhysicalInput> physical_scales(const std::optional<SweepUnits>& units) {
-  if (!units) {
-    return std::nullopt;
-  }
-  design::PhysicalInput physical;
-  physical.scales.time_s = units->time_s();
-  physical.scales.gravity_m_per_s2 = units->gravity_m_per_s2;
-  return physical;
-}
-
 SweepKind kind_of(const Settings& settings, const SweepSpec& spec) {
   if (!given(settings, spec, Quantity::beta)) {
     return excitation_type(settings) ? SweepKind::forced : SweepKind::free;
@@ -152,18 +140,16 @@ void add_axes(const Settings& settings, SweepSpec& spec) {
 
 void add_motion(const Settings& settings, SweepSpec& spec) {
   spec.half_cycle_limit = half_cycle_limit(settings);
-  spec.zones = friction_zones(settings, physical_scales(spec.units));
-  const auto input = excitation_input(settings, physical_scales(spec.units), {});
-  if (!input) {
-    return;
+  const Physical physical = spec.units ? std::optional(spec.units->physical()) : std::nullopt;
+  spec.zones = friction_zones(settings, physical);
+  if (const auto input = excitation_input(settings, physical, {})) {
+    spec.excitation = input->excitation;
+    spec.t_end = forced_end(settings, spec.excitation, physical);
   }
-  spec.excitation = input->excitation;
-  spec.t_end = forced_end(settings, spec.excitation, physical_scales(spec.units));
 }
 
 void add_design(const Settings& settings, SweepSpec& spec) {
   if (const auto pulse = settings.known("pulse")) {
-    require_no_residual(settings);
     spec.pulse = find_excitation_kind(*pulse)->pulse({});
   } else {
     require_no_pulse_options(settings);
@@ -202,10 +188,8 @@ std::optional<sweep::ReductionRequest> reduction(const Settings& settings, const
 }
 
 sweep::RowFormat row_format(const Settings& settings) {
-  if (settings.flag("reduce")) {
-    return sweep::RowFormat::csv;
-  }
-  const bool npy = settings.text("output").value_or("").ends_with(".npy");
+  const bool npy =
+      !settings.flag("reduce") && settings.text("output").value_or("").ends_with(".npy");
   return settings.named<sweep::RowFormat>("format").value_or(npy ? sweep::RowFormat::npy
                                                                  : sweep::RowFormat::csv);
 }

@@ -236,8 +236,7 @@ std::span<const CommandHelp> all_commands() {
 std::string_view program_about() {
   return "Designs friction dampers for a mass on a spring. A hit sets it off with the velocity v0. "
          "Constant friction f and a notch, point friction delta, must stop it where it was at "
-         "rest, "
-         "and it must never move farther than beta.";
+         "rest, and it must never move farther than beta.";
 }
 
 std::string short_help() {

@@ -48,7 +48,8 @@ constexpr CommandSet of_waves = design | region | of_excitations;
 constexpr CommandSet in_records = of_suites | of_excitations;
 constexpr CommandSet drawn = design | region | simulate | spectrum | sweep;
 
-constexpr Need of_a_reduction{sweep, "reduce", "a sweep without rows"};
+constexpr Beside of_a_reduction{sweep, "reduce", "a sweep without rows"};
+constexpr std::string_view stops_in_notch = "a design for a pulse stops at x = 0";
 
 /// A scan keeps about 100 bytes for each.
 constexpr std::int64_t most_scan_points = 10'000'000;
@@ -128,7 +129,11 @@ std::vector<Option> rows() {
           plain_axis(Rivals::stroke)),
       row("pulse", text, "TYPE", motion,
           "{}, with --k and --pulse-duration or --lambda: the hit instead of a velocity",
-          of_designs, {.rivals = Rivals::hit, .values = excitation_names(true)}),
+          of_designs,
+          {.rivals = Rivals::hit,
+           .values = excitation_names(true),
+           .excludes = {{of_designs, "residual", stops_in_notch},
+                        {of_designs, "residual-m", stops_in_notch}}}),
       row("x0", number, "X", motion, "initial displacement (default 0)", motions | sweep,
           plain_axis(Rivals::start)),
 

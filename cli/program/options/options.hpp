@@ -103,18 +103,12 @@ struct Bounds {
   std::int64_t most{0};
 };
 
-/// An option that another one needs to mean anything, in some commands.
-struct Need {
+/// In some commands another option, which one needs to mean anything, or beside which it cannot be
+/// given; and what that stands for, "a trajectory", or why.
+struct Beside {
   CommandSet commands{};
   std::string_view option{};
-  std::string_view what{};  ///< that it stands for: "a trajectory"
-};
-
-/// An option that cannot be given beside another one, in some commands, and why.
-struct Exclusion {
-  CommandSet commands;
-  std::string_view option;
-  std::string_view why;
+  std::string_view words{};
 };
 
 /// The commands that take an option in Python, where results are objects, and what it is there.
@@ -141,8 +135,8 @@ struct OptionTraits {
   Bounds bounds{};  ///< of an integer
   InScene in_scene{InScene::plain};
   bool merges{false};  ///< design merge takes it, which has the task from the parts
-  Need needs{};
-  std::vector<Exclusion> excludes{};
+  Beside needs{};
+  std::vector<Beside> excludes{};
   std::optional<InPython> python{};  ///< empty: what its role says
   bool explored{true};               ///< an input that the page with the program in it takes
 };

@@ -139,9 +139,7 @@ std::optional<records::FilePlace> Settings::place_of(std::string_view field) con
 }
 
 InputError Settings::as_given(const InputError& error) const {
-  std::string field = error.field();
-  std::ranges::replace(field, '_', '-');
-  const Option* const plain = find_option(field);
+  const Option* const plain = find_option(records::hyphened(error.field()));
   if (plain == nullptr || plain->traits.dimension != Dimension::none || has(plain->name)) {
     return error;
   }

@@ -101,6 +101,13 @@ double SweepUnits::time_s() const {
   return std::sqrt(1 / gravity_m_per_s2);
 }
 
+design::PhysicalInput SweepUnits::physical() const {
+  design::PhysicalInput physical;
+  physical.scales.time_s = time_s();
+  physical.scales.gravity_m_per_s2 = gravity_m_per_s2;
+  return physical;
+}
+
 double SweepUnits::velocity_m_per_s() const {
   return std::sqrt(gravity_m_per_s2);
 }

@@ -301,7 +301,7 @@ const std::vector<Wrong> wrong_pulses{
     {"design --v0 1 --p 1 --beta 0.9 --k 1", {"k needs a pulse", "--pulse"}},
     {"design --v0 1 --p 1 --beta 0.9 --lambda 1", {"lambda needs a pulse", "--pulse"}},
     {region + "--arrivals 2", {"arrivals = 2", "with a pulse"}},
-    {region + "--residual 0.1", {"residual and pulse cannot be combined"}},
+    {region + "--residual 0.1", {"pulse and residual cannot be combined"}},
     {region + "--v0 1", {"v0 and pulse cannot be combined"}},
     {region + "--delta 1", {"f is missing", "give f as well"}},
     {region + "--f nan", {"f = ", "finite number"}},

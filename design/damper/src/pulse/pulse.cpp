@@ -33,6 +33,10 @@ void require_valid(const PulseProblem& problem, const Limits& limits) {
   const double lambda_high = problem.ranges.lambda_high.value_or(lambda);
   const double p_high = problem.p_high.value_or(problem.p);
   require_within("k", k, smallest_speed, largest_speed);
+  if (k_low == 0) {
+    throw InputError(
+        "k", 0, "must be more than 0: a pulse hardly stronger than f leaves the mass off centre");
+  }
   require_within("k", k_low, smallest_speed, k);
   require_within("p", problem.p, smallest_speed, largest_speed);
   require_within("p", p_high, problem.p, largest_speed);

@@ -112,7 +112,7 @@ class PulseRegion {
   double beta_;
   double f_max_;
   double delta_max_;
-  std::array<double, figure_count> figures_max_;
+  std::array<double, figure_count> figures_max_{};
   double asked_;  ///< tolerance
   BoxShape shape_;
 };

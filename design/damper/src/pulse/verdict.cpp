@@ -85,7 +85,7 @@ void explain(Region& found, const PulseRegion& region, const PulseProblem& probl
       return because(Conflict::amplitude_against_limit, &kind);
     }
   }
-  const auto by_delta = std::ranges::find(limit_table, Bounded::delta, &LimitKind::bounds);
+  const auto* const by_delta = std::ranges::find(limit_table, Bounded::delta, &LimitKind::bounds);
   because(Conflict::stop_against_limit, &*by_delta);
 }
 

@@ -46,7 +46,7 @@ const std::vector<Wrong> values{
     {"design --velocity 1 --period 0:3 --max-displacement 1", {"period = 0", "from 1e-30"}},
     {design("--residual -1"), {"residual = -1", "from 0"}},
     {"design --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.05 --residual 0.01",
-     {"residual and pulse cannot be combined"}},
+     {"pulse and residual cannot be combined"}},
     {design("--arrivals 0"), {"arrivals = 0", "from 1 to 1000"}},
     {design("--arrivals 1000000000"), {"arrivals = 1000000000", "whole number from 1 to 1000"}},
     {design("--arrivals 1e9"), {"arrivals = 1000000000: must be a whole number from 1 to 1000"}},

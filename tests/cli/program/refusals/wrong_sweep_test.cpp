@@ -60,7 +60,7 @@ const std::vector<Wrong> sweeps{
     {sweep("--beta 1 --k 1"), {"k needs a pulse", "--pulse"}},
     {"sweep --p 1 --beta 1 --pulse half-sine --k 1", {"lambda is missing"}},
     {"sweep --p 1 --beta 1 --pulse half-sine --k 1 --lambda 1 --residual 0.1",
-     {"residual and pulse cannot be combined"}},
+     {"pulse and residual cannot be combined"}},
     {"sweep --p 1 --f 1 --delta 1 --pulse half-sine --k 1", {"pulse needs a design"}},
     forced("--excitation half-sine --k 1,2 --lambda 1", {"k = 1,2", "one number for motions"}),
     forced("--excitation half-sine --k 1 --lambda 1:2", {"lambda = 1:2", "one number for motions"}),

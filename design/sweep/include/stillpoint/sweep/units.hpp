@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/design/physical.hpp>
 #include <stillpoint/records/units.hpp>
 #include <stillpoint/sweep/quantity.hpp>
 
@@ -26,8 +27,9 @@ struct SweepUnits {
   double pulse_angle{0};  ///< lambda times the duration of the pulse
   double gravity_m_per_s2{records::standard_gravity_m_per_s2};
 
-  [[nodiscard]] double time_s() const;            ///< of one tau
-  [[nodiscard]] double velocity_m_per_s() const;  ///< of one x'
+  [[nodiscard]] double time_s() const;                   ///< of one tau
+  [[nodiscard]] double velocity_m_per_s() const;         ///< of one x'
+  [[nodiscard]] design::PhysicalInput physical() const;  ///< the scales of an excitation
   /// An input made dimensionless.
   [[nodiscard]] double plain(Quantity input, double value) const;
   /// The factor that gives a dimensionless result its unit.
