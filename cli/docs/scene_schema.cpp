@@ -6,7 +6,6 @@
 
 #include <stillpoint/report/report.hpp>
 
-#include <algorithm>
 #include <cassert>
 
 namespace stillpoint::cli {

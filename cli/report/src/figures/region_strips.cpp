@@ -98,11 +98,6 @@ class Strips {
   }
 
  private:
-  struct Extent {
-    double low;
-    double high;
-  };
-
   [[nodiscard]] std::optional<design::Interval> range_at(const DrawnStrip& strip, double f) const {
     auto range = design::delta_range(drawn_.problem, strip.first, f);
     if (range && strip.with_later) {
@@ -112,17 +107,17 @@ class Strips {
   }
 
   /// Of f.
-  [[nodiscard]] std::optional<Extent> extent(std::int64_t arrival) const {
+  [[nodiscard]] std::optional<design::Interval> extent(std::int64_t arrival) const {
     if (plain_ && arrival > 0) {
       const auto n = static_cast<double>(arrival);
       const double tip = drawn_.problem.v0 * drawn_.problem.p / (2 * std::sqrt(n * (n + 1)));
-      return Extent{std::max(drawn_.region.f2, 0.0),
-                    std::min(arrival == 1 ? drawn_.region.f3 : tip,
-                             design::largest_f_allowed(drawn_.problem, drawn_.limits))};
+      return design::Interval{std::max(drawn_.region.f2, 0.0),
+                              std::min(arrival == 1 ? drawn_.region.f3 : tip,
+                                       design::largest_f_allowed(drawn_.problem, drawn_.limits))};
     }
     const auto found = std::ranges::find(found_, arrival, &design::Strip::arrival);
     return found != found_.end() && found->f_lower
-               ? std::optional(Extent{*found->f_lower, *found->f_upper})
+               ? std::optional(design::Interval{*found->f_lower, *found->f_upper})
                : std::nullopt;
   }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "region/limit_table.hpp"
 
-#include "region/edges.hpp"
 #include "wide.hpp"
 
 #include <cmath>
