@@ -3,7 +3,7 @@
 
 #include "finding.hpp"
 #include "nearest_fit.hpp"
-#include "pulse/catalogue.hpp"
+#include "pulse/answer.hpp"
 #include "ranking.hpp"
 #include "region/mend_list.hpp"
 

@@ -8,7 +8,6 @@
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/design/least_delta.hpp>
 
 #include <algorithm>
 #include <cmath>

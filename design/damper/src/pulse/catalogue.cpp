@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Parts of a catalogue under a pulse: docs/theory.md section 15.
 
-#include "pulse/catalogue.hpp"
-
 #include "pulse/answer.hpp"
 #include "pulse/verdict.hpp"
 #include "ranking.hpp"
