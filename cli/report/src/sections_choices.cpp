@@ -136,7 +136,7 @@ std::string trade_off_words(const std::vector<design::TradeOff>& front, const Ph
     return format("{} at {}", length_shown(physical, end.peak_amplitude),
                   acceleration_shown(end.peak_absolute_acceleration));
   };
-  return format("strokes of {} to {}", at(front.front()), at(front.back()));
+  return format("from a stroke of {} to {}", at(front.front()), at(front.back()));
 }
 
 void add_trade_off(Document& document, const std::vector<design::TradeOff>& front,
@@ -154,6 +154,7 @@ void add_trade_off(Document& document, const std::vector<design::TradeOff>& fron
   }
   Section& section = document.section("Trade-off of stroke, acceleration and tolerance");
   section.parts.emplace_back(std::move(table));
+  section.line("Where several delta are equally tolerant, this is the middle one.");
   if (step > 1) {
     section.line(format("{} of {} dampers; --json lists them all.",
                         (front.size() + step - 1) / step, front.size()),
