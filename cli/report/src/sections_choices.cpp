@@ -154,12 +154,10 @@ void add_trade_off(Document& document, const std::vector<design::TradeOff>& fron
   }
   Section& section = document.section("Trade-off of stroke, acceleration and tolerance");
   section.parts.emplace_back(std::move(table));
-  section.line("Where several delta are equally tolerant, the table has the middle one.");
-  if (step > 1) {
-    section.line(format("{} of {} dampers; --json lists them all.",
-                        (front.size() + step - 1) / step, front.size()),
-                 Tone::faint);
-  }
+  const std::string some = step == 1 ? ""
+                                     : format("{} of {} dampers; --json lists them all. ",
+                                              (front.size() + step - 1) / step, front.size());
+  section.line(some + "Where several delta are equally tolerant, the table has the middle one.");
 }
 
 }  // namespace stillpoint::report
