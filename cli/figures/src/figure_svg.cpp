@@ -147,10 +147,11 @@ class Drawing {
   }
 
   void words() {
+    const std::string_view look = figure_.map.cells.empty() ? "note" : "note on-map";
     for (const auto& [text, centre, upright] : names_.words) {
-      add("<g class=\"pin\" transform=\"translate({:.2f} {:.2f})\"><text class=\"note\" "
+      add("<g class=\"pin\" transform=\"translate({:.2f} {:.2f})\"><text class=\"{}\" "
           "text-anchor=\"middle\" dy=\"4.5\"{}>{}</text></g>\n",
-          centre.x, centre.y, upright ? " transform=\"rotate(-90)\"" : "", escaped(text));
+          centre.x, centre.y, look, upright ? " transform=\"rotate(-90)\"" : "", escaped(text));
     }
   }
 
