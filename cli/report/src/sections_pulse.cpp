@@ -3,6 +3,7 @@
 #include "format.hpp"
 #include "sections.hpp"
 
+#include <stillpoint/design/least_delta.hpp>
 #include <stillpoint/report/digits.hpp>
 
 namespace stillpoint::report {

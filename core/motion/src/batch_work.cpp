@@ -108,7 +108,7 @@ void EntryThreads::run(const Threads& threads, const std::function<void()>& work
   if (threads && *threads < 1) {
     throw InputError("threads", *threads, "must be 1 or more");
   }
-  const std::ptrdiff_t at_once = std::thread::hardware_concurrency();
+  const auto at_once = static_cast<std::ptrdiff_t>(std::thread::hardware_concurrency());
   const std::ptrdiff_t wanted = threads ? *threads : at_once;
   const std::ptrdiff_t blocks = (size_ + block_ - 1) / block_;
   {

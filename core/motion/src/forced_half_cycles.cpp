@@ -27,7 +27,14 @@ class HalfCycleCollector final : public MotionWatcher {
       case EventKind::start:
         now_.departure_speed = std::abs(v);
         break;
+      case EventKind::turn:
+        moved_ = true;
+        break;
+      case EventKind::release:
+        begin_late(tau, std::abs(v));
+        break;
       case EventKind::arrival:
+        moved_ = true;
         now_.arrival_speed = std::abs(v);
         arrival_ = tau;
         break;
@@ -56,7 +63,7 @@ class HalfCycleCollector final : public MotionWatcher {
       reach(tau, u);
       now_.last = over_ = true;
       feel_the_notch(0);
-      close(tau, u / p_);
+      close(now_.arrival_speed ? arrival_ : tau, u / p_);  // a notch may still hold it at the end
     }
   }
 
@@ -70,6 +77,15 @@ class HalfCycleCollector final : public MotionWatcher {
       now_.peak = x;
       now_.peak_time = tau;
       now_.side = u > 0 ? 1 : -1;
+    }
+  }
+
+  /// A mass that was held from its start begins to move when the load frees it.
+  void begin_late(double tau, double v) {
+    if (!moved_) {
+      now_.start_time = now_.peak_time = tau;
+      now_.departure_speed = v;
+      moved_ = true;
     }
   }
 
@@ -98,7 +114,8 @@ class HalfCycleCollector final : public MotionWatcher {
   double p_;
   std::optional<double> notch_;
   std::int64_t most_;
-  double arrival_{0};  ///< tau of the last arrival at x = 0
+  double arrival_{0};   ///< tau of the last arrival at x = 0
+  bool moved_{false};  ///< since the start
   bool over_{false};
   HalfCycle now_;
   std::vector<HalfCycle> list_;

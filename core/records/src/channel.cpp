@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "channel.hpp"
 
+#include <stillpoint/records/record_file.hpp>
 #include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/records/record_file.hpp>
+#include <stillpoint/records/record_options.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -62,6 +62,8 @@ class RecordReader {
 
 /// The bound of a step, for messages.
 [[nodiscard]] std::string step_bounds(const RecordClock& clock);
+
+struct RecordFile;
 
 /// A format of record files: one source file defines it, one row in record_file.cpp lists it.
 struct RecordFormat {

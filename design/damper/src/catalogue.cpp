@@ -3,7 +3,7 @@
 
 #include "finding.hpp"
 #include "nearest_fit.hpp"
-#include "pulse/verdict.hpp"
+#include "pulse/catalogue.hpp"
 #include "ranking.hpp"
 #include "region/mend_list.hpp"
 
@@ -11,7 +11,6 @@
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/design/design.hpp>
 #include <stillpoint/design/limit_kinds.hpp>
 #include <stillpoint/design/region.hpp>
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Parts of a catalogue under a pulse: docs/theory.md section 15.
 
-#include "pulse/verdict.hpp"
+#include "pulse/catalogue.hpp"
 
-#include "finding.hpp"
+#include "pulse/answer.hpp"
+#include "pulse/verdict.hpp"
 #include "ranking.hpp"
 #include "region/limit_table.hpp"
 #include "search/objectives.hpp"

@@ -46,10 +46,4 @@ struct DesignResult : RegionVerdict {
   std::optional<double> reduced_v0{};
 };
 
-struct PulseRequest {
-  PulseProblem problem;
-  Limits limits{};
-  SearchOptions search{};
-};
-
 }  // namespace stillpoint::design
