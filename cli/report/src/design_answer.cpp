@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace stillpoint::report {
 
@@ -105,17 +106,25 @@ void add_rest(Section& answer, const DesignReport& report, const Physical& physi
                     counted ? format(", at arrival {}", *arrival) : ""));
 }
 
+std::string spring_words(const Physical& physical, double p) {
+  return physical
+             ? format("a period of {:.4g} s", 2 * std::numbers::pi / p * physical->scales.time_s)
+             : format("p = {:.6g}", p);
+}
+
 /// For the ranges of a pulse; a range of only k needs no samples.
 void add_worst(Section& answer, const design::PulseCheck& check, bool sampled,
                const Physical& physical) {
-  answer.row("ranges", format("with any pulse and spring in the ranges the peak is at most {}, the "
-                              "acceleration outside the notch {}, and it rests within {}; the "
-                              "motion shown has the largest peak, at lambda = {} and p = {:.6g}{}",
-                              length_shown(physical, check.worst->peak),
-                              acceleration_shown(check.worst->acceleration),
-                              time_shown(physical, check.worst->stop_time),
-                              frequency_text(physical, design::angular_frequency(check.pulse)),
-                              check.p, sampled ? "; lambda/p is sampled" : ""));
+  answer.row("ranges",
+             format("with any pulse and spring in the ranges the peak is at most {}, the "
+                    "acceleration outside the notch {}, and it rests within {}; the "
+                    "motion shown has the largest peak, with a pulse of {} and {}{}",
+                    length_shown(physical, check.worst->peak),
+                    acceleration_shown(check.worst->acceleration),
+                    time_shown(physical, check.worst->stop_time),
+                    time_shown(physical, duration(design::excitation(check.pulse)).value()),
+                    spring_words(physical, check.p),
+                    sampled ? "; lengths and periods within the ranges are sampled" : ""));
 }
 
 }  // namespace
@@ -149,6 +158,10 @@ std::string verdict(const DesignReport& report, const Physical& physical) {
   }
   if (const std::string fault = built_notch_fault(report, physical); !fault.empty()) {
     text += format(" But {}.", fault);
+  }
+  if (std::string locked = lock_sentence(report); !locked.empty()) {
+    locked.front() = 'L';
+    text += format(" {}.", locked);
   }
   if (!finding.cross_check.passed) {
     text += " But the cross-check DISAGREES: do not rely on this design.";
@@ -197,8 +210,9 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
     constexpr double beyond_use = 0.9;
     if (tolerance > beyond_use && !limits.delta_max) {
       answer.row("note",
-                 "nothing bounds delta, so almost any tolerance is possible: --delta-max keeps the "
-                 "notch small");
+                 format("nothing bounds delta, so almost any tolerance is possible: --delta-max{} "
+                        "keeps the notch small",
+                        physical ? "-m" : ""));
     }
   }
 }

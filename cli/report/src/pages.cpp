@@ -18,7 +18,6 @@ namespace stillpoint::report {
 
 using figures::Figure;
 using figures::HtmlPage;
-using figures::Ink;
 
 namespace {
 
@@ -34,6 +33,7 @@ DrawnMotion motion_under(const design::Finding& found, double beta) {
   DrawnMotion motion = drawn_forced_motion({p, found.point.f, found.point.delta}, {0, 0}, shaking,
                                            std::max(horizon, ends));
   motion.beta = beta;
+  motion.locked_from = found.pulse->response.locked_from;
   return motion;
 }
 
@@ -60,16 +60,16 @@ Figure region_of(const Request& request, const design::RegionVerdict& verdict,
   return figure;
 }
 
-/// What the design does under its pulse.
+/// What the design does under its pulse, and the pulse below it.
 std::vector<Figure> pulse_figures(const design::Finding& found, double beta,
                                   const FigureUnits& units) {
   const DrawnMotion motion = motion_under(found, beta);
   Figure figure = motion_figure(motion, units);
   figure.id = "pulse";
   figure.title = "Motion under the pulse itself";
-  const double ends = duration(design::excitation(found.pulse->pulse)).value();
-  figure.bands.insert(figure.bands.begin(), {"pulse", 0, ends * units.time, Ink::sky});
-  return {std::move(figure), phase_figure(motion, units)};
+  return {std::move(figure),
+          excitation_figure(design::excitation(found.pulse->pulse), motion, units),
+          phase_figure(motion, units)};
 }
 
 /// Its trade-offs, the hits that it serves, and its motion after the one asked for.

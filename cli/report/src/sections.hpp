@@ -92,6 +92,11 @@ void add_response(Section& section, const Response& response, const Physical& ph
 /// With what a forced motion has in addition to a free one.
 void add_response(Section& section, const ForcedResponse& response, const Physical& physical);
 
+/// "locked at x = 0 from 1.61 s of 20 s; the structure then feels up to 0.35 g", of a motion that
+/// is locked under a load that lasts until `load_end`.
+[[nodiscard]] std::string locked_words(const ForcedResponse& locked, double load_end,
+                                       const Physical& physical);
+
 /// "stops at x = 0" and so on.
 [[nodiscard]] std::string outcome_phrase(Outcome outcome);
 /// A motion that has not ended may be at rest all the same.

@@ -81,7 +81,8 @@ std::string failures(const std::vector<design::RatedPart>& parts) {
 
 std::string percent(double tolerance) {
   constexpr double thousandths = 1e5;  // of a percent
-  return format("+-{:.4g} %", 100 * std::round(thousandths * tolerance) / thousandths);
+  const double shown = 100 * std::round(thousandths * tolerance) / thousandths;
+  return shown > 0 ? format("+-{:.4g} %", shown) : "none";
 }
 
 }  // namespace

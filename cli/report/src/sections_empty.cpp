@@ -134,11 +134,34 @@ std::string most_tolerant_text(const design::DesignPoint& most, const design::Li
                 length_text(physical, most.delta));
 }
 
-/// The reason in the units of the task. A pulse, or a catalogue that misses the region, has one
-/// without numbers that have a unit.
+/// The reason that no f meets a limit under a pulse, with the limit on the peak as a length.
+std::string pulse_reason(const design::RegionVerdict& empty, const EmptyTask& task) {
+  const design::Region& region = empty.region;
+  const FigureUnits units(task.physical);
+  const std::string allowed = units.length_words(task.problem.beta);
+  if (region.conflict == design::Conflict::amplitude_against_return &&
+      region.beta_min > task.problem.beta) {
+    return format(
+        "amplitude and return conflict: coming back to x = 0 needs f <= {:.6g}, and then the peak "
+        "is at least {}, where {} is allowed",
+        region.f3, units.length_words(region.beta_min), allowed);
+  }
+  constexpr std::string_view within_beta = "within beta";
+  std::string text = empty.reason.value();
+  if (const std::size_t at = text.find(within_beta); at != std::string::npos) {
+    text.replace(at, within_beta.size(), "within " + allowed);
+  }
+  return text;
+}
+
+/// The reason in the units of the task. A catalogue that misses the region has one without numbers
+/// that have a unit.
 std::string reason_in_units(const design::RegionVerdict& empty, const EmptyTask& task) {
-  if (!task.physical || task.pulse || empty.region.conflict == design::Conflict::none) {
+  if (!task.physical || empty.region.conflict == design::Conflict::none) {
     return empty.reason.value();
+  }
+  if (task.pulse) {
+    return pulse_reason(empty, task);
   }
   const FigureUnits units(task.physical);
   return design::reason(empty.region, task.problem, task.limits,

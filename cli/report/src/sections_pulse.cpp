@@ -23,7 +23,7 @@ void add_pulse(Section& task, const design::Pulse& pulse, const design::PulseRan
     shortest = lasts * (lambda / *lambda_high);
   }
   task.row("pulse",
-           format("{}, k = {}{:.6g}, lambda = {}{}", design::name(pulse), weakest,
+           format("{}, k = {}{:.6g} g, lambda = {}{}", design::name(pulse), weakest,
                   design::peak_load(pulse), frequency_text(physical, lambda), to(highest)));
   task.row("duration", time_text(physical, shortest) + to(longest));
 }
