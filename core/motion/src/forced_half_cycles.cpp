@@ -27,7 +27,14 @@ class HalfCycleCollector final : public MotionWatcher {
       case EventKind::start:
         now_.departure_speed = std::abs(v);
         break;
+      case EventKind::turn:
+        moved_ = true;
+        break;
+      case EventKind::release:
+        begin_late(tau, std::abs(v));
+        break;
       case EventKind::arrival:
+        moved_ = true;
         now_.arrival_speed = std::abs(v);
         arrival_ = tau;
         break;
@@ -73,6 +80,15 @@ class HalfCycleCollector final : public MotionWatcher {
     }
   }
 
+  /// A mass that was held from its start begins to move when the load frees it.
+  void begin_late(double tau, double v) {
+    if (!moved_) {
+      now_.start_time = now_.peak_time = tau;
+      now_.departure_speed = v;
+      moved_ = true;
+    }
+  }
+
   /// A mass that left the notch later had stopped in it first.
   void feel_the_notch(double departure) {
     if (notch_ && now_.arrival_speed) {
@@ -98,7 +114,8 @@ class HalfCycleCollector final : public MotionWatcher {
   double p_;
   std::optional<double> notch_;
   std::int64_t most_;
-  double arrival_{0};  ///< tau of the last arrival at x = 0
+  double arrival_{0};   ///< tau of the last arrival at x = 0
+  bool moved_{false};  ///< since the start
   bool over_{false};
   HalfCycle now_;
   std::vector<HalfCycle> list_;

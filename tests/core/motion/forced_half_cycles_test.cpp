@@ -281,6 +281,30 @@ BOOST_AUTO_TEST_CASE(more_than_are_allowed_refuse_the_motion) {
   BOOST_CHECK_THROW(run(0), InputError);
 }
 
+// Held until k sin(lambda tau) balances friction and spring: from rest at x0 until
+// k sin(lambda tau) = f - p^2 |x0|, where the motion goes inwards, or f + p^2 |x0|, outwards.
+BOOST_AUTO_TEST_CASE(of_a_mass_held_from_its_start_begin_at_the_release) {
+  const Harmonic load{0.3, 0.5};
+  const auto first = [&](const Oscillator& oscillator, const Start& start) {
+    return forced_half_cycles(oscillator, start, load, 20, 1).front();
+  };
+  const HalfCycle at_zero = first({1, 0.06, 0}, {0, 0});
+  BOOST_TEST(std::abs(at_zero.start_time - 2 * std::asin(0.06 / 0.3)) <= 1e-14);
+  BOOST_TEST(at_zero.peak_time > at_zero.start_time);
+  const HalfCycle inwards = first({1, 0.06, 0}, {0.05, 0});
+  BOOST_TEST(std::abs(inwards.start_time - 2 * std::asin(0.01 / 0.3)) <= 1e-14);
+  BOOST_TEST(inwards.peak_time == inwards.start_time);
+  BOOST_TEST(inwards.peak == 0.05);
+  const HalfCycle outwards = first({1, 0.06, 0}, {-0.05, 0});
+  BOOST_TEST(std::abs(outwards.start_time - 2 * std::asin(0.11 / 0.3)) <= 1e-14);
+  BOOST_TEST(outwards.peak_time > outwards.start_time);
+  // A hit that the notch caught leaves with no speed; one that moves the mass starts at once.
+  const HalfCycle freed = first({1, 0.02, 0.1, 0.1}, {0, 0.1});
+  BOOST_TEST(std::abs(freed.start_time - 2 * std::asin(0.12 / 0.3)) <= 1e-14);
+  BOOST_TEST(freed.departure_speed == 0);
+  BOOST_TEST(first({1, 0.06, 0}, {0, 1}).start_time == 0);
+}
+
 BOOST_AUTO_TEST_CASE(of_wrong_input_are_refused) {
   const auto of = [](const Oscillator& oscillator, const Excitation& excitation, double t_end) {
     return forced_half_cycles(oscillator, {0, 1}, excitation, t_end, all);

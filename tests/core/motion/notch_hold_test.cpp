@@ -103,12 +103,14 @@ BOOST_AUTO_TEST_CASE(each_departure_from_the_notch_begins_a_half_cycle) {
   const auto list = forced_half_cycles(oscillator, {0, 0}, load, 60, 100);
   BOOST_TEST(static_cast<double>(list.size()) == *response.half_cycles);
   BOOST_TEST(list.size() > 5U);
-  for (std::size_t i = 1; i < list.size(); ++i) {
+  for (std::size_t i = 0; i < list.size(); ++i) {
     // It leaves with v = 0 where |W| = 0.12, later than it came to rest.
     BOOST_TEST(list[i].departure_speed == 0);
-    BOOST_TEST(list[i].start_time > list[i - 1].end_time);
     BOOST_TEST(std::abs(std::abs(0.3 * std::sin(list[i].start_time / 2)) - 0.12) <= 1e-14);
-    BOOST_TEST(list[i].side == -list[i - 1].side);
+    if (i > 0) {
+      BOOST_TEST(list[i].start_time > list[i - 1].end_time);
+      BOOST_TEST(list[i].side == -list[i - 1].side);
+    }
   }
   // A run that ends while the notch holds the mass knows the same half-cycle.
   for (std::size_t i = 1; i < list.size(); ++i) {

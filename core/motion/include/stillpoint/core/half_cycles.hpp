@@ -19,7 +19,7 @@ class HalfCycleSteps;
 struct HalfCycle {
   std::int64_t index{1};                ///< 1, 2, ...
   int side{1};                          ///< sign of x during it
-  double start_time{0};                 ///< tau
+  double start_time{0};                 ///< tau; of a mass held from its start, of the release
   double departure_speed{0};            ///< |x'| at its start, after the notch
   double peak_time{0};                  ///< tau of the peak; start_time where it starts inwards
   double peak{0};                       ///< largest |x| of it
