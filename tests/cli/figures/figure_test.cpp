@@ -374,6 +374,15 @@ BOOST_AUTO_TEST_CASE(has_an_axis_around_values_that_are_all_the_same) {
   BOOST_TEST(axis_around("", 0, 0).most == 1);
 }
 
+/// Its cells have the same colours in dark.
+BOOST_AUTO_TEST_CASE(words_on_a_map_keep_their_colours) {
+  Figure figure = one_of_everything();
+  BOOST_TEST(contains(svg(figure, Frame::in_page), "class=\"note on-map\""));
+  BOOST_TEST(contains(dark_figure_style(), ".note.on-map{fill:#222;stroke:#fff}"));
+  figure.map = {};
+  BOOST_TEST(!contains(svg(figure, Frame::in_page), "on-map"));
+}
+
 BOOST_AUTO_TEST_CASE(map_is_a_png) {
   // base64 of the signature and of the header's length and name.
   BOOST_TEST(map_base64(one_of_everything().map).starts_with("iVBORw0KGgoAAAANSUhEUg"));
