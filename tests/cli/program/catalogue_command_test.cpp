@@ -268,6 +268,13 @@ BOOST_AUTO_TEST_CASE(is_drawn_by_region_and_works_with_arrivals) {
   const std::string figure = read("out/region.svg");
   BOOST_TEST(contains(figure, "parts that fit"));
   BOOST_TEST(!contains(figure, "1 of the 3 parts lies outside"));  // in the caption
+  BOOST_TEST(!contains(figure, "tolerate too little"));
+  // The first withstands 35 %.
+  BOOST_TEST(run(region + "1 --tolerance 0.4").exit_code == 3);
+  const std::string strict = read("out/region.svg");
+  BOOST_TEST(
+      contains(strict, "data-name=\"parts that tolerate too little\" data-at=\"0.26 0.37\""));
+  BOOST_TEST(!contains(strict, "parts that fit"));
 }
 
 BOOST_AUTO_TEST_CASE(is_not_overwritten_and_may_be_in_a_scene) {
