@@ -15,7 +15,6 @@
 
 #include <fmt/format.h>
 
-#include <csignal>
 #include <exception>
 #include <new>
 #include <optional>
@@ -113,7 +112,6 @@ ExitCode answer(const Invocation& invocation, Output& output) {
 }
 
 int run_program(int argc, const char* const* argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error like a full disk
   try {
     if (argc <= 1) {
       write_error(short_help());

@@ -25,7 +25,6 @@ bool hushed() {
 }
 
 void write_error(const std::string& text) {
-  // Nobody is left to be told that this failed.
   static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
 }
 

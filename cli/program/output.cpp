@@ -48,9 +48,8 @@ std::string task_of(const Settings& settings, Command command) {
   const auto is_of_task = [&](const Option& option) {
     return option.is_echoed() && (option.traits.rivals != Rivals::end || excitation_type(settings));
   };
-  constexpr int indent = 2;
   return scene_of(settings, command, is_of_task)
-      .dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+      .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 /// Below the answer, if the page with the program in it is installed: a link to the same task

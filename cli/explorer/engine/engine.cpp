@@ -24,6 +24,7 @@
 #include <cstdint>
 #include <exception>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -161,25 +162,19 @@ ordered_json option_rows() {
     if (!option.is_explored()) {
       continue;
     }
-    const Units units = option.traits.units;
-    ordered_json& row =
-        rows.emplace_back(ordered_json{{"name", option.name},
-                                       {"units", units == Units::any             ? "any"
-                                                 : units == Units::dimensionless ? "dimensionless"
-                                                                                 : "physical"},
-                                       {"commands", ordered_json::array()},
-                                       {"rivals", ordered_json::array()}});
+    std::vector<std::string_view> takers;
     for (const Command command : {Command::design, Command::region, Command::simulate}) {
       if (option.serves(command)) {
-        row["commands"].push_back(name(command));
+        takers.push_back(name(command));
       }
     }
-    for (const Option& other : options()) {
-      if (other.is_explored() && &other != &option && option.traits.rivals != Rivals::none &&
-          other.traits.rivals == option.traits.rivals) {
-        row["rivals"].push_back(other.name);
-      }
-    }
+    const Units units = option.traits.units;
+    rows.push_back({{"name", option.name},
+                    {"units", units == Units::any             ? "any"
+                              : units == Units::dimensionless ? "dimensionless"
+                                                              : "physical"},
+                    {"commands", takers},
+                    {"set", static_cast<int>(option.traits.rivals)}});
   }
   return rows;
 }

@@ -13,7 +13,8 @@ const damper_options = names_where(({ commands }) => !commands.includes("design"
 
 /** The others of a set from which only one may be given. @param {string} name */
 function rivals(name) {
-  return option_rows.find((row) => row.name === name)?.rivals ?? [];
+  const set = option_rows.find((row) => row.name === name)?.set;
+  return names_where((row) => Boolean(set) && row.set === set && row.name !== name);
 }
 
 /** @param {Options} options */

@@ -8,8 +8,8 @@ interface OptionRow {
   units: "any" | "dimensionless" | "physical";
   /** Of design, region and simulate, those that take it. */
   commands: string[];
-  /** The others of a set of which at most one may be given. */
-  rivals: string[];
+  /** Of each set at most one may be given; 0 is none. */
+  set: number;
 }
 
 interface Figure {

@@ -48,9 +48,6 @@ constexpr CommandSet of_waves = design | region | of_excitations;
 constexpr CommandSet in_records = of_suites | of_excitations;
 constexpr CommandSet drawn = design | region | simulate | spectrum | sweep;
 
-const std::vector<std::string_view> of_pages{"open", "html", "svg"};
-const Beside of_a_reduction{sweep, {"reduce"}, "a sweep without rows"};
-
 /// A scan keeps about 100 bytes for each.
 constexpr std::int64_t most_scan_points = 10'000'000;
 
@@ -119,6 +116,8 @@ OptionTraits merges(OptionTraits traits) {
 }
 
 std::vector<Option> rows() {
+  const std::vector<std::string_view> of_pages{"open", "html", "svg"};
+  const Beside of_a_reduction{sweep, {"reduce"}, "a sweep without rows"};
   return {
       // name, kind, placeholder, group, help, commands, traits
       row("v0", number, "V", motion, "initial velocity, just after the hit", every,

@@ -33,7 +33,10 @@ std::int64_t integer_value(const Option& option, std::string_view text) {
     return *value;
   }
   const bool is_number = records::scan_number(text).fault == records::NumberFault::none;
-  throw InputError(std::string(option.name), is_number ? std::string(text) : records::quoted(text),
+  throw InputError(std::string(option.name),
+                   value       ? fmt::format("{}", *value)
+                   : is_number ? std::string(text)
+                               : records::quoted(text),
                    fmt::format("must be {}", whole_number(option)));
 }
 

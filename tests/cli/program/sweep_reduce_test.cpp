@@ -225,7 +225,7 @@ const Wrong wrong_reductions[] = {
     {motions + "--histogram stop_time:0:1:5", {"histogram", "--reduce"}},
     {motions + "--best stop_time:5", {"best", "--reduce"}},
     {motions + "--reduce --format npy", {"format", "reduce"}},
-    {motions + "--reduce --html a.html", {"reduce", "page"}},
+    {motions + "--reduce --html a.html", {"reduce", "html"}},
     {motions + "--reduce --resume", {"resume", "reduce", "--part"}},
     {motions + "--reduce --best stop:5", {"best", "stop:5", "stop_time"}},
     {motions + "--reduce --best outcome:5", {"best", "outcome:5", "numbers"}},

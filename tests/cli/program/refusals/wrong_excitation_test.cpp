@@ -90,7 +90,7 @@ const std::vector<Wrong> wrong_inputs{
           {"excitation.x0 = 1", "not a key"}),
     scene(R"({"type": "half-sine", "k": 1, "k": 1, "lambda": 1})", {"k is set twice"}),
     scene(R"({"type": "half-sine", "k": 1, "lambda": 1}, "k": 1)", {"k is set twice"}),
-    scene("{}", {"excitation = {}", "must have a type"}),
+    scene("{}", {"excitation = {}", R"(must be a string, or an object with a "type")"}),
     scene(R"({"k": 1, "lambda": 1})", {"k ", "--excitation"}),
     scene(R"({"type": 1, "k": 1, "lambda": 1})", {"excitation = 1"}),
     scene(R"({"type": "half-sine", "k": "1", "lambda": 1})", {"k = \"1\"", "must be a number"}),
