@@ -164,7 +164,7 @@ Document document(const DesignReport& report) {
   document.title = "Damper design";
   const auto add_posed = [&] {
     add_task(document, result.request, physical);
-    if (pulse) {
+    if (result.request.pulse) {
       add_pulse_region(document, result, physical);
     } else {
       add_region(document, result.region, physical);
