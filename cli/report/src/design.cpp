@@ -100,8 +100,23 @@ void add_motion(Document& document, const design::Finding& finding, double beta,
   add_practice(motion, finding.practice, physical);
 }
 
+/// A value of the objective, in the units of the task.
+std::string objective_text(design::Objective objective, double value, const Physical& physical) {
+  switch (objective) {
+    case design::Objective::robust:
+      break;
+    case design::Objective::amplitude:
+      return length_text(physical, value);
+    case design::Objective::time:
+      return time_text(physical, value);
+    case design::Objective::acceleration:
+      return digits(value) + " g";
+  }
+  return digits(value);
+}
+
 void add_search(Document& document, const design::SearchRecord& search,
-                const design::DesignResult& result) {
+                const design::DesignResult& result, const Physical& physical) {
   const design::Objective objective = result.request.search.objective;
   Section& sought = document.detail("Search");
   sought.line(format("NLopt {} {}: {} after {} evaluations, {:.2g} ms", design::nlopt_version(),
@@ -111,8 +126,9 @@ void add_search(Document& document, const design::SearchRecord& search,
   if (optimum.along_f) {
     sought.line(format("{} {}: {}; by a search along f alone, without NLopt: {}",
                        objective == design::Objective::robust ? "tolerance" : name(objective),
-                       result.request.pulse ? "by NLopt" : "of the design", digits(*optimum.found),
-                       digits(*optimum.along_f)));
+                       result.request.pulse ? "by NLopt" : "of the design",
+                       objective_text(objective, *optimum.found, physical),
+                       objective_text(objective, *optimum.along_f, physical)));
   }
 }
 
@@ -148,7 +164,7 @@ Document document(const DesignReport& report) {
   document.title = "Damper design";
   const auto add_posed = [&] {
     add_task(document, result.request, physical);
-    if (pulse) {
+    if (result.request.pulse) {
       add_pulse_region(document, result, physical);
     } else {
       add_region(document, result.region, physical);
@@ -183,7 +199,7 @@ Document document(const DesignReport& report) {
   add_motion(document, finding, problem.beta, physical);
   add_checks(document, finding.cross_check, physical);
   if (finding.search) {
-    add_search(document, *finding.search, result);
+    add_search(document, *finding.search, result, physical);
   }
   return document;
 }

@@ -56,10 +56,10 @@ std::string in_words(std::string name) {
        {"delta_max", "the largest delta"},
        {"delta_max_m", "the largest delta"},
        {"acceleration_max", "the largest acceleration"}});
-  const auto found =
-      std::ranges::find(words, name, &std::pair<std::string_view, std::string_view>::first);
-  if (found != words.end()) {
-    return std::string(found->second);
+  for (const auto& [field, phrase] : words) {
+    if (field == name) {
+      return std::string(phrase);
+    }
   }
   std::ranges::replace(name, '_', ' ');
   return name;

@@ -161,8 +161,10 @@ Choice choose(const DesignRequest& request, std::span<const Part> parts) {
   result.mends = part_mends(problem, limits, parts);
   Problem exact = problem;
   exact.criterion = Criterion::exact;
-  if (std::ranges::any_of(
-          parts, [&](const Part& part) { return admissible(exact, limits, part.f, part.delta); })) {
+  const auto fits = [&](const Part& part) {
+    return admissible(exact, request.limits, part.f, part.delta);
+  };
+  if (problem.criterion != Criterion::exact && std::ranges::any_of(parts, fits)) {
     result.criterion_mend = Criterion::exact;
   }
   return choice;
