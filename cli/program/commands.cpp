@@ -76,9 +76,12 @@ design::Spectrum watched(const design::SpectrumRequest& request) {
 }
 
 ExitCode run_design(const Settings& settings, Output& output) {
-  return designs_under_records(settings)
-             ? run_record_design(settings, output)
-             : finish(answers::answer(design_input(settings)), Command::design, settings, output);
+  if (designs_under_records(settings)) {
+    return run_record_design(settings, output);
+  }
+  const report::DesignReport report = answers::answer(design_input(settings));
+  remark(report::lock_sentence(report));
+  return finish(report, Command::design, settings, output);
 }
 
 ExitCode run_region(const Settings& settings, Output& output) {

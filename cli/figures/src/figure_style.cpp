@@ -31,10 +31,12 @@ std::string_view figure_style() noexcept {
 )";
 }
 
+// The cells of a map have the same colours as in light, and so have the words on them.
 std::string_view dark_figure_style() noexcept {
   return R"(
 .figure text{fill:#ddd}
 .figure .note{stroke:#14181d}
+.figure .note.on-map{fill:#222;stroke:#fff}
 .figure .paper{fill:#14181d}
 .figure .grid{stroke:#2c3239}
 .figure .halo{stroke:#14181d}

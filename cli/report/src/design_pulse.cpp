@@ -8,9 +8,9 @@ namespace stillpoint::report {
 
 namespace {
 
-/// "0.28 % more than", "0.28 % less than": the reduced figure against the true one.
+/// "0.28 % larger", "0.28 % smaller": the reduced figure against the true one.
 std::string off_by(double relative) {
-  return format("{:.2g} % {}", 100 * std::abs(relative), relative < 0 ? "less than" : "more than");
+  return format("{:.2g} % {}", 100 * std::abs(relative), relative < 0 ? "smaller" : "larger");
 }
 
 /// Why the reduction to a velocity is off.
@@ -30,12 +30,22 @@ std::string reduction_text(const design::PulseCheck& check) {
   if (!check.start) {
     return "not used: this pulse leaves no velocity";
   }
-  std::string text = format("not used; with a velocity in its place, the peak would be {} this",
+  std::string text = format("not used; with an initial velocity for the pulse the peak would be {}",
                             off_by(check.peak_error.value_or(0)));
   for (const design::PulseWarning warning : check.warnings) {
     text += "; " + warning_text(warning, check);
   }
   return text;
+}
+
+std::string lock_sentence(const DesignReport& report) {
+  const auto& finding = report.result.finding;
+  if (!finding || !finding->pulse || !finding->pulse->response.locked_from) {
+    return {};
+  }
+  const design::PulseCheck& check = *finding->pulse;
+  return locked_words(check.response, duration(design::excitation(check.pulse)).value(),
+                      report.physical);
 }
 
 void add_pulse_check(Document& document, const design::PulseCheck& check, double beta,
@@ -46,12 +56,12 @@ void add_pulse_check(Document& document, const design::PulseCheck& check, double
   section.row("use of beta", format("{:.4g} %", 100 * check.response.peak_amplitude / beta));
   section.row("reduction", reduction_text(check));
   if (check.start) {
-    section.row("", format("it starts with v0 = {} at {}",
+    section.row("", format("that velocity is {}, at {}",
                            FigureUnits(physical).velocity_words(check.start->speed),
                            time_shown(physical, check.start->tau)));
   }
   if (check.stop_time_error) {
-    section.row("", format("its stop time is {} this", off_by(*check.stop_time_error)));
+    section.row("", format("with it the stop time would be {}", off_by(*check.stop_time_error)));
   }
 }
 

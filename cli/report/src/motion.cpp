@@ -142,27 +142,28 @@ void add_answer(Section& answer, const MotionReport& report) {
 
 }  // namespace
 
+std::string locked_words(const ForcedResponse& locked, double load_end, const Physical& physical) {
+  const double from = locked.locked_from.value();
+  const double load = locked.largest_load_while_locked.value();
+  const double at = locked.final_position.value();  // off x = 0 in a notch with a width
+  const std::string where =
+      at == 0 ? "at x = 0" : format("in the notch, at x = {},", length_shown(physical, at));
+  if (from == 0) {
+    return format("locked {} throughout the load; the structure feels up to {:.3g} g", where, load);
+  }
+  const std::string when = physical ? format("{:.4g} s of {:.4g} s", from * physical->scales.time_s,
+                                             load_end * physical->scales.time_s)
+                                    : format("tau = {:.4g} of {:.4g}", from, load_end);
+  return format("locked {} from {}; the structure then feels up to {:.3g} g", where, when, load);
+}
+
 std::string lock_sentence(const MotionReport& report) {
   const auto& forced = report.answer.forced;
   if (!forced || !forced->locked_from) {
     const Outcome outcome = report.answer.response.outcome;
     return outcome == Outcome::caught_at_start ? outcome_phrase(outcome) : "";
   }
-  const double at = forced->final_position.value();  // off x = 0 in a notch with a width
-  const std::string where =
-      at == 0 ? "at x = 0" : format("in the notch, at x = {},", length_shown(report.physical, at));
-  if (*forced->locked_from == 0) {
-    return format("locked {} throughout the load; the structure feels up to {:.3g} g", where,
-                  *forced->largest_load_while_locked);
-  }
-  const double end = load_end(report.request);
-  const std::string when =
-      report.physical
-          ? format("{:.4g} s of {:.4g} s", *forced->locked_from * report.physical->scales.time_s,
-                   end * report.physical->scales.time_s)
-          : format("tau = {:.4g} of {:.4g}", *forced->locked_from, end);
-  return format("locked {} from {}; the structure then feels up to {:.3g} g", where, when,
-                *forced->largest_load_while_locked);
+  return locked_words(*forced, load_end(report.request), report.physical);
 }
 
 std::optional<double> caught_impulse(const MotionReport& report) {

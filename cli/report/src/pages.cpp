@@ -18,7 +18,6 @@ namespace stillpoint::report {
 
 using figures::Figure;
 using figures::HtmlPage;
-using figures::Ink;
 
 namespace {
 
@@ -34,6 +33,7 @@ DrawnMotion motion_under(const design::Finding& found, double beta) {
   DrawnMotion motion = drawn_forced_motion({p, found.point.f, found.point.delta}, {0, 0}, shaking,
                                            std::max(horizon, ends));
   motion.beta = beta;
+  motion.locked_from = found.pulse->response.locked_from;
   return motion;
 }
 
@@ -47,7 +47,8 @@ Figure region_of(const Request& request, const design::RegionVerdict& verdict,
   const design::Limits& limits = request.limits;
   const std::string mend = verdict.region.feasible
                                ? ""
-                               : mend_title(verdict, {problem, limits, request.pulse, physical});
+                               : mend_title(verdict, {problem, limits, request.pulse, physical},
+                                            catalogue ? "part" : "damper");
   Figure figure = request.pulse
                       ? pulse_region_figure({design::pulse_request(request).problem, limits,
                                              verdict.region, *verdict.intervals, damper, mend},
@@ -59,16 +60,16 @@ Figure region_of(const Request& request, const design::RegionVerdict& verdict,
   return figure;
 }
 
-/// What the design does under its pulse.
+/// What the design does under its pulse, and the pulse below it.
 std::vector<Figure> pulse_figures(const design::Finding& found, double beta,
                                   const FigureUnits& units) {
   const DrawnMotion motion = motion_under(found, beta);
   Figure figure = motion_figure(motion, units);
   figure.id = "pulse";
   figure.title = "Motion under the pulse itself";
-  const double ends = duration(design::excitation(found.pulse->pulse)).value();
-  figure.bands.insert(figure.bands.begin(), {"pulse", 0, ends * units.time, Ink::sky});
-  return {std::move(figure), phase_figure(motion, units)};
+  return {std::move(figure),
+          excitation_figure(design::excitation(found.pulse->pulse), motion, units),
+          phase_figure(motion, units)};
 }
 
 /// Its trade-offs, the hits that it serves, and its motion after the one asked for.
@@ -82,7 +83,8 @@ std::vector<Figure> hit_figures(const DesignReport& report, const FigureUnits& u
   }
   DrawnMotion motion = drawn_free_motion({problem.p, f, delta}, {0, problem.v0}, {});
   motion.beta = problem.beta;
-  figures.push_back(hits_figure(problem, f, delta, found.works_for, units));
+  figures.push_back(
+      hits_figure(problem, report.result.request.limits, f, delta, found.works_for, units));
   figures.push_back(motion_figure(motion, units));
   figures.push_back(phase_figure(motion, units));
   figures.push_back(energy_figure(motion, units));
@@ -143,7 +145,7 @@ std::vector<Figure> drawings(const RegionReport& report) {
       region_of(report.request, answer, point, report.catalogue, report.physical)};
   if (f && delta && !pulse) {
     figures.push_back(
-        hits_figure(problem, *f, *delta, answer.works_for, FigureUnits(report.physical)));
+        hits_figure(problem, limits, *f, *delta, answer.works_for, FigureUnits(report.physical)));
   }
   return figures;
 }

@@ -46,9 +46,11 @@ std::string end_words(const design::SearchRange& searched, double p, bool of_per
   return {};
 }
 
-/// "the record", "1 of 2 records"
+/// "the record", "every record", "1 of 2 records"
 std::string of_records(std::size_t count, std::size_t all) {
-  return all == 1 ? "the record" : format("{} of {} records", count, all);
+  return all == 1       ? "the record"
+         : count == all ? "every record"
+                        : format("{} of {} records", count, all);
 }
 
 /// Which records lock the mass; empty if none.
@@ -80,6 +82,19 @@ std::string warning(const design::RecordDesign& result) {
   return locked.empty() ? "" : format("Locked: {}. ", locked);
 }
 
+/// "Largest of 2 records"
+std::string of_what(const design::RecordDesign& result) {
+  const std::size_t all = result.finding->responses.size();
+  const bool largest = result.request.combine.value() == design::Combine::max;
+  return all == 1 ? "Under the record"
+                  : format("{} of {} records", largest ? "Largest" : "Mean", all);
+}
+
+std::string figures_words(const design::SuiteFigures& figures, const Physical& physical) {
+  return format("{} transmitted, stroke {}, residual {}", acceleration_shown(figures.acceleration),
+                length_shown(physical, figures.peak), length_shown(physical, figures.residual));
+}
+
 std::string verdict(const RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;
   const std::string so_far = result.search.interrupted ? "Interrupted, the best so far: " : "";
@@ -89,27 +104,20 @@ std::string verdict(const RecordDesignReport& report) {
   const Physical& physical = report.physical;
   const auto& [damper, figures] = result.finding->point;
   return so_far + warning(result) +
-         format(
-             "f = {} and delta = {} with {}: the {} transmitted acceleration of {} record{} is "
-             "{}, the stroke {}, the residual {}.",
-             digits(damper.f), length_shown(physical, damper.delta),
-             period_words(physical, damper.p), combined(result.request.combine.value()),
-             result.finding->responses.size(), result.finding->responses.size() == 1 ? "" : "s",
-             acceleration_shown(figures.acceleration), length_shown(physical, figures.peak),
-             length_shown(physical, figures.residual));
+         format("{} f = {} and delta = {} with {}. {}: {}.",
+                figures.peak == 0 ? "The damper found has" : "Build", digits(damper.f),
+                length_shown(physical, damper.delta), period_words(physical, damper.p),
+                of_what(result), figures_words(figures, physical));
 }
 
 std::string worst_words(const design::SuiteFigures& worst, const Physical& physical) {
-  return worst.settled
-             ? format("the worst has {}, stroke {}, residual {}",
-                      acceleration_shown(worst.acceleration), length_shown(physical, worst.peak),
-                      length_shown(physical, worst.residual))
-             : "under some of them the mass never rests";
+  return worst.settled ? "the worst: " + figures_words(worst, physical)
+                       : "under some of them the mass never rests";
 }
 
 void add_answer(Section& answer, const design::RecordDesign& result, const Physical& physical) {
   if (lock_words(result).empty()) {
-    answer.row("locked", "no record locks it while the load goes on");
+    answer.row("locked", "never while a record goes on");
   }
   const design::Sensitivity& near = result.finding->sensitivity;
   answer.row("tolerance",
@@ -143,8 +151,10 @@ void add_damper(Document& document, const RecordDesignReport& report) {
 
 void add_records(Document& document, const RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;
-  const Physical& physical = report.physical;
-  Table table{{"record", "PGA", "peak", "residual", "acceleration", "locked from"}, {}};
+  const FigureUnits units(report.physical);
+  Table table{{"record", "PGA, g", in("peak", units.length_unit), in("residual", units.length_unit),
+               "transmitted, g", in("locked from", units.time_unit)},
+              {}};
   for (std::size_t i = 0; i < result.finding->responses.size(); ++i) {
     const ForcedResponse& response = result.finding->responses[i];
     const std::string& path = result.request.records[i].name;
@@ -152,12 +162,12 @@ void add_records(Document& document, const RecordDesignReport& report) {
     table.rows.push_back(
         {{(scale == 1 ? "" : format("{:.4g} x ", scale)) +
               spelled_out(path.substr(path.rfind('/') + 1)),
-          acceleration_shown(std::abs(scale) *
-                             records::peak_acceleration(result.request.records[i].record)),
-          length_shown(physical, response.peak_amplitude),
-          length_shown(physical, std::abs(response.stop_position.value())),
-          acceleration_shown(response.peak_absolute_acceleration),
-          response.locked_from ? time_shown(physical, *response.locked_from) : "never"}});
+          format("{:.4g}",
+                 std::abs(scale) * records::peak_acceleration(result.request.records[i].record)),
+          format("{:.5g}", response.peak_amplitude * units.length),
+          format("{:.5g}", std::abs(response.stop_position.value()) * units.length),
+          format("{:.4g}", response.peak_absolute_acceleration),
+          response.locked_from ? format("{:.5g}", *response.locked_from * units.time) : "never"}});
   }
   document.section("Records").parts.emplace_back(std::move(table));
 }
@@ -175,15 +185,15 @@ void add_shortfalls(Document& document, const RecordDesignReport& report) {
                      length_text(physical, damper.delta), period_words(physical, damper.p)));
   for (const auto& [which, limit, nearest, relaxed] : report.result.shortfalls) {
     section.row(
-        std::string(quantity(which)),
+        which == SuiteObjective::acceleration ? "transmitted" : std::string(quantity(which)),
         format("{}; {} is allowed", shown(physical, which, nearest), shown(physical, which, limit)),
         nearest > limit ? Tone::bad : Tone::plain);
     section.row(
         "", relaxed ? format("with {} allowed and the other limits unchanged, there is a damper",
                              shown(physical, which, *relaxed))
             : report.result.search.interrupted
-                ? "interrupted before it was known whether changing this limit alone would do"
-                : "changing this limit alone would not do");
+                ? "interrupted before it was known whether changing this limit alone is enough"
+                : "changing this limit alone would not be enough");
   }
 }
 
@@ -200,8 +210,7 @@ void add_task(Document& document, const RecordDesignReport& report) {
     section.row("residual", format("at most {}", length_text(physical, *task.limits.residual)));
   }
   if (task.limits.acceleration) {
-    section.row("acceleration",
-                format("at most {} transmitted", acceleration_shown(*task.limits.acceleration)));
+    section.row("transmitted", format("at most {}", acceleration_shown(*task.limits.acceleration)));
   }
   if (task.hold) {
     section.row("notch", format("holds {} besides f", acceleration_shown(*task.hold)));
@@ -212,14 +221,14 @@ void add_task(Document& document, const RecordDesignReport& report) {
   const auto searched = [](const std::string& low, const std::string& high) {
     return low == high ? low : format("{} to {}", low, high);
   };
-  section.row("f", searched(digits(task.f->low), digits(task.f->high)));
-  section.row("delta", searched(length_text(physical, task.delta->low),
-                                length_text(physical, task.delta->high)));
+  section.row("f searched", searched(digits(task.f->low), digits(task.f->high)));
+  section.row("delta searched", searched(length_text(physical, task.delta->low),
+                                         length_text(physical, task.delta->high)));
   if (task.p.low < task.p.high) {
     const auto period = [&](double p) {
       return format("{:.4g}", 2 * std::numbers::pi / p * physical->scales.time_s);
     };
-    section.row(physical ? "period" : "p",
+    section.row(physical ? "period searched" : "p searched",
                 physical ? format("{} to {} s", period(task.p.high), period(task.p.low))
                          : format("{} to {}", digits(task.p.low), digits(task.p.high)));
   }
@@ -246,7 +255,7 @@ std::string_view quantity(design::SuiteObjective objective) {
     case design::SuiteObjective::acceleration:
       break;
   }
-  return "acceleration";
+  return "transmitted acceleration";
 }
 
 std::string lock_sentence(const RecordDesignReport& report) {
@@ -270,8 +279,7 @@ std::string shortfall_sentence(const RecordDesignReport& report) {
   for (const auto& [which, limit, nearest, relaxed] : result.shortfalls) {
     if (nearest > limit) {
       broken +=
-          format("{}{} {} of {} where {} is allowed", broken.empty() ? "" : " and ",
-                 which == SuiteObjective::acceleration ? "an" : "a", quantity(which),
+          format("{}a {} of {} where {} is allowed", broken.empty() ? "" : " and ", quantity(which),
                  shown(report.physical, which, nearest), shown(report.physical, which, limit));
     }
   }

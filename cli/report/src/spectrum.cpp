@@ -32,12 +32,14 @@ std::string lock_words(const SpectrumReport& report) {
       most = std::max(most, *point.with_notch.largest_load_while_locked);
     }
   }
-  return count == 0 ? ""
-                    : format(
-                          "at {} of {} periods the notch holds the mass to the end of {} record, "
-                          "and transmits up to {}",
-                          count, points.size(), report.result.records.size() == 1 ? "the" : "a",
-                          acceleration_shown(most));
+  if (count == 0) {
+    return "";
+  }
+  const std::string where = count == points.size()
+                                ? "at every period"
+                                : format("at {} of {} periods", count, points.size());
+  return format("{} the notch holds the mass to the end of {} record, and transmits up to {}",
+                where, report.result.records.size() == 1 ? "the" : "a", acceleration_shown(most));
 }
 
 /// The largest of each figure of friction alone, and the period at which it occurs.
@@ -75,9 +77,10 @@ Table spectrum_table(const SpectrumReport& report, const std::vector<SpectrumPoi
   const FigureUnits units(report.physical);
   const bool compared = report.result.request.delta > 0;
   Table table{{"period, s"}, {}};
-  for (const std::string& name :
-       {std::string("acceleration"), std::string("peak"), std::string("residual")}) {
-    table.head.push_back(format("{}, {}", name, name == "acceleration" ? "g" : units.length_unit));
+  for (const auto& [name, unit] : {std::pair<std::string, std::string>{"transmitted", "g"},
+                                   {"peak", units.length_unit},
+                                   {"residual", units.length_unit}}) {
+    table.head.push_back(in(name, unit));
     if (compared) {
       table.head.push_back(name + " without");
     }
@@ -128,16 +131,15 @@ void add_points(Section& section, const SpectrumReport& report,
   }
 }
 
-void add_damper(Document& document, const SpectrumReport& report) {
+void add_damper(Section& answer, const SpectrumReport& report) {
   const design::SpectrumRequest& task = report.result.request;
-  Section& section = document.detail("Damper");
-  section.row("f", digits(task.f));
-  section.row("delta", length_shown(report.physical, task.delta));
+  answer.row("damper", format("f = {}, delta = {}, the same at every period", digits(task.f),
+                              length_shown(report.physical, task.delta)));
   if (task.hold) {
-    section.row("notch", format("holds {} besides f", acceleration_shown(*task.hold)));
+    answer.row("notch", format("holds {} besides f", acceleration_shown(*task.hold)));
   }
   if (task.notch_width) {
-    section.row("notch", format("{} wide", length_shown(report.physical, *task.notch_width)));
+    answer.row("notch", format("{} wide", length_shown(report.physical, *task.notch_width)));
   }
 }
 
@@ -155,6 +157,7 @@ Document document(const SpectrumReport& report) {
   const std::string locked = lock_words(report);
   document.verdict = (locked.empty() ? "" : format("Locked: {}. ", locked)) +
                      (result.request.delta == 0 ? friction_words(report) : "") + summary(result);
+  add_damper(document.answer, report);
   const std::size_t count = result.records.size();
   add_points(document.section(heading(report)), report, result.combined);
   for (std::size_t i = 0; i < count && count > 1; ++i) {
@@ -163,7 +166,6 @@ Document document(const SpectrumReport& report) {
                                spelled_out(record.name.substr(record.name.rfind('/') + 1))),
                report, result.records[i]);
   }
-  add_damper(document, report);
   return document;
 }
 

@@ -8,12 +8,13 @@
 #include <cstddef>
 #include <numeric>
 #include <utility>
+#include <variant>
 
 namespace stillpoint::report {
 
 namespace {
 
-constexpr std::size_t label_width = 18;
+constexpr std::size_t label_width = 18;  // if no label of the section is longer
 constexpr std::size_t page_width = 80;
 constexpr std::size_t indent = 2;
 
@@ -73,8 +74,8 @@ class Text {
   std::string operator()(const Row& row) const {
     std::string text;
     std::string_view label = row.label;
-    for (const auto line : lines_of(row.text, page_width - indent - label_width)) {
-      text += fmt::format("  {:<{}}{}\n", label, label_width, styled(row.tone, line));
+    for (const auto line : lines_of(row.text, page_width - indent - label_width_)) {
+      text += fmt::format("  {:<{}}{}\n", label, label_width_, styled(row.tone, line));
       label = "";
     }
     return text;
@@ -88,7 +89,14 @@ class Text {
     return text;
   }
 
-  std::string operator()(const Section& section) const {
+  std::string operator()(const Section& section) {
+    constexpr std::size_t least_gap = 2;
+    label_width_ = label_width;
+    for (const auto& part : section.parts) {
+      if (const Row* const row = std::get_if<Row>(&part)) {
+        label_width_ = std::max(label_width_, row->label.size() + least_gap);
+      }
+    }
     std::string text;
     for (const auto& part : section.parts) {
       text += std::visit(*this, part);
@@ -204,12 +212,13 @@ class Text {
   }
 
   bool coloured_;
+  std::size_t label_width_{label_width};
 };
 
 }  // namespace
 
 std::string text(const Document& document, const TextOptions& options) {
-  const Text rendered(options.coloured);
+  Text rendered(options.coloured);
   const std::string title = options.title.empty()
                                 ? document.title
                                 : fmt::format("{}: {}", document.title, spelled_out(options.title));

@@ -63,7 +63,7 @@ class HalfCycleCollector final : public MotionWatcher {
       reach(tau, u);
       now_.last = over_ = true;
       feel_the_notch(0);
-      close(tau, u / p_);
+      close(now_.arrival_speed ? arrival_ : tau, u / p_);  // a notch may still hold it at the end
     }
   }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/core/surface.hpp>
+#include <stillpoint/core/oscillator.hpp>
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstddef>
 #include <string>
 
 namespace stillpoint {
@@ -22,18 +21,8 @@ void require_speed(const char* field, double value, double speed, const char* wh
                                smallest_speed, largest_speed));
 }
 
-/// A length and p times it.
-void require_length(const std::string& field, double value, double p) {
-  require_within(field, value, smallest_speed, largest_speed);
-  const double speed = p * value;
-  if (!(speed >= smallest_speed && speed <= largest_speed)) {
-    throw InputError(field, value,
-                     fmt::format("its product with p must be from {} to {} (p = {})",
-                                 smallest_speed, largest_speed, p));
-  }
-}
+}  // namespace
 
-/// A friction, or the load that a notch holds: 0, or f / p within the bounds of oscillator.hpp.
 void require_friction(const std::string& field, double f, double p) {
   require_within(field, f, 0, largest_speed * p);
   if (f != 0 && f / p < smallest_friction_speed) {
@@ -41,8 +30,6 @@ void require_friction(const std::string& field, double f, double p) {
         field, f, fmt::format("must be 0 or at least {} p (p = {})", smallest_friction_speed, p));
   }
 }
-
-}  // namespace
 
 void require_valid(const Oscillator& oscillator) {
   require_within("p", oscillator.p, smallest_speed, largest_speed);
@@ -69,37 +56,6 @@ void require_valid(const Oscillator& oscillator, const Start& start) {
   if (start.x0 != 0 && oscillator.p * start.x0 == 0) {
     throw InputError("x0", start.x0,
                      fmt::format("p * x0 must not underflow (p = {})", oscillator.p));
-  }
-}
-
-void require_valid(const Oscillator& oscillator, const Surface& surface) {
-  const double p = oscillator.p;
-  if (surface.notch_width) {
-    const double width = *surface.notch_width;
-    require_length("notch-width", width, p);
-    if (oscillator.hold) {
-      throw InputError(
-          "hold", *oscillator.hold,
-          "a notch with a width holds by its own friction: give either hold or notch-width");
-    }
-    const double wall = oscillator.delta / width;
-    if (!(wall / p <= largest_speed)) {
-      throw InputError("notch-width", width,
-                       fmt::format("delta / width / p must be at most {} (delta = {}, p = {})",
-                                   largest_speed, oscillator.delta, p));
-    }
-  }
-  double before = 0;
-  for (std::size_t i = 0; i < surface.zones.size(); ++i) {
-    const FrictionZone& zone = surface.zones[i];
-    const std::string name = fmt::format("friction-zones {}", i + 1);
-    require_length(name + ": to", zone.to, p);
-    if (!(zone.to > before && p * zone.to > p * before)) {
-      throw InputError(name + ": to", zone.to,
-                       fmt::format("must be greater than the previous edge, {}", before));
-    }
-    require_friction(name + ": f", zone.f, p);
-    before = zone.to;
   }
 }
 

@@ -63,7 +63,7 @@ class RecordReader {
 /// The bound of a step, for messages.
 [[nodiscard]] std::string step_bounds(const RecordClock& clock);
 
-/// A format of record files: one source file defines it, one row in record_file.cpp lists it.
+/// A format of record files: one source file defines it, one row in record_formats.cpp lists it.
 struct RecordFormat {
   bool (*recognises)(RecordReader reader){nullptr};  ///< may read ahead in its copy
   RecordFile (*read)(RecordReader& reader){nullptr};

@@ -3,7 +3,7 @@
 
 #include "finding.hpp"
 #include "nearest_fit.hpp"
-#include "pulse/verdict.hpp"
+#include "pulse/answer.hpp"
 #include "ranking.hpp"
 #include "region/mend_list.hpp"
 
@@ -11,7 +11,6 @@
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/design/design.hpp>
 #include <stillpoint/design/limit_kinds.hpp>
 #include <stillpoint/design/region.hpp>
 
@@ -160,6 +159,12 @@ Choice choose(const DesignRequest& request, std::span<const Part> parts) {
   result.reason = result.region.feasible ? none_admissible(parts.size())
                                          : design::reason(result.region, problem, limits);
   result.mends = part_mends(problem, limits, parts);
+  Problem exact = problem;
+  exact.criterion = Criterion::exact;
+  if (std::ranges::any_of(
+          parts, [&](const Part& part) { return admissible(exact, limits, part.f, part.delta); })) {
+    result.criterion_mend = Criterion::exact;
+  }
   return choice;
 }
 

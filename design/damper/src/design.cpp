@@ -3,33 +3,12 @@
 
 #include "finding.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/region.hpp>
 
 #include <fmt/format.h>
 
 namespace stillpoint::design {
-
-PulseRequest pulse_request(const DesignRequest& request) {
-  const auto& [problem, limits, options, pulse, ranges] = request;
-  if (problem.arrivals > 1) {
-    throw InputError("arrivals", fmt::format("{}", problem.arrivals),
-                     "must be 1 with a pulse: a design for a pulse stops at the first arrival");
-  }
-  if (problem.residual) {
-    throw InputError("residual", *problem.residual,
-                     "must be left out with a pulse: a design for a pulse stops at x = 0");
-  }
-  return {{*pulse, problem.p, problem.beta, problem.criterion, ranges, problem.p_high},
-          limits,
-          options};
-}
-
-PulseRequest pulse_request(const RegionRequest& request) {
-  return pulse_request(
-      DesignRequest{request.problem, request.limits, {}, request.pulse, request.pulse_ranges});
-}
 
 Finding finding_of(const Problem& problem, const Limits& limits, const DesignPoint& point) {
   Finding finding;
@@ -62,6 +41,7 @@ DesignResult design(const DesignRequest& request) {
     result.mends = mends(problem, limits);
     result.joint_mend = joint_mend(problem, limits);
     result.most_tolerant = most_tolerant(problem, limits);
+    result.criterion_mend = criterion_mend(problem, limits);
     return result;
   }
   result.finding = finding_of(problem, limits, found->point);

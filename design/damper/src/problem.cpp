@@ -2,19 +2,14 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/design/limit_kinds.hpp>
 #include <stillpoint/design/problem.hpp>
 
 #include <fmt/format.h>
-
-#include <algorithm>
 
 namespace stillpoint::design {
 
 namespace {
 
-/// Below it beta and the limits come close to the smallest normal double, where digits are lost.
-constexpr double smallest_limit = 1e-300;
 /// f2 is half of v0^2 / beta at most, and must stay a double.
 constexpr double largest_f2 = 1e305;
 /// p beta, a speed that is compared with v0 and may be slightly outside its range.
@@ -25,7 +20,7 @@ constexpr double widest_ratio = 1e100;
 
 }  // namespace
 
-void require_valid(const Problem& problem, const Limits& limits) {
+void require_valid(const Problem& problem) {
   require_within("v0", problem.v0, smallest_speed, largest_speed);
   require_within("p", problem.p, smallest_speed, largest_speed);
   require_within("beta", problem.beta, smallest_limit, largest_square);
@@ -59,27 +54,6 @@ void require_valid(const Problem& problem, const Limits& limits) {
   if (problem.residual) {
     require_within("residual", *problem.residual, 0, largest_square);
   }
-  const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
-  for (const double side : {f_low, f_high, delta_low, delta_high}) {
-    require_within("shape", side, 0, 1);
-  }
-  if (!(std::max({f_low, f_high, delta_low, delta_high}) > 0)) {
-    throw InputError("tolerance", 0.0, "must be above 0 on at least one side of f or delta");
-  }
-  for (const LimitKind& kind : limit_kinds()) {
-    if (const auto& limit = limits.*kind.value) {
-      require_within(kind.field, *limit, smallest_limit, largest_square);
-    }
-  }
-  if (!(limits.tolerance >= 0 && limits.tolerance < 1)) {
-    throw InputError("tolerance", limits.tolerance,
-                     "must be at least 0 and less than 1 (0.1 is 10 %)");
-  }
-}
-
-bool is_plain(const Problem& problem, const Limits& limits) {
-  return problem.v0_low.value_or(problem.v0) == problem.v0 && problem.stiffest_p() == problem.p &&
-         !problem.residual && limits.shape == BoxShape{};
 }
 
 std::span<const Named<Criterion>> enumerators(Criterion) noexcept {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/design/catalogue.hpp>
+#include <stillpoint/design/part.hpp>
 
 #include <cstddef>
 #include <functional>

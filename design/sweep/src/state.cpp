@@ -100,13 +100,18 @@ std::string summary(const SweepState& state, bool of_designs) {
                                  count(state, Outcome::stopped_at_zero) + in_notch, state.rows,
                                  in_notch > 0 ? " or in the notch" : "",
                                  count(state, Outcome::stopped_in_dead_zone));
-  const std::initializer_list<std::pair<Outcome, std::string_view>> others{
-      {Outcome::caught_at_start, "never start"},
-      {Outcome::never_stops, "never stop"},
-      {Outcome::running, "not known to have stopped"}};
-  for (const auto& [outcome, what] : others) {
+  struct Other {
+    Outcome outcome;
+    std::string_view one;
+    std::string_view several;
+  };
+  const std::initializer_list<Other> others{
+      {Outcome::caught_at_start, "never starts", "never start"},
+      {Outcome::never_stops, "never stops", "never stop"},
+      {Outcome::running, "is not known to have stopped", "are not known to have stopped"}};
+  for (const auto& [outcome, one, several] : others) {
     if (const std::int64_t how_many = count(state, outcome); how_many > 0) {
-      text += fmt::format(", {} {}", how_many, what);
+      text += fmt::format(", {} {}", how_many, how_many == 1 ? one : several);
     }
   }
   return text + ".";

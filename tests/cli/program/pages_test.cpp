@@ -41,22 +41,25 @@ struct Shown {
 /// ends. A fenced block without a language, anywhere before the next command, is output; "..." in
 /// it stands for lines left out.
 std::vector<Shown> shown_in(const fs::path& page) {
-  static const std::regex command("    stillpoint ([^#]*)(?:# .*)?");
-  static const std::regex ends("# exit code ([0-9]+)");
+  static const std::regex command("    stillpoint (.*?)(?: +# (.*))?");
+  static const std::regex ends("exit code ([0-9]+)");
   std::vector<Shown> found;
   std::istringstream lines(text_of(page));
+  bool in_fence = false;
   bool in_output = false;
   for (std::string line; std::getline(lines, line);) {
     std::smatch match;
     if (line.rfind("```", 0) == 0) {
-      in_output = !in_output && line == "```";
-    } else if (in_output) {
-      if (!found.empty() && !line.empty() && line != "...") {
+      in_fence = !in_fence;
+      in_output = in_fence && line == "```";
+    } else if (in_fence) {
+      if (in_output && !found.empty() && !line.empty() && line != "...") {
         found.back().output.push_back(line);
       }
     } else if (std::regex_match(line, match, command)) {
       found.push_back({match[1].str().c_str(), 0, {}});
-      if (std::regex_search(line, match, ends)) {
+      const std::string comment = match[2];
+      if (std::regex_search(comment, match, ends)) {
         found.back().exit_code = std::stoi(match[1]);
       }
     }
@@ -88,7 +91,7 @@ BOOST_FIXTURE_TEST_CASE(each_command_runs_and_prints_what_is_shown, Sandbox) {
       }
     }
   }
-  BOOST_TEST(commands > 20U);
+  BOOST_TEST(commands > 100U);
 }
 
 BOOST_AUTO_TEST_CASE(each_link_leads_to_a_file) {

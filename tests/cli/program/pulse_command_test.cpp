@@ -102,7 +102,31 @@ BOOST_AUTO_TEST_CASE(ranges_of_a_pulse_are_in_the_report) {
   BOOST_TEST(!contains(shown, "sampled"));
   Arguments of_lengths = ranged;
   of_lengths[6] = "0.9:1";
-  BOOST_TEST(contains(run(of_lengths).out, "lambda/p is sampled"));
+  BOOST_TEST(contains(run(of_lengths).out, "within the ranges are sampled"));
+}
+
+// It stops after 2.7172 s of a pulse of 3.5 s: W = 0.08 sin(2 pi t/3.5) is then -0.0789 g, and
+// falls to 0 from there.
+BOOST_AUTO_TEST_CASE(a_damper_that_locks_during_its_pulse_is_reported) {
+  const ProgramRun answer = succeed(
+      {"design", STILLPOINT_DATA_DIR "/scenes/near_fault_pulse.json", "--html", "page.html"});
+  BOOST_TEST(answer.err ==
+             "stillpoint: locked at x = 0 from 2.717 s of 3.5 s; the structure then feels up to "
+             "0.0789 g\n");
+  const std::string page = read("page.html");
+  BOOST_TEST(contains(page, "locked from"));
+  BOOST_TEST(contains(page, "too strong: never starts"));
+  BOOST_TEST(contains(answer.out, " mm. Locked at x = 0 from 2.717 s"), answer.out);
+  BOOST_TEST(run("design --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.05").err.empty());
+}
+
+BOOST_AUTO_TEST_CASE(an_infeasible_pulse_says_why_in_the_units_of_the_task) {
+  const std::string pulse = STILLPOINT_DATA_DIR "/scenes/pulse.json";
+  const std::string text = ending(3, {"design", pulse, "--max-displacement", "20mm"}).out;
+  check_contains(text, {"then the peak is at least 66.95 mm, where\n  20 mm is allowed."});
+  const std::string limited =
+      ending(3, {"design", pulse, "--max-displacement", "70mm", "--f-max", "0.001"}).out;
+  check_contains(limited, {"a peak within 70 mm needs"});
 }
 
 // In metres and seconds as without them, and every way to say how long the pulse is.
@@ -187,8 +211,8 @@ BOOST_AUTO_TEST_CASE(plain_design_has_no_pulse) {
 BOOST_AUTO_TEST_CASE(page_for_people_says_it_in_words) {
   const ProgramRun run = succeed(asked + "--verbose");
   check_contains(run.out,
-                 {"half-sine, k = 0.5, lambda = 20", "Under the pulse itself",
-                  "the forced motion itself", "forced_pulse", "more than", "tolerance by NLopt"});
+                 {"half-sine, k = 0.5 g, lambda = 20", "Under the pulse itself",
+                  "the forced motion itself", "forced_pulse", "larger", "tolerance by NLopt"});
   for (const char* part : {"the pulse is not short", "v0 = 0 ", "inf"}) {
     BOOST_TEST(!contains(run.out, part), part << " in " << run.out);
   }

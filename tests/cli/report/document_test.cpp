@@ -43,6 +43,19 @@ BOOST_AUTO_TEST_CASE(as_text_is_aligned_columns) {
              "  A note.\n");
 }
 
+BOOST_AUTO_TEST_CASE(a_long_label_widens_the_column_of_its_section) {
+  Document document;
+  Section& counts = document.section("Counts");
+  counts.row("never", "1");
+  counts.row("not known to have stopped", "35");
+  document.section("Rows").row("mass", "1 kg");
+  const std::string written = text(document, {});
+  BOOST_TEST(contains(written,
+                      "  never                      1\n"
+                      "  not known to have stopped  35\n"));
+  BOOST_TEST(contains(written, "\n  mass              1 kg\n"));
+}
+
 BOOST_AUTO_TEST_CASE(a_wide_table_has_its_units_below) {
   Document document;
   const std::string wide(28, 'x');

@@ -37,6 +37,10 @@ BOOST_AUTO_TEST_CASE(has_the_values_in_the_middle_of_their_cells) {
   BOOST_TEST(figure.map.key[1].hatched);
   BOOST_TEST(figure.map.labels.at(0) == "1");
   BOOST_TEST(figure.map.labels.at(sweep::SweepClass::ranges * 2) == "never starts");
+  BOOST_TEST(
+      figure.caption ==
+      "Blue stops centred, orange (hatched) off centre; the number counts half-cycles. Above "
+      "Δ₁, below Δ₂ and left of f₃ a motion stops on its first return.");
   // The boundaries of the first return are those of the paper's notch.
   BOOST_TEST(!figure.curves.empty());
   report.spec.axes.push_back({Quantity::notch_width, sweep::Axis({0.1})});

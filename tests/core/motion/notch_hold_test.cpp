@@ -112,6 +112,13 @@ BOOST_AUTO_TEST_CASE(each_departure_from_the_notch_begins_a_half_cycle) {
       BOOST_TEST(list[i].side == -list[i - 1].side);
     }
   }
+  // A run that ends while the notch holds the mass knows the same half-cycle.
+  for (std::size_t i = 1; i < list.size(); ++i) {
+    const double held = (list[i - 1].end_time + list[i].start_time) / 2;
+    const HalfCycle last = forced_half_cycles(oscillator, {0, 0}, load, held, 100).back();
+    BOOST_TEST(last.index == list[i - 1].index);
+    BOOST_TEST(last.end_time == list[i - 1].end_time);
+  }
   const ForcedTrajectory path(oscillator, {0, 0}, load, {.horizon = 60});
   for (const HalfCycle& now : list) {
     BOOST_TEST(std::abs(path.at(now.start_time).x) <= 1e-14);

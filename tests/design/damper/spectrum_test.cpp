@@ -44,7 +44,7 @@ bool same(const SpectrumFigures& one, const SpectrumFigures& other) {
 }  // namespace
 
 // Without friction a load of w0 for the time L moves the mass to 2 w0/p^2, or, where it ends before
-// half a period, to 2 w0/p^2 sin(p L/2); docs/theory.md section 9.
+// half a period, to 2 w0/p^2 sin(p L/2); docs/forced.md section 8.
 BOOST_AUTO_TEST_CASE(without_friction_a_rectangle_has_its_closed_form_and_no_residual) {
   const Spectrum found = spectrum(request_of({rectangle()}, 0, 0));
   for (std::size_t i = 0; i < found.request.p.size(); ++i) {

@@ -68,6 +68,7 @@ void add_pulse_areas(Figure& figure, const DrawnPulseRegion& drawn, const LeastD
   const double right = figure.x.most;
   const double top = figure.y.most;
   const double cap = std::min(top, design::largest_delta_allowed(drawn.limits) * units.length);
+  const std::string exceeds = "exceeds " + units.length_words(drawn.problem.beta);
   double from = 0;
   for (const auto& interval : drawn.intervals) {
     figure.areas.push_back(
@@ -77,25 +78,27 @@ void add_pulse_areas(Figure& figure, const DrawnPulseRegion& drawn, const LeastD
                             Ink::grey, AreaLook::hatched});
     constexpr double seen = 1e-3;  // of the axis
     if (interval.low - from > seen * right) {
-      figure.areas.push_back({from == 0
-                                  ? "too weak: exceeds " + units.length_words(drawn.problem.beta)
-                                  : "does not meet the limits",
+      figure.areas.push_back({from == 0 ? "too weak: " + exceeds : "does not meet the limits",
                               rectangle(from, interval.low, 0, top), Ink::grey, AreaLook::hatched});
+    }
+    if (cap < top) {
+      figure.areas.push_back({"above the largest Δ",
+                              rectangle(interval.low, interval.high, cap, top), Ink::amber,
+                              AreaLook::hatched});
     }
     from = interval.high;
   }
   const double returns = std::clamp(drawn.region.f3, from, right);
   if (returns > from) {
-    figure.areas.push_back({from == 0 ? "not admissible" : "does not meet the limits",
+    const bool nowhere_in_reach = from == 0 && drawn.region.beta_min > drawn.problem.beta;
+    figure.areas.push_back({nowhere_in_reach ? exceeds : "does not meet the limits",
                             rectangle(from, returns, 0, top), Ink::grey, AreaLook::hatched});
   }
   if (right > returns) {
-    figure.areas.push_back({"too strong: does not return", rectangle(returns, right, 0, top),
-                            Ink::grey, AreaLook::hatched});
-  }
-  if (cap < top && from > 0) {
+    const bool up_to_the_load = drawn.region.beta_min == 0;
     figure.areas.push_back(
-        {"above the largest Δ", rectangle(0, from, cap, top), Ink::amber, AreaLook::hatched});
+        {up_to_the_load ? "too strong: never starts" : "too strong: does not return",
+         rectangle(returns, right, 0, top), Ink::grey, AreaLook::hatched});
   }
 }
 

@@ -27,8 +27,8 @@ using design::SuiteLimits;
 /// The objective from least to largest, then what is broken, which is hatched: more red than blue.
 constexpr std::array shades{"#0b4f8a", "#2f7fc1", "#6aaede", "#9ecae9", "#c6dff2", "#e6f1fa"};
 constexpr std::array broken{"#ef8a2b", "#f7b267", "#fbd3a4", "#8a7a68"};
-constexpr std::array broken_names{"stroke too large", "residual too large",
-                                  "acceleration too large", "never rests, or is near tipping"};
+constexpr std::array broken_names{"stroke too large", "residual too large", "transmits too much",
+                                  "never rests, or is near tipping"};
 
 /// The first of broken_names that is true; their number where the limits are met.
 std::size_t broken_index(const SuiteFigures& figures, const SuiteLimits& limits) {
@@ -62,22 +62,21 @@ std::string objective_words(const design::RecordDesignRequest& task, double valu
                                                                 : units.length_words(value);
 }
 
-/// "No damper: allow an acceleration of 0.3203 g": the first limit that would do alone.
+/// "No damper: allow a stroke of 62.1 mm": the first limit that would be enough alone.
 std::string shortfall_title(const design::RecordDesign& result, const FigureUnits& units) {
   for (const auto& [which, limit, nearest, relaxed] : result.shortfalls) {
     if (relaxed) {
-      const bool felt = which == design::SuiteObjective::acceleration;
-      return format("No damper: allow {} {}",
-                    felt                                         ? "an acceleration of"
-                    : which == design::SuiteObjective::amplitude ? "a stroke of"
-                                                                 : "a residual of",
-                    felt ? format("{:.4g} g", *relaxed) : units.length_words(*relaxed));
+      return which == design::SuiteObjective::acceleration
+                 ? format("No damper: allow {:.4g} g to be transmitted", *relaxed)
+                 : format("No damper: allow a {} of {}", quantity(which),
+                          units.length_words(*relaxed));
     }
   }
   return "No damper meets the limits";
 }
 
-/// The values of the objective where every limit is met; none if least > most.
+/// The values of the objective where every limit is met, the damper's own included, which may be
+/// better than any cell; none if least > most.
 struct ShownValues {
   double least{HUGE_VAL};
   double most{0};
@@ -88,14 +87,17 @@ struct ShownValues {
   }
 };
 
-ShownValues shown_values(const design::SuiteMap& map, const design::RecordDesignRequest& task) {
+ShownValues shown_values(const design::SuiteMap& map, const SuiteFigures& of_damper,
+                         const design::RecordDesignRequest& task) {
   ShownValues shown;
-  for (const SuiteFigures& figures : map.figures) {
+  const auto include = [&](const SuiteFigures& figures) {
     if (admissible(figures, task.limits)) {
       shown.least = std::min(shown.least, value_of(figures, task.objective));
       shown.most = std::max(shown.most, value_of(figures, task.objective));
     }
-  }
+  };
+  include(of_damper);
+  std::ranges::for_each(map.figures, include);
   return shown;
 }
 
@@ -124,26 +126,33 @@ void add_shades(figures::FigureMap& drawn, const ShownValues& shown,
   for (std::size_t i = 0; i < shades.size(); ++i) {
     drawn.palette.emplace_back(shades.at(i));
     const double from = least + shown.width() * static_cast<double>(i);
-    drawn.names.push_back(
-        least > most ? "" : format("{} to {}", words(from), words(from + shown.width())));
+    drawn.names.push_back(least < most
+                              ? format("{} to {}", words(from), words(from + shown.width()))
+                          : least == most && i == 0 ? words(least)
+                                                    : "");
   }
-  if (least <= most) {
-    drawn.key.push_back(
-        {format("{}: from {}", quantity(task.objective), words(least)), shades.front()});
-    drawn.key.push_back({format("to {}", words(most)), shades.back()});
+  if (least < most) {
+    drawn.key.push_back({"from " + words(least), shades.front()});
+    drawn.key.push_back({"to " + words(most), shades.back()});
+  } else if (least == most) {
+    drawn.key.push_back({words(least), shades.front()});
   }
   drawn.labels.resize(shades.size());  // what is good has its shades
 }
 
-void add_faults(figures::FigureMap& drawn) {
+/// Whether there are any.
+bool add_faults(figures::FigureMap& drawn) {
+  bool any = false;
   for (std::size_t i = 0; i < broken.size(); ++i) {
     drawn.labels.emplace_back(broken_names.at(i));
     drawn.palette.emplace_back(broken.at(i));
     drawn.names.emplace_back(broken_names.at(i));
     if (std::ranges::count(drawn.cells, static_cast<std::uint8_t>(shades.size() + i)) > 0) {
       drawn.key.push_back({broken_names.at(i), broken.at(i), true});
+      any = true;
     }
   }
+  return any;
 }
 
 Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& point,
@@ -152,7 +161,7 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
   task.f = shown_range(*task.f, point.damper.f);
   task.delta = shown_range(*task.delta, point.damper.delta);
   const design::SuiteMap map = design::suite_map(task, point.damper.p);
-  const ShownValues shown = shown_values(map, task);
+  const ShownValues shown = shown_values(map, point.figures, task);
   Figure drawn;
   drawn.id = "map";
   drawn.title = result.finding ? format("The {} over f and Δ", quantity(task.objective))
@@ -161,7 +170,7 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
   drawn.y = {units.delta_label, task.delta->low * units.length, task.delta->high * units.length};
   add_cells(drawn.map, map, shown, task);
   add_shades(drawn.map, shown, task, units);
-  add_faults(drawn.map);
+  const bool any_fails = add_faults(drawn.map);
   const figures::FigurePoint place{point.damper.f, point.damper.delta * units.length};
   const char* const what = result.finding ? "chosen" : "nearest";
   drawn.marks.push_back({what, {place}, figures::Shape::star, figures::Ink::orange});
@@ -169,10 +178,14 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
   drawn.description =
       format("The plane of f and Δ: the {} of the records combined, and where a limit is violated.",
              quantity(task.objective));
-  drawn.caption =
-      shown.least <= shown.most
-          ? "Blue meets every limit, the darker the better; what is hatched violates one."
-          : "Each colour names the first limit that is violated there.";
+  const bool any_meets = shown.least <= shown.most;
+  drawn.caption = any_meets ? "Blue meets every limit, the darker the better"
+                            : "Each colour names the first limit that is violated there";
+  drawn.caption += any_meets && any_fails ? "; what is hatched violates one." : ".";
+  constexpr std::uint8_t best_shade = 0;
+  if (result.finding && std::ranges::count(drawn.map.cells, best_shade) == 0) {
+    drawn.caption += " The optimum is narrower than a cell.";
+  }
   return drawn;
 }
 
@@ -181,8 +194,23 @@ struct DrawnRecord {
   Figure load;
 };
 
+/// In a figure too low for both, a limit and a motion without friction that are far beyond the
+/// motion are left out.
+void fit_low_figure(DrawnMotion& motion, double peak) {
+  constexpr double far = 3;
+  const auto beyond = [&](double x) { return std::abs(x) > far * peak; };
+  if (motion.beta && beyond(*motion.beta)) {
+    motion.beta.reset();
+  }
+  if (std::ranges::any_of(motion.frictionless, beyond, &State::x)) {
+    motion.frictionless.clear();
+  }
+}
+
+enum class Height { full, low };
+
 DrawnRecord drawn_record(const design::RecordDesign& result, std::size_t index,
-                         const FigureUnits& units) {
+                         const FigureUnits& units, Height height = Height::full) {
   const design::RecordDesignRequest& task = result.request;
   const design::SuiteDamper& damper = result.finding->point.damper;
   const design::SuiteRecord& record = task.records[index];
@@ -193,6 +221,9 @@ DrawnRecord drawn_record(const design::RecordDesign& result, std::size_t index,
   request.excitation = design::scaled(record);
   DrawnMotion motion = drawn_motion(request, simulate(request));
   motion.beta = task.limits.peak;
+  if (height == Height::low) {
+    fit_low_figure(motion, result.finding->responses[index].peak_amplitude);
+  }
   DrawnRecord drawn{motion_figure(motion, units),
                     excitation_figure(request.excitation, motion, units)};
   drawn.motion.id = format("record-{}", index + 1);
@@ -236,7 +267,7 @@ void add_records(std::vector<Figure>& figures, const design::RecordDesign& resul
   constexpr double small = 130;
   for (std::size_t i = 0; i < std::min(most_drawn_records, count); ++i) {
     if (i != worst_one) {
-      figures.push_back(drawn_record(result, i, units).motion);
+      figures.push_back(drawn_record(result, i, units, Height::low).motion);
       figures.back().height = small;
     }
   }

@@ -142,8 +142,13 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
                             spectrum.request.delta > 0 ? "f and Δ" : "f");
     all.push_back(std::move(figure));
   }
-  all.back().caption.back() = ';';
-  all.back().caption += " a line has a gap where the mass does not come to rest.";
+  const auto never_rests = [](const SpectrumPoint& point) {
+    return !point.with_notch.residual || !point.without.residual;
+  };
+  if (std::ranges::any_of(spectrum.combined, never_rests)) {
+    all.back().caption.back() = ';';
+    all.back().caption += " a line has a gap where the mass does not come to rest.";
+  }
   return all;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace stillpoint::report {
@@ -55,20 +56,23 @@ std::string class_name(std::size_t index, bool from_rest) {
   return format("{} after {}", index < ranges ? "centred" : "off centre", count_label(index));
 }
 
+using ClassCounts = std::array<std::int64_t, SweepClass::count>;
+
+/// Whether there is any of the classes of rests that begin at `from`.
+bool any_rests(const ClassCounts& counts, std::size_t from) {
+  const auto begin = counts.begin() + static_cast<std::ptrdiff_t>(from);
+  return std::any_of(begin, begin + SweepClass::ranges,
+                     [](std::int64_t count) { return count > 0; });
+}
+
 /// Two colours, and those of motions that are neither.
-std::vector<figures::MapKey> key_of(const std::array<std::int64_t, SweepClass::count>& counts,
-                                    bool from_rest) {
+std::vector<figures::MapKey> key_of(const ClassCounts& counts, bool from_rest) {
   constexpr std::size_t ranges = SweepClass::ranges;
   std::vector<figures::MapKey> key;
-  const auto any = [&counts](std::size_t from, std::size_t to) {
-    return std::any_of(counts.begin() + static_cast<std::ptrdiff_t>(from),
-                       counts.begin() + static_cast<std::ptrdiff_t>(to),
-                       [](std::int64_t count) { return count > 0; });
-  };
-  if (any(0, ranges)) {
+  if (any_rests(counts, 0)) {
     key.push_back({"stops centred", palette[2]});
   }
-  if (any(ranges, 2 * ranges)) {
+  if (any_rests(counts, ranges)) {
     key.push_back({"stops off centre", palette[ranges + 2], true});
   }
   for (std::size_t i = 2 * ranges; i < SweepClass::count; ++i) {
@@ -89,12 +93,31 @@ FigureAxis figure_axis(std::string label, const MapAxis& swept, double unit = 1)
 }
 
 /// The classes that the map has, in the order of the palette.
-std::array<std::int64_t, SweepClass::count> class_counts(const sweep::SweepMap& map) {
-  std::array<std::int64_t, SweepClass::count> counts{};
+ClassCounts class_counts(const sweep::SweepMap& map) {
+  ClassCounts counts{};
   for (const std::uint8_t cell : map.cells()) {
     ++counts.at(cell);
   }
   return counts;
+}
+
+bool under_load(const sweep::SweepSpec& spec) {
+  return spec.kind == SweepKind::forced && !std::holds_alternative<NoExcitation>(spec.excitation);
+}
+
+/// Of the colours that are there. Under a load a rest at x = 0 may be one that the notch holds.
+std::string caption(const ClassCounts& counts, bool loaded) {
+  const bool centred = any_rests(counts, 0);
+  const bool off = any_rests(counts, SweepClass::ranges);
+  const std::string words = centred && off ? "Blue stops centred, orange (hatched) off centre"
+                            : centred      ? "Blue stops centred"
+                            : off          ? "Orange (hatched) stops off centre"
+                                           : "";
+  if (words.empty()) {
+    return "No motion stops that has started.";
+  }
+  return words + "; the number counts half-cycles." +
+         (centred && loaded ? " A mass that stops centred while the load goes on is locked." : "");
 }
 
 /// Without its unit.
@@ -136,11 +159,11 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
           100.0 * static_cast<double>(counts.at(i)) / static_cast<double>(map.cells().size()));
     }
   }
-  figure.caption =
-      "Blue stops centred, orange (hatched) off centre; the number counts half-cycles.";
+  figure.caption = caption(counts, under_load(spec));
   const double p = only_value(spec, Quantity::p);
   if (spec.kind == SweepKind::free && from_zero(spec) && plain_surface(spec) && v0 > 0 && p > 0) {
     add_boundaries(figure, {.v0 = v0, .p = p, .beta = v0 / p}, units);
+    figure.caption += " Above Δ₁, below Δ₂ and left of f₃ a motion stops on its first return.";
   }
   return figure;
 }

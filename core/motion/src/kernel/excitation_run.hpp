@@ -6,29 +6,15 @@
 #include "kernel/drive_phase.hpp"
 #include "kernel/drives.hpp"
 #include "kernel/exact_sum.hpp"
+#include "kernel/excitation_law.hpp"
 #include "kernel/forced_run.hpp"
-#include "kernel/phase_clock.hpp"
 #include "kernel/record_run.hpp"
-#include "kernel/transmitted.hpp"
 
 #include <stillpoint/core/excitation.hpp>
-
-#include <limits>
-#include <variant>
 
 namespace stillpoint {
 
 namespace detail {
-
-/// p times `time`, or `end` if that comes first or there is no such time.
-template <class Real>
-ExactSum<Real> earlier(const Real& p, const Real& time, const ExactSum<Real>& end) {
-  if (time == std::numeric_limits<Real>::infinity()) {
-    return end;
-  }
-  const ExactSum<Real> phase = ExactSum<Real>::product(p, time);
-  return phase.minus(end) < 0 ? phase : end;
-}
 
 /// The load at its end.
 template <class Real, class Watcher, class Law>
@@ -49,27 +35,6 @@ Load<Real> harmonic(ForcedRun<Real, Watcher, Law>& run, const Real& k, const Rea
 }
 
 }  // namespace detail
-
-/// The excitation is 0 from here on; infinity if it never ends.
-template <class Real>
-Real duration_of(const NoExcitation& /*excitation*/) {
-  return Real(0);
-}
-template <class Real>
-Real duration_of(const BasicHarmonic<Real>& excitation) {
-  return excitation.duration.value_or(std::numeric_limits<Real>::infinity());
-}
-template <class Real, IsPulse Pulse>
-Real duration_of(const Pulse& pulse) {
-  return Real(2 * Pulse::turns) * pi<Real>() / pulse.lambda;
-}
-template <class Real>
-Real duration_of(const BasicRecord<Real>& record) {
-  if (!record.times.empty()) {
-    return record.times.back();
-  }
-  return record.step * Real(record.values.size() - 1);
-}
 
 /// Through the excitation, or until p tau = `end` if that is earlier; returns the load there.
 template <class Real, class Watcher, class Law>
@@ -108,19 +73,6 @@ template <class Real, class Watcher, class Law>
 Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const BasicRecord<Real>& record,
                   const ExactSum<Real>& end) {
   return RecordRun<Real, Watcher, Law>(run, record).through(end);
-}
-
-/// For any kind of excitation, for Transmitted. It refers to the excitation.
-template <class Real, class... Kinds>
-auto largest_load_of(const std::variant<Kinds...>& excitation, const Real& p) {
-  return [&excitation, p](const ExactSum<Real>& from, const ExactSum<Real>& until) {
-    return std::visit(
-        [&](const auto& kind) {
-          const ExactSum<Real> last = detail::earlier(p, duration_of<Real>(kind), until);
-          return last.minus(from) > 0 ? largest_load(kind, p, from, last) : Real(0);
-        },
-        excitation);
-  };
 }
 
 /// The whole motion up to tau = t_end.

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 namespace stillpoint {
@@ -54,40 +53,5 @@ class RecordSamples {
   RecordTimes<Real> times_;
   Real inverse_p_;
 };
-
-/// The largest |W| from `from` until `until`, docs/forced.md (F30): at a sample, or at an end,
-/// which may lie between two.
-template <class Real>
-Real largest_load(const BasicRecord<Real>& record, const Real& p, const ExactSum<Real>& from,
-                  const ExactSum<Real>& until) {
-  using std::max;
-  const RecordTimes<Real> times(record, p);
-  const ExactSum<Real> begin = from.minus(times.at(0)) < 0 ? times.at(0) : from;
-  if (record.values.size() < 2 || !(until.minus(begin) > 0)) {
-    return Real(0);
-  }
-  const auto load = [&](const ExactSum<Real>& when) {
-    const std::size_t i = times.latest(when);
-    if (i + 1 == record.values.size()) {
-      return record.values[i];
-    }
-    const Real part = when.minus(times.at(i)) / times.length(i);
-    return Real(record.values[i] + (record.values[i + 1] - record.values[i]) * part);
-  };
-  const Real largest = max(magnitude(load(begin)), magnitude(load(until)));
-  std::array<Real, 8> most{};  // several, which do not wait for each other
-  most.fill(largest);
-  const std::size_t end = times.latest(until) + 1;
-  std::size_t i = times.latest(begin) + 1;
-  for (; i + most.size() <= end; i += most.size()) {
-    for (std::size_t k = 0; k < most.size(); ++k) {
-      most[k] = max(most[k], magnitude(record.values[i + k]));
-    }
-  }
-  for (; i < end; ++i) {
-    most[0] = max(most[0], magnitude(record.values[i]));
-  }
-  return *std::max_element(most.begin(), most.end());
-}
 
 }  // namespace stillpoint

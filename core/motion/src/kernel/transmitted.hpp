@@ -4,15 +4,10 @@
 // What the structure feels, docs/forced.md section 10: |f + p^2 y| while the mass slides towards
 // growing y, |W| while it is held. Units and symbols as in forced_run.hpp, but loads are W itself.
 
-#include "kernel/drive_phase.hpp"
 #include "kernel/exact_sum.hpp"
 #include "kernel/functions.hpp"
-#include "kernel/phase_clock.hpp"
-
-#include <stillpoint/core/excitation.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 namespace stillpoint {
@@ -63,62 +58,6 @@ void feel_the_end(ForcedState<Real>& s, const Law& law, const ExactSum<Real>& en
     slides(s, law);
   } else {
     is_held(s, law, s.outcome ? end : s.now);
-  }
-}
-
-/// The largest |k sin psi| from `from` until `until`: |k| where a crest lies there, otherwise that
-/// of an end.
-template <class Real>
-Real largest_wave(const Real& k, DrivePhase<Real> psi, const ExactSum<Real>& from,
-                  const ExactSum<Real>& until) {
-  using std::max;
-  psi.advance(from);
-  const Real half = pi<Real>();
-  Real to_crest = half / 2 - psi.psi();  // between -half / 2 and 3 half / 2; crests are half apart
-  if (to_crest < 0) {
-    to_crest += half;
-  } else if (!(to_crest < half)) {
-    to_crest -= half;
-  }
-  const Real length = until.minus(from);
-  if (!(psi.ratio() * length < to_crest)) {
-    return magnitude(k);
-  }
-  const Real begin = magnitude(psi.sin_cos().sine);
-  psi.advance(length);
-  return magnitude(k) * max(begin, magnitude(psi.sin_cos().sine));
-}
-
-// (F30): the largest |W| from `from` until `until`, which is later and not after the end of the
-// excitation. For a record it is in record_samples.hpp.
-
-template <class Real>
-Real largest_load(const NoExcitation& /*none*/, const Real& /*p*/, const ExactSum<Real>& /*from*/,
-                  const ExactSum<Real>& /*until*/) {
-  return Real(0);
-}
-
-template <class Real>
-Real largest_load(const BasicHarmonic<Real>& wave, const Real& p, const ExactSum<Real>& from,
-                  const ExactSum<Real>& until) {
-  return largest_wave(wave.k, DrivePhase<Real>(wave.lambda, p, wave.phase), from, until);
-}
-
-template <class Real, IsPulse Pulse>
-Real largest_load(const Pulse& pulse, const Real& p, const ExactSum<Real>& from,
-                  const ExactSum<Real>& until) {
-  if constexpr (IsLine<Pulse>) {
-    using std::abs;
-    using std::max;
-    const Real per_turn = pulse.lambda / (p * Real(2 * Pulse::turns) * pi<Real>());
-    const auto load = [&](const ExactSum<Real>& at) {
-      const Real part = at.value() * per_turn;
-      return Real(abs(Real(
-          pulse.k * (Real(Pulse::line.begin) + Real(Pulse::line.end - Pulse::line.begin) * part))));
-    };
-    return max(load(from), load(until));
-  } else {
-    return largest_wave(pulse.k, DrivePhase<Real>(pulse.lambda, p, Real(0)), from, until);
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/seconds.hpp>
-#include <stillpoint/design/cross_check.hpp>
+#include <stillpoint/design/prediction.hpp>
 #include <stillpoint/design/problem.hpp>
 
 #include <initializer_list>

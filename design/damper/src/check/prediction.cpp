@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/design/cross_check.hpp>
+#include <stillpoint/design/prediction.hpp>
 
 #include "region/edges.hpp"
 #include "unit_problem.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/design/cross_check.hpp>
+#include <stillpoint/design/prediction.hpp>
 #include <stillpoint/design/pulse.hpp>
 
 namespace stillpoint::design {

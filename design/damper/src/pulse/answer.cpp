@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The region of a pulse, what would help where it is empty, how a damper stands in it, and the
-// design.
+// The region of a pulse, what would help where it is empty, and how a damper stands in it.
+
+#include "pulse/answer.hpp"
 
 #include "finding.hpp"
 #include "pulse/verdict.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/design/design.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -51,25 +51,6 @@ void judge(RegionAnswer& answer, const PulseRequest& request, const PulseRegion&
                              limits.acceleration_max, SetOff::load);
 }
 
-/// An objective's value in the units of the request.
-std::optional<double> in_units(const PulseRegion& region, Objective objective, double p,
-                               double value) {
-  if (std::isinf(value)) {
-    return std::nullopt;
-  }
-  switch (objective) {
-    case Objective::robust:
-      return -value;
-    case Objective::amplitude:
-      return value * region.length_unit();
-    case Objective::time:
-      return value / p;
-    case Objective::acceleration:
-      break;
-  }
-  return value * region.f_unit();
-}
-
 }  // namespace
 
 double even_tolerance(const PulseRequest& request, const PulseRegion& region,
@@ -91,6 +72,7 @@ DesignResult around(const std::optional<PulseOptimum>& optimum, const PulseReque
       without_finding(request, region, optimum ? std::optional(optimum->island) : std::nullopt);
   if (!optimum) {
     result.mends = mends(problem, limits);
+    result.criterion_mend = criterion_mend(problem, limits);
     result.most_tolerant = most_tolerant(region, problem, limits);
   }
   return result;
@@ -138,27 +120,6 @@ void add_finding(DesignResult& result, const PulseRequest& request, const PulseR
         PulseWorst{worst.peak * region.length_unit(), worst.acceleration * region.f_unit(),
                    worst.time / problem.p};
   }
-}
-
-DesignResult design(const PulseRequest& request) {
-  const auto& [problem, limits, options] = request;
-  require_valid(options);
-  require_valid(problem, limits);
-  const PulseRegion region(problem, limits);
-  const auto optimum = search(region, options);
-  DesignResult result = around(optimum, request, region);
-  if (!optimum) {
-    return result;
-  }
-  const auto& [f, delta, tolerance] = optimum->found.point;
-  const DesignPoint point{f * region.f_unit(), delta * region.delta_unit(), tolerance};
-  add_finding(result, request, region, point, f);
-  result.finding->search = optimum->found.record;
-  result.finding->pulse->searched =
-      in_units(region, options.objective, problem.p, optimum->searched);
-  result.finding->pulse->bracketed =
-      in_units(region, options.objective, problem.p, optimum->bracketed);
-  return result;
 }
 
 }  // namespace stillpoint::design

@@ -4,12 +4,10 @@
 // What an answer says about the region of a pulse, and about a damper in it.
 
 #include "pulse/region.hpp"
-#include "pulse/search.hpp"
 
-#include <stillpoint/design/catalogue.hpp>
+#include <stillpoint/design/design_result.hpp>
 
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace stillpoint::design {
@@ -22,10 +20,6 @@ namespace stillpoint::design {
 [[nodiscard]] DesignResult without_finding(const PulseRequest& request, const PulseRegion& region,
                                            const std::optional<Island>& within);
 
-/// The same around an optimum; without one, with what would help.
-[[nodiscard]] DesignResult around(const std::optional<PulseOptimum>& optimum,
-                                  const PulseRequest& request, const PulseRegion& region);
-
 /// The worst motion of the ranges, with f in the units of the region. With f >= k nothing moves.
 [[nodiscard]] FirstReturn motion_at(const PulseRegion& region, double unit_f);
 
@@ -35,20 +29,5 @@ namespace stillpoint::design {
                                                      const DesignPoint& point,
                                                      const FirstReturn& motion,
                                                      const PulseRegion& region);
-
-/// The largest R of f and delta at once, for any shape of the box, at a point whose tolerance is
-/// known for that shape.
-[[nodiscard]] double even_tolerance(const PulseRequest& request, const PulseRegion& region,
-                                    const DesignPoint& point, double unit_f);
-
-/// `region` under a pulse.
-[[nodiscard]] RegionAnswer answer_under_pulse(const RegionRequest& asked);
-
-/// `choose` under a pulse.
-[[nodiscard]] Choice choose_under_pulse(const PulseRequest& request, std::span<const Part> parts);
-
-/// A damper, simulated and checked; `unit_f` is its f in the units of the region.
-void add_finding(DesignResult& result, const PulseRequest& request, const PulseRegion& region,
-                 const DesignPoint& point, double unit_f);
 
 }  // namespace stillpoint::design

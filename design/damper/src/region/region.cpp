@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/design/region.hpp>
 
-#include "pulse/verdict.hpp"
+#include "pulse/answer.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -27,6 +27,7 @@ RegionAnswer answer(const RegionRequest& request) {
                        joint_mend(problem, limits)}};
   if (!region.feasible) {
     answer.most_tolerant = most_tolerant(problem, limits);
+    answer.criterion_mend = criterion_mend(problem, limits);
   }
   answer.strips = strips(problem, limits);
   if (f) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "search/nlopt_fence.hpp"
 
-#include <stillpoint/design/search.hpp>
+#include <stillpoint/design/search_options.hpp>
 
 #include <nlopt.hpp>
 

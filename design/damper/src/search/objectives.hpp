@@ -5,8 +5,8 @@
 
 #include "pulse/first_return.hpp"
 
+#include <stillpoint/design/objective.hpp>
 #include <stillpoint/design/problem.hpp>
-#include <stillpoint/design/search.hpp>
 
 namespace stillpoint::design {
 

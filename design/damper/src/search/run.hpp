@@ -3,7 +3,7 @@
 
 #include "search/nlopt_fence.hpp"
 
-#include <stillpoint/design/search.hpp>
+#include <stillpoint/design/search_options.hpp>
 
 #include <functional>
 #include <string>

@@ -16,8 +16,8 @@
 #include "search/nlopt_fence.hpp"
 #include "way/way.hpp"
 
+#include <stillpoint/design/objective.hpp>
 #include <stillpoint/design/problem.hpp>
-#include <stillpoint/design/search.hpp>
 
 #include <vector>
 

@@ -28,7 +28,7 @@ struct RecordDesignReport {
   std::optional<design::PhysicalInput> physical{};
 };
 
-/// "stroke", "acceleration" or "residual".
+/// "stroke", "transmitted acceleration" or "residual".
 [[nodiscard]] std::string_view quantity(design::SuiteObjective objective);
 
 /// Why there is no damper, in one sentence; empty if there is one.

@@ -86,6 +86,8 @@ struct AccuracyReport {
 /// "locked at x = 0 from 1.61 s of 20 s; the structure then feels up to 0.35 g", in tau without
 /// physical input; for a hit that the notch holds, that the motion never starts; else empty.
 [[nodiscard]] std::string lock_sentence(const MotionReport& report);
+/// The same of a damper that stops the mass before its pulse is over; else empty.
+[[nodiscard]] std::string lock_sentence(const DesignReport& report);
 
 /// The impulse per mass, |v0|, of a hit that the notch catches at the start; empty if it does not.
 [[nodiscard]] std::optional<double> caught_impulse(const MotionReport& report);
@@ -114,8 +116,9 @@ struct AccuracyReport {
                                          const std::optional<design::PhysicalInput>& physical);
 
 /// The ids of the figures that a page may have.
-inline constexpr std::array<std::string_view, 8> design_figures{
-    "region", "trade-off", "trade-off-tolerance", "hits", "motion", "phase", "energy", "pulse"};
+inline constexpr std::array<std::string_view, 9> design_figures{
+    "region", "trade-off", "trade-off-tolerance", "hits", "motion", "phase",
+    "energy", "pulse",     "excitation"};
 inline constexpr std::array<std::string_view, 2> region_figures{"region", "hits"};
 inline constexpr std::array<std::string_view, 4> motion_figures{"motion", "phase", "energy",
                                                                 "excitation"};

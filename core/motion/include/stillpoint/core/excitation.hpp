@@ -92,7 +92,9 @@ concept IsLine = requires {
 };
 
 /// That of its kind.
-[[nodiscard]] std::string_view name(const Excitation& excitation);
+[[nodiscard]] inline std::string_view name(const Excitation& excitation) {
+  return std::visit([](const auto& kind) { return kind.name; }, excitation);
+}
 
 /// p tau, lambda tau and the phase are at most this in a run under an excitation: beyond it sines
 /// lose their digits.

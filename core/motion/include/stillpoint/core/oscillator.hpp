@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 namespace stillpoint {
 
@@ -41,6 +42,10 @@ inline constexpr double smallest_friction_speed = 1e-307;
 inline constexpr double smallest_peak_speed = 1e-300;
 /// The largest delta and |x0|; the first is compared with squares of speeds.
 inline constexpr double largest_square = 1e300;
+
+/// Throws InputError, naming `field`, unless f, a friction or the load that a notch holds, is 0 or
+/// f / p in [1e-307, 1e150].
+void require_friction(const std::string& field, double f, double p);
 
 /// Throws InputError, naming the field, unless
 ///   p in [1e-150, 1e150]; f is 0 or f / p in [1e-307, 1e150]; 0 <= delta <= 1e300; hold is

@@ -1,42 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The parts of a catalogue, and which of them a task takes.
+// Which parts of a catalogue a task takes.
 
-#include <stillpoint/design/design_result.hpp>
+#include <stillpoint/design/part.hpp>
 
-#include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace stillpoint::design {
-
-/// A damper as it is sold.
-struct Part {
-  std::string name;
-  double f{0};
-  double delta{0};
-};
-
-/// A box around it stays within what f and Delta may be.
-inline constexpr double largest_part_value = 1e299;
-
-/// How well a part fits a task.
-struct RatedPart {
-  Part part;
-  bool admissible{false};           ///< with the tolerance asked for
-  std::optional<double> tolerance;  ///< the largest; empty if the part itself is not admissible
-  /// What the part itself violates; empty if it only lacks the tolerance asked for.
-  std::vector<Constraint> violated;
-};
-
-struct Choice {
-  /// The design with the best part, without a search. If no part is admissible there is no finding;
-  /// `reason` says so, and `mends` are those of the parts.
-  DesignResult result;
-  std::vector<RatedPart> parts;  ///< all of them, best first
-};
 
 /// All parts, best first. Those that are admissible by the objective, then by their tolerance;
 /// behind them those that lack tolerance, the most tolerant first; then the others, the one that

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <stillpoint/design/design_result.hpp>
-#include <stillpoint/design/region.hpp>
 
 #include <string>
 
@@ -21,10 +20,6 @@ namespace stillpoint::design {
 /// Region, search, simulation, cross-check. Throws InputError for wrong input; an empty region and
 /// a failed check are results.
 [[nodiscard]] DesignResult design(const DesignRequest& request);
-
-/// The request of a design with a pulse. Throws InputError for what a pulse does not take.
-[[nodiscard]] PulseRequest pulse_request(const DesignRequest& request);
-[[nodiscard]] PulseRequest pulse_request(const RegionRequest& request);
 
 /// The answer for a mass that a pulse moves from rest. The region is that of the forced motion
 /// itself: docs/theory.md section 8. In it f2 and f3 are the ends of the f that stay within beta

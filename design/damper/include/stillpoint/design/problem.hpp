@@ -26,6 +26,9 @@ enum class Criterion {
 /// 1), 0.05 % for the last of these, and every arrival costs a step of the map.
 inline constexpr std::int64_t most_arrivals = 1000;
 
+/// Below it beta and the limits come close to the smallest normal double, where digits are lost.
+inline constexpr double smallest_limit = 1e-300;
+
 /// What the damper must do, dimensionless: stop at x = 0 after the initial velocity v0, by that
 /// arrival (1 is the paper's task), with no displacement beyond beta. All positive;
 /// p is the paper's p.
@@ -86,9 +89,12 @@ struct DesignPoint {
 ///   v0, p in [1e-150, 1e150]; beta in [1e-300, 1e300]; p beta in [1e-155, 1e155];
 ///   p beta / v0 in [1e-100, 1e100]; v0^2 / beta <= 1e305;
 ///   1 <= arrivals <= most_arrivals; 0 <= v0_low <= v0, 0 or in the range of v0;
-///   p <= p_high <= 1e150; 0 <= residual <= 1e300; the sides of the shape in [0, 1], not all 0;
-///   f_max, delta_max, acceleration_max, where given, in [1e-300, 1e300]; 0 <= tolerance < 1.
-void require_valid(const Problem& problem, const Limits& limits = {});
+///   p <= p_high <= 1e150; 0 <= residual <= 1e300.
+void require_valid(const Problem& problem);
+
+/// As above, and unless the sides of the shape are in [0, 1], not all 0; f_max, delta_max and
+/// acceleration_max, where given, in [1e-300, 1e300]; 0 <= tolerance < 1.
+void require_valid(const Problem& problem, const Limits& limits);
 
 /// "published" or "exact".
 [[nodiscard]] std::span<const Named<Criterion>> enumerators(Criterion) noexcept;

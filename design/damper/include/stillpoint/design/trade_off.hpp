@@ -23,10 +23,10 @@ inline constexpr std::int64_t most_trade_offs = 1000;
 
 /// The front of stroke, transmitted acceleration and tolerance: dampers none of which can be
 /// improved in one of the three without loss in another. It has every feasible f, each with the
-/// most tolerant Delta; these are `count` of them at equal steps of f,
-/// from the largest stroke to the least. docs/theory.md says why that is the whole front. Fewer if
-/// the feasible f lie closer than rounding; none if the region is empty. Throws
-/// InputError for a wrong problem and unless least_trade_offs <= count <= most_trade_offs.
+/// most tolerant Delta; these are `count` of them at equal steps of f, from the largest stroke to
+/// the least. docs/theory.md section 14 says why that is the whole front. Fewer if the feasible f
+/// lie closer than rounding; none if the region is empty. Throws InputError for a wrong problem and
+/// unless least_trade_offs <= count <= most_trade_offs.
 [[nodiscard]] std::vector<TradeOff> trade_off(const Problem& problem, const Limits& limits,
                                               std::int64_t count);
 

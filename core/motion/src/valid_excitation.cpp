@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "kernel/excitation_run.hpp"
-#include "load_while_held.hpp"
+#include "kernel/excitation_law.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -146,21 +145,6 @@ void check_scaled(const Record& record, double p, double /*t_end*/) {
 }
 
 }  // namespace
-
-std::string_view name(const Excitation& excitation) {
-  return std::visit([](const auto& kind) { return kind.name; }, excitation);
-}
-
-std::optional<double> duration(const Excitation& excitation) {
-  const double lasts =
-      std::visit([](const auto& kind) { return duration_of<double>(kind); }, excitation);
-  return std::isfinite(lasts) ? std::optional(lasts) : std::nullopt;
-}
-
-std::function<double(const ExactSum<double>&, const ExactSum<double>&)> load_while_held(
-    const Excitation& excitation, double p) {
-  return largest_load_of(excitation, p);
-}
 
 void require_valid(const Excitation& excitation) {
   std::visit([](const auto& kind) { check(kind); }, excitation);
