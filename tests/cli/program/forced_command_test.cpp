@@ -47,8 +47,8 @@ BOOST_AUTO_TEST_CASE(of_a_motion_that_locks_says_so_on_standard_error_too) {
                           {"peak_absolute_acceleration", 0.3},
                           {"peak_acceleration", 0}});
   // Stopped at its first return.
-  const std::string stopped =
-      "simulate --f 0.3 --delta 0.4 --excitation harmonic --k 0.05 --lambda 3 --t-end 20 ";
+  const Arguments stopped(
+      "simulate --f 0.3 --delta 0.4 --excitation harmonic --k 0.05 --lambda 3 --t-end 20");
   BOOST_TEST(
       contains(run(stopped + "--v0 1 --p 1").err, " of 20; the structure then feels up to "));
   const ProgramRun physical =
