@@ -43,6 +43,16 @@ std::optional<double> last_passage(const Oscillator& oscillator, const Response&
   return impulse_of_passage(delta, std::sqrt((r - phi) * (r + phi)));
 }
 
+/// (45) for a hit that its first arrival, with the speed w, stops: least_notch_width for the place
+/// where the mass comes to rest.
+std::optional<double> width_of_the_stop(const Oscillator& oscillator, double w, double limit) {
+  const auto& [p, f, delta, hold] = oscillator;
+  const double spring = p * (delta - w * w) * p;
+  const double square = limit * limit + spring;
+  const double excess = (limit - f) * (limit + f) + spring;
+  return excess > 0 ? finite(delta * (std::sqrt(square) + f) / excess) : std::nullopt;
+}
+
 }  // namespace
 
 double notch_acceleration(double f, double delta, double width, double p) {
@@ -91,11 +101,11 @@ std::optional<Practice> practice(const Oscillator& oscillator, const Response& r
     lines.impulse_largest = std::max(*last, lines.impulse_at_stop.value_or(0));
   }
   if (acceleration_max) {
-    // docs/theory.md section 11: half of the capacity is taken before x = 0, whatever the width.
-    constexpr double half = 0.5;
-    const bool rests_before = set_off == SetOff::hit && response.zero_passages.value_or(0) == 0 &&
-                              lines.notch_used.value_or(1) <= half;
-    lines.notch_width_min = least_notch_width(f, delta, *acceleration_max, rests_before ? 0 : p);
+    const bool one_arrival = set_off == SetOff::hit && response.zero_passages.value_or(0) == 0 &&
+                             lines.impulse_at_stop.has_value();
+    lines.notch_width_min =
+        one_arrival ? width_of_the_stop(oscillator, *lines.impulse_at_stop, *acceleration_max)
+                    : least_notch_width(f, delta, *acceleration_max, p);
   }
   return lines;
 }

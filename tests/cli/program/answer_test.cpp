@@ -73,8 +73,9 @@ BOOST_FIXTURE_TEST_CASE(of_a_design_within_an_acceleration_names_the_least_notch
                         "0.12"};
   const std::string text = run(asked).out;
   BOOST_TEST(contains(text, "0.12 g at most inside one"), text);
-  // delta / (0.12 - f) = 0.0330951 / 0.0958828 = 0.345163 times H = 178.25 mm
-  BOOST_TEST(contains(text, "61.526 mm wide"), text);
+  // p^2 (delta - w^2) = 0.00145609: delta / (sqrt(0.12^2 + that) - f) = 0.325088 times
+  // H = 178.2535 mm
+  BOOST_TEST(contains(text, "57.948 mm wide"), text);
 }
 
 BOOST_FIXTURE_TEST_CASE(of_a_comparison_gives_the_error_of_the_kernel, Sandbox) {

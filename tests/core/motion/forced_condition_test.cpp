@@ -12,7 +12,7 @@ BOOST_AUTO_TEST_SUITE(forced_condition_test)
 
 namespace {
 
-// Units of 2^-53 times the condition. The worst of 4000 scenes is 61: a slip grows as the fourth
+// Units of 2^-53 times the condition. The worst of 4000 scenes is 92: a slip grows as the fourth
 // power of an angle, and it may be the last of a hundred.
 constexpr double allowed_units = 128;
 

@@ -9,6 +9,7 @@
 #include <stillpoint/core/seconds.hpp>
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace stillpoint::design {
@@ -18,17 +19,21 @@ namespace {
 /// The intervals of an island that have room for a box of the tolerance asked for. They keep a
 /// relative 1e-9 from its edges and from delta_max if there is room for that: an edge is a graze,
 /// or a peak that is beta to the last digit, and a need equal to delta_max to the last digit may
-/// exceed it in a run that rounds differently.
+/// exceed it in a run that rounds differently. The last try knows as little as
+/// PulseRegion::feasible, so that a box of a mend, which fits to the last bit, is found.
 std::vector<PulseTask> tasks_in(const PulseRegion& region, const Island& whole, Objective objective,
                                 KnownMotions& known) {
   constexpr double inset = 1e-9;
   std::vector<PulseTask> tasks;
+  std::optional<KnownMotions> fresh;
   for (const Island& island : {Island{whole.low * (1 + inset), whole.high * (1 - inset)}, whole}) {
     for (const double most_use : {1 - inset, 1.0}) {
       if (!tasks.empty() || island.low > island.high) {
         continue;
       }
-      for (const Island& part : region.parts(island, region.asked(), most_use, known)) {
+      const bool last_try = island.low == whole.low && most_use == 1.0;
+      KnownMotions& knows = last_try ? fresh.emplace(*region.profile()) : known;
+      for (const Island& part : region.parts(island, region.asked(), most_use, knows)) {
         if (region.spare(part, region.asked()) >= 0) {
           tasks.push_back({region, known, objective, part, most_use});
         }

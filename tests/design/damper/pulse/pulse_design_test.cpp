@@ -257,6 +257,25 @@ BOOST_AUTO_TEST_CASE(each_reason_names_the_two_that_conflict) {
   BOOST_TEST((conflict(0.8, {.delta_max = 0.05, .tolerance = 0.2}) == stop_against_limit));
 }
 
+/// The motions that a search has met move an edge by roundings; the mend fits all the same.
+BOOST_AUTO_TEST_CASE(a_mended_tolerance_is_found_to_the_last_bit) {
+  RandomSource random(2907);
+  int mends = 0;
+  for (int i = 0; i < 60; ++i) {
+    PulseRequest request =
+        request_of(HalfSine{1, random.uniform(0.6, 0.9)}, 1.8, Objective::acceleration);
+    request.limits = {.delta_max = random.uniform(0.05, 0.3), .tolerance = 0.9};
+    for (const Mend& mend : design::design(request).mends) {
+      if (mend.field == "tolerance") {
+        ++mends;
+        const DesignResult result = design::design(mended(request, mend.field, mend.value));
+        BOOST_TEST(result.finding.has_value(), "tolerance = " << mend.value);
+      }
+    }
+  }
+  BOOST_TEST(mends > 50);
+}
+
 BOOST_AUTO_TEST_CASE(wrong_pulses_are_refused_by_field) {
   const auto field_of = [](double k, double lambda, double p, double beta) {
     PulseRequest request = request_of(HalfSine{k, lambda}, beta);

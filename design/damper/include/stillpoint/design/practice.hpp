@@ -23,7 +23,7 @@ struct Practice {
   std::optional<double> impulse_largest;
   double notch_capacity{0};          ///< Delta, the energy that a whole passage takes
   std::optional<double> notch_used;  ///< energy of the arrival that stops, over the capacity
-  /// least_notch_width for the limit that was asked for, with the spring where it is felt.
+  /// The least width with which the mass feels no more than the limit that was asked for.
   std::optional<double> notch_width_min;
 };
 
@@ -38,11 +38,10 @@ enum class SetOff { hit, load };
                                                SetOff set_off = SetOff::hit);
 
 /// f + Delta/w + p^2 w/2, the most that the mass feels inside a notch of width w > 0: friction and,
-/// at the edge by which it leaves, the spring. p = 0 leaves the spring out: a mass that comes to
-/// rest before x = 0, which it does for notch_used <= 1/2, feels less than the friction.
+/// at the edge by which it leaves, the spring; p = 0 leaves the spring out.
 [[nodiscard]] double notch_acceleration(double f, double delta, double width, double p = 0);
 /// The least width that keeps that at or below `limit`; empty if none does.
 [[nodiscard]] std::optional<double> least_notch_width(double f, double delta, double limit,
-                                                      double p = 0);
+                                                      double p);
 
 }  // namespace stillpoint::design
