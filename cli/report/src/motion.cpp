@@ -13,16 +13,6 @@ namespace stillpoint::report {
 
 namespace {
 
-/// Of a half-cycle that does not arrive at x = 0, the last; where it ends, says the answer.
-std::string_view last_words(const Simulation& answer) {
-  const Outcome outcome = answer.response.outcome;
-  if (outcome == Outcome::stopped_in_dead_zone || outcome == Outcome::stopped_in_notch) {
-    return "none: it rests";
-  }
-  return answer.forced && answer.forced->final_velocity == 0 ? "none: it is held"
-                                                             : "none: it goes on";
-}
-
 /// The first dozen.
 void add_half_cycles(Document& document, const Simulation& answer, const Physical& physical) {
   const FigureUnits units(physical);
@@ -46,8 +36,7 @@ void add_half_cycles(Document& document, const Simulation& answer, const Physica
         {{format("{}", now.index), digits(now.start_time * units.time),
           digits(now.departure_speed * units.velocity), digits(now.peak_time * units.time),
           digits(now.side * now.peak * units.length), digits(now.end_time * units.time),
-          now.arrival_speed ? digits(*now.arrival_speed * units.velocity)
-                            : std::string(last_words(answer))}});
+          now.arrival_speed ? digits(*now.arrival_speed * units.velocity) : "none"}});
     if (impulses) {
       table.rows.back().cells.push_back(now.impulse ? digits(*now.impulse * units.velocity) : "");
     }
@@ -65,6 +54,11 @@ double load_end(const SimulationRequest& request) {
                   request.t_end.value_or(HUGE_VAL));
 }
 
+/// Held from the start, by friction or by a notch with a width, and with no hit to catch.
+bool never_moves(const Response& response) {
+  return response.stop_time == 0.0 && response.outcome != Outcome::caught_at_start;
+}
+
 std::string verdict(const MotionReport& report) {
   const Response& response = report.answer.response;
   const Physical& physical = report.physical;
@@ -73,9 +67,12 @@ std::string verdict(const MotionReport& report) {
     locked.front() = 'L';
     return locked + ".";
   }
-  if (report.answer.forced && response.outcome == Outcome::stopped_at_zero &&
-      response.peak_amplitude == 0) {
-    return "It never moves: friction holds it throughout the load.";
+  if (never_moves(response)) {
+    return format("It never moves: {} holds it {}.",
+                  response.outcome == Outcome::stopped_in_notch ? "the notch" : "friction",
+                  is_forced(report.request)
+                      ? "throughout the load"
+                      : "at x = " + length_shown(physical, *response.stop_position));
   }
   std::string text = format("It {}", report.answer.forced ? outcome_phrase(*report.answer.forced)
                                                           : outcome_phrase(response.outcome));
@@ -94,7 +91,7 @@ std::string_view felt_where(const MotionReport& report) {
   if (forced && forced->largest_load_while_locked == response.peak_absolute_acceleration) {
     return " while it is locked";
   }
-  if (delta == 0) {
+  if (delta == 0 || never_moves(response)) {
     return "";
   }
   if (report.request.surface.notch_width) {
@@ -118,19 +115,23 @@ void add_answer(Section& answer, const MotionReport& report) {
     answer.row("rest", format("at x = {}", length_shown(physical, *response.stop_position)),
                Tone::heading);
   }
-  answer.row("acceleration",
-             format("{} transmitted{}", acceleration_shown(response.peak_absolute_acceleration),
-                    felt_where(report)));
-  if (const auto caught = caught_impulse(report)) {
+  const auto caught = caught_impulse(report);
+  if (report.answer.forced || !caught) {
+    answer.row("acceleration",
+               format("{} transmitted{}", acceleration_shown(response.peak_absolute_acceleration),
+                      felt_where(report)));
+  }
+  if (caught) {
     answer.row("impulse",
                format("{}: the notch passes the hit on in full", impulse_shown(physical, *caught)));
   }
   constexpr double worth_saying = 0.01;  // no damper is built more accurately than this
   if (response.decision_margin && *response.decision_margin < worth_saying) {
-    answer.row(
-        "note",
-        format("within {:.2g} % of another count or outcome", 100 * *response.decision_margin),
-        Tone::bad);
+    const double percent = 100 * *response.decision_margin;
+    answer.row("note",
+               format("{} of another count or outcome",
+                      percent > 0 ? format("within {:.2g} %", percent) : "on the very edge"),
+               Tone::bad);
   }
   if (report.answer.forced && response.outcome == Outcome::running) {
     const ForcedResponse& forced = *report.answer.forced;
@@ -143,14 +144,17 @@ void add_answer(Section& answer, const MotionReport& report) {
 
 std::string locked_words(const ForcedResponse& locked, double load_end, const Physical& physical) {
   const double from = locked.locked_from.value();
+  const double load = locked.largest_load_while_locked.value();
+  const double at = locked.final_position.value();  // off x = 0 in a notch with a width
+  const std::string where =
+      at == 0 ? "at x = 0" : format("in the notch, at x = {},", length_shown(physical, at));
+  if (from == 0) {
+    return format("locked {} throughout the load; the structure feels up to {:.3g} g", where, load);
+  }
   const std::string when = physical ? format("{:.4g} s of {:.4g} s", from * physical->scales.time_s,
                                              load_end * physical->scales.time_s)
                                     : format("tau = {:.4g} of {:.4g}", from, load_end);
-  const double at = locked.final_position.value();  // off x = 0 in a notch with a width
-  return format(
-      "locked {} from {}; the structure then feels up to {:.3g} g",
-      at == 0 ? "at x = 0" : format("in the notch, at x = {},", length_shown(physical, at)), when,
-      locked.largest_load_while_locked.value());
+  return format("locked {} from {}; the structure then feels up to {:.3g} g", where, when, load);
 }
 
 std::string lock_sentence(const MotionReport& report) {

@@ -97,14 +97,17 @@ std::vector<Figure> drawings_of(const MotionReport& report, const DrawnMotion& m
   if (is_forced(report.request)) {
     figures.push_back(excitation_figure(report.request.excitation, motion, units));
   }
-  figures.push_back(phase_figure(motion, units));
+  if (is_moving(motion)) {
+    figures.push_back(phase_figure(motion, units));
+  }
   if (!is_forced(report.request) && report.request.surface.plain()) {
     figures.push_back(energy_figure(motion, units));
   }
   return figures;
 }
 
-bool moves(const DrawnMotion& motion) {
+/// Of a mass that stands still, only a load that it withstands.
+bool has_figures(const DrawnMotion& motion) {
   return motion.states.back().tau > 0;
 }
 
@@ -159,13 +162,13 @@ HtmlPage page(const RegionReport& report) {
 
 std::vector<Figure> drawings(const MotionReport& report) {
   const DrawnMotion motion = drawn_motion(report.request, report.answer);
-  return moves(motion) ? drawings_of(report, motion) : std::vector<Figure>{};
+  return has_figures(motion) ? drawings_of(report, motion) : std::vector<Figure>{};
 }
 
 HtmlPage page(const MotionReport& report) {
   HtmlPage page = page_of(document(report));
   const DrawnMotion motion = drawn_motion(report.request, report.answer);
-  if (!moves(motion)) {
+  if (!has_figures(motion)) {
     page.verdict += " Nothing moves, so there is nothing to draw.";
     return page;
   }

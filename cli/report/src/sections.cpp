@@ -54,7 +54,7 @@ void add_surface(Section& section, const SimulationRequest& request, const Physi
   const auto& [p, f, delta, hold] = request.oscillator;
   const Surface& surface = request.surface;
   if (hold) {
-    section.row("notch", format("holds a load of up to f + {:.6g} g", *hold));
+    section.row("notch", format("holds a load of up to f + {:.6g} g = {:.6g} g", *hold, f + *hold));
   }
   if (surface.notch_width) {
     const double half = *surface.notch_width / 2;
@@ -314,8 +314,8 @@ void add_response(Section& section, const ForcedResponse& response, const Physic
   add_metrics(section, response, physical);
   add_margin(section, response, "the closest decision was this far from the other outcome");
   if (response.sticks > 0) {
-    section.row("sticks", format("{}, tau = {} in all", plural(response.sticks, "stick"),
-                                 time_text(physical, response.stick_time)));
+    section.row("sticks", format("{}, {} in all", plural(response.sticks, "stick"),
+                                 time_shown(physical, response.stick_time)));
   }
   if (response.end_time && response.outcome == Outcome::running) {
     section.row("at the end",

@@ -5,6 +5,8 @@
 #include <stillpoint/report/digits.hpp>
 
 #include <numbers>
+#include <tuple>
+#include <utility>
 
 namespace stillpoint::report {
 
@@ -28,7 +30,8 @@ std::string length_text(const Physical& physical, double length) {
 }
 
 std::string time_text(const Physical& physical, double tau) {
-  return digits(tau) + (physical ? " = " + with_unit(tau * physical->scales.time_s, "s") : "");
+  return digits(tau) +
+         (physical && tau != 0 ? " = " + with_unit(tau * physical->scales.time_s, "s") : "");
 }
 
 std::string frequency_text(const Physical& physical, double lambda) {
@@ -42,6 +45,17 @@ std::string in(const std::string& name, const std::string& unit) {
   return name + (unit.empty() ? "" : ", " + unit);
 }
 
+namespace {
+
+/// In the unit in which it has digits before the point.
+std::pair<double, std::string> in_joules(double energy) {
+  return energy >= 1e3 ? std::pair(1e-3 * energy, "kJ")
+         : energy >= 1 ? std::pair(energy, "J")
+                       : std::pair(1e3 * energy, "mJ");
+}
+
+}  // namespace
+
 FigureUnits::FigureUnits(const Physical& physical) {
   if (!physical) {
     return;
@@ -51,12 +65,14 @@ FigureUnits::FigureUnits(const Physical& physical) {
   length = scales.length_m * (large ? 1 : 1e3);
   time = scales.time_s;
   velocity = scales.velocity_m_per_s;
-  energy = scales.velocity_m_per_s * scales.velocity_m_per_s * scales.mass_kg.value_or(1) *
-           (scales.mass_kg ? 1e-3 : 1);
+  energy = scales.velocity_m_per_s * scales.velocity_m_per_s * scales.mass_kg.value_or(1);
   length_unit = large ? "m" : "mm";
   time_unit = "s";
   velocity_unit = "m/s";
-  energy_unit = scales.mass_kg ? "kJ" : "J/kg";
+  energy_unit = "J/kg";
+  if (scales.mass_kg) {
+    std::tie(energy, energy_unit) = in_joules(energy);
+  }
   delta_label += ", " + length_unit;
   x_label += ", " + length_unit;
   time_label = "time, s";
@@ -74,6 +90,9 @@ std::string words(double value, const std::string& unit) {
 
 std::string FigureUnits::length_words(double value) const {
   return words(value * length, length_unit);
+}
+std::string FigureUnits::place_words(double x) const {
+  return x == 0 ? "0" : length_words(x);
 }
 std::string FigureUnits::time_words(double value) const {
   return (time_unit.empty() ? "τ = " : "") + words(value * time, time_unit);

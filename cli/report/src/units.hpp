@@ -21,7 +21,7 @@ using Physical = std::optional<design::PhysicalInput>;
 /// A length "0.259325 = 12.1 mm"; alone without physical input and for 0.
 [[nodiscard]] std::string length_text(const Physical& physical, double length);
 
-/// A tau "4.81 = 1.53 s"; alone without physical input.
+/// A tau "4.81 = 1.53 s"; alone without physical input and for 0.
 [[nodiscard]] std::string time_text(const Physical& physical, double tau);
 
 /// An angular frequency "20 = 62.8 rad/s"; alone without physical input.
@@ -51,6 +51,8 @@ struct FigureUnits {
 
   /// "137 mm"; the value is dimensionless.
   [[nodiscard]] std::string length_words(double value) const;
+  /// The same of an x; "0" alone.
+  [[nodiscard]] std::string place_words(double x) const;
   [[nodiscard]] std::string time_words(double value) const;
   [[nodiscard]] std::string velocity_words(double value) const;
   [[nodiscard]] std::string energy_words(double value) const;

@@ -95,7 +95,7 @@ BOOST_FIXTURE_TEST_CASE(of_a_sweep_says_how_many_end_well, Sandbox) {
 
 BOOST_FIXTURE_TEST_CASE(of_a_damper_that_locks_begins_with_that, Sandbox) {
   const ProgramRun answer =
-      run("simulate --v0 0.1 --p 1 --f 0.1 --delta 0.1 --excitation harmonic --k 0.3 --lambda 1 "
+      run("simulate --v0 1 --p 1 --f 0.3 --delta 0.4 --excitation harmonic --k 0.05 --lambda 3 "
           "--t-end 20");
   BOOST_TEST(lines_of(answer.out).at(1).starts_with("  Locked at x = 0 from "), answer.out);
 }
@@ -112,6 +112,16 @@ BOOST_FIXTURE_TEST_CASE(of_a_damper_that_locks_in_a_wide_notch_says_where, Sandb
   BOOST_TEST(answer.err.starts_with("stillpoint: locked in the notch, at x = "), answer.err);
 }
 
+BOOST_FIXTURE_TEST_CASE(of_a_damper_that_is_locked_throughout_says_so, Sandbox) {
+  const Arguments locked(
+      "simulate --v0 0.01 --p 1 --f 0.01 --delta 0.1 --hold 0.1 --excitation rectangle --k 0.11 "
+      "--lambda 1");  // just as much as the notch holds
+  const ProgramRun answer = run(locked);
+  BOOST_TEST(lines_of(answer.out).at(1) ==
+             "  Locked at x = 0 throughout the load; the structure feels up to 0.11 g.");
+  BOOST_TEST(run(locked + "--json").json()["response"]["locked_from"] == 0);
+}
+
 /// In the first line and as a warning, like one that locks.
 BOOST_FIXTURE_TEST_CASE(of_a_hit_that_the_notch_holds_begins_with_that, Sandbox) {
   const Arguments held("simulate --v0 0.1 --p 1 --f 0.1 --delta 0.1");
@@ -120,13 +130,40 @@ BOOST_FIXTURE_TEST_CASE(of_a_hit_that_the_notch_holds_begins_with_that, Sandbox)
   BOOST_TEST(answer.err ==
              "stillpoint: never starts: the hit is too weak to leave the notch (v0^2 < 2 delta)\n");
   BOOST_TEST(run(held + "--quiet").err.empty());
+  // The hit is felt as an impulse.
+  BOOST_TEST(contains(answer.out, "0.1 per mass: the notch passes the hit on in full"));
+  BOOST_TEST(!contains(answer.out, "transmitted"), answer.out);
 }
 
 BOOST_FIXTURE_TEST_CASE(of_a_load_below_friction_says_that_nothing_moves, Sandbox) {
   const std::string text =
       run("simulate --p 1 --f 0.5 --delta 0.1 --excitation harmonic --k 0.2 --lambda 1 --t-end 20")
           .out;
-  BOOST_TEST(lines_of(text).at(1).starts_with("  It never moves: "), text);
+  BOOST_TEST(lines_of(text).at(1) == "  It never moves: friction holds it throughout the load.");
+}
+
+/// Friction at rest is p^2 x0 = 0.04 of f = 0.05; in the notch, at its very edge, 0.05 of 0.12.
+BOOST_FIXTURE_TEST_CASE(of_a_start_where_friction_holds_it_says_that_it_never_moves, Sandbox) {
+  const auto answer = [&](const char* more) {
+    return run(Arguments("simulate --v0 0 --p 1 --delta 0.01 --html page.html") + more).out;
+  };
+  const std::string off_centre = answer("--x0 0.04 --f 0.05");
+  BOOST_TEST(lines_of(off_centre).at(1) == "  It never moves: friction holds it at x = 0.04.");
+  BOOST_TEST(contains(off_centre, " 0 g transmitted\n"), off_centre);
+  BOOST_TEST(lines_of(answer("--x0 0.05 --f 0.02 --notch-width 0.1")).at(1) ==
+             "  It never moves: the notch holds it at x = 0.05.");
+  BOOST_TEST(contains(read("page.html"), "Nothing moves, so there is nothing to draw."));
+}
+
+/// Where it ends, the first lines say; the impulse of each stays in the table.
+BOOST_FIXTURE_TEST_CASE(of_a_motion_keeps_its_half_cycles_in_one_table, Sandbox) {
+  const std::string text = run("simulate --v0 0 --x0 -0.5 --p 1 --f 0.05 --delta 0.01").out;
+  const auto lines = lines_of(text);
+  const auto heads = std::ranges::find_if(
+      lines, [](const std::string& line) { return contains(line, "impulse/mass"); });
+  BOOST_TEST_REQUIRE((heads != lines.end()));
+  BOOST_TEST(heads->starts_with("      starts"), text);
+  BOOST_TEST(contains(text, " none\n"), text);
 }
 
 BOOST_FIXTURE_TEST_CASE(of_a_motion_says_how_close_it_is_to_another_outcome, Sandbox) {

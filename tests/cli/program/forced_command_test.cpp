@@ -34,24 +34,27 @@ BOOST_AUTO_TEST_CASE(has_every_field_of_the_contract) {
 }
 
 BOOST_AUTO_TEST_CASE(of_a_motion_that_locks_says_so_on_standard_error_too) {
-  // Caught at the start; physical: H = 0.1 m, so 20 tau are 20 sqrt(0.1 / 1) = 6.325 s.
+  // Caught at the start; physical: H = 0.1 m and g = 0.1 m/s2, so 20 tau are 20 s.
   const Arguments caught(
       "simulate --f 0.02 --delta 0.1 --excitation harmonic --k 0.3 --lambda 1 --t-end 20");
   const ProgramRun plain = run(caught + "--v0 0.1 --p 1 --json");
   BOOST_TEST(plain.err ==
-             "stillpoint: locked at x = 0 from tau = 0 of 20; the structure then feels up to 0.3 "
-             "g\n");
+             "stillpoint: locked at x = 0 throughout the load; the structure feels up to 0.3 g\n");
   const json response = plain.json()["response"];
   check_values(response, {{"outcome", "caught_at_start"},
                           {"locked_from", 0},
                           {"largest_load_while_locked", 0.3},
                           {"peak_absolute_acceleration", 0.3},
                           {"peak_acceleration", 0}});
-  const ProgramRun physical = run(caught + "--velocity 0.1 --period 6.283185307179586 --gravity 1");
-  BOOST_TEST(physical.err ==
-             "stillpoint: locked at x = 0 from 0 s of 6.325 s; the structure then feels up to 0.3 "
-             "g\n");
-  BOOST_TEST(contains(physical.out, "Locked at x = 0 from 0 s of"));
+  // Stopped at its first return.
+  const Arguments stopped(
+      "simulate --f 0.3 --delta 0.4 --excitation harmonic --k 0.05 --lambda 3 --t-end 20");
+  BOOST_TEST(
+      contains(run(stopped + "--v0 1 --p 1").err, " of 20; the structure then feels up to "));
+  const ProgramRun physical =
+      run(stopped + "--velocity 0.1 --period 6.283185307179586 --gravity 0.1");
+  BOOST_TEST(contains(physical.err, " s of 20 s; the structure then feels up to "), physical.err);
+  BOOST_TEST(contains(physical.out, "Locked at x = 0 from "));
   // A load that is over, or a start that is fast enough, does not lock.
   BOOST_TEST(run(pulse("half-sine") + "--json").err.empty());
 }
@@ -107,11 +110,11 @@ BOOST_AUTO_TEST_CASE(for_people_names_the_excitation_and_the_end) {
       "simulate --period 2.8s --f 0.05 --delta-m 0 --excitation harmonic --k 0.1 "
       "--excitation-frequency 0.5Hz --end-time 60s --verbose");
   check_contains(metric.out, {"lambda = 1.4 = 0.5 Hz", "v = 0.08404", " = 0.3673 m/s"});
-  // The last half-cycle is still under way: it does not rest.
-  const ProgramRun running = run(harmonic);
-  BOOST_TEST(contains(running.out, "goes on\n"), running.out);
-  const ProgramRun resting = run(pulse("half-sine"));
-  BOOST_TEST(contains(resting.out, "rests\n"), resting.out);
+  // The last half-cycle does not arrive at x = 0: under way, and at rest.
+  for (const Arguments& last : {Arguments(harmonic), Arguments(pulse("half-sine"))}) {
+    const ProgramRun answer = run(last);
+    BOOST_TEST(contains(answer.out, " none\n"), answer.out);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(scene_of_a_record_has_the_figures_that_other_programs_found) {

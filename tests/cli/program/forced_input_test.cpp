@@ -252,7 +252,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_ends_at_rest_does_not_say_that_it_moves) {
                {{"outcome", "running"}, {"final_velocity", 0}, {"stop_position", nullptr}});
   const std::string notch = run(built + "--verbose").out;
   check_contains(notch, {"\n  Locked in the notch, at x = 0.37644 mm, from 10.16 s of 12 s;",
-                         "is at rest at the end of the run\n", "is held\n"});
+                         "is at rest at the end of the run\n", " none\n"});
   const std::string friction = run(shaken + "--f 0.05 --delta-m 0 --end-time 15").out;
   BOOST_TEST(contains(friction, "\n  It is at rest at the end of the run.\n"), friction);
 }

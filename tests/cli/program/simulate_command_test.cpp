@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(the_answer_names_zones_and_the_notch_that_was_given) {
     BOOST_TEST(contains(answer.out, what), answer.out);
   };
   says("--notch-width 0.1", "friction 1.1 for |x| < 0.05\n");
-  says("--hold 0.3", "holds a load of up to f + 0.3 g\n");
+  says("--hold 0.3", "holds a load of up to f + 0.3 g = 0.4 g\n");
   const ProgramRun zones = run(simulate("0.1", "0", "--friction-zones 0.2:0.3,0.5:0.15"));
   for (const char* const row :
        {" 0.3 for |x| < 0.2\n", " 0.15 for |x| from 0.2 to 0.5\n", " f = 0.1 beyond\n"}) {

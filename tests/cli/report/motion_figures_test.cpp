@@ -114,12 +114,49 @@ BOOST_AUTO_TEST_CASE(a_motion_from_rest_off_centre_starts_at_its_peak) {
           .caption.starts_with("The mass reaches its peak of 0.744 after "));  // sqrt(1.09) - 0.3
 }
 
-/// Only a rest has something to show behind the motion.
+/// Only a rest has something to show behind the motion, and only what takes energy is drawn.
 BOOST_AUTO_TEST_CASE(the_energy_of_a_motion_that_goes_on_fills_the_figure) {
   const HtmlPage page = motion({1, 0, 0});
   const Figure& drawn = figure(page, "energy");
   BOOST_TEST(drawn.areas.front().outline.back().x == 0);
+  BOOST_TEST(drawn.curves.size() == 1U);
   BOOST_TEST(drawn.curves.front().strokes[0].back().x == drawn.x.most);
+  BOOST_TEST(drawn.caption.starts_with("Of 0.5 of energy, none is lost; "), drawn.caption);
+  BOOST_TEST(figure(motion({1, 0.1, 0}), "energy").curves.size() == 2U);
+  BOOST_TEST(figure(motion({1, 0, 0.1}), "energy")
+                 .caption.starts_with("Of 0.5 of energy, the notch took "));
+}
+
+/// The time at rest is a part of each figure over time.
+BOOST_AUTO_TEST_CASE(the_energy_is_drawn_over_the_time_of_the_motion) {
+  const HtmlPage page = motion({1, 0.3, 0.4});
+  const Figure& moving = figure(page, "motion");
+  const double rest = named(moving.marks, "rest").points.front().x;
+  BOOST_TEST(moving.x.most == 1.25 * rest);
+  BOOST_TEST(figure(page, "energy").x.most == moving.x.most);
+  for (const auto& curve : figure(page, "energy").curves) {
+    BOOST_TEST(curve.strokes[0].back().x == moving.x.most);
+  }
+  const figures::FigurePoint end = named(moving.curves, "x").strokes[0].back();
+  BOOST_TEST(end.x == moving.x.most);
+  BOOST_TEST(end.y == 0);
+}
+
+/// m v^2/2 = 96 kJ of a building, 0.8 J of an instrument of 40 kg, 18 mJ at 30 mm/s.
+BOOST_AUTO_TEST_CASE(energy_has_the_unit_of_its_size) {
+  const auto caption = [](double velocity, double mass) {
+    SimulationRequest request;
+    request.oscillator = {1, 0.3, 0.4};
+    request.start = {0, 1};
+    MotionReport report{request, simulate(request)};
+    report.physical.emplace();
+    report.physical->scales.velocity_m_per_s = velocity;
+    report.physical->scales.mass_kg = mass;
+    return figure(page(report), "energy").caption;
+  };
+  BOOST_TEST(caption(0.4, 1.2e6).starts_with("Of 96 kJ of energy, "));
+  BOOST_TEST(caption(0.2, 40).starts_with("Of 0.8 J of energy, "));
+  BOOST_TEST(caption(0.03, 40).starts_with("Of 18 mJ of energy, "));
 }
 
 /// At rest after 50 half-cycles, before a tenth of the load is over: most columns hold no state.
@@ -147,6 +184,20 @@ BOOST_AUTO_TEST_CASE(a_mass_that_a_load_does_not_move_is_a_line_over_the_whole_l
   BOOST_TEST(still.y.most > 1);
   BOOST_TEST(still.y.least < -1);
   BOOST_TEST(!has(still.curves, "without friction"));
+  BOOST_TEST(std::ranges::none_of(
+      drawn.figures, [](const Figure& each) { return each.id == "phase"; }));  // a single point
+}
+
+/// The load exceeds f at asin(0.1)/lambda = 0.01 of the figure, or of a longer one at 0.001.
+BOOST_AUTO_TEST_CASE(a_time_too_short_to_be_seen_is_not_named) {
+  SimulationRequest request;
+  request.oscillator = {1, 0.02, 0};
+  for (const double periods : {2.0, 20.0}) {
+    request.excitation = Harmonic{.k = 0.2, .lambda = 1};
+    request.t_end = periods * 2 * std::numbers::pi;
+    const Figure drawn = figure(page(MotionReport{request, simulate(request)}), "motion");
+    BOOST_TEST(has(drawn.bands, "held by friction") == (periods < 10));
+  }
 }
 
 /// The notch takes what is left of the speed at once, at the stop too: nothing is rounded off.

@@ -92,7 +92,7 @@ json without_wall_times(json report) {
 
 json Sandbox::reported(const Arguments& arguments, const Surroundings& surroundings) const {
   const ProgramRun run = succeed(arguments + "--json", surroundings);
-  const bool says_that_it_locks = (run.err.starts_with("stillpoint: locked at x = 0 from ") ||
+  const bool says_that_it_locks = (run.err.starts_with("stillpoint: locked at x = 0 ") ||
                                    run.err.starts_with("stillpoint: locked: ") ||
                                    run.err.starts_with("stillpoint: never starts: ")) &&
                                   run.err.find('\n') + 1 == run.err.size();

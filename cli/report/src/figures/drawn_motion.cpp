@@ -56,7 +56,7 @@ std::vector<State> frictionless(const DrawnMotion& motion, const Start& start,
     }
     return most;
   };
-  constexpr double comparable = 10;  // beyond that it would only cross the figure
+  constexpr double comparable = 3;  // beyond that it would only cross the figure
   return largest(states) <= comparable * largest(motion.states) ? states : std::vector<State>{};
 }
 
@@ -64,6 +64,20 @@ std::vector<State> frictionless(const DrawnMotion& motion, const Start& start,
 double seen_until(const Excitation& excitation, double stop_time) {
   constexpr double seen_at_rest = 1.25;
   return std::max(seen_at_rest * stop_time, duration(excitation).value_or(0));
+}
+
+void show_rest(DrawnMotion& motion, const State& rest, double until) {
+  motion.rest = rest;
+  motion.states.push_back({until, rest.x, 0});
+  motion.shown_to = until;
+}
+
+/// Of a mass that is held where it starts, with no load that could move it.
+DrawnMotion no_motion(const Oscillator& oscillator, const Start& start) {
+  DrawnMotion motion;
+  motion.oscillator = oscillator;
+  motion.states = {{0, start.x0, 0}};
+  return motion;
 }
 
 }  // namespace
@@ -91,8 +105,10 @@ DrawnMotion drawn_free_motion(const Oscillator& oscillator, const Start& start,
       motion.rest = event.state;
     }
   }
-  constexpr double seen_at_rest = 1.05;
-  motion.shown_to = motion.states.back().tau * (motion.rest ? seen_at_rest : 1);
+  motion.shown_to = motion.states.back().tau;
+  if (motion.rest && motion.shown_to > 0) {
+    show_rest(motion, *motion.rest, seen_until({}, motion.shown_to));
+  }
   if (motion.shown_to > 0) {
     motion.frictionless = frictionless(motion, start, {});
   }
@@ -145,6 +161,10 @@ DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& ans
     motion.whole = !cut;
     return motion;
   }
+  const auto& stop_time = answer.response.stop_time;
+  if (stop_time == 0.0 && !is_forced(request)) {
+    return no_motion(oscillator, start);
+  }
   const double rate = fastest_rate(oscillator.p, excitation);
   const double longest = most_drawn_periods * 2 * std::numbers::pi / rate;
   const double horizon = answer.horizon.value_or(longest);
@@ -152,7 +172,6 @@ DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& ans
   const auto listed =
       forced_half_cycles(oscillator, start, excitation, last, most_drawn_half_cycles, {}, surface);
   last = std::min(last, end_of_beginning(listed).value_or(last));
-  const auto& stop_time = answer.response.stop_time;
   if (stop_time == 0.0) {  // the whole load is shown here too
     last = std::min(last, duration(excitation).value_or(last));
     DrawnMotion motion = drawn_forced_motion(oscillator, start, excitation, last, surface);
@@ -164,14 +183,12 @@ DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& ans
   DrawnMotion motion =
       drawn_forced_motion(oscillator, start, excitation, rest_is_seen ? *stop_time : last, surface);
   if (rest_is_seen) {
-    last = seen_until(excitation, *stop_time);
-    motion.rest = State{*stop_time, *answer.response.stop_position, 0};
-    if (motion.rest->x == 0 && oscillator.delta > 0 && !surface.notch_width) {
-      motion.states.push_back(*motion.rest);  // the notch stops it at once
+    const State rest{*stop_time, *answer.response.stop_position, 0};
+    if (rest.x == 0 && oscillator.delta > 0 && !surface.notch_width) {
+      motion.states.push_back(rest);  // the notch stops it at once
     }
-    motion.states.push_back({last, motion.rest->x, 0});
+    show_rest(motion, rest, seen_until(excitation, *stop_time));
     motion.locked_from = answer.forced ? answer.forced->locked_from : std::nullopt;
-    motion.shown_to = last;
   }
   if (motion.shown_to > 0) {
     motion.frictionless = frictionless(motion, start, excitation);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace stillpoint::report {
@@ -29,6 +30,18 @@ void thin_out(std::vector<FigurePoint>& points) {
   if (step > 1) {
     points.push_back(last);
   }
+}
+
+/// "constant friction took 28 kJ and the notch 12 kJ".
+std::string taken(double constant, double point, const FigureUnits& units) {
+  std::string text;
+  if (constant > 0) {
+    text = "constant friction took " + units.energy_words(constant);
+  }
+  if (point > 0) {
+    text += (text.empty() ? "the notch took " : " and the notch ") + units.energy_words(point);
+  }
+  return text;
 }
 
 }  // namespace
@@ -58,13 +71,6 @@ Figure energy_figure(const DrawnMotion& motion, const FigureUnits& units) {
   for (std::vector<FigurePoint>* const level : {&left, &with_constant, &all}) {
     thin_out(*level);
   }
-  constexpr double seen_at_rest = 1.08;
-  const double end = left.back().x * (motion.rest ? seen_at_rest : 1);
-  for (std::vector<FigurePoint>* const level : {&left, &with_constant, &all}) {
-    if (motion.rest) {
-      level->push_back({end, level->back().y});  // what the last instant took is seen then
-    }
-  }
   const auto between = [](std::vector<FigurePoint> lower, const std::vector<FigurePoint>& upper) {
     lower.insert(lower.end(), upper.rbegin(), upper.rend());
     return lower;
@@ -74,21 +80,26 @@ Figure energy_figure(const DrawnMotion& motion, const FigureUnits& units) {
   Figure figure;
   figure.id = "energy";
   figure.title = "Where the energy went" + beginning(motion);
-  figure.x = {units.time_label, 0, end};
+  figure.x = {units.time_label, 0, motion.shown_to * units.time};
   figure.y = {units.energy_label, 0, most > 0 ? 1.06 * most : 1};
   const double now = left.back().y / units.energy;
-  figure.description = fmt::format(
-      "Of {} of energy, constant friction took {}{}; kinetic and spring energy is {} {}.",
-      units.energy_words(all.front().y / units.energy), units.energy_words(constant),
-      point > 0 ? " and the notch " + units.energy_words(point) : "", units.energy_words(now),
-      motion.whole ? "at the end" : "where the figure ends");
+  const std::string took = taken(constant, point, units);
+  figure.description = fmt::format("Of {} of energy, {}; kinetic and spring energy is {} {}.",
+                                   units.energy_words(all.front().y / units.energy),
+                                   took.empty() ? "none is lost" : took, units.energy_words(now),
+                                   motion.whole ? "at the end" : "where the figure ends");
   figure.caption = figure.description;
   figure.areas = {
       {"kinetic and spring", between(nothing, left), Ink::blue},
       {constant > 0 ? "constant friction" : "", between(left, with_constant), Ink::orange},
       {point > 0 ? "notch" : "", between(with_constant, all), Ink::green}};
-  figure.curves = {
-      {"", {left}, Ink::blue}, {"", {with_constant}, Ink::orange}, {"", {all}, Ink::green}};
+  figure.curves = {{"", {left}, Ink::blue}};
+  if (constant > 0) {
+    figure.curves.push_back({"", {with_constant}, Ink::orange});
+  }
+  if (point > 0) {
+    figure.curves.push_back({"", {all}, Ink::green});
+  }
   return figure;
 }
 

@@ -130,7 +130,7 @@ Figure excitation_figure(const Excitation& excitation, const DrawnMotion& motion
   figure.description =
       fmt::format("Acceleration of the base over time, from {:.4g} g to {:.4g} g.", least, most);
   add_lock(figure, motion, units);
-  figure.curves.push_back({"W", {std::move(points)}, Ink::purple});
+  figure.curves.push_back({"", {std::move(points)}, Ink::purple});
   return figure;
 }
 

@@ -120,6 +120,11 @@ void add_limits(Figure& figure, const DrawnMotion& motion, const FigureUnits& un
 
 }  // namespace
 
+bool is_moving(const DrawnMotion& motion) {
+  return std::ranges::any_of(motion.states,
+                             [](const State& state) { return state.tau > 0 && state.v != 0; });
+}
+
 std::string beginning(const DrawnMotion& motion) {
   return motion.whole ? "" : " (beginning)";
 }
@@ -140,7 +145,7 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   const std::string peak_length = units.length_words(std::abs(peak.x));
   const std::string peak_words = "peak " + peak_length;
   const std::string rest_words =
-      motion.rest ? format("at rest at x = {} after {}", units.length_words(motion.rest->x),
+      motion.rest ? format("at rest at x = {} after {}", units.place_words(motion.rest->x),
                            units.time_words(motion.rest->tau))
                   : format("{} {}", motion.states.back().v == 0 ? "at rest" : "still moving",
                            motion.whole ? "at the end" : "where the figure ends");
@@ -152,15 +157,18 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   figure.description =
       format("Displacement over time: {}, {}, {} of x = 0, {}.", peak_words,
              count_of(motion.turns, "turn"), count_of(motion.passages, "passage"), rest_words);
-  const bool moves = peak.x != 0;
+  const bool moves = is_moving(motion);
   const std::string reached = peak.tau > 0 ? format("reaches its peak of {} after {}", peak_length,
                                                     units.time_words(peak.tau))
                                            : format("starts at its peak of {}", peak_length);
   figure.caption =
       moves ? format("The mass {} and is {}.", reached, rest_words) : "The mass does not move.";
   add_lock(figure, motion, units);
+  constexpr double narrowest = 0.005;  // of the figure, to be seen
   for (const auto& [from, to] : motion.sticks) {
-    figure.bands.push_back({"held by friction", from * units.time, to * units.time, Ink::grey});
+    if (to - from >= narrowest * motion.shown_to) {
+      figure.bands.push_back({"held by friction", from * units.time, to * units.time, Ink::grey});
+    }
   }
   if (motion.beta) {
     add_limits(figure, motion, units);

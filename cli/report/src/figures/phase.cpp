@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "figures/report_figures.hpp"
 
+#include <stillpoint/report/digits.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -61,9 +63,9 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
   figure.x = axis_around(units.x_label, x_least * units.length, x_most * units.length);
   figure.y = axis_around(units.velocity_label, v_least * units.velocity, v_most * units.velocity);
   figure.description = fmt::format(
-      "Velocity over displacement, from x = {}, x' = {}, with {} jumps of the velocity at x = 0.",
+      "Velocity over displacement, from x = {}, x' = {}, with {} of the velocity at x = 0.",
       units.length_words(states.front().x), units.velocity_words(states.front().v),
-      jumps.strokes.size());
+      plural(static_cast<double>(jumps.strokes.size()), "jump"));
   figure.caption = "Velocity against displacement: the motion runs clockwise.";
   figure.curves = {std::move(arcs)};
   if (!jumps.strokes.empty()) {

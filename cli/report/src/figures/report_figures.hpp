@@ -70,6 +70,8 @@ inline constexpr std::size_t most_single_half_cycles = 40;
 /// The motion of an answer, or its beginning.
 [[nodiscard]] DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& answer);
 
+/// Whether it moves at all: a load may be too weak.
+[[nodiscard]] bool is_moving(const DrawnMotion& motion);
 /// " (beginning)" for a motion that is not drawn whole.
 [[nodiscard]] std::string beginning(const DrawnMotion& motion);
 /// Marks of events, in the three shapes that figures use; turns and passages up to a tau.
