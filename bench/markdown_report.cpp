@@ -42,9 +42,8 @@ void heading(Text& text, const Comparison& comparison) {
   add(text,
       "# Speed against error\n\n"
       "`./dev bench --update-docs` writes this page; [performance.json](performance.json) has "
-      "every "
-      "setting of every method, with its errors, counts and quartiles, and what each method is. "
-      "[performance.html](performance.html) shows the values under the pointer.\n\n"
+      "every setting of every method, with its errors, counts and quartiles, and what each method "
+      "is. [performance.html](performance.html) shows the values under the pointer.\n\n"
       "![Time against error, one panel per scene](performance.svg)\n\n"
       "Measured {} on {}, {} cores, {}: {}, `{}` for all methods, with `-fno-tree-slp-vectorize` "
       "for the kernel, {}.\n\n",
@@ -132,8 +131,7 @@ void free_kernel(Text& text, const Comparison& comparison) {
   add(text,
       "## The free kernel and the square root\n\n"
       "A half-cycle is one square root that waits for the one before it. In ns, one motion of "
-      "scene "
-      "S2 at a time:\n\n");
+      "scene S2 at a time:\n\n");
   for (const Unit& unit : comparison.free_modes) {
     add(text, "- {}: {:.2f}\n", unit.what, unit.seconds.median * 1e9);
   }
@@ -146,8 +144,7 @@ void how(Text& text, const Comparison& comparison) {
       "Errors are absolute, in the units of the scenes, against "
       "[data/reference](../data/reference/README.md). A setting with a wrong count of passages, "
       "turns or sticks is wrong at any bound. Times are medians of {} batches of about {:.0f} ms "
-      "on "
-      "one thread, the methods in turn; a call of more than {} s is timed once.\n\n"
+      "on one thread, the methods in turn; a call of more than {} s is timed once.\n\n"
       "All follow the same rules of passage, turn and stick, except the regularised model, which "
       "smooths both frictions. The peers get their advantages: step lengths carry over from piece "
       "to piece, steps end at the samples of a record, and Newton's method finds the events where "

@@ -51,8 +51,7 @@ std::string damper_text(const design::SuiteDamper& damper) {
 bool compare_with_dense_scans(const std::vector<NamedSuite>& all) {
   fmt::print(
       "| suite | notch | f | delta | period | objective | found by | the design over the scan's "
-      "best, "
-      "less 1 | points | processor time of the design "
+      "best, less 1 | points | processor time of the design "
       "|\n|---|---|---|---|---|---|---|---|---|---|\n");
   bool good = true;
   for (const auto& [name, request] : all) {

@@ -3,6 +3,7 @@
 import { execFileSync } from "node:child_process";
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { basename, join } from "node:path";
+import { load_engine } from "./load.mjs";
 
 const [module, page, scenes, out] = process.argv.slice(2);
 const largest_page = 600_000;
@@ -52,6 +53,7 @@ writeFileSync(
   ].join("\n"),
 );
 
+const { options } = await load_engine(join(out, "engine.js"));
 const presets = Object.fromEntries(
   files(scenes, ".json").map((name) => [basename(name, ".json"), JSON.parse(read(scenes, name))]),
 );
@@ -59,6 +61,7 @@ const parts = files(page, ".js").filter((name) => /^\d\d-/.test(name));
 const script = Buffer.from(
   [
     `const scenes = ${JSON.stringify(presets)};`,
+    `const option_rows = ${JSON.stringify(options)};`,
     glue,
     engine,
     ...parts.map((name) => stripped(read(page, name))),

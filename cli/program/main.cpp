@@ -15,8 +15,9 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
+#include <csignal>
 #include <exception>
+#include <new>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,15 +42,11 @@ void explore(const std::optional<std::string>& wanted, Output& output) {
   if (wanted && wanted != "open" && wanted != "path") {
     throw InputError("explore", *wanted, "must be open or path");
   }
-  const std::optional<std::string> page = report::explorer();
-  if (!page) {
-    throw UsageError(
-        "explore: the page is not installed: ./dev explorer in the source directory makes it");
-  }
+  const std::string page = report::explorer();
   if (wanted == "path") {
-    output.print(*page + "\n");
+    output.print(page + "\n");
   } else {
-    report::open_page(report::browser(), *page);
+    report::open_page(report::browser(), page);
   }
 }
 
@@ -116,9 +113,10 @@ ExitCode answer(const Invocation& invocation, Output& output) {
 }
 
 int run_program(int argc, const char* const* argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error like a full disk
   try {
     if (argc <= 1) {
-      std::fputs(short_help().c_str(), stderr);
+      write_error(short_help());
       return exit_wrong_input;
     }
     Output output;
@@ -126,10 +124,12 @@ int run_program(int argc, const char* const* argv) {
   } catch (const Interrupted& interrupted) {
     say(interrupted.what());
     return exit_interrupted;
+  } catch (const std::bad_alloc&) {
+    say("this needs more memory than there is");
   } catch (const std::exception& error) {
     say(error.what());
-    return exit_wrong_input;
   }
+  return exit_wrong_input;
 }
 
 }  // namespace

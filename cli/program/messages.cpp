@@ -24,8 +24,13 @@ bool hushed() {
   return silent;
 }
 
+void write_error(const std::string& text) {
+  // Nobody is left to be told that this failed.
+  static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
+}
+
 void say(const std::string& text) {
-  fmt::print(stderr, "stillpoint: {}\n", report::spelled_out(text));
+  write_error(fmt::format("stillpoint: {}\n", report::spelled_out(text)));
 }
 
 void remark(const std::string& text) {

@@ -9,6 +9,9 @@ namespace stillpoint::cli {
 void hush();
 [[nodiscard]] bool hushed();
 
+/// On standard error, as it is.
+void write_error(const std::string& text);
+
 /// An error, on standard error, as one line.
 void say(const std::string& text);
 

@@ -18,22 +18,21 @@
 #include <algorithm>
 #include <cassert>
 #include <filesystem>
+#include <functional>
 #include <map>
-#include <utility>
 #include <vector>
 
 namespace stillpoint::cli {
 
 namespace {
 
-/// The options that decide the numbers, as a scene.
-std::string scene_of(const Settings& settings, Command command) {
+/// The options for which `holds`, as a scene.
+template <class Holds>
+nlohmann::ordered_json scene_of(const Settings& settings, Command command, const Holds& holds) {
   nlohmann::ordered_json scene = nlohmann::ordered_json::object();
   for (const auto& [name, entry] : settings.entries()) {
     const Option& option = *find_option(name);
-    const bool for_the_trajectory =
-        option.traits.rivals == Rivals::end && !excitation_type(settings);
-    if (option.is_echoed() && option.serves(command) && !for_the_trajectory) {
+    if (option.serves(command) && holds(option)) {
       const std::vector<std::string> texts =
           option.repeats_in(command) ? settings.texts(name) : std::vector<std::string>();
       scene[std::string(name)] = entry.with_unit    ? nlohmann::ordered_json(*entry.with_unit)
@@ -41,36 +40,34 @@ std::string scene_of(const Settings& settings, Command command) {
                                                     : as_json(entry.value);
     }
   }
-  constexpr int indent = 2;
-  return scene.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return scene;
 }
 
-/// The page designs for a hit, without a catalogue. It leaves out the front of a trade-off.
-bool is_for_the_explorer(const Settings& settings) {
-  return !designs_under_records(settings) && !settings.has("pulse") && !settings.has("catalogue");
+/// The options that decide the numbers.
+std::string task_of(const Settings& settings, Command command) {
+  const auto is_of_task = [&](const Option& option) {
+    return option.is_echoed() && (option.traits.rivals != Rivals::end || excitation_type(settings));
+  };
+  constexpr int indent = 2;
+  return scene_of(settings, command, is_of_task)
+      .dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 /// Below the answer, if the page with the program in it is installed: a link to the same task
 /// there.
-void link_explorer(const Settings& settings, figures::HtmlPage& page) {
+void link_explorer(const Settings& settings, Command command, figures::HtmlPage& page) {
   const auto explorer = report::installed_explorer();
-  if (!explorer || !is_for_the_explorer(settings)) {
-    return;
+  // The page can leave out a front, but neither the hit nor a file.
+  const auto is_beyond = [command](const Option& option) {
+    return option.serves(command) && option.is_echoed() && !option.is_explored() &&
+           (option.traits.rivals == Rivals::hit || option.takes_file());
+  };
+  if (explorer && settings.first(is_beyond) == nullptr) {
+    const std::string link = report::explorer_link(
+        *explorer, scene_of(settings, command, std::mem_fn(&Option::is_explored)));
+    page.answer +=
+        fmt::format("<p><a href=\"{}\">Explore this task</a></p>\n", figures::escaped(link));
   }
-  std::vector<std::pair<std::string, std::string>> options;
-  for (const auto& [name, entry] : settings.entries()) {
-    const Option& option = *find_option(name);
-    if (option.traits.role == Role::input && option.serves(Command::design) &&
-        option.traits.file == FileUse::none && option.traits.explored) {
-      const nlohmann::ordered_json plain = as_json(entry.value);
-      options.emplace_back(name, entry.with_unit.value_or(
-                                     plain.is_string()  ? plain.get<std::string>()
-                                     : plain.is_array() ? plain[0].dump() + ":" + plain[1].dump()
-                                                        : plain.dump()));
-    }
-  }
-  page.answer += fmt::format("<p><a href=\"{}\">Explore this task</a></p>\n",
-                             figures::escaped(report::explorer_link(*explorer, options)));
 }
 
 }  // namespace
@@ -112,9 +109,9 @@ void prepare_page(const Settings& settings) {
 
 void write_page(const Settings& settings, Command command, figures::HtmlPage page, Output& output) {
   report::add_frame(
-      page, {settings.text("title").value_or(""), name(command), scene_of(settings, command)});
+      page, {settings.text("title").value_or(""), name(command), task_of(settings, command)});
   if (command == Command::design) {
-    link_explorer(settings, page);
+    link_explorer(settings, command, page);
   }
   if (const auto path = settings.text("html")) {
     output.write_file("html", *path, html(page));

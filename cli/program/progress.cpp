@@ -55,7 +55,7 @@ Progress::Progress(Line line, double end, double begun_with)
 Progress::~Progress() {
   std::signal(SIGINT, previous_);
   if (line_open_) {
-    fmt::print(stderr, "\r\x1b[K");
+    write_error("\r\x1b[K");
   }
 }
 
@@ -67,9 +67,8 @@ bool Progress::goes_on(double done) {
     last_shown_s_ = now;
     line_open_ = true;
     const double seconds = now - started_s_;
-    fmt::print(stderr, "\r{}{}\x1b[K", line_(done, seconds),
-               end_ > 0 ? report::time_left(seconds_left(done, seconds)) : "");
-    std::fflush(stderr);
+    write_error(fmt::format("\r{}{}\x1b[K", line_(done, seconds),
+                            end_ > 0 ? report::time_left(seconds_left(done, seconds)) : ""));
   }
   return !interrupted();
 }
@@ -94,8 +93,7 @@ void Progress::announce_minutes(double done) {
   announced_ = true;
   const double left_s = end_ > 0 ? seconds_left(done, seconds) : 0;
   if (left_s > long_s) {
-    fmt::print(stderr, "stillpoint: {}: about {:.0f} minutes to go\n", line_(done, seconds),
-               left_s / 60);
+    say(fmt::format("{}: about {:.0f} minutes to go", line_(done, seconds), left_s / 60));
   }
 }
 

@@ -45,9 +45,6 @@ ExitCode show(const report::RecordDesignReport& report, const Settings& settings
 }
 
 ExitCode run_part(const Settings& settings, Output& output) {
-  if (wants_page(settings)) {
-    throw UsageError("part and a page cannot be combined: design merge writes the page");
-  }
   const report::RecordDesignInput input = record_design_input(settings);
   const sweep::PartLabel wanted = record_part_label(settings, input.request);
   const auto found = watched(input, [&](const auto& ask) {

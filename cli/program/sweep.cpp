@@ -88,9 +88,6 @@ ExitCode run_sweep(const Settings& settings, Output& output) {
   report::SweepReport report{sweep_request(settings)};
   const auto& [spec, summary, map] = report;
   if (spec.reduction) {
-    if (wants_page(settings)) {
-      throw UsageError("reduce and a page cannot be combined: a map shows the rows");
-    }
     print_report(reduction_report(spec), settings, output);
     return exit_done;
   }
@@ -100,9 +97,6 @@ ExitCode run_sweep(const Settings& settings, Output& output) {
     throw UsageError("json and the rows would both go to standard output: give --output FILE");
   }
   if (wants_page(settings)) {
-    if (spec.part) {
-      throw UsageError("part and a page cannot be combined: a map shows a whole sweep");
-    }
     report.map.emplace(spec);
     prepare_page(settings);
   }

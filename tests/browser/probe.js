@@ -42,7 +42,8 @@
   };
 
   const marks = svg => [...svg.querySelectorAll('[data-at]')].map(
-    mark => ({name: mark.dataset.name, at: pair(mark.dataset.at), seen: centre(mark)}));
+    mark => ({name: mark.dataset.name, at: pair(mark.dataset.at), seen: centre(mark),
+              hidden: getComputedStyle(mark).visibility === 'hidden'}));
 
   // A line of the grid and the number that belongs to it.
   const ticks = svg => [...svg.querySelectorAll('.ticks path')].map(line => {
@@ -52,7 +53,8 @@
             seen: across ? (top + bottom) / 2 : (left + right) / 2,
             label: centre(label)[across ? 1 : 0]};
   });
-  const state = svg => ({scales: scales(svg), marks: marks(svg), ticks: ticks(svg)});
+  const state = svg => ({scales: scales(svg), marks: marks(svg), ticks: ticks(svg),
+                         frame: box(svg.querySelector('.frame'))});
 
   const readout = svg => svg.parentNode.querySelector('.readout').textContent;
   const hover = (svg, at) => {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "readout.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 // Wheel, drag and double click. Axes are read off the ticks, as a reader does.
 
 namespace {
@@ -10,7 +13,16 @@ using nlohmann::json;
 
 constexpr double tick_digits_pixels = 0.5;  // the error of eight-digit ticks, and of pixels
 
-/// The ticks lie on one line for each axis, and all marks where that line says.
+/// How far a place is beyond a box; negative inside.
+double beyond(const json& box, const json& place) {
+  const double x = place[0];
+  const double y = place[1];
+  return std::max({box["left"].get<double>() - x, x - box["right"].get<double>(),
+                   box["top"].get<double>() - y, y - box["bottom"].get<double>()});
+}
+
+/// The ticks lie on one line for each axis, and all marks where that line says; those beyond the
+/// frame are hidden.
 void check_consistent(const json& state) {
   const TickedAxis x(state, "x");
   const TickedAxis y(state, "y");
@@ -23,6 +35,8 @@ void check_consistent(const json& state) {
   for (const json& mark : state["marks"]) {
     check_near(mark["seen"], json{x.place(mark["at"][0]), y.place(mark["at"][1])},
                2 * tick_digits_pixels);
+    const double out = beyond(state["frame"], mark["seen"]);
+    BOOST_TEST((mark["hidden"] == (out > 0) || std::abs(out) < 1), mark.dump());
   }
 }
 

@@ -154,6 +154,36 @@ void batch(const json& options, std::size_t size, const double* columns) {
   }
 }
 
+/// The rows of the options that the page takes.
+ordered_json option_rows() {
+  ordered_json rows = ordered_json::array();
+  for (const Option& option : options()) {
+    if (!option.is_explored()) {
+      continue;
+    }
+    const Units units = option.traits.units;
+    ordered_json& row =
+        rows.emplace_back(ordered_json{{"name", option.name},
+                                       {"units", units == Units::any             ? "any"
+                                                 : units == Units::dimensionless ? "dimensionless"
+                                                                                 : "physical"},
+                                       {"commands", ordered_json::array()},
+                                       {"rivals", ordered_json::array()}});
+    for (const Command command : {Command::design, Command::region, Command::simulate}) {
+      if (option.serves(command)) {
+        row["commands"].push_back(name(command));
+      }
+    }
+    for (const Option& other : options()) {
+      if (other.is_explored() && &other != &option && option.traits.rivals != Rivals::none &&
+          other.traits.rivals == option.traits.rivals) {
+        row["rivals"].push_back(other.name);
+      }
+    }
+  }
+  return rows;
+}
+
 /// The text that `work` returns; wrong input as {"error": ...}.
 template <class Work>
 const char* answered(const Work& work) {
@@ -174,7 +204,7 @@ using namespace stillpoint;
 
 extern "C" {
 
-/// {version, style, outcomes}.
+/// {version, style, outcomes, options}.
 const char* stillpoint_about();
 /// Of {command, options, figures}, the ids of those to draw: {exit, json, figures, doubts} or
 /// {error}.
@@ -196,7 +226,8 @@ const char* stillpoint_about() {
                                   {"style", std::string(figures::figure_style()) +
                                                 "@media screen and (prefers-color-scheme: dark){" +
                                                 std::string(figures::dark_figure_style()) + "}"},
-                                  {"outcomes", outcomes}};
+                                  {"outcomes", outcomes},
+                                  {"options", cli::option_rows()}};
   });
 }
 

@@ -3,50 +3,23 @@
 // link, the command and the scene are three ways to write it.
 "use strict";
 
-const physical_only = [
-  "velocity",
-  "max-displacement",
-  "period",
-  "natural-frequency",
-  "stiffness",
-  "mass",
-  "gravity",
-  "notch-width-m",
-  "residual-m",
-  "delta-max-m",
-];
-const dimensionless_only = ["v0", "p", "beta"];
-const either = [
-  "title",
-  "arrivals",
-  "residual",
-  "notch-width",
-  "hold",
-  "criterion",
-  "tolerance",
-  "tolerance-f",
-  "tolerance-delta",
-  "f-max",
-  "delta-max",
-  "acceleration-max",
-  "objective",
-  "algorithm",
-];
-const damper_options = ["f", "delta", "delta-m"];
-const known = [...dimensionless_only, ...physical_only, ...either, ...damper_options];
+/** @param {(row: OptionRow) => boolean} holds */
+const names_where = (holds) => option_rows.filter(holds).map(({ name }) => name);
+const known = names_where(() => true);
+const physical_only = names_where(({ units }) => units === "physical");
+const dimensionless_only = names_where(({ units }) => units === "dimensionless");
+/** What a design finds. */
+const damper_options = names_where(({ commands }) => !commands.includes("design"));
 
-/** Each stands for the stiffness of the spring. */
-const spring_options = ["period", "natural-frequency", "stiffness"];
-
-/** Options that a command does not take. */
-const foreign = /** @type {Record<string, string[]>} */ ({
-  design: ["f", "delta", "delta-m", "hold"],
-  region: ["notch-width", "notch-width-m", "hold", "objective", "algorithm"],
-});
+/** The others of a set from which only one may be given. @param {string} name */
+function rivals(name) {
+  return option_rows.find((row) => row.name === name)?.rivals ?? [];
+}
 
 /** @param {Options} options */
 function is_physical(options) {
-  return !dimensionless_only.some((name) => name in options);
+  const has = (/** @type {string} */ name) => name in options;
+  return physical_only.some(has) || !dimensionless_only.some(has);
 }
 
 /** @param {Options} options */
@@ -63,12 +36,15 @@ function without(options, names) {
 }
 
 /**
- * The part of the state that a command is given.
- * @param {"design" | "region"} command
+ * The part of the state that a command takes.
+ * @param {"design" | "region" | "simulate"} command
  * @param {Options} options
  */
 function options_of(command, options) {
-  return without(options, foreign[command]);
+  return without(
+    options,
+    names_where(({ commands }) => !commands.includes(command)),
+  );
 }
 
 /**
@@ -78,40 +54,26 @@ function options_of(command, options) {
  * @param {{ f: number, delta: number, hit: number | null }} damper hit: another velocity than the task's
  */
 function motion_options(options, report, damper) {
-  const { physical } = report;
-  const result = /** @type {Options} */ ({ f: String(damper.f), delta: String(damper.delta) });
-  if ("hold" in options) result.hold = options.hold;
-  /** @param {string} name @param {number} value */
-  const one = (name, value) => {
-    if (name in options) result[name] = options[name].includes(":") ? String(value) : options[name];
-  };
-  if (!physical) {
-    one("v0", report.input.v0);
-    one("p", report.input.p);
-    one("notch-width", 0);
-    if (damper.hit !== null) result.v0 = String(damper.hit);
-    return result;
+  const { physical, input } = report;
+  const result = /** @type {Options} */ ({
+    f: String(damper.f),
+    delta: String(damper.delta),
+    ...without(options_of("simulate", options), ["title", ...damper_options]),
+  });
+  const shown = /** @type {Record<string, number | undefined>} */ ({
+    v0: input.v0,
+    p: input.p,
+    velocity: physical?.velocity_m_per_s,
+    period: physical?.period_s,
+  });
+  for (const [name, text] of Object.entries(result)) {
+    if (!text.includes(":")) continue;
+    delete result[name];
+    const one = name in shown ? name : "period"; // for a spring given in another way
+    result[one] = String(shown[one]);
   }
-  for (const name of [
-    "natural-frequency",
-    "stiffness",
-    "mass",
-    "gravity",
-    "notch-width",
-    "notch-width-m",
-  ]) {
-    one(name, 0);
-  }
-  if ("natural-frequency" in result && options["natural-frequency"].includes(":")) {
-    delete result["natural-frequency"];
-    result.period = String(physical.period_s);
-  } else if ("stiffness" in result && options.stiffness.includes(":")) {
-    delete result.stiffness;
-    result.period = String(physical.period_s);
-  }
-  one("period", physical.period_s);
-  one("velocity", physical.velocity_m_per_s);
-  if (damper.hit !== null) {
+  if (damper.hit !== null && !physical) result.v0 = String(damper.hit);
+  if (damper.hit !== null && physical) {
     // The length unit depends on the velocity, so a damper that is already built is given in metres.
     delete result.delta;
     result["delta-m"] = String(physical.delta_m);
@@ -156,13 +118,7 @@ function to_physical(options, { input }) {
   const velocities = (input.v0_range ?? [input.v0]).map((/** @type {number} */ v) =>
     short(v * Math.sqrt(gravity * length)),
   );
-  const dropped = [
-    ...dimensionless_only,
-    ...damper_options,
-    "residual",
-    "delta-max",
-    "notch-width",
-  ];
+  const dropped = [...dimensionless_only, ...damper_options, "delta-max"];
   return {
     ...without(options, dropped),
     velocity: velocities.join(":"),

@@ -142,7 +142,7 @@ const notch_fields = {
     read: () => [],
   }),
 };
-const notch_options = ["notch-width", "notch-width-m", "hold"];
+const notch_options = [...rivals("hold"), "hold"];
 const slider_steps = 1000;
 
 /** @param {Field} field @param {number} at of the slider, from 0 to 1 */
@@ -165,12 +165,4 @@ function slider_text(field, value) {
   if (field.unit === "m") return `${short(value * 1000)}mm`;
   if (field.unit === "kg" && value >= 1000) return `${short(value / 1000)}t`;
   return short(value) + field.unit;
-}
-
-/** The options that an option replaces when it is written. @param {string} name */
-function rivals(name) {
-  if (spring_options.includes(name)) return spring_options;
-  if (name === "residual-m") return ["residual"];
-  if (notch_options.includes(name)) return notch_options;
-  return [];
 }

@@ -208,9 +208,7 @@ class Fields {
   blame(message) {
     const about = message?.match(/^(?:--)?([a-z0-9-]+)/i)?.[1];
     for (const { name } of this.list) {
-      const wrong =
-        about === name ||
-        (about !== undefined && name === "period" && spring_options.includes(about));
+      const wrong = about === name || (about !== undefined && rivals(name).includes(about));
       input(`in-${name}`).toggleAttribute("aria-invalid", false);
       if (wrong) input(`in-${name}`).setAttribute("aria-invalid", "true");
     }

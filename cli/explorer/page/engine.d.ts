@@ -3,6 +3,15 @@
 /** What a command is given: option names without "--", values as text with units. */
 type Options = Record<string, string>;
 
+interface OptionRow {
+  name: string;
+  units: "any" | "dimensionless" | "physical";
+  /** Of design, region and simulate, those that take it. */
+  commands: string[];
+  /** The others of a set of which at most one may be given. */
+  rivals: string[];
+}
+
 interface Figure {
   id: string;
   title: string;
@@ -13,7 +22,8 @@ interface Figure {
 interface Answer {
   /** The program's exit code: 0, or 3 if no damper is admissible. */
   exit: number;
-  /** The JSON report. */
+  /** The JSON report, as text and read. */
+  json: string;
   report: any;
   /** Values that are absurd together, each with what may have been meant. */
   doubts: string[];
@@ -40,6 +50,7 @@ interface Batch {
 
 interface Engine {
   version: string;
+  options: OptionRow[];
   /** The style sheet of its figures. */
   style: string;
   outcomes: string[];
@@ -78,6 +89,9 @@ declare function mergeInto(library: Record<string, unknown>, more: Record<string
 
 /** The files of data/scenes by their names. */
 declare const scenes: Record<string, Record<string, string | number | Array<string | number>>>;
+
+/** Those of the program's options that the page takes. */
+declare const option_rows: OptionRow[];
 
 /** Of the engine, unpacked by loader.js. */
 declare var stillpointWasm: Uint8Array;

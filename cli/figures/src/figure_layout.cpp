@@ -2,6 +2,8 @@
 #include "figure_layout.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace stillpoint::figures {
 
@@ -30,12 +32,21 @@ double widest(const Ticks& ticks) {
 }  // namespace
 
 double text_width(std::string_view text) {
-  double width = 2;
+  constexpr double margin = 2;
+  constexpr double usual = 8.3;  // digits and most letters
+  static constexpr std::array<std::pair<std::string_view, double>, 6> others{
+      {{" ',./:;IJ\\ijl|", 4.5},
+       {"!()-[]frt", 5.5},
+       {"?FLcsz\"*_`", 7.2},
+       {"ABCKRVXZ", 9},
+       {"&DGHNOQU#+<=>M^w~", 11},
+       {"%@Wm", 13}}};
+  double width = margin;
   for (const char c : text) {
     const bool goes_on = (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;  // of UTF-8
-    width += goes_on                                                          ? 0
-             : std::string_view(" .,:il()").find(c) != std::string_view::npos ? 4.9
-                                                                              : 8.3;
+    const auto* const group = std::ranges::find_if(
+        others, [c](const auto& each) { return each.first.find(c) != std::string_view::npos; });
+    width += goes_on ? 0 : group != others.end() ? group->second : usual;
   }
   return width;
 }

@@ -51,9 +51,10 @@ void FigureLegend::add(const Figure& figure, const std::set<std::string>& named)
     }
   };
   for (const MapKey& key : figure.map.key) {
-    enter(key.name,
-          fmt::format(R"(<path class="cell" fill="{}" d="M2-10h20v12h-20Z"/>{})", key.colour,
-                      key.hatched ? R"(<path class="over" d="M2 2L14-10M10 2L22-10"/>)" : ""));
+    enter_unless_named(
+        key.name,
+        fmt::format(R"(<path class="cell" fill="{}" d="M2-10h20v12h-20Z"/>{})", key.colour,
+                    key.hatched ? R"(<path class="over" d="M2 2L14-10M10 2L22-10"/>)" : ""));
   }
   const Plane plane{figure.x, figure.y, figure_width, figure.height};
   for (const FigureArea& area : figure.areas) {

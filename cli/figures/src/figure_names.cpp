@@ -20,6 +20,15 @@ Box box_around(const FigurePoint& centre, double width, double height) {
   return {centre.x - width / 2, centre.y - height / 2, centre.x + width / 2, centre.y + height / 2};
 }
 
+/// Whether the line through a and b separates two points.
+bool is_between(const FigurePoint& a, const FigurePoint& b, const FigurePoint& one,
+                const FigurePoint& other) {
+  const auto side = [&](const FigurePoint& at) {
+    return (b.x - a.x) * (at.y - a.y) - (b.y - a.y) * (at.x - a.x);
+  };
+  return side(one) * side(other) < 0;
+}
+
 /// The place that covers the least of what is drawn, among places tried one after the other.
 struct Best {
   double cost{std::numeric_limits<double>::infinity()};
@@ -40,7 +49,6 @@ class Places {
       : figure_(figure),
         plane_(plane),
         ink_(plane.width, plane.height),
-        limits_(plane.width, plane.height),
         taken_(plane.width, plane.height) {}
 
   NamesInPlace operator()() {
@@ -52,7 +60,9 @@ class Places {
     for (const FigureArea& area : figure_.areas) {
       Raster inside(plane_.width, plane_.height);
       inside.fill(pixels(area.outline));
-      within(area.name, inside);
+      if (!within(area.name, outside_boxes(area, inside))) {
+        within(area.name, inside);
+      }
     }
     for (auto band = figure_.bands.begin(); band != figure_.bands.end(); ++band) {
       Raster inside(plane_.width, plane_.height);
@@ -90,6 +100,19 @@ class Places {
     return {plane_.pixel({band.from, 0}).x, 0, plane_.pixel({band.to, 0}).x, plane_.height};
   }
 
+  /// The part of an area on which no box lies.
+  [[nodiscard]] Raster outside_boxes(const FigureArea& area, Raster inside) const {
+    for (const FigureArea& box : figure_.areas) {
+      if (box.look == AreaLook::box && &box != &area) {
+        const auto corners = pixels(box.outline);
+        const auto [left, right] = std::ranges::minmax(corners, {}, &FigurePoint::x);
+        const auto [top, bottom] = std::ranges::minmax(corners, {}, &FigurePoint::y);
+        inside.clear({left.x, top.y, right.x, bottom.y});
+      }
+    }
+    return inside;
+  }
+
   /// What words should not cover, and marks, which they must not.
   void draw() {
     for (const FigureCurve& curve : figure_.curves) {
@@ -97,14 +120,16 @@ class Places {
         const auto line = pixels(stroke);
         ink_.set_line(line);
         if (curve.labelled) {
-          limits_.set_line(line);
+          limits_.push_back(line);
         }
       }
     }
     for (const FigureArea& area : figure_.areas) {
-      auto outline = pixels(area.outline);
-      outline.push_back(outline.front());
-      ink_.set_line(outline);
+      if (area.look != AreaLook::hatched) {  // which has no edge
+        auto outline = pixels(area.outline);
+        outline.push_back(outline.front());
+        ink_.set_line(outline);
+      }
     }
     for (const FigureMarks& marks : figure_.marks) {
       for (const FigurePoint& at : marks.points) {
@@ -156,25 +181,21 @@ class Places {
                        : box_around(centre, width, text_height));
   }
 
-  /// Whether a limit lies between a point, or the mark on it, and its words.
+  /// Whether a limit lies between a point and its words, however close to the point.
   [[nodiscard]] bool is_beyond_limit(const FigurePoint& point, const Box& words) const {
-    constexpr double mark = 6;  // pixels
     const FigurePoint nearest{std::clamp(point.x, words.left, words.right),
                               std::clamp(point.y, words.top, words.bottom)};
-    const double length = std::hypot(nearest.x - point.x, nearest.y - point.y);
-    for (double along = mark; along < length; along += Raster::cell / 2) {
-      const double x = point.x + (nearest.x - point.x) * along / length;
-      const double y = point.y + (nearest.y - point.y) * along / length;
-      if (limits_.set_in({x, y, x + 1e-9, y + 1e-9}) > 0) {
-        return true;
-      }
-    }
-    return false;
+    return std::ranges::any_of(limits_, [&](const std::vector<FigurePoint>& line) {
+      return std::ranges::adjacent_find(line, [&](const FigurePoint& a, const FigurePoint& b) {
+               return is_between(a, b, point, nearest) && is_between(point, nearest, a, b);
+             }) != line.end();
+    });
   }
 
   /// Beside, above or below one of the points: clear of every line, if that is not too far from it,
   /// and on its side of a limit, which words beyond it would call exceeded.
   void near(const std::string& text, const std::vector<FigurePoint>& points) {
+    constexpr double clear = 2;        // pixels above and below
     constexpr double farther = 0.3;    // of a cell covered, a pixel
     constexpr double covering = 12;    // cells: 40 pixels away rather than on a line
     constexpr double misleading = 60;  // cells: rather on a line than beyond a limit
@@ -188,7 +209,7 @@ class Places {
                                      point.y + down * (text_height / 2 + gap)};
             const Box box = box_around(centre, width, text_height);
             if ((std::abs(right) == 1 || down != 0) && is_free(box)) {
-              const int covered = ink_.set_in(box);
+              const int covered = ink_.set_in(box_around(centre, width, text_height + 2 * clear));
               best.offer(covered + (covered > 0 ? covering : 0) + farther * gap +
                              (is_beyond_limit(point, box) ? misleading : 0),
                          centre);
@@ -202,12 +223,12 @@ class Places {
     }
   }
 
-  /// Within the set cells, as far from their edge and from lines as may be, if there is room.
-  void within(const std::string& text, const Raster& inside) {
+  /// Within the set cells, as far from their edge and from lines as may be; false without room.
+  bool within(const std::string& text, const Raster& inside) {
     constexpr double tight = 0.1;   // of a cell covered, a pixel that a margin lacks
-    constexpr double turned = 4.5;  // cells: rather upright than across a line
+    constexpr double turned = 4.5;  // cells: rather upright than close to a line
     if (text.empty() || found_.named.contains(text)) {
-      return;
+      return true;
     }
     const double width = text_width(text);
     Best best;
@@ -229,6 +250,7 @@ class Places {
     if (best) {
       put(text, best.at, best_upright);
     }
+    return static_cast<bool>(best);
   }
 
   [[nodiscard]] std::vector<FigurePoint> free_places(const Raster& inside, double w,
@@ -253,14 +275,23 @@ class Places {
     return places;
   }
 
-  /// The middle of the places where a box with a margin fits and covers the least.
+  /// Whether letters in the box would lie on a line. The number of cells in a map has no other
+  /// place: its legend names only the colours.
+  [[nodiscard]] bool is_on_line(const FigurePoint& at, double w, double h) const {
+    constexpr double loose = Raster::cell;  // the box is that much larger than its letters
+    return figure_.map.cells.empty() &&
+           ink_.set_in(box_around(at, w - 2 * loose, h - 2 * loose)) > 0;
+  }
+
+  /// The middle of the places where a box with a margin fits, is on no line and the least is close.
   [[nodiscard]] Best fit(const std::vector<FigurePoint>& places, const Raster& inside, double w,
                          double h, double margin) const {
+    constexpr double clear = 2;  // pixels around it where a line would be close
     std::vector<std::pair<int, FigurePoint>> fitting;
     FigurePoint mean;
     for (const FigurePoint& at : places) {
-      if (inside.is_full(box_around(at, w + 2 * margin, h + 2 * margin))) {
-        fitting.emplace_back(ink_.set_in(box_around(at, w, h)), at);
+      if (inside.is_full(box_around(at, w + 2 * margin, h + 2 * margin)) && !is_on_line(at, w, h)) {
+        fitting.emplace_back(ink_.set_in(box_around(at, w + 2 * clear, h + 2 * clear)), at);
         mean = {mean.x + at.x, mean.y + at.y};
       }
     }
@@ -293,8 +324,8 @@ class Places {
   const Figure& figure_;
   const Plane& plane_;
   Raster ink_;
-  Raster limits_;  ///< the part of the ink that is named beside its line
   Raster taken_;
+  std::vector<std::vector<FigurePoint>> limits_;  ///< lines that are named beside them
   NamesInPlace found_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Draws figures. The plot is an svg of its own, so that a page can zoom into it. A "pin" (a mark or
-// a word) keeps its size when zoomed.
+// Draws figures. The plot is an svg of its own, so that a page can zoom into it, and so are its
+// marks, which may reach over the frame. A "pin" (a mark or a word) keeps its size when zoomed.
 #include "figure_svg.hpp"
 
 #include "figure_backdrop.hpp"
@@ -29,20 +29,23 @@ class Drawing {
       : figure_(figure), layout_(layout), names_(names) {}
 
   std::string operator()() {
+    constexpr double bold = 1.15;  // times as wide
     const double high = figure_.height;
     add("<text class=\"title\" x=\"{}\" y=\"18\">{}</text>\n",
-        layout_.left * (text_width(figure_.title) < figure_width - layout_.left ? 1 : 0.1),
+        layout_.left * (bold * text_width(figure_.title) < figure_width - layout_.left ? 1 : 0.1),
         escaped(figure_.title));
     text_ += axes(figure_, layout_) + hatches(figure_);
-    add("<svg class=\"plot\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\">\n",
-        layout_.left, layout_.upper, layout_.width, high, layout_.width, high);
+    const std::string place = fmt::format(R"(x="{}" y="{}" width="{}" height="{}")", layout_.left,
+                                          layout_.upper, layout_.width, high);
+    const std::string view = fmt::format(R"(viewBox="0 0 {} {}")", layout_.width, high);
+    add("<svg class=\"plot\" {} {}>\n", place, view);
     text_ += map(figure_, layout_);
     contents(plane());
-    marks();
     words();
+    add("</svg>\n<rect class=\"frame\" {}/>\n", place);
+    add("<svg class=\"plot pins\" overflow=\"visible\" {} {}>\n", place, view);
+    marks();
     text_ += "</svg>\n";
-    add("<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n", layout_.left,
-        layout_.upper, layout_.width, high);
     inset();
     return std::move(text_);
   }

@@ -15,21 +15,22 @@ for (const figure of document.querySelectorAll('svg.figure')) {
   const [x0, x1] = figure.dataset.x.split(' ').map(Number).map(scales[0].to);
   const [y0, y1] = figure.dataset.y.split(' ').map(Number).map(scales[1].to);
   const [left, top, w, h] = figure.dataset.plot.split(' ').map(Number);
-  const plot = figure.querySelector('.plot'), frame = figure.querySelector('.frame');
+  const plot = figure.querySelector('.plot'), pins = figure.querySelector('.pins');
   const readout = figure.parentNode.querySelector('.readout');
   const ring = document.createElementNS(plot.namespaceURI, 'circle');
   ring.setAttribute('class', 'ring orange hover-ring');
   ring.setAttribute('visibility', 'hidden');
-  plot.append(ring);
-  frame.style.pointerEvents = 'none';
+  pins.append(ring);
+  figure.querySelector('.frame').style.pointerEvents = 'none';
   const value = (px, py) => [scales[0].from(x0 + px / w * (x1 - x0)), scales[1].from(y1 - py / h * (y1 - y0))];
   const points = [];
   for (const curve of plot.querySelectorAll('.curve.hover'))
     for (const m of curve.getAttribute('d').matchAll(/[MLC]([^MLC]+)/g))
       points.push([...m[1].trim().split(' ').slice(-2).map(Number), curve.dataset.name]);
-  for (const pin of plot.querySelectorAll('.pin[data-at]')) {
-    const m = pin.getAttribute('transform').match(/\(([^ ]+) ([^)]+)\)/);
-    points.push([+m[1], +m[2], pin.dataset.name, pin.dataset.at.split(' ').map(Number)]);
+  const place = pin => pin.getAttribute('transform').match(/-?[\d.]+/g).map(Number);
+  for (const pin of pins.querySelectorAll('.pin[data-at]')) {
+    const [px, py] = place(pin);
+    points.push([px, py, pin.dataset.name, pin.dataset.at.split(' ').map(Number)]);
   }
   // What the colour of a map says at a place; nothing if there is no map.
   let named = () => '';
@@ -95,9 +96,11 @@ for (const figure of document.querySelectorAll('svg.figure')) {
   const whole = figure.querySelector('.ticks').innerHTML;
   const show = () => {
     const k = view[2] / w;
-    plot.setAttribute('viewBox', view.join(' '));
-    for (const pin of plot.querySelectorAll('.pin'))
+    for (const svg of [plot, pins]) svg.setAttribute('viewBox', view.join(' '));
+    for (const pin of figure.querySelectorAll('.pin'))
       pin.setAttribute('transform', pin.getAttribute('transform').replace(/ scale.*/, '') + ` scale(${k})`);
+    for (const pin of pins.querySelectorAll('.pin'))  // nothing clips them
+      pin.setAttribute('visibility', k < 1 && !inside(place(pin)) ? 'hidden' : 'visible');
     ring.setAttribute('r', 6 * k);
     if (inset) inset.setAttribute('visibility', k < 1 ? 'hidden' : 'visible');
     let text = whole;

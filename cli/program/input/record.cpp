@@ -47,10 +47,6 @@ records::RecordOptions record_options(const Settings& settings, const records::R
 records::RecordScale record_scale(const Settings& settings, const records::RecordClock& clock,
                                   std::optional<double> p) {
   if (const auto period = record_time(settings, "record-spectrum-period", clock)) {
-    if (!settings.has("record-spectrum") && !settings.has("records-list")) {
-      throw UsageError(
-          "record-spectrum-period needs a spectral value: give --record-spectrum as well");
-    }
     require_within("record-spectrum-period", *period, smallest_physical, largest_physical);
     p = 2 * std::numbers::pi * clock.per_tau / *period;
   }

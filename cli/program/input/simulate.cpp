@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
 #include <utility>
 
 namespace stillpoint::cli {
@@ -46,9 +45,8 @@ std::optional<double> free_end(const Settings& settings, const Physical& physica
         "{} needs a trajectory or an excitation: give --trajectory FILE or --excitation as well",
         settings.given(Rivals::end)->name));
   }
-  if (t_end) {
-    require_within("t-end", *t_end, std::numeric_limits<double>::min(),
-                   std::numeric_limits<double>::max());
+  if (t_end && !(*t_end > 0)) {
+    throw InputError("t-end", *t_end, "must be greater than 0");
   }
   return t_end;
 }

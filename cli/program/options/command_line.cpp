@@ -183,7 +183,9 @@ void require_command(const std::optional<std::string>& given) {
   if (std::ranges::find(commands, word) == commands.end()) {
     throw UsageError(fmt::format(
         "{}: must be {} (stillpoint --help){}",
-        given ? "command " + records::shortened(word, records::longest_word) : "no command",
+        given
+            ? "command " + (word.empty() ? "\"\"" : records::shortened(word, records::longest_word))
+            : "no command",
         listed(commands),
         word.ends_with(".json") ? fmt::format("; did you mean design {}?",
                                               records::shortened(word, records::longest_word))
@@ -255,15 +257,14 @@ Invocation parse_command_line(int argc, const char* const* argv) {
   app.allow_extras();
   app.footer(std::string(footer("stillpoint")));
   std::vector<std::string> words = without_help_command(argc, argv);
-  std::array<Collected, command_helps.size()> collected;
+  std::map<Command, Collected> collected;
   MergeFiles merge;
-  for (std::size_t i = 0; i < command_helps.size(); ++i) {
-    const CommandHelp& help = command_helps[i];
+  for (const CommandHelp& help : command_helps) {
     CLI::App& command =
         *app.add_subcommand(std::string(name(help.command)), std::string(help.summary));
     // Setting up the options of all commands would take longer than most answers do.
     if (std::ranges::find(words, command.get_name()) != words.end()) {
-      add_options(command, help, collected[i]);
+      add_options(command, help, collected[help.command]);
       if (help.command == Command::sweep || help.command == Command::design) {
         add_merge(command, merge);
       }
@@ -291,15 +292,12 @@ Invocation parse_command_line(int argc, const char* const* argv) {
                                  parsed[1]->get_name()));
   }
   const CLI::App& chosen = *parsed.front();
-  const auto index = static_cast<std::size_t>(
-      std::ranges::find(command_helps, chosen.get_name(),
-                        [](const CommandHelp& help) { return name(help.command); }) -
-      command_helps.begin());
-  invocation.command = command_helps[index].command;
+  invocation.command = *parse<Command>(chosen.get_name());
+  const Collected& given = collected.at(invocation.command);
   refuse_extras(chosen, invocation.command);
-  invocation.flags = from_flags(chosen, collected[index], invocation.command);
+  invocation.flags = from_flags(chosen, given, invocation.command);
   if (chosen.get_option("scene")->count() > 0) {
-    invocation.scene = collected[index].scene;
+    invocation.scene = given.scene;
   }
   if (!chosen.get_subcommands().empty()) {
     refuse_beside_merge(invocation);

@@ -48,8 +48,8 @@ constexpr CommandSet of_waves = design | region | of_excitations;
 constexpr CommandSet in_records = of_suites | of_excitations;
 constexpr CommandSet drawn = design | region | simulate | spectrum | sweep;
 
-constexpr Beside of_a_reduction{sweep, "reduce", "a sweep without rows"};
-constexpr std::string_view stops_in_notch = "a design for a pulse stops at x = 0";
+const std::vector<std::string_view> of_pages{"open", "html", "svg"};
+const Beside of_a_reduction{sweep, {"reduce"}, "a sweep without rows"};
 
 /// A scan keeps about 100 bytes for each.
 constexpr std::int64_t most_scan_points = 10'000'000;
@@ -132,8 +132,9 @@ std::vector<Option> rows() {
           of_designs,
           {.rivals = Rivals::hit,
            .values = excitation_names(true),
-           .excludes = {{of_designs, "residual", stops_in_notch},
-                        {of_designs, "residual-m", stops_in_notch}}}),
+           .excludes =
+               {{of_designs, {"residual", "residual-m"}, "a design for a pulse stops at x = 0"}},
+           .explored = false}),
       row("x0", number, "X", motion, "initial displacement (default 0)", motions | sweep,
           plain_axis(Rivals::start)),
 
@@ -217,12 +218,13 @@ std::vector<Option> rows() {
           "also N dampers along the front of stroke, acceleration and tolerance, from 2 to 1000; "
           "in a sweep, one row each instead of the design",
           design | sweep,
-          for_hits(
-              {.bounds = {design::least_trade_offs, design::most_trade_offs},
-               .excludes = {{design | sweep, "pulse", "the front is for a hit given as a velocity"},
-                            {sweep, "catalogue", "in a sweep each row is a damper of the front"},
-                            {sweep, "objective", "in a sweep each row is a damper of the front"}},
-               .explored = false})),
+          for_hits({.bounds = {design::least_trade_offs, design::most_trade_offs},
+                    .excludes =
+                        {{design | sweep, {"pulse"}, "the front is for a hit given as a velocity"},
+                         {sweep,
+                          {"catalogue", "objective"},
+                          "in a sweep each row is a damper of the front"}},
+                    .explored = false})),
       row("objective", text, "NAME", searching,
           with_default(names<design::Objective>()) + "; under records " +
               with_default(names<design::SuiteObjective>()),
@@ -294,7 +296,10 @@ std::vector<Option> rows() {
           of(Load::record, {.rivals = Rivals::record_scale, .dimension = Dimension::gravities})),
       row("record-spectrum-period", number, "T", shaking,
           "the period of that value, if not that of the motion, in the unit of the times",
-          in_records, of(Load::record, {.dimension = Dimension::time})),
+          in_records,
+          of(Load::record,
+             {.dimension = Dimension::time,
+              .needs = {in_records, {"record-spectrum", "records-list"}, "a spectral value"}})),
       row("end-time", number, "S", shaking,
           "with physical input: end of the run in s (default: end of the motion); required for a "
           "harmonic without a duration",
@@ -311,15 +316,15 @@ std::vector<Option> rows() {
           "{}; default: jsonl if the list begins with a brace, else csv", sweep,
           {.role = entries,
            .values = names<sweep::ListFormat>(),
-           .needs = {sweep, "list", "a list"}}),
+           .needs = {sweep, {"list"}, "a list"}}),
       row("format", text, "NAME", sweeping,
           "{}; default: npy if the output's name ends in .npy, else csv", sweep,
           {.role = content,
            .values = names<sweep::RowFormat>(),
-           .excludes = {{sweep, "reduce", "the report is JSON"}}}),
+           .excludes = {{sweep, {"reduce"}, "the report is JSON"}}}),
       row("columns", text, "NAMES", sweeping, "what to write, e.g. f,delta,peak_amplitude", sweep,
           {.role = output,
-           .excludes = {{sweep, "times", "name stop_time among the columns"}},
+           .excludes = {{sweep, {"times"}, "name stop_time among the columns"}},
            .python = InPython{sweep}}),
       row("times", flag, "", sweeping, "write stop_time as well", sweep, {.role = content}),
       row("threads", integer, "N", sweeping, "default 0: all; no result depends on it",
@@ -327,7 +332,7 @@ std::vector<Option> rows() {
       row("reduce", flag, "", sweeping,
           "instead of rows write counts, extremes and where they are, quantiles, histograms, the "
           "best",
-          sweep),
+          sweep, {.excludes = {{sweep, of_pages, "a map shows the rows"}}}),
       row("histogram", text, "BINS", sweeping,
           "with --reduce: peak_amplitude:0:1:50 or :50:log, or edges, peak_amplitude:0,0.1,0.5",
           sweep, {.repeats = true, .needs = of_a_reduction}),
@@ -338,10 +343,13 @@ std::vector<Option> rows() {
       row("part", text, "I/N", sweeping,
           "one of N parts, for sweep merge or, under records, design merge; auto or auto/N: from "
           "the launcher. {part} in the output's name becomes I-of-N",
-          design | sweep, under_records({.role = execution})),
+          design | sweep,
+          under_records({.role = execution,
+                         .excludes = {{sweep, of_pages, "a map shows a whole sweep"},
+                                      {design, of_pages, "design merge writes the page"}}})),
       row("resume", flag, "", sweeping,
           "continue an interrupted sweep; leave a complete part as it is", design | sweep,
-          under_records({.role = execution, .needs = {design, "part", "a part of a design"}})),
+          under_records({.role = execution, .needs = {design, {"part"}, "a part of a design"}})),
 
       row("max-half-cycles", integer, "N", writing, "half-cycles listed (default 1000)", simulate,
           {.role = content, .bounds = {0, 100'000}}),
@@ -356,7 +364,7 @@ std::vector<Option> rows() {
           "evenly spaced instants in the trajectory, besides every event (default 1000)", simulate,
           {.role = output,
            .bounds = {2, 1'000'000},
-           .needs = {simulate, "trajectory", "a trajectory"},
+           .needs = {simulate, {"trajectory"}, "a trajectory"},
            .python =
                InPython{simulate,
                         "asks for the trajectory: evenly spaced instants besides every event"}}),

@@ -103,11 +103,11 @@ struct Bounds {
   std::int64_t most{0};
 };
 
-/// In some commands another option, which one needs to mean anything, or beside which it cannot be
-/// given; and what that stands for, "a trajectory", or why.
+/// In some commands other options, of which an option needs one to mean anything, or beside none of
+/// which it can be given; and what they stand for, "a trajectory", or why.
 struct Beside {
   CommandSet commands{};
-  std::string_view option{};
+  std::vector<std::string_view> options{};
   std::string_view words{};
 };
 
@@ -138,7 +138,7 @@ struct OptionTraits {
   Beside needs{};
   std::vector<Beside> excludes{};
   std::optional<InPython> python{};  ///< empty: what its role says
-  bool explored{true};               ///< an input that the page with the program in it takes
+  bool explored{true};               ///< if the page with the program in it can take it
 };
 
 /// One option of the program: a flag --name on the command line and a key of a scene file, where
@@ -186,6 +186,12 @@ struct Option {
   [[nodiscard]] bool is_echoed() const { return traits.role <= Role::content; }
   [[nodiscard]] bool takes_file() const {
     return traits.file == FileUse::read || traits.file == FileUse::written;
+  }
+  /// Whether the page with the program in it takes it. That designs for a hit, without files.
+  [[nodiscard]] bool is_explored() const {
+    return traits.explored && is_echoed() && !takes_file() && traits.load == Load::none &&
+           design_for() != DesignFor::records &&
+           (serves(Command::design) || serves(Command::region));
   }
   [[nodiscard]] bool names_records() const {
     return traits.file == FileUse::read && design_for() == DesignFor::records;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 namespace stillpoint::cli {
@@ -32,18 +33,23 @@ void require_no_rivals(const Settings& settings, Command command) {
 }
 
 void require_needs(const Settings& settings, Command command, const Option& option) {
-  const auto& [commands, name, what] = option.traits.needs;
-  const Option* const needed = commands.has(command) ? find_option(name) : nullptr;
-  if (needed != nullptr && !gives(settings, *needed)) {
-    throw UsageError(fmt::format("{} needs {}: give --{}{}{} as well", option.name, what, name,
-                                 needed->placeholder.empty() ? "" : " ", needed->placeholder));
+  const auto& [commands, others, what] = option.traits.needs;
+  if (commands.has(command) && std::ranges::none_of(others, [&](std::string_view other) {
+        return gives(settings, *find_option(other));
+      })) {
+    const Option& needed = *find_option(others.front());
+    throw UsageError(fmt::format("{} needs {}: give --{}{}{} as well", option.name, what,
+                                 needed.name, needed.placeholder.empty() ? "" : " ",
+                                 needed.placeholder));
   }
 }
 
 void refuse_excluded(const Settings& settings, Command command, const Option& option) {
-  for (const auto& [commands, other, why] : option.traits.excludes) {
-    if (commands.has(command) && gives(settings, *find_option(other))) {
-      throw UsageError(fmt::format("{} and {} cannot be combined: {}", option.name, other, why));
+  for (const auto& [commands, others, why] : option.traits.excludes) {
+    for (const std::string_view other : others) {
+      if (commands.has(command) && gives(settings, *find_option(other))) {
+        throw UsageError(fmt::format("{} and {} cannot be combined: {}", option.name, other, why));
+      }
     }
   }
 }

@@ -23,10 +23,6 @@ constexpr std::size_t largest_scene = std::size_t{1} << 20U;
 
 constexpr std::string_view standard_input = "from standard input";
 
-std::string shown(std::string_view key) {
-  return records::printable(key, records::longest_word);
-}
-
 /// A number, or "LOW:HIGH" for [LOW, HIGH], as on the command line.
 std::string range_text(const Option& option, const nlohmann::json& value) {
   const auto is_end = [](const nlohmann::json& end) { return end.is_number() || end.is_string(); };
@@ -109,9 +105,11 @@ std::string text_of(const Option& option, const nlohmann::json& value, Command c
     return zones_text(value);
   }
   const bool is_one = option.traits.repeats && !option.repeats_in(command);
-  const char* const wanted = option.traits.file == FileUse::none ? "must be a string"
-                             : is_one                            ? "must be one path"
-                                                                 : "must be a path";
+  const char* const wanted = option.traits.in_scene == InScene::group
+                                 ? R"(must be a string, or an object with a "type")"
+                             : option.traits.file == FileUse::none ? "must be a string"
+                             : is_one                              ? "must be one path"
+                                                                   : "must be a path";
   const bool takes_list = option.traits.repeats && !(is_one && option.serves(command));
   if (!takes_list || !value.is_array()) {
     must_be(value.is_string(), wanted);
@@ -131,12 +129,11 @@ std::string text_of(const Option& option, const nlohmann::json& value, Command c
 void set_key(Settings& settings, const std::string& key, const nlohmann::json& value,
              const Option* option, Command command) {
   if (option == nullptr) {
-    throw InputError(shown(key), value.dump(),
+    throw InputError(records::printable(key, records::longest_word), value.dump(),
                      fmt::format("is not a key of a scene{}", suggestion(records::hyphened(key))));
   }
   if (settings.has(option->name)) {
-    throw UsageError(
-        fmt::format("{} is set twice in the scene: a key may appear only once", shown(key)));
+    throw UsageError(fmt::format("{} is set twice in the scene: a key may appear only once", key));
   }
   if (option->kind != OptionKind::flag) {
     return settings.set_text(*option, text_of(*option, value, command), command);
@@ -178,12 +175,9 @@ void add_keys(Settings& settings, const nlohmann::json& object, Command command,
   for (const auto& [key, value] : object.items()) {
     const Option* const option = find_option(records::hyphened(key));
     const bool is_group = option != nullptr && option->traits.in_scene == InScene::group;
-    if (!is_group || !value.is_object()) {
+    if (!is_group || !value.is_object() || value.empty()) {
       add_key(settings, key, value, option, command, places);
       continue;
-    }
-    if (value.empty()) {
-      throw InputError(key, "{}", "must have a type");
     }
     for (const auto& [inner, inner_value] : value.items()) {
       add_key(settings, fmt::format("{}.{}", key, inner), inner_value,

@@ -33,10 +33,7 @@ std::int64_t integer_value(const Option& option, std::string_view text) {
     return *value;
   }
   const bool is_number = records::scan_number(text).fault == records::NumberFault::none;
-  throw InputError(std::string(option.name),
-                   value       ? fmt::format("{}", *value)
-                   : is_number ? std::string(text)
-                               : fmt::format("\"{}\"", text),
+  throw InputError(std::string(option.name), is_number ? std::string(text) : records::quoted(text),
                    fmt::format("must be {}", whole_number(option)));
 }
 
@@ -44,7 +41,7 @@ std::int64_t integer_value(const Option& option, std::string_view text) {
 
 double parse_value(const Option& option, std::string_view text) {
   if (text.find(':') != std::string_view::npos) {
-    throw InputError(std::string(option.name), fmt::format("\"{}\"", text),
+    throw InputError(std::string(option.name), records::quoted(text),
                      "must be one number, not a range");
   }
   const Dimension dimension = option.traits.dimension;
@@ -66,7 +63,7 @@ std::optional<double> Settings::number(std::string_view name) const {
     return find_option(name)->traits.range == RangeEnd::low ? both->low : both->high;
   }
   if (const Axis* const axis = find<Axis>(name)) {
-    if (axis->size() > 1 || axis->has_ranges()) {
+    if (!axis->is_number()) {
       throw InputError(std::string(name), axis->text(), "must be one number for motions");
     }
     return (*axis)[0];
@@ -91,6 +88,9 @@ std::optional<std::string> Settings::known(std::string_view name) const {
 }
 
 void Settings::set_text(const Option& option, const std::string& text, Command command) {
+  if (text.find('\0') != std::string::npos) {
+    throw InputError(std::string(option.name), records::quoted(text), "must not contain a NUL");
+  }
   const bool takes_range = option.takes_range_in(command);
   switch (option.kind_in(command)) {
     case OptionKind::axis:
@@ -145,7 +145,7 @@ InputError Settings::as_given(const InputError& error) const {
   }
   for (const Option* option : physical_rivals(*plain)) {
     const Axis* const axis = find<Axis>(option->name);
-    if (has(option->name) && (axis == nullptr || (axis->size() == 1 && !axis->has_ranges()))) {
+    if (has(option->name) && (axis == nullptr || axis->is_number())) {
       return {std::string(option->name),
               fmt::format("{} {}", *number(option->name),
                           records::units_of(option->traits.dimension).front().name),
@@ -166,7 +166,7 @@ std::vector<std::string> doubts(const Settings& settings, Command command) {
   design::GivenValues given;
   for (const auto& [option, entry] : settings.entries()) {
     const Axis* const axis = std::get_if<Axis>(&entry.value);
-    const bool one_number = axis != nullptr ? axis->size() == 1 && !axis->has_ranges()
+    const bool one_number = axis != nullptr ? axis->is_number()
                                             : std::holds_alternative<double>(entry.value) ||
                                                   std::holds_alternative<Range>(entry.value);
     if (one_number && find_option(option)->serves(command)) {

@@ -100,8 +100,8 @@ std::string documentation(Command command, std::string_view about) {
   }
   return fmt::format(
       "{})\n--\n\n{}\n\nscene is a path or a dict, as for the program; an option overrides its "
-      "key. "
-      "A value may be a string with its unit, \"150mm\".\nRaises InputError with the text of the "
+      "key. A value may be a string with its unit, \"150mm\".\nRaises InputError with the text of "
+      "the "
       "program.\n\nOptions:{}",
       signature, about, list);
 }

@@ -67,13 +67,12 @@ std::vector<std::string> browser() {
 }
 
 TemporaryPage::TemporaryPage() {
-  std::error_code error;
-  const fs::path folder = fs::temp_directory_path(error);
+  const std::string wanted = variable("TMPDIR");
+  const fs::path folder = wanted.empty() ? fs::path("/tmp") : fs::path(wanted);
   std::string made = (folder / "stillpoint-XXXXXX").string();
-  if (error || ::mkdtemp(made.data()) == nullptr) {
+  if (::mkdtemp(made.data()) == nullptr) {
     throw BrowserError(fmt::format("open: there is no room for a temporary page in {}: {}",
-                                   folder.string(),
-                                   error ? error.message() : std::strerror(errno)));
+                                   folder.string(), std::strerror(errno)));
   }
   folder_ = made;
 }

@@ -109,7 +109,7 @@ void add_search(Document& document, const design::SearchRecord& search,
                      1e3 * search.wall_time_s));
   const Optimum optimum = optimum_of(result);
   if (optimum.along_f) {
-    sought.line(format("{} {}: {}; along f alone: {}",
+    sought.line(format("{} {}: {}; by a search along f alone, without NLopt: {}",
                        objective == design::Objective::robust ? "tolerance" : name(objective),
                        result.request.pulse ? "by NLopt" : "of the design", digits(*optimum.found),
                        digits(*optimum.along_f)));
@@ -146,12 +146,14 @@ Document document(const DesignReport& report) {
   }
   Document document;
   document.title = "Damper design";
-  add_task(document, result.request, physical);
-  if (pulse) {
-    add_pulse_region(document, result, physical);
-  } else {
-    add_region(document, result.region, physical);
-  }
+  const auto add_posed = [&] {
+    add_task(document, result.request, physical);
+    if (pulse) {
+      add_pulse_region(document, result, physical);
+    } else {
+      add_region(document, result.region, physical);
+    }
+  };
   if (!result.finding) {
     add_emptiness(document, result, {problem, limits, pulse, physical});
     if (report.catalogue) {
@@ -163,19 +165,22 @@ Document document(const DesignReport& report) {
       }
       add_parts(document, *report.catalogue, {problem, limits, physical});
     }
+    add_posed();
     return document;
   }
   const design::Finding& finding = *result.finding;
   document.verdict = verdict(report, physical);
-  document.tone = finding.cross_check.passed ? Tone::good : Tone::bad;
+  const bool sound = finding.cross_check.passed && built_notch_fault(report, physical).empty();
+  document.tone = sound ? Tone::good : Tone::bad;
   add_answer(document.answer, report, physical);
   add_choices(document, report, physical);
-  add_damper(document, report, physical);
-  add_constraints(document, finding.constraints, physical);
-  add_motion(document, finding, problem.beta, physical);
   if (report.built_notch) {
     add_built_notch(document, *report.built_notch, finding, physical);
   }
+  add_posed();
+  add_damper(document, report, physical);
+  add_constraints(document, finding.constraints, physical);
+  add_motion(document, finding, problem.beta, physical);
   add_checks(document, finding.cross_check, physical);
   if (finding.search) {
     add_search(document, *finding.search, result);

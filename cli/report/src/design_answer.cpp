@@ -85,6 +85,27 @@ std::string felt(const design::Finding& finding, const Response& response,
                 with_unit(example_m, "m"));
 }
 
+void add_rest(Section& answer, const DesignReport& report, const Physical& physical) {
+  const Response& response = told_motion(report);
+  if (!response.stop_time) {
+    answer.row("rest", "none: it " + outcome_phrase(response.outcome), Tone::bad);
+    return;
+  }
+  if (response.half_cycles == 0) {
+    answer.row("rest", "at x = 0 throughout", Tone::bad);
+    return;
+  }
+  std::string where = length_shown(physical, *response.stop_position);
+  if (response.outcome == Outcome::stopped_in_notch) {
+    where += ", inside the notch,";
+  }
+  const auto arrival = report.result.finding->arrival;
+  const bool counted = !report.built_notch && arrival && report.result.request.problem.arrivals > 1;
+  answer.row("rest",
+             format("at x = {} after {}{}", where, time_shown(physical, *response.stop_time),
+                    counted ? format(", at arrival {}", *arrival) : ""));
+}
+
 std::string spring_words(const Physical& physical, double p) {
   return physical
              ? format("a period of {:.4g} s", 2 * std::numbers::pi / p * physical->scales.time_s)
@@ -120,9 +141,12 @@ std::string verdict(const DesignReport& report, const Physical& physical) {
   const auto force = scales ? scales->friction_force_n(f) : std::nullopt;
   const auto energy = scales ? scales->energy_per_passage_j(delta) : std::nullopt;
   const bool weighed = force && energy && std::isfinite(*energy);
-  const std::string notch =
-      weighed ? format("a notch that takes {} at a passage", with_unit(*energy, "J"))
-              : format("delta = {}", length_shown(physical, delta));
+  const auto width = report.built_notch ? report.built_notch->shape.width : std::nullopt;
+  const std::string wide = width ? length_shown(physical, *width) + " wide" : "";
+  const std::string notch = weighed ? format("a notch {}that takes {} at a passage",
+                                             width ? wide + " " : "", with_unit(*energy, "J"))
+                                    : format("delta = {}{}", length_shown(physical, delta),
+                                             width ? " in a notch " + wide : "");
   std::string text =
       wants_no_friction(report)
           ? format("Build {} and as little constant friction as you can.", notch)
@@ -131,6 +155,9 @@ std::string verdict(const DesignReport& report, const Physical& physical) {
   if (report.catalogue) {
     text = format("Order part {}: f = {}, delta = {}.", report.catalogue->parts.front().part.name,
                   digits(f), length_shown(physical, delta));
+  }
+  if (const std::string fault = built_notch_fault(report, physical); !fault.empty()) {
+    text += format(" But {}.", fault);
   }
   if (std::string locked = lock_sentence(report); !locked.empty()) {
     locked.front() = 'L';
@@ -148,7 +175,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   const design::Finding& finding = *result.finding;
   const auto& [f, delta, tolerance] = finding.point;
   const bool pulsed = pulse.has_value();
-  const Response& response = pulsed ? finding.pulse->response : finding.response;
+  const Response& response = told_motion(report);
   const std::string friction =
       wants_no_friction(report) ? "f as small as you can make it" : format("f = {}", digits(f));
   answer.row("damper", format("{}, delta = {}", friction, length_text(physical, delta)),
@@ -158,15 +185,9 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
       format("{}, {:.4g} % of the {} allowed{}", length_shown(physical, response.peak_amplitude),
              100 * response.peak_amplitude / problem.beta, length_shown(physical, problem.beta),
              pulsed ? ", under the pulse" : ""));
-  if (response.stop_time) {
-    answer.row(
-        "rest",
-        format("at x = {} after {}{}", length_shown(physical, *response.stop_position),
-               time_shown(physical, *response.stop_time),
-               problem.arrivals > 1 && finding.arrival ? format(", at arrival {}", *finding.arrival)
-                                                       : ""));
-  }
-  answer.row("acceleration", felt(finding, response, limits, physical));
+  add_rest(answer, report, physical);
+  answer.row("acceleration",
+             felt_in_built_notch(report).value_or(felt(finding, response, limits, physical)));
   if (pulsed && finding.pulse->worst) {
     add_worst(answer, *finding.pulse, ranges.lambda_high || problem.p_high, physical);
   } else if (problem.p_high) {  // the motion shown is that of the softest spring
@@ -175,7 +196,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   }
   answer.row("tolerance", tolerance_words(report));
   add_works_for(answer, finding.works_for, physical);
-  // A weaker hit than this is caught at the start: rule 4 of docs/theory.md, section 1.
+  // A weaker hit than this is caught at the start: rule 4 of docs/theory.md, section 2.
   if (const double caught = std::sqrt(2 * delta); problem.v0_low && *problem.v0_low < caught) {
     const std::string words = FigureUnits(physical).velocity_words(caught);
     answer.row("weak hits", format("below {} are held: felt in full, up to {}", words,

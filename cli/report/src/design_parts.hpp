@@ -7,6 +7,7 @@
 
 #include <stillpoint/report/report.hpp>
 
+#include <optional>
 #include <string>
 
 namespace stillpoint::report {
@@ -27,7 +28,13 @@ void add_pulse_check(Document& document, const design::PulseCheck& check, double
 /// The same in one line.
 [[nodiscard]] std::string reduction_text(const design::PulseCheck& check);
 
-/// What a notch that is not the paper's changes.
+/// The motion that the answer describes: with the notch that will be built, if that is given.
+[[nodiscard]] const Response& told_motion(const DesignReport& report);
+/// What the structure feels with a built notch that has a width or holds the mass throughout.
+[[nodiscard]] std::optional<std::string> felt_in_built_notch(const DesignReport& report);
+/// "with this notch the peak exceeds 150 mm": what a built notch spoils; empty if nothing.
+[[nodiscard]] std::string built_notch_fault(const DesignReport& report, const Physical& physical);
+/// How the notch as built compares with the paper's.
 void add_built_notch(Document& document, const design::BuiltNotch& built,
                      const design::Finding& finding, const Physical& physical);
 

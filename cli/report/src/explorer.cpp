@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <stillpoint/report/browser.hpp>
 #include <stillpoint/report/explorer.hpp>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <string_view>
@@ -32,23 +34,34 @@ std::string encoded(std::string_view text, std::string_view plain) {
   return result;
 }
 
+/// As on the command line: a range as LOW:HIGH.
+std::string text(const nlohmann::ordered_json& value) {
+  return value.is_string()  ? value.get<std::string>()
+         : value.is_array() ? value.front().dump() + ":" + value.back().dump()
+                            : value.dump();
+}
+
 }  // namespace
 
 std::optional<std::string> installed_explorer() {
   return beside_the_program("../share/stillpoint/stillpoint.html");
 }
 
-std::optional<std::string> explorer() {
+std::string explorer() {
   const auto installed = installed_explorer();
-  return installed ? installed : beside_the_program("../../explorer/stillpoint.html");
+  const auto page = installed ? installed : beside_the_program("../../explorer/stillpoint.html");
+  if (!page) {
+    throw BrowserError(
+        "explore: the page is not installed: ./dev explorer in the source directory makes it");
+  }
+  return *page;
 }
 
-std::string explorer_link(const std::string& page,
-                          std::span<const std::pair<std::string, std::string>> options) {
+std::string explorer_link(const std::string& page, const nlohmann::ordered_json& scene) {
   std::string link = "file://" + encoded(page, "/-_.~");
   char separator = '#';
-  for (const auto& [name, value] : options) {
-    link += separator + encoded(name, "-") + '=' + encoded(value, "-_.~:+");
+  for (const auto& [name, value] : scene.items()) {
+    link += separator + encoded(name, "-") + '=' + encoded(text(value), "-_.~:+");
     separator = '&';
   }
   return link;

@@ -47,7 +47,8 @@ Figure region_of(const Request& request, const design::RegionVerdict& verdict,
   const design::Limits& limits = request.limits;
   const std::string mend = verdict.region.feasible
                                ? ""
-                               : mend_title(verdict, {problem, limits, request.pulse, physical});
+                               : mend_title(verdict, {problem, limits, request.pulse, physical},
+                                            catalogue ? "part" : "damper");
   Figure figure = request.pulse
                       ? pulse_region_figure({design::pulse_request(request).problem, limits,
                                              verdict.region, *verdict.intervals, damper, mend},
@@ -82,7 +83,8 @@ std::vector<Figure> hit_figures(const DesignReport& report, const FigureUnits& u
   }
   DrawnMotion motion = drawn_free_motion({problem.p, f, delta}, {0, problem.v0}, {});
   motion.beta = problem.beta;
-  figures.push_back(hits_figure(problem, f, delta, found.works_for, units));
+  figures.push_back(
+      hits_figure(problem, report.result.request.limits, f, delta, found.works_for, units));
   figures.push_back(motion_figure(motion, units));
   figures.push_back(phase_figure(motion, units));
   figures.push_back(energy_figure(motion, units));
@@ -140,7 +142,7 @@ std::vector<Figure> drawings(const RegionReport& report) {
       region_of(report.request, answer, point, report.catalogue, report.physical)};
   if (f && delta && !pulse) {
     figures.push_back(
-        hits_figure(problem, *f, *delta, answer.works_for, FigureUnits(report.physical)));
+        hits_figure(problem, limits, *f, *delta, answer.works_for, FigureUnits(report.physical)));
   }
   return figures;
 }

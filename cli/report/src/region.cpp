@@ -107,7 +107,7 @@ void add_strips(Document& document, const design::Problem& problem,
   Table table{{"arrival", "feasible f", "largest tolerance"}, {}};
   for (const design::Strip& strip : std::span(strips).first(std::min(most_listed, strips.size()))) {
     table.rows.push_back(
-        {{strip.arrival > 0 ? format("{}", strip.arrival) : "any rest within the residual",
+        {{strip.arrival > 0 ? format("{}", strip.arrival) : "any, within the residual",
           strip.f_lower ? range_digits(*strip.f_lower, *strip.f_upper)
                         : "none with the tolerance asked for",
           format("+-{:.4g} %", 100 * strip.tolerance)}});

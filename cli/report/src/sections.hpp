@@ -15,6 +15,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace stillpoint::report {
 
@@ -75,9 +76,10 @@ struct EmptyTask {
 };
 /// Why there is no admissible design, which is the verdict, and what would make it feasible.
 void add_emptiness(Document& document, const design::RegionVerdict& empty, const EmptyTask& task);
-/// "No damper: max_displacement must be at least 168.8 mm", the title of the region's figure.
-[[nodiscard]] std::string mend_title(const design::RegionVerdict& empty, const EmptyTask& task);
-/// How the verdict of a page continues: " To get one, max_displacement must be ...".
+/// "No damper: max displacement must be at least 168.8 mm", the title of the region's figure.
+[[nodiscard]] std::string mend_title(const design::RegionVerdict& empty, const EmptyTask& task,
+                                     std::string_view what = "damper");
+/// How the verdict of a page continues: " To get one, max displacement must be ...".
 [[nodiscard]] std::string what_would_help(const design::RegionVerdict& empty,
                                           const EmptyTask& task);
 /// Whether Delta is compared with Delta1 of the first arrival: not for a damper that stops at a

@@ -137,7 +137,7 @@ std::string trade_off_words(const std::vector<design::TradeOff>& front, const Ph
     return format("{} at {}", length_shown(physical, end.peak_amplitude),
                   acceleration_shown(end.peak_absolute_acceleration));
   };
-  return format("strokes of {} to {}", at(front.front()), at(front.back()));
+  return format("from a stroke of {} to {}", at(front.front()), at(front.back()));
 }
 
 void add_trade_off(Document& document, const std::vector<design::TradeOff>& front,
@@ -155,11 +155,10 @@ void add_trade_off(Document& document, const std::vector<design::TradeOff>& fron
   }
   Section& section = document.section("Trade-off of stroke, acceleration and tolerance");
   section.parts.emplace_back(std::move(table));
-  if (step > 1) {
-    section.line(format("{} of {} dampers; --json lists them all.",
-                        (front.size() + step - 1) / step, front.size()),
-                 Tone::faint);
-  }
+  const std::string some = step == 1 ? ""
+                                     : format("{} of {} dampers; --json lists them all. ",
+                                              (front.size() + step - 1) / step, front.size());
+  section.line(some + "Where several delta are equally tolerant, the table has the middle one.");
 }
 
 }  // namespace stillpoint::report

@@ -6,6 +6,7 @@
 #include <stillpoint/report/digits.hpp>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace stillpoint::report {
@@ -48,17 +49,20 @@ std::optional<ShownMend> with_units(const design::Mend& mend, const EmptyTask& t
   return shown;
 }
 
-/// "max_displacement must be at least 168.8 mm".
-std::string words_of(const design::Mend& mend, const EmptyTask& task) {
-  constexpr int in_a_title = 4;
-  const ShownMend shown = with_units(mend, task).value_or(dimensionless(mend));
-  return format("{} must be {}", shown.name, shown.bound(in_a_title));
-}
-
-/// Of several mends, that of beta, which is the stroke.
-const design::Mend& named_mend(const std::vector<design::Mend>& mends) {
-  const auto of_beta = std::ranges::find(mends, "beta", &design::Mend::field);
-  return of_beta == mends.end() ? mends.front() : *of_beta;
+/// The name of an input as in a sentence: "max displacement", "the largest f", or its symbol.
+std::string in_words(std::string name) {
+  static constexpr auto words = std::to_array<std::pair<std::string_view, std::string_view>>(
+      {{"f_max", "the largest f"},
+       {"delta_max", "the largest delta"},
+       {"delta_max_m", "the largest delta"},
+       {"acceleration_max", "the largest acceleration"}});
+  const auto found =
+      std::ranges::find(words, name, &std::pair<std::string_view, std::string_view>::first);
+  if (found != words.end()) {
+    return std::string(found->second);
+  }
+  std::ranges::replace(name, '_', ' ');
+  return name;
 }
 
 /// "0.9 to 1.1 times f and 0.95 to 1.05 times delta": that of each side, as it can be given.
@@ -70,6 +74,36 @@ std::string least_box(const design::BoxShape& shape, double tolerance) {
   return format("{} times f and {} times delta", factors(shape.f_low, shape.f_high),
                 factors(shape.delta_low, shape.delta_high));
 }
+
+/// "max displacement must be at least 168.8 mm", "tolerance must be at most 34.18 %".
+std::string words_of(const design::Mend& mend, const EmptyTask& task) {
+  constexpr int in_a_title = 4;
+  ShownMend shown = with_units(mend, task).value_or(dimensionless(mend));
+  if (mend.field == "tolerance") {
+    if (task.limits.shape != design::BoxShape{}) {
+      return "the tolerance must be at most " + least_box(task.limits.shape, mend.value);
+    }
+    shown.value *= 100;
+    shown.unit = " %";
+  }
+  return format("{} must be {}", in_words(shown.name), shown.bound(in_a_title));
+}
+
+/// Nobody chooses the hit, and the period only by another isolator.
+bool is_given(const design::Mend& mend) {
+  const std::string_view field = mend.field;
+  return field.starts_with("v0") || field.starts_with("p") || field.starts_with("k") ||
+         field.starts_with("lambda");
+}
+
+/// Of several mends that of beta, which is the stroke, or else of what a designer can choose.
+const design::Mend& named_mend(const std::vector<design::Mend>& mends) {
+  const auto of_beta = std::ranges::find(mends, "beta", &design::Mend::field);
+  const auto chosen = std::ranges::find(mends, false, is_given);
+  return of_beta != mends.end() ? *of_beta : chosen != mends.end() ? *chosen : mends.front();
+}
+
+constexpr std::string_view exact_words = "criterion must be exact";
 
 void add_mend(Section& section, const design::Mend& mend, const EmptyTask& task) {
   const design::BoxShape& shape = task.limits.shape;
@@ -139,7 +173,8 @@ std::string reason_in_units(const design::RegionVerdict& empty, const EmptyTask&
 
 void add_emptiness(Document& document, const design::RegionVerdict& empty, const EmptyTask& task) {
   const auto& mends = empty.mends;
-  const auto& joint = empty.joint_mend;
+  const bool exact = empty.criterion_mend.has_value();
+  const auto joint = exact ? std::nullopt : empty.joint_mend;
   document.verdict = empty.most_tolerant
                          ? "No admissible design." +
                                most_tolerant_text(*empty.most_tolerant, task.limits, task.physical)
@@ -152,7 +187,7 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty, const
         "the limits are, and without a tolerance there is none either. Both of these changes "
         "together make it feasible:",
         limit_digits(joint->largest_tolerance, false)));
-  } else if (mends.empty()) {
+  } else if (mends.empty() && !exact) {
     section.line("No change of a single input makes it feasible.");
   } else {
     section.line(
@@ -161,17 +196,29 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty, const
   for (const design::Mend& mend : joint ? joint->mends : mends) {
     add_mend(section, mend, task);
   }
+  if (exact) {
+    section.row("criterion", "exact: its Delta1 is sharp, the published one is larger");
+  }
 }
 
-std::string mend_title(const design::RegionVerdict& empty, const EmptyTask& task) {
-  return empty.mends.empty() ? "No damper is admissible"
-                             : "No damper: " + words_of(named_mend(empty.mends), task);
+std::string mend_title(const design::RegionVerdict& empty, const EmptyTask& task,
+                       std::string_view what) {
+  if (!empty.mends.empty()) {
+    return format("No {}: {}", what, words_of(named_mend(empty.mends), task));
+  }
+  return empty.criterion_mend ? format("No {}: {}", what, exact_words)
+                              : format("No {} is admissible", what);
 }
 
 std::string what_would_help(const design::RegionVerdict& empty, const EmptyTask& task) {
   std::string all;
+  if (empty.most_tolerant && !empty.mends.empty() && named_mend(empty.mends).field == "tolerance") {
+    return all;  // which the verdict says
+  }
   if (!empty.mends.empty()) {
     all = words_of(named_mend(empty.mends), task);
+  } else if (empty.criterion_mend) {
+    all = exact_words;
   } else if (empty.joint_mend) {
     for (const design::Mend& mend : empty.joint_mend->mends) {
       all += (all.empty() ? "" : " and ") + words_of(mend, task);

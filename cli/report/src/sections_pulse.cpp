@@ -3,7 +3,6 @@
 #include "format.hpp"
 #include "sections.hpp"
 
-#include <stillpoint/design/least_delta.hpp>
 #include <stillpoint/report/digits.hpp>
 
 namespace stillpoint::report {
@@ -39,7 +38,7 @@ Section& add_pulse_region(Document& document, const design::RegionVerdict& verdi
                 format("f >= {:.6g}{}", region.f2, region.f2 == 0 ? "  (does not bind)" : ""));
   }
   const bool up_to_k = region.beta_min == 0;
-  section.row("return", format("f {} {:.6g}", up_to_k ? "<" : "<=", region.f3));
+  section.row("return", up_to_k ? "with every f that starts" : format("f <= {:.6g}", region.f3));
   section.row("start",
               "f below the peak load; nothing bounds delta, since the mass starts from rest");
   section.row("smallest beta", up_to_k ? "none: with f just below the peak load it hardly moves"

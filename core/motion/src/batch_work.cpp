@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -113,8 +114,14 @@ void EntryThreads::run(const Threads& threads, const std::function<void()>& work
   const std::ptrdiff_t blocks = (size_ + block_ - 1) / block_;
   {
     std::vector<std::jthread> others;
-    for (std::ptrdiff_t i = 1; i < std::min(wanted, blocks); ++i) {
-      others.emplace_back(worker);
+    try {
+      for (std::ptrdiff_t i = 1; i < std::min(wanted, blocks); ++i) {
+        others.emplace_back(worker);
+      }
+    } catch (const std::system_error& error) {
+      failed_ = true;  // so that those which run end
+      throw InputError("threads", static_cast<double>(wanted),
+                       fmt::format("cannot be started ({}): give fewer", error.code().message()));
     }
     worker();
   }

@@ -30,7 +30,7 @@ class EntryThreads {
   void guard(std::ptrdiff_t i, const std::function<void()>& entry);
 
   /// Calls `worker` on that many threads, but on no more than there are blocks; then throws
-  /// EntryError if an entry failed. InputError for threads < 1.
+  /// EntryError if an entry failed. InputError for threads < 1, and for more than can be started.
   void run(const Threads& threads, const std::function<void()>& worker);
 
  private:

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "kernel/excitation_law.hpp"
 
-#include "load_while_held.hpp"
-
 #include <cmath>
-#include <functional>
 #include <optional>
 
 namespace stillpoint {

@@ -14,7 +14,7 @@ namespace {
 std::string shortened(const std::string& value) {
   constexpr std::size_t longest = 80;  // a line of a terminal
   if (value.size() <= longest) {
-    return value;
+    return value.empty() ? R"("")" : value;
   }
   std::size_t length = longest;
   while (length > 0 && (static_cast<unsigned char>(value[length]) & 0xC0U) == 0x80U) {

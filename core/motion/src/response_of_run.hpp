@@ -10,7 +10,6 @@
 #include "kernel/free_run.hpp"
 #include "kernel/margin_keeper.hpp"
 #include "kernel/phase_clock.hpp"
-#include "load_while_held.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "channel.hpp"
 
-#include <stillpoint/records/record_file.hpp>
 #include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>

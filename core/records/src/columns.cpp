@@ -7,7 +7,6 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/number.hpp>
-#include <stillpoint/records/record_file.hpp>
 #include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>

@@ -12,7 +12,8 @@ namespace stillpoint::records {
 namespace {
 
 std::string shown(const FilePlace& place) {
-  std::string text = fmt::format("{} {}", place.kind, shortened(place.path, longest_path));
+  std::string text = fmt::format(
+      "{} {}", place.kind, place.path.empty() ? R"("")" : shortened(place.path, longest_path));
   if (place.line) {
     text += fmt::format(", line {}", *place.line);
   }

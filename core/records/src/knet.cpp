@@ -9,7 +9,6 @@
 #include "value_block.hpp"
 
 #include <stillpoint/records/number.hpp>
-#include <stillpoint/records/record_file.hpp>
 #include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>

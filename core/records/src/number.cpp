@@ -105,7 +105,7 @@ double parse_number(std::string_view field, std::string_view text) {
                      "must have a magnitude that a double can hold, 2.2e-308 to 1.8e308");
   }
   if (scanned.fault != NumberFault::none) {
-    throw InputError(std::string(field), fmt::format("\"{}\"", text),
+    throw InputError(std::string(field), quoted(text),
                      scanned.fault == NumberFault::not_finite
                          ? "must be a finite number"
                          : fmt::format("must be a number{}", without_percent(text)));
@@ -134,7 +134,7 @@ std::int64_t parse_integer(std::string_view field, std::string_view text) {
   }
   const ScannedNumber scanned = scan_number(text);
   if (scanned.fault != NumberFault::none) {
-    throw InputError(std::string(field), fmt::format("\"{}\"", text), "must be a whole number");
+    throw InputError(std::string(field), quoted(text), "must be a whole number");
   }
   const bool whole = scanned.value == std::floor(scanned.value);
   throw InputError(

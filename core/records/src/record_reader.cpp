@@ -5,6 +5,7 @@
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/records/text.hpp>
+#include <stillpoint/records/text_file.hpp>
 
 #include <fmt/format.h>
 
@@ -16,7 +17,6 @@ namespace stillpoint::records {
 
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr char end_of_dos_file = '\x1A';
 
 /// Bytes that text does not contain. A form feed and DOS's end of file may be in a trailer.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/records/record_options.hpp>
+#include <stillpoint/records/record_file.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -63,9 +63,7 @@ class RecordReader {
 /// The bound of a step, for messages.
 [[nodiscard]] std::string step_bounds(const RecordClock& clock);
 
-struct RecordFile;
-
-/// A format of record files: one source file defines it, one row in record_file.cpp lists it.
+/// A format of record files: one source file defines it, one row in record_formats.cpp lists it.
 struct RecordFormat {
   bool (*recognises)(RecordReader reader){nullptr};  ///< may read ahead in its copy
   RecordFile (*read)(RecordReader& reader){nullptr};

@@ -8,7 +8,6 @@
 #include "channel.hpp"
 #include "value_block.hpp"
 
-#include <stillpoint/records/record_file.hpp>
 #include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>

@@ -117,7 +117,7 @@ double parse_value(std::string_view field, Dimension dimension, std::string_view
   const std::vector<Unit> accepted = units_of(dimension);
   const auto unit = std::ranges::find(accepted, parts->unit, &Unit::name);
   if (unit == accepted.end()) {
-    throw InputError(std::string(field), fmt::format("\"{}\"", shortened(text, longest_word)),
+    throw InputError(std::string(field), quoted(text),
                      accepted.empty() ? fmt::format("must be a number without a unit{}", instead)
                      : accepted.size() == 1
                          ? fmt::format("must be a number in {0}, with or without the unit {0}",

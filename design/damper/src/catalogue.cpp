@@ -3,7 +3,7 @@
 
 #include "finding.hpp"
 #include "nearest_fit.hpp"
-#include "pulse/catalogue.hpp"
+#include "pulse/answer.hpp"
 #include "ranking.hpp"
 #include "region/mend_list.hpp"
 
@@ -159,6 +159,12 @@ Choice choose(const DesignRequest& request, std::span<const Part> parts) {
   result.reason = result.region.feasible ? none_admissible(parts.size())
                                          : design::reason(result.region, problem, limits);
   result.mends = part_mends(problem, limits, parts);
+  Problem exact = problem;
+  exact.criterion = Criterion::exact;
+  if (std::ranges::any_of(
+          parts, [&](const Part& part) { return admissible(exact, limits, part.f, part.delta); })) {
+    result.criterion_mend = Criterion::exact;
+  }
   return choice;
 }
 

@@ -41,6 +41,7 @@ DesignResult design(const DesignRequest& request) {
     result.mends = mends(problem, limits);
     result.joint_mend = joint_mend(problem, limits);
     result.most_tolerant = most_tolerant(problem, limits);
+    result.criterion_mend = criterion_mend(problem, limits);
     return result;
   }
   result.finding = finding_of(problem, limits, found->point);

@@ -194,6 +194,21 @@ std::optional<Doubt> doubtful_notch(const GivenValues& given, const Values& valu
                in_unit(given, name, *notch, "mm", *notch * 1e-3 <= near_one * hit)};
 }
 
+/// A notch that the mass never leaves is not one.
+std::optional<Doubt> doubtful_width(const GivenValues& given, const Values& values) {
+  constexpr std::string_view name = "notch-width-m";
+  const auto width = number(given, name);
+  const auto reach = values.reach();
+  if (!width || !reach || *width <= 2 * *reach) {
+    return std::nullopt;
+  }
+  return Doubt{std::string(name),
+               fmt::format("{} = {} m is wider than the motion, which reaches {:.3g} m to either "
+                           "side without friction",
+                           name, *width, *reach),
+               in_unit(given, name, *width, "mm", *width * 1e-3 <= *reach)};
+}
+
 std::optional<Doubt> doubtful_pulse(const GivenValues& given, const Values& values) {
   constexpr std::string_view name = "pulse-duration";
   const auto pulse = number(given, name);
@@ -278,8 +293,8 @@ std::vector<Doubt> doubtful_values(const GivenValues& given) {
   std::vector<Doubt> doubts;
   for (const std::optional<Doubt>& doubt :
        {stroke ? stroke : doubtful_reach(given, values), doubtful_notch(given, values, "delta-m"),
-        doubtful_notch(given, values, "delta-max-m"), doubtful_pulse(given, values),
-        doubtful_peak(given)}) {
+        doubtful_notch(given, values, "delta-max-m"), doubtful_width(given, values),
+        doubtful_pulse(given, values), doubtful_peak(given)}) {
     if (doubt) {
       doubts.push_back(*doubt);
     }

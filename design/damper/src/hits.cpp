@@ -13,8 +13,6 @@ namespace stillpoint::design {
 
 namespace {
 
-constexpr double smallest_beta = 1e-300;  // as problem.hpp has it
-
 struct Damper : WideNotch {
   Wide p;
 
@@ -95,7 +93,7 @@ std::span<const Named<HitEnd>> enumerators(HitEnd) noexcept {
 
 std::vector<Hits> hits(const Oscillator& oscillator, double beta, double v0_most) {
   require_valid(oscillator);
-  require_within("beta", beta, smallest_beta, largest_square);
+  require_within("beta", beta, smallest_limit, largest_square);
   require_within("v0", v0_most, smallest_speed, largest_speed);
   const auto& [p, f, delta, hold] = oscillator;
   const Damper damper{{f / Wide(p), 2 * Wide(delta)}, p};

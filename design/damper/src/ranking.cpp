@@ -34,7 +34,8 @@ void require_valid(const Part& part, double p) {
 }
 
 std::string none_admissible(std::size_t parts) {
-  return fmt::format("none of the {} parts of the catalogue is admissible", parts);
+  return parts == 1 ? "the only part of the catalogue is not admissible"
+                    : fmt::format("none of the {} parts of the catalogue is admissible", parts);
 }
 
 std::vector<RatedPart> best_first(std::vector<RatedPart> all,

@@ -21,7 +21,6 @@ namespace {
 
 using records::longest_word;
 using records::printable;
-using records::trimmed;
 
 /// Reads the file line by line; every error names the line.
 class CatalogueReader {
@@ -49,18 +48,12 @@ class CatalogueReader {
   }
 
  private:
-  /// The fields of the next line that is not blank; false at the end.
+  /// The fields of the next line; false at the end.
   bool next_row() {
     std::string_view line;
-    do {
-      if (!lines_.next(line, {})) {
-        return false;
-      }
-      constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-      if (lines_.number() == 1 && line.starts_with(byte_order_mark)) {
-        line.remove_prefix(byte_order_mark.size());
-      }
-    } while (trimmed(line).empty());
+    if (!lines_.next(line, {})) {
+      return false;
+    }
     fields_.clear();
     CsvLine row(line);
     for (std::string_view field; row.next(field);) {

@@ -102,7 +102,7 @@ class JsonCheck {
     refuse(position,
            fmt::format("is not valid JSON{}: {}",
                        last_.empty() ? "" : fmt::format(" after the key {}", shown_key(last_)),
-                       cause(error.what())));
+                       parse_error_cause(error.what())));
   }
 
  private:
@@ -118,15 +118,6 @@ class JsonCheck {
   bool leave() {
     seen_.pop_back();
     return true;
-  }
-
-  /// The cause in the library's message "[...] parse error at ...: ... - CAUSE; last read: ...".
-  static std::string cause(std::string_view message) {
-    constexpr std::string_view dash = " - ";
-    if (const std::size_t begin = message.find(dash); begin != std::string_view::npos) {
-      message.remove_prefix(begin + dash.size());
-    }
-    return records::printable(message.substr(0, message.find("; last read")), 150);
   }
 
   /// The place of the key that has just been read, up to its closing quote.
@@ -178,6 +169,15 @@ class JsonCheck {
 };
 
 }  // namespace
+
+std::string parse_error_cause(std::string_view message) {
+  // "[...] parse error at ...: ... - CAUSE; last read: ..."
+  constexpr std::string_view dash = " - ";
+  if (const std::size_t begin = message.find(dash); begin != std::string_view::npos) {
+    message.remove_prefix(begin + dash.size());
+  }
+  return records::printable(message.substr(0, message.find("; last read")), 150);
+}
 
 KeyPlaces require_json_object(std::string_view text, const records::FilePlace& file) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");

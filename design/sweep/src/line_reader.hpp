@@ -10,8 +10,8 @@
 
 namespace stillpoint::sweep {
 
-/// The lines of a list, a file or standard input, one at a time, in constant memory. Throws
-/// records::FileError.
+/// The lines of a list, a file or standard input, that are not blank, one at a time, in constant
+/// memory. Throws records::FileError.
 class LineReader {
  public:
   /// `path` "-" is standard input; `kind` says what the file is to the program, file_error.hpp.
@@ -20,8 +20,8 @@ class LineReader {
   LineReader& operator=(const LineReader&) = delete;
   ~LineReader();
 
-  /// The next line without its end (LF or CR LF), valid until the next call. False at the end and
-  /// after a stop, even while it waits for input. A line has at most 64 KiB.
+  /// The next line without its end (LF or CR LF) or a byte order mark, valid until the next call.
+  /// False at the end and after a stop, even while it waits for input. A line has at most 64 KiB.
   [[nodiscard]] bool next(std::string_view& line, const std::stop_token& stop);
 
   /// The line that was read last, from 1.
@@ -31,6 +31,7 @@ class LineReader {
   [[noreturn]] void refuse(std::optional<std::int64_t> line, std::string_view what) const;
 
  private:
+  [[nodiscard]] bool next_of_all(std::string_view& line, const std::stop_token& stop);
   [[nodiscard]] bool read_more(const std::stop_token& stop);
   [[noreturn]] void refuse_unreadable(int error) const;
 

@@ -51,13 +51,9 @@ std::span<const Named<ListFormat>> enumerators(ListFormat) noexcept {
 List::List(const std::string& path, std::optional<ListFormat> format,
            const std::optional<SweepUnits>& units)
     : path_(path), lines_(std::make_unique<LineReader>(path)), units_(units) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   std::string_view line;
-  if (!next_line(line, {})) {
+  if (!lines_->next(line, {})) {
     lines_->refuse({}, "is empty: it must have a header, or JSON objects");
-  }
-  if (lines_->number() == 1 && line.starts_with(byte_order_mark)) {
-    line.remove_prefix(byte_order_mark.size());
   }
   format_ = format.value_or(trimmed(line).starts_with('{') ? ListFormat::jsonl : ListFormat::csv);
   if (format_ == ListFormat::csv) {
@@ -87,15 +83,6 @@ void List::refuse(std::int64_t line, std::string_view what) const {
 
 void List::refuse(std::string_view what) const {
   refuse(line(), what);
-}
-
-bool List::next_line(std::string_view& line, const std::stop_token& stop) {
-  while (lines_->next(line, stop)) {
-    if (!trimmed(line).empty()) {
-      return true;
-    }
-  }
-  return false;
 }
 
 void List::read_header(std::string_view line) {
@@ -175,7 +162,7 @@ bool List::next(std::vector<double>& values, const std::stop_token& stop) {
     return true;
   }
   std::string_view line;
-  if (!next_line(line, stop)) {
+  if (!lines_->next(line, stop)) {
     return false;
   }
   if (format_ == ListFormat::csv) {

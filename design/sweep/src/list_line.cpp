@@ -2,6 +2,7 @@
 #include "list_line.hpp"
 
 #include <stillpoint/records/text.hpp>
+#include <stillpoint/sweep/json_text.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -59,12 +60,7 @@ class RowHandler {
 
   bool parse_error(std::size_t /*position*/, const std::string& /*token*/,
                    const json::exception& error) {
-    const std::string_view message = error.what();
-    const std::size_t prefix = message.find("] ");
-    return refuse(fmt::format(
-        "is not valid JSON: {}",
-        records::printable(prefix == std::string_view::npos ? message : message.substr(prefix + 2),
-                           200)));
+    return refuse("is not valid JSON: " + parse_error_cause(error.what()));
   }
 
  private:

@@ -1,19 +1,12 @@
 // node same_digits.mjs ENGINE PROGRAM [SEED]: the JSON of the page's engine is that of the program, in every digit but
 // the times, for random tasks; so are its refusals of wrong input.
 import { execFileSync, spawnSync } from "node:child_process";
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import vm from "node:vm";
+import { load_engine } from "../../../cli/explorer/load.mjs";
 
 const [script, program, seed = "20081"] = process.argv.slice(2);
 const tasks = 200;
 
-Object.assign(globalThis, {
-  require: createRequire(import.meta.url),
-  __filename: script,
-  __dirname: ".",
-});
-const engine = await vm.runInThisContext(`${readFileSync(script, "utf8")}\ncreateEngine`)();
+const engine = await load_engine(script);
 
 let state = Number(seed) >>> 0;
 /** In [0, 1), the same in every run (mulberry32). */
@@ -97,18 +90,23 @@ for (let number = 0; number < tasks; ++number) {
   const words = Object.entries(options).flatMap(([name, value]) => [`--${name}`, `${value}`]);
   const expected = spawnSync(program, [command, ...words, "--json"], { encoding: "utf8" });
   const found = engine.run(command, options);
+  const refusal = "error" in found ? found.error : undefined;
+  const answer = "error" in found ? undefined : found;
   if (expected.status === 2) {
     const said = expected.stderr.trim().replace(/^stillpoint: /, "");
-    if (found.error !== said) {
+    if (refusal !== said) {
       ++wrong;
-      console.error(`${command} ${words.join(" ")}\n  program: ${said}\n  engine:  ${found.error}`);
+      console.error(`${command} ${words.join(" ")}\n  program: ${said}\n  engine:  ${refusal}`);
     }
-  } else if (found.exit !== expected.status || timeless(found.json) !== timeless(expected.stdout)) {
+  } else if (
+    answer?.exit !== expected.status ||
+    timeless(answer.json) !== timeless(expected.stdout)
+  ) {
     ++wrong;
     const places =
-      found.error !== undefined
-        ? [found.error]
-        : differences(JSON.parse(timeless(expected.stdout)), JSON.parse(timeless(found.json)));
+      answer === undefined
+        ? [refusal]
+        : differences(JSON.parse(timeless(expected.stdout)), JSON.parse(timeless(answer.json)));
     for (const place of new Set(places)) fields.set(place, (fields.get(place) ?? 0) + 1);
     if (wrong <= 3)
       console.error(

@@ -229,6 +229,9 @@ BOOST_AUTO_TEST_CASE(words_keep_clear_of_lines_and_on_their_side_of_a_limit) {
                    {.name = "", .strokes = {{{0, 4.9}, {10, 4.9}}}}};
   const PlacedName below = placed(figure, "peak 0.5");
   BOOST_TEST(below.centre.y - 7 > 153);
+  // Even a limit through the mark, half a pixel above its middle.
+  figure.curves = {{.name = "limit", .strokes = {{{0, 5.02}, {10, 5.02}}}, .labelled = true}};
+  BOOST_TEST(placed(figure, "peak 0.5").centre.y > 150);
   // A limit below the mark, and nothing above: there.
   figure.curves = {{.name = "limit", .strokes = {{{0, 4.6}, {10, 4.6}}}, .labelled = true}};
   BOOST_TEST(placed(figure, "peak 0.5").centre.y < 150);
@@ -250,6 +253,43 @@ BOOST_AUTO_TEST_CASE(an_area_is_named_beside_a_line_through_it) {
   figure.areas = {{"centred", {{4, 0}, {6, 0}, {6, 10}, {4, 10}}, Ink::sky}};
   figure.curves = {{.name = "", .strokes = {{{0, 5}, {10, 5}}}}};
   BOOST_TEST(std::abs(placed(figure, "centred").centre.y - 150) > 7);
+}
+
+// Of 22 pixels upright words need 16, but not beside a line in the middle.
+BOOST_AUTO_TEST_CASE(an_area_is_named_in_the_legend_rather_than_on_a_line) {
+  Figure figure = one_of_everything();
+  figure.map = {};
+  figure.areas = {{"centred", {{4, -5}, {4.6, -5}, {4.6, 5}, {4, 5}}, Ink::sky}};
+  figure.curves = {};
+  figure.marks = {};
+  figure.notes = {};
+  figure.bands = {};
+  BOOST_TEST(contains(svg(figure, Frame::in_page), "class=\"note\""));
+  figure.curves = {{.name = "", .strokes = {{{4.3, -5}, {4.3, 5}}}}};
+  const std::string text = svg(figure, Frame::in_page);
+  BOOST_TEST(!contains(text, "class=\"note\""));
+  BOOST_TEST(contains(text, "<text x=\"30\">centred"));
+}
+
+BOOST_AUTO_TEST_CASE(an_area_is_named_outside_a_box_on_it_if_there_is_room) {
+  Figure figure;
+  figure.x = {"x", 0, 10};
+  figure.y = {"y", 0, 10};
+  figure.areas = {{"admissible", {{1, 0}, {9, 0}, {9, 10}, {1, 10}}, Ink::sky},
+                  {"tolerance", {{1, 2}, {9, 2}, {9, 9}, {1, 9}}, Ink::blue, AreaLook::box}};
+  BOOST_TEST(placed(figure, "admissible").centre.y > 240);  // below y = 2
+  BOOST_TEST(placed(figure, "tolerance").centre.y < 240);
+  figure.areas[1].outline = {{1, 0.3}, {9, 0.3}, {9, 9.7}, {1, 9.7}};
+  BOOST_TEST(placed(figure, "admissible").centre.y < 240);
+}
+
+BOOST_AUTO_TEST_CASE(marks_are_not_clipped_at_the_frame) {
+  Figure figure = one_of_everything();
+  figure.marks = {{"at the corner", {{0, -5}}, Shape::diamond, Ink::green}};
+  const std::string text = svg(figure, Frame::in_page);
+  const std::size_t pins = text.find("class=\"plot pins\" overflow=\"visible\"");
+  BOOST_TEST(pins > text.find("class=\"frame\""));
+  BOOST_TEST(pins < text.find("translate(0.00 270.00)\" data-name=\"at the corner\""));
 }
 
 // Turned, a digit of 10 by 14 pixels would fit a row of 12.

@@ -37,6 +37,13 @@ const std::vector<Wrong> doubts{
      {"pulse-duration = 50 s", "mean --pulse-duration 50ms?"}},
     {simulate("--period 2.8 --delta 0 --excitation half-sine --k 9.81 --pulse-duration 50ms"),
      {"k = 9.81 is in g", "mean --k 1?"}},
+    // The mass never leaves a notch wider than 2 x 0.178 m.
+    {simulate("--velocity 0.4 --period 2.8 --delta-m 0.006 --notch-width-m 0.35"), {}},
+    {simulate("--velocity 0.4 --period 2.8 --delta-m 0.006 --notch-width-m 20"),
+     {"notch-width-m = 20 m is wider than the motion, which reaches 0.178 m",
+      "mean --notch-width-m 20mm?"}},
+    {simulate("--velocity 0.4 --period 2.8 --delta-m 0.006 --notch-width-m 360mm"),
+     {"notch-width-m = 0.36 m is wider than the motion", "without friction\n"}},
     // Values of no usual size, though they may go together.
     {simulate("--velocity 0.4 --period 1e-5 --delta-m 0"),
      {"period = 1e-05 s", "usual 0.01 to 20 s\n"}},

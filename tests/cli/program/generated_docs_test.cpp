@@ -130,11 +130,14 @@ BOOST_AUTO_TEST_CASE(name_options_of_the_same_command) {
     }
   };
   for (const cli::Option& option : cli::options()) {
-    if (!option.traits.needs.option.empty()) {
-      check(option, option.traits.needs.commands, option.traits.needs.option);
+    // What is needed may be one of several; the first, which a message names, is in each command.
+    if (const auto& [commands, others, what] = option.traits.needs; !others.empty()) {
+      check(option, commands, others.front());
     }
-    for (const auto& [commands, other, why] : option.traits.excludes) {
-      check(option, commands, other);
+    for (const auto& [commands, others, why] : option.traits.excludes) {
+      for (const std::string_view other : others) {
+        check(option, commands, other);
+      }
     }
   }
 }

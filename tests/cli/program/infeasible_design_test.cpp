@@ -111,6 +111,26 @@ BOOST_AUTO_TEST_CASE(names_the_limit_that_is_in_the_way) {
   }
 }
 
+// Delta1 at f3 is 1/16 published and 0 exact: delta <= 0.05 leaves a damper only with the latter.
+// For a pulse and for the parts of a catalogue as well.
+BOOST_AUTO_TEST_CASE(offers_the_exact_criterion_where_it_mends) {
+  write("parts.csv", "name,f,delta\nA,0.35,0.05\n");
+  const Arguments delta("--delta-max 0.05");
+  const std::vector<Arguments> tasks{
+      design(2) + delta, Arguments("region --v0 1 --p 1 --beta 2") + delta,
+      design(2) + Arguments("--catalogue parts.csv"),
+      Arguments("design --pulse rectangle --k 20 --lambda 62.83 --p 1 --beta 2 --delta-max 0.05")};
+  for (const Arguments& task : tasks) {
+    const ProgramRun text = run(task);
+    BOOST_TEST(contains(text.out, "  criterion         exact: its Delta1"), text.out);
+    BOOST_TEST(run(task + "--json").json()["region"]["criterion_mend"] == "exact");
+    const ProgramRun exact = run(task + "--criterion exact --json");
+    BOOST_TEST(exact.exit_code == 0, exact.err);
+    BOOST_TEST(exact.json()["region"]["criterion_mend"].is_null());
+  }
+  BOOST_TEST(run(design(0.6, "--json")).json()["region"]["criterion_mend"].is_null());
+}
+
 BOOST_AUTO_TEST_CASE(report_is_still_written_to_a_file) {
   BOOST_TEST(run(design(0.6, "--output report.json")).exit_code == 3);
   BOOST_TEST(json::parse(read("report.json"))["region"]["feasible"] == false);

@@ -102,8 +102,14 @@ BOOST_FIXTURE_TEST_CASE(links_only_what_the_page_can_show, InstalledProgram) {
     return read("page.html");
   };
   const std::string task = "--v0 1 --p 1 --beta 0.8";
-  BOOST_TEST(page_of(task + " --trade-off 3").find("#beta=0.8&amp;p=1.0&amp;v0=1.0\"") !=
-             std::string::npos);
+  const std::string shown = "#beta=0.8&amp;p=1.0";
+  BOOST_TEST(contains(page_of(task + " --trade-off 3"), shown + "&amp;v0=1.0\""));
+  BOOST_TEST(
+      contains(page_of(task + " --title 'Roof 3'"), shown + "&amp;title=Roof%203&amp;v0=1.0\""));
+  write(
+      "scene.json",
+      R"({"v0": 1, "p": 1, "beta": 0.8, "excitation": {"type": "harmonic", "k": 0.1, "lambda": 2}})");
+  BOOST_TEST(contains(page_of("scene.json"), shown + "&amp;v0=1.0\""));
   for (const std::string& beyond :
        {task + " --catalogue parts.csv",
         std::string("--pulse half-sine --k 6 --lambda 10 --p 1 --beta 1")}) {

@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(the_gap_is_shaded_and_the_mend_is_the_title) {
 /// In the unit of the figure; V0/(sqrt(2) omega) = 126.0443 mm, rounded up.
 BOOST_AUTO_TEST_CASE(the_mend_of_a_task_in_metres_is_in_the_unit_of_the_figure) {
   const HtmlPage page = isolator(0.11);
-  const std::string words = "max_displacement must be at least 126.1 mm";
+  const std::string words = "max displacement must be at least 126.1 mm";
   BOOST_TEST(figure(page, "region").title == "No damper: " + words);
   BOOST_TEST(contains(page.verdict, words), page.verdict);
   BOOST_TEST(contains(page.verdict, "a peak within 110 mm needs f >= f2"), page.verdict);
@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(a_lack_of_tolerance_alone_leaves_a_clear_area_that_is_not_c
   request.problem = {.v0 = 1, .p = 1, .beta = 0.8};
   request.limits.tolerance = 0.4;
   const Figure drawn = figure(page(DesignReport{design::design(request), {}}), "region");
-  BOOST_TEST(drawn.title == "No damper: tolerance must be at most 0.2221");
+  BOOST_TEST(drawn.title == "No damper: tolerance must be at most 22.21 %");
   BOOST_TEST(contains(drawn.caption, "without a tolerance"), drawn.caption);
   BOOST_TEST(drawn.areas.front().name == "admissible without a tolerance");
 }
@@ -107,6 +107,24 @@ BOOST_AUTO_TEST_CASE(the_hits_are_those_of_the_design_with_the_range_that_it_wor
     reached = drawn.areas[i].outline[1].x;
   }
   BOOST_TEST(reached == drawn.x.most);
+}
+
+/// beta = 0.9 is exceeded from V0 = 1.136 on, and sqrt(f^2 + V0^2) = 1.08 from there to V0 =
+/// sqrt(1.08^2 - f^2).
+BOOST_AUTO_TEST_CASE(hits_above_the_limit_of_the_acceleration_are_shown) {
+  design::DesignRequest request;
+  request.problem = {.v0 = 1, .p = 1, .beta = 0.9};
+  request.limits.acceleration_max = 1.08;
+  const DesignReport report{design::design(request), {}};
+  const double f = report.result.finding->point.f;
+  const Figure drawn = figure(page(report), "hits");
+  const auto& above = named(drawn.areas, "above 1.08 g");
+  BOOST_TEST(above.outline[0].x == std::sqrt(1.08 * 1.08 - f * f), tt::tolerance(1e-12));
+  BOOST_TEST(above.outline[1].x == named(drawn.areas, "too far").outline[0].x);
+  BOOST_TEST(report.result.finding->works_for->v0.high.value() ==
+                 std::min(above.outline[0].x, report.result.finding->works_for->v0.high.value()),
+             tt::tolerance(1e-12));
+  BOOST_TEST(!has(figure(isolator(), "hits").areas, "above 0.1 g"));
 }
 
 BOOST_AUTO_TEST_CASE(the_hits_are_told_with_the_digits_that_tell_them_apart) {

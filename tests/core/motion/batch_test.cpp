@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "motion.hpp"
 
+#include <stillpoint/core/for_each_entry.hpp>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
 namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(batch_test)
@@ -96,6 +101,24 @@ BOOST_AUTO_TEST_CASE(the_first_entry_is_named_even_where_a_later_one_fails_soone
                }) == "delta[4095] = -1: must be a number from 0 to 1e+300");
   }
 }
+
+#ifndef __SANITIZE_ADDRESS__  // which reserves terabytes
+// Each thread reserves 8 MB for its stack, as `ulimit -v` or a container may not allow.
+BOOST_AUTO_TEST_CASE(threads_that_cannot_start_are_an_error_of_their_number) {
+  rlim_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  rlimit whole{};
+  getrlimit(RLIMIT_AS, &whole);
+  rlimit little = whole;
+  little.rlim_cur = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + (rlim_t{16} << 20U);
+  setrlimit(RLIMIT_AS, &little);
+  const std::string said =
+      refusal_of<InputError>([] { for_each_entry(1000, 100, {}, [](std::ptrdiff_t) {}); });
+  setrlimit(RLIMIT_AS, &whole);
+  BOOST_TEST(said ==
+             "threads = 100: cannot be started (Resource temporarily unavailable): give fewer");
+}
+#endif
 
 BOOST_AUTO_TEST_CASE(a_value_for_all_is_named_without_an_entry) {
   const Eigen::ArrayXd one = Eigen::ArrayXd::Constant(1, 0.1);

@@ -248,7 +248,7 @@ BOOST_AUTO_TEST_CASE(if_no_part_fits_the_reason_says_so) {
   const std::vector<Part> weak{{"weak", 0.1, 0.45}};
   const Choice none = choose({{1, 1, 0.9}}, weak);
   BOOST_TEST(none.result.region.feasible);
-  BOOST_TEST(none.result.reason.value() == "none of the 1 parts of the catalogue is admissible");
+  BOOST_TEST(none.result.reason.value() == "the only part of the catalogue is not admissible");
   // The stroke of f = 0.1 is sqrt(1 + f^2) - f.
   BOOST_TEST_REQUIRE(none.result.mends.size() == 1U);
   BOOST_TEST(none.result.mends[0].field == "beta");

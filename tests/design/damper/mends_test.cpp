@@ -148,6 +148,31 @@ BOOST_AUTO_TEST_CASE(what_no_input_mends_alone_two_do) {
   BOOST_TEST(seen > 50);
 }
 
+/// Offered if and only if the same task has a damper with the exact Delta1.
+BOOST_AUTO_TEST_CASE(the_exact_criterion_is_offered_where_it_alone_mends) {
+  RandomSource random(1111);
+  int offered = 0;
+  int refused = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Task now = random_task(random);
+    if (now.feasible()) {
+      BOOST_TEST(!criterion_mend(now.problem, now.limits));
+      continue;
+    }
+    Task exact = now;
+    exact.problem.criterion = Criterion::exact;
+    BOOST_TEST(criterion_mend(now.problem, now.limits).has_value() ==
+               (now.problem.criterion == Criterion::published && exact.feasible()));
+    BOOST_TEST(!criterion_mend(exact.problem, exact.limits));
+    ++(exact.feasible() ? offered : refused);
+  }
+  BOOST_TEST(offered > 30);
+  BOOST_TEST(refused > 500);
+  // Delta1 published is 1/16 at f3, exact it is 0 there.
+  const Task narrow{{1, 1, 2}, {std::nullopt, 0.01, 0}};
+  BOOST_TEST((criterion_mend(narrow.problem, narrow.limits) == Criterion::exact));
+}
+
 BOOST_AUTO_TEST_CASE(of_inputs_that_mend_by_the_same_factor_beta_is_named) {
   // Without a limit of f or Delta p beta / v0 alone decides, and v0 and beta differ by rounding.
   RandomSource random(1110);

@@ -42,6 +42,7 @@ Figure over_stroke(const std::vector<design::TradeOff>& front, const FigureUnits
 
 void add_parts(Figure& figure, const Catalogue& catalogue, const FigureUnits& units) {
   std::vector<FigurePoint> fit;
+  std::vector<FigurePoint> too_little;
   std::vector<FigurePoint> fail;
   std::size_t outside = 0;
   for (const design::RatedPart& rated : catalogue.parts) {
@@ -50,7 +51,7 @@ void add_parts(Figure& figure, const Catalogue& catalogue, const FigureUnits& un
     if (!within(figure.x.position(at.x)) || !within(figure.y.position(at.y))) {
       ++outside;
     } else {
-      (rated.admissible ? fit : fail).push_back(at);
+      (rated.admissible ? fit : rated.tolerance ? too_little : fail).push_back(at);
     }
   }
   const auto add = [&figure](const char* name, std::vector<FigurePoint> points, Shape shape,
@@ -61,6 +62,8 @@ void add_parts(Figure& figure, const Catalogue& catalogue, const FigureUnits& un
     }
   };
   add("parts that fail", std::move(fail), Shape::cross, Ink::orange, Fill::solid);
+  add("parts that tolerate too little", std::move(too_little), Shape::triangle, Ink::amber,
+      Fill::hollow);
   add("parts that fit", std::move(fit), Shape::disc, Ink::green, Fill::hollow);
   if (outside > 0) {
     figure.caption.back() = ';';

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -42,10 +44,29 @@ FigureArea area_of(HitEnd end) {
   return {};
 }
 
+/// The hits whose peak is within beta, but whose acceleration outside the notch is not within its
+/// limit: sqrt(f^2 + (v0 p)^2) is above it, with the stiffest spring.
+void add_acceleration(Figure& figure, const design::Problem& problem, const design::Limits& limits,
+                      double f, const std::vector<design::Hits>& hits, double unit) {
+  if (!limits.acceleration_max) {
+    return;
+  }
+  const double limit = *limits.acceleration_max;
+  const double from =
+      limit > f ? std::sqrt((limit - f) * (limit + f)) / problem.p_high.value_or(problem.p) : 0;
+  const auto far = std::ranges::find(hits, HitEnd::too_far, &design::Hits::end);
+  const double to = far == hits.end() ? hits.back().to : far->from;
+  if (from < to) {
+    figure.areas.push_back({fmt::format("above {:.4g} g", limit),
+                            strip(from * unit, to * unit, 0, 1), Ink::purple, AreaLook::hatched});
+  }
+}
+
 }  // namespace
 
-Figure hits_figure(const design::Problem& problem, double f, double delta,
-                   const std::optional<design::WorksFor>& works_for, const FigureUnits& units) {
+Figure hits_figure(const design::Problem& problem, const design::Limits& limits, double f,
+                   double delta, const std::optional<design::WorksFor>& works_for,
+                   const FigureUnits& units) {
   const double unit = units.velocity;
   const auto hits = design::shown_hits(problem, f, delta);
   Figure figure;
@@ -73,6 +94,7 @@ Figure hits_figure(const design::Problem& problem, double f, double delta,
         fmt::format("{} {} from {} to {}", &now == hits.data() ? "" : ",", figure.areas.back().name,
                     units.velocity_words(now.from), units.velocity_words(now.to));
   }
+  add_acceleration(figure, problem, limits, f, hits, unit);
   figure.description += ". " + figure.caption;
   const double v0 = problem.v0 * unit;
   figure.curves.push_back({.name = "V₀ = " + units.velocity_words(problem.v0),

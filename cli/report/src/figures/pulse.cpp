@@ -3,8 +3,6 @@
 #include "figures/report_figures.hpp"
 #include "format.hpp"
 
-#include <stillpoint/design/least_delta.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -29,6 +29,7 @@ constexpr int steps = 200;  // of a curve over f
 
 /// Delta1 by either formula, up to the last f that returns.
 void add_delta1(Figure& figure, const Problem& problem, double last, double unit) {
+  constexpr double visible = 0.005;  // of the plot above its lower edge
   FigureCurve published{"Δ₁ published", {{}}, Ink::orange, Dash::dashed};
   FigureCurve exact{"Δ₁ exact", {{}}, Ink::purple};
   for (int i = 0; i <= steps; ++i) {
@@ -40,7 +41,7 @@ void add_delta1(Figure& figure, const Problem& problem, double last, double unit
   }
   for (FigureCurve* const curve : {&published, &exact}) {
     if (std::ranges::any_of(curve->strokes[0], [&](const FigurePoint& point) {
-          return figure.y.least <= point.y && point.y <= figure.y.most;
+          return figure.y.position(point.y) > visible && point.y <= figure.y.most;
         })) {
       figure.curves.push_back(std::move(*curve));
     }
@@ -128,7 +129,18 @@ std::string admissible_caption(const Problem& problem) {
       problem.arrivals > 1 && !problem.residual ? ", the first in the uppermost strip" : "", sides);
 }
 
-/// "±34.2 %", or "-10 to +20 %" where the sides differ.
+/// Without any admissible damper.
+std::string empty_caption(const Figure& figure) {
+  const auto has = [&figure](std::string_view gap) {
+    return std::ranges::any_of(
+        figure.areas, [gap](const FigureArea& area) { return area.name.starts_with(gap); });
+  };
+  return format("No damper is admissible: {}.",
+                has("gap: no f")       ? "in the gap f is both too weak and too strong"
+                : has("gap: no notch") ? "in the gap even the largest Δ is too weak"
+                                       : "the forbidden sides leave no room");
+}
+
 std::string plane_words(const Region& region, const FigureUnits& units) {
   return format(
       "The plane of f and Δ. The admissible region goes from f = {:.4g} (amplitude) to {:.4g} "
@@ -138,6 +150,7 @@ std::string plane_words(const Region& region, const FigureUnits& units) {
       region.feasible ? "" : "Nothing is left: no design is admissible. ");
 }
 
+/// "±34.2 %", or "-10 to +20 %" where the sides differ.
 std::string percent(double low, double high) {
   return low == high ? format("±{:.3g} %", 100 * low)
                      : format("-{:.3g} to +{:.3g} %", 100 * low, 100 * high);
@@ -205,13 +218,14 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   figure.description =
       several ? "The plane of f and Δ with the strip of each arrival at which the mass may rest. "
               : plane_words(region, units);
-  figure.caption = admissible.empty() ? "No damper is admissible: the forbidden sides meet."
-                   : !region.feasible
-                       ? "The area without hatching is what the requirements leave without a "
-                         "tolerance; each hatched side says what goes wrong there."
-                       : admissible_caption(drawn.problem);
   figure.areas = std::move(admissible);
+  const bool any = !figure.areas.empty();
   add_sides(figure, drawn, units);
+  figure.caption = !any              ? empty_caption(figure)
+                   : region.feasible ? admissible_caption(drawn.problem)
+                                     : "The area without hatching is what the requirements leave "
+                                       "without a tolerance; each hatched side says what goes "
+                                       "wrong there.";
   if (!several) {
     add_delta1(figure, drawn.problem, region.f3, unit);
   }

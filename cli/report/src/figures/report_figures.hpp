@@ -143,7 +143,8 @@ void add_sides(figures::Figure& figure, const DrawnRegion& drawn, const FigureUn
 [[nodiscard]] figures::Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units);
 
 /// Where the mass stops, by the velocity of the hit, and which of them the damper works for.
-[[nodiscard]] figures::Figure hits_figure(const design::Problem& problem, double f, double delta,
+[[nodiscard]] figures::Figure hits_figure(const design::Problem& problem,
+                                          const design::Limits& limits, double f, double delta,
                                           const std::optional<design::WorksFor>& works_for,
                                           const FigureUnits& units);
 

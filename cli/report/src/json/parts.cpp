@@ -108,7 +108,9 @@ ordered_json region_fields(const design::RegionVerdict& verdict) {
           {"intervals", or_null(verdict.intervals, intervals_json)},
           {"most_tolerant", or_null(verdict.most_tolerant, point_json)},
           {"mends", mends_json(verdict.mends)},
-          {"joint_mend", or_null(verdict.joint_mend, joint_json)}};
+          {"joint_mend", or_null(verdict.joint_mend, joint_json)},
+          {"criterion_mend", or_null(verdict.criterion_mend,
+                                     [](const auto& criterion) { return name(criterion); })}};
 }
 
 ordered_json constraints_json(std::span<const design::Constraint> constraints) {

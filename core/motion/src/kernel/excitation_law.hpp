@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <variant>
 
@@ -158,5 +159,9 @@ auto largest_load_of(const std::variant<Kinds...>& excitation, const Real& p) {
         excitation);
   };
 }
+
+/// The same, compiled by itself, since a run hardly ever calls it.
+std::function<double(const ExactSum<double>&, const ExactSum<double>&)> load_while_held(
+    const Excitation& excitation, double p);
 
 }  // namespace stillpoint

@@ -11,7 +11,6 @@
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/doubtful_values.hpp>
 #include <stillpoint/design/hits.hpp>
-#include <stillpoint/design/least_delta.hpp>
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/design/practice.hpp>
 #include <stillpoint/design/problem.hpp>

@@ -3,7 +3,6 @@
 
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/seconds.hpp>
-#include <stillpoint/design/check_method.hpp>
 #include <stillpoint/design/prediction.hpp>
 #include <stillpoint/design/problem.hpp>
 

@@ -8,7 +8,6 @@
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/design/least_delta.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -73,6 +72,7 @@ DesignResult around(const std::optional<PulseOptimum>& optimum, const PulseReque
       without_finding(request, region, optimum ? std::optional(optimum->island) : std::nullopt);
   if (!optimum) {
     result.mends = mends(problem, limits);
+    result.criterion_mend = criterion_mend(problem, limits);
     result.most_tolerant = most_tolerant(region, problem, limits);
   }
   return result;

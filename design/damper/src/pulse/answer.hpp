@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The answer of `region` under a pulse, and the parts that those of `design` and `choose` share
-// with it.
+// The answers of `region` and `choose` under a pulse, and what they share with that of `design`.
 
 #include "pulse/region.hpp"
 #include "pulse/search.hpp"
 
-#include <stillpoint/design/pulse_request.hpp>
+#include <stillpoint/design/part.hpp>
 
 #include <optional>
+#include <span>
 
 namespace stillpoint::design {
 
 /// `region` under a pulse.
 [[nodiscard]] RegionAnswer answer_under_pulse(const RegionRequest& asked);
+
+/// `choose` under a pulse.
+[[nodiscard]] Choice choose_under_pulse(const PulseRequest& request, std::span<const Part> parts);
 
 /// The region around an optimum; without one, why it is empty and what would help.
 [[nodiscard]] DesignResult around(const std::optional<PulseOptimum>& optimum,

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Parts of a catalogue under a pulse: docs/theory.md section 15.
 
-#include "pulse/catalogue.hpp"
-
 #include "pulse/answer.hpp"
 #include "pulse/verdict.hpp"
 #include "ranking.hpp"
@@ -126,6 +124,19 @@ std::vector<Mend> mends_of_parts(const PulseRequest& request, const std::vector<
   return list;
 }
 
+std::optional<Criterion> criterion_mend_of_parts(const PulseRequest& request,
+                                                 std::span<const Part> parts) {
+  if (request.problem.criterion == Criterion::exact) {
+    return std::nullopt;
+  }
+  PulseRequest exact = request;
+  exact.problem.criterion = Criterion::exact;
+  const PulseRegion region(exact.problem, exact.limits);
+  const bool fits = std::ranges::any_of(
+      parts, [&](const Part& part) { return tried(exact, region, part).rated.admissible; });
+  return fits ? std::optional(Criterion::exact) : std::nullopt;
+}
+
 }  // namespace
 
 Choice choose_under_pulse(const PulseRequest& request, std::span<const Part> parts) {
@@ -158,6 +169,7 @@ Choice choose_under_pulse(const PulseRequest& request, std::span<const Part> par
     choice.result.reason = none_admissible(parts.size());
   }
   choice.result.mends = mends_of_parts(request, all);
+  choice.result.criterion_mend = criterion_mend_of_parts(request, parts);
   return choice;
 }
 

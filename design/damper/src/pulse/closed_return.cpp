@@ -109,6 +109,9 @@ FirstReturn under_rectangle(double lambda, double f) {
     y = 2 * centre - y;
     by_f = 2 * sign - by_f;
     from += pi;
+    if (y == 0) {  // f = 0: it comes back without speed
+      return so_far.arrival(0, from, 0, 1);
+    }
     so_far.turn(y);
     outwards = !outwards;
     if ((outwards ? 1 - y : y - 1) <= f) {  // held until the load ends

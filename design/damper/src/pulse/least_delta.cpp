@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/design/least_delta.hpp>
-
 #include "pulse/worst_return.hpp"
+
+#include <stillpoint/design/pulse.hpp>
 
 #include <memory>
 

@@ -81,6 +81,15 @@ std::optional<double> nearest_either_way(const PulseCase& base, double from, dou
 
 }  // namespace
 
+std::optional<Criterion> criterion_mend(const PulseProblem& problem, const Limits& limits) {
+  PulseCase exact{problem, limits, std::make_shared<WorstReturn>(problem)};
+  if (problem.criterion == Criterion::exact || fits(exact)) {
+    return std::nullopt;
+  }
+  exact.problem.criterion = Criterion::exact;  // on which the motions do not depend
+  return fits(exact) ? std::optional(Criterion::exact) : std::nullopt;
+}
+
 std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits) {
   const PulseCase base{problem, limits, std::make_shared<WorstReturn>(problem)};
   std::vector<Mend> list;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/design/pulse_request.hpp>
+#include <stillpoint/design/design_result.hpp>
 
 #include <fmt/format.h>
 

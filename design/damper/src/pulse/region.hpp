@@ -124,5 +124,8 @@ inline constexpr double widest_tolerance = 0.995;
 
 /// Like mends() of a hit, with k and lambda instead of v0.
 [[nodiscard]] std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits);
+/// Like criterion_mend() of a hit.
+[[nodiscard]] std::optional<Criterion> criterion_mend(const PulseProblem& problem,
+                                                      const Limits& limits);
 
 }  // namespace stillpoint::design

@@ -5,7 +5,7 @@
 
 #include "pulse/region.hpp"
 
-#include <stillpoint/design/pulse_request.hpp>
+#include <stillpoint/design/design_result.hpp>
 
 #include <optional>
 #include <vector>

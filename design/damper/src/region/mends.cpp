@@ -306,6 +306,15 @@ std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
   return list;
 }
 
+std::optional<Criterion> criterion_mend(const Problem& problem, const Limits& limits) {
+  Case exact{problem, limits};
+  if (problem.criterion == Criterion::exact || has_damper(exact)) {
+    return std::nullopt;
+  }
+  exact.problem.criterion = Criterion::exact;
+  return has_damper(exact) ? std::optional(Criterion::exact) : std::nullopt;
+}
+
 std::optional<JointMend> joint_mend(const Problem& problem, const Limits& limits) {
   const Case base{problem, limits};
   if (has_damper(base) || !mends(problem, limits).empty()) {

@@ -43,7 +43,7 @@ std::string too_much_friction(const Region& region, double most, const std::stri
                               std::string_view rival, std::string_view what,
                               const std::string& box) {
   const auto [least, allowed] = told_apart(region.f2, most);
-  return fmt::format("amplitude and {} conflict: a peak within {} needs f >= f2 = {}, {} {}{}",
+  return fmt::format("amplitude and {} conflict: a peak within {} needs f >= f2 = {}, but {} {}{}",
                      rival, stroke, least, what, allowed, box);
 }
 
@@ -97,7 +97,7 @@ std::string too_fast(const Problem& problem, const Limits& limits, const ReasonU
                  edge.delta_cap * units.delta, units.delta_unit);
   return fmt::format(
       "stop and {} conflict: even at the largest f, {:.6g}, stopping needs delta > {}, "
-      "{} {}{}",
+      "but {} {}{}",
       rival, f, least, what, most, box);
 }
 

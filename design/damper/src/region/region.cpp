@@ -27,6 +27,7 @@ RegionAnswer answer(const RegionRequest& request) {
                        joint_mend(problem, limits)}};
   if (!region.feasible) {
     answer.most_tolerant = most_tolerant(problem, limits);
+    answer.criterion_mend = criterion_mend(problem, limits);
   }
   answer.strips = strips(problem, limits);
   if (f) {

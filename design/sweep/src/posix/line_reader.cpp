@@ -2,6 +2,8 @@
 #include "../line_reader.hpp"
 
 #include <stillpoint/records/file_error.hpp>
+#include <stillpoint/records/text.hpp>
+#include <stillpoint/records/text_file.hpp>
 
 #include <fmt/format.h>
 
@@ -88,6 +90,18 @@ bool LineReader::read_more(const std::stop_token& stop) {
 }
 
 bool LineReader::next(std::string_view& line, const std::stop_token& stop) {
+  while (next_of_all(line, stop)) {
+    if (number_ == 1 && line.starts_with(records::byte_order_mark)) {
+      line.remove_prefix(records::byte_order_mark.size());
+    }
+    if (!records::trimmed(line).empty()) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool LineReader::next_of_all(std::string_view& line, const std::stop_token& stop) {
   std::size_t searched = 0;
   for (;;) {
     const char* const text = buffer_.data() + begin_;

@@ -118,6 +118,16 @@ BOOST_AUTO_TEST_CASE(standard_output_that_is_full) {
   check_refusal(run("--version", to_a_full_device), {"standard output"});
 }
 
+/// Nothing can be said, so only the exit code tells it.
+BOOST_AUTO_TEST_CASE(standard_error_that_is_full_or_closed) {
+  const Surroundings shell{.program = "/bin/sh"};
+  for (const std::string end : {" 2> /dev/full", " 2>&-"}) {
+    const ProgramRun wrong = run({"-c", built_program() + " design --v0 x" + end}, shell);
+    BOOST_TEST(wrong.exit_code == 2, end);
+    BOOST_TEST(wrong.out.empty());
+  }
+}
+
 BOOST_AUTO_TEST_CASE(standard_output_that_is_full_leaves_the_trajectory_alone) {
   write("t.csv", "old");
   check_refused(*this, {simulate("--trajectory t.csv"), {"standard output"}}, to_a_full_device);
@@ -137,6 +147,9 @@ BOOST_AUTO_TEST_CASE(file_that_cannot_be_written) {
            {simulate({"--trajectory", ""}), {"trajectory"}},
            {design("--output folder"), {"output", "folder", "directory"}},
            {design("--output ."), {"output", "directory"}},
+           {design({"--objective", ""}), {"objective = \"\": must be robust"}},
+           {{"design", ""}, {"scene \"\": cannot be read"}},
+           {{"", "--v0", "1"}, {"command \"\": must be design"}},
            {simulate("--trajectory t.csv --output no/where.json"), {"output", "no/where.json"}},
            {simulate("--trajectory no/where.csv --output old.json"), {"no/where.csv"}},
        }) {

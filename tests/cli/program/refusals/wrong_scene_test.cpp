@@ -79,6 +79,12 @@ const std::vector<Wrong> scenes{
      {R"(record = ["a","b"]: must be one path)"},
      R"({"record": ["a", "b"], "period": 1, "f": 0.1, "delta_m": 0})"},
     {"region -", {"velocity is missing"}, R"({"record": ["a", "b"], "period": 1})"},
+    {"simulate -",
+     {"line 1, column 2: excitation = {}: must be a string, or an object with a \"type\""},
+     R"({"excitation": {}, "p": 1})"},
+    {"design -",
+     {"title = \"a?b\": must not contain a NUL"},
+     "{" + good + R"(, "title": "a\u0000b"})"},
     // A flag has no place.
     {"design - --beta -1", {"stillpoint: beta = -1: must be"}, "{" + good + "}"},
     {"simulate -",

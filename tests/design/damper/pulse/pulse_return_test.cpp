@@ -74,6 +74,37 @@ BOOST_AUTO_TEST_CASE(a_rectangle_of_half_a_natural_period_is_known_by_hand) {
   BOOST_TEST(found->time == std::acos(-1.0) + std::acos(-0.25 / 1.25), close);
 }
 
+// Without friction it comes back after a whole swing about 1, which ends at x = 0 without speed;
+// with the least friction it turns 4 f short of it and returns only with the energy that the load
+// leaves it, w^2/2 = 1 - cos(pi/lambda).
+BOOST_AUTO_TEST_CASE(a_rectangle_longer_than_a_swing_ends_it_at_zero_only_without_friction) {
+  for (const double lambda : {0.45, 0.4, 0.3, 0.07}) {
+    const Rectangle pulse{1, lambda};
+    const auto stops_at_first_return = [&](double f, double delta) {
+      const ForcedResponse motion = forced_response({1, f, delta}, {}, pulse);
+      return motion.stops_at_zero && motion.half_cycles == 1.0;
+    };
+    const FirstReturn without = closed_return(pulse, 0).value();
+    const double swing = 2 * std::numbers::pi;
+    BOOST_TEST(without.returns);
+    BOOST_TEST(without.speed == 0);
+    BOOST_TEST(without.exact_need == 0);
+    BOOST_TEST(without.published_need == 0);
+    BOOST_TEST(without.time == swing, tt::tolerance(1e-15));
+    BOOST_TEST(without.peak == 2);
+    BOOST_TEST(without.acceleration == 2);
+    // The kernel's rounding leaves it a speed of 1e-8.
+    BOOST_TEST(stops_at_first_return(0, 1e-12));
+
+    constexpr double f = 1e-7;
+    const double need = closed_return(pulse, f).value().exact_need;
+    const double swings = std::numbers::pi / lambda / swing;
+    BOOST_TEST(std::abs(need - (1 - std::cos(std::numbers::pi / lambda))) <= 20 * swings * f);
+    BOOST_TEST(stops_at_first_return(f, need * (1 + 1e-9)));
+    BOOST_TEST(!stops_at_first_return(f, need * (1 - 1e-9)));
+  }
+}
+
 // The mass is held from its turn on, where A - 1 <= f, and rests for ever where A <= f as well.
 BOOST_AUTO_TEST_CASE(what_does_not_return_says_how_far_it_is_from_it) {
   const auto swings_back = closed_return(Rectangle{1, 1}, 0.6);  // A = 0.8 < 2 f

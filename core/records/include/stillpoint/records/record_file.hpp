@@ -1,16 +1,61 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The reading of a record from a file, and what is read.
+// How the file of a record is read, and what is read.
 
 #include <stillpoint/core/excitation.hpp>
-#include <stillpoint/records/record_options.hpp>
+#include <stillpoint/core/names.hpp>
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/records/units.hpp>
 
+#include <algorithm>
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace stillpoint::records {
+
+/// Units of the values in a file.
+enum class RecordUnits { g, m_per_s2, cm_per_s2 };
+
+/// "g", "m/s2" or "cm/s2".
+[[nodiscard]] std::span<const Named<RecordUnits>> enumerators(RecordUnits) noexcept;
+using stillpoint::name;
+
+/// The unit of the times in a file, and which of them a motion can follow, excitation.hpp. This is
+/// checked while the file is read, so that an error can name the line.
+struct RecordClock {
+  std::string_view unit{"s"};
+  double per_tau{1};  ///< how much of this unit is one tau; > 0
+  double p{1};        ///< of the oscillator; > 0
+
+  /// The shortest time between two values, rounded.
+  [[nodiscard]] double shortest() const { return smallest_speed / std::min(p, 1.0) * per_tau; }
+  [[nodiscard]] double latest() const { return largest_speed * per_tau; }
+  /// The largest value in g.
+  [[nodiscard]] double largest_load() const { return largest_speed * std::min(p, 1.0); }
+  [[nodiscard]] bool reaches(double time) const { return time / per_tau <= largest_speed; }
+  /// Whether the motion can tell `time` from `before`.
+  [[nodiscard]] bool tells_apart(double before, double time) const {
+    const double tau = time / per_tau - before / per_tau;
+    return p * tau >= smallest_speed && tau >= smallest_speed;
+  }
+  [[nodiscard]] bool holds_step(double step) const { return reaches(step) && tells_apart(0, step); }
+};
+
+struct RecordOptions {
+  /// In the clock's unit, > 0; for a file with values alone, and only for that.
+  std::optional<double> step{};
+  /// If not given: what the file's header says, else g.
+  std::optional<RecordUnits> units{};
+  /// Of a file with several records, from 1; empty: the only one.
+  std::optional<std::size_t> channel{};
+  double scale{1};  ///< factor on every value; negative reverses it; not 0
+  double gravity_m_per_s2{standard_gravity_m_per_s2};  ///< one g of the result
+  RecordClock clock{};
+};
 
 /// An acceleration record as a motion takes it, and what the file says about it.
 struct RecordFile {

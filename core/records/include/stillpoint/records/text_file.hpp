@@ -8,6 +8,9 @@
 
 namespace stillpoint::records {
 
+/// At the beginning of some files; not part of their text.
+inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
 /// The bytes of a file. Throws FileError if it cannot be read or has more than `largest` bytes;
 /// `kind` says what the file is to the program, file_error.hpp.
 [[nodiscard]] std::string read_text_file(std::string_view kind, const std::string& path,

@@ -3,7 +3,6 @@
 
 // The prediction of a design, checked by other methods.
 
-#include <stillpoint/design/check_method.hpp>
 #include <stillpoint/design/prediction.hpp>
 #include <stillpoint/design/problem.hpp>
 

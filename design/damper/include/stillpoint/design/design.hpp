@@ -2,7 +2,6 @@
 #pragma once
 
 #include <stillpoint/design/design_result.hpp>
-#include <stillpoint/design/pulse_request.hpp>
 
 #include <string>
 

@@ -6,6 +6,7 @@
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/design/problem.hpp>
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -53,6 +54,13 @@ void require_valid(const PulseProblem& problem, const Limits& limits = {});
 [[nodiscard]] Excitation excitation(const Pulse& pulse);
 /// As in core; empty if the mass never moves, and for a full sine, which leaves no velocity.
 [[nodiscard]] std::optional<EquivalentStart> equivalent_start(const Pulse& pulse, double f);
+
+/// Delta >= this stops the mass at its first return under friction f: half the square of the
+/// arrival speed, by the published criterion f^2/(2 p^2) more; with ranges the largest. Empty if
+/// the mass does not return.
+[[nodiscard]] std::optional<double> least_delta(const PulseProblem& problem, double f);
+/// The same as a function of f, for many f.
+[[nodiscard]] std::function<std::optional<double>(double)> least_delta(const PulseProblem& problem);
 
 /// Why a pulse does not act like an initial velocity.
 enum class PulseWarning {

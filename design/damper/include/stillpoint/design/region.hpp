@@ -18,6 +18,9 @@ namespace stillpoint::design {
 /// One entry for each input that suffices alone; none if the region is not empty.
 [[nodiscard]] std::vector<Mend> mends(const Problem& problem, const Limits& limits);
 
+/// The exact criterion, if it is not the problem's and leaves a region that is not empty.
+[[nodiscard]] std::optional<Criterion> criterion_mend(const Problem& problem, const Limits& limits);
+
 /// Empty if the region is not empty, or if one input suffices.
 [[nodiscard]] std::optional<JointMend> joint_mend(const Problem& problem, const Limits& limits);
 

@@ -46,6 +46,9 @@ struct RegionVerdict {
   /// With a pulse, of the f for which the motion returns, stays within beta and meets the limits:
   /// the region is then that of the forced motion itself.
   std::optional<std::vector<Interval>> intervals{};
+  /// The exact criterion, if it alone makes the region not empty, or admits a part, where the
+  /// published one does not.
+  std::optional<Criterion> criterion_mend{};
 };
 
 /// A region, and a damper to compare with it.

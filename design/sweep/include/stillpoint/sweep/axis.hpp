@@ -42,6 +42,8 @@ class Axis {
   [[nodiscard]] double operator[](std::int64_t i) const;
   /// The smallest and the largest value.
   [[nodiscard]] std::pair<double, double> ends() const;
+  /// One number, not a range.
+  [[nodiscard]] bool is_number() const { return size_ == 1 && !has_ranges(); }
   /// The other ends of the values, if some of them are ranges.
   [[nodiscard]] bool has_ranges() const { return !others_.empty(); }
   [[nodiscard]] Axis other_ends() const { return Axis(others_); }

@@ -26,6 +26,9 @@ using KeyPlaces = std::map<std::string, records::FilePlace>;
 /// number fits a double.
 KeyPlaces require_json_object(std::string_view text, const records::FilePlace& file);
 
+/// The cause in the parser's message: "... - unexpected end of input; ...".
+[[nodiscard]] std::string parse_error_cause(std::string_view message);
+
 /// Reads an integer. Throws std::runtime_error for any other value, and for an integer beyond
 /// Integer: nlohmann's get_to casts these, which for a double beyond the range is undefined.
 template <std::integral Integer>

@@ -61,7 +61,6 @@ class List {
   [[noreturn]] void refuse(std::int64_t line, std::string_view what) const;
 
  private:
-  [[nodiscard]] bool next_line(std::string_view& line, const std::stop_token& stop);
   void read_header(std::string_view line);
   void read_row(std::string_view line, std::vector<double>& values);
   void read_object(std::string_view line, std::vector<double>& values);
