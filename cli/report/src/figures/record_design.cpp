@@ -194,10 +194,16 @@ struct DrawnRecord {
   Figure load;
 };
 
-/// In a figure too low for both, a limit and a motion without friction that are far beyond the
-/// motion are left out.
-void fit_low_figure(DrawnMotion& motion, double peak) {
-  constexpr double far = 3;
+enum class Height { full, low };
+
+/// A limit and a motion without friction that are so far beyond the motion that it would be hard to
+/// see are left out; but a motion of next to nothing is shown as that.
+void fit(DrawnMotion& motion, double peak, Height height) {
+  constexpr double nothing = 0.01;
+  const double far = height == Height::low ? 3 : 6;
+  if (motion.beta && peak < nothing * *motion.beta) {
+    return;
+  }
   const auto beyond = [&](double x) { return std::abs(x) > far * peak; };
   if (motion.beta && beyond(*motion.beta)) {
     motion.beta.reset();
@@ -206,8 +212,6 @@ void fit_low_figure(DrawnMotion& motion, double peak) {
     motion.frictionless.clear();
   }
 }
-
-enum class Height { full, low };
 
 DrawnRecord drawn_record(const design::RecordDesign& result, std::size_t index,
                          const FigureUnits& units, Height height = Height::full) {
@@ -221,9 +225,7 @@ DrawnRecord drawn_record(const design::RecordDesign& result, std::size_t index,
   request.excitation = design::scaled(record);
   DrawnMotion motion = drawn_motion(request, simulate(request));
   motion.beta = task.limits.peak;
-  if (height == Height::low) {
-    fit_low_figure(motion, result.finding->responses[index].peak_amplitude);
-  }
+  fit(motion, result.finding->responses[index].peak_amplitude, height);
   DrawnRecord drawn{motion_figure(motion, units),
                     excitation_figure(request.excitation, motion, units)};
   drawn.motion.id = format("record-{}", index + 1);
