@@ -114,7 +114,7 @@ class HalfCycleCollector final : public MotionWatcher {
   double p_;
   std::optional<double> notch_;
   std::int64_t most_;
-  double arrival_{0};   ///< tau of the last arrival at x = 0
+  double arrival_{0};  ///< tau of the last arrival at x = 0
   bool moved_{false};  ///< since the start
   bool over_{false};
   HalfCycle now_;
