@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(has_the_values_in_the_middle_of_their_cells) {
   BOOST_TEST(figure.map.labels.at(sweep::SweepClass::ranges * 2) == "never starts");
   BOOST_TEST(
       figure.caption ==
-      "Blue stops centred, orange (hatched) off centre; the number counts half-cycles. Above "
+      "Blue stops centred, orange (hatched) off centre; the number counts half-cycles; above "
       "Δ₁, below Δ₂ and left of f₃ a motion stops on its first return.");
   // The boundaries of the first return are those of the paper's notch.
   BOOST_TEST(!figure.curves.empty());

@@ -60,7 +60,7 @@ using ClassCounts = std::array<std::int64_t, SweepClass::count>;
 
 /// Whether there is any of the classes of rests that begin at `from`.
 bool any_rests(const ClassCounts& counts, std::size_t from) {
-  const auto begin = counts.begin() + static_cast<std::ptrdiff_t>(from);
+  const auto* const begin = counts.begin() + static_cast<std::ptrdiff_t>(from);
   return std::any_of(begin, begin + SweepClass::ranges,
                      [](std::int64_t count) { return count > 0; });
 }
@@ -114,10 +114,10 @@ std::string caption(const ClassCounts& counts, bool loaded) {
                             : off          ? "Orange (hatched) stops off centre"
                                            : "";
   if (words.empty()) {
-    return "No motion stops that has started.";
+    return "No motion stops that has started";
   }
-  return words + "; the number counts half-cycles." +
-         (centred && loaded ? " A mass that stops centred while the load goes on is locked." : "");
+  return words + "; the number counts half-cycles" +
+         (centred && loaded ? "; a mass that stops centred while the load goes on is locked" : "");
 }
 
 /// Without its unit.
@@ -163,8 +163,9 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
   const double p = only_value(spec, Quantity::p);
   if (spec.kind == SweepKind::free && from_zero(spec) && plain_surface(spec) && v0 > 0 && p > 0) {
     add_boundaries(figure, {.v0 = v0, .p = p, .beta = v0 / p}, units);
-    figure.caption += " Above Δ₁, below Δ₂ and left of f₃ a motion stops on its first return.";
+    figure.caption += "; above Δ₁, below Δ₂ and left of f₃ a motion stops on its first return";
   }
+  figure.caption += '.';
   return figure;
 }
 
