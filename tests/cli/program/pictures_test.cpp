@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(of_a_forced_sweep_have_no_boundaries) {
       "0.35 --t-end 100 --html page.html");
   const std::string page = checked(read("page.html"));
   check_contains(page, {"not known to have stopped",
-                        "A mass that stops centred while the load goes on is locked."});
+                        "a mass that stops centred while the load goes on is locked."});
   BOOST_TEST(!contains(page, "Δ₁ exact"));
   BOOST_TEST(!contains(page, "first return"));
 }
