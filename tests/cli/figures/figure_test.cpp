@@ -184,7 +184,7 @@ BOOST_AUTO_TEST_CASE(names_areas_where_there_is_room) {
   figure.areas = {{"roomy", {{0, 0}, {9, 0}, {9, 4}, {0, 4}}, Ink::sky},
                   {"too narrow", {{9.8, 0}, {9.9, 0}, {9.9, 1}, {9.8, 1}}, Ink::sky}};
   const std::string text = svg(figure, Frame::in_page);
-  const std::size_t plot_ends = text.find("class=\"frame\"");
+  const std::size_t plot_ends = text.find(R"(class="frame")");
   BOOST_TEST(text.find(">roomy</text>") < plot_ends);
   BOOST_TEST(text.find(">roomy</text>") == text.rfind(">roomy</text>"));  // not in the legend
   BOOST_TEST(text.find(">too narrow</text>") > plot_ends);
@@ -287,9 +287,9 @@ BOOST_AUTO_TEST_CASE(marks_are_not_clipped_at_the_frame) {
   Figure figure = one_of_everything();
   figure.marks = {{"at the corner", {{0, -5}}, Shape::diamond, Ink::green}};
   const std::string text = svg(figure, Frame::in_page);
-  const std::size_t pins = text.find("class=\"plot pins\" overflow=\"visible\"");
-  BOOST_TEST(pins > text.find("class=\"frame\""));
-  BOOST_TEST(pins < text.find("translate(0.00 270.00)\" data-name=\"at the corner\""));
+  const std::size_t pins = text.find(R"(class="plot pins" overflow="visible")");
+  BOOST_TEST(pins > text.find(R"(class="frame")"));
+  BOOST_TEST(pins < text.find(R"(translate(0.00 270.00)" data-name="at the corner")"));
 }
 
 // Turned, a digit of 10 by 14 pixels would fit a row of 12.
@@ -315,7 +315,7 @@ BOOST_AUTO_TEST_CASE(draws_an_inset_outside_the_plot_that_zooms) {
   Figure figure = one_of_everything();
   figure.inset = {{"", 4.9, 5.1}, {"", 2.4, 2.6}};
   const std::string text = svg(figure, Frame::in_page);
-  BOOST_TEST(text.find("class=\"inset\"") > text.find("class=\"frame\""));
+  BOOST_TEST(text.find("class=\"inset\"") > text.find(R"(class="frame")"));
   BOOST_TEST(!contains(svg(one_of_everything(), Frame::in_page), "class=\"inset\""));
   // What the inset shows may reach beyond the frame; what is drawn around it does not.
   figure.inset = {{"", -1e3, 5.1}, {"", -1e3, 1e3}};
