@@ -289,7 +289,7 @@ BOOST_AUTO_TEST_CASE(marks_are_not_clipped_at_the_frame) {
   const std::string text = svg(figure, Frame::in_page);
   const std::size_t pins = text.find(R"(class="plot pins" overflow="visible")");
   BOOST_TEST(pins > text.find(R"(class="frame")"));
-  BOOST_TEST(pins < text.find(R"(translate(0.00 270.00)" data-name="at the corner")"));
+  BOOST_TEST(pins < text.find(R"-(translate(0.00 270.00)" data-name="at the corner")-"));
 }
 
 // Turned, a digit of 10 by 14 pixels would fit a row of 12.
