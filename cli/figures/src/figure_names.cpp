@@ -119,7 +119,7 @@ class Places {
       for (const auto& stroke : curve.strokes) {
         const auto line = pixels(stroke);
         ink_.set_line(line);
-        if (curve.labelled) {
+        if (curve.labelled || !curve.hover) {  // and the motion without friction
           limits_.push_back(line);
         }
       }

@@ -124,11 +124,13 @@ void add_search(Document& document, const design::SearchRecord& search,
                      1e3 * search.wall_time_s));
   const Optimum optimum = optimum_of(result);
   if (optimum.along_f) {
-    sought.line(format("{} {}: {}; by a search along f alone, without NLopt: {}",
-                       objective == design::Objective::robust ? "tolerance" : name(objective),
-                       result.request.pulse ? "by NLopt" : "of the design",
-                       objective_text(objective, *optimum.found, physical),
-                       objective_text(objective, *optimum.along_f, physical)));
+    const std::string found = objective_text(objective, *optimum.found, physical);
+    const std::string along_f = objective_text(objective, *optimum.along_f, physical);
+    sought.line(
+        format("{} {}: {}; by a search along f alone, without NLopt: {}{}",
+               objective == design::Objective::robust ? "tolerance" : name(objective),
+               result.request.pulse ? "by NLopt" : "of the design", found, along_f,
+               result.request.pulse && found != along_f ? "; the better one is built" : ""));
   }
 }
 

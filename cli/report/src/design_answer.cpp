@@ -102,8 +102,9 @@ void add_rest(Section& answer, const DesignReport& report, const Physical& physi
   const auto arrival = report.result.finding->arrival;
   const bool counted = !report.built_notch && arrival && report.result.request.problem.arrivals > 1;
   answer.row("rest",
-             format("at x = {} after {}{}", where, time_shown(physical, *response.stop_time),
-                    counted ? format(", at arrival {}", *arrival) : ""));
+             format("at x = {} after {}{}{}", where, time_shown(physical, *response.stop_time),
+                    counted ? format(", at arrival {}", *arrival) : "",
+                    report.result.request.problem.v0_low ? ", for the strongest hit" : ""));
 }
 
 std::string spring_words(const Physical& physical, double p) {

@@ -101,8 +101,9 @@ void add_built_notch(Document& document, const design::BuiltNotch& built,
     }
     section.row(shape.width ? "without width" : "holding all", ideal);
   }
-  section.line(format("Tolerance, works for, checks and figures are those of a notch that {}.",
-                      shape.width ? "has no width" : "holds any load"));
+  section.line(format(
+      "Tolerance, works for, checks, figures and the tables below are those of a notch that {}.",
+      shape.width ? "has no width" : "holds any load"));
 }
 
 }  // namespace stillpoint::report

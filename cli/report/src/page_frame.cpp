@@ -21,9 +21,10 @@ void add_frame(figures::HtmlPage& page, const PageFrame& frame) {
   page.body += fmt::format(
       "<section class=\"input\"><h2>Input</h2>\n<p>Saved as <code>scene.json</code>, "
       "<code>stillpoint {} "
-      "scene.json <span class=\"number\">--html</span> page.html</code> makes this page "
+      "scene.json{} <span class=\"number\">--html</span> page.html</code> makes this page "
       "again.</p>\n<pre>{}</pre></section>\n",
-      frame.command, figures::escaped(frame.scene));
+      frame.command, frame.command == "sweep" ? " --output rows.csv" : "",
+      figures::escaped(frame.scene));
   page.footer = version_line();
 }
 

@@ -122,7 +122,8 @@ void add_answer(Section& answer, const design::RecordDesign& result, const Physi
   const design::Sensitivity& near = result.finding->sensitivity;
   answer.row("tolerance",
              format("{} of {} samples within +-{:.3g} % meet the limits; {}", near.admissible,
-                    near.samples, 100 * near.tolerance, worst_words(near.worst, physical)));
+                    near.samples, 100 * near.tolerance, worst_words(near.worst, physical)),
+             near.admissible < near.samples ? Tone::bad : Tone::plain);
   const design::SuiteCheck& check = result.finding->check;
   answer.row("check",
              check.passed

@@ -312,7 +312,9 @@ void add_response(Section& section, const ForcedResponse& response, const Physic
   section.row("relative", format("{}, the largest acceleration relative to the base",
                                  acceleration_text(physical, response.peak_acceleration)));
   add_metrics(section, response, physical);
-  add_margin(section, response, "the closest decision was this far from the other outcome");
+  add_margin(section, response,
+             "how far the closest decision, a stick at the start included, was from the other "
+             "outcome; not a tolerance");
   if (response.sticks > 0) {
     section.row("sticks", format("{}, {} in all", plural(response.sticks, "stick"),
                                  time_shown(physical, response.stick_time)));

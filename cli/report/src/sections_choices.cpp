@@ -147,17 +147,18 @@ void add_trade_off(Document& document, const std::vector<design::TradeOff>& fron
                in("stop time", units.time_unit), "f", in("delta", units.length_unit)},
               {}};
   const std::size_t step = (front.size() + most_rows - 1) / most_rows;
-  for (std::size_t i = 0; i < front.size(); i += step) {
-    const auto& [damper, peak, acceleration, stop_time] = front[i];
+  // Every so many, and the end of the front.
+  for (std::size_t i = 0; i < front.size() + step - 1; i += step) {
+    const auto& [damper, peak, acceleration, stop_time] = front[std::min(i, front.size() - 1)];
     table.rows.push_back(
         {{digits(peak * units.length), digits(acceleration), percent(damper.tolerance),
           digits(stop_time * units.time), digits(damper.f), digits(damper.delta * units.length)}});
   }
+  const std::size_t shown = table.rows.size();
   Section& section = document.section("Trade-off of stroke, acceleration and tolerance");
   section.parts.emplace_back(std::move(table));
-  const std::string some = step == 1 ? ""
-                                     : format("{} of {} dampers; --json lists them all. ",
-                                              (front.size() + step - 1) / step, front.size());
+  const std::string some =
+      step == 1 ? "" : format("{} of {} dampers; --json lists them all. ", shown, front.size());
   section.line(some + "Where several delta are equally tolerant, the table has the middle one.");
 }
 

@@ -191,7 +191,9 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty, const
     section.line("No change of a single input makes it feasible.");
   } else {
     section.line(
-        "Changing any one of these makes it feasible; each value is the nearest that does:");
+        mends.size() + (exact ? 1 : 0) == 1
+            ? "This change makes it feasible; the value is the nearest that does:"
+            : "Changing any one of these makes it feasible; each value is the nearest that does:");
   }
   for (const design::Mend& mend : joint ? joint->mends : mends) {
     add_mend(section, mend, task);
@@ -224,7 +226,9 @@ std::string what_would_help(const design::RegionVerdict& empty, const EmptyTask&
       all += (all.empty() ? "" : " and ") + words_of(mend, task);
     }
   }
-  return all.empty() ? all : format(" To get one, {}.", all);
+  return all.empty() ? all
+                     : format(" {} {}.",
+                              empty.mends.size() > 1 ? "One way to get one:" : "To get one,", all);
 }
 
 }  // namespace stillpoint::report

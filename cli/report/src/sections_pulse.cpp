@@ -22,10 +22,10 @@ void add_pulse(Section& task, const design::Pulse& pulse, const design::PulseRan
     longest = time_text(physical, lasts);
     shortest = lasts * (lambda / *lambda_high);
   }
-  task.row("pulse",
-           format("{}, k = {}{:.6g} g, lambda = {}{}", design::name(pulse), weakest,
-                  design::peak_load(pulse), frequency_text(physical, lambda), to(highest)));
-  task.row("duration", time_text(physical, shortest) + to(longest));
+  task.row("pulse", format("{}, k = {}{:.6g} g, lambda {}{}{}", design::name(pulse), weakest,
+                           design::peak_load(pulse), highest ? "from " : "= ",
+                           frequency_text(physical, lambda), to(highest)));
+  task.row("duration", (longest ? "from " : "") + time_text(physical, shortest) + to(longest));
 }
 
 Section& add_pulse_region(Document& document, const design::RegionVerdict& verdict,

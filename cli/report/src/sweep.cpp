@@ -117,9 +117,9 @@ Document document(const SweepReport& report) {
       std::array{Outcome::stopped_at_zero, Outcome::stopped_in_notch},
       [&](Outcome outcome) { return state.outcomes[static_cast<std::size_t>(outcome)] > 0; });
   if (loaded && rests) {
-    document.answer.row("locked",
-                        "a mass that rests in the notch before the load ends is locked: "
-                        "the column locked_from says from when");
+    document.verdict += " Those that rest in the notch before the load ends are locked.";
+    document.answer.row("locked", fmt::format("the column {} says from when",
+                                              name(Quantity::locked_from, spec.units)));
   }
   return document;
 }

@@ -253,7 +253,7 @@ BOOST_AUTO_TEST_CASE(the_caption_says_what_a_clear_area_and_a_strip_mean) {
   BOOST_TEST(
       one.caption ==
       "A damper in the area without hatching is admissible; each hatched side says what goes "
-      "wrong there for some hits or springs of the ranges.");
+      "wrong there for some hits of the range.");
 }
 
 /// m V0^2/2 = 100 t (0.4 m/s)^2/2 = 8 kJ.

@@ -40,7 +40,8 @@ BOOST_AUTO_TEST_CASE(has_the_values_in_the_middle_of_their_cells) {
   BOOST_TEST(
       figure.caption ==
       "Blue stops centred, orange (hatched) off centre; the number counts half-cycles; above "
-      "Δ₁, below Δ₂ and left of f₃ a motion stops on its first return.");
+      "Δ₁, below Δ₂ and left of f₃, as far as they cross the map, a motion stops on its first "
+      "return.");
   // The boundaries of the first return are those of the paper's notch.
   BOOST_TEST(!figure.curves.empty());
   report.spec.axes.push_back({Quantity::notch_width, sweep::Axis({0.1})});

@@ -67,6 +67,7 @@ void add_acceleration(Figure& figure, const design::Problem& problem, const desi
 Figure hits_figure(const design::Problem& problem, const design::Limits& limits, double f,
                    double delta, const std::optional<design::WorksFor>& works_for,
                    const FigureUnits& units) {
+  constexpr double narrowest = 0.005;  // of the figure, to be seen
   const double unit = units.velocity;
   const auto hits = design::shown_hits(problem, f, delta);
   Figure figure;
@@ -93,6 +94,9 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
     figure.description +=
         fmt::format("{} {} from {} to {}", &now == hits.data() ? "" : ",", figure.areas.back().name,
                     units.velocity_words(now.from), units.velocity_words(now.to));
+    if (now.to - now.from < narrowest * hits.back().to) {
+      figure.areas.back().name.clear();  // nobody would find it
+    }
   }
   add_acceleration(figure, problem, limits, f, hits, unit);
   figure.description += ". " + figure.caption;

@@ -167,7 +167,7 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   constexpr double narrowest = 0.005;  // of the figure, to be seen
   for (const auto& [from, to] : motion.sticks) {
     if (to - from >= narrowest * motion.shown_to) {
-      figure.bands.push_back({"held by friction", from * units.time, to * units.time, Ink::grey});
+      figure.bands.push_back({"held", from * units.time, to * units.time, Ink::grey});
     }
   }
   if (motion.beta) {

@@ -28,7 +28,7 @@ constexpr double headroom = 1.15;
 using LeastDelta = std::function<std::optional<double>(double)>;
 
 FigureCurve needs(const LeastDelta& least_delta, double last, const FigureUnits& units) {
-  FigureCurve curve{"least Δ that stops it", {{}}, Ink::purple};
+  FigureCurve curve{"least Δ allowed", {{}}, Ink::purple};
   for (int i = 1; i <= curve_steps; ++i) {
     const double f = last * i / curve_steps;
     if (const auto least = least_delta(f)) {
@@ -72,7 +72,8 @@ void add_pulse_areas(Figure& figure, const DrawnPulseRegion& drawn, const LeastD
   double from = 0;
   for (const auto& interval : drawn.intervals) {
     figure.areas.push_back(
-        {"admissible", beside_the_curve(least_delta, interval, cap, cap, units.length), Ink::sky});
+        {drawn.limits.tolerance > 0 ? "admissible without a tolerance" : "admissible",
+         beside_the_curve(least_delta, interval, cap, cap, units.length), Ink::sky});
     figure.areas.push_back({"notch too weak",
                             beside_the_curve(least_delta, interval, cap, 0, units.length),
                             Ink::grey, AreaLook::hatched});
@@ -155,7 +156,8 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
   figure.caption =
       drawn.intervals.empty() ? "No f returns and meets the limits."
       : std::isfinite(design::largest_delta_allowed(drawn.limits))
-          ? "A damper in the area without hatching is admissible."
+          ? format("A damper in the area without hatching is admissible{}.",
+                   drawn.limits.tolerance > 0 ? " without a tolerance" : "")
           : "A damper in the area without hatching is admissible: nothing bounds Δ from "
             "above, because the mass starts from rest.";
   add_pulse_areas(figure, drawn, least_delta, units);

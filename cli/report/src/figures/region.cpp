@@ -118,8 +118,11 @@ void add_edge(Figure& figure, std::string name, FigurePoint from, FigurePoint to
 /// The strips of later arrivals lie below those of earlier ones.
 std::string admissible_caption(const Problem& problem) {
   const bool ranges = problem.v0_low || problem.p_high;
+  const std::string_view some = problem.v0_low && problem.p_high ? "hits or springs of the ranges"
+                                : problem.v0_low                 ? "hits of the range"
+                                                                 : "springs of the range";
   const std::string sides = format("each hatched side says what goes wrong there{}.",
-                                   ranges ? " for some hits or springs of the ranges" : "");
+                                   ranges ? format(" for some {}", some) : "");
   if (is_one_strip(problem)) {
     return "A damper in the area without hatching is admissible; " + sides;
   }
@@ -138,6 +141,7 @@ std::string empty_caption(const Figure& figure) {
   return format("No damper is admissible: {}.",
                 has("gap: no f")       ? "in the gap f is both too weak and too strong"
                 : has("gap: no notch") ? "in the gap even the largest Δ is too weak"
+                : has("gap: too weak") ? "in the gap f is too weak and already beyond a limit"
                                        : "the forbidden sides leave no room");
 }
 
@@ -221,11 +225,12 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   figure.areas = std::move(admissible);
   const bool any = !figure.areas.empty();
   add_sides(figure, drawn, units);
-  figure.caption = !any              ? empty_caption(figure)
-                   : region.feasible ? admissible_caption(drawn.problem)
-                                     : "The area without hatching is what the requirements leave "
-                                       "without a tolerance; each hatched side says what goes "
-                                       "wrong there.";
+  figure.caption = !any ? empty_caption(figure)
+                   : region.feasible && (drawn.limits.tolerance == 0 || several)
+                       ? admissible_caption(drawn.problem)
+                       : "The area without hatching is what the requirements leave "
+                         "without a tolerance; each hatched side says what goes "
+                         "wrong there.";
   if (!several) {
     add_delta1(figure, drawn.problem, region.f3, unit);
   }

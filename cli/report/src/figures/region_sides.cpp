@@ -42,9 +42,11 @@ class Sides {
   }
 
   void operator()() {
-    // Where both sides forbid the same f, that is the gap.
+    // Where both sides forbid the same f, or a limit those that are too weak, that is the gap.
+    const double allowed = design::largest_f_allowed(drawn_.problem, drawn_.limits);
+    const double weak = std::min(first_, strong_);
     upright("too weak: exceeds " + units_.length_words(drawn_.problem.beta), 0,
-            std::min(first_, strong_));
+            std::min(weak, allowed));
     upright(comes_back_ && !drawn_.problem.residual ? "too strong: does not return"
                                                     : "too strong: rests too far off",
             std::max(first_, strong_), figure_.x.most);
@@ -57,13 +59,14 @@ class Sides {
                                        {figure_.x.least, figure_.y.most}});
     }
     double last = std::min(strong_, figure_.x.most);
-    if (const double allowed = design::largest_f_allowed(drawn_.problem, drawn_.limits);
-        allowed < last) {
+    if (allowed < last) {
       const auto given = design::limit_edges(drawn_.problem, drawn_.limits);
       const auto least = std::ranges::find_if(given, [allowed](const design::LimitEdge& one) {
         return one.kind->bounds_f() && one.edge == allowed;
       });
-      upright(std::string(least->kind->beyond), std::max(allowed, first_), last, Ink::amber);
+      const std::string beyond(least->kind->beyond);
+      upright("gap: too weak; " + beyond, allowed, weak, Ink::orange, AreaLook::filled);
+      upright(beyond, std::max(allowed, first_), last, Ink::amber);
       last = allowed;
     }
     between(std::max(first_, figure_.x.least), last);

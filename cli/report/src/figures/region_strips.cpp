@@ -145,7 +145,8 @@ bool may_be_in_legend(const DrawnStrip& strip, std::int64_t own) {
 
 std::string strip_name(const DrawnRegion& drawn, const DrawnStrip& strip) {
   if (is_one_strip(drawn.problem)) {
-    return drawn.region.feasible ? "admissible" : "admissible without a tolerance";
+    return drawn.region.feasible && drawn.limits.tolerance == 0 ? "admissible"
+                                                                : "admissible without a tolerance";
   }
   return strip.first == 0   ? "any rest within the residual"
          : strip.with_later ? format("arrivals {} to {}, thin strips with gaps", strip.first,

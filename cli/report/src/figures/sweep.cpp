@@ -163,7 +163,9 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
   const double p = only_value(spec, Quantity::p);
   if (spec.kind == SweepKind::free && from_zero(spec) && plain_surface(spec) && v0 > 0 && p > 0) {
     add_boundaries(figure, {.v0 = v0, .p = p, .beta = v0 / p}, units);
-    figure.caption += "; above Δ₁, below Δ₂ and left of f₃ a motion stops on its first return";
+    figure.caption +=
+        "; above Δ₁, below Δ₂ and left of f₃, as far as they cross the map, a motion stops on its "
+        "first return";
   }
   figure.caption += '.';
   return figure;

@@ -13,6 +13,8 @@
 #include <cmath>
 #include <mutex>
 #include <numbers>
+#include <string_view>
+#include <utility>
 
 namespace stillpoint::design {
 
@@ -153,14 +155,25 @@ std::string summary(const Spectrum& spectrum) {
                              ? std::string("Under the record")
                              : fmt::format("Taking the {} of {} records",
                                            largest ? "largest" : "mean", task.records.size());
+  const Value residual = [](const SpectrumFigures& one) { return one.residual.value_or(HUGE_VAL); };
+  const Value peak = [](const SpectrumFigures& one) { return one.peak; };
   std::string text = fmt::format(
       "{}, the notch lowers the residual {}, the transmitted acceleration {}, and the peak {}.", of,
-      lowered([](const SpectrumFigures& one) { return one.residual.value_or(HUGE_VAL); }),
-      lowered(transmitted), lowered([](const SpectrumFigures& one) { return one.peak; }));
-  const std::string raised =
-      periods_with_less(points, transmitted, &SpectrumPoint::without, &SpectrumPoint::with_notch);
-  if (raised != "at no period") {
-    text += fmt::format(" It raises the transmitted acceleration {}.", raised);
+      lowered(residual), lowered(transmitted), lowered(peak));
+  std::string_view before = " It raises";
+  for (const auto& [what, value] :
+       {std::pair<std::string_view, Value>("residual", residual),
+        std::pair<std::string_view, Value>("transmitted acceleration", transmitted),
+        std::pair<std::string_view, Value>("peak", peak)}) {
+    const std::string raised =
+        periods_with_less(points, value, &SpectrumPoint::without, &SpectrumPoint::with_notch);
+    if (raised != "at no period") {
+      text += fmt::format("{} the {} {}", before, what, raised);
+      before = ",";
+    }
+  }
+  if (before == ",") {
+    text += ".";
   }
   return text;
 }
