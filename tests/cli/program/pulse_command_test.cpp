@@ -188,8 +188,8 @@ BOOST_AUTO_TEST_CASE(region_judges_a_point_under_the_pulse) {
 
 BOOST_AUTO_TEST_CASE(region_of_a_pulse_is_drawn) {
   succeed(region + "--f 0.175 --delta 0.49 --html page.html --json");
-  check_contains(read("page.html"), {"id=\"region-title\"", "least Δ allowed",
-                                     "point, admissible", "too weak: exceeds", "too strong"});
+  check_contains(read("page.html"), {"id=\"region-title\"", "least Δ allowed", "point, admissible",
+                                     "too weak: exceeds", "too strong"});
 }
 
 BOOST_AUTO_TEST_CASE(region_of_a_pulse_in_metres_has_its_excitation) {
