@@ -119,8 +119,10 @@ class Places {
       for (const auto& stroke : curve.strokes) {
         const auto line = pixels(stroke);
         ink_.set_line(line);
-        if (curve.labelled || !curve.hover) {  // and the motion without friction
+        if (curve.labelled) {
           limits_.push_back(line);
+        } else if (!curve.hover) {
+          others_.push_back(line);
         }
       }
     }
@@ -181,11 +183,14 @@ class Places {
                        : box_around(centre, width, text_height));
   }
 
-  /// Whether a limit lies between a point and its words, however close to the point.
-  [[nodiscard]] bool is_beyond_limit(const FigurePoint& point, const Box& words) const {
+  using Lines = std::vector<std::vector<FigurePoint>>;
+
+  /// Whether a line lies between a point and its words, however close to the point.
+  [[nodiscard]] static bool is_beyond(const Lines& lines, const FigurePoint& point,
+                                      const Box& words) {
     const FigurePoint nearest{std::clamp(point.x, words.left, words.right),
                               std::clamp(point.y, words.top, words.bottom)};
-    return std::ranges::any_of(limits_, [&](const std::vector<FigurePoint>& line) {
+    return std::ranges::any_of(lines, [&](const std::vector<FigurePoint>& line) {
       return std::ranges::adjacent_find(line, [&](const FigurePoint& a, const FigurePoint& b) {
                return is_between(a, b, point, nearest) && is_between(point, nearest, a, b);
              }) != line.end();
@@ -193,12 +198,13 @@ class Places {
   }
 
   /// Beside, above or below one of the points: clear of every line, if that is not too far from it,
-  /// and on its side of a limit, which words beyond it would call exceeded.
+  /// and on its side of a limit, which words beyond it would call exceeded, or of another motion.
   void near(const std::string& text, const std::vector<FigurePoint>& points) {
     constexpr double clear = 2;        // pixels above and below
     constexpr double farther = 0.3;    // of a cell covered, a pixel
     constexpr double covering = 12;    // cells: 40 pixels away rather than on a line
     constexpr double misleading = 60;  // cells: rather on a line than beyond a limit
+    constexpr double strange = 10;  // cells: rather beyond a motion to compare with than on a line
     const double width = text_width(text);
     Best best;
     for (double gap = 7; gap < 60; gap += 4) {
@@ -211,7 +217,8 @@ class Places {
             if ((std::abs(right) == 1 || down != 0) && is_free(box)) {
               const int covered = ink_.set_in(box_around(centre, width, text_height + 2 * clear));
               best.offer(covered + (covered > 0 ? covering : 0) + farther * gap +
-                             (is_beyond_limit(point, box) ? misleading : 0),
+                             (is_beyond(limits_, point, box) ? misleading : 0) +
+                             (is_beyond(others_, point, box) ? strange : 0),
                          centre);
             }
           }
@@ -325,7 +332,8 @@ class Places {
   const Plane& plane_;
   Raster ink_;
   Raster taken_;
-  std::vector<std::vector<FigurePoint>> limits_;  ///< lines that are named beside them
+  Lines limits_;  ///< lines that are named beside them
+  Lines others_;  ///< motions to compare with, which words of a point beyond them would name
   NamesInPlace found_;
 };
 
