@@ -71,10 +71,11 @@ void add_delta1(Section& section, const design::RegionAnswer& answer, const Phys
 }
 
 /// "Feasible f: 0.1 to 0.25.", and whether there are others.
-std::string feasible_f(const design::RegionVerdict& verdict) {
+std::string feasible_f(const design::RegionVerdict& verdict, const design::Limits& limits) {
   const auto& [low, high] = std::pair(*verdict.region.f_lower, *verdict.region.f_upper);
   const std::size_t intervals = verdict.intervals ? verdict.intervals->size() : 1;
-  return format("Feasible f: {}{}.", range_digits(low, high),
+  return format("Feasible f{}: {}{}.", limits.tolerance > 0 ? " with the tolerance asked for" : "",
+                range_digits(low, high),
                 intervals > 1
                     ? format(", of {} intervals that with the most tolerant damper", intervals)
                     : "");
@@ -136,7 +137,7 @@ Document document(const RegionReport& report) {
       .detail = false;
   add_strips(document, problem, answer.strips);
   if (answer.region.feasible) {
-    document.verdict = feasible_delta(report) + feasible_f(answer);
+    document.verdict = feasible_delta(report) + feasible_f(answer, limits);
     document.tone = Tone::good;
   } else {
     add_emptiness(document, answer, {problem, limits, pulse, report.physical});

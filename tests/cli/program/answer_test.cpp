@@ -190,7 +190,8 @@ BOOST_FIXTURE_TEST_CASE(of_an_f_alone_says_which_delta_goes_with_it, Sandbox) {
       stillpoint::report::digits((radius - 0.6) * (radius - 0.6) / 2) + " to 0.5 is admissible."));
   BOOST_TEST(answer("--f 0.4").starts_with("  At f = 0.4 no delta is admissible. "));
   BOOST_TEST(answer("--f 0.2 --delta-max 0.15").starts_with("  At f = 0.2 no delta"));
-  BOOST_TEST(answer("--f 0.3 --tolerance 0.1").starts_with("  Feasible f: "));
+  BOOST_TEST(
+      answer("--f 0.3 --tolerance 0.1").starts_with("  Feasible f with the tolerance asked for: "));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

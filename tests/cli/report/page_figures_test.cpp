@@ -241,10 +241,9 @@ BOOST_AUTO_TEST_CASE(the_caption_says_what_a_clear_area_and_a_strip_mean) {
     const design::RegionRequest request{.problem = problem};
     return figure(page(RegionReport{request, design::answer(request)}), "region").caption;
   };
-  BOOST_TEST(
-      caption({.v0 = 1, .p = 1, .beta = 0.95, .arrivals = 4}) ==
-      "A damper in a strip stops at x = 0 at that arrival, the first in the uppermost strip; "
-      "each hatched side says what goes wrong there.");
+  BOOST_TEST(caption({.v0 = 1, .p = 1, .beta = 0.95, .arrivals = 4}) ==
+             "A damper in a strip stops at x = 0 at that arrival; "
+             "each hatched side says what goes wrong there.");
   BOOST_TEST(contains(caption({.v0 = 1, .p = 1, .beta = 0.95, .residual = 0.05}),
                       "A damper in a strip rests within the residual at that arrival; each"));
   const design::RegionRequest only{.problem = {.v0 = 1.1, .p = 1, .beta = 0.95, .v0_low = 0.9}};

@@ -126,10 +126,8 @@ std::string admissible_caption(const Problem& problem) {
   if (is_one_strip(problem)) {
     return "A damper in the area without hatching is admissible; " + sides;
   }
-  return format(
-      "A damper in a strip {} at that arrival{}; {}",
-      problem.residual ? "rests within the residual" : "stops at x = 0",
-      problem.arrivals > 1 && !problem.residual ? ", the first in the uppermost strip" : "", sides);
+  return format("A damper in a strip {} at that arrival; {}",
+                problem.residual ? "rests within the residual" : "stops at x = 0", sides);
 }
 
 /// Without any admissible damper.
