@@ -154,12 +154,13 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
       "above the curve stops it there. ",
       drawn.region.f3);
   figure.caption =
-      drawn.intervals.empty() ? "No f returns and meets the limits."
-      : std::isfinite(design::largest_delta_allowed(drawn.limits))
-          ? format("A damper in the area without hatching is admissible{}.",
-                   drawn.limits.tolerance > 0 ? " without a tolerance" : "")
-          : "A damper in the area without hatching is admissible: nothing bounds Δ from "
-            "above, because the mass starts from rest.";
+      drawn.intervals.empty()
+          ? "No f returns and meets the limits."
+          : format("A damper in the area without hatching is admissible{}{}.",
+                   drawn.limits.tolerance > 0 ? " without a tolerance" : "",
+                   std::isfinite(design::largest_delta_allowed(drawn.limits))
+                       ? ""
+                       : ": nothing bounds Δ from above, because the mass starts from rest");
   add_pulse_areas(figure, drawn, least_delta, units);
   figure.curves.push_back(std::move(curve));
   if (drawn.damper) {

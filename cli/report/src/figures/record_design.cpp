@@ -196,20 +196,13 @@ struct DrawnRecord {
 
 enum class Height { full, low };
 
-/// A limit and a motion without friction that are so far beyond the motion that it would be hard to
-/// see are left out; but a motion of next to nothing is shown as that.
+/// A limit so far beyond the motion that it would be hard to see is left out; but a motion of next
+/// to nothing is shown as that.
 void fit(DrawnMotion& motion, double peak, Height height) {
   constexpr double nothing = 0.01;
   const double far = height == Height::low ? 3 : 6;
-  if (motion.beta && peak < nothing * *motion.beta) {
-    return;
-  }
-  const auto beyond = [&](double x) { return std::abs(x) > far * peak; };
-  if (motion.beta && beyond(*motion.beta)) {
+  if (motion.beta && *motion.beta > far * peak && peak >= nothing * *motion.beta) {
     motion.beta.reset();
-  }
-  if (std::ranges::any_of(motion.frictionless, beyond, &State::x)) {
-    motion.frictionless.clear();
   }
 }
 
