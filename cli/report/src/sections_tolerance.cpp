@@ -5,6 +5,9 @@
 
 #include <stillpoint/report/digits.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace stillpoint::report {
 
 namespace {
@@ -13,8 +16,9 @@ constexpr double rounding = 1e-9;  // of what is as large as was asked for
 
 /// One side of a box: "+-8.63 % of f", "0.8 to 1.2 times f"; empty if it may not be off.
 std::string side(std::string_view name, double below, double above, int shown) {
-  if (below == above) {
-    return below > 0 ? format("+-{} of {}", percent_digits(below, shown), name) : "";
+  if (std::abs(below - above) <= rounding * above) {
+    return above > 0 ? format("+-{} of {}", percent_digits(std::min(below, above), shown), name)
+                     : "";
   }
   return format("{} to {} times {}", limit_digits((1 - below) * (1 - rounding), true, shown),
                 limit_digits((1 + above) * (1 + rounding), false, shown), name);
