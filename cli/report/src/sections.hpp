@@ -9,6 +9,7 @@
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/region.hpp>
+#include <stillpoint/records/record_suite.hpp>
 #include <stillpoint/report/document.hpp>
 #include <stillpoint/report/report.hpp>
 
@@ -38,6 +39,12 @@ void add_practice(Section& section, const std::optional<design::Practice>& lines
 void add_surface(Section& section, const SimulationRequest& request, const Physical& physical);
 void add_excitation(Section& section, const Excitation& excitation,
                     const std::optional<RecordOrigin>& record, const Physical& physical);
+
+/// "2 x a.AT2": the factor and the file of a record of a suite.
+[[nodiscard]] std::string record_label(const records::SuiteRecord& record);
+/// Where a notch under records differs from the paper's.
+void add_real_notch(Section& section, const std::optional<double>& hold,
+                    const std::optional<double>& width, const Physical& physical);
 
 /// "+-5 % of f and delta at once", or each side of a box of another shape.
 [[nodiscard]] std::string box_text(const design::Limits& limits, double tolerance);

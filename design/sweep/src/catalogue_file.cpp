@@ -55,11 +55,8 @@ class CatalogueReader {
       return false;
     }
     fields_.clear();
-    CsvLine row(line);
+    CsvLine row(line, lines_);
     for (std::string_view field; row.next(field);) {
-      if (row.unclosed()) {
-        refuse("a quote is opened but not closed");
-      }
       fields_.push_back(field);
     }
     return true;
