@@ -32,8 +32,8 @@ BOOST_AUTO_TEST_CASE(says_why_and_what_would_help) {
 
   const ProgramRun text = ending(3, design(0.6));
   BOOST_TEST(text.err.empty(), text.err);
-  check_contains(text.out, {"No admissible design", "amplitude and return conflict", "at most 0.84852\n",
-                            "at least 1.1786\n", "at least 0.70711\n"});
+  check_contains(text.out, {"No admissible design", "amplitude and return conflict",
+                            "at most 0.84852\n", "at least 1.1786\n", "at least 0.70711\n"});
 }
 
 // (f3 - f2)/(f3 + f2) = 22.22 % with f2 = 0.225, f3 = 1/sqrt(8), at their middle.
