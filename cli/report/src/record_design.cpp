@@ -3,6 +3,7 @@
 #include <stillpoint/report/record_design.hpp>
 #include "format.hpp"
 #include "sections.hpp"
+#include "suite_parts.hpp"
 
 #include <stillpoint/report/digits.hpp>
 
@@ -154,13 +155,10 @@ void add_records(Document& document, const RecordDesignReport& report) {
               {}};
   for (std::size_t i = 0; i < result.finding->responses.size(); ++i) {
     const ForcedResponse& response = result.finding->responses[i];
-    const std::string& path = result.request.records[i].name;
-    const double scale = result.request.records[i].scale;
+    const design::SuiteRecord& record = result.request.records[i];
     table.rows.push_back(
-        {{(scale == 1 ? "" : format("{:.4g} x ", scale)) +
-              spelled_out(path.substr(path.rfind('/') + 1)),
-          format("{:.4g}",
-                 std::abs(scale) * records::peak_acceleration(result.request.records[i].record)),
+        {{record_label(record),
+          format("{:.4g}", std::abs(record.scale) * records::peak_acceleration(record.record)),
           format("{:.5g}", response.peak_amplitude * units.length),
           format("{:.5g}", std::abs(response.stop_position.value()) * units.length),
           format("{:.4g}", response.peak_absolute_acceleration),
@@ -209,12 +207,7 @@ void add_task(Document& document, const RecordDesignReport& report) {
   if (task.limits.acceleration) {
     section.row("transmitted", format("at most {}", acceleration_shown(*task.limits.acceleration)));
   }
-  if (task.hold) {
-    section.row("notch", format("holds {} besides f", acceleration_shown(*task.hold)));
-  }
-  if (task.notch_width) {
-    section.row("notch", format("{} wide", length_text(physical, *task.notch_width)));
-  }
+  add_real_notch(section, task.hold, task.notch_width, physical);
   const auto searched = [](const std::string& low, const std::string& high) {
     return low == high ? low : format("{} to {}", low, high);
   };
@@ -242,6 +235,21 @@ void add_search(Document& document, const design::SuiteSearch& search) {
 }
 
 }  // namespace
+
+std::string record_label(const design::SuiteRecord& record) {
+  return (record.scale == 1 ? "" : format("{:.4g} x ", record.scale)) +
+         spelled_out(record.name.substr(record.name.rfind('/') + 1));
+}
+
+void add_real_notch(Section& section, const std::optional<double>& hold,
+                    const std::optional<double>& width, const Physical& physical) {
+  if (hold) {
+    section.row("notch", format("holds {} besides f", acceleration_shown(*hold)));
+  }
+  if (width) {
+    section.row("notch", format("{} wide", length_shown(physical, *width)));
+  }
+}
 
 std::string_view quantity(design::SuiteObjective objective) {
   switch (objective) {
