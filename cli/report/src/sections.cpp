@@ -234,14 +234,22 @@ void add_constraints(Document& document, std::span<const design::Constraint> con
                      const Physical& physical) {
   const FigureUnits units(physical);
   const bool all_met = std::ranges::all_of(constraints, &design::Constraint::satisfied);
+  const bool returns = std::ranges::none_of(constraints, [](const design::Constraint& now) {
+    return now.name == "return" && !now.satisfied;
+  });
   Table table{{"", "", "value", "", "limit", "slack", ""}, {}};
   for (const design::Constraint& now : constraints) {
     const auto [unit, unit_name] = unit_of(now.variable, units);
+    const bool reached = returns || now.name != "stop";
     table.rows.push_back(
         {{std::string(now.name), in(std::string(now.variable), unit_name), digits(now.value * unit),
           std::string(now.relation), digits(now.limit * unit), digits(now.slack * unit),
-          now.satisfied ? "met" : "violated"},
-         now.satisfied ? Tone::good : Tone::bad});
+          !reached        ? "not reached"
+          : now.satisfied ? "met"
+                          : "violated"},
+         !reached        ? Tone::plain
+         : now.satisfied ? Tone::good
+                         : Tone::bad});
   }
   Section& section = all_met ? document.detail("Constraints") : document.section("Constraints");
   section.parts.emplace_back(std::move(table));

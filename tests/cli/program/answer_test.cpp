@@ -55,9 +55,9 @@ BOOST_FIXTURE_TEST_CASE(of_a_design_says_what_to_build_what_it_does_and_how_far_
   const std::string text = run({"design", STILLPOINT_DATA_DIR "/scenes/isolator.json"}).out;
   const auto lines = lines_of(text);
   BOOST_TEST(lines.at(1).starts_with("  Build a friction force of 283.81 kN and a notch"), text);
-  check_contains(text, {"137.37 mm, 91.58 % of the 150 mm", "at x = 0 after 1.5287 s",
-                        "0.09465 g outside", "0.319 g if w is 20 mm", "+-34.18 %",
-                        "hits of 0.340 to 0.429 m/s", "agree: "});
+  check_contains(
+      text, {"137.37 mm, 91.58 % of the 150 mm", "at x = 0 after 1.5287 s", "0.09465 g outside",
+             "0.319 g if w is 20 mm", "+-34.18 %", "hits of 0.341 to 0.429 m/s", "agree: "});
 }
 
 /// 6.87 mm is the peak: a notch of 20 mm would be wider than the motion.
@@ -175,8 +175,9 @@ BOOST_FIXTURE_TEST_CASE(of_a_motion_says_how_close_it_is_to_another_outcome, San
 
 BOOST_FIXTURE_TEST_CASE(of_a_point_says_what_it_violates, Sandbox) {
   const std::string text = run("region --v0 1 --p 1 --beta 0.9 --f 0.5 --delta 0.6").out;
-  check_contains(text, {"  The damper is not admissible. It is held by the notch: delta is 20 % too large",
-                        "(start). It also violates return."});
+  check_contains(
+      text, {"  The damper is not admissible. It is held by the notch: delta is 20 % too large",
+             "(start). It also violates return."});
   BOOST_TEST(contains(text, "violated"));
 }
 
