@@ -255,6 +255,10 @@ void add_constraints(Document& document, std::span<const design::Constraint> con
   section.parts.emplace_back(std::move(table));
 }
 
+bool moves(const Response& response) {
+  return response.stop_time != 0.0;
+}
+
 std::string outcome_phrase(Outcome outcome) {
   switch (outcome) {
     case Outcome::stopped_at_zero:
@@ -293,7 +297,19 @@ std::string acceleration_text(const Physical& physical, double acceleration) {
                   : format("{:.6g} g", acceleration);
 }
 
+void add_outcome(Section& section, const Response& response, const std::string& ends,
+                 const Physical& physical) {
+  const bool held = !moves(response) && response.outcome != Outcome::caught_at_start;
+  section.row("outcome", held ? "never moves" : ends);
+  if (moves(response)) {
+    section.row("peak", length_text(physical, response.peak_amplitude));
+  }
+}
+
 void add_metrics(Section& section, const Response& response, const Physical& physical) {
+  if (!moves(response)) {
+    return;
+  }
   if (response.stop_time) {
     section.row("stop time", time_text(physical, *response.stop_time));
     section.row("stop position", length_text(physical, *response.stop_position));
@@ -321,21 +337,23 @@ void add_margin(Section& section, const Response& response, std::string_view mea
 }  // namespace
 
 void add_response(Section& section, const Response& response, const Physical& physical) {
-  section.row("outcome", outcome_phrase(response.outcome));
-  section.row("peak", length_text(physical, response.peak_amplitude));
-  section.row("peak acceleration", acceleration_text(physical, response.peak_acceleration));
+  add_outcome(section, response, outcome_phrase(response.outcome), physical);
+  if (moves(response)) {
+    section.row("peak acceleration", acceleration_text(physical, response.peak_acceleration));
+  }
   add_metrics(section, response, physical);
   add_margin(section, response, "the outcome could change if all inputs shift by about this much");
 }
 
 void add_response(Section& section, const ForcedResponse& response, const Physical& physical) {
-  section.row("outcome", outcome_phrase(response));
-  section.row("peak", length_text(physical, response.peak_amplitude));
+  add_outcome(section, response, outcome_phrase(response), physical);
   section.row("transmitted",
               format("{}, the largest acceleration that the structure feels",
                      acceleration_text(physical, response.peak_absolute_acceleration)));
-  section.row("relative", format("{}, the largest acceleration relative to the base",
-                                 acceleration_text(physical, response.peak_acceleration)));
+  if (moves(response)) {
+    section.row("relative", format("{}, the largest acceleration relative to the base",
+                                   acceleration_text(physical, response.peak_acceleration)));
+  }
   add_metrics(section, response, physical);
   add_margin(section, response,
              "how far the closest decision, a stick at the start included, was from the other "

@@ -123,6 +123,8 @@ void add_response(Section& section, const ForcedResponse& response, const Physic
 [[nodiscard]] std::string locked_words(const ForcedResponse& locked, double load_end,
                                        const Physical& physical);
 
+/// Not if friction or the notch holds the mass from the start.
+[[nodiscard]] bool moves(const Response& response);
 /// "stops at x = 0" and so on.
 [[nodiscard]] std::string outcome_phrase(Outcome outcome);
 /// A motion that has not ended may be at rest all the same.
