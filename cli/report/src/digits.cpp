@@ -9,6 +9,22 @@
 
 namespace stillpoint::report {
 
+namespace {
+
+/// As `shown` writes it, rounded up or down. The value is not negative.
+template <class Shown>
+std::string rounded(double value, bool upwards, const Shown& shown) {
+  std::string text = shown(value);
+  const auto misses = [&] { return upwards ? std::stod(text) < value : std::stod(text) > value; };
+  // The nearest is at most half of its last digit away.
+  for (double part = 0x1p-52; misses(); part *= 2) {
+    text = shown(value * (upwards ? 1 + part : 1 - part));
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string digits(double value) {
   return fmt::format("{:.6g}", value);
 }
@@ -48,34 +64,41 @@ bool begins_at_nothing(double low, double high) {
   return low <= nothing * high;
 }
 
-std::string range_digits(double low, double high) {
-  if (begins_at_nothing(low, high)) {
-    return fmt::format("up to {}", digits(high));
-  }
-  const std::string from = digits(low);
-  const std::string to = digits(high);
-  return from == to && low < high ? interval_digits(low, high) : fmt::format("{} to {}", from, to);
+std::string limit_digits(double value, bool upwards, int shown) {
+  return rounded(value, upwards,
+                 [shown](double now) { return fmt::format("{:.{}g}", now, shown); });
 }
 
-std::string limit_digits(double value, bool upwards, int shown) {
-  const double last_digit = std::pow(10.0, std::floor(std::log10(value)) + 1 - shown);
-  std::string text = fmt::format("{:.{}g}", value, shown);
-  for (double nudge = 0.5; (upwards ? std::stod(text) < value : std::stod(text) > value);
-       nudge += 0.5) {
-    text = fmt::format("{:.{}g}", value + (upwards ? nudge : -nudge) * last_digit, shown);
+std::string digits_within(double low, double high) {
+  constexpr int every = 17;  // that a double has
+  int shown = 6;
+  std::string text = limit_digits(high, false, shown);
+  while (std::stod(text) < low && shown < every) {
+    text = limit_digits(high, false, ++shown);
   }
   return text;
+}
+
+std::string range_digits(double low, double high) {
+  constexpr int shown = 6;
+  const std::string to = limit_digits(high, false, shown);
+  if (begins_at_nothing(low, high)) {
+    return "up to " + to;
+  }
+  const std::string from = limit_digits(low, true, shown);
+  return low < high && !(std::stod(from) < std::stod(to)) ? interval_digits(low, high)
+                                                          : fmt::format("{} to {}", from, to);
 }
 
 std::string interval_digits(double low, double high) {
   constexpr int fewest = 3;
   constexpr int every = 17;  // that a double has
-  constexpr double lost = 0.01;
+  constexpr double lost = 0.02;
   for (int shown = fewest; shown < every; ++shown) {
-    const std::string from = fmt::format("{:#.{}g}", low, shown);
-    const std::string to = fmt::format("{:#.{}g}", high, shown);
-    const double error = std::max(std::abs(std::stod(from) - low), std::abs(std::stod(to) - high));
-    if (error <= lost * (high - low)) {
+    const auto with_zeros = [shown](double now) { return fmt::format("{:#.{}g}", now, shown); };
+    const std::string from = rounded(low, true, with_zeros);
+    const std::string to = rounded(high, false, with_zeros);
+    if (std::max(std::stod(from) - low, high - std::stod(to)) <= lost * (high - low)) {
       return fmt::format("{} to {}", from, to);
     }
   }

@@ -37,6 +37,34 @@ void add_physical_input(Section& section, const design::PhysicalInput& physical)
                      with_unit(scales.time_s, "s"), scales.gravity_m_per_s2));
 }
 
+std::string damper_words(const Physical& physical, const std::optional<double>& f, double delta,
+                         const std::optional<double>& notch_width) {
+  const auto scales = physical ? std::optional(physical->scales) : std::nullopt;
+  const auto force = scales ? scales->friction_force_n(f.value_or(0)) : std::nullopt;
+  const auto energy = scales ? scales->energy_per_passage_j(delta) : std::nullopt;
+  const bool weighed = force && energy && std::isfinite(*energy);
+  const std::string wide =
+      notch_width ? format(" {} wide", length_shown(physical, *notch_width)) : "";
+  const std::string notch =
+      weighed ? format("a notch{} that takes {} at a passage", wide, with_unit(*energy, "J"))
+              : format("delta = {}{}{}", length_shown(physical, delta),
+                       wide.empty() ? "" : " in a notch", wide);
+  return !f        ? notch + " and as little constant friction as you can"
+         : weighed ? format("a friction force of {} and {}", with_unit(*force, "N"), notch)
+                   : format("f = {} and {}", digits(*f), notch);
+}
+
+std::string spring_words(const Physical& physical, double p) {
+  if (!physical) {
+    return format("p = {:.6g}", p);
+  }
+  design::Scales scales = physical->scales;
+  scales.omega_rad_per_s = p / scales.time_s;
+  const auto stiffness = scales.stiffness_n_per_m();
+  return format("a period of {:.4g} s{}", 2 * std::numbers::pi / scales.omega_rad_per_s,
+                stiffness ? format(" (stiffness {})", with_unit(*stiffness, "N/m")) : "");
+}
+
 void add_damper_physics(Section& section, const Physical& physical, double f, double delta) {
   if (!physical) {
     return;
@@ -110,15 +138,6 @@ void add_excitation(Section& section, const Excitation& excitation,
   }
 }
 
-std::string box_text(const design::Limits& limits, double tolerance) {
-  const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
-  return limits.shape == design::BoxShape{}
-             ? format("+-{:.4g} % of f and delta at once", 100 * tolerance)
-             : format("{:.4g} to {:.4g} times f and {:.4g} to {:.4g} times delta at once",
-                      1 - tolerance * f_low, 1 + tolerance * f_high, 1 - tolerance * delta_low,
-                      1 + tolerance * delta_high);
-}
-
 Section& add_problem(Document& document, const design::Problem& problem,
                      const design::Limits& limits, const Physical& physical, bool pulsed) {
   Section& section = document.detail("Task");
@@ -160,10 +179,8 @@ Section& add_problem(Document& document, const design::Problem& problem,
           kind.bounds_f() ? format("{:.6g}{}", *most, kind.unit) : length_text(physical, *most)));
     }
   }
-  if (limits.shape != design::BoxShape{}) {
-    add(box_text(limits, limits.tolerance));
-  } else if (limits.tolerance > 0) {
-    add(format("tolerance +-{:.4g} %", 100 * limits.tolerance));
+  if (limits.tolerance > 0) {
+    add("tolerance " + box_text(limits, limits.tolerance));
   }
   if (!limit.empty()) {
     section.row("limits", limit);

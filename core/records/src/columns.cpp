@@ -63,8 +63,25 @@ std::string_view without_comment(std::string_view line, std::string& description
   return trimmed(line.substr(0, at));
 }
 
+/// What a spreadsheet may have written: "0,01" for 0.01 makes two columns of one.
+std::string_view decimal_comma(const RecordReader& reader) {
+  const std::string_view line = reader.line();
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+    if (line[i] == ',' && is_digit(line[i - 1]) && is_digit(line[i + 1])) {
+      return "; a decimal comma must be a point";
+    }
+  }
+  return "";
+}
+
 /// Text before the values is most likely a heading.
 void check_heading(const Row& row, const RecordReader& reader) {
+  if (row.columns[0].find(';') != std::string_view::npos) {
+    reader.refuse_word(row.columns[0], fmt::format("is not a number; between columns there must be "
+                                                   "blanks, tabs or a comma, no semicolon{}",
+                                                   decimal_comma(reader)));
+  }
   if (scan_fortran_number(row.columns[0]).fault == NumberFault::no_number) {
     reader.refuse_word(row.columns[0],
                        fmt::format("{}; a heading above columns must begin with #, and a PEER "
@@ -76,7 +93,8 @@ void check_heading(const Row& row, const RecordReader& reader) {
 void check_count(const Row& row, std::size_t expected, std::size_t first_line,
                  const RecordReader& reader) {
   if (row.count > most_columns) {
-    reader.refuse(fmt::format("{} columns: must be time and value, or value alone", row.count));
+    reader.refuse(fmt::format("{} columns: must be time and value, or value alone{}", row.count,
+                              decimal_comma(reader)));
   }
   if (row.count != expected) {
     reader.refuse(fmt::format("{} column{}, but {} on line {}", row.count,
@@ -98,9 +116,19 @@ class TimeColumn {
     const RecordClock& clock = reader.options().clock;
     const double time = reader.parse_number(word);
     check(time, clock, reader);
-    note_step(time);
+    note_step(time, reader.number());
     before_ = time;
     taus_.push_back(time / clock.per_tau);
+  }
+
+  /// The longest step, if it is several times as long as the others, which are the same.
+  [[nodiscard]] std::optional<TimeJump> jump() const {
+    constexpr double far = 5;
+    constexpr double share_of_alike = 0.9;  // of the steps; a file has some more gaps at most
+    const bool is_even =
+        static_cast<double>(alike_) > share_of_alike * static_cast<double>(taus_.size());
+    return is_even && longest_.to - longest_.from > far * longest_.step ? std::optional(longest_)
+                                                                        : std::nullopt;
   }
 
   /// The step or the times, in tau.
@@ -125,7 +153,8 @@ class TimeColumn {
       return;
     }
     if (!(time > before_)) {
-      reader.refuse(fmt::format("time {}: must be more than the previous time, {}", time, before_));
+      reader.refuse(fmt::format("time {}: must be more than the previous time, {}{}", time, before_,
+                                decimal_comma(reader)));
     }
     if (!clock.tells_apart(before_, time)) {
       reader.refuse(fmt::format("time {} {}: is too close to the previous time, {}", time,
@@ -133,12 +162,18 @@ class TimeColumn {
     }
   }
 
-  void note_step(double time) {
+  void note_step(double time, std::size_t line) {
     constexpr double tolerance = 0x1p-51;  // the step and its multiple are rounded
+    constexpr double digits = 0.1;         // times may be rounded to few
     const std::size_t i = taus_.size();
+    const double step = time - before_;
     if (i == 1) {
       step_ = time;
+      longest_ = {line, before_, time, step};
+    } else if (i > 1 && step > longest_.to - longest_.from) {
+      longest_ = {line, before_, time, longest_.step};
     }
+    alike_ += i > 0 && std::abs(step - longest_.step) <= digits * longest_.step ? 1U : 0U;
     is_uniform_ =
         is_uniform_ && std::abs(time - static_cast<double>(i) * step_) <= tolerance * time;
   }
@@ -146,6 +181,8 @@ class TimeColumn {
   std::vector<double> taus_;
   double before_{0};  ///< as this and the step are in the file
   double step_{0};
+  TimeJump longest_;      ///< its step is the first one
+  std::size_t alike_{0};  ///< how many steps are like the first one
   bool is_uniform_{true};
 };
 
@@ -155,7 +192,7 @@ bool is_columns(RecordReader /*reader*/) {
 
 RecordFile read_columns(RecordReader& reader) {
   const RecordOptions& options = reader.options();
-  RecordFile file{{}, {}, options.units.value_or(RecordUnits::g)};
+  RecordFile file{{}, {}, options.units.value_or(RecordUnits::g), !options.units};
   reader.set_units(file.units);
   TimeColumn times;
   std::size_t first_line = 0;
@@ -182,6 +219,7 @@ RecordFile read_columns(RecordReader& reader) {
   }
   if (count == most_columns) {
     reader.refuse_step(first_line, "the file gives a time with each value");
+    file.jump = times.jump();
     times.move_to(file.record);
   } else if (options.step) {
     file.record.step = *options.step / options.clock.per_tau;

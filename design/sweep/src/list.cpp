@@ -8,6 +8,7 @@
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/records/text.hpp>
+#include <stillpoint/records/units.hpp>
 #include <stillpoint/sweep/output_file.hpp>
 #include <stillpoint/sweep/state.hpp>
 
@@ -114,7 +115,9 @@ void List::read_row(std::string_view line, std::vector<double>& values) {
       try {
         values.push_back(records::parse_number(name(columns_[count], units_), field));
       } catch (const InputError& error) {
-        refuse(printable(error.what(), 4 * longest_word));
+        refuse(
+            printable(error.what(), 4 * longest_word) +
+            (dimension(columns_[count], units_) != records::Dimension::none ? " in SI units" : ""));
       }
     }
   }

@@ -17,12 +17,6 @@ namespace {
 
 using records::trimmed;
 
-std::string_view without_quotes(std::string_view text) {
-  return text.size() >= 2 && text.front() == '"' && text.back() == '"'
-             ? trimmed(text.substr(1, text.size() - 2))
-             : text;
-}
-
 using nlohmann::json;
 
 /// The parser's callbacks for each part of the text; false ends it.
@@ -99,7 +93,7 @@ bool CsvLine::next(std::string_view& field) {
   const std::size_t comma = rest_.find(',', quote);  // none behind npos
   unclosed_ = quote == std::string_view::npos;
   more_ = comma != std::string_view::npos;
-  field = without_quotes(trimmed(rest_.substr(0, comma)));
+  field = records::unquoted(rest_.substr(0, comma));
   rest_ = more_ ? rest_.substr(comma + 1) : std::string_view();
   return true;
 }

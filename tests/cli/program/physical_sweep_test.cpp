@@ -281,6 +281,8 @@ const std::vector<WrongEntry> wrong_entries{
      "line 3: x0-m = 1e+200 m: must be from -1e+30 to 1e+30 m"},
     {"velocity,f,delta_m,notch_width_m\n0.4,0.1,0,1\n0.4,0.1,0,0\n",
      "line 3: notch-width-m = 0 m: must be from 1e-30 to 1e+30 m"},
+    {"velocity,f,delta_m\n0.4,0.1,0\n0.4,0.1,2mm\n",
+     "line 3: delta_m = \"2mm\": must be a number in SI units"},
 };
 
 }  // namespace

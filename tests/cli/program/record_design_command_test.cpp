@@ -67,7 +67,8 @@ const std::vector<Wrong> wrong_inputs{
 }  // namespace
 
 BOOST_FIXTURE_TEST_CASE(a_damper_that_does_not_move_transmits_the_load, Recorded) {
-  write("list.csv", "file,scale\na.txt,-3\n# a comment\n");
+  // As a spreadsheet may save it.
+  write("list.csv", "\xEF\xBB\xBF\"file\", scale\r\n\"a.txt\" , -3 \r\n# a comment\r\n \r\n");
   const json report = reported(held + "--records-list list.csv");
   BOOST_TEST(report["schema"] == "stillpoint/record-design-report/1");
   BOOST_TEST(report["design"]["f"] == 2);

@@ -120,8 +120,8 @@ BOOST_AUTO_TEST_CASE(has_a_report) {
   const ProgramRun answer = succeed(sweep(grid + "--output rows.npy --json"));
   const json report = answer.json();
   check_fields(report, {"schema:text", "program:object", "kind:text", "output:object", "rows:count",
-                        "outcomes:object", "feasible:null", "resumed_at:count", "threads:count",
-                        "wall_time_s:number", "rows_per_s:number"});
+                        "outcomes:object", "locked:count", "feasible:null", "resumed_at:count",
+                        "threads:count", "wall_time_s:number", "rows_per_s:number"});
   BOOST_TEST(report["schema"] == "stillpoint/sweep-report/1");
   BOOST_TEST(report["kind"] == "free");
   BOOST_TEST(report["output"]["file"] == "rows.npy");
@@ -137,6 +137,19 @@ BOOST_AUTO_TEST_CASE(has_a_report) {
   const json designs = run(sweep("--beta 0.5,0.9 --output rows.csv --json")).json();
   BOOST_TEST(designs["feasible"] == 1);
   BOOST_TEST(designs["outcomes"].is_null());
+  BOOST_TEST(designs["locked"].is_null());
+}
+
+BOOST_AUTO_TEST_CASE(counts_the_motions_that_are_locked) {
+  // k < delta: the notch holds the mass from its first rest on, while the harmonic never ends. With
+  // delta = 0 there is no notch.
+  const Arguments loaded(
+      "sweep --v0 0.1 --p 1 --f 0.05 --delta 0,0.3 --excitation harmonic --k 0.2 "
+      "--lambda 0.35 --t-end 100 --output rows.csv");
+  BOOST_TEST(succeed(loaded + "--json").json()["locked"] == 1);
+  check_contains(
+      succeed(loaded).out,
+      {" 1 is locked: the notch holds the mass to the end of the load.\n", "\n  locked "});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

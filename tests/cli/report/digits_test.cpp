@@ -14,7 +14,7 @@ BOOST_AUTO_TEST_CASE(six_digits_or_none) {
 }
 
 BOOST_AUTO_TEST_CASE(an_interval_has_the_digits_that_its_width_needs) {
-  BOOST_TEST(interval_digits(0.34015, 0.42925) == "0.340 to 0.429");
+  BOOST_TEST(interval_digits(0.34015, 0.42925) == "0.341 to 0.429");
   BOOST_TEST(interval_digits(0.99996, 1.00004) == "0.999960 to 1.00004");
   BOOST_TEST(interval_digits(0, 2) == "0.00 to 2.00");
   BOOST_TEST(interval_digits(0.5, 0.5) == "0.500 to 0.500");
@@ -28,6 +28,30 @@ BOOST_AUTO_TEST_CASE(ends_that_differ_are_printed_differently) {
   BOOST_TEST(range_digits(5e-11, 0.0171893) == "up to 0.0171893");
   BOOST_TEST(range_digits(0, 2.5e-10) == "up to 2.5e-10");
   BOOST_TEST(range_digits(2e-6, 1) == "2e-06 to 1");
+}
+
+/// Both printed ends lie in the range, whatever it is, and most of it lies between them.
+BOOST_AUTO_TEST_CASE(printed_ranges_lie_within) {
+  std::mt19937 random(20'261'123);
+  std::uniform_real_distribution<double> exponents(-12, 12);
+  std::uniform_real_distribution<double> widths(-14, 2);
+  for (int i = 0; i < 4000; ++i) {
+    const double low = std::pow(10, exponents(random));
+    const double high = low * (1 + std::pow(10, widths(random)));
+    for (const std::string& text : {interval_digits(low, high), range_digits(low, high)}) {
+      const double from = std::stod(text);
+      const double to = std::stod(text.substr(text.rfind(' ')));
+      BOOST_TEST(low <= from, text);
+      BOOST_TEST(from <= to, text);
+      BOOST_TEST(to <= high, text);
+    }
+    const double within = std::stod(digits_within(low, high));
+    BOOST_TEST(low <= within);
+    BOOST_TEST(within <= high);
+  }
+  BOOST_TEST(digits_within(0.35355338937, 0.35355339059) == "0.35355339");
+  BOOST_TEST(digits_within(0.5, 0.5) == "0.5");
+  BOOST_TEST(digits_within(1.0 / 3, 1.0 / 3) == "0.3333333333333333");
 }
 
 BOOST_AUTO_TEST_CASE(units_take_the_prefix_that_fits) {

@@ -231,6 +231,16 @@ BOOST_AUTO_TEST_CASE(end_of_the_run_that_meets_an_event_has_none) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(rest_at_zero_as_the_load_ends_has_none) {
+  // After a whole period under the load it is back at x = 0, at rest but for rounding, and without
+  // friction it stays on the side that rounding gave it. The run ends before it turns.
+  const double p = 0.14130925140754189;
+  const auto state =
+      run_forced(ForcedScene<>{{0, 0, p, 0, 0}, Rectangle{0.19327387831216181, p / 2}, 7.6 / p})
+          .state;
+  BOOST_TEST(margin_of(state) <= 1e-14);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

@@ -199,11 +199,10 @@ void add_boundaries(Figure& figure, const Problem& problem, const FigureUnits& u
   add_delta1(figure, problem, region.f3, units.length);
   const double top = region.delta2.value() * units.length;
   if (region.f3 > figure.x.least && region.f3 < figure.x.most) {
-    add_edge(figure, "largest f that returns, f₃", {region.f3, figure.y.least},
-             {region.f3, figure.y.most});
+    add_edge(figure, "no return past f₃", {region.f3, figure.y.least}, {region.f3, figure.y.most});
   }
   if (top > figure.y.least && top < figure.y.most) {
-    add_edge(figure, "largest Δ that starts, Δ₂", {figure.x.least, top}, {figure.x.most, top});
+    add_edge(figure, "held above Δ₂", {figure.x.least, top}, {figure.x.most, top});
   }
 }
 

@@ -8,7 +8,7 @@
 #include "kernel/functions.hpp"
 #include "kernel/hold.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 namespace stillpoint {
 
@@ -54,7 +54,8 @@ void decide_jump(Run& run, const Load<Real>& from, const Load<Real>& to) {
   }
 }
 
-/// The run ends here, before the motion does: (F26) again, and for passages too.
+/// The run ends here, before the motion does: (F26) again, for passages too, and whether it is at
+/// rest at x = 0, where rounding alone gives it a side.
 template <class Run, class Real>
 void decide_end(Run& run, const Load<Real>& load) {
   if (run.over()) {
@@ -66,7 +67,10 @@ void decide_end(Run& run, const Load<Real>& load) {
     decide_hold(run, load);
   } else {
     const Real distance = magnitude(s.u);
-    s.margin.decide(distance, distance + magnitude(s.v) * s.now.value());
+    const Real v = magnitude(s.v);
+    s.margin.decide(distance, distance + v * s.now.value());
+    const Real radius = std::max(distance, v);
+    s.margin.decide(radius, radius + s.farthest);
   }
 }
 

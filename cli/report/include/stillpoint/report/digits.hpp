@@ -17,15 +17,18 @@ namespace stillpoint::report {
 [[nodiscard]] std::string with_unit(double value, std::string_view unit);
 /// low <= 1e-6 high: of two sizes, where the lower end is less than anyone can build or measure.
 [[nodiscard]] bool begins_at_nothing(double low, double high);
-/// "0.0158739 to 0.0323606" by `digits`, with more if both ends would look the same; "up to
-/// 0.0323606" if it begins at nothing.
+/// "0.0158739 to 0.0323606": six digits, rounded inwards so that both are in the range, with more
+/// if they would leave nothing of it; "up to 0.0323606" if it begins at nothing.
 [[nodiscard]] std::string range_digits(double low, double high);
 /// The digits of a limit that an input copied from a report must meet.
 inline constexpr int every_digit = 10;
 /// That many digits, rounded up or down so that an input set to them meets the limit.
 [[nodiscard]] std::string limit_digits(double value, bool upwards, int shown = every_digit);
-/// "0.340 to 0.429": three digits, or as many as hold both ends to 1 % of the width.
+/// "0.341 to 0.429": rounded inwards to three digits, or as many as hold both ends to 2 % of the
+/// width.
 [[nodiscard]] std::string interval_digits(double low, double high);
+/// A number of the range: six digits, or as many as it takes.
+[[nodiscard]] std::string digits_within(double low, double high);
 /// A count: every digit up to 2^53, six for larger ones; or "none".
 [[nodiscard]] std::string whole(const std::optional<double>& count);
 /// "1 turning point", "2 turning points".
