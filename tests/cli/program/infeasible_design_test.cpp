@@ -24,10 +24,8 @@ BOOST_AUTO_TEST_CASE(says_why_and_what_would_help) {
   BOOST_TEST(report["region"]["feasible"] == false);
   const auto reason = report["region"]["reason"].get<std::string>();
   check_contains(reason, {"amplitude", "return", "f2 = 0.533333", "f3 = 0.353553"});
-  check_fields(report["region"], {"f1:number", "f2:number", "f3:number", "f_lower:null",
-                                  "f_upper:null", "delta2:number", "beta_min:number"});
-  check_fields(report, {"design:null", "constraints:array", "response:null", "search:null",
-                        "cross_check:null", "physical:null"});
+  check_null(report["region"], {"f_lower", "f_upper"});
+  check_null(report, {"design", "response", "search", "cross_check", "physical"});
   BOOST_TEST(report["constraints"].empty());
 
   const ProgramRun text = ending(3, design(0.6));
