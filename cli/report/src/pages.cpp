@@ -160,7 +160,7 @@ std::vector<Figure> drawings(const RegionReport& report) {
   std::optional<DrawnDamper> point;
   if (answer.admissible) {
     point = {*answer.admissible ? "point, admissible" : "point, not admissible", *f, *delta,
-             answer.tolerance.value_or(0)};
+             answer.tolerance.value_or(0), *answer.admissible};
   }
   std::vector<Figure> figures{
       region_of(report.request, answer, point, report.catalogue, report.physical)};

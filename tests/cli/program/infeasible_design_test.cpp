@@ -59,10 +59,17 @@ BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_beside_a_single_mend) {
 BOOST_AUTO_TEST_CASE(a_two_sided_tolerance_is_mended_on_each_side) {
   const Arguments too_much = design(0.75, "--tolerance-f 0.8:1.2 --tolerance-delta 0.05");
   const std::string out = run(too_much).out;
-  const std::string box = "0.9040843148 to 1.095915685 times f and 0.9760210787 to 1.023978921";
+  const std::string box = "at most +-9.591 % of f and +-2.397 % of delta at once";
   BOOST_TEST(contains(std::regex_replace(out, std::regex("\\s+"), " "), box), out);
-  succeed(design(
-      0.75, "--tolerance-f 0.9040843148:1.095915685 --tolerance-delta 0.9760210787:1.023978921"));
+  succeed(design(0.75, "--tolerance-f 0.09591 --tolerance-delta 0.02397"));
+  // Of one alone, with the option that gives it; and of factors.
+  const std::string of_f = run(design(0.75, "--tolerance-f 0.245")).out;
+  std::smatch least;
+  const std::regex mend("\n  tolerance_f +at most \\+-([0-9.]+) % of f\n");
+  BOOST_TEST_REQUIRE(std::regex_search(of_f, least, mend), of_f);
+  succeed(design(0.75, "--tolerance-f " + in_full(std::stod(least[1]) / 100)));
+  check_contains(run(design(1, "--tolerance-f 0.8:1.1 --verbose")).out,
+                 {"limits            tolerance 0.8 to 1.1 times f\n"});
 }
 
 BOOST_AUTO_TEST_CASE(shows_more_digits_of_tolerances_that_agree_to_four) {
@@ -75,7 +82,7 @@ BOOST_AUTO_TEST_CASE(shows_more_digits_of_tolerances_that_agree_to_four) {
 BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_and_two_inputs_if_one_is_not_enough) {
   const Arguments impossible = design(0.6, "--tolerance 0.5");
   const ProgramRun text = ending(3, impossible);
-  check_contains(text.out, {"no damper has", "0.3633628", "Both of these changes",
+  check_contains(text.out, {"no damper has", "+-36.33 %", "Both of these changes",
                             "  tolerance         at most ", "at least "});
   const json joint = run(impossible + "--json").json()["region"]["joint_mend"];
   BOOST_TEST(near(joint["largest_tolerance"], 0.36336, 1e-4));

@@ -124,6 +124,7 @@ struct DrawnDamper {
   double f{0};
   double delta{0};
   double tolerance{0};
+  bool admissible{true};
 };
 
 /// The corners of its tolerance box, starting from the lower left.
@@ -132,6 +133,12 @@ struct DrawnDamper {
                                                               double unit);
 /// "tolerance ±34.2 %", or that of f and of Delta.
 [[nodiscard]] std::string tolerance_words(const design::BoxShape& shape, double tolerance);
+
+/// The damper with its box, enlarged if it is small.
+void add_damper(figures::Figure& figure, const DrawnDamper& damper, const design::BoxShape& shape,
+                const FigureUnits& units);
+/// What the box means, for a caption; empty without one.
+[[nodiscard]] std::string box_clause(const DrawnDamper& damper, const FigureUnits& units);
 
 /// What to draw for a region.
 struct DrawnRegion {
