@@ -53,9 +53,9 @@ BOOST_AUTO_TEST_CASE(an_isolator_of_three_seconds_by_hand) {
 }
 
 BOOST_AUTO_TEST_CASE(period_and_stiffness_are_interchangeable) {
-  // 4 pi^2 N/m under 1 kg swing once a second.
-  const double stiffness = 4 * std::numbers::pi * std::numbers::pi;
-  const Scales by_stiffness = physical_scales(with_stiffness(stiffness, 1), 0.4);
+  // 16 pi^2 N/m under 4 kg swing once a second.
+  const double stiffness = 16 * std::numbers::pi * std::numbers::pi;
+  const Scales by_stiffness = physical_scales(with_stiffness(stiffness, 4), 0.4);
   const Scales by_period = physical_scales(with_period(1), 0.4);
   check_close(by_stiffness.omega_rad_per_s, by_period.omega_rad_per_s);
   check_close(by_stiffness.p, by_period.p);
