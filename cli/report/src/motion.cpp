@@ -75,7 +75,9 @@ std::string swings(const MotionReport& report) {
   const auto shown = [&](double length) { return length_shown(report.physical, length); };
   constexpr double same = 0.01;
   if (most - least <= same * most) {
-    return format(" It swings steadily to {}.", shown(peaks.back()));
+    const bool held = report.answer.forced->final_velocity == 0;
+    return format(" {} swings steadily to {}.", held ? "Between rests it" : "It",
+                  shown(peaks.back()));
   }
   const bool grow = std::ranges::is_sorted(peaks);
   if (grow || std::ranges::is_sorted(peaks, std::ranges::greater())) {

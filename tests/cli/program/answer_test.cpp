@@ -187,6 +187,8 @@ BOOST_FIXTURE_TEST_CASE(of_a_harmonic_says_how_it_swings, Sandbox) {
                  {". It swings steadily to "});
   check_contains(answer("--f 0 --delta 0 --lambda 0.9 --t-end 200"),
                  {" Its last 8 swings go to between "});
+  check_contains(answer("--f 0.09 --delta 0 --lambda 1 --t-end 100"),
+                 {"at rest at the end of the run. Between rests it swings steadily to "});
   for (const char* const other :
        {"--f 0.02 --delta 0 --lambda 0.7 --t-end 20",  // too few
         "--f 0.02 --delta 0 --lambda 0.7 --t-end 300 --max-half-cycles 20"}) {
