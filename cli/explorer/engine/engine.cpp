@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What engine.js calls: requests and answers are texts of JSON, columns of numbers are memory.
 
-#include "answer.hpp"
 #include "input/motion.hpp"
 #include "input/request.hpp"
 #include "options/scene.hpp"

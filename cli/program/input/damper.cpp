@@ -7,7 +7,6 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/box_shape.hpp>
-#include <stillpoint/sweep/catalogue_file.hpp>
 
 #include <fmt/format.h>
 
@@ -71,13 +70,6 @@ Task read_task(const Settings& settings, Command command) {
   return task;
 }
 
-/// In `units`, to which this adds how metres are read.
-std::vector<design::Part> read_parts(const Settings& settings, sweep::CatalogueUnits units) {
-  const Option& in_metres = *find_option("delta-m");
-  units.parse_metres = [&in_metres](std::string_view text) { return parse_value(in_metres, text); };
-  return sweep::read_catalogue(*settings.text("catalogue"), units);
-}
-
 /// The parts of --catalogue, in the units of the task; empty without it.
 std::optional<answers::PartsOfFile> catalogue(const Settings& settings, const Task& task) {
   if (!settings.has("catalogue")) {
@@ -88,7 +80,7 @@ std::optional<answers::PartsOfFile> catalogue(const Settings& settings, const Ta
   if (task.physical) {
     units.length_m = task.physical->scales.length_m;
   }
-  return answers::PartsOfFile{*settings.text("catalogue"), read_parts(settings, units)};
+  return answers::PartsOfFile{*settings.text("catalogue"), catalogue_input(settings, units)};
 }
 
 /// A notch that is not the paper's.
@@ -143,14 +135,10 @@ answers::RegionTask region_input(const Settings& settings) {
           catalogue(settings, given)};
 }
 
-std::vector<design::Part> catalogue_input(const Settings& settings,
-                                          const std::optional<sweep::SweepUnits>& physical) {
-  sweep::CatalogueUnits units;
-  if (physical) {
-    units.length_m = 1;
-    units.metres_only = true;
-  }
-  return settings.has("catalogue") ? read_parts(settings, units) : std::vector<design::Part>();
+std::vector<design::Part> catalogue_input(const Settings& settings, sweep::CatalogueUnits units) {
+  const Option& in_metres = *find_option("delta-m");
+  units.parse_metres = [&in_metres](std::string_view text) { return parse_value(in_metres, text); };
+  return sweep::read_catalogue(*settings.text("catalogue"), units);
 }
 
 }  // namespace stillpoint::cli

@@ -89,6 +89,17 @@ MotionInput motion_input(const Settings& settings, Command command, bool from_re
   return motion;
 }
 
+Oscillator oscillator_input(const Settings& settings, const MotionInput& motion) {
+  const double f = settings.required("f", "give --f, the constant friction (0 for none)");
+  const auto delta = point_friction(settings, "delta", "delta-m", motion.physical);
+  if (!delta) {
+    throw motion.physical
+        ? InputError::missing("delta-m", "give --delta-m, the point friction in m (0 for none)")
+        : InputError::missing("delta", "give --delta, the point friction (0 for none)");
+  }
+  return {motion.p, f, *delta, settings.number("hold")};
+}
+
 std::optional<double> in_either(const Settings& settings, std::string_view plain,
                                 std::string_view physical, double unit, double least) {
   const auto value = settings.number(physical);

@@ -42,6 +42,9 @@ struct MotionInput {
 [[nodiscard]] std::optional<double> in_either(const Settings& settings, std::string_view plain,
                                               std::string_view physical, double unit, double least);
 
+/// What moves, with its damper. Throws InputError for a missing or wrong value.
+[[nodiscard]] Oscillator oscillator_input(const Settings& settings, const MotionInput& motion);
+
 /// A point friction, which may be given in metres, then at least `least`. Empty if not given.
 [[nodiscard]] std::optional<double> point_friction(const Settings& settings, std::string_view plain,
                                                    std::string_view metres,

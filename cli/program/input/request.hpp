@@ -13,8 +13,10 @@
 #include <stillpoint/report/record_scan.hpp>
 #include <stillpoint/report/report.hpp>
 #include <stillpoint/report/spectrum.hpp>
+#include <stillpoint/sweep/catalogue_file.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,13 +35,15 @@ namespace stillpoint::cli {
 /// Each throws UsageError for something missing or contradictory and InputError for a wrong value.
 [[nodiscard]] answers::DesignTask design_input(const Settings& settings);
 [[nodiscard]] answers::RegionTask region_input(const Settings& settings);
-/// The parts of --catalogue for a sweep, whose unit of length is a metre; none without it. Throws
-/// records::FileError for a wrong file.
-[[nodiscard]] std::vector<design::Part> catalogue_input(
-    const Settings& settings, const std::optional<sweep::SweepUnits>& physical);
+/// The parts of --catalogue, in these units. Throws records::FileError for a wrong file.
+[[nodiscard]] std::vector<design::Part> catalogue_input(const Settings& settings,
+                                                        sweep::CatalogueUnits units);
 /// The question; the answer in these two is empty.
 [[nodiscard]] report::MotionReport simulate_input(const Settings& settings);
 [[nodiscard]] report::SpectrumReport spectrum_input(const Settings& settings);
+/// With the answer, and a trajectory if samples or an end were given. `go_on` may end the run.
+[[nodiscard]] report::MotionReport motion_report(const Settings& settings,
+                                                 const std::function<bool()>& go_on);
 
 /// Whether `design` is asked for a damper under records, not for a hit. Throws UsageError if both
 /// are given.

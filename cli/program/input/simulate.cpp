@@ -14,17 +14,6 @@ namespace stillpoint::cli {
 
 namespace {
 
-Oscillator oscillator(const Settings& settings, const MotionInput& motion) {
-  const double f = settings.required("f", "give --f, the constant friction (0 for none)");
-  const auto delta = point_friction(settings, "delta", "delta-m", motion.physical);
-  if (!delta) {
-    throw motion.physical
-        ? InputError::missing("delta-m", "give --delta-m, the point friction in m (0 for none)")
-        : InputError::missing("delta", "give --delta, the point friction (0 for none)");
-  }
-  return {motion.p, f, *delta, settings.number("hold")};
-}
-
 void add_output(const Settings& settings, SimulationRequest& request) {
   request.max_half_cycles = settings.integer("max-half-cycles").value_or(request.max_half_cycles);
   const auto trajectory = settings.text("trajectory");
@@ -71,7 +60,7 @@ report::MotionReport simulate_input(const Settings& settings) {
   SimulationRequest& request = input.request;
   input.physical = motion.physical;
   request.start = {motion.x0, motion.v0};
-  request.oscillator = oscillator(settings, motion);
+  request.oscillator = oscillator_input(settings, motion);
   request.half_cycle_limit = half_cycle_limit(settings);
   add_output(settings, request);
   request.surface = surface_input(settings, motion.physical);
@@ -87,6 +76,17 @@ report::MotionReport simulate_input(const Settings& settings) {
   input.record = std::move(excitation->record);
   require_valid(request.oscillator, request.start, request.excitation, request.t_end);
   return input;
+}
+
+report::MotionReport motion_report(const Settings& settings, const std::function<bool()>& go_on) {
+  Settings wanted = settings;
+  const bool ends_free = !excitation_type(settings) && settings.given(Rivals::end) != nullptr;
+  if (settings.has("samples") || ends_free) {
+    wanted.set(*find_option("trajectory"), std::string("-"));
+  }
+  report::MotionReport report = simulate_input(wanted);
+  report.answer = simulate(report.request, [&](double /*tau*/) { return go_on(); });
+  return report;
 }
 
 }  // namespace stillpoint::cli

@@ -49,14 +49,11 @@ report::SpectrumReport spectrum_input(const Settings& settings) {
   for (const double period : list) {
     request.p.push_back(2 * std::numbers::pi * scales.time_s / period);
   }
-  request.f = settings.required("f", "give --f, the constant friction");
-  const auto delta = point_friction(settings, "delta", "delta-m", report.physical);
-  if (!delta) {
-    throw InputError::missing("delta-m", "give --delta-m, the point friction in m");
-  }
-  request.delta = *delta;
+  const Oscillator damper = oscillator_input(settings, {.physical = report.physical});
+  request.f = damper.f;
+  request.delta = damper.delta;
+  request.hold = damper.hold;
   request.combine = settings.named<design::Combine>("combine");
-  request.hold = settings.number("hold");
   request.notch_width = notch_width(settings, report.physical);
   request.threads = threads(settings);
   if (!asks_for_records(settings)) {

@@ -163,7 +163,11 @@ void add_design(const Settings& settings, SweepSpec& spec) {
   }
   spec.limits.tolerance = settings.number("tolerance").value_or(0);
   shape_box(settings, spec.limits);
-  spec.parts = catalogue_input(settings, spec.units);
+  if (settings.has("catalogue")) {  // with units the unit of length is a metre
+    spec.parts = catalogue_input(
+        settings, spec.units ? sweep::CatalogueUnits{.length_m = 1, .metres_only = true}
+                             : sweep::CatalogueUnits());
+  }
 }
 
 std::vector<Quantity> columns(const Settings& settings, const SweepSpec& spec) {

@@ -121,14 +121,18 @@ void refuse_extras(const CLI::App& app, Command command) {
   if (known == nullptr) {
     throw UsageError(fmt::format("{}: unknown option{}", first, suggestion(bare, command, "--")));
   }
+  if (known->serves(command)) {
+    throw UsageError(fmt::format("{}: an option begins with two dashes: --{}", first, bare));
+  }
   std::vector<std::string_view> takers;
   for (const CommandHelp& help : command_helps) {
     if (known->serves(help.command)) {
       takers.push_back(name(help.command));
     }
   }
-  throw UsageError(fmt::format("{}: is not an option of {}, only of {}", first, app.get_name(),
-                               fmt::join(takers, ", ")));
+  throw UsageError(fmt::format("{}: is not an option of {}, only of {}{}{}", first, app.get_name(),
+                               fmt::join(takers, ", "), known->traits.instead.empty() ? "" : "; ",
+                               known->traits.instead));
 }
 
 Settings from_flags(const CLI::App& app, const Collected& collected, Command command) {
@@ -213,10 +217,14 @@ std::vector<std::string> without_help_command(int argc, const char* const* argv)
   return words;
 }
 
-/// "--v0: 1 required V missing" or "OUT is required" as a sentence; anything else as it is.
+/// What CLI11 says of a missing value, a value of a flag or a missing file as a sentence; anything
+/// else as it is.
 std::string in_words(const std::string& message) {
   if (message == "OUT is required" || message == "PART is required") {
     return "merge needs the file to write and the file of each part: merge OUT PART...";
+  }
+  if (constexpr std::string_view flag = "Could not convert: "; message.starts_with(flag)) {
+    return message.substr(flag.size()) + ": this option takes no value";
   }
   constexpr std::string_view wants = ": 1 required ";
   constexpr std::string_view ends = " missing";

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "options/options.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <map>
 
 namespace stillpoint::cli {
 
@@ -24,6 +27,18 @@ std::vector<const Option*> physical_rivals(const Option& option) {
 
 std::string suggestion(std::string_view wrong, std::optional<Command> command,
                        std::string_view prefix) {
+  static const std::map<std::string_view, std::string_view> others{
+      {"stroke", "max-displacement"},
+      {"displacement", "max-displacement"},
+      {"pgv", "velocity"},
+      {"speed", "velocity"},
+      {"frequency", "natural-frequency"},
+      {"friction", "f"},
+      {"mu", "f"},
+      {"notch", "delta"}};
+  if (const auto meant = others.find(wrong); meant != others.end()) {
+    return fmt::format("; did you mean {}{}?", prefix, meant->second);
+  }
   std::vector<std::string_view> known;
   for (const Option& option : options()) {
     if (!command || option.serves(*command)) {

@@ -137,6 +137,7 @@ struct OptionTraits {
   bool merges{false};  ///< design merge takes it, which has the task from the parts
   Beside needs{};
   std::vector<Beside> excludes{};
+  std::string_view instead{};        ///< what to give where it is refused: "a design takes --pulse"
   std::optional<InPython> python{};  ///< empty: what its role says
   bool explored{true};               ///< if the page with the program in it can take it
 };
@@ -207,8 +208,8 @@ struct Option {
 /// The options that can replace it and have a unit.
 [[nodiscard]] std::vector<const Option*> physical_rivals(const Option& option);
 
-/// "; did you mean NAME?" for an option that is one or two slips away, else "". Options of
-/// `command` come first. The prefix is put before it.
+/// "; did you mean NAME?" for an option that is meant, or one or two slips away, else "". Options
+/// of `command` come first. The prefix is put before it.
 [[nodiscard]] std::string suggestion(std::string_view wrong,
                                      std::optional<Command> command = std::nullopt,
                                      std::string_view prefix = "");

@@ -31,7 +31,6 @@ class UsageError : public std::runtime_error {
 };
 
 using records::has_unit;
-using records::parse_number;
 using sweep::Axis;
 using sweep::Range;
 

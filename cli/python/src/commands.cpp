@@ -2,7 +2,6 @@
 // The commands that answer with a report: settings from keyword arguments, then what the program
 // does.
 
-#include "answer.hpp"
 #include "arguments.hpp"
 #include "input/request.hpp"
 #include "interruptible.hpp"
@@ -16,6 +15,7 @@
 #include <stillpoint/report/report.hpp>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -74,24 +74,53 @@ class Motion final : public Result {
   }
 };
 
-/// A new command that answers with a report is a row.
+using Given = cli::Settings;
+using GoOn = std::function<bool()>;
+using Found = std::unique_ptr<answers::Answer>;
+
+Found found_design(const Given& given, const GoOn& go_on) {
+  if (!cli::designs_under_records(given)) {
+    return answers::answer_of(answers::answer(cli::design_input(given)));
+  }
+  const report::RecordDesignInput input = cli::record_design_input(given);
+  return answers::answer_of(report::RecordDesignReport{
+      design::design(input.request, [&](const auto& /*progress*/) { return go_on(); }),
+      input.physical});
+}
+
+Found found_region(const Given& given, const GoOn& /*go_on*/) {
+  return answers::answer_of(answers::answer(cli::region_input(given)));
+}
+
+Found found_motion(const Given& given, const GoOn& go_on) {
+  return answers::answer_of(cli::motion_report(given, go_on));
+}
+
+Found found_spectrum(const Given& given, const GoOn& go_on) {
+  report::SpectrumReport found = cli::spectrum_input(given);
+  found.result = design::spectrum(found.result.request, [&](double /*done*/) { return go_on(); });
+  return answers::answer_of(std::move(found));
+}
+
+/// A new command that answers with a report is a row. What is called now and then may end a run.
 struct Row {
   Command command;
+  Found (*answer)(const Given& given, const GoOn& go_on);
   std::string_view about;
 };
 constexpr std::array rows{
-    Row{Command::design,
+    Row{Command::design, found_design,
         "Designs a damper: the admissible region, the search in it, its motion and its check; with "
         "record, for a suite of acceleration records. With part and output it computes one part; "
         "merge joins the parts."},
-    Row{Command::region,
+    Row{Command::region, found_region,
         "The admissible region of f and delta, without a search; with f and delta, where this "
         "damper stands in it. With v0, p and beta alone, as floats, it takes less than a "
         "microsecond."},
-    Row{Command::simulate,
+    Row{Command::simulate, found_motion,
         "One motion, free or forced: metrics and half-cycles. With samples, or t_end of a free "
         "motion, the result has a trajectory: an array of (tau, x, v)."},
-    Row{Command::spectrum,
+    Row{Command::spectrum, found_spectrum,
         "Peak, residual and transmitted acceleration of one damper under records over the period, "
         "an axis as of sweep, beside the same damper without its notch."},
 };
@@ -146,9 +175,8 @@ std::unique_ptr<Result> run(const Row& row, const py::object& scene, const py::d
     return with_places(given, [&] { return design_part(given); });
   }
   std::unique_ptr<answers::Answer> found = interruptible([&](const std::stop_token& stop) {
-    return with_places(given, [&] {
-      return cli::answer(row.command, given, [&] { return !stop.stop_requested(); });
-    });
+    return with_places(given,
+                       [&] { return row.answer(given, [&] { return !stop.stop_requested(); }); });
   });
   warn_of_doubts(given, row.command);
   if (row.command == Command::simulate) {

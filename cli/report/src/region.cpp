@@ -21,7 +21,7 @@ namespace {
 std::string violations(const RegionReport& report) {
   const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
   std::vector<design::Constraint> violated = report.answer.constraints;
-  std::erase_if(violated, &design::Constraint::satisfied);
+  std::erase_if(violated, [](const auto& now) { return now.satisfied; });
   std::ranges::stable_partition(violated, [](const auto& now) { return now.name != "dead_zone"; });
   std::ranges::stable_partition(violated, [](const auto& now) { return now.name == "start"; });
   const bool starts = violated.empty() || violated.front().name != "start";

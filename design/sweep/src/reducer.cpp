@@ -137,7 +137,10 @@ std::pair<Quantity, std::string_view> column_of(std::string_view option, std::st
       return {column, text.substr(std::min(colon + 1, text.size()))};
     }
   }
-  throw wrong(option, text, "must begin with a column of numbers: " + names(numbers, units));
+  throw wrong(
+      option, text,
+      fmt::format("must begin with a column of numbers: {}; --times and --columns add others",
+                  names(numbers, units)));
 }
 
 void require_bins(std::string_view option, std::string_view text, std::int64_t bins) {

@@ -29,7 +29,11 @@ const std::vector<Wrong> command_lines{
     {design("--objective time --objective time"), {"--objective", "2 times"}},
     {design("--output a --output b"), {"--output", "2 times"}},
     {design("--json --json"), {"--json", "2 times"}},
-    {design("--json=maybe"), {"--json", "maybe"}},
+    {design("--json=maybe"), {"--json = maybe", "takes no value"}},
+    {design("-v0 2"), {"-v0: an option begins with two dashes: --v0"}},
+    {design("--stroke 2"), {"--stroke: unknown option; did you mean --max-displacement?"}},
+    {design("--f 0.2"), {"--f: is not an option of design", "region rates a given damper"}},
+    {simulate("--pulse half-sine"), {"--pulse", "simulate", "a motion takes --excitation"}},
     {"design old.json old.json", {"old.json", "only one scene"}},
     {design({"--objective", "a\nb"}), {"objective", "robust"}},
 };

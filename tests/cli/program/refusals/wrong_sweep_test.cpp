@@ -75,6 +75,8 @@ const std::vector<Wrong> sweeps{
      {"histogram = \"peak_amplitude\"", "COLUMN:LOW:HIGH:BINS"}},
     {sweep("--f 1 --delta 1 --reduce --best peak_amplitude:2.5"),
      {"best = \"peak_amplitude:2.5\"", "COLUMN:ROWS"}},
+    {sweep("--f 1 --delta 1 --reduce --best stop_time:5"),
+     {"best = \"stop_time:5\"", "peak_amplitude", "--times and --columns add others"}},
     {"sweep --p 1 --f 1 --delta 1", {"v0 is missing"}},
     {sweep("--f 1 --beta 1"), {"beta and f cannot be combined"}},
     {sweep("--beta 1 --excitation harmonic"), {"beta and excitation cannot be combined"}},
