@@ -216,9 +216,8 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   // A weaker hit than this is caught at the start: rule 4 of docs/theory.md, section 2.
   if (const double caught = std::sqrt(2 * delta); problem.v0_low && *problem.v0_low < caught) {
     const std::string words = FigureUnits(physical).velocity_words(caught);
-    answer.row("weak hits", format("below {} do not move the mass; it feels all of their impulse, "
-                                   "up to {}",
-                                   words, impulse_shown(physical, caught)));
+    answer.row("weak hits", format("below {} are held: felt in full, up to {}", words,
+                                   impulse_shown(physical, caught)));
   }
   if (finding.cross_check.passed) {
     answer.row("checks", checks_agree(finding.cross_check), Tone::good);

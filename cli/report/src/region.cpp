@@ -22,8 +22,9 @@ std::string violations(const RegionReport& report) {
   const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
   std::vector<design::Constraint> violated = report.answer.constraints;
   std::erase_if(violated, [](const auto& now) { return now.satisfied; });
-  std::ranges::stable_partition(violated, [](const auto& now) { return now.name != "dead_zone"; });
-  std::ranges::stable_partition(violated, [](const auto& now) { return now.name == "start"; });
+  std::ranges::stable_sort(violated, {}, [](const design::Constraint& now) {
+    return now.name == "start" ? 0 : now.name == "dead_zone" ? 2 : 1;
+  });
   const bool starts = violated.empty() || violated.front().name != "start";
   std::string text;
   std::string others;

@@ -46,9 +46,10 @@ std::string damper_words(const Physical& physical, const std::optional<double>& 
   const std::string wide =
       notch_width ? format(" {} wide", length_shown(physical, *notch_width)) : "";
   const std::string notch =
-      weighed ? format("a notch{} that takes {} at a passage", wide, with_unit(*energy, "J"))
-              : format("delta = {}{}{}", length_shown(physical, delta),
-                       wide.empty() ? "" : " in a notch", wide);
+      weighed && delta == 0 ? "no notch"
+      : weighed ? format("a notch{} that takes {} at a passage", wide, with_unit(*energy, "J"))
+                : format("delta = {}{}{}", length_shown(physical, delta),
+                         wide.empty() ? "" : " in a notch", wide);
   return !f        ? notch + " and as little constant friction as you can"
          : weighed ? format("a friction force of {} and {}", with_unit(*force, "N"), notch)
                    : format("f = {} and {}", digits(*f), notch);

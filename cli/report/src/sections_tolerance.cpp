@@ -12,7 +12,7 @@ namespace stillpoint::report {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // of what is as large as was asked for
+constexpr double rounding = 1e-8;  // of what is as large as was asked for, or as can be
 
 /// One side of a box: "+-8.63 % of f", "0.8 to 1.2 times f"; empty if it may not be off.
 std::string side(std::string_view name, double below, double above, int shown) {

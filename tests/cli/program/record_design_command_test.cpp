@@ -132,7 +132,7 @@ BOOST_FIXTURE_TEST_CASE(the_period_is_a_third_variable, Recorded) {
           "--threads 1 --verbose")
           .out;
   BOOST_TEST(contains(text, "\n  period searched   1 to 3 s\n"), text);
-  BOOST_TEST(contains(text, "period 3 s, the longest that was searched"), text);
+  BOOST_TEST(contains(text, "period of 3 s, the longest that was searched"), text);
 }
 
 BOOST_FIXTURE_TEST_CASE(without_a_damper_it_says_which_limit_is_in_the_way, Recorded) {
