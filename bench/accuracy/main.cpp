@@ -14,6 +14,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace stillpoint::accuracy {
@@ -52,7 +53,12 @@ void add(std::string& text, const Section& section) {
                    ulps(found.naive_error), ulps(found.naive_worst));
   }
   text += "\nWhy each case is hard, and its naive formula:\n\n";
+  std::string_view said;
   for (const auto& [now, found] : section.rows) {
+    if (now.why == said) {
+      continue;  // the same trouble at another size
+    }
+    said = now.why;
     fmt::format_to(end, "- {}: {}.{}\n", now.name, now.why,
                    now.naive.empty() ? "" : fmt::format(" Naive: {}.", now.naive));
   }
@@ -63,7 +69,9 @@ std::string page(const std::vector<Section>& sections) {
   const bench::Machine machine = bench::this_machine();
   std::string text = fmt::format(
       "# Accuracy of the hard cases\n\n"
-      "`./dev accuracy` made this page; `./dev accuracy --update-docs` updates it. {}, `{}`.\n\n"
+      "How many digits are right where a formula is most likely to lose them. `./dev accuracy` "
+      "made "
+      "this page; `./dev accuracy --update-docs` updates it. {}, `{}`.\n\n"
       "Each quantity is computed by the program in double precision, by the obvious (naive) "
       "formula where there is one, and in 50 digits from the same doubles. Errors are in units in "
       "the last place (ulp) of the expected value. *Worst* is the largest error of the given "

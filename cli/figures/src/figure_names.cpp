@@ -60,8 +60,10 @@ class Places {
     for (const FigureArea& area : figure_.areas) {
       Raster inside(plane_.width, plane_.height);
       inside.fill(pixels(area.outline));
-      if (!within(area.name, outside_boxes(area, inside))) {
-        within(area.name, inside);
+      // Words from edge to edge of a box would hide that it is one.
+      const double least = area.look == AreaLook::box ? 3 : 0;
+      if (!within(area.name, outside_boxes(area, inside), least)) {
+        within(area.name, inside, least);
       }
     }
     for (auto band = figure_.bands.begin(); band != figure_.bands.end(); ++band) {
@@ -230,8 +232,9 @@ class Places {
     }
   }
 
-  /// Within the set cells, as far from their edge and from lines as may be; false without room.
-  bool within(const std::string& text, const Raster& inside) {
+  /// Within the set cells, as far from their edge and from lines as may be, and at least so many
+  /// pixels from their edge; false without room.
+  bool within(const std::string& text, const Raster& inside, double least = 0) {
     constexpr double tight = 0.1;   // of a cell covered, a pixel that a margin lacks
     constexpr double turned = 4.5;  // cells: rather upright than close to a line
     if (text.empty() || found_.named.contains(text)) {
@@ -248,6 +251,9 @@ class Places {
       const double h = upright ? width : text_height;
       const std::vector<FigurePoint> places = free_places(inside, w, h);
       for (const double margin : {40.0, 20.0, 10.0, 3.0, 0.0}) {
+        if (margin < least) {
+          break;
+        }
         const auto [covered, at] = fit(places, inside, w, h, margin);
         const double cost = covered - tight * margin + (upright ? turned : 0);
         best_upright = cost < best.cost ? upright : best_upright;

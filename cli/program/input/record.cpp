@@ -3,9 +3,6 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/physical.hpp>
-#include <stillpoint/records/text.hpp>
-
-#include <fmt/format.h>
 
 #include <numbers>
 
@@ -64,9 +61,12 @@ std::vector<records::SuiteRecord> read_suite(const Settings& settings,
 
 std::vector<std::string> warnings(const Settings& settings, Command command) {
   std::vector<std::string> sentences = doubts(settings, command);
-  for (const std::string& file : records::left_out_files(suite_files(settings))) {
-    sentences.push_back(fmt::format("record {}: is left out because it begins with text",
-                                    records::shortened(file, records::longest_path)));
+  if (find_option("record")->serves(command)) {
+    for (const std::string& doubt :
+         records::suite_doubts(suite_files(settings), record_scale(settings, {}, {}).target,
+                               record_options(settings, {}))) {
+      sentences.push_back(doubt);
+    }
   }
   return sentences;
 }

@@ -67,12 +67,16 @@ std::vector<std::string> browser() {
 }
 
 TemporaryPage::TemporaryPage() {
-  const std::string wanted = variable("TMPDIR");
-  const fs::path folder = wanted.empty() ? fs::path("/tmp") : fs::path(wanted);
-  std::string made = (folder / "stillpoint-XXXXXX").string();
-  if (::mkdtemp(made.data()) == nullptr) {
-    throw BrowserError(fmt::format("open: there is no room for a temporary page in {}: {}",
-                                   folder.string(), std::strerror(errno)));
+  std::error_code error;
+  std::string made = (fs::temp_directory_path(error) / "stillpoint-XXXXXX").string();
+  if (!error && ::mkdtemp(made.data()) == nullptr) {
+    error.assign(errno, std::generic_category());
+  }
+  if (error) {
+    throw BrowserError(
+        fmt::format("open: no temporary page can be made: {}: set TMPDIR to a folder for it, or "
+                    "write the page with --html FILE",
+                    error.message()));
   }
   folder_ = made;
 }

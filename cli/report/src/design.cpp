@@ -15,11 +15,10 @@ void add_damper(Document& document, const DesignReport& report, const Physical& 
   const design::Finding& finding = *result.finding;
   const DeltaNeeds needs = delta_needs(result);
   const design::DesignPoint& point = finding.point;
-  Section& section = document.detail("Design");
-  section.row("f", (wants_no_friction(report) ? "next to none, " : "") + digits(point.f),
-              Tone::heading);
-  section.row("delta", length_text(physical, point.delta), Tone::heading);
-  section.row("tolerance", box_text(result.request.limits, point.tolerance));
+  Section& section = document.detail("Damper");
+  if (wants_no_friction(report)) {
+    section.row("f found", digits(point.f));
+  }
   if (stops_by_delta1(finding.constraints)) {
     section.row("Delta1(f)",
                 format("{} published, {} exact", length_shown(physical, needs.published),
@@ -64,9 +63,10 @@ void add_checks(Document& document, const design::CrossCheck& check, const Physi
       *stop_time *= units.time;
     }
     table.rows.push_back(
-        {{std::string(method.name), digits(method.peak_amplitude * units.length), digits(stop_time),
-          format("{:.0f}", method.half_cycles), format("{:.1e}", method.relative_error),
-          format("{:.1e}", method.tolerance), duration_text(method.wall_time_s), judgement(method)},
+        {{std::string(method_words(method.name)), digits(method.peak_amplitude * units.length),
+          digits(stop_time), format("{:.0f}", method.half_cycles),
+          format("{:.1e}", method.relative_error), format("{:.1e}", method.tolerance),
+          duration_text(method.wall_time_s), judgement(method)},
          method.passed ? Tone::good : Tone::bad});
   }
   Section& section = check.passed ? document.detail("Cross-check: agrees")
@@ -87,17 +87,13 @@ void add_choices(Document& document, const DesignReport& report, const Physical&
   }
 }
 
-void add_motion(Document& document, const design::Finding& finding, double beta,
-                const Physical& physical) {
+void add_motion(Document& document, const design::Finding& finding, const Physical& physical) {
   if (finding.pulse) {
-    add_pulse_check(document, *finding.pulse, beta, physical);
-    add_practice(document.detail("In practice"), finding.practice, physical);
-    return;
+    add_pulse_check(document, *finding.pulse, physical);
+  } else {
+    add_response(document.detail("Motion"), finding.response, physical);
   }
-  Section& motion = document.detail("Motion");
-  add_response(motion, finding.response, physical);
-  motion.row("use of beta", format("{:.4g} %", 100 * finding.response.peak_amplitude / beta));
-  add_practice(motion, finding.practice, physical);
+  add_practice(document.detail("In practice"), finding.practice, physical);
 }
 
 /// A value of the objective, in the units of the task.
@@ -132,12 +128,6 @@ void add_search(Document& document, const design::SearchRecord& search,
                result.request.pulse ? "by NLopt" : "of the design", found, along_f,
                result.request.pulse && found != along_f ? "; the better one is built" : ""));
   }
-}
-
-/// "a tolerance of 29.44 %", or each side of a box of another shape.
-std::string tolerance_asked(const design::Limits& limits, double tolerance) {
-  return limits.shape == design::BoxShape{} ? format("a tolerance of {:.4g} %", 100 * tolerance)
-                                            : "a box of " + box_text(limits, tolerance);
 }
 
 }  // namespace
@@ -178,8 +168,8 @@ Document document(const DesignReport& report) {
       const design::RatedPart& best = report.catalogue->parts.front();
       if (best.tolerance) {  // it is admissible but for that
         document.verdict = format("No admissible design. No part has {}; the best, {}, has {}.",
-                                  tolerance_asked(limits, limits.tolerance), best.part.name,
-                                  tolerance_asked(limits, *best.tolerance));
+                                  tolerance_shown(limits, limits.tolerance), best.part.name,
+                                  tolerance_shown(limits, *best.tolerance));
       }
       add_parts(document, *report.catalogue, {problem, limits, physical});
     }
@@ -198,7 +188,7 @@ Document document(const DesignReport& report) {
   add_posed();
   add_damper(document, report, physical);
   add_constraints(document, finding.constraints, physical);
-  add_motion(document, finding, problem.beta, physical);
+  add_motion(document, finding, physical);
   add_checks(document, finding.cross_check, physical);
   if (finding.search) {
     add_search(document, *finding.search, result, physical);

@@ -15,45 +15,41 @@ namespace {
 /// Beside next to no friction: what is left of it with friction that can be built.
 std::string tolerance_without_friction(const design::DesignResult& result) {
   const auto& [f, delta, tolerance] = result.finding->point;
-  std::string text = format("delta may be off by +-{:.4g} % with next to no f", 100 * tolerance);
+  std::string text =
+      format("delta may be off by +-{} with next to no f", percent_digits(tolerance));
   if (!result.request.pulse) {
     constexpr double kept = 0.9;
     const auto& [problem, limits, search, pulse, ranges] = result.request;
-    const double less = kept * tolerance;
+    const double less = std::stod(format("{:.2g}", kept * tolerance));
     if (const auto largest = design::any_f_up_to(problem, limits, delta, less)) {
-      text += format(", by +-{:.4g} % with any f up to {:.3g}", 100 * less, *largest);
+      constexpr int shown = 3;
+      text += format(", by +-{} with any f up to {}", percent_digits(less),
+                     limit_digits(*largest, false, shown));
     }
   }
   return text;
 }
 
-std::string tolerance_words(const DesignReport& report) {
+std::string tolerance_left(const DesignReport& report) {
   const design::Limits& limits = report.result.request.limits;
   const double tolerance = report.result.finding->point.tolerance;
-  constexpr double none = 1e-6;  // the distance that a design keeps from an edge, and rounding
-  if (tolerance < none) {
-    return "none is left: the damper is on the edge of what is admissible";
-  }
-  if (limits.shape != design::BoxShape{}) {
-    return box_text(limits, tolerance);
-  }
-  return wants_no_friction(report)
+  return wants_no_friction(report) && leaves_any(tolerance) && limits.shape == design::BoxShape{}
              ? tolerance_without_friction(report.result)
-             : format("f and delta may both be off by +-{:.4g} %", 100 * tolerance);
+             : tolerance_words(limits, tolerance);
 }
 
 std::string checks_agree(const design::CrossCheck& check) {
   std::string text = "agree";
   for (const design::CheckMethod& method : check.methods) {
     text +=
-        format("{} {} {}", text == "agree" ? ":" : ",", method.name,
+        format("{} {} {}", text == "agree" ? ":" : ",", method_words(method.name),
                method.relative_error == 0 ? "exactly" : format("to {:.1e}", method.relative_error));
   }
   return text;
 }
 
-/// The width of a notch: 20 mm, or 1, 2 or 5 times a power of ten if that is above a fifth of the
-/// peak.
+/// The width of a notch as an example: 20 mm, or 1, 2 or 5 times a power of ten if that is above a
+/// fifth of the peak.
 double example_width_m(double peak_m) {
   constexpr double usual = 0.02;
   const double most = peak_m / 5;
@@ -69,10 +65,13 @@ std::string felt(const design::Finding& finding, const Response& response,
   if (finding.practice && finding.practice->notch_width_min) {
     return format("{} outside the notch; {} at most inside one at least {} wide", outside,
                   acceleration_shown(limits.acceleration_max.value()),
-                  length_shown(physical, *finding.practice->notch_width_min));
+                  width_shown(physical, *finding.practice->notch_width_min));
   }
   if (limits.acceleration_max) {
-    return format("{} outside the notch; inside it, more than {} at any width", outside,
+    // The least width is known only for a stop at x = 0 after a hit.
+    const bool least = !finding.pulse && finding.arrival;
+    return format("{} outside the notch; inside it, {} {}", outside,
+                  least ? "at any width more than" : "no width is known to keep it within",
                   acceleration_shown(*limits.acceleration_max));
   }
   if (!physical) {
@@ -81,8 +80,8 @@ std::string felt(const design::Finding& finding, const Response& response,
   const double example_m = example_width_m(response.peak_amplitude * physical->scales.length_m);
   const double inside = design::notch_acceleration(finding.point.f, finding.point.delta,
                                                    example_m / physical->scales.length_m);
-  return format("{} outside the notch; {:.3g} g inside one {} wide (f + delta/w)", outside, inside,
-                with_unit(example_m, "m"));
+  return format("{} outside the notch, f + delta/w inside one of width w: {:.3g} g if w is {}",
+                outside, inside, with_unit(example_m, "m"));
 }
 
 void add_rest(Section& answer, const DesignReport& report, const Physical& physical) {
@@ -107,28 +106,54 @@ void add_rest(Section& answer, const DesignReport& report, const Physical& physi
                     report.result.request.problem.v0_low ? ", for the strongest hit" : ""));
 }
 
-std::string spring_words(const Physical& physical, double p) {
-  return physical
-             ? format("a period of {:.4g} s", 2 * std::numbers::pi / p * physical->scales.time_s)
-             : format("p = {:.6g}", p);
-}
-
-/// For the ranges of a pulse; a range of only k needs no samples.
-void add_worst(Section& answer, const design::PulseCheck& check, bool sampled,
-               const Physical& physical) {
+/// For the ranges of a pulse: what holds for all of them, and which of them is shown.
+void add_worst(Section& answer, const design::DesignRequest& request,
+               const design::PulseCheck& check, const Physical& physical) {
+  const bool springs = request.problem.p_high.has_value();
+  const bool lengths = request.pulse_ranges.lambda_high.has_value();
   answer.row("ranges",
-             format("with any pulse and spring in the ranges the peak is at most {}, the "
-                    "acceleration outside the notch {}, and it rests within {}; the "
-                    "motion shown has the largest peak, with a pulse of {} and {}{}",
-                    length_shown(physical, check.worst->peak),
+             format("for every pulse{} of the ranges: peak at most {}, acceleration "
+                    "outside the notch at most {}, rest within {}{}",
+                    springs ? " and spring" : "", length_shown(physical, check.worst->peak),
                     acceleration_shown(check.worst->acceleration),
                     time_shown(physical, check.worst->stop_time),
-                    time_shown(physical, duration(design::excitation(check.pulse)).value()),
-                    spring_words(physical, check.p),
-                    sampled ? "; lengths and periods within the ranges are sampled" : ""));
+                    springs || lengths ? "; lengths and periods are sampled" : ""));
+  std::string shown = format("k = {:.6g} g", design::peak_load(check.pulse));
+  if (lengths) {
+    shown +=
+        ", a pulse of " + time_shown(physical, duration(design::excitation(check.pulse)).value());
+  }
+  if (springs) {
+    shown += " and " + spring_words(physical, check.p);
+  }
+  answer.row("", format("the motion shown has the largest peak, with {}", shown));
+}
+
+/// Under a pulse, where only the tolerance asks for a strong notch.
+std::string unbounded_words(const DesignReport& report, const Physical& physical) {
+  const design::DesignResult& result = report.result;
+  constexpr double beyond_use = 0.9;
+  if (!result.request.pulse || result.request.limits.delta_max ||
+      result.finding->point.tolerance <= beyond_use) {
+    return {};
+  }
+  const DeltaNeeds needs = delta_needs(result);
+  const bool exact = result.request.problem.criterion == design::Criterion::exact;
+  return format(
+      " Nothing bounds delta: it could be anything above {}, and is this large only for the "
+      "tolerance. --delta-max{} keeps the notch small.",
+      length_shown(physical, exact ? needs.exact.value_or(0) : needs.published),
+      physical ? "-m" : "");
 }
 
 }  // namespace
+
+std::string_view method_words(std::string_view name) {
+  return name == "half_cycle_map" ? "half-cycle map"
+         : name == "forced_pulse" ? "forced motion"
+         : name == "runge_kutta"  ? "Runge-Kutta"
+                                  : name;
+}
 
 bool wants_no_friction(const DesignReport& report) {
   const design::DesignResult& result = report.result;
@@ -138,25 +163,16 @@ bool wants_no_friction(const DesignReport& report) {
 std::string verdict(const DesignReport& report, const Physical& physical) {
   const design::Finding& finding = *report.result.finding;
   const auto& [f, delta, tolerance] = finding.point;
-  const auto scales = physical ? std::optional(physical->scales) : std::nullopt;
-  const auto force = scales ? scales->friction_force_n(f) : std::nullopt;
-  const auto energy = scales ? scales->energy_per_passage_j(delta) : std::nullopt;
-  const bool weighed = force && energy && std::isfinite(*energy);
   const auto width = report.built_notch ? report.built_notch->shape.width : std::nullopt;
-  const std::string wide = width ? length_shown(physical, *width) + " wide" : "";
-  const std::string notch = weighed ? format("a notch {}that takes {} at a passage",
-                                             width ? wide + " " : "", with_unit(*energy, "J"))
-                                    : format("delta = {}{}", length_shown(physical, delta),
-                                             width ? " in a notch " + wide : "");
   std::string text =
-      wants_no_friction(report)
-          ? format("Build {} and as little constant friction as you can.", notch)
-      : weighed ? format("Build a friction force of {} and {}.", with_unit(*force, "N"), notch)
-                : format("Build f = {} and {}.", digits(f), notch);
+      format("Build {}.",
+             damper_words(physical, wants_no_friction(report) ? std::nullopt : std::optional(f),
+                          delta, width));
   if (report.catalogue) {
     text = format("Order part {}: f = {}, delta = {}.", report.catalogue->parts.front().part.name,
                   digits(f), length_shown(physical, delta));
   }
+  text += unbounded_words(report, physical);
   if (const std::string fault = built_notch_fault(report, physical); !fault.empty()) {
     text += format(" But {}.", fault);
   }
@@ -190,31 +206,22 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   answer.row("acceleration",
              felt_in_built_notch(report).value_or(felt(finding, response, limits, physical)));
   if (pulsed && finding.pulse->worst) {
-    add_worst(answer, *finding.pulse, ranges.lambda_high || problem.p_high, physical);
+    add_worst(answer, result.request, *finding.pulse, physical);
   } else if (problem.p_high) {  // the motion shown is that of the softest spring
     const double stiffest = std::hypot(f, *problem.p_high * problem.v0);
     answer.row("", format("{} with the stiffest spring", acceleration_shown(stiffest)));
   }
-  answer.row("tolerance", tolerance_words(report));
-  add_works_for(answer, finding.works_for, physical);
+  answer.row("tolerance", tolerance_left(report));
+  add_works_for(answer, finding.works_for, problem, physical);
   // A weaker hit than this is caught at the start: rule 4 of docs/theory.md, section 2.
   if (const double caught = std::sqrt(2 * delta); problem.v0_low && *problem.v0_low < caught) {
     const std::string words = FigureUnits(physical).velocity_words(caught);
-    answer.row("weak hits", format("below {} are held: felt in full, up to {}", words,
-                                   impulse_shown(physical, caught)));
+    answer.row("weak hits", format("below {} do not move the mass; it feels all of their impulse, "
+                                   "up to {}",
+                                   words, impulse_shown(physical, caught)));
   }
   if (finding.cross_check.passed) {
     answer.row("checks", checks_agree(finding.cross_check), Tone::good);
-  }
-  if (pulsed) {
-    answer.row("reduction", reduction_text(*finding.pulse));
-    constexpr double beyond_use = 0.9;
-    if (tolerance > beyond_use && !limits.delta_max) {
-      answer.row("note",
-                 format("nothing bounds delta, so almost any tolerance is possible: --delta-max{} "
-                        "keeps the notch small",
-                        physical ? "-m" : ""));
-    }
   }
 }
 

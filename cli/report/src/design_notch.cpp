@@ -56,18 +56,24 @@ std::optional<std::string> felt_in_built_notch(const DesignReport& report) {
     return std::nullopt;
   }
   const auto& [shape, friction, built, changes_nothing] = *report.built_notch;
-  const Response& paper = with_the_papers_notch(*report.result.finding);
   const std::string most = acceleration_shown(built.peak_absolute_acceleration);
   if (built.half_cycles == 0) {
     return most + ", all of the load";
   }
+  const design::Finding& finding = *report.result.finding;
+  const double p = finding.pulse ? finding.pulse->p : report.result.request.problem.p;
+  // It slides at the largest acceleration outside, f + p^2 |x|, where it is farthest.
+  const double outside = finding.point.f + p * p * built.peak_amplitude;
+  constexpr double rounding = 1 + 1e-9;
+  const bool more = built.peak_absolute_acceleration > rounding * outside;
   if (!shape.width) {
-    return std::nullopt;
+    return more ? std::optional(format("{} while the notch holds it, {} outside it", most,
+                                       acceleration_shown(outside)))
+                : std::nullopt;
   }
   const bool leaves = *shape.width / 2 < built.peak_amplitude;
-  return leaves && built.peak_absolute_acceleration > paper.peak_absolute_acceleration
-             ? format("{} inside the notch, {} outside it", most,
-                      acceleration_shown(paper.peak_absolute_acceleration))
+  return more && leaves
+             ? format("{} inside the notch, {} outside it", most, acceleration_shown(outside))
              : most;
 }
 
@@ -102,7 +108,7 @@ void add_built_notch(Document& document, const design::BuiltNotch& built,
     section.row(shape.width ? "without width" : "holding all", ideal);
   }
   section.line(format(
-      "Tolerance, works for, checks, figures and the tables below are those of a notch that {}.",
+      "Tolerance, works for, checks, the region and the tables below are those of a notch that {}.",
       shape.width ? "has no width" : "holds any load"));
 }
 

@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace stillpoint::report {
 
@@ -22,11 +23,11 @@ namespace stillpoint::report {
 /// What it does, and how far it can be trusted.
 void add_answer(Section& answer, const DesignReport& report, const Physical& physical);
 
+/// "Runge-Kutta" for the runge_kutta of the JSON report.
+[[nodiscard]] std::string_view method_words(std::string_view name);
+
 /// How the motion under a pulse compares with that from a velocity in its place.
-void add_pulse_check(Document& document, const design::PulseCheck& check, double beta,
-                     const Physical& physical);
-/// The same in one line.
-[[nodiscard]] std::string reduction_text(const design::PulseCheck& check);
+void add_pulse_check(Document& document, const design::PulseCheck& check, const Physical& physical);
 
 /// The motion that the answer describes: with the notch that will be built, if that is given.
 [[nodiscard]] const Response& told_motion(const DesignReport& report);

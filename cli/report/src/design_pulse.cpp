@@ -24,8 +24,6 @@ std::string warning_text(design::PulseWarning warning, const design::PulseCheck&
   return {};
 }
 
-}  // namespace
-
 std::string reduction_text(const design::PulseCheck& check) {
   if (!check.start) {
     return "not used: this pulse leaves no velocity";
@@ -38,6 +36,8 @@ std::string reduction_text(const design::PulseCheck& check) {
   return text;
 }
 
+}  // namespace
+
 std::string lock_sentence(const DesignReport& report) {
   const auto& finding = report.result.finding;
   if (!finding || !finding->pulse || !finding->pulse->response.locked_from) {
@@ -48,12 +48,11 @@ std::string lock_sentence(const DesignReport& report) {
                       report.physical);
 }
 
-void add_pulse_check(Document& document, const design::PulseCheck& check, double beta,
+void add_pulse_check(Document& document, const design::PulseCheck& check,
                      const Physical& physical) {
   Section& section = document.detail("Under the pulse itself");
   section.row("p/lambda, f/k", format("{:.4g}, {:.4g}", check.shortness, check.friction_ratio));
   add_response(section, check.response, physical);
-  section.row("use of beta", format("{:.4g} %", 100 * check.response.peak_amplitude / beta));
   section.row("reduction", reduction_text(check));
   if (check.start) {
     section.row("", format("that velocity is {}, at {}",

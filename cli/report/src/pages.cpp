@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,19 +20,38 @@ using figures::HtmlPage;
 
 namespace {
 
-/// The design as its pulse moves it, from rest.
-DrawnMotion motion_under(const design::Finding& found, double beta) {
-  const double p = found.pulse->p;
-  const Excitation shaking = design::excitation(found.pulse->pulse);
-  const double ends = duration(shaking).value();
-  constexpr double periods = 3;  // where it does not stop
-  constexpr double behind_the_end = 1.04;
-  const double horizon = behind_the_end * found.pulse->response.stop_time.value_or(
-                                              ends + periods * 2 * std::numbers::pi / p);
-  DrawnMotion motion = drawn_forced_motion({p, found.point.f, found.point.delta}, {0, 0}, shaking,
-                                           std::max(horizon, ends));
-  motion.beta = beta;
-  motion.locked_from = found.pulse->response.locked_from;
+/// The design as its hit or its pulse moves it.
+SimulationRequest moved(const DesignReport& report) {
+  const design::Problem& problem = report.result.request.problem;
+  const design::Finding& found = *report.result.finding;
+  SimulationRequest request;
+  request.oscillator = {problem.p, found.point.f, found.point.delta};
+  request.start = {0, problem.v0};
+  if (found.pulse) {
+    request.oscillator.p = found.pulse->p;
+    request.start = {0, 0};
+    request.excitation = design::excitation(found.pulse->pulse);
+  }
+  return request;
+}
+
+DrawnMotion drawn(const SimulationRequest& request) {
+  return drawn_motion(request, simulate(request));
+}
+
+/// With the notch that will be built, beside the motion with the paper's where that can be seen.
+DrawnMotion told(const DesignReport& report) {
+  SimulationRequest request = moved(report);
+  if (!report.built_notch) {
+    return drawn(request);
+  }
+  const DrawnMotion ideal = drawn(request);
+  const design::NotchShape& shape = report.built_notch->shape;
+  request.oscillator.hold = shape.hold;
+  request.surface.notch_width = shape.width;
+  DrawnMotion motion = drawn(request);
+  add_if_visible(motion, {shape.width ? "notch without width" : "notch that holds any load",
+                          ideal.states, figures::Ink::purple, figures::Dash::dashed});
   return motion;
 }
 
@@ -60,34 +78,35 @@ Figure region_of(const Request& request, const design::RegionVerdict& verdict,
   return figure;
 }
 
-/// What the design does under its pulse, and the pulse below it.
-std::vector<Figure> pulse_figures(const design::Finding& found, double beta,
-                                  const FigureUnits& units) {
-  const DrawnMotion motion = motion_under(found, beta);
-  Figure figure = motion_figure(motion, units);
-  figure.id = "pulse";
-  figure.title = "Motion under the pulse itself";
-  return {std::move(figure),
-          excitation_figure(design::excitation(found.pulse->pulse), motion, units),
-          phase_figure(motion, units)};
-}
-
-/// Its trade-offs, the hits that it serves, and its motion after the one asked for.
+/// Its trade-offs, and the hits that it serves.
 std::vector<Figure> hit_figures(const DesignReport& report, const FigureUnits& units) {
-  const design::Problem& problem = report.result.request.problem;
+  const auto& [problem, limits, search, pulse, ranges] = report.result.request;
   const design::Finding& found = *report.result.finding;
-  const auto& [f, delta, tolerance] = found.point;
   std::vector<Figure> figures;
   if (report.trade_off && report.trade_off->size() > 1) {
     figures = trade_off_figures(*report.trade_off, found, units);
   }
-  DrawnMotion motion = drawn_free_motion({problem.p, f, delta}, {0, problem.v0}, {});
-  motion.beta = problem.beta;
   figures.push_back(
-      hits_figure(problem, report.result.request.limits, f, delta, found.works_for, units));
-  figures.push_back(motion_figure(motion, units));
-  figures.push_back(phase_figure(motion, units));
-  figures.push_back(energy_figure(motion, units));
+      hits_figure(problem, limits, found.point.f, found.point.delta, found.works_for, units));
+  return figures;
+}
+
+/// What the design does after its hit, or under its pulse.
+std::vector<Figure> told_figures(const DesignReport& report, const FigureUnits& units) {
+  DrawnMotion motion = told(report);
+  motion.beta = report.result.request.problem.beta;
+  Figure figure = motion_figure(motion, units);
+  const auto& check = report.result.finding->pulse;
+  if (!check) {
+    return {std::move(figure), phase_figure(motion, units), energy_figure(motion, units)};
+  }
+  figure.id = "pulse";
+  figure.title = "Motion under the pulse itself";
+  std::vector<Figure> figures{std::move(figure),
+                              excitation_figure(design::excitation(check->pulse), motion, units)};
+  if (is_moving(motion)) {
+    figures.push_back(phase_figure(motion, units));
+  }
   return figures;
 }
 
@@ -100,7 +119,7 @@ std::vector<Figure> drawings_of(const MotionReport& report, const DrawnMotion& m
   if (is_moving(motion)) {
     figures.push_back(phase_figure(motion, units));
   }
-  if (!is_forced(report.request) && report.request.surface.plain()) {
+  if (!is_forced(report.request)) {
     figures.push_back(energy_figure(motion, units));
   }
   return figures;
@@ -118,18 +137,20 @@ HtmlPage page(const DesignReport& report) {
   const FigureUnits units(report.physical);
   HtmlPage page = page_of(document(report));
   std::optional<DrawnDamper> damper;
-  std::vector<Figure> motions;
+  std::vector<Figure> others;
   if (const auto& found = report.result.finding) {
     const auto& [f, delta, tolerance] = found->point;
     damper = DrawnDamper{"design", f, delta, tolerance};
-    motions = request.pulse ? pulse_figures(*found, request.problem.beta, units)
-                            : hit_figures(report, units);
+    if (!request.pulse) {
+      others = hit_figures(report, units);
+    }
+    std::ranges::move(told_figures(report, units), std::back_inserter(others));
   } else {
     page.verdict += what_would_help(
         report.result, {request.problem, request.limits, request.pulse, report.physical});
   }
   page.figures = {region_of(request, report.result, damper, report.catalogue, report.physical)};
-  std::ranges::move(motions, std::back_inserter(page.figures));
+  std::ranges::move(others, std::back_inserter(page.figures));
   return page;
 }
 
@@ -139,7 +160,7 @@ std::vector<Figure> drawings(const RegionReport& report) {
   std::optional<DrawnDamper> point;
   if (answer.admissible) {
     point = {*answer.admissible ? "point, admissible" : "point, not admissible", *f, *delta,
-             answer.tolerance.value_or(0)};
+             answer.tolerance.value_or(0), *answer.admissible};
   }
   std::vector<Figure> figures{
       region_of(report.request, answer, point, report.catalogue, report.physical)};

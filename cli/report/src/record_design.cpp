@@ -26,11 +26,6 @@ std::string_view combined(design::Combine combine) {
   return combine == design::Combine::max ? "largest" : "mean";
 }
 
-std::string period_words(const Physical& physical, double p) {
-  return physical ? format("period {:.4g} s", 2 * std::numbers::pi / p * physical->scales.time_s)
-                  : format("p = {}", digits(p));
-}
-
 /// What a reader should know of a spring at an end of what was searched; empty elsewhere.
 std::string end_words(const design::SearchRange& searched, double p, bool of_period) {
   constexpr double apart = 1e-6;
@@ -104,9 +99,8 @@ std::string verdict(const RecordDesignReport& report) {
   const Physical& physical = report.physical;
   const auto& [damper, figures] = result.finding->point;
   return so_far + warning(result) +
-         format("{} f = {} and delta = {} with {}. {}: {}.",
-                figures.peak == 0 ? "The damper found has" : "Build", digits(damper.f),
-                length_shown(physical, damper.delta), period_words(physical, damper.p),
+         format("{} {}, with {}. {}: {}.", figures.peak == 0 ? "The damper found has" : "Build",
+                damper_words(physical, damper.f, damper.delta), spring_words(physical, damper.p),
                 of_what(result), figures_words(figures, physical));
 }
 
@@ -116,6 +110,10 @@ std::string worst_words(const design::SuiteFigures& worst, const Physical& physi
 }
 
 void add_answer(Section& answer, const design::RecordDesign& result, const Physical& physical) {
+  const design::SuiteDamper& damper = result.finding->point.damper;
+  answer.row("damper",
+             format("f = {}, delta = {}", digits(damper.f), length_text(physical, damper.delta)),
+             Tone::heading);
   if (lock_words(result).empty()) {
     answer.row("locked", "never while a record goes on");
   }
@@ -138,10 +136,8 @@ void add_answer(Section& answer, const design::RecordDesign& result, const Physi
 void add_damper(Document& document, const RecordDesignReport& report) {
   const Physical& physical = report.physical;
   const design::SuiteDamper& damper = report.result.finding->point.damper;
-  Section& section = document.detail("Design");
-  section.row("f", digits(damper.f), Tone::heading);
-  section.row("delta", length_text(physical, damper.delta), Tone::heading);
-  section.row("spring", period_words(physical, damper.p) +
+  Section& section = document.detail("Damper");
+  section.row("spring", spring_words(physical, damper.p) +
                             end_words(report.result.request.p, damper.p, physical.has_value()));
   add_damper_physics(section, physical, damper.f, damper.delta);
   const design::Sensitivity& near = report.result.finding->sensitivity;
@@ -158,13 +154,10 @@ void add_records(Document& document, const RecordDesignReport& report) {
               {}};
   for (std::size_t i = 0; i < result.finding->responses.size(); ++i) {
     const ForcedResponse& response = result.finding->responses[i];
-    const std::string& path = result.request.records[i].name;
-    const double scale = result.request.records[i].scale;
+    const design::SuiteRecord& record = result.request.records[i];
     table.rows.push_back(
-        {{(scale == 1 ? "" : format("{:.4g} x ", scale)) +
-              spelled_out(path.substr(path.rfind('/') + 1)),
-          format("{:.4g}",
-                 std::abs(scale) * records::peak_acceleration(result.request.records[i].record)),
+        {{record_label(record),
+          format("{:.4g}", std::abs(record.scale) * records::peak_acceleration(record.record)),
           format("{:.5g}", response.peak_amplitude * units.length),
           format("{:.5g}", std::abs(response.stop_position.value()) * units.length),
           format("{:.4g}", response.peak_absolute_acceleration),
@@ -183,7 +176,7 @@ void add_shortfalls(Document& document, const RecordDesignReport& report) {
   const design::SuiteDamper& damper = report.result.nearest.damper;
   section.row("nearest",
               format("f = {}, delta = {}, {}", digits(damper.f),
-                     length_text(physical, damper.delta), period_words(physical, damper.p)));
+                     length_text(physical, damper.delta), spring_words(physical, damper.p)));
   for (const auto& [which, limit, nearest, relaxed] : report.result.shortfalls) {
     section.row(
         which == SuiteObjective::acceleration ? "transmitted" : std::string(quantity(which)),
@@ -213,12 +206,7 @@ void add_task(Document& document, const RecordDesignReport& report) {
   if (task.limits.acceleration) {
     section.row("transmitted", format("at most {}", acceleration_shown(*task.limits.acceleration)));
   }
-  if (task.hold) {
-    section.row("notch", format("holds {} besides f", acceleration_shown(*task.hold)));
-  }
-  if (task.notch_width) {
-    section.row("notch", format("{} wide", length_text(physical, *task.notch_width)));
-  }
+  add_real_notch(section, task.hold, task.notch_width, physical);
   const auto searched = [](const std::string& low, const std::string& high) {
     return low == high ? low : format("{} to {}", low, high);
   };
@@ -246,6 +234,21 @@ void add_search(Document& document, const design::SuiteSearch& search) {
 }
 
 }  // namespace
+
+std::string record_label(const design::SuiteRecord& record) {
+  return (record.scale == 1 ? "" : format("{:.4g} x ", record.scale)) +
+         spelled_out(record.name.substr(record.name.rfind('/') + 1));
+}
+
+void add_real_notch(Section& section, const std::optional<double>& hold,
+                    const std::optional<double>& width, const Physical& physical) {
+  if (hold) {
+    section.row("notch", format("holds {} besides f", acceleration_shown(*hold)));
+  }
+  if (width) {
+    section.row("notch", format("{} wide", length_shown(physical, *width)));
+  }
+}
 
 std::string_view quantity(design::SuiteObjective objective) {
   switch (objective) {

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,57 +16,49 @@ namespace stillpoint::report {
 
 namespace {
 
-void add_point(Section& section, const RegionReport& report) {
+/// " It rests off centre: f is 55 % too large (return)." What decides is first. Where the mass does
+/// not start, what the others say does not happen.
+std::string violations(const RegionReport& report) {
   const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
-  const design::RegionAnswer& answer = report.answer;
-  section.row("delta", length_text(report.physical, *delta));
-  section.row("the point is", *answer.admissible ? "admissible" : "not admissible",
-              *answer.admissible ? Tone::good : Tone::bad);
-  if (answer.tolerance) {
-    section.row("tolerance",
-                format("+-{:.4g} % of f and delta at once{}", 100 * *answer.tolerance,
-                       limits.tolerance > *answer.tolerance && limits.shape == design::BoxShape{}
-                           ? format(", less than the {:.4g} % asked for", 100 * limits.tolerance)
-                           : ""));
+  std::vector<design::Constraint> violated = report.answer.constraints;
+  std::erase_if(violated, &design::Constraint::satisfied);
+  std::ranges::stable_partition(violated, [](const auto& now) { return now.name != "dead_zone"; });
+  std::ranges::stable_partition(violated, [](const auto& now) { return now.name == "start"; });
+  const bool starts = violated.empty() || violated.front().name != "start";
+  std::string text;
+  std::string others;
+  for (const design::Constraint& now : violated) {
+    if (starts || text.empty()) {
+      text += format(" It {}{} ({}).", text.empty() ? "" : "also ",
+                     violation(now, {problem, limits, report.physical}), now.name);
+    } else {
+      others += format("{}{}", others.empty() ? "" : " and ", now.name);
+    }
   }
-  add_notch(section, answer.practice, report.physical);
+  return text + (others.empty() ? "" : format(" It also violates {}.", others));
 }
 
-/// "admissible", or what it violates: "return (rests off centre: f 55 % too large)".
+/// "The damper is admissible: f and delta may both be off by +-33.86 %.", or what is wrong.
 std::string judgement(const RegionReport& report) {
   const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
   const design::RegionAnswer& answer = report.answer;
-  if (*answer.admissible) {
-    return format("admissible: f and delta may both be off by +-{:.4g} %",
-                  100 * answer.tolerance.value_or(0));
+  if (!answer.tolerance) {
+    return "The damper is not admissible." + violations(report);
   }
-  std::vector<std::string> violated;
-  violated.reserve(answer.constraints.size());
-  for (const design::Constraint& now : answer.constraints) {
-    if (!now.satisfied) {
-      violated.push_back(
-          format("{} ({})", now.name, violation(now, {problem, limits, report.physical})));
-    }
-  }
-  if (violated.empty()) {
-    return "not admissible: it lacks the tolerance asked for";
-  }
-  std::string text = "not admissible; it violates ";
-  for (std::size_t i = 0; i < violated.size(); ++i) {
-    text += i == 0 ? "" : i + 1 < violated.size() ? ", " : " and ";
-    text += violated[i];
-  }
-  return text;
+  const std::string tolerance = tolerance_words(design::Limits{}, *answer.tolerance);
+  return *answer.admissible ? format("The damper is admissible: {}.", tolerance)
+                            : format("The damper is not admissible with {}: {}.",
+                                     tolerance_shown(limits, limits.tolerance), tolerance);
 }
 
 /// Both ways to count it, where the motion returns.
 void add_delta1(Section& section, const design::RegionAnswer& answer, const Physical& physical) {
-  const auto row = [&](std::string_view which, const std::optional<double>& delta1) {
-    section.row(format("Delta1 {}", which),
-                delta1 ? length_text(physical, *delta1) : "none: the motion does not return");
-  };
-  row("published", answer.delta1_published);
-  row("exact", answer.delta1_exact);
+  if (!answer.delta1_exact) {
+    section.row("Delta1", "none: the motion does not return");
+    return;
+  }
+  section.row("Delta1 published", length_text(physical, answer.delta1_published.value()));
+  section.row("Delta1 exact", length_text(physical, *answer.delta1_exact));
 }
 
 /// "Feasible f: 0.1 to 0.25.", and whether there are others.
@@ -111,7 +102,7 @@ void add_strips(Document& document, const design::Problem& problem,
         {{strip.arrival > 0 ? format("{}", strip.arrival) : "any, within the residual",
           strip.f_lower ? range_digits(*strip.f_lower, *strip.f_upper)
                         : "none with the tolerance asked for",
-          format("+-{:.4g} %", 100 * strip.tolerance)}});
+          "+-" + percent_digits(strip.tolerance)}});
   }
   Section& section = document.section("Dampers that stop at each arrival");
   section.parts.emplace_back(std::move(table));
@@ -143,7 +134,10 @@ Document document(const RegionReport& report) {
     add_emptiness(document, answer, {problem, limits, pulse, report.physical});
   }
   if (report.catalogue) {
-    document.verdict += format(" {}.", how_many_fit(report.catalogue->parts));
+    const auto& parts = report.catalogue->parts;
+    const std::string best =
+        parts.front().admissible ? "; the most tolerant is " + parts.front().part.name : "";
+    document.verdict += format(" {}{}.", how_many_fit(parts), best);
     add_parts(document, *report.catalogue, {problem, limits, report.physical});
   }
   if (f) {
@@ -153,9 +147,10 @@ Document document(const RegionReport& report) {
     }
     add_damper_physics(section, report.physical, *f, delta.value_or(0));
     if (delta) {
-      add_point(section, report);
-      document.verdict = format("The damper is {}. {}", judgement(report), document.verdict);
-      add_works_for(document.answer, answer.works_for, report.physical);
+      section.row("delta", length_text(report.physical, *delta));
+      add_notch(section, answer.practice, report.physical);
+      document.verdict = format("{} {}", judgement(report), document.verdict);
+      add_works_for(document.answer, answer.works_for, problem, report.physical);
       if (answer.practice) {
         add_practice(document.detail("In practice"), answer.practice, report.physical);
       }

@@ -37,6 +37,34 @@ void add_physical_input(Section& section, const design::PhysicalInput& physical)
                      with_unit(scales.time_s, "s"), scales.gravity_m_per_s2));
 }
 
+std::string damper_words(const Physical& physical, const std::optional<double>& f, double delta,
+                         const std::optional<double>& notch_width) {
+  const auto scales = physical ? std::optional(physical->scales) : std::nullopt;
+  const auto force = scales ? scales->friction_force_n(f.value_or(0)) : std::nullopt;
+  const auto energy = scales ? scales->energy_per_passage_j(delta) : std::nullopt;
+  const bool weighed = force && energy && std::isfinite(*energy);
+  const std::string wide =
+      notch_width ? format(" {} wide", length_shown(physical, *notch_width)) : "";
+  const std::string notch =
+      weighed ? format("a notch{} that takes {} at a passage", wide, with_unit(*energy, "J"))
+              : format("delta = {}{}{}", length_shown(physical, delta),
+                       wide.empty() ? "" : " in a notch", wide);
+  return !f        ? notch + " and as little constant friction as you can"
+         : weighed ? format("a friction force of {} and {}", with_unit(*force, "N"), notch)
+                   : format("f = {} and {}", digits(*f), notch);
+}
+
+std::string spring_words(const Physical& physical, double p) {
+  if (!physical) {
+    return format("p = {:.6g}", p);
+  }
+  design::Scales scales = physical->scales;
+  scales.omega_rad_per_s = p / scales.time_s;
+  const auto stiffness = scales.stiffness_n_per_m();
+  return format("a period of {:.4g} s{}", 2 * std::numbers::pi / scales.omega_rad_per_s,
+                stiffness ? format(" (stiffness {})", with_unit(*stiffness, "N/m")) : "");
+}
+
 void add_damper_physics(Section& section, const Physical& physical, double f, double delta) {
   if (!physical) {
     return;
@@ -110,15 +138,6 @@ void add_excitation(Section& section, const Excitation& excitation,
   }
 }
 
-std::string box_text(const design::Limits& limits, double tolerance) {
-  const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
-  return limits.shape == design::BoxShape{}
-             ? format("+-{:.4g} % of f and delta at once", 100 * tolerance)
-             : format("{:.4g} to {:.4g} times f and {:.4g} to {:.4g} times delta at once",
-                      1 - tolerance * f_low, 1 + tolerance * f_high, 1 - tolerance * delta_low,
-                      1 + tolerance * delta_high);
-}
-
 Section& add_problem(Document& document, const design::Problem& problem,
                      const design::Limits& limits, const Physical& physical, bool pulsed) {
   Section& section = document.detail("Task");
@@ -160,10 +179,8 @@ Section& add_problem(Document& document, const design::Problem& problem,
           kind.bounds_f() ? format("{:.6g}{}", *most, kind.unit) : length_text(physical, *most)));
     }
   }
-  if (limits.shape != design::BoxShape{}) {
-    add(box_text(limits, limits.tolerance));
-  } else if (limits.tolerance > 0) {
-    add(format("tolerance +-{:.4g} %", 100 * limits.tolerance));
+  if (limits.tolerance > 0) {
+    add("tolerance " + box_text(limits, limits.tolerance));
   }
   if (!limit.empty()) {
     section.row("limits", limit);
@@ -217,17 +234,29 @@ void add_constraints(Document& document, std::span<const design::Constraint> con
                      const Physical& physical) {
   const FigureUnits units(physical);
   const bool all_met = std::ranges::all_of(constraints, &design::Constraint::satisfied);
+  const bool returns = std::ranges::none_of(constraints, [](const design::Constraint& now) {
+    return now.name == "return" && !now.satisfied;
+  });
   Table table{{"", "", "value", "", "limit", "slack", ""}, {}};
   for (const design::Constraint& now : constraints) {
     const auto [unit, unit_name] = unit_of(now.variable, units);
+    const bool reached = returns || now.name != "stop";
     table.rows.push_back(
         {{std::string(now.name), in(std::string(now.variable), unit_name), digits(now.value * unit),
           std::string(now.relation), digits(now.limit * unit), digits(now.slack * unit),
-          now.satisfied ? "met" : "violated"},
-         now.satisfied ? Tone::good : Tone::bad});
+          !reached        ? "not reached"
+          : now.satisfied ? "met"
+                          : "violated"},
+         !reached        ? Tone::plain
+         : now.satisfied ? Tone::good
+                         : Tone::bad});
   }
   Section& section = all_met ? document.detail("Constraints") : document.section("Constraints");
   section.parts.emplace_back(std::move(table));
+}
+
+bool moves(const Response& response) {
+  return response.stop_time != 0.0;
 }
 
 std::string outcome_phrase(Outcome outcome) {
@@ -268,7 +297,19 @@ std::string acceleration_text(const Physical& physical, double acceleration) {
                   : format("{:.6g} g", acceleration);
 }
 
+void add_outcome(Section& section, const Response& response, const std::string& ends,
+                 const Physical& physical) {
+  const bool held = !moves(response) && response.outcome != Outcome::caught_at_start;
+  section.row("outcome", held ? "never moves" : ends);
+  if (moves(response)) {
+    section.row("peak", length_text(physical, response.peak_amplitude));
+  }
+}
+
 void add_metrics(Section& section, const Response& response, const Physical& physical) {
+  if (!moves(response)) {
+    return;
+  }
   if (response.stop_time) {
     section.row("stop time", time_text(physical, *response.stop_time));
     section.row("stop position", length_text(physical, *response.stop_position));
@@ -296,21 +337,23 @@ void add_margin(Section& section, const Response& response, std::string_view mea
 }  // namespace
 
 void add_response(Section& section, const Response& response, const Physical& physical) {
-  section.row("outcome", outcome_phrase(response.outcome));
-  section.row("peak", length_text(physical, response.peak_amplitude));
-  section.row("peak acceleration", acceleration_text(physical, response.peak_acceleration));
+  add_outcome(section, response, outcome_phrase(response.outcome), physical);
+  if (moves(response)) {
+    section.row("peak acceleration", acceleration_text(physical, response.peak_acceleration));
+  }
   add_metrics(section, response, physical);
   add_margin(section, response, "the outcome could change if all inputs shift by about this much");
 }
 
 void add_response(Section& section, const ForcedResponse& response, const Physical& physical) {
-  section.row("outcome", outcome_phrase(response));
-  section.row("peak", length_text(physical, response.peak_amplitude));
+  add_outcome(section, response, outcome_phrase(response), physical);
   section.row("transmitted",
               format("{}, the largest acceleration that the structure feels",
                      acceleration_text(physical, response.peak_absolute_acceleration)));
-  section.row("relative", format("{}, the largest acceleration relative to the base",
-                                 acceleration_text(physical, response.peak_acceleration)));
+  if (moves(response)) {
+    section.row("relative", format("{}, the largest acceleration relative to the base",
+                                   acceleration_text(physical, response.peak_acceleration)));
+  }
   add_metrics(section, response, physical);
   add_margin(section, response,
              "how far the closest decision, a stick at the start included, was from the other "

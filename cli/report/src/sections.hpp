@@ -9,6 +9,7 @@
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/region.hpp>
+#include <stillpoint/records/record_suite.hpp>
 #include <stillpoint/report/document.hpp>
 #include <stillpoint/report/report.hpp>
 
@@ -20,17 +21,25 @@
 namespace stillpoint::report {
 
 void add_physical_input(Section& section, const design::PhysicalInput& physical);
+/// "a friction force of 283.81 kN and a notch that takes 69.423 kJ at a passage" if the mass is
+/// known, else "f = 0.26 and delta = 0.37"; as little friction as possible without an `f`.
+[[nodiscard]] std::string damper_words(const Physical& physical, const std::optional<double>& f,
+                                       double delta, const std::optional<double>& notch_width = {});
+/// "a period of 2.8 s, stiffness 6.04 MN/m" by what is known, or "p = 1".
+[[nodiscard]] std::string spring_words(const Physical& physical, double p);
 /// Force and energy of a damper, if the mass is known; the energy if there is a notch.
 void add_damper_physics(Section& section, const Physical& physical, double f, double delta);
 /// "0.340 to 0.429", "up to 0.463" or "at least 0.5".
 [[nodiscard]] std::string interval_text(const design::ServedInterval& interval);
 /// The hits and periods for which it works, if known.
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
-                   const Physical& physical);
+                   const design::Problem& problem, const Physical& physical);
+/// The least width of a notch, rounded up.
+[[nodiscard]] std::string width_shown(const Physical& physical, double width);
 /// How much of the notch the stop takes, and how wide it must be.
 void add_notch(Section& section, const std::optional<design::Practice>& lines,
                const Physical& physical);
-/// "480 kN s" for a speed; "0.4 m/s per mass" if the mass is not known.
+/// "480 kN s" for a speed; "0.4 m/s per unit mass" if the mass is not known.
 [[nodiscard]] std::string impulse_shown(const Physical& physical, double impulse);
 void add_practice(Section& section, const std::optional<design::Practice>& lines,
                   const Physical& physical);
@@ -39,8 +48,25 @@ void add_surface(Section& section, const SimulationRequest& request, const Physi
 void add_excitation(Section& section, const Excitation& excitation,
                     const std::optional<RecordOrigin>& record, const Physical& physical);
 
+/// "2 x a.AT2": the factor and the file of a record of a suite.
+[[nodiscard]] std::string record_label(const records::SuiteRecord& record);
+/// Where a notch under records differs from the paper's.
+void add_real_notch(Section& section, const std::optional<double>& hold,
+                    const std::optional<double>& width, const Physical& physical);
+
+inline constexpr int usual_digits = 4;
+/// "34.18 %", which the damper withstands.
+[[nodiscard]] std::string percent_digits(double tolerance, int shown = usual_digits);
+/// Whether more than rounding is left.
+[[nodiscard]] bool leaves_any(double tolerance);
 /// "+-5 % of f and delta at once", or each side of a box of another shape.
-[[nodiscard]] std::string box_text(const design::Limits& limits, double tolerance);
+[[nodiscard]] std::string box_text(const design::Limits& limits, double tolerance,
+                                   int shown = usual_digits);
+/// "a tolerance of 34.18 %", likewise.
+[[nodiscard]] std::string tolerance_shown(const design::Limits& limits, double tolerance,
+                                          int shown = usual_digits);
+/// "f and delta may both be off by +-34.18 %", likewise.
+[[nodiscard]] std::string tolerance_words(const design::Limits& limits, double tolerance);
 
 /// The section of the task; `pulsed` if a pulse takes the place of v0.
 Section& add_problem(Document& document, const design::Problem& problem,
@@ -97,6 +123,8 @@ void add_response(Section& section, const ForcedResponse& response, const Physic
 [[nodiscard]] std::string locked_words(const ForcedResponse& locked, double load_end,
                                        const Physical& physical);
 
+/// Not if friction or the notch holds the mass from the start.
+[[nodiscard]] bool moves(const Response& response);
 /// "stops at x = 0" and so on.
 [[nodiscard]] std::string outcome_phrase(Outcome outcome);
 /// A motion that has not ended may be at rest all the same.

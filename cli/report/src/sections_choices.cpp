@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
 #include "format.hpp"
+#include "sections.hpp"
 
 #include <stillpoint/report/digits.hpp>
 
@@ -17,7 +18,7 @@ namespace {
 
 constexpr std::size_t most_rows = 20;
 
-/// What goes wrong if a constraint is violated.
+/// What goes wrong if a constraint is violated: "exceeds 150 mm".
 std::string consequence(const design::Constraint& violated, const PartTask& task) {
   const std::string_view name = violated.name;
   if (name == "amplitude") {
@@ -26,30 +27,29 @@ std::string consequence(const design::Constraint& violated, const PartTask& task
   if (name == "acceleration") {
     return "exceeds " + acceleration_shown(task.limits.acceleration_max.value_or(0));
   }
-  return name == "start"    ? violated.variable == "f" ? "friction holds it" : "the notch holds it"
-         : name == "return" ? "rests off centre"
-         : name == "stop"   ? "passes x = 0"
-         : name == "dead_zone" ? "dead zone too wide"
+  return name == "start" ? violated.variable == "f" ? "is held by friction" : "is held by the notch"
+         : name == "return"    ? "rests off centre"
+         : name == "stop"      ? "passes x = 0"
+         : name == "dead_zone" ? "has too wide a dead zone"
          : name == "residual"  ? "rests too far out"
-                               : "above " + std::string(name);
+                               : "exceeds " + std::string(name);
 }
 
-/// "f 12 % too small", "delta 3.4 times too large".
+/// "f is 12 % too small", "delta is 3.4 times the limit".
 std::string by_how_much(const design::Constraint& violated) {
   const auto& [name, variable, relation, value, limit, slack, satisfied] = violated;
   const bool too_large = relation.front() == '<';
-  const double factor = too_large ? value / limit : limit / value;
-  const std::string_view side = too_large ? "large" : "small";
-  constexpr double in_percent_up_to = 2;
+  const double off = std::abs(slack) / limit;
+  constexpr double in_percent_up_to = 1;
   if (limit <= 0 && too_large) {
     return format("no {} is small enough", variable);
   }
-  if (!(std::isfinite(factor) && factor >= 1)) {
-    return format("{} too {}", variable, side);
+  if (!std::isfinite(off)) {
+    return format("{} is too {}", variable, too_large ? "large" : "small");
   }
-  return factor < in_percent_up_to
-             ? format("{} {:.2g} % too {}", variable, 100 * std::abs(slack) / limit, side)
-             : format("{} {:.3g} times too {}", variable, factor, side);
+  return off <= in_percent_up_to
+             ? format("{} is {:.2g} % too {}", variable, 100 * off, too_large ? "large" : "small")
+             : format("{} is {:.3g} times the limit", variable, value / limit);
 }
 
 /// "amplitude 600, stop 12, tolerance 3": how many parts each rules out.
@@ -79,10 +79,8 @@ std::string failures(const std::vector<design::RatedPart>& parts) {
   return text;
 }
 
-std::string percent(double tolerance) {
-  constexpr double thousandths = 1e5;  // of a percent
-  const double shown = 100 * std::round(thousandths * tolerance) / thousandths;
-  return shown > 0 ? format("+-{:.4g} %", shown) : "none";
+std::string percent(const std::optional<double>& tolerance) {
+  return leaves_any(tolerance.value_or(0)) ? "+-" + percent_digits(*tolerance) : "none";
 }
 
 }  // namespace
@@ -117,10 +115,9 @@ void add_parts(Document& document, const Catalogue& catalogue, const PartTask& t
   const std::size_t shown = std::min(parts.size(), most_rows);
   for (const design::RatedPart& rated : std::span(parts).first(shown)) {
     const auto& [name, f, delta] = rated.part;
-    table.rows.push_back(
-        {{name, digits(f), digits(delta * units.length),
-          rated.tolerance ? percent(*rated.tolerance) : "none", judgement(rated, task)},
-         rated.admissible ? Tone::good : Tone::bad});
+    table.rows.push_back({{name, digits(f), digits(delta * units.length), percent(rated.tolerance),
+                           judgement(rated, task)},
+                          rated.admissible ? Tone::good : Tone::bad});
   }
   Section& section = document.section("Parts, best first");
   section.parts.emplace_back(std::move(table));

@@ -20,8 +20,9 @@ struct ShownMend {
   bool upwards;
   std::string unit;  ///< after a blank; that of the figures for lengths
 
-  /// "at least 168.8 mm", rounded to the safe side.
-  [[nodiscard]] std::string bound(int shown = every_digit) const {
+  /// "at least 168.79 mm", rounded to the safe side.
+  [[nodiscard]] std::string bound() const {
+    constexpr int shown = 5;
     return format("at {} {}{}", upwards ? "least" : "most", limit_digits(value, upwards, shown),
                   unit);
   }
@@ -40,7 +41,14 @@ std::optional<ShownMend> with_units(const design::Mend& mend, const EmptyTask& t
   if (!now) {
     return std::nullopt;
   }
-  ShownMend shown{std::string(now->name), now->value, now->upwards, format(" {}", now->unit)};
+  // The longest period is that of the softest spring, the least p.
+  const bool turned = now->upwards != mend.upwards;
+  const bool low = mend.field.ends_with("_low");
+  const std::string_view end = !(low || mend.field.ends_with("_high")) ? ""
+                               : low != turned                         ? "lowest "
+                                                                       : "highest ";
+  ShownMend shown{format("{}{}", end, now->name), now->value, now->upwards,
+                  format(" {}", now->unit)};
   if (now->unit == "m") {
     const FigureUnits units(task.physical);
     shown.value *= units.length / task.physical->scales.length_m;
@@ -65,28 +73,22 @@ std::string in_words(std::string name) {
   return name;
 }
 
-/// "0.9 to 1.1 times f and 0.95 to 1.05 times delta": that of each side, as it can be given.
-std::string least_box(const design::BoxShape& shape, double tolerance) {
-  const auto factors = [&](double low, double high) {
-    return format("{} to {}", limit_digits(1 - tolerance * low, true),
-                  limit_digits(1 + tolerance * high, false));
-  };
-  return format("{} times f and {} times delta", factors(shape.f_low, shape.f_high),
-                factors(shape.delta_low, shape.delta_high));
+/// The option that gives the tolerance.
+std::string_view name_of_tolerance(const design::BoxShape& shape) {
+  return std::max(shape.delta_low, shape.delta_high) == 0 ? "tolerance_f"
+         : std::max(shape.f_low, shape.f_high) == 0       ? "tolerance_delta"
+                                                          : "tolerance";
 }
 
 /// "max displacement must be at least 168.8 mm", "tolerance must be at most 34.18 %".
 std::string words_of(const design::Mend& mend, const EmptyTask& task) {
-  constexpr int in_a_title = 4;
-  ShownMend shown = with_units(mend, task).value_or(dimensionless(mend));
   if (mend.field == "tolerance") {
-    if (task.limits.shape != design::BoxShape{}) {
-      return "the tolerance must be at most " + least_box(task.limits.shape, mend.value);
-    }
-    shown.value *= 100;
-    shown.unit = " %";
+    return "tolerance must be at most " + (task.limits.shape == design::BoxShape{}
+                                               ? percent_digits(mend.value)
+                                               : box_text(task.limits, mend.value));
   }
-  return format("{} must be {}", in_words(shown.name), shown.bound(in_a_title));
+  const ShownMend shown = with_units(mend, task).value_or(dimensionless(mend));
+  return format("{} must be {}", in_words(shown.name), shown.bound());
 }
 
 /// Nobody chooses the hit, and the period only by another isolator.
@@ -106,9 +108,9 @@ const design::Mend& named_mend(const std::vector<design::Mend>& mends) {
 constexpr std::string_view exact_words = "criterion must be exact";
 
 void add_mend(Section& section, const design::Mend& mend, const EmptyTask& task) {
-  const design::BoxShape& shape = task.limits.shape;
-  if (mend.field == "tolerance" && shape != design::BoxShape{}) {
-    section.row("tolerance", least_box(shape, mend.value));
+  if (mend.field == "tolerance") {
+    section.row(std::string(name_of_tolerance(task.limits.shape)),
+                "at most " + box_text(task.limits, mend.value));
     return;
   }
   const ShownMend plain = dimensionless(mend);
@@ -122,15 +124,13 @@ void add_mend(Section& section, const design::Mend& mend, const EmptyTask& task)
 /// " No damper has a tolerance of 40 %; the largest is 22.22 %, at f = 0.275, delta = 0.4."
 std::string most_tolerant_text(const design::DesignPoint& most, const design::Limits& limits,
                                const Physical& physical) {
-  const auto percent = [](double tolerance, int shown) {
-    return format("{:.{}g} %", 100 * tolerance, shown);
-  };
-  const int shown = percent(most.tolerance, 4) == percent(limits.tolerance, 4) ? 10 : 4;
-  const bool even = limits.shape == design::BoxShape{};
-  return format(" No damper has {}; the largest is {}, at f = {:.6g}, delta = {}.",
-                even ? "a tolerance of " + percent(limits.tolerance, shown)
-                     : "a box of " + box_text(limits, limits.tolerance),
-                even ? percent(most.tolerance, shown) : box_text(limits, most.tolerance), most.f,
+  constexpr int many = 8;  // if the usual digits do not distinguish them
+  const bool alike =
+      tolerance_shown(limits, most.tolerance) == tolerance_shown(limits, limits.tolerance);
+  const int shown = alike ? many : usual_digits;
+  return format(" No damper has {}; the best has {}, at f = {:.6g}, delta = {}.",
+                tolerance_shown(limits, limits.tolerance, shown),
+                tolerance_shown(limits, most.tolerance, shown), most.f,
                 length_text(physical, most.delta));
 }
 
@@ -183,10 +183,10 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty, const
   Section& section = document.section("What would make it feasible");
   if (joint) {
     section.line(format(
-        "No single change makes it feasible: no damper has a tolerance above {}, whatever beta and "
-        "the limits are, and without a tolerance there is none either. Both of these changes "
-        "together make it feasible:",
-        limit_digits(joint->largest_tolerance, false)));
+        "No single change makes it feasible: whatever beta and the limits are, no damper has more "
+        "than a tolerance of {}, and without a tolerance there is none either. Both of these "
+        "changes together make it feasible:",
+        box_text(task.limits, joint->largest_tolerance)));
   } else if (mends.empty() && !exact) {
     section.line("No change of a single input makes it feasible.");
   } else {

@@ -22,19 +22,43 @@ std::string interval_text(const design::ServedInterval& interval) {
              : ends;
 }
 
+namespace {
+
+/// Of an interval that ends with the numbers that can be given, not where the damper fails.
+std::string_view if_cut(const design::ServedInterval& served, const design::Interval& valid) {
+  constexpr double near = 1e-9;
+  const bool low = served.low > 0 && served.low <= valid.low * (1 + near);
+  const bool high = served.high && *served.high >= valid.high * (1 - near);
+  return low    ? "; the lower end is the program's own limit"
+         : high ? "; the upper end is the program's own limit"
+                : "";
+}
+
+}  // namespace
+
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
-                   const Physical& physical) {
+                   const design::Problem& problem, const Physical& physical) {
   if (!served) {
     return;
   }
+  const std::string_view cut_hits = if_cut(served->v0, design::valid_v0(problem));
+  const std::string_view cut_springs = if_cut(served->p, design::valid_p(problem));
   if (!physical) {
-    section.row("works for", format("hits v0 of {}", interval_text(served->v0)));
-    section.row("", format("p of {} with v0 as given", interval_text(served->p)));
+    section.row("works for", format("hits v0 of {}{}", interval_text(served->v0), cut_hits));
+    section.row("", format("p of {} with v0 as given{}", interval_text(served->p), cut_springs));
     return;
   }
   const auto [velocity, period] = physical_works_for(physical->scales, *served);
-  section.row("works for", format("hits of {} m/s", interval_text(velocity)));
-  section.row("", format("periods of {} s with the hit as given", interval_text(period)));
+  section.row("works for", format("hits of {} m/s{}", interval_text(velocity), cut_hits));
+  section.row(
+      "", format("periods of {} s with the hit as given{}", interval_text(period), cut_springs));
+}
+
+std::string width_shown(const Physical& physical, double width) {
+  constexpr int shown = 5;
+  const FigureUnits units(physical);
+  return format("{}{}", limit_digits(width * units.length, true, shown),
+                units.length_unit.empty() ? "" : " " + units.length_unit);
 }
 
 void add_notch(Section& section, const std::optional<design::Practice>& lines,
@@ -53,14 +77,14 @@ void add_notch(Section& section, const std::optional<design::Practice>& lines,
   if (lines->notch_width_min) {
     section.row("notch width",
                 format("at least {} keeps the limit of the acceleration inside it too",
-                       length_text(physical, *lines->notch_width_min)));
+                       width_shown(physical, *lines->notch_width_min)));
   }
 }
 
 std::string impulse_shown(const Physical& physical, double impulse) {
   const auto newton_seconds = physical ? physical->scales.impulse_n_s(impulse) : std::nullopt;
   return newton_seconds ? with_unit(*newton_seconds, "N s")
-                        : format("{} per mass", FigureUnits(physical).velocity_words(impulse));
+                        : format("{} per unit mass", FigureUnits(physical).velocity_words(impulse));
 }
 
 namespace {

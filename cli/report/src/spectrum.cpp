@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/report/spectrum.hpp>
 #include "format.hpp"
-#include "units.hpp"
+#include "sections.hpp"
 
 #include <stillpoint/report/digits.hpp>
 
@@ -82,7 +82,7 @@ Table spectrum_table(const SpectrumReport& report, const std::vector<SpectrumPoi
                                    {"residual", units.length_unit}}) {
     table.head.push_back(in(name, unit));
     if (compared) {
-      table.head.push_back(name + " without");
+      table.head.push_back(in(name + " without", unit));
     }
   }
   const auto number = [](double value) { return format("{:.5g}", value); };
@@ -135,12 +135,7 @@ void add_damper(Section& answer, const SpectrumReport& report) {
   const design::SpectrumRequest& task = report.result.request;
   answer.row("damper", format("f = {}, delta = {}, the same at every period", digits(task.f),
                               length_shown(report.physical, task.delta)));
-  if (task.hold) {
-    answer.row("notch", format("holds {} besides f", acceleration_shown(*task.hold)));
-  }
-  if (task.notch_width) {
-    answer.row("notch", format("{} wide", length_shown(report.physical, *task.notch_width)));
-  }
+  add_real_notch(answer, task.hold, task.notch_width, report.physical);
 }
 
 }  // namespace
@@ -161,10 +156,7 @@ Document document(const SpectrumReport& report) {
   const std::size_t count = result.records.size();
   add_points(document.section(heading(report)), report, result.combined);
   for (std::size_t i = 0; i < count && count > 1; ++i) {
-    const design::SuiteRecord& record = result.request.records[i];
-    add_points(document.detail((record.scale == 1 ? "" : format("{:.4g} x ", record.scale)) +
-                               spelled_out(record.name.substr(record.name.rfind('/') + 1))),
-               report, result.records[i]);
+    add_points(document.detail(record_label(result.request.records[i])), report, result.records[i]);
   }
   return document;
 }

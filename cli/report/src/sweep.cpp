@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
-#include <variant>
 
 namespace stillpoint::report {
 
@@ -34,8 +33,9 @@ double rate(const SweepSummary& summary) {
 }
 
 constexpr std::array<std::string_view, sweep_outcome_count> outcome_labels{
-    "stop at x = 0",  "stop in dead zone", "never stop", "never start", "not known to have stopped",
-    "over the limit", "stop in notch"};
+    "stop at x = 0", "stop in dead zone",         "never stop",
+    "never start",   "not known to have stopped", "have too many half-cycles",
+    "stop in notch"};
 
 }  // namespace
 
@@ -66,6 +66,9 @@ void add_outcomes(Document& document, const SweepState& state, bool design) {
       section.row(std::string(outcome_labels[i]), fmt::format("{}", state.outcomes[i]));
     }
   }
+  if (state.locked > 0) {
+    section.row("locked", fmt::format("{}", state.locked));
+  }
 }
 
 ordered_json json(const SweepReport& report) {
@@ -85,6 +88,7 @@ ordered_json json(const SweepReport& report) {
                          : ordered_json(nullptr)},
       {"rows", state.rows},
       {"outcomes", design ? ordered_json(nullptr) : outcomes_json(state)},
+      {"locked", design ? ordered_json(nullptr) : ordered_json(state.locked)},
       {"feasible", design ? ordered_json(state.feasible) : ordered_json(nullptr)},
       {"resumed_at", summary.resumed_at},
       {"threads", spec.threads},
@@ -111,16 +115,6 @@ Document document(const SweepReport& report) {
   rows.row("time", fmt::format("{:.4g} s, {:.3g} rows/s on {} thread{}", summary.wall_time_s,
                                rate(summary), spec.threads, spec.threads == 1 ? "" : "s"));
   add_outcomes(document, state, spec.kind == SweepKind::design);
-  const bool loaded =
-      spec.kind == SweepKind::forced && !std::holds_alternative<NoExcitation>(spec.excitation);
-  const bool rests = std::ranges::any_of(
-      std::array{Outcome::stopped_at_zero, Outcome::stopped_in_notch},
-      [&](Outcome outcome) { return state.outcomes[static_cast<std::size_t>(outcome)] > 0; });
-  if (loaded && rests) {
-    document.verdict += " Those that rest in the notch before the load ends are locked.";
-    document.answer.row("locked", fmt::format("the column {} says from when",
-                                              name(Quantity::locked_from, spec.units)));
-  }
   return document;
 }
 

@@ -185,7 +185,8 @@ class Text {
         return all;
       };
       for (const std::vector<std::string>& head : heads) {
-        text += aligned({part(head)}, part(widths), gap);
+        const std::string line = aligned({part(head)}, part(widths), gap);
+        text += line == "\n" ? "" : line;
       }
       for (const TableRow& row : rows) {
         text += aligned({part(row.cells), end < widths.size() ? Tone::plain : row.tone},

@@ -12,7 +12,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace stillpoint::records {
@@ -82,70 +81,14 @@ Header read_header(RecordReader& reader) {
       "NPTS and DT are missing: a PEER record has a line such as NPTS= 2000, DT= .02 SEC");
 }
 
-/// The words of a line; numbers may touch.
-std::vector<std::string_view> words_in(const RecordReader& reader) {
-  return fields_of(reader.line(), 0);
-}
-
-/// How many values a line holds; 0 if it is blank or has a word that is not a number.
-std::size_t count_values(const RecordReader& reader) {
-  const auto words = words_in(reader);
-  return std::ranges::all_of(words, is_number) ? words.size() : 0;
-}
-
-/// Refuses more values than the header says: `surplus` in this line and those of the next lines.
-[[noreturn]] void refuse_surplus(RecordReader reader, const Header& header, std::size_t surplus) {
-  const std::size_t first = reader.number();
-  while (reader.next() && (count_values(reader) > 0 || trimmed(reader.line()).empty())) {
-    surplus += count_values(reader);
-  }
-  const std::size_t count = header.counts.count;
-  reader.refuse(first, fmt::format("too many values: {}, but NPTS = {} on line {}", count + surplus,
-                                   count, header.line));
-}
-
-/// After the last value there may be blank lines and text, but no second record.
-void check_trailer(RecordReader& reader, const Header& header) {
-  bool is_text = false;
+std::vector<double> read_values(RecordReader& reader, const Header& header) {
+  const ValueBlock block{"NPTS", header.counts.count, header.line};
+  std::vector<double> values = read_block(reader, block, acceleration_field);
   while (reader.next()) {
     if (has_npts(reader.line())) {
       reader.refuse("a second record begins here: a file must hold only one");
     }
-    const std::size_t surplus = count_values(reader);
-    if (!is_text && surplus > 0) {
-      refuse_surplus(reader, header, surplus);
-    }
-    is_text = is_text || !trimmed(reader.line()).empty();
   }
-}
-
-std::vector<double> read_values(RecordReader& reader, const Header& header) {
-  const std::size_t count = header.counts.count;
-  std::vector<double> values;
-  // The header may promise more than the file contains: a value takes two bytes.
-  values.reserve(std::min(count, reader.bytes_left() / 2 + 1));
-  while (values.size() < count && reader.next()) {
-    const auto words = words_in(reader);
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      const std::string_view word = words[i];
-      if (values.size() == count) {
-        if (is_number(word)) {
-          refuse_surplus(reader, header, words.size() - i);
-        }
-        break;  // a trailer that begins after the last value
-      }
-      if (!is_number(word)) {
-        reader.refuse_word(word, fmt::format("is not a number; value {} of {} is expected here",
-                                             values.size() + 1, count));
-      }
-      values.push_back(reader.parse_acceleration(word));
-    }
-  }
-  if (values.size() < count) {
-    reader.refuse(fmt::format("too few values: the file ends after {}, but NPTS = {} on line {}",
-                              values.size(), count, header.line));
-  }
-  check_trailer(reader, header);
   return values;
 }
 
@@ -156,7 +99,8 @@ RecordFile read_at2(RecordReader& reader) {
   reader.set_units(units, header.units_line);
   return {{read_values(reader, header), step, {}},
           printable(header.titles, longest_description),
-          units};
+          units,
+          !header.units && !reader.options().units};
 }
 
 }  // namespace

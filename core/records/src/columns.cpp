@@ -63,8 +63,25 @@ std::string_view without_comment(std::string_view line, std::string& description
   return trimmed(line.substr(0, at));
 }
 
+/// What a spreadsheet may have written: "0,01" for 0.01 makes two columns of one.
+std::string_view decimal_comma(const RecordReader& reader) {
+  const std::string_view line = reader.line();
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+    if (line[i] == ',' && is_digit(line[i - 1]) && is_digit(line[i + 1])) {
+      return "; a decimal comma must be a point";
+    }
+  }
+  return "";
+}
+
 /// Text before the values is most likely a heading.
 void check_heading(const Row& row, const RecordReader& reader) {
+  if (row.columns[0].find(';') != std::string_view::npos) {
+    reader.refuse_word(row.columns[0], fmt::format("is not a number; between columns there must be "
+                                                   "blanks, tabs or a comma, no semicolon{}",
+                                                   decimal_comma(reader)));
+  }
   if (scan_fortran_number(row.columns[0]).fault == NumberFault::no_number) {
     reader.refuse_word(row.columns[0],
                        fmt::format("{}; a heading above columns must begin with #, and a PEER "
@@ -76,7 +93,8 @@ void check_heading(const Row& row, const RecordReader& reader) {
 void check_count(const Row& row, std::size_t expected, std::size_t first_line,
                  const RecordReader& reader) {
   if (row.count > most_columns) {
-    reader.refuse(fmt::format("{} columns: must be time and value, or value alone", row.count));
+    reader.refuse(fmt::format("{} columns: must be time and value, or value alone{}", row.count,
+                              decimal_comma(reader)));
   }
   if (row.count != expected) {
     reader.refuse(fmt::format("{} column{}, but {} on line {}", row.count,
@@ -125,7 +143,8 @@ class TimeColumn {
       return;
     }
     if (!(time > before_)) {
-      reader.refuse(fmt::format("time {}: must be more than the previous time, {}", time, before_));
+      reader.refuse(fmt::format("time {}: must be more than the previous time, {}{}", time, before_,
+                                decimal_comma(reader)));
     }
     if (!clock.tells_apart(before_, time)) {
       reader.refuse(fmt::format("time {} {}: is too close to the previous time, {}", time,
@@ -155,7 +174,7 @@ bool is_columns(RecordReader /*reader*/) {
 
 RecordFile read_columns(RecordReader& reader) {
   const RecordOptions& options = reader.options();
-  RecordFile file{{}, {}, options.units.value_or(RecordUnits::g)};
+  RecordFile file{{}, {}, options.units.value_or(RecordUnits::g), !options.units};
   reader.set_units(file.units);
   TimeColumn times;
   std::size_t first_line = 0;

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
@@ -36,11 +37,18 @@ std::string beside(const std::string& list, const std::string& file) {
 /// What the second column of a list contains.
 enum class Column { scale, peak, spectrum };
 
+/// The first and the last field of a line, without blanks and quotes; a name may have commas.
+std::pair<std::string_view, std::string_view> name_and_value(std::string_view line) {
+  const std::size_t comma = std::min(line.rfind(','), line.size());
+  return {unquoted(line.substr(0, comma)), unquoted(line.substr(std::min(comma + 1, line.size())))};
+}
+
 Column header_column(const FilePlace& place, std::string_view line) {
+  const auto [file, second] = name_and_value(line);
   for (const auto& [header, column] :
-       {std::pair{"file,scale", Column::scale}, std::pair{"file,peak", Column::peak},
-        std::pair{"file,spectrum", Column::spectrum}}) {
-    if (line == header) {
+       {std::pair{"scale", Column::scale}, std::pair{"peak", Column::peak},
+        std::pair{"spectrum", Column::spectrum}}) {
+    if (file == "file" && second == header) {
       return column;
     }
   }
@@ -70,11 +78,10 @@ std::vector<ListedRecord> read_record_list(const std::string& path) {
   std::vector<ListedRecord> list;
   Column column = Column::scale;
   std::size_t number = 0;
-  for (std::string_view line : split(text, '\n')) {
+  const std::size_t mark = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
+  for (std::string_view line : split(std::string_view(text).substr(mark), '\n')) {
     ++number;
-    if (line.ends_with('\r')) {
-      line.remove_suffix(1);
-    }
+    line = trimmed(line.substr(0, line.find_last_not_of('\r') + 1));
     const FilePlace place{"records-list", path, number};
     if (number == 1) {
       column = header_column(place, line);
@@ -83,14 +90,13 @@ std::vector<ListedRecord> read_record_list(const std::string& path) {
     if (line.empty() || line.starts_with('#')) {
       continue;
     }
-    const std::size_t comma = line.rfind(',');
-    if (comma == std::string::npos || comma == 0) {
+    const auto [file, value] = name_and_value(line);
+    if (file.empty() || value.empty()) {
       throw FileError(place,
                       fmt::format("must be FILE,{}", column == Column::scale ? "SCALE" : "TARGET"));
     }
     try {
-      list.push_back(listed_record(beside(path, std::string(line.substr(0, comma))), column,
-                                   line.substr(comma + 1)));
+      list.push_back(listed_record(beside(path, std::string(file)), column, value));
     } catch (const InputError& error) {
       throw FileError(place, error.what());
     }

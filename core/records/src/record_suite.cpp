@@ -5,15 +5,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace stillpoint::records {
 
-namespace {
-
-/// Files and folders, each with its scale.
 std::vector<ListedRecord> asked_records(const SuiteFiles& files, const RecordTarget& of_all) {
   std::vector<ListedRecord> asked;
   asked.reserve(files.paths.size());
@@ -37,8 +32,6 @@ std::vector<ListedRecord> asked_records(const SuiteFiles& files, const RecordTar
   return asked;
 }
 
-}  // namespace
-
 std::vector<SuiteRecord> read_suite(const SuiteFiles& files, const RecordScale& scale,
                                     const RecordOptions& options) {
   require_scale(scale.factor);
@@ -52,14 +45,6 @@ std::vector<SuiteRecord> read_suite(const SuiteFiles& files, const RecordScale& 
     }
   }
   return suite;
-}
-
-std::vector<std::string> left_out_files(const SuiteFiles& files) {
-  std::vector<std::string> left_out;
-  for (const ListedRecord& asked : asked_records(files, {})) {
-    std::ranges::move(folder_files(asked.path).plain_text, std::back_inserter(left_out));
-  }
-  return left_out;
 }
 
 }  // namespace stillpoint::records

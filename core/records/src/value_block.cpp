@@ -118,13 +118,16 @@ std::vector<double> read_block(RecordReader& reader, const ValueBlock& block,
   while (values.size() < block.count && reader.next()) {
     const auto fields = fields_of(reader.line(), block.width);
     for (const std::string_view field : fields) {
-      if (values.size() == block.count) {
+      if (values.size() == block.count && is_number(field)) {
         refuse_too_many(reader, block);
       }
+      if (values.size() == block.count) {
+        break;  // text that begins after the last value
+      }
       if (!is_number(field)) {
-        // A line of text, whose first columns carry no information.
-        const bool is_first = field.data() == fields.front().data();
-        reader.refuse_word(is_first ? trimmed(reader.line()) : field,
+        // The first columns of a line of text carry no information.
+        const bool is_cut = block.width > 0 && field.data() == fields.front().data();
+        reader.refuse_word(is_cut ? trimmed(reader.line()) : field,
                            fmt::format("is not a number; value {} of {} is expected here",
                                        values.size() + 1, block.count));
       }

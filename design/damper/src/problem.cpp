@@ -6,6 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace stillpoint::design {
 
 namespace {
@@ -54,6 +57,20 @@ void require_valid(const Problem& problem) {
   if (problem.residual) {
     require_within("residual", *problem.residual, 0, largest_square);
   }
+}
+
+Interval valid_v0(const Problem& problem) {
+  constexpr double sqrt_of_far_f2 = 1e152;  // f2 is v0^2 / beta at most, and below 1e305
+  const double speed = problem.p * problem.beta;
+  return {std::max(smallest_speed, speed / far_ratio),
+          std::min({largest_speed, speed * far_ratio, std::sqrt(problem.beta) * sqrt_of_far_f2})};
+}
+
+Interval valid_p(const Problem& problem) {
+  const double least = problem.v0 / problem.beta / far_ratio;
+  const double most = problem.v0 / problem.beta * far_ratio;
+  return {std::max({smallest_speed, smallest_speed / problem.beta, least}),
+          std::min({largest_speed, largest_speed / problem.beta, most})};
 }
 
 std::span<const Named<Criterion>> enumerators(Criterion) noexcept {

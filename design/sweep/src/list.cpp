@@ -8,6 +8,7 @@
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/records/text.hpp>
+#include <stillpoint/records/units.hpp>
 #include <stillpoint/sweep/output_file.hpp>
 #include <stillpoint/sweep/state.hpp>
 
@@ -86,12 +87,9 @@ void List::refuse(std::string_view what) const {
 }
 
 void List::read_header(std::string_view line) {
-  CsvLine fields(line);
+  CsvLine fields(line, *lines_);
   for (std::string_view field; fields.next(field);) {
     const auto quantity = find_named(listed_inputs, field, units_);
-    if (fields.unclosed()) {
-      refuse("a quote is opened but not closed");
-    }
     if (!quantity) {
       refuse(not_a("column", field, units_));
     }
@@ -105,16 +103,15 @@ void List::read_header(std::string_view line) {
 void List::read_row(std::string_view line, std::vector<double>& values) {
   values.clear();
   std::size_t count = 0;
-  CsvLine fields(line);
+  CsvLine fields(line, *lines_);
   for (std::string_view field; fields.next(field); ++count) {
-    if (fields.unclosed()) {
-      refuse("a quote is opened but not closed");
-    }
     if (count < columns_.size()) {
       try {
         values.push_back(records::parse_number(name(columns_[count], units_), field));
       } catch (const InputError& error) {
-        refuse(printable(error.what(), 4 * longest_word));
+        refuse(
+            printable(error.what(), 4 * longest_word) +
+            (dimension(columns_[count], units_) != records::Dimension::none ? " in SI units" : ""));
       }
     }
   }

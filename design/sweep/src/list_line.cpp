@@ -17,12 +17,6 @@ namespace {
 
 using records::trimmed;
 
-std::string_view without_quotes(std::string_view text) {
-  return text.size() >= 2 && text.front() == '"' && text.back() == '"'
-             ? trimmed(text.substr(1, text.size() - 2))
-             : text;
-}
-
 using nlohmann::json;
 
 /// The parser's callbacks for each part of the text; false ends it.
@@ -97,9 +91,11 @@ bool CsvLine::next(std::string_view& field) {
   const bool in_quotes = trimmed(rest_).starts_with('"');
   const std::size_t quote = in_quotes ? rest_.find('"', rest_.find('"') + 1) : 0;
   const std::size_t comma = rest_.find(',', quote);  // none behind npos
-  unclosed_ = quote == std::string_view::npos;
+  if (quote == std::string_view::npos) {
+    lines_.refuse(lines_.number(), "a quote is opened but not closed");
+  }
   more_ = comma != std::string_view::npos;
-  field = without_quotes(trimmed(rest_.substr(0, comma)));
+  field = records::unquoted(rest_.substr(0, comma));
   rest_ = more_ ? rest_.substr(comma + 1) : std::string_view();
   return true;
 }

@@ -47,4 +47,17 @@ design::DesignRequest request_of(const SweepSpec& spec, const std::function<doub
   return request;
 }
 
+MotionRequest motion_of(const SweepSpec& spec, const std::function<double(Quantity)>& at) {
+  MotionRequest motion{{.p = at(Quantity::p), .f = at(Quantity::f), .delta = at(Quantity::delta)},
+                       {.x0 = at(Quantity::x0), .v0 = at(Quantity::v0)},
+                       {{}, spec.zones}};
+  if (given(spec, Quantity::hold)) {
+    motion.oscillator.hold = at(Quantity::hold);
+  }
+  if (given(spec, Quantity::notch_width)) {
+    motion.surface.notch_width = at(Quantity::notch_width);
+  }
+  return motion;
+}
+
 }  // namespace stillpoint::sweep

@@ -4,6 +4,9 @@
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/core/surface.hpp>
+
 #include <cstdint>
 #include <functional>
 
@@ -16,5 +19,15 @@ namespace stillpoint::sweep {
 /// has. Throws InputError for wrong arrivals.
 [[nodiscard]] design::DesignRequest request_of(const SweepSpec& spec,
                                                const std::function<double(Quantity)>& at);
+
+struct MotionRequest {
+  Oscillator oscillator;
+  Start start;
+  Surface surface;
+};
+
+/// The same of a sweep over motions.
+[[nodiscard]] MotionRequest motion_of(const SweepSpec& spec,
+                                      const std::function<double(Quantity)>& at);
 
 }  // namespace stillpoint::sweep

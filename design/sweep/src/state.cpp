@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
-#include <initializer_list>
 #include <string_view>
 #include <utility>
 
@@ -78,42 +77,37 @@ void SweepState::add(const SweepBlock& block) {
       ++outcomes[static_cast<std::size_t>(outcome)];
     }
   }
+  if (block[Quantity::locked_from].size() == block.size) {
+    locked += block[Quantity::locked_from].isFinite().count();
+  }
   if (block[Quantity::feasible].size() == block.size) {
     feasible += static_cast<std::int64_t>(block[Quantity::feasible].sum());
   }
 }
 
-namespace {
-
-std::int64_t count(const SweepState& state, Outcome outcome) {
-  return state.outcomes[sweep_outcome(outcome)];
-}
-
-}  // namespace
-
 std::string summary(const SweepState& state, bool of_designs) {
   if (of_designs) {
     return fmt::format("{} of {} entries have an admissible design.", state.feasible, state.rows);
   }
-  const std::int64_t in_notch = count(state, Outcome::stopped_in_notch);
-  std::string text = fmt::format("{} of {} motions stop at x = 0{}, {} off centre",
-                                 count(state, Outcome::stopped_at_zero) + in_notch, state.rows,
-                                 in_notch > 0 ? " or in the notch" : "",
-                                 count(state, Outcome::stopped_in_dead_zone));
-  struct Other {
-    Outcome outcome;
-    std::string_view one;
-    std::string_view several;
-  };
-  const std::initializer_list<Other> others{
-      {Outcome::caught_at_start, "never starts", "never start"},
-      {Outcome::never_stops, "never stops", "never stop"},
-      {Outcome::running, "is not known to have stopped", "are not known to have stopped"}};
-  for (const auto& [outcome, one, several] : others) {
-    if (const std::int64_t how_many = count(state, outcome); how_many > 0) {
-      text += fmt::format(", {} {}", how_many, how_many == 1 ? one : several);
+  const auto count = [&state](Outcome outcome) { return state.outcomes[sweep_outcome(outcome)]; };
+  const std::int64_t in_notch = count(Outcome::stopped_in_notch);
+  std::string text = fmt::format(
+      "{} of {} motions stop at x = 0{}, {} off centre", count(Outcome::stopped_at_zero) + in_notch,
+      state.rows, in_notch > 0 ? " or in the notch" : "", count(Outcome::stopped_in_dead_zone));
+  const auto add = [&text](std::string_view mark, std::int64_t how_many, std::string_view one,
+                           std::string_view several) {
+    if (how_many > 0) {
+      text += fmt::format("{} {} {}", mark, how_many, how_many == 1 ? one : several);
     }
-  }
+  };
+  add(",", count(Outcome::caught_at_start), "never starts", "never start");
+  add(",", count(Outcome::never_stops), "never stops", "never stop");
+  add(",", count(Outcome::running), "is not known to have stopped",
+      "are not known to have stopped");
+  add(",", state.outcomes[too_many_half_cycles], "has too many half-cycles",
+      "have too many half-cycles");
+  add(".", state.locked, "is locked: the notch holds the mass to the end of the load",
+      "are locked: the notch holds the mass to the end of the load");
   return text + ".";
 }
 

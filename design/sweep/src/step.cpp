@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "step.hpp"
 
-#include "request_of.hpp"
-
 #include <stillpoint/core/cancellation.hpp>
 #include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/forced_batch.hpp>
@@ -30,18 +28,6 @@ using enum Quantity;
 /// A value that does not exist, and a time that never comes.
 constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 constexpr double never = std::numeric_limits<double>::infinity();
-
-Oscillator oscillator(const SweepBlock& block, Index i) {
-  Oscillator oscillator{.p = block[p][i], .f = block[f][i], .delta = block[delta][i]};
-  if (block[hold].size() > 0) {
-    oscillator.hold = block[hold][i];
-  }
-  return oscillator;
-}
-
-Start start(const SweepBlock& block, Index i) {
-  return {.x0 = block[x0][i], .v0 = block[v0][i]};
-}
 
 void make_room(SweepBlock& block, std::span<const Quantity> quantities) {
   for (const Quantity quantity : quantities) {
@@ -230,12 +216,8 @@ void SweepStep::for_each_motion(SweepBlock& block, const std::function<void(Inde
   });
 }
 
-Surface SweepStep::surface(const SweepBlock& block, Index i) const {
-  Surface surface{{}, spec_.zones};
-  if (block[notch_width].size() > 0) {
-    surface.notch_width = block[notch_width][i];
-  }
-  return surface;
+MotionRequest SweepStep::motion(const SweepBlock& block, Index i) const {
+  return motion_of(spec_, [&](Quantity input) { return block[input][i]; });
 }
 
 ForcedOptions SweepStep::forced_options() const {
@@ -286,11 +268,11 @@ void SweepStep::run_free_one_by_one(SweepBlock& block) const {
       .half_cycle_limit = spec_.half_cycle_limit.value_or(FreeOptions().half_cycle_limit)};
   const ForcedOptions on_surface = forced_options();
   for_each_motion(block, [&](Index i) {
-    const Surface below = surface(block, i);
+    const auto [oscillator, start, surface] = motion(block, i);
     set_response(block, i,
-                 below.plain() ? free_response(oscillator(block, i), start(block, i), options)
-                               : forced_response(oscillator(block, i), start(block, i),
-                                                 NoExcitation{}, on_surface, below));
+                 surface.plain()
+                     ? free_response(oscillator, start, options)
+                     : forced_response(oscillator, start, NoExcitation{}, on_surface, surface));
   });
 }
 
@@ -310,9 +292,8 @@ void SweepStep::run_forced(SweepBlock& block) const {
     }
   }
   for_each_motion(block, [&](Index i) {
-    set_forced(block, i,
-               forced_response(oscillator(block, i), start(block, i), spec_.excitation, options,
-                               surface(block, i)));
+    const auto [oscillator, start, surface] = motion(block, i);
+    set_forced(block, i, forced_response(oscillator, start, spec_.excitation, options, surface));
   });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "block.hpp"
+#include "request_of.hpp"
 
 #include <stillpoint/sweep/spec.hpp>
 
@@ -31,7 +32,7 @@ class SweepStep {
   void run_free_one_by_one(SweepBlock& block) const;
   void run_forced(SweepBlock& block) const;
   void run_design(SweepBlock& block) const;
-  [[nodiscard]] Surface surface(const SweepBlock& block, Eigen::Index i) const;
+  [[nodiscard]] MotionRequest motion(const SweepBlock& block, Eigen::Index i) const;
   [[nodiscard]] ForcedOptions forced_options() const;
   void for_each(const SweepBlock& block, const std::function<void(Eigen::Index)>& body) const;
   void for_each_motion(SweepBlock& block, const std::function<void(Eigen::Index)>& body) const;

@@ -144,15 +144,7 @@ void check(const Corner& corner, const SweepSpec& spec) {
     require_valid(request.problem, request.limits);
     return;
   }
-  Oscillator oscillator{.p = at(Quantity::p), .f = at(Quantity::f), .delta = at(Quantity::delta)};
-  if (given(spec, Quantity::hold)) {
-    oscillator.hold = at(Quantity::hold);
-  }
-  Surface surface{{}, spec.zones};
-  if (given(spec, Quantity::notch_width)) {
-    surface.notch_width = at(Quantity::notch_width);
-  }
-  const Start start{.x0 = at(Quantity::x0), .v0 = at(Quantity::v0)};
+  const auto [oscillator, start, surface] = motion_of(spec, at);
   if (spec.kind == SweepKind::forced) {
     require_valid(oscillator, start, spec.excitation, spec.t_end);
   } else {

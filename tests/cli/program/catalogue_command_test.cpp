@@ -74,9 +74,6 @@ const std::vector<Wrong> wrong_uses{
     {design("--catalogue ."), {"catalogue .", "cannot be read"}},
     {"design --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.05 --trade-off 5",
      {"trade-off and pulse cannot be combined"}},
-    {design("--trade-off 0"), {"trade-off = 0", "from 2 to 1000"}},
-    {design("--trade-off 1000000000"), {"trade-off", "from 2 to 1000"}},
-    {design("--trade-off many"), {"trade-off", "many"}},
     {"region --v0 1 --p 1 --beta 1 --trade-off 5", {"trade-off"}}};
 
 }  // namespace
@@ -172,10 +169,10 @@ BOOST_AUTO_TEST_CASE(is_ranked_and_explained) {
   BOOST_TEST(good["admissible"] == true);
   BOOST_TEST(good["why"].is_null());
   BOOST_TEST(good["violates"].empty());
-  // 0.4/f3 - 1 = 13 %; 1 - 0.05/f2 is more than half.
-  BOOST_TEST(report["catalogue"][2]["why"] == "rests off centre: f 13 % too large");
+  // 0.4/f3 - 1 = 13 %; 1 - 0.05/f2 = 53 %.
+  BOOST_TEST(report["catalogue"][2]["why"] == "rests off centre: f is 13 % too large");
   BOOST_TEST(report["catalogue"][3]["why"].get<std::string>().starts_with(
-      "exceeds 0.9: f 2.11 times too small"));
+      "exceeds 0.9: f is 53 % too small"));
   BOOST_TEST(report["catalogue"][3]["tolerance"].is_null());
 }
 
@@ -183,7 +180,7 @@ BOOST_AUTO_TEST_CASE(the_text_says_what_to_order_first) {
   const ProgramRun answer = succeed(design("--catalogue few.csv"));
   BOOST_TEST(answer.out.starts_with("Damper design\n  Order part good: f = 0.26, delta = 0.37.\n"),
              answer.out);
-  check_contains(answer.out, {"2 of 4 parts fit\n", "rests off centre: f 13 % too large\n"});
+  check_contains(answer.out, {"2 of 4 parts fit\n", "rests off centre: f is 13 % too large\n"});
 }
 
 BOOST_AUTO_TEST_CASE(the_objective_chooses_among_those_with_the_tolerance) {
@@ -298,8 +295,6 @@ BOOST_AUTO_TEST_CASE(has_the_fields_of_the_contract_and_metres) {
   BOOST_TEST_REQUIRE(report["trade_off"].size() == 9U);
   double last = HUGE_VAL;
   for (const json& now : report["trade_off"]) {
-    check_fields(now, {"f:number", "delta:number", "tolerance:number", "peak_amplitude:number",
-                       "peak_absolute_acceleration:number", "stop_time:number"});
     BOOST_TEST(now["peak_m"].get<double>() < last);
     last = now["peak_m"];
     BOOST_TEST(last <= 0.15);

@@ -114,6 +114,17 @@ BOOST_FIXTURE_TEST_CASE(a_folder_leaves_out_notes_and_says_so, Sandbox) {
   }
 }
 
+BOOST_FIXTURE_TEST_CASE(units_that_are_doubtful_are_said, Sandbox) {
+  write("a.txt", "0 0\n0.5 250\n1 0\n");
+  const std::string doubt = "warning: record a.txt: the largest value is 250 g";
+  for (const char* const command : {"simulate", "sweep"}) {
+    const Arguments asked = Arguments{command} + "--period 2 --f 0.1 --delta-m 0 --record a.txt";
+    BOOST_TEST(contains(succeed(asked).err, doubt));
+    BOOST_TEST(succeed(asked + "--record-units cm/s2").err == "");
+    BOOST_TEST(succeed(asked + "--record-peak 0.3g").err == "");
+  }
+}
+
 namespace {
 
 Arguments with(const Arguments& more) {

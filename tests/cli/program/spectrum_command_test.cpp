@@ -147,8 +147,9 @@ BOOST_FIXTURE_TEST_CASE(text_and_page_show_it, Recorded) {
              answer.out);
   BOOST_TEST(contains(answer.out, "\n  1.5 "), answer.out);
   const std::string page = read("p.html");
-  for (const char* const head : {"period, s", "transmitted, g", "transmitted without", "peak, mm",
-                                 "peak without", "residual, mm", "residual without"}) {
+  for (const char* const head :
+       {"period, s", "transmitted, g", "transmitted without, g", "peak, mm", "peak without, mm",
+        "residual, mm", "residual without, mm"}) {
     BOOST_TEST(contains(page, std::string("<th>") + head + "</th>"), head);
   }
   for (const char* const part : {"spectrum-acceleration", "spectrum-peak", "spectrum-residual"}) {

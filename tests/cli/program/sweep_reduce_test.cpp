@@ -147,6 +147,9 @@ struct Reduced : Parts {
     } else {
       BOOST_TEST(found.at("feasible") == numbers(table, "f").size());
     }
+    if (found.at("kind") == "forced") {
+      BOOST_TEST(found.at("locked") == numbers(table, "locked_from").size());
+    }
     for (const json& column : found.at("columns")) {
       check_column(column, table);
     }

@@ -3,6 +3,7 @@
 #include "testing/test.hpp"
 
 #include <stillpoint/core/simulation.hpp>
+#include <stillpoint/design/built_notch.hpp>
 #include <stillpoint/report/report.hpp>
 
 // What a reader must see of a motion: over time, and in the phase plane.
@@ -125,6 +126,95 @@ BOOST_AUTO_TEST_CASE(the_energy_of_a_motion_that_goes_on_fills_the_figure) {
   BOOST_TEST(figure(motion({1, 0.1, 0}), "energy").curves.size() == 2U);
   BOOST_TEST(figure(motion({1, 0, 0.1}), "energy")
                  .caption.starts_with("Of 0.5 of energy, the notch took "));
+}
+
+/// From x = 0 freely to the peak A and back to the rest x: the zones take theirs over every path,
+/// a notch with a width takes delta/w for the way into it.
+BOOST_AUTO_TEST_CASE(zones_and_a_notch_with_a_width_take_their_part_of_the_energy) {
+  SimulationRequest request;
+  request.oscillator = {1, 0.26, 0.37};
+  request.start = {0, 1};
+  request.surface = {0.05, {{0.2, 0.1}}};
+  const Simulation answer = simulate(request);
+  BOOST_TEST_REQUIRE(answer.response.zero_passages == 0);
+  const double rest = answer.response.stop_position.value();
+  const double peak = answer.response.peak_amplitude;
+  const double friction = 0.1 * (0.2 + 0.2 - rest) + 2 * 0.26 * (peak - 0.2);
+  const Figure drawn = figure(page(MotionReport{request, answer}), "energy");
+  const auto last = [&](std::size_t curve) { return drawn.curves[curve].strokes[0].back().y; };
+  BOOST_TEST(last(0) == rest * rest / 2, tt::tolerance(1e-9));
+  BOOST_TEST(last(1) - last(0) == friction, tt::tolerance(1e-9));
+  BOOST_TEST(last(2) - last(1) == 0.37 / 0.05 * (0.025 - rest), tt::tolerance(1e-9));
+  BOOST_TEST(contains(drawn.caption, " took 0.3"), drawn.caption);
+  BOOST_TEST(contains(drawn.caption, " stays in the spring."), drawn.caption);
+}
+
+/// Where the friction changes there is a state, a mark and a kink, out and in again.
+BOOST_AUTO_TEST_CASE(the_edges_of_a_notch_with_a_width_are_drawn) {
+  SimulationRequest request;
+  request.oscillator = {1, 0.26, 0.37};
+  request.start = {0, 1};
+  request.surface = {0.05, {}};
+  const Simulation answer = simulate(request);
+  const HtmlPage drawn = page(MotionReport{request, answer});
+  for (const char* const id : {"motion", "phase"}) {
+    const Figure& each = figure(drawn, id);
+    const auto& notch = named(each.areas, "notch").outline;
+    const auto across =
+        id == std::string("phase") ? &figures::FigurePoint::x : &figures::FigurePoint::y;
+    BOOST_TEST((std::ranges::max(notch, {}, across).*across == 0.025));
+    const auto& edges = named(each.marks, "edge of the notch").points;
+    BOOST_TEST_REQUIRE(edges.size() == 2U);
+    for (const figures::FigurePoint& at : edges) {
+      BOOST_TEST((at.*across == 0.025));
+    }
+    BOOST_TEST(!has(each.marks, "passage"));
+  }
+  // v^2/2 at the edge, from the peak inwards: (A^2 - x^2)/2 - f (A - x).
+  const double peak = answer.response.peak_amplitude;
+  const double v = named(figure(drawn, "phase").marks, "edge of the notch").points[1].y;
+  const double fallen = (peak * peak - 0.025 * 0.025) / 2 - 0.26 * (peak - 0.025);
+  BOOST_TEST(v * v / 2 == fallen, tt::tolerance(1e-9));
+  BOOST_TEST(figure(drawn, "phase").curves.front().strokes.size() == 3U);
+  BOOST_TEST(contains(figure(drawn, "motion").caption, ", inside the notch, after "));
+}
+
+/// The motion that the headline tells, and the paper's beside it where the eye can tell them apart.
+BOOST_AUTO_TEST_CASE(a_design_is_drawn_with_the_notch_that_will_be_built) {
+  const auto drawn = [](const design::NotchShape& shape, const design::DesignRequest& request) {
+    DesignReport report{design::design(request), {}};
+    report.built_notch = built_notch(request, report.result.finding->point, shape);
+    return page(report);
+  };
+  design::DesignRequest hit;
+  hit.problem = {.v0 = 1, .p = 1, .beta = 0.9};
+  const HtmlPage wide = drawn({.width = 0.1}, hit);
+  const Figure& motion = figure(wide, "motion");
+  BOOST_TEST(named(motion.marks, "rest").points.front().y > 0.01);
+  BOOST_TEST(named(motion.curves, "notch without width").strokes[0].back().y == 0);
+  BOOST_TEST(has(figure(wide, "phase").areas, "notch"));
+  BOOST_TEST(has(figure(wide, "energy").areas, "notch"));
+  for (const design::NotchShape& same : {design::NotchShape{.width = 1e-3}, {.hold = 0.1}}) {
+    const Figure alike = figure(drawn(same, hit), "motion");
+    BOOST_TEST(!has(alike.curves, "notch without width"));
+    BOOST_TEST(!has(alike.curves, "notch that holds any load"));
+  }
+  design::DesignRequest shaken = hit;
+  shaken.pulse = HalfSine{0.5, 20};
+  shaken.problem = {.v0 = 0, .p = 1, .beta = 0.05};
+  const HtmlPage held = drawn({.hold = 1}, shaken);
+  BOOST_TEST(figure(held, "pulse").caption == "The mass does not move.");
+  BOOST_TEST(has(figure(held, "pulse").bands, "locked throughout"));
+  BOOST_TEST(has(figure(held, "pulse").curves, "notch that holds any load"));
+  BOOST_TEST(std::ranges::count(held.figures, "phase", &Figure::id) == 0);
+}
+
+/// The peak is where it rests.
+BOOST_AUTO_TEST_CASE(a_rest_at_the_peak_is_named_once) {
+  const HtmlPage drawn = motion({1, 0.9, 0});
+  BOOST_TEST(has_note(figure(drawn, "motion"), "rest at the peak 0.4454"));  // sqrt(1.81) - 0.9
+  BOOST_TEST(figure(drawn, "motion").notes.size() == 1U);
+  BOOST_TEST(figure(drawn, "motion").caption.ends_with(" and stays there."));
 }
 
 /// The time at rest is a part of each figure over time.

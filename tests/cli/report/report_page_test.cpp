@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(an_empty_region_says_why_and_what_would_help) {
   BOOST_TEST(contains(made.verdict, report.answer.reason.value()), made.verdict);
   BOOST_TEST_REQUIRE(!report.answer.mends.empty());
   for (const design::Mend& mend : report.answer.mends) {
-    BOOST_TEST(contains(text(made), limit_digits(mend.value, mend.upwards)), text(made));
+    BOOST_TEST(contains(text(made), limit_digits(mend.value, mend.upwards, 5)), text(made));
   }
 }
 

@@ -172,13 +172,53 @@ BOOST_AUTO_TEST_CASE(folder_leaves_out_plain_text) {
   };
   const std::string path = fs::path(folder.path("x")).parent_path().string();
   BOOST_TEST(records::record_files(path) == paths(kept), tt::per_element());
-  BOOST_TEST(records::left_out_files({{path, folder.path("b.txt")}}) == paths(left),
-             tt::per_element());
+  BOOST_TEST(records::folder_files(path).plain_text == paths(left), tt::per_element());
   for (const auto& [name, text] : kept) {
     fs::remove(folder.path(name));
   }
   check_says(refusal_of<FileError>([&] { return records::record_files(path); }),
              {"this folder has no record", "README.txt begins with text"});
+}
+
+BOOST_AUTO_TEST_CASE(files_that_are_read_may_be_doubtful) {
+  const Folder folder;
+  const auto doubts = [&](const std::string& text, const RecordOptions& options = {},
+                          const records::RecordTarget& target = {}) {
+    std::ofstream(folder.path("a.txt")) << text;
+    return records::suite_doubts({{folder.path("a.txt")}}, target, options);
+  };
+  const auto check_only = [](const std::vector<std::string>& found,
+                             const std::vector<std::string>& parts) {
+    BOOST_TEST_REQUIRE(found.size() == 1U);
+    check_says(found.front(), parts);
+  };
+  // In g unless it is said otherwise: 2 g is the most that is believed.
+  check_only(doubts("0 0\n1 -341.7\n"),
+             {"a.txt: the largest value is 341.7 g if", "--record-units cm/s2?"});
+  check_only(doubts("0 0\n1 6\n"), {"6 g if its values are in g", "--record-units m/s2?"});
+  BOOST_TEST(doubts("0 0\n1 2\n").empty());
+  RecordOptions in_cm;
+  in_cm.units = records::RecordUnits::cm_per_s2;
+  BOOST_TEST(doubts("0 0\n1 6000\n", in_cm).empty());
+  BOOST_TEST(doubts("0 0\n1 341\n", {}, {.peak = 0.4}).empty());
+  const std::string counted = "NPTS= 1, DT= .1 SEC\n400\n";
+  check_only(doubts("A title\n" + counted), {"400 g"});
+  BOOST_TEST(doubts("ACCELERATION IN UNITS OF G\n" + counted).empty());
+
+  std::string even;
+  std::string with_gap;
+  for (int i = 0; i < 100; ++i) {
+    even += in_full(std::round(i / 0.03) / 1000) + " 0.1\n";  // 0.033, 0.067
+    with_gap += i >= 60 && i < 66 ? "" : in_full(0.5 * i) + " 0.1\n";
+  }
+  BOOST_TEST(doubts(even).empty());
+  check_only(doubts("# t, a\n" + with_gap),
+             {"a.txt: the time jumps from 29.5 to 33", "other steps are 0.5"});
+  std::ofstream(folder.path("notes.txt")) << "Notes of the site visit.\n";
+  const std::string whole = fs::path(folder.path("x")).parent_path().string();
+  const auto found = records::suite_doubts({{whole}}, {}, {});
+  BOOST_TEST_REQUIRE(found.size() == 2U);
+  check_says(found[0], {"notes.txt: is left out because it begins with text"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <numbers>
+#include <utility>
 #include <variant>
 
 namespace stillpoint::report {
@@ -34,19 +36,19 @@ std::optional<double> end_of_beginning(const std::vector<HalfCycle>& listed) {
 }
 
 /// The same start without friction, if that has few half-cycles and a similar size.
-std::vector<State> frictionless(const DrawnMotion& motion, const Start& start,
-                                const Excitation& excitation) {
-  if (motion.turns.size() > most_single_half_cycles || motion.oscillator.p == 0) {
-    return {};
+void add_frictionless(DrawnMotion& motion, const SimulationRequest& request) {
+  const double p = request.oscillator.p;
+  if (motion.shown_to == 0 || motion.turns.size() > most_single_half_cycles) {
+    return;
   }
   ForcedTrajectoryOptions limits;
   limits.horizon = motion.shown_to;
-  const double rate = fastest_rate(motion.oscillator.p, excitation);
-  const ForcedTrajectory path({motion.oscillator.p, 0, 0}, start, excitation, limits);
+  const double rate = fastest_rate(p, request.excitation);
+  const ForcedTrajectory path({p, 0, 0}, request.start, request.excitation, limits);
   const auto turns = static_cast<std::size_t>(std::ranges::count(
       path.events(), EventKind::turn, [](const Event& event) { return event.kind; }));
   if (turns > most_single_half_cycles) {
-    return {};
+    return;
   }
   std::vector<State> states = path.sampled(sample_count(rate, motion.shown_to));
   const auto largest = [](const std::vector<State>& all) {
@@ -57,7 +59,9 @@ std::vector<State> frictionless(const DrawnMotion& motion, const Start& start,
     return most;
   };
   constexpr double comparable = 3;  // beyond that it would only cross the figure
-  return largest(states) <= comparable * largest(motion.states) ? states : std::vector<State>{};
+  if (largest(states) <= comparable * largest(motion.states)) {
+    motion.others.push_back({"without friction", std::move(states), figures::Ink::grey});
+  }
 }
 
 /// The end of the figure for a motion that comes to rest: the whole load is shown.
@@ -72,12 +76,137 @@ void show_rest(DrawnMotion& motion, const State& rest, double until) {
   motion.shown_to = until;
 }
 
-/// Of a mass that is held where it starts, with no load that could move it.
-DrawnMotion no_motion(const Oscillator& oscillator, const Start& start) {
-  DrawnMotion motion;
-  motion.oscillator = oscillator;
-  motion.states = {{0, start.x0, 0}};
-  return motion;
+/// The state at which x, which is monotone from one sample to the next, is at an edge.
+State at_edge(const ForcedTrajectory& path, const State& from, const State& to, double edge) {
+  constexpr int halvings = 50;
+  double before = from.tau;
+  double after = to.tau;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = (before + after) / 2;
+    ((path.at(middle).x < edge) == (from.x < edge) ? before : after) = middle;
+  }
+  return {after, edge, path.at(after).v};
+}
+
+/// The samples of a motion with the states at the edges of its zones, where the friction changes.
+void add_edges(DrawnMotion& motion, const ForcedTrajectory& path) {
+  std::vector<double> edges{motion.surface.notch_width.value_or(0) / 2};
+  for (const FrictionZone& zone : motion.surface.zones) {
+    edges.push_back(zone.to);
+  }
+  std::vector<State> states{motion.states.front()};
+  for (const State& now : motion.states) {
+    const State before = states.back();
+    const auto first = static_cast<std::ptrdiff_t>(states.size());
+    for (const double edge : edges) {
+      for (const double side : {-edge, edge}) {
+        if (edge > 0 && (before.x - side) * (now.x - side) < 0) {
+          states.push_back(at_edge(path, before, now, side));
+        }
+      }
+    }
+    std::ranges::sort(states.begin() + first, states.end(), {}, &State::tau);
+    states.push_back(now);
+  }
+  motion.states = std::move(states);
+}
+
+/// What happens on a path.
+void add_events(DrawnMotion& motion, const std::vector<Event>& events) {
+  std::optional<double> held_since;
+  for (const Event& event : events) {
+    using enum EventKind;
+    const double tau = event.state.tau;
+    if (event.kind == turn) {
+      motion.turns.push_back(event.state);
+    } else if (event.kind == passage) {
+      motion.passages.push_back(event.state);
+    } else if (event.kind == rest) {
+      motion.rest = event.state;
+    }
+    if (held_since && (event.kind == release || event.kind == end || event.kind == rest)) {
+      if (tau > *held_since) {
+        motion.sticks.emplace_back(*held_since, tau);
+      }
+      held_since.reset();
+    } else if (event.kind == stick) {
+      held_since = tau;
+    }
+  }
+}
+
+/// A free motion with the paper's notch up to `horizon`; empty: to its end.
+void follow_free(DrawnMotion& motion, const SimulationRequest& request,
+                 const std::optional<double>& horizon) {
+  const Trajectory path(request.oscillator, request.start, {.horizon = horizon});
+  motion.states = path.sampled(sample_count(request.oscillator.p, path.horizon()));
+  add_events(motion, path.events());
+  motion.shown_to = path.horizon();
+}
+
+/// A forced motion up to `horizon`, or one on a surface of its own.
+void follow_forced(DrawnMotion& motion, const SimulationRequest& request, double horizon) {
+  ForcedTrajectoryOptions limits;
+  limits.horizon = horizon;
+  const ForcedTrajectory path(request.oscillator, request.start, request.excitation, limits,
+                              request.surface);
+  const double rate = fastest_rate(request.oscillator.p, request.excitation);
+  motion.states = path.sampled(sample_count(rate, path.horizon()));
+  add_events(motion, path.events());
+  if (!request.surface.plain()) {
+    add_edges(motion, path);
+  }
+  motion.shown_to = horizon;
+}
+
+void draw_free(DrawnMotion& motion, const SimulationRequest& request) {
+  const auto cut = end_of_beginning(
+      first_half_cycles(request.oscillator, request.start, most_drawn_half_cycles));
+  follow_free(motion, request, cut);
+  motion.whole = !cut;
+  if (motion.rest && motion.shown_to > 0) {
+    show_rest(motion, *motion.rest, seen_until({}, motion.shown_to));
+  }
+}
+
+void draw_forced(DrawnMotion& motion, const SimulationRequest& request, const Simulation& answer) {
+  const Excitation& excitation = request.excitation;
+  const auto& stop_time = answer.response.stop_time;
+  const double rate = fastest_rate(request.oscillator.p, excitation);
+  const double longest = most_drawn_periods * 2 * std::numbers::pi / rate;
+  const double horizon = answer.horizon.value_or(longest);
+  double last = std::min(horizon, longest);
+  const auto listed = forced_half_cycles(request.oscillator, request.start, excitation, last,
+                                         most_drawn_half_cycles, {}, request.surface);
+  last = std::min(last, end_of_beginning(listed).value_or(last));
+  const auto locked_from = answer.forced ? answer.forced->locked_from : std::nullopt;
+  if (stop_time == 0.0) {  // the whole load is shown here too
+    follow_forced(motion, request, std::min(last, duration(excitation).value_or(last)));
+    motion.locked_from = locked_from;
+    return;
+  }
+  const bool rest_is_seen = stop_time && last >= *stop_time;
+  // At rest nothing changes: all samples go to what moves.
+  follow_forced(motion, request, rest_is_seen ? *stop_time : last);
+  if (rest_is_seen) {
+    const State rest{*stop_time, *answer.response.stop_position, 0};
+    if (rest.x == 0 && request.oscillator.delta > 0 && !request.surface.notch_width) {
+      motion.states.push_back(rest);  // the notch stops it at once
+    }
+    show_rest(motion, rest, seen_until(excitation, *stop_time));
+    motion.locked_from = locked_from;
+  }
+  motion.whole = last >= horizon || rest_is_seen;
+}
+
+/// Where a motion in states is at tau; after the last it rests.
+double displacement(const std::vector<State>& states, double tau) {
+  const auto next = std::ranges::lower_bound(states, tau, {}, &State::tau);
+  if (next == states.begin() || next == states.end()) {
+    return next == states.end() ? states.back().x : next->x;
+  }
+  const State& before = *std::prev(next);
+  return before.x + (next->x - before.x) * (tau - before.tau) / (next->tau - before.tau);
 }
 
 }  // namespace
@@ -90,111 +219,39 @@ std::int64_t sample_count(double rate, double horizon) {
   return static_cast<std::int64_t>(std::clamp(smoothness * periods, fewest_samples, most_samples));
 }
 
-DrawnMotion drawn_free_motion(const Oscillator& oscillator, const Start& start,
-                              const std::optional<double>& horizon) {
-  const Trajectory path(oscillator, start, {.horizon = horizon});
-  DrawnMotion motion;
-  motion.oscillator = oscillator;
-  motion.states = path.sampled(sample_count(oscillator.p, path.horizon()));
-  for (const Event& event : path.events()) {
-    if (event.kind == EventKind::turn) {
-      motion.turns.push_back(event.state);
-    } else if (event.kind == EventKind::passage) {
-      motion.passages.push_back(event.state);
-    } else if (event.kind == EventKind::rest) {
-      motion.rest = event.state;
-    }
-  }
-  motion.shown_to = motion.states.back().tau;
-  if (motion.rest && motion.shown_to > 0) {
-    show_rest(motion, *motion.rest, seen_until({}, motion.shown_to));
-  }
-  if (motion.shown_to > 0) {
-    motion.frictionless = frictionless(motion, start, {});
-  }
-  return motion;
-}
-
-DrawnMotion drawn_forced_motion(const Oscillator& oscillator, const Start& start,
-                                const Excitation& excitation, double horizon,
-                                const Surface& surface) {
-  ForcedTrajectoryOptions limits;
-  limits.horizon = horizon;
-  const ForcedTrajectory path(oscillator, start, excitation, limits, surface);
-  DrawnMotion motion;
-  motion.oscillator = oscillator;
-  motion.states =
-      path.sampled(sample_count(fastest_rate(oscillator.p, excitation), path.horizon()));
-  bool held = false;
-  double held_since = 0;
-  for (const Event& event : path.events()) {
-    using enum EventKind;
-    if (event.kind == turn) {
-      motion.turns.push_back(event.state);
-    } else if (event.kind == passage) {
-      motion.passages.push_back(event.state);
-    } else if (event.kind == rest) {
-      motion.rest = event.state;
-    } else if (event.kind == stick) {
-      held = true;
-      held_since = event.state.tau;
-    }
-    if (held && (event.kind == release || event.kind == end || event.kind == rest)) {
-      if (event.state.tau > held_since) {
-        motion.sticks.emplace_back(held_since, event.state.tau);
-      }
-      held = false;
-    }
-  }
-  motion.shown_to = horizon;
-  return motion;
-}
-
 DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& answer) {
-  const Oscillator& oscillator = request.oscillator;
-  const Start& start = request.start;
-  const Excitation& excitation = request.excitation;
-  const Surface& surface = request.surface;
-  if (!is_forced(request) && surface.plain()) {
-    const auto cut = end_of_beginning(first_half_cycles(oscillator, start, most_drawn_half_cycles));
-    DrawnMotion motion = drawn_free_motion(oscillator, start, cut);
-    motion.whole = !cut;
+  DrawnMotion motion;
+  motion.oscillator = request.oscillator;
+  motion.surface = request.surface;
+  if (!is_forced(request) && answer.response.stop_time == 0.0) {
+    motion.states = {{0, request.start.x0, 0}};  // held where it starts
     return motion;
   }
-  const auto& stop_time = answer.response.stop_time;
-  if (stop_time == 0.0 && !is_forced(request)) {
-    return no_motion(oscillator, start);
+  if (!is_forced(request) && request.surface.plain()) {
+    draw_free(motion, request);
+  } else {
+    draw_forced(motion, request, answer);
   }
-  const double rate = fastest_rate(oscillator.p, excitation);
-  const double longest = most_drawn_periods * 2 * std::numbers::pi / rate;
-  const double horizon = answer.horizon.value_or(longest);
-  double last = std::min(horizon, longest);
-  const auto listed =
-      forced_half_cycles(oscillator, start, excitation, last, most_drawn_half_cycles, {}, surface);
-  last = std::min(last, end_of_beginning(listed).value_or(last));
-  if (stop_time == 0.0) {  // the whole load is shown here too
-    last = std::min(last, duration(excitation).value_or(last));
-    DrawnMotion motion = drawn_forced_motion(oscillator, start, excitation, last, surface);
-    motion.locked_from = answer.forced ? answer.forced->locked_from : std::nullopt;
-    return motion;
+  if (answer.response.stop_time != 0.0) {
+    add_frictionless(motion, request);
   }
-  const bool rest_is_seen = stop_time && last >= *stop_time;
-  // At rest nothing changes: all samples go to what moves.
-  DrawnMotion motion =
-      drawn_forced_motion(oscillator, start, excitation, rest_is_seen ? *stop_time : last, surface);
-  if (rest_is_seen) {
-    const State rest{*stop_time, *answer.response.stop_position, 0};
-    if (rest.x == 0 && oscillator.delta > 0 && !surface.notch_width) {
-      motion.states.push_back(rest);  // the notch stops it at once
-    }
-    show_rest(motion, rest, seen_until(excitation, *stop_time));
-    motion.locked_from = answer.forced ? answer.forced->locked_from : std::nullopt;
-  }
-  if (motion.shown_to > 0) {
-    motion.frictionless = frictionless(motion, start, excitation);
-  }
-  motion.whole = last >= horizon || rest_is_seen;
   return motion;
+}
+
+void add_if_visible(DrawnMotion& motion, OtherMotion other) {
+  double apart = 0;
+  double most = 0;
+  for (const State& state : motion.states) {
+    apart = std::max(apart, std::abs(state.x - displacement(other.states, state.tau)));
+    most = std::max(most, std::abs(state.x));
+  }
+  constexpr double visible = 0.02;  // of the peak: a few pixels
+  if (apart < visible * most || motion.turns.size() > most_single_half_cycles) {
+    return;
+  }
+  std::erase_if(other.states, [&](const State& state) { return state.tau > motion.shown_to; });
+  other.states.push_back({motion.shown_to, displacement(other.states, motion.shown_to), 0});
+  motion.others.push_back(std::move(other));
 }
 
 }  // namespace stillpoint::report

@@ -32,11 +32,23 @@ void thin_out(std::vector<FigurePoint>& points) {
   }
 }
 
+/// Between two states on the same side of every edge, without the notch's.
+double friction_between(const DrawnMotion& motion, const State& one, const State& other) {
+  const double middle = std::abs(one.x + other.x) / 2;
+  for (const FrictionZone& zone : motion.surface.zones) {
+    if (middle < zone.to) {
+      return zone.f;
+    }
+  }
+  return motion.oscillator.f;
+}
+
 /// "constant friction took 28 kJ and the notch 12 kJ".
-std::string taken(double constant, double point, const FigureUnits& units) {
+std::string taken(const std::string& friction, double constant, double point,
+                  const FigureUnits& units) {
   std::string text;
   if (constant > 0) {
-    text = "constant friction took " + units.energy_words(constant);
+    text = friction + " took " + units.energy_words(constant);
   }
   if (point > 0) {
     text += (text.empty() ? "the notch took " : " and the notch ") + units.energy_words(point);
@@ -44,24 +56,36 @@ std::string taken(double constant, double point, const FigureUnits& units) {
   return text;
 }
 
+/// "; 2.3 kJ stays in the spring"; empty if nothing is left.
+std::string what_is_left(const DrawnMotion& motion, double left, const FigureUnits& units) {
+  if (motion.rest) {
+    return motion.rest->x == 0 ? ""
+                               : fmt::format("; {} stays in the spring", units.energy_words(left));
+  }
+  return fmt::format("; kinetic and spring energy is {} {}", units.energy_words(left),
+                     motion.whole ? "at the end" : "where the figure ends");
+}
+
 }  // namespace
 
 Figure energy_figure(const DrawnMotion& motion, const FigureUnits& units) {
   const double p = motion.oscillator.p;
+  const auto energy = [p](const State& state) {
+    return (state.v * state.v + p * p * state.x * state.x) / 2;
+  };
+  const double whole = energy(motion.states.front());
   std::vector<FigurePoint> left;
   std::vector<FigurePoint> with_constant;
   std::vector<FigurePoint> all;
   double constant = 0;
   double point = 0;
-  const State* before = nullptr;
+  const State* before = &motion.states.front();
   for (const State& state : motion.states) {
-    const double now = (state.v * state.v + p * p * state.x * state.x) / 2;
-    if (before != nullptr) {
-      constant += motion.oscillator.f * std::abs(state.x - before->x);
-      if (before->tau == state.tau) {
-        point += (before->v * before->v - state.v * state.v) / 2;
-      }
-    }
+    constant += friction_between(motion, *before, state) * std::abs(state.x - before->x);
+    const double now = energy(state);
+    constexpr double rounding = 1e-9;
+    point = whole - now - constant;  // a free motion loses it to nothing else
+    point = motion.oscillator.delta > 0 && point > rounding * whole ? point : 0;
     before = &state;
     const double tau = state.tau * units.time;
     left.push_back({tau, now * units.energy});
@@ -83,16 +107,15 @@ Figure energy_figure(const DrawnMotion& motion, const FigureUnits& units) {
   figure.x = {units.time_label, 0, motion.shown_to * units.time};
   figure.y = {units.energy_label, 0, most > 0 ? 1.06 * most : 1};
   const double now = left.back().y / units.energy;
-  const std::string took = taken(constant, point, units);
-  figure.description = fmt::format("Of {} of energy, {}; kinetic and spring energy is {} {}.",
-                                   units.energy_words(all.front().y / units.energy),
-                                   took.empty() ? "none is lost" : took, units.energy_words(now),
-                                   motion.whole ? "at the end" : "where the figure ends");
+  const std::string friction = motion.surface.zones.empty() ? "constant friction" : "friction";
+  const std::string took = taken(friction, constant, point, units);
+  figure.description =
+      fmt::format("Of {} of energy, {}{}.", units.energy_words(whole),
+                  took.empty() ? "none is lost" : took, what_is_left(motion, now, units));
   figure.caption = figure.description;
-  figure.areas = {
-      {"kinetic and spring", between(nothing, left), Ink::blue},
-      {constant > 0 ? "constant friction" : "", between(left, with_constant), Ink::orange},
-      {point > 0 ? "notch" : "", between(with_constant, all), Ink::green}};
+  figure.areas = {{"kinetic and spring", between(nothing, left), Ink::blue},
+                  {constant > 0 ? friction : "", between(left, with_constant), Ink::orange},
+                  {point > 0 ? "notch" : "", between(with_constant, all), Ink::green}};
   figure.curves = {{"", {left}, Ink::blue}};
   if (constant > 0) {
     figure.curves.push_back({"", {with_constant}, Ink::orange});

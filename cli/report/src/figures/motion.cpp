@@ -75,6 +75,26 @@ const State& farthest(const DrawnMotion& motion) {
                                    [](const State& state) { return std::abs(state.x); });
 }
 
+/// "starts at its peak of 0.5" or "reaches its peak of 137 mm after 0.585 s".
+std::string reached(const State& peak, const FigureUnits& units) {
+  const std::string length = units.length_words(std::abs(peak.x));
+  return peak.tau > 0
+             ? format("reaches its peak of {} after {}", length, units.time_words(peak.tau))
+             : format("starts at its peak of {}", length);
+}
+
+/// "at rest at x = 4.46 mm, inside the notch, after 1.53 s".
+std::string words_of_rest(const DrawnMotion& motion, const FigureUnits& units) {
+  if (!motion.rest) {
+    return format("{} {}", motion.states.back().v == 0 ? "at rest" : "still moving",
+                  motion.whole ? "at the end" : "where the figure ends");
+  }
+  const double x = motion.rest->x;
+  const bool inside = x != 0 && 2 * std::abs(x) <= motion.surface.notch_width.value_or(0);
+  return format("at rest at x = {}{} after {}", units.place_words(x),
+                inside ? ", inside the notch," : "", units.time_words(motion.rest->tau));
+}
+
 /// Up to the motion and the limit, and to the motion without friction if that is not much larger.
 figures::FigureAxis displacement_axis(const DrawnMotion& motion, const FigureUnits& units) {
   double least = 0;
@@ -94,9 +114,11 @@ figures::FigureAxis displacement_axis(const DrawnMotion& motion, const FigureUni
   constexpr double much = 1.4;
   constexpr double words = 0.08;  // room for the peak
   const double largest = std::max(most, -least);
-  for (const State& state : motion.frictionless) {
-    least = least < 0 ? std::min(least, std::max(state.x, -much * largest)) : 0;
-    most = most > 0 ? std::max(most, std::min(state.x, much * largest)) : 0;
+  for (const OtherMotion& other : motion.others) {
+    for (const State& state : other.states) {
+      least = least < 0 ? std::min(least, std::max(state.x, -much * largest)) : 0;
+      most = most > 0 ? std::max(most, std::min(state.x, much * largest)) : 0;
+    }
   }
   const double room = words * (most - least);
   return axis_around(units.x_label, (least < 0 ? least - room : least) * units.length,
@@ -129,10 +151,43 @@ std::string beginning(const DrawnMotion& motion) {
   return motion.whole ? "" : " (beginning)";
 }
 
+void add_zones(Figure& figure, const DrawnMotion& motion, double length, Along along) {
+  const auto strip = [&](const std::string& name, Ink ink, double from, double to) {
+    const figures::FigureAxis& long_way = along == Along::x ? figure.x : figure.y;
+    const figures::FigureAxis& across = along == Along::x ? figure.y : figure.x;
+    from = std::max(from * length, across.least);
+    to = std::min(to * length, across.most);
+    if (from < to) {
+      std::vector<FigurePoint> outline{
+          {long_way.least, from}, {long_way.most, from}, {long_way.most, to}, {long_way.least, to}};
+      for (FigurePoint& at : outline) {
+        at = along == Along::x ? at : FigurePoint{at.y, at.x};
+      }
+      figure.areas.push_back({name, std::move(outline), ink});
+    }
+  };
+  double before = 0;
+  for (const FrictionZone& zone : motion.surface.zones) {
+    const std::string name = format("friction {:.4g}", zone.f);
+    if (before == 0) {
+      strip(name, Ink::amber, -zone.to, zone.to);
+    } else {
+      strip(name, Ink::amber, before, zone.to);
+      strip(name, Ink::amber, -zone.to, -before);
+    }
+    before = zone.to;
+  }
+  if (const auto& width = motion.surface.notch_width) {
+    strip("notch", Ink::green, -*width / 2, *width / 2);
+  }
+}
+
 void add_lock(Figure& figure, const DrawnMotion& motion, const FigureUnits& units) {
   if (motion.locked_from) {
-    figure.bands.push_back({format("locked from {}", units.time_words(*motion.locked_from)),
-                            *motion.locked_from * units.time, figure.x.most, Ink::amber});
+    const double from = *motion.locked_from;
+    figure.bands.push_back(
+        {from == 0 ? "locked throughout" : "locked from " + units.time_words(from),
+         from * units.time, figure.x.most, Ink::amber});
   }
 }
 
@@ -142,13 +197,8 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   };
   const bool long_one = motion.turns.size() > most_single_half_cycles;
   const State& peak = farthest(motion);
-  const std::string peak_length = units.length_words(std::abs(peak.x));
-  const std::string peak_words = "peak " + peak_length;
-  const std::string rest_words =
-      motion.rest ? format("at rest at x = {} after {}", units.place_words(motion.rest->x),
-                           units.time_words(motion.rest->tau))
-                  : format("{} {}", motion.states.back().v == 0 ? "at rest" : "still moving",
-                           motion.whole ? "at the end" : "where the figure ends");
+  const std::string peak_words = "peak " + units.length_words(std::abs(peak.x));
+  const std::string rest_words = words_of_rest(motion, units);
   Figure figure;
   figure.id = "motion";
   figure.title = "Motion" + beginning(motion);
@@ -158,11 +208,11 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
       format("Displacement over time: {}, {}, {} of x = 0, {}.", peak_words,
              count_of(motion.turns, "turn"), count_of(motion.passages, "passage"), rest_words);
   const bool moves = is_moving(motion);
-  const std::string reached = peak.tau > 0 ? format("reaches its peak of {} after {}", peak_length,
-                                                    units.time_words(peak.tau))
-                                           : format("starts at its peak of {}", peak_length);
-  figure.caption =
-      moves ? format("The mass {} and is {}.", reached, rest_words) : "The mass does not move.";
+  const bool stays = motion.rest && motion.rest->tau <= peak.tau;
+  figure.caption = !moves  ? "The mass does not move."
+                   : stays ? format("The mass {} and stays there.", reached(peak, units))
+                           : format("The mass {} and is {}.", reached(peak, units), rest_words);
+  add_zones(figure, motion, units.length, Along::x);
   add_lock(figure, motion, units);
   constexpr double narrowest = 0.005;  // of the figure, to be seen
   for (const auto& [from, to] : motion.sticks) {
@@ -183,11 +233,11 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
     figure.marks.push_back(
         {"peak", {place(peak)}, figures::Shape::disc, Ink::blue, figures::Fill::hollow});
   } else {
-    if (!motion.frictionless.empty()) {
-      figure.curves.push_back({.name = "without friction",
-                               .strokes = {places(motion.frictionless, place)},
-                               .ink = Ink::grey,
-                               .dash = Dash::dotted,
+    for (const OtherMotion& other : motion.others) {
+      figure.curves.push_back({.name = other.name,
+                               .strokes = {places(other.states, place)},
+                               .ink = other.ink,
+                               .dash = other.dash,
                                .hover = false});
     }
     figure.curves.push_back({"x", {places(motion.states, place)}, Ink::blue});
@@ -197,9 +247,9 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
     figure.marks.push_back({"rest", {place(*motion.rest)}, figures::Shape::square, Ink::green});
   }
   if (moves) {
-    figure.notes.push_back({peak_words, place(peak)});
+    figure.notes.push_back({(stays ? "rest at the " : "") + peak_words, place(peak)});
   }
-  if (motion.rest) {
+  if (motion.rest && !(moves && stays)) {
     figure.notes.push_back(
         {format("rest {}", units.length_words(motion.rest->x)), place(*motion.rest)});
   }

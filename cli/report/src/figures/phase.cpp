@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace stillpoint::report {
@@ -28,6 +29,11 @@ std::pair<double, double> ends(const std::vector<State>& states, const Value& va
     most = std::max(most, value(state));
   }
   return {least, most};
+}
+
+bool is_at_edge(const Surface& surface, double x) {
+  return surface.notch_width == 2 * std::abs(x) ||
+         std::ranges::find(surface.zones, std::abs(x), &FrictionZone::to) != surface.zones.end();
 }
 
 }  // namespace
@@ -53,6 +59,9 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
       arcs.strokes.emplace_back();
     }
     arcs.strokes.back().push_back(place(state));
+    if (is_at_edge(motion.surface, state.x)) {
+      arcs.strokes.push_back({place(state)});  // a kink: the friction changes
+    }
     before = &state;
   }
   Figure figure;
@@ -67,11 +76,15 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
       units.length_words(states.front().x), units.velocity_words(states.front().v),
       plural(static_cast<double>(jumps.strokes.size()), "jump"));
   figure.caption = "Velocity against displacement: the motion runs clockwise.";
+  add_zones(figure, motion, units.length, Along::y);
   figure.curves = {std::move(arcs)};
   if (!jumps.strokes.empty()) {
     figure.caption.back() = ',';
     figure.caption += " and at x = 0 the velocity jumps because the notch takes energy.";
     figure.curves.push_back(std::move(jumps));
+  } else if (motion.surface.notch_width) {
+    figure.caption.back() = ',';
+    figure.caption += " and the shaded notch takes energy over its width.";
   }
   mark_events(figure, motion, place, long_one ? 0 : last);
   return figure;

@@ -103,19 +103,6 @@ void add_pulse_areas(Figure& figure, const DrawnPulseRegion& drawn, const LeastD
   }
 }
 
-void add_pulse_damper(Figure& figure, const DrawnDamper& damper, const design::BoxShape& shape,
-                      const FigureUnits& units) {
-  const std::string words = tolerance_words(shape, damper.tolerance);
-  if (damper.tolerance > 0) {
-    figure.areas.push_back(
-        {words, tolerance_box(damper, shape, units.length), Ink::blue, AreaLook::box});
-  }
-  figure.marks.push_back(
-      {damper.name, {{damper.f, damper.delta * units.length}}, Shape::diamond, Ink::blue});
-  figure.description += format("{} at f = {:.4g}, Δ = {}, {}.", damper.name, damper.f,
-                               units.length_words(damper.delta), words);
-}
-
 /// The far corner of what is shown of f and Delta.
 FigurePoint far_corner(const DrawnPulseRegion& drawn, double unit) {
   FigurePoint far{
@@ -153,18 +140,23 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
       "The plane of f and Δ under the pulse. The mass returns up to f = {:.4g}; every Δ "
       "above the curve stops it there. ",
       drawn.region.f3);
+  const bool bounded = std::isfinite(design::largest_delta_allowed(drawn.limits));
+  const std::string box = drawn.damper ? box_clause(*drawn.damper, units) : "";
   figure.caption =
       drawn.intervals.empty()
           ? "No f returns and meets the limits."
-          : format("A damper in the area without hatching is admissible{}{}.",
-                   drawn.limits.tolerance > 0 ? " without a tolerance" : "",
-                   std::isfinite(design::largest_delta_allowed(drawn.limits))
+          : format("{}each hatched side says what goes wrong there{}.",
+                   !box.empty() ? box
+                   : drawn.limits.tolerance > 0
+                       ? "A damper in the area without hatching is admissible without a tolerance; "
+                       : "A damper in the area without hatching is admissible; ",
+                   bounded
                        ? ""
-                       : ": nothing bounds Δ from above, because the mass starts from rest");
+                       : ", and nothing bounds Δ from above, because the mass starts from rest");
   add_pulse_areas(figure, drawn, least_delta, units);
   figure.curves.push_back(std::move(curve));
   if (drawn.damper) {
-    add_pulse_damper(figure, *drawn.damper, drawn.limits.shape, units);
+    add_damper(figure, *drawn.damper, drawn.limits.shape, units);
   }
   return figure;
 }

@@ -2,6 +2,7 @@
 #include "figures/report_figures.hpp"
 #include "figures/spectrum_parts.hpp"
 #include "format.hpp"
+#include "sections.hpp"
 
 #include <stillpoint/report/record_design.hpp>
 
@@ -155,6 +156,20 @@ bool add_faults(figures::FigureMap& drawn) {
   return any;
 }
 
+/// Where the search went beyond the map; "" if nowhere.
+std::string beyond_words(const design::RecordDesignRequest& searched,
+                         const design::RecordDesignRequest& shown, const FigureUnits& units) {
+  std::string ends;
+  if (shown.f->high < searched.f->high) {
+    ends = format("f = {:.3g}", searched.f->high);
+  }
+  if (shown.delta->high < searched.delta->high) {
+    ends +=
+        format("{}Δ = {}", ends.empty() ? "" : " and ", units.length_words(searched.delta->high));
+  }
+  return ends.empty() ? "" : format(" The search went on to {}.", ends);
+}
+
 Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& point,
                   const FigureUnits& units) {
   design::RecordDesignRequest task = result.request;
@@ -186,6 +201,7 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
   if (result.finding && std::ranges::count(drawn.map.cells, best_shade) == 0) {
     drawn.caption += " The optimum is narrower than a cell.";
   }
+  drawn.caption += beyond_words(result.request, task, units);
   return drawn;
 }
 
@@ -222,10 +238,7 @@ DrawnRecord drawn_record(const design::RecordDesign& result, std::size_t index,
   DrawnRecord drawn{motion_figure(motion, units),
                     excitation_figure(request.excitation, motion, units)};
   drawn.motion.id = format("record-{}", index + 1);
-  drawn.motion.title = record.name.substr(record.name.rfind('/') + 1);
-  if (record.scale != 1) {
-    drawn.motion.title += format(", {:.4g} times", record.scale);
-  }
+  drawn.motion.title = record_label(record);
   return drawn;
 }
 

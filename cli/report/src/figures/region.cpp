@@ -30,8 +30,8 @@ constexpr int steps = 200;  // of a curve over f
 /// Delta1 by either formula, up to the last f that returns.
 void add_delta1(Figure& figure, const Problem& problem, double last, double unit) {
   constexpr double visible = 0.005;  // of the plot above its lower edge
-  FigureCurve published{"Δ₁ published", {{}}, Ink::orange, Dash::dashed};
-  FigureCurve exact{"Δ₁ exact", {{}}, Ink::purple};
+  FigureCurve published{"least Δ (Δ₁ published)", {{}}, Ink::orange, Dash::dashed};
+  FigureCurve exact{"least Δ (Δ₁ exact)", {{}}, Ink::purple};
   for (int i = 0; i <= steps; ++i) {
     const double f = std::clamp(figure.x.value(static_cast<double>(i) / steps), 0.0, last);
     published.strokes[0].push_back({f, design::delta1_published(problem, f) * unit});
@@ -88,25 +88,6 @@ void add_inset(Figure& figure, const std::vector<FigurePoint>& box) {
   }
 }
 
-void add_damper(Figure& figure, const DrawnDamper& damper, const std::vector<FigurePoint>& box,
-                const std::string& box_words, const FigureUnits& units) {
-  const FigurePoint at{damper.f, damper.delta * units.length};
-  figure.description +=
-      format("{} at f = {:.4g}, Δ = {}", damper.name, damper.f, units.length_words(damper.delta));
-  if (damper.tolerance > 0) {
-    figure.areas.push_back({box_words, box, Ink::blue, AreaLook::box});
-    add_inset(figure, box);
-    figure.description += ", " + box_words;
-  }
-  figure.description += ".";
-  figure.marks.push_back({damper.name, {at}, Shape::diamond, Ink::blue});
-  if (figure.x.position(at.x) > 1 || figure.y.position(at.y) > 1) {
-    figure.marks.back().name =
-        format("{}: f = {:.4g}, Δ = {}", damper.name, damper.f, units.length_words(damper.delta));
-    figure.caption = "The arrow points to the damper, which lies far outside this figure.";
-  }
-}
-
 void add_edge(Figure& figure, std::string name, FigurePoint from, FigurePoint to) {
   figure.curves.push_back({.name = std::move(name),
                            .strokes = {{from, to}},
@@ -116,18 +97,23 @@ void add_edge(Figure& figure, std::string name, FigurePoint from, FigurePoint to
 }
 
 /// The strips of later arrivals lie below those of earlier ones.
-std::string admissible_caption(const Problem& problem) {
-  const bool ranges = problem.v0_low || problem.p_high;
-  const std::string_view some = problem.v0_low && problem.p_high ? "hits or springs of the ranges"
-                                : problem.v0_low                 ? "hits of the range"
-                                                                 : "springs of the range";
-  const std::string sides = format("each hatched side says what goes wrong there{}.",
-                                   ranges ? format(" for some {}", some) : "");
-  if (is_one_strip(problem)) {
-    return "A damper in the area without hatching is admissible; " + sides;
+std::string caption_of(const DrawnRegion& drawn, const FigureUnits& units) {
+  const Problem& problem = drawn.problem;
+  std::string text = drawn.damper ? box_clause(*drawn.damper, units) : "";
+  if (!is_one_strip(problem)) {
+    text += format("{} damper in a strip {} at that arrival; ", text.empty() ? "A" : "a",
+                   problem.residual ? "rests within the residual" : "stops at x = 0");
+  } else if (text.empty()) {
+    text = drawn.region.feasible && drawn.limits.tolerance == 0
+               ? "A damper in the area without hatching is admissible; "
+               : "The area without hatching is what the requirements leave without a tolerance; ";
   }
-  return format("A damper in a strip {} at that arrival; {}",
-                problem.residual ? "rests within the residual" : "stops at x = 0", sides);
+  const std::string_view some = problem.v0_low && problem.p_high
+                                    ? " for some hits or springs of the ranges"
+                                : problem.v0_low ? " for some hits of the range"
+                                : problem.p_high ? " for some springs of the range"
+                                                 : "";
+  return format("{}each hatched side says what goes wrong there{}.", text, some);
 }
 
 /// Without any admissible damper.
@@ -140,7 +126,7 @@ std::string empty_caption(const Figure& figure) {
                 has("gap: no f")       ? "in the gap f is both too weak and too strong"
                 : has("gap: no notch") ? "in the gap even the largest Δ is too weak"
                 : has("gap: too weak") ? "in the gap f is too weak and already beyond a limit"
-                                       : "the forbidden sides leave no room");
+                                       : "at every f and Δ some requirement is violated");
 }
 
 std::string plane_words(const Region& region, const FigureUnits& units) {
@@ -179,15 +165,44 @@ std::string tolerance_words(const design::BoxShape& shape, double tolerance) {
                       percent(tolerance * shape.delta_low, tolerance * shape.delta_high));
 }
 
+std::string box_clause(const DrawnDamper& damper, const FigureUnits& units) {
+  return damper.tolerance > 0
+             ? format("The box shows how far f = {:.4g} and Δ = {} may both be off; ", damper.f,
+                      units.length_words(damper.delta))
+             : "";
+}
+
+void add_damper(Figure& figure, const DrawnDamper& damper, const design::BoxShape& shape,
+                const FigureUnits& units) {
+  const FigurePoint at{damper.f, damper.delta * units.length};
+  const std::string values =
+      format("f = {:.4g}, Δ = {}", damper.f, units.length_words(damper.delta));
+  figure.description += damper.name + " at " + values;
+  if (damper.tolerance > 0) {
+    const std::string words = tolerance_words(shape, damper.tolerance);
+    const auto box = tolerance_box(damper, shape, units.length);
+    figure.areas.push_back({words, box, Ink::blue, AreaLook::box});
+    add_inset(figure, box);
+    figure.description += ", " + words;
+  }
+  figure.description += ".";
+  figure.marks.push_back(
+      {damper.name, {at}, Shape::diamond, damper.admissible ? Ink::blue : Ink::orange});
+  if (figure.x.position(at.x) > 1 || figure.y.position(at.y) > 1) {
+    figure.marks.back().name = damper.name + ": " + values;
+    figure.caption = "The arrow points to the damper, which lies far outside this figure.";
+  }
+}
+
 void add_boundaries(Figure& figure, const Problem& problem, const FigureUnits& units) {
   const Region region = design::admissible_region(problem);
   add_delta1(figure, problem, region.f3, units.length);
   const double top = region.delta2.value() * units.length;
   if (region.f3 > figure.x.least && region.f3 < figure.x.most) {
-    add_edge(figure, "returns up to f₃", {region.f3, figure.y.least}, {region.f3, figure.y.most});
+    add_edge(figure, "no return past f₃", {region.f3, figure.y.least}, {region.f3, figure.y.most});
   }
   if (top > figure.y.least && top < figure.y.most) {
-    add_edge(figure, "starts up to Δ₂", {figure.x.least, top}, {figure.x.most, top});
+    add_edge(figure, "held above Δ₂", {figure.x.least, top}, {figure.x.most, top});
   }
 }
 
@@ -223,17 +238,12 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   figure.areas = std::move(admissible);
   const bool any = !figure.areas.empty();
   add_sides(figure, drawn, units);
-  figure.caption = !any ? empty_caption(figure)
-                   : region.feasible && (drawn.limits.tolerance == 0 || several)
-                       ? admissible_caption(drawn.problem)
-                       : "The area without hatching is what the requirements leave "
-                         "without a tolerance; each hatched side says what goes "
-                         "wrong there.";
+  figure.caption = any ? caption_of(drawn, units) : empty_caption(figure);
   if (!several) {
     add_delta1(figure, drawn.problem, region.f3, unit);
   }
   if (damper) {
-    add_damper(figure, *damper, box, tolerance_words(shape, damper->tolerance), units);
+    add_damper(figure, *damper, shape, units);
   }
   return figure;
 }

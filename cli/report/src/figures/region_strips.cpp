@@ -92,9 +92,10 @@ class Strips {
     if (!drawn_.damper) {
       return -1;
     }
-    const auto& [name, f, delta, tolerance] = *drawn_.damper;
-    const std::int64_t arrival = design::arrival_of(drawn_.problem, f, delta).value_or(0);
-    return f <= rest_end_ || !extent(arrival) ? 0 : arrival;
+    const DrawnDamper& damper = *drawn_.damper;
+    const std::int64_t arrival =
+        design::arrival_of(drawn_.problem, damper.f, damper.delta).value_or(0);
+    return damper.f <= rest_end_ || !extent(arrival) ? 0 : arrival;
   }
 
  private:

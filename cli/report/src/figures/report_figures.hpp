@@ -14,6 +14,7 @@
 #include <stillpoint/figures/figure.hpp>
 #include <stillpoint/sweep/map.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -34,15 +35,24 @@ std::vector<figures::FigurePoint> places(const std::vector<State>& states, const
   return points;
 }
 
+/// Another motion from the same start, to compare with.
+struct OtherMotion {
+  std::string name;
+  std::vector<State> states;
+  figures::Ink ink{figures::Ink::grey};
+  figures::Dash dash{figures::Dash::dotted};
+};
+
 /// A motion in the form that its figures need.
 struct DrawnMotion {
   Oscillator oscillator;
-  std::vector<State> states;    ///< samples and every event; a passage has two at one instant
+  Surface surface;
+  std::vector<State> states;    ///< samples, edges and events; a passage has two at one instant
   std::vector<State> turns;     ///< peaks
   std::vector<State> passages;  ///< of x = 0, with the speed after the notch
   std::optional<State> rest;    ///< the end of the motion
   std::vector<std::pair<double, double>> sticks;  ///< tau from, to
-  std::vector<State> frictionless;  ///< the same without friction; empty where it hides the motion
+  std::vector<OtherMotion> others;                ///< those that do not hide it
   std::optional<double> locked_from;  ///< held at x = 0 from then on, though the load goes on
   double shown_to{0};                 ///< the end of the time axis
   std::optional<double> beta;
@@ -60,15 +70,11 @@ inline constexpr std::size_t most_single_half_cycles = 40;
 /// `horizon`.
 [[nodiscard]] std::int64_t sample_count(double rate, double horizon);
 
-/// A free motion up to `horizon`; empty: to its end.
-[[nodiscard]] DrawnMotion drawn_free_motion(const Oscillator& oscillator, const Start& start,
-                                            const std::optional<double>& horizon);
-/// A forced one up to `horizon`, or one on a surface of its own.
-[[nodiscard]] DrawnMotion drawn_forced_motion(const Oscillator& oscillator, const Start& start,
-                                              const Excitation& excitation, double horizon,
-                                              const Surface& surface = {});
 /// The motion of an answer, or its beginning.
 [[nodiscard]] DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& answer);
+
+/// Adds another motion to compare with, if it can be told apart.
+void add_if_visible(DrawnMotion& motion, OtherMotion other);
 
 /// Whether it moves at all: a load may be too weak.
 [[nodiscard]] bool is_moving(const DrawnMotion& motion);
@@ -86,12 +92,19 @@ void mark_events(figures::Figure& figure, const DrawnMotion& motion, const Place
   using figures::Shape;
   figure.marks.push_back(
       {"turn", places(until(motion.turns), place), Shape::disc, Ink::blue, figures::Fill::hollow});
-  figure.marks.push_back(
-      {"passage", places(until(motion.passages), place), Shape::cross, Ink::orange});
+  const auto& width = motion.surface.notch_width;
+  std::vector<State> acts = width ? motion.states : motion.passages;  // where the notch does
+  std::erase_if(acts, [&](const State& at) { return width && std::abs(at.x) != *width / 2; });
+  figure.marks.push_back({width ? "edge of the notch" : "passage", places(until(acts), place),
+                          Shape::cross, Ink::orange});
   if (motion.rest && motion.rest->tau <= last) {
     figure.marks.push_back({"rest", {place(*motion.rest)}, Shape::square, Ink::green});
   }
 }
+
+/// The notch with a width and the zones of other friction, as strips along an axis.
+enum class Along { x, y };
+void add_zones(figures::Figure& figure, const DrawnMotion& motion, double length, Along along);
 
 /// The time from which the mass is locked, shaded.
 void add_lock(figures::Figure& figure, const DrawnMotion& motion, const FigureUnits& units);
@@ -111,6 +124,7 @@ struct DrawnDamper {
   double f{0};
   double delta{0};
   double tolerance{0};
+  bool admissible{true};
 };
 
 /// The corners of its tolerance box, starting from the lower left.
@@ -119,6 +133,12 @@ struct DrawnDamper {
                                                               double unit);
 /// "tolerance ±34.2 %", or that of f and of Delta.
 [[nodiscard]] std::string tolerance_words(const design::BoxShape& shape, double tolerance);
+
+/// The damper with its box, enlarged if it is small.
+void add_damper(figures::Figure& figure, const DrawnDamper& damper, const design::BoxShape& shape,
+                const FigureUnits& units);
+/// What the box means, for a caption; empty without one.
+[[nodiscard]] std::string box_clause(const DrawnDamper& damper, const FigureUnits& units);
 
 /// What to draw for a region.
 struct DrawnRegion {

@@ -119,6 +119,7 @@ ordered_json json(const ReductionReport& report) {
       {"entries", report.label.whole.entries},
       {"rows", report.state.rows},
       {"outcomes", design ? ordered_json(nullptr) : outcomes_json(report.state)},
+      {"locked", design ? ordered_json(nullptr) : ordered_json(report.state.locked)},
       {"feasible", design ? ordered_json(report.state.feasible) : ordered_json(nullptr)},
       {"row", list_json(row, [](const RowColumn& column) { return column.name; })},
       {"columns",

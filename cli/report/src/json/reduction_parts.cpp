@@ -129,6 +129,7 @@ ReductionReport report_from(const ordered_json& document) {
     sweep::read_integers(document.at("feasible"), report.state.feasible);
   } else {
     outcomes_from_json(document.at("outcomes"), report.state);
+    sweep::read_integers(document.at("locked"), report.state.locked);
   }
   Reduction& reduction = report.reduction;
   reduction.row = columns_from(document.at("row"));
@@ -146,6 +147,7 @@ ReductionReport report_from(const ordered_json& document) {
 
 void append(ReductionReport& total, const ReductionReport& more) {
   total.state.rows += more.state.rows;
+  total.state.locked += more.state.locked;
   total.state.feasible += more.state.feasible;
   for (std::size_t i = 0; i < sweep::sweep_outcome_count; ++i) {
     total.state.outcomes[i] += more.state.outcomes[i];

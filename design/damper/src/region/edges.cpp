@@ -12,13 +12,6 @@
 
 namespace stillpoint::design {
 
-namespace {
-
-/// f2 is v0^2 / beta at most, and must stay below 1e305.
-constexpr double sqrt_of_far_f2 = 1e152;
-
-}  // namespace
-
 Edges edges(const Problem& problem, const Limits& limits) {
   const Wide v0 = problem.v0;
   const Wide p = problem.p;
@@ -69,19 +62,6 @@ bool stop_fits(const Problem& problem, const Edges& edges, const Limits& limits)
   const double f = highest_centre(edges.f_cap, limits.tolerance);
   const double delta = highest_centre(edges.delta_cap, limits.tolerance);
   return unchecked_delta1(problem, f * (1 - limits.tolerance)) < delta * (1 - limits.tolerance);
-}
-
-Interval valid_v0(const Problem& problem) {
-  const double speed = problem.p * problem.beta;
-  return {std::max(smallest_speed, speed / far_ratio),
-          std::min({largest_speed, speed * far_ratio, std::sqrt(problem.beta) * sqrt_of_far_f2})};
-}
-
-Interval valid_p(const Problem& problem) {
-  const double least = problem.v0 / problem.beta / far_ratio;
-  const double most = problem.v0 / problem.beta * far_ratio;
-  return {std::max({smallest_speed, smallest_speed / problem.beta, least}),
-          std::min({largest_speed, largest_speed / problem.beta, most})};
 }
 
 double highest_centre(double cap, double tolerance) {

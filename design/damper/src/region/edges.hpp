@@ -37,12 +37,6 @@ struct Edges {
 /// The infimum of f for which Delta1 of the box's low corner leaves room below the cap.
 [[nodiscard]] double lower_end_from_stop(const Problem& problem, const Limits& limits);
 
-/// As far as an input may be changed with the others as they are: as long as it stays valid
-/// (problem.hpp), but for one decade.
-inline constexpr double far_ratio = 1e99;  // of p beta to v0, or the other way round
-[[nodiscard]] Interval valid_v0(const Problem& problem);
-[[nodiscard]] Interval valid_p(const Problem& problem);
-
 /// The largest f whose box stays at or below the cap, and the smallest one at or above the floor,
 /// as double arithmetic evaluates f (1 + R) and f (1 - R).
 [[nodiscard]] double highest_centre(double cap, double tolerance);

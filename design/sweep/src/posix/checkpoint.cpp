@@ -49,6 +49,7 @@ ordered_json to_json(const Checkpoint& checkpoint) {
           {"complete", checkpoint.complete},
           {"digest", state.digest},
           {"outcomes", state.outcomes},
+          {"locked", state.locked},
           {"feasible", state.feasible},
           {"bytes_digest", {state.bytes.words, state.bytes.rest, state.bytes.size}},
           {"task", task_of(checkpoint.task)}};

@@ -19,7 +19,7 @@ struct ReductionReport {
   std::string kind;   ///< of the sweep
   bool split{false};  ///< into parts, of which this is one
   sweep::PartLabel label;
-  sweep::SweepState state;  ///< rows, outcomes, feasible designs
+  sweep::SweepState state;  ///< rows, outcomes, locked motions, feasible designs
   sweep::Reduction reduction;
 };
 

@@ -62,6 +62,7 @@ struct RecordFile {
   Record record;            ///< in g and tau, scaled; at least one value
   std::string description;  ///< what the file says of itself; may be empty
   RecordUnits units{RecordUnits::g};
+  bool assumed_g{false};  ///< neither the file nor the options give the units
 };
 
 /// Throws InputError, "record-scale", unless 1e-100 <= |scale| <= 1e100.

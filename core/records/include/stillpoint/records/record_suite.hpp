@@ -55,7 +55,15 @@ struct ListedRecord {
 /// with # are skipped. Throws FileError, with the line, for what is wrong.
 [[nodiscard]] std::vector<ListedRecord> read_record_list(const std::string& path);
 
-/// The files in the folders of a suite that were skipped as plain text.
-[[nodiscard]] std::vector<std::string> left_out_files(const SuiteFiles& files);
+/// The files and folders of a suite, each with its scale and its target, `of_all` where it has none
+/// itself. Throws FileError.
+[[nodiscard]] std::vector<ListedRecord> asked_records(const SuiteFiles& files,
+                                                      const RecordTarget& of_all);
+
+/// A sentence for each file that a suite leaves out as plain text, for values that are far above
+/// those of an earthquake in the units assumed, and for times that jump. The files are read again.
+[[nodiscard]] std::vector<std::string> suite_doubts(const SuiteFiles& files,
+                                                    const RecordTarget& of_all,
+                                                    const RecordOptions& options);
 
 }  // namespace stillpoint::records

@@ -32,6 +32,8 @@ struct Doubt {
   std::optional<Meant> meant{};
 };
 
+/// The doubts about a task, first those about values that do not go together. Names that it does
+/// not know are ignored.
 [[nodiscard]] std::vector<Doubt> doubtful_values(const GivenValues& given);
 
 }  // namespace stillpoint::design

@@ -96,6 +96,12 @@ void require_valid(const Problem& problem);
 /// acceleration_max, where given, in [1e-300, 1e300]; 0 <= tolerance < 1.
 void require_valid(const Problem& problem, const Limits& limits);
 
+/// As far as an input may be changed with the others as they are: as long as it stays valid
+/// (above), but for one decade.
+inline constexpr double far_ratio = 1e99;  // of p beta to v0, or the other way round
+[[nodiscard]] Interval valid_v0(const Problem& problem);
+[[nodiscard]] Interval valid_p(const Problem& problem);
+
 /// "published" or "exact".
 [[nodiscard]] std::span<const Named<Criterion>> enumerators(Criterion) noexcept;
 using stillpoint::name;

@@ -15,7 +15,8 @@
 
 namespace stillpoint::design {
 
-/// One entry for each input that suffices alone; none if the region is not empty.
+/// One entry for each input that suffices alone; none if the region is not empty. Throws InputError
+/// as admissible_region does; the next two are for a valid problem.
 [[nodiscard]] std::vector<Mend> mends(const Problem& problem, const Limits& limits);
 
 /// The exact criterion, if it is not the problem's and leaves a region that is not empty.
