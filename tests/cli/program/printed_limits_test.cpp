@@ -43,7 +43,8 @@ std::array<std::string, 3> random_task(std::mt19937& random, double least, doubl
 BOOST_AUTO_TEST_CASE(ends_of_what_a_damper_serves_are_served) {
   std::mt19937 random(seed);
   for (int i = 0; i < 15; ++i) {
-    const auto [v0, p, beta] = random_task(random, 0.75, 1.2);
+    const auto drawn = random_task(random, 0.75, 1.2);
+    const auto& [v0, p, beta] = drawn;
     const Arguments task{"--v0", v0, "--p", p, "--beta", beta};
     const json design =
         reported(Arguments{"design", "--objective", i % 2 == 0 ? "robust" : "amplitude"} + task +
@@ -51,7 +52,7 @@ BOOST_AUTO_TEST_CASE(ends_of_what_a_damper_serves_are_served) {
     const Arguments damper{"--f", in_full(design["f"]), "--delta", in_full(design["delta"])};
     const std::string text = succeed(Arguments{"region"} + task + damper).out;
     const auto admissible = [&](const std::string& speed, const std::string& spring) {
-      return reported(Arguments{"region", "--v0", speed, "--p", spring, "--beta", beta} +
+      return reported(Arguments{"region", "--v0", speed, "--p", spring, "--beta", drawn[2]} +
                       damper)["admissible"] == true;
     };
     for (const std::string& end : ends_of(text, "hits v0 of ")) {
@@ -85,7 +86,7 @@ BOOST_AUTO_TEST_CASE(mends_as_printed_mend) {
       number + "( m/s| s| mm|)");
   int tried = 0;
   for (int i = 0; i < 30; ++i) {
-    auto [v0, p, beta] = random_task(random, 0.4, 1.1);
+    const auto [v0, p, beta] = random_task(random, 0.4, 1.1);
     const bool physical = i % 3 == 0;
     Arguments task = physical ? Arguments{"design",
                                           "--velocity",

@@ -19,6 +19,13 @@ FirstReturn last_return(const PulseRegion& region) {
   return last;
 }
 
+/// Up to there it returns, over k. Under a full sine that is the k of the weakest pulse.
+double largest_f(const PulseRegion& region) {
+  const double last = last_return(region).f;
+  const double weakest = region.profile()->weakest();
+  return last >= nearest_to_k * weakest * (1 - edge_rounding) ? weakest : last;
+}
+
 /// A task with only some of its requirements.
 bool leaves_any(const PulseRegion& region, PulseProblem problem, const Limits& limits, bool beta) {
   if (!beta) {
@@ -41,10 +48,9 @@ Region edges_of(const PulseRegion& region, const PulseProblem& problem,
     }
   }
   edges.f1 = problem.beta * problem.p * problem.p;
-  // What returns up to there does so up to k, and moves arbitrarily little.
-  const bool up_to_k = last.f >= nearest_to_k;
-  edges.f3 = (up_to_k ? 1 : last.f) * region.f_unit();
-  edges.beta_min = up_to_k ? 0 : least_peak * region.length_unit();
+  edges.f3 = largest_f(region) * region.f_unit();
+  // Near k the mass moves arbitrarily little.
+  edges.beta_min = edges.f3 < region.f_unit() ? least_peak * region.length_unit() : 0;
   if (within) {
     edges.feasible = true;
     const bool binds = weakest != nullptr && within->low > weakest->f * (1 + 1e-9);
@@ -136,7 +142,8 @@ std::string reason_of(const Region& found, const PulseRegion& region, const Puls
 
 /// For an f between two intervals that return, the nearer end of either.
 Constraint return_of(const PulseRegion& region, const FirstReturn& motion, double f) {
-  const double last = last_return(region).f * region.f_unit();
+  const double last =
+      (motion.returns ? largest_f(region) : last_return(region).f) * region.f_unit();
   Constraint back{"return", "f", "<=", f, last, last - f, motion.returns};
   if (motion.returns || f > last) {
     return back;

@@ -152,6 +152,8 @@ FirstReturn WorstReturn::worst_of(const Case& one, double f) const {
          now != all.end() && now->f < most; ++now) {
       take_worse(worst, rescaled(*now, f / now->f, one.p));
     }
+    constexpr double rounding = 1e-14;
+    worst.returns = worst.returns && most <= nearest_to_k * (1 + rounding);
   }
   return worst;
 }

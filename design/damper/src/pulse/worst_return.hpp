@@ -31,6 +31,8 @@ class WorstReturn {
   [[nodiscard]] double most_need(double f, Criterion criterion) const;
   /// One pulse and one spring.
   [[nodiscard]] bool is_single() const { return cases_.size() == 1 && weakest_ == 1; }
+  /// The weakest pulse.
+  [[nodiscard]] double weakest() const { return weakest_; }
   /// The pulse and the spring, of this problem's, with the largest peak at f.
   [[nodiscard]] PulseProblem largest_peak(PulseProblem problem, double f) const;
 

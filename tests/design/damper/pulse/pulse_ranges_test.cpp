@@ -161,7 +161,24 @@ BOOST_AUTO_TEST_CASE(a_range_of_k_has_the_design_that_is_known) {
   BOOST_TEST(least_delta(request.problem, 0.2).value() == 0.7 * (0.7 - 0.4) / 2, close);
 }
 
-// The same by hand with beta = 0.64, which needs k_high - 0.32 <= k_low/2.
+// A full sine returns for every f below k, so all of a range do below its lowest k.
+BOOST_AUTO_TEST_CASE(no_feasible_f_is_above_the_lowest_k_of_full_sines) {
+  for (const double lambda : {0.5, 1.0, 2.0, 5.0}) {
+    for (const double k_low : {0.1, 0.2, 0.29}) {
+      PulseRequest request;
+      request.problem = {FullSine{0.3, lambda}, 1, 50, Criterion::exact, {.k_low = k_low}};
+      const Region region = design::design(request).region;
+      BOOST_TEST_CONTEXT("lambda " << lambda << ", k from " << k_low) {
+        BOOST_TEST(region.f3 == k_low, tt::tolerance(1e-15));
+        BOOST_TEST(region.f_upper.value() <= region.f3);
+        BOOST_TEST(region.f_upper.value() == nearest_to_k * k_low, tt::tolerance(1e-12));
+        BOOST_TEST(region.beta_min > 0);
+      }
+    }
+  }
+}
+
+// The rectangle again, with beta = 0.64, which needs k_high - 0.32 <= k_low/2.
 BOOST_AUTO_TEST_CASE(ends_of_a_range_of_k_are_mended_to_what_is_known) {
   PulseRequest request;
   request.problem = {Rectangle{0.55, 1}, 1, 0.64, Criterion::exact, {.k_low = 0.45}};

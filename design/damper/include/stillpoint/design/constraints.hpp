@@ -19,7 +19,8 @@ namespace stillpoint::design {
 /// | return    | f <= f3          | f     | f3     | comes back to x = 0                         |
 /// | stop      | Delta > Delta1   | Delta | Delta1 | stops there                                 |
 ///
-/// slack is the distance from value to limit, positive inside; the strict ones need slack > 0.
+/// slack is the distance from value to limit, positive inside; the strict ones need slack > 0. Each
+/// is compared alone: where `return` is violated there is no arrival that `stop` could judge.
 ///
 /// For a damper that stops at a later arrival, `return` and `stop` compare V0 with the least one
 /// that reaches that arrival and the least that passes it, (47) of docs/theory.md.
