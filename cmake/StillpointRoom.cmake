@@ -3,13 +3,18 @@
 # in src/, which its files include from there: "way/room.hpp". It sees only the rooms and packages that it names.
 # Code that is not critical for speed is compiled at -Os: the files of SMALL, as the objects stillpoint_NAME_small, and all of a room
 # that only PRINTS. This makes the program and the Python module smaller.
+#
+# What the page is made of must compile with the C++ library of Emscripten, which lacks parts of C++20. With
+# STILLPOINT_PAGE_LIBRARY, the folder of its headers, the compile database says so, and clang-tidy finds what is missing.
 function(stillpoint_room name)
   cmake_parse_arguments(PARSE_ARGV 1 arg PRINTS "" "SOURCES;SMALL;PUBLIC;PRIVATE")
   set(target stillpoint_${name})
   set(parts ${target})
   if(STILLPOINT_LEFT_OUT)
-    list(FILTER arg_SOURCES EXCLUDE REGEX "^(${STILLPOINT_LEFT_OUT})\\.cpp$")
-    list(FILTER arg_SMALL EXCLUDE REGEX "^(${STILLPOINT_LEFT_OUT})\\.cpp$")
+    set(left_out ${arg_SOURCES} ${arg_SMALL})
+    list(FILTER left_out INCLUDE REGEX ${STILLPOINT_LEFT_OUT})
+    list(FILTER arg_SOURCES EXCLUDE REGEX ${STILLPOINT_LEFT_OUT})
+    list(FILTER arg_SMALL EXCLUDE REGEX ${STILLPOINT_LEFT_OUT})
   endif()
   add_library(${target} STATIC ${arg_SOURCES})
   if(arg_SMALL)
@@ -22,6 +27,17 @@ function(stillpoint_room name)
     stillpoint_small(${target})
   endif()
   add_library(stillpoint::${name} ALIAS ${target})
+  if(STILLPOINT_PAGE_LIBRARY)
+    foreach(part IN LISTS parts)
+      target_compile_options(${part} PRIVATE
+        -nostdinc++ -isystem${PROJECT_SOURCE_DIR}/cli/explorer/engine/standard -isystem${STILLPOINT_PAGE_LIBRARY})
+    endforeach()
+    if(left_out)
+      list(APPEND parts ${target}_left_out)
+      add_library(${target}_left_out OBJECT ${left_out})
+      target_include_directories(${target}_left_out PRIVATE $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
+    endif()
+  endif()
   foreach(part IN LISTS parts)
     target_include_directories(${part} PUBLIC
       $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>

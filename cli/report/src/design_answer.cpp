@@ -68,7 +68,10 @@ std::string felt(const design::Finding& finding, const Response& response,
                   width_shown(physical, *finding.practice->notch_width_min));
   }
   if (limits.acceleration_max) {
-    return format("{} outside the notch; inside it, more than {} at any width", outside,
+    // The least width is known only for a stop at x = 0 after a hit.
+    const bool least = !finding.pulse && finding.arrival;
+    return format("{} outside the notch; inside it, {} {}", outside,
+                  least ? "at any width more than" : "no width is known to keep it within",
                   acceleration_shown(*limits.acceleration_max));
   }
   if (!physical) {

@@ -7,7 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <string_view>
+#include <variant>
+#include <vector>
 
 namespace stillpoint::report {
 
@@ -54,9 +58,31 @@ double load_end(const SimulationRequest& request) {
                   request.t_end.value_or(HUGE_VAL));
 }
 
-/// Held from the start, by friction or by a notch with a width, and with no hit to catch.
-bool never_moves(const Response& response) {
-  return response.stop_time == 0.0 && response.outcome != Outcome::caught_at_start;
+/// How a motion that goes on under a harmonic load develops: " It swings steadily to 144 mm.", by
+/// the peaks of the last whole half-cycles; empty if they are not listed.
+std::string swings(const MotionReport& report) {
+  const auto* const load = std::get_if<Harmonic>(&report.request.excitation);
+  const std::vector<HalfCycle>& listed = report.answer.half_cycles;
+  constexpr std::size_t compared = 8;
+  if (load == nullptr || load->duration || listed.size() <= compared ||
+      report.answer.response.half_cycles != static_cast<double>(listed.size())) {
+    return "";
+  }
+  std::vector<double> peaks;  // without the last half-cycle, which the end of the run may cut
+  std::transform(listed.end() - 1 - compared, listed.end() - 1, std::back_inserter(peaks),
+                 [](const HalfCycle& now) { return std::abs(now.peak); });
+  const auto [least, most] = std::ranges::minmax(peaks);
+  const auto shown = [&](double length) { return length_shown(report.physical, length); };
+  constexpr double same = 0.01;
+  if (most - least <= same * most) {
+    return format(" It swings steadily to {}.", shown(peaks.back()));
+  }
+  const bool grow = std::ranges::is_sorted(peaks);
+  if (grow || std::ranges::is_sorted(peaks, std::ranges::greater())) {
+    return format(" Its swings {}, the last to {}.", grow ? "grow" : "shrink", shown(peaks.back()));
+  }
+  return format(" Its last {} swings go to between {} and {}.", compared, shown(least),
+                shown(most));
 }
 
 std::string verdict(const MotionReport& report) {
@@ -67,7 +93,7 @@ std::string verdict(const MotionReport& report) {
     locked.front() = 'L';
     return locked + ".";
   }
-  if (never_moves(response)) {
+  if (!moves(response) && response.outcome != Outcome::caught_at_start) {
     return format("It never moves: {} holds it {}.",
                   response.outcome == Outcome::stopped_in_notch ? "the notch" : "friction",
                   is_forced(report.request)
@@ -79,7 +105,7 @@ std::string verdict(const MotionReport& report) {
   if (response.stop_time && *response.stop_time > 0) {
     text += format(", after {}", time_shown(physical, *response.stop_time));
   }
-  return text + ".";
+  return text + "." + (response.outcome == Outcome::running ? swings(report) : "");
 }
 
 /// Where the largest transmitted acceleration is felt, if there is a notch. While the mass slides
@@ -91,7 +117,7 @@ std::string_view felt_where(const MotionReport& report) {
   if (forced && forced->largest_load_while_locked == response.peak_absolute_acceleration) {
     return " while it is locked";
   }
-  if (delta == 0 || never_moves(response)) {
+  if (delta == 0 || !moves(response)) {
     return "";
   }
   if (report.request.surface.notch_width) {
@@ -110,13 +136,15 @@ void add_answer(Section& answer, const MotionReport& report) {
   const Physical& physical = report.physical;
   answer.row("damper", format("f = {}, delta = {}", digits(f), length_text(physical, delta)));
   add_surface(answer, report.request, physical);
-  answer.row("peak", length_shown(physical, response.peak_amplitude), Tone::heading);
+  if (moves(response)) {
+    answer.row("peak", length_shown(physical, response.peak_amplitude), Tone::heading);
+  }
   if (response.stop_position && *response.stop_position != 0) {
     answer.row("rest", format("at x = {}", length_shown(physical, *response.stop_position)),
                Tone::heading);
   }
   const auto caught = caught_impulse(report);
-  if (report.answer.forced || !caught) {
+  if (report.answer.forced || moves(response)) {
     answer.row("acceleration",
                format("{} transmitted{}", acceleration_shown(response.peak_absolute_acceleration),
                       felt_where(report)));
@@ -125,7 +153,9 @@ void add_answer(Section& answer, const MotionReport& report) {
     answer.row("impulse",
                format("{}: the notch passes the hit on in full", impulse_shown(physical, *caught)));
   }
-  constexpr double worth_saying = 0.01;  // no damper is built more accurately than this
+  // No damper is built more accurately than the first. That of a load is no tolerance: below the
+  // second, rounding may decide.
+  const double worth_saying = report.answer.forced ? 1e-9 : 0.01;
   if (response.decision_margin && *response.decision_margin < worth_saying) {
     const double percent = 100 * *response.decision_margin;
     answer.row("note",

@@ -3,7 +3,6 @@
 #include <stillpoint/report/record_design.hpp>
 #include "format.hpp"
 #include "sections.hpp"
-#include "suite_parts.hpp"
 
 #include <stillpoint/report/digits.hpp>
 

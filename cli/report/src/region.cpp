@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,7 +24,7 @@ std::string violations(const RegionReport& report) {
   std::erase_if(violated, &design::Constraint::satisfied);
   std::ranges::stable_partition(violated, [](const auto& now) { return now.name != "dead_zone"; });
   std::ranges::stable_partition(violated, [](const auto& now) { return now.name == "start"; });
-  const bool starts = violated.front().name != "start";
+  const bool starts = violated.empty() || violated.front().name != "start";
   std::string text;
   std::string others;
   for (const design::Constraint& now : violated) {
@@ -54,12 +53,12 @@ std::string judgement(const RegionReport& report) {
 
 /// Both ways to count it, where the motion returns.
 void add_delta1(Section& section, const design::RegionAnswer& answer, const Physical& physical) {
-  const auto row = [&](std::string_view which, const std::optional<double>& delta1) {
-    section.row(format("Delta1 {}", which),
-                delta1 ? length_text(physical, *delta1) : "none: the motion does not return");
-  };
-  row("published", answer.delta1_published);
-  row("exact", answer.delta1_exact);
+  if (!answer.delta1_exact) {
+    section.row("Delta1", "none: the motion does not return");
+    return;
+  }
+  section.row("Delta1 published", length_text(physical, answer.delta1_published.value()));
+  section.row("Delta1 exact", length_text(physical, *answer.delta1_exact));
 }
 
 /// "Feasible f: 0.1 to 0.25.", and whether there are others.

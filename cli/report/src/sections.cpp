@@ -234,17 +234,29 @@ void add_constraints(Document& document, std::span<const design::Constraint> con
                      const Physical& physical) {
   const FigureUnits units(physical);
   const bool all_met = std::ranges::all_of(constraints, &design::Constraint::satisfied);
+  const bool returns = std::ranges::none_of(constraints, [](const design::Constraint& now) {
+    return now.name == "return" && !now.satisfied;
+  });
   Table table{{"", "", "value", "", "limit", "slack", ""}, {}};
   for (const design::Constraint& now : constraints) {
     const auto [unit, unit_name] = unit_of(now.variable, units);
+    const bool reached = returns || now.name != "stop";
     table.rows.push_back(
         {{std::string(now.name), in(std::string(now.variable), unit_name), digits(now.value * unit),
           std::string(now.relation), digits(now.limit * unit), digits(now.slack * unit),
-          now.satisfied ? "met" : "violated"},
-         now.satisfied ? Tone::good : Tone::bad});
+          !reached        ? "not reached"
+          : now.satisfied ? "met"
+                          : "violated"},
+         !reached        ? Tone::plain
+         : now.satisfied ? Tone::good
+                         : Tone::bad});
   }
   Section& section = all_met ? document.detail("Constraints") : document.section("Constraints");
   section.parts.emplace_back(std::move(table));
+}
+
+bool moves(const Response& response) {
+  return response.stop_time != 0.0;
 }
 
 std::string outcome_phrase(Outcome outcome) {
@@ -285,7 +297,19 @@ std::string acceleration_text(const Physical& physical, double acceleration) {
                   : format("{:.6g} g", acceleration);
 }
 
+void add_outcome(Section& section, const Response& response, const std::string& ends,
+                 const Physical& physical) {
+  const bool held = !moves(response) && response.outcome != Outcome::caught_at_start;
+  section.row("outcome", held ? "never moves" : ends);
+  if (moves(response)) {
+    section.row("peak", length_text(physical, response.peak_amplitude));
+  }
+}
+
 void add_metrics(Section& section, const Response& response, const Physical& physical) {
+  if (!moves(response)) {
+    return;
+  }
   if (response.stop_time) {
     section.row("stop time", time_text(physical, *response.stop_time));
     section.row("stop position", length_text(physical, *response.stop_position));
@@ -313,21 +337,23 @@ void add_margin(Section& section, const Response& response, std::string_view mea
 }  // namespace
 
 void add_response(Section& section, const Response& response, const Physical& physical) {
-  section.row("outcome", outcome_phrase(response.outcome));
-  section.row("peak", length_text(physical, response.peak_amplitude));
-  section.row("peak acceleration", acceleration_text(physical, response.peak_acceleration));
+  add_outcome(section, response, outcome_phrase(response.outcome), physical);
+  if (moves(response)) {
+    section.row("peak acceleration", acceleration_text(physical, response.peak_acceleration));
+  }
   add_metrics(section, response, physical);
   add_margin(section, response, "the outcome could change if all inputs shift by about this much");
 }
 
 void add_response(Section& section, const ForcedResponse& response, const Physical& physical) {
-  section.row("outcome", outcome_phrase(response));
-  section.row("peak", length_text(physical, response.peak_amplitude));
+  add_outcome(section, response, outcome_phrase(response), physical);
   section.row("transmitted",
               format("{}, the largest acceleration that the structure feels",
                      acceleration_text(physical, response.peak_absolute_acceleration)));
-  section.row("relative", format("{}, the largest acceleration relative to the base",
-                                 acceleration_text(physical, response.peak_acceleration)));
+  if (moves(response)) {
+    section.row("relative", format("{}, the largest acceleration relative to the base",
+                                   acceleration_text(physical, response.peak_acceleration)));
+  }
   add_metrics(section, response, physical);
   add_margin(section, response,
              "how far the closest decision, a stick at the start included, was from the other "

@@ -9,6 +9,7 @@
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/region.hpp>
+#include <stillpoint/records/record_suite.hpp>
 #include <stillpoint/report/document.hpp>
 #include <stillpoint/report/report.hpp>
 
@@ -46,6 +47,12 @@ void add_practice(Section& section, const std::optional<design::Practice>& lines
 void add_surface(Section& section, const SimulationRequest& request, const Physical& physical);
 void add_excitation(Section& section, const Excitation& excitation,
                     const std::optional<RecordOrigin>& record, const Physical& physical);
+
+/// "2 x a.AT2": the factor and the file of a record of a suite.
+[[nodiscard]] std::string record_label(const records::SuiteRecord& record);
+/// Where a notch under records differs from the paper's.
+void add_real_notch(Section& section, const std::optional<double>& hold,
+                    const std::optional<double>& width, const Physical& physical);
 
 inline constexpr int usual_digits = 4;
 /// "34.18 %", which the damper withstands.
@@ -116,6 +123,8 @@ void add_response(Section& section, const ForcedResponse& response, const Physic
 [[nodiscard]] std::string locked_words(const ForcedResponse& locked, double load_end,
                                        const Physical& physical);
 
+/// Not if friction or the notch holds the mass from the start.
+[[nodiscard]] bool moves(const Response& response);
 /// "stops at x = 0" and so on.
 [[nodiscard]] std::string outcome_phrase(Outcome outcome);
 /// A motion that has not ended may be at rest all the same.

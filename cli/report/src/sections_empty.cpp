@@ -83,7 +83,9 @@ std::string_view name_of_tolerance(const design::BoxShape& shape) {
 /// "max displacement must be at least 168.8 mm", "tolerance must be at most 34.18 %".
 std::string words_of(const design::Mend& mend, const EmptyTask& task) {
   if (mend.field == "tolerance") {
-    return "the tolerance must be at most " + box_text(task.limits, mend.value);
+    return "tolerance must be at most " + (task.limits.shape == design::BoxShape{}
+                                               ? percent_digits(mend.value)
+                                               : box_text(task.limits, mend.value));
   }
   const ShownMend shown = with_units(mend, task).value_or(dimensionless(mend));
   return format("{} must be {}", in_words(shown.name), shown.bound());
@@ -122,7 +124,7 @@ void add_mend(Section& section, const design::Mend& mend, const EmptyTask& task)
 /// " No damper has a tolerance of 40 %; the largest is 22.22 %, at f = 0.275, delta = 0.4."
 std::string most_tolerant_text(const design::DesignPoint& most, const design::Limits& limits,
                                const Physical& physical) {
-  constexpr int many = 10;  // if the usual digits do not distinguish them
+  constexpr int many = 8;  // if the usual digits do not distinguish them
   const bool alike =
       tolerance_shown(limits, most.tolerance) == tolerance_shown(limits, limits.tolerance);
   const int shown = alike ? many : usual_digits;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/report/spectrum.hpp>
 #include "format.hpp"
-#include "suite_parts.hpp"
+#include "sections.hpp"
 
 #include <stillpoint/report/digits.hpp>
 

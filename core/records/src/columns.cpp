@@ -116,19 +116,9 @@ class TimeColumn {
     const RecordClock& clock = reader.options().clock;
     const double time = reader.parse_number(word);
     check(time, clock, reader);
-    note_step(time, reader.number());
+    note_step(time);
     before_ = time;
     taus_.push_back(time / clock.per_tau);
-  }
-
-  /// The longest step, if it is several times as long as the others, which are the same.
-  [[nodiscard]] std::optional<TimeJump> jump() const {
-    constexpr double far = 5;
-    constexpr double share_of_alike = 0.9;  // of the steps; a file has some more gaps at most
-    const bool is_even =
-        static_cast<double>(alike_) > share_of_alike * static_cast<double>(taus_.size());
-    return is_even && longest_.to - longest_.from > far * longest_.step ? std::optional(longest_)
-                                                                        : std::nullopt;
   }
 
   /// The step or the times, in tau.
@@ -162,18 +152,12 @@ class TimeColumn {
     }
   }
 
-  void note_step(double time, std::size_t line) {
+  void note_step(double time) {
     constexpr double tolerance = 0x1p-51;  // the step and its multiple are rounded
-    constexpr double digits = 0.1;         // times may be rounded to few
     const std::size_t i = taus_.size();
-    const double step = time - before_;
     if (i == 1) {
       step_ = time;
-      longest_ = {line, before_, time, step};
-    } else if (i > 1 && step > longest_.to - longest_.from) {
-      longest_ = {line, before_, time, longest_.step};
     }
-    alike_ += i > 0 && std::abs(step - longest_.step) <= digits * longest_.step ? 1U : 0U;
     is_uniform_ =
         is_uniform_ && std::abs(time - static_cast<double>(i) * step_) <= tolerance * time;
   }
@@ -181,8 +165,6 @@ class TimeColumn {
   std::vector<double> taus_;
   double before_{0};  ///< as this and the step are in the file
   double step_{0};
-  TimeJump longest_;      ///< its step is the first one
-  std::size_t alike_{0};  ///< how many steps are like the first one
   bool is_uniform_{true};
 };
 
@@ -219,7 +201,6 @@ RecordFile read_columns(RecordReader& reader) {
   }
   if (count == most_columns) {
     reader.refuse_step(first_line, "the file gives a time with each value");
-    file.jump = times.jump();
     times.move_to(file.record);
   } else if (options.step) {
     file.record.step = *options.step / options.clock.per_tau;

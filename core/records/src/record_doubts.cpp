@@ -2,11 +2,12 @@
 #include <stillpoint/records/record_suite.hpp>
 
 #include <stillpoint/records/file_error.hpp>
-#include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 
-#include <utility>
+#include <cmath>
+#include <cstddef>
+#include <optional>
 
 namespace stillpoint::records {
 
@@ -17,24 +18,41 @@ constexpr double doubtful_peak = 2;
 /// Of values that are in m/s2 rather than in cm/s2.
 constexpr double largest_in_m_per_s2 = 20;
 
-std::string doubt(FilePlace place, std::string_view message) {
-  return FileError(std::move(place), message).what();
+std::string doubt(const std::string& path, std::string_view message) {
+  return FileError({"record", path}, message).what();
+}
+
+/// A step that is several times as long as the first one, where nearly all are like that.
+std::optional<std::size_t> long_step(const std::vector<double>& times) {
+  constexpr double far = 5;
+  constexpr double alike = 0.1;          // of a step: times may be rounded to few digits
+  constexpr std::size_t one_other = 10;  // one step in as many may be another
+  std::optional<std::size_t> found;
+  std::size_t others = 0;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const double first = times[1] - times[0];
+    const double step = times[i] - times[i - 1];
+    others += std::abs(step - first) > alike * first ? 1U : 0U;
+    found = step > far * first ? i : found;
+  }
+  return one_other * others < times.size() ? found : std::nullopt;
 }
 
 void add_doubts(const RecordFile& file, const std::string& path, bool is_scaled,
                 std::vector<std::string>& doubts) {
   const double peak = peak_acceleration(file.record);
   if (file.assumed_g && !is_scaled && peak > doubtful_peak) {
-    doubts.push_back(doubt(
-        {"record", path}, fmt::format("the largest value is {:.4g} g if its values are in g, which "
-                                      "is assumed; did you mean --record-units {}?",
-                                      peak, peak < largest_in_m_per_s2 ? "m/s2" : "cm/s2")));
+    doubts.push_back(
+        doubt(path, fmt::format("the largest value is {:.4g} g if its values are in g, which "
+                                "is assumed; did you mean --record-units {}?",
+                                peak, peak < largest_in_m_per_s2 ? "m/s2" : "cm/s2")));
   }
-  if (const auto& jump = file.jump) {
-    doubts.push_back(doubt({"record", path, jump->line},
-                           fmt::format("the time jumps from {} to {}, though other steps are {}: "
-                                       "values may be missing; W is linear between these two",
-                                       jump->from, jump->to, jump->step)));
+  const std::vector<double>& times = file.record.times;
+  if (const auto i = long_step(times)) {
+    doubts.push_back(
+        doubt(path, fmt::format("the time jumps from {:.6g} to {:.6g}, though other steps "
+                                "are {:.6g}: values may be missing; W is linear between",
+                                times[*i - 1], times[*i], times[1] - times[0])));
   }
 }
 
@@ -45,7 +63,7 @@ std::vector<std::string> suite_doubts(const SuiteFiles& files, const RecordTarge
   std::vector<std::string> doubts;
   for (const ListedRecord& asked : asked_records(files, of_all)) {
     for (const std::string& file : folder_files(asked.path).plain_text) {
-      doubts.push_back(doubt({"record", file}, "is left out because it begins with text"));
+      doubts.push_back(doubt(file, "is left out because it begins with text"));
     }
     for (const std::string& file : record_files(asked.path)) {
       add_doubts(read_record(file, options), file, asked.target.is_given(), doubts);

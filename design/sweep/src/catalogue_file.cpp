@@ -55,11 +55,8 @@ class CatalogueReader {
       return false;
     }
     fields_.clear();
-    CsvLine row(line);
+    CsvLine row(line, lines_);
     for (std::string_view field; row.next(field);) {
-      if (row.unclosed()) {
-        refuse("a quote is opened but not closed");
-      }
       fields_.push_back(field);
     }
     return true;
@@ -95,7 +92,7 @@ class CatalogueReader {
     }
   }
 
-  std::optional<std::size_t> column(std::string_view name) const {
+  [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const {
     if (std::ranges::count(fields_, name) > 1) {
       refuse(fmt::format("the column {} appears twice", name));
     }
@@ -131,7 +128,7 @@ class CatalogueReader {
   }
 
   /// The value of a cell in dimensionless units, of which one is `unit` in the cell's units.
-  double number(std::string_view field, std::string_view text, double unit) const {
+  [[nodiscard]] double number(std::string_view field, std::string_view text, double unit) const {
     double value = 0;
     try {
       value = field == "delta_m" ? units_.parse_metres(text) : records::parse_number(field, text);

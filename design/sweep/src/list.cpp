@@ -87,12 +87,9 @@ void List::refuse(std::string_view what) const {
 }
 
 void List::read_header(std::string_view line) {
-  CsvLine fields(line);
+  CsvLine fields(line, *lines_);
   for (std::string_view field; fields.next(field);) {
     const auto quantity = find_named(listed_inputs, field, units_);
-    if (fields.unclosed()) {
-      refuse("a quote is opened but not closed");
-    }
     if (!quantity) {
       refuse(not_a("column", field, units_));
     }
@@ -106,11 +103,8 @@ void List::read_header(std::string_view line) {
 void List::read_row(std::string_view line, std::vector<double>& values) {
   values.clear();
   std::size_t count = 0;
-  CsvLine fields(line);
+  CsvLine fields(line, *lines_);
   for (std::string_view field; fields.next(field); ++count) {
-    if (fields.unclosed()) {
-      refuse("a quote is opened but not closed");
-    }
     if (count < columns_.size()) {
       try {
         values.push_back(records::parse_number(name(columns_[count], units_), field));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "line_reader.hpp"
+
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,17 +14,17 @@ namespace stillpoint::sweep {
 /// comma between them belongs to it (RFC 4180).
 class CsvLine {
  public:
-  explicit CsvLine(std::string_view line) : rest_(line) {}
+  /// `line` is the last one of `lines`.
+  CsvLine(std::string_view line, const LineReader& lines) : rest_(line), lines_(lines) {}
 
-  /// The next field without blanks and quotes; false after the last.
+  /// The next field without blanks and quotes; false after the last. Throws FileError if it opens a
+  /// quote and does not close it.
   [[nodiscard]] bool next(std::string_view& field);
-  /// The last field read opens a quote and does not close it.
-  [[nodiscard]] bool unclosed() const { return unclosed_; }
 
  private:
   std::string_view rest_;
+  const LineReader& lines_;
   bool more_{true};
-  bool unclosed_{false};
 };
 
 /// A flat JSON object of numbers.

@@ -74,9 +74,6 @@ const std::vector<Wrong> wrong_uses{
     {design("--catalogue ."), {"catalogue .", "cannot be read"}},
     {"design --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.05 --trade-off 5",
      {"trade-off and pulse cannot be combined"}},
-    {design("--trade-off 0"), {"trade-off = 0", "from 2 to 1000"}},
-    {design("--trade-off 1000000000"), {"trade-off", "from 2 to 1000"}},
-    {design("--trade-off many"), {"trade-off", "many"}},
     {"region --v0 1 --p 1 --beta 1 --trade-off 5", {"trade-off"}}};
 
 }  // namespace
@@ -298,8 +295,6 @@ BOOST_AUTO_TEST_CASE(has_the_fields_of_the_contract_and_metres) {
   BOOST_TEST_REQUIRE(report["trade_off"].size() == 9U);
   double last = HUGE_VAL;
   for (const json& now : report["trade_off"]) {
-    check_fields(now, {"f:number", "delta:number", "tolerance:number", "peak_amplitude:number",
-                       "peak_absolute_acceleration:number", "stop_time:number"});
     BOOST_TEST(now["peak_m"].get<double>() < last);
     last = now["peak_m"];
     BOOST_TEST(last <= 0.15);

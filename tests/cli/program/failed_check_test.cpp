@@ -36,7 +36,6 @@ void check_failure(const design::DesignResult& result) {
   BOOST_TEST(answers::exit_code(report::DesignReport{result}) == 4);
   const nlohmann::ordered_json json = report::json(report::DesignReport{result});
   BOOST_TEST(json["cross_check"]["passed"] == false);
-  check_fields(json, {"design:object", "response:object", "search:object", "cross_check:object"});
   bool disagrees = false;
   for (const auto& method : json["cross_check"]["methods"]) {
     disagrees = disagrees || method["passed"] == false;

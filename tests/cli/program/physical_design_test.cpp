@@ -29,9 +29,6 @@ const Arguments isolator("design --velocity 0.4 --max-displacement 0.16");
 BOOST_FIXTURE_TEST_CASE(scales_match_those_worked_out_by_hand, Sandbox) {
   const json report = reported(isolator + "--period 3 --mass 2e5");
   const json& quantities = report["physical"];
-  check_fields(quantities, {"length_unit_m:number", "time_unit_s:number", "f:number",
-                            "delta_m:number", "energy_per_passage_j:number",
-                            "friction_force_n:number", "peak_m:number", "stop_time_s:number"});
   check_near(quantities,
              {{"length_unit_m", length},
               {"time_unit_s", 0.13955337724887287},
@@ -66,32 +63,6 @@ BOOST_FIXTURE_TEST_CASE(damper_is_the_dimensionless_one_in_units, Sandbox) {
   BOOST_TEST(quantities["peak_m"].get<double>() <= 0.16);
 }
 
-BOOST_FIXTURE_TEST_CASE(stiffness_and_mass_give_the_period, Sandbox) {
-  const json by_period = reported(isolator + "--period 3 --mass 2e5");
-  const json by_stiffness =
-      reported(isolator + Arguments{"--stiffness", in_full(stiffness), "--mass", "2e5"});
-  for (const auto& [name, value] : by_period["physical"].items()) {
-    if (value.is_number()) {
-      BOOST_TEST(near(by_stiffness["physical"][name], value, 1e-9), name);
-    } else {
-      BOOST_TEST(by_stiffness["physical"][name] == value);
-    }
-  }
-}
-
-BOOST_FIXTURE_TEST_CASE(forces_and_energies_need_a_mass, Sandbox) {
-  const json quantities = reported(isolator + "--period 3")["physical"];
-  check_fields(quantities, {"mass_kg:null", "stiffness_n_per_m:null", "friction_force_n:null",
-                            "energy_per_passage_j:null", "delta_m:number", "peak_m:number"});
-}
-
-BOOST_FIXTURE_TEST_CASE(gravity_changes_only_the_unit_of_f, Sandbox) {
-  const json earth = reported(isolator + "--period 3")["physical"];
-  const json moon = reported(isolator + "--period 3 --gravity 1.62")["physical"];
-  BOOST_TEST(near(moon["f"].get<double>() * 1.62, earth["f"].get<double>() * gravity, 1e-9));
-  BOOST_TEST(near(moon["peak_m"], earth["peak_m"], 1e-9));
-}
-
 BOOST_FIXTURE_TEST_CASE(limits_may_be_in_metres, Sandbox) {
   const json report = reported(isolator + "--period 3 --delta-max-m 0.004");
   BOOST_TEST(near(number(report, "input", "delta_max"), 0.004 / length, 1e-15));
@@ -106,8 +77,8 @@ BOOST_FIXTURE_TEST_CASE(mends_are_in_units_too_and_mend, Sandbox) {
   };
   const ProgramRun answer = ending(3, problem("0.4", "3", "0.13") + "--mass 2e5 --json");
   const json quantities = answer.json()["physical"];
-  check_fields(quantities, {"f:null", "delta_m:null", "friction_force_n:null",
-                            "energy_per_passage_j:null", "peak_m:null", "stop_time_s:null"});
+  check_null(quantities,
+             {"f", "delta_m", "friction_force_n", "energy_per_passage_j", "peak_m", "stop_time_s"});
   // Not the last digits: they are to the safe side, so that the mended problem has a design.
   constexpr double digits = 1e-13;
   const double root = std::numbers::sqrt2;

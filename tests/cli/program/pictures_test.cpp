@@ -26,9 +26,11 @@ ptree parsed(const std::string& text) {
 
 /// Nothing is loaded from anywhere.
 void check_offline(const std::string& page) {
-  for (const char* other : {"http:", "https:", "src=", "@import", "url("}) {
-    // What stands in the page itself begins with #.
-    BOOST_TEST(!contains(std::regex_replace(page, std::regex("url\\(#"), ""), other), other);
+  for (const char* other : {"http:", "https:", "src=", "@import"}) {
+    BOOST_TEST(!contains(page, other), other);
+  }
+  for (std::size_t at = 0; (at = page.find("url(", at)) != std::string::npos; ++at) {
+    BOOST_TEST(page.at(at + 4) == '#');  // what stands in the page itself
   }
   check_only_finite(page.substr(0, page.find("<script")));
 }
@@ -185,12 +187,12 @@ BOOST_AUTO_TEST_CASE(of_a_pulse_show_what_the_pulse_itself_does) {
 
 BOOST_AUTO_TEST_CASE(of_a_large_sweep_stay_small) {
   succeed(
-      "sweep --v0 1 --p 1 --f 1e-3:0.4:2000 --delta 0:0.55:2000 --output map.npy --html "
+      "sweep --v0 1 --p 1 --f 1e-3:0.4:1000 --delta 0:0.55:1000 --output map.npy --html "
       "page.html --svg figures");
   const std::string page = checked(read("page.html"));
   BOOST_TEST(page.size() < 1'000'000U);
   check_contains(page, {"Δ₁ exact", "no return past f₃", "held above Δ₂", "centred after 1",
-                        "off centre after 2", "never starts", "4000000"});
+                        "off centre after 2", "never starts", "1000000"});
   BOOST_TEST(read("figures/map.svg").size() < 1'000'000U);
 }
 

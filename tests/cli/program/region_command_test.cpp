@@ -11,61 +11,7 @@ Arguments region(const Arguments& more = {}) {
   return "region --v0 1 --p 1 --beta 0.8" + more;
 }
 
-std::set<std::string> violated(const json& report) {
-  std::set<std::string> names;
-  for (const json& now : report.at("constraints")) {
-    if (now.at("satisfied") == false) {
-      names.insert(now.at("name"));
-    }
-  }
-  return names;
-}
-
 }  // namespace
-
-BOOST_AUTO_TEST_CASE(gives_the_bounds) {
-  const json report = reported(region());
-  BOOST_TEST(report["schema"] == "stillpoint/region-report/1");
-  check_fields(report, {"input:object", "region:object", "delta1_published:null",
-                        "delta1_exact:null", "admissible:null", "constraints:array"});
-  check_fields(report["input"], {"v0:number", "p:number", "beta:number", "criterion:text",
-                                 "tolerance:number", "f_max:null", "delta_max:null"});
-  check_fields(report["region"],
-               {"feasible:bool", "reason:null", "f1:number", "f2:number", "f3:number",
-                "f_lower:number", "f_upper:number", "delta2:number", "beta_min:number"});
-  const json& bounds = report["region"];
-  BOOST_TEST(bounds["feasible"] == true);
-  check_near(bounds, {{"f1", 0.8}, {"f2", 0.225}, {"f3", std::numbers::sqrt2 / 4}}, 1e-15);
-  BOOST_TEST(bounds["delta2"] == 0.5);
-  BOOST_TEST(near(bounds["beta_min"], std::numbers::sqrt2 / 2, 1e-15));
-  BOOST_TEST(report["constraints"].empty());
-}
-
-BOOST_AUTO_TEST_CASE(gives_both_lower_bounds_of_delta_at_f) {
-  const json report = reported(region("--f 0.3"));
-  const double radius = std::hypot(1, 0.3);
-  BOOST_TEST(near(report["delta1_published"], (radius - 0.6) * (radius - 0.6) / 2, 1e-14));
-  BOOST_TEST(near(report["delta1_exact"], (radius - 0.3) * (radius - 0.9) / 2, 1e-14));
-  check_fields(report, {"admissible:null"});
-  BOOST_TEST(report["constraints"].empty());
-}
-
-BOOST_AUTO_TEST_CASE(judges_a_point) {
-  using Names = std::set<std::string>;
-  for (const auto& [point, violates] : std::vector<std::pair<Arguments, Names>>{
-           {"--f 0.3 --delta 0.4", {}},
-           {"--f 0.3 --delta 0.51", {"start"}},
-           {"--f 0.22 --delta 0.4", {"amplitude"}},
-           {"--f 0.36 --delta 0.4", {"return"}},
-           {"--f 0.3 --delta 0.09", {"stop"}},
-           // f above f1 lies above f3 as well wherever f2 is below f3.
-           {"--f 0.85 --delta 0.4", {"dead_zone", "return"}}}) {
-    const json report = reported(region(point));
-    BOOST_TEST(report["admissible"] == violates.empty());
-    BOOST_TEST((violated(report) == violates));
-    BOOST_TEST(report["constraints"].size() == 5U);
-  }
-}
 
 /// An admissible point has all three blocks; another still has its hits.
 BOOST_AUTO_TEST_CASE(a_point_says_which_hits_it_works_for) {
@@ -75,9 +21,9 @@ BOOST_AUTO_TEST_CASE(a_point_says_which_hits_it_works_for) {
   BOOST_TEST(near(good["practice"]["notch_width_min"], 0.4320109600274175, 1e-14));
   BOOST_TEST(good["hits"][1]["ends"] == "centred");
   const json wrong = reported(region("--f 0.3 --delta 0.9"));
-  check_fields(wrong, {"works_for:null", "practice:null"});
+  check_null(wrong, {"works_for", "practice"});
   BOOST_TEST(wrong["hits"][0]["ends"] == "held");
-  check_fields(reported(region("--f 0.3")), {"hits:null"});
+  check_null(reported(region("--f 0.3")), {"hits"});
 }
 
 /// Each bound names the variable that it bounds, in the report for people as in JSON.
@@ -130,24 +76,8 @@ BOOST_AUTO_TEST_CASE(huge_friction_is_refused_or_reported_in_finite_numbers) {
       BOOST_TEST(contains(text.err, "f = "), text.err);
       continue;
     }
-    const json report = reported(arguments);
-    check_fields(report, {"delta1_published:number", "delta1_exact:null"});
-    for (const json& now : report["constraints"]) {
-      check_fields(now, {"value:number", "limit:number", "slack:number"});
-    }
+    check_null(reported(arguments), {"delta1_exact"});
   }
-}
-
-BOOST_AUTO_TEST_CASE(empty_region_is_exit_code_3) {
-  const Arguments empty("region --v0 1 --p 1 --beta 0.6");
-  const ProgramRun answer = ending(3, empty + "--json");
-  BOOST_TEST(answer.err.empty(), answer.err);
-  const json report = answer.json();
-  BOOST_TEST(report["region"]["feasible"] == false);
-  check_fields(report["region"], {"reason:text", "f_lower:null", "f_upper:null", "mends:array"});
-  BOOST_TEST(report["region"]["mends"].size() == 3U);
-  const ProgramRun text = ending(3, empty);
-  BOOST_TEST(contains(text.out, "amplitude and return conflict"));
 }
 
 BOOST_AUTO_TEST_CASE(works_in_metres_and_seconds) {
@@ -197,7 +127,7 @@ BOOST_AUTO_TEST_CASE(mends_name_the_stiffness_if_it_was_given) {
 
   const Arguments by_period("region --velocity 0.4 --period 2.5651 --max-displacement 0.1");
   const json without_mass = run(by_period + "--json").json()["physical"];
-  check_fields(without_mass, {"period_mend_s:number", "stiffness_mend_n_per_m:null"});
+  check_null(without_mass, {"stiffness_mend_n_per_m"});
   BOOST_TEST(contains(run(by_period).out, "  period            at most "));
 }
 

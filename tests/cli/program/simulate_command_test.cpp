@@ -21,20 +21,6 @@ Surroundings impatient() {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(report_has_every_field_of_the_contract) {
-  const json report = reported(simulate("0.02", "0.02"));
-  BOOST_TEST(report["schema"] == "stillpoint/simulation-report/1");
-  check_fields(
-      report, {"input:object", "response:object", "half_cycles:array", "half_cycles_listed:count"});
-  check_fields(report["input"], {"v0:number", "p:number", "f:number", "delta:number", "x0:number"});
-  check_response_fields(report["response"]);
-  for (const json& now : report["half_cycles"]) {
-    check_fields(now,
-                 {"index:count", "start_time:number", "departure_speed:number", "peak_time:number",
-                  "peak:number", "end_time:number", "arrival_speed:number?"});
-  }
-}
-
 BOOST_AUTO_TEST_CASE(a_real_notch_and_zones_come_from_flags_and_from_a_scene) {
   const json paper = reported(simulate("0.26", "0.37"));
   check_values(paper["input"],
@@ -213,45 +199,6 @@ BOOST_AUTO_TEST_CASE(a_hit_that_the_notch_holds_is_passed_on_in_full) {
   BOOST_TEST((ranged.find("  weak hits         below ") != std::string::npos), ranged);
 }
 
-BOOST_AUTO_TEST_CASE(metrics_match_the_reference) {
-  const json response = reported(simulate("0.02", "0.02"))["response"];
-  BOOST_TEST(near(response["peak_amplitude"], 0.98019998000399900, 1e-15));
-  BOOST_TEST(near(response["stop_time"], 34.598868822426208, 1e-14));
-  check_values(response, {{"half_cycles", 11},
-                          {"turning_points", 11},
-                          {"zero_passages", 10},
-                          {"stops_at_zero", true},
-                          {"stop_position", 0},
-                          {"outcome", "stopped_at_zero"}});
-}
-
-BOOST_AUTO_TEST_CASE(half_cycles_are_contiguous) {
-  const json report = reported(simulate("0.02", "0.02"));
-  const json& list = report["half_cycles"];
-  BOOST_TEST_REQUIRE(list.size() == 11U);
-  BOOST_TEST(report["half_cycles_listed"] == 11);
-  double time = 0;
-  double speed = 1;
-  double largest = 0;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const json& now = list[i];
-    BOOST_TEST(now["index"] == i + 1);
-    BOOST_TEST(now["start_time"] == time);
-    BOOST_TEST(near(now["departure_speed"], speed, 1e-14));
-    BOOST_TEST(now["peak_time"].get<double>() > time);
-    // (peak + f)^2 = departure^2 + f^2; arrival^2 = peak (peak - 2 f).
-    const double peak = now["peak"];
-    BOOST_TEST(near(peak + 0.02, std::hypot(speed, 0.02), 1e-14));
-    const double arrival = now["arrival_speed"];
-    BOOST_TEST(near(arrival * arrival, peak * (peak - 0.04), 1e-13));
-    speed = std::sqrt(std::max(0.0, arrival * arrival - 0.04));
-    time = now["end_time"];
-    largest = std::max(largest, peak);
-  }
-  BOOST_TEST(near(time, report["response"]["stop_time"], 1e-14));
-  BOOST_TEST(largest == report["response"]["peak_amplitude"].get<double>());
-}
-
 BOOST_AUTO_TEST_CASE(list_of_half_cycles_is_capped_as_asked) {
   for (const Arguments& motion : {simulate("0.02", "0.02"), s3}) {
     const json all = reported(motion);
@@ -279,9 +226,8 @@ BOOST_AUTO_TEST_CASE(without_friction_it_never_stops_and_says_so_at_once) {
                           {"peak_amplitude", 1},
                           {"peak_acceleration", 1},
                           {"stops_at_zero", false}});
-  check_fields(response,
-               {"half_cycles:null", "turning_points:null", "zero_passages:null", "stop_time:null",
-                "stop_position:null", "arrival_speed:null", "decision_margin:null"});
+  check_null(response, {"half_cycles", "turning_points", "zero_passages", "stop_time",
+                        "stop_position", "arrival_speed", "decision_margin"});
   BOOST_TEST(report["half_cycles_listed"] == 3);
   const ProgramRun text = run(simulate("0", "0"));
   BOOST_TEST(contains(text.out, "never stops"), text.out);
@@ -335,7 +281,7 @@ BOOST_AUTO_TEST_CASE(works_in_metres_and_seconds) {
 
   const json displaced = reported("simulate --period 3 --x0-m 0.1 --f 0.02 --delta-m 0.001");
   BOOST_TEST(near(displaced["physical"]["peak_m"], 0.1, 1e-15));
-  check_fields(displaced["physical"], {"friction_force_n:null", "energy_per_passage_j:null"});
+  check_null(displaced["physical"], {"friction_force_n", "energy_per_passage_j"});
 }
 
 BOOST_AUTO_TEST_CASE(figures_beyond_a_double_are_refused_or_left_out_but_never_infinite) {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sweeps over the dampers along the front of each design problem.
 #include "cli_test.hpp"
-#include "wrong_arguments.hpp"
-
-#include <fmt/format.h>
+#include "parts.hpp"
 
 BOOST_AUTO_TEST_SUITE(sweep_front_test)
 
@@ -66,8 +64,8 @@ const std::string betas = "beta\n0.8\n0.5\n0.9\n0.95\n1.2\n";
 
 }  // namespace
 
-struct Listed : Sandbox {
-  Listed() { write("list.csv", betas); }
+struct Listed : Parts {
+  Listed() : Parts("sweep", "csv") { write("list.csv", betas); }
 
   [[nodiscard]] std::string rows_of(const Arguments& more) const {
     succeed(task + "--output whole.csv" + more);
@@ -82,20 +80,10 @@ BOOST_FIXTURE_TEST_CASE(of_a_list_has_the_rows_of_the_grid, Listed) {
 }
 
 BOOST_FIXTURE_TEST_CASE(is_split_anywhere_and_merged_into_the_same_bytes, Listed) {
-  for (const Arguments& entries : std::vector<Arguments>{"--beta 0.8:1.2:5", "--list list.csv"}) {
-    const std::string whole = rows_of(entries);
-    // 20 rows in 3 and 7 parts: a part begins in the middle of a front.
-    for (const std::string n : {"3", "7"}) {
-      Arguments merge("sweep merge merged.csv");
-      for (int i = 1; i <= std::stoi(n); ++i) {
-        const std::string part = std::to_string(i);
-        succeed(task + entries +
-                Arguments{"--part", fmt::format("{}/{}", i, n), "--output", part + ".csv"});
-        merge = merge + Arguments{part + ".csv"};
-      }
-      succeed(merge);
-      BOOST_TEST(read("merged.csv") == whole);
-    }
+  // 20 rows in 3 and 7 parts: a part begins in the middle of a front.
+  for (const int n : {3, 7}) {
+    check_merged(task + "--beta 0.8:1.2:5", n);
+    check_merged(task + "--list list.csv", n);
   }
 }
 
@@ -111,22 +99,10 @@ BOOST_FIXTURE_TEST_CASE(of_a_list_is_resumed_where_a_line_was_wrong, Listed) {
   BOOST_TEST(read("rows.csv") == whole);
 }
 
-BOOST_FIXTURE_TEST_CASE(is_reduced_and_written_as_npy, Listed) {
+BOOST_FIXTURE_TEST_CASE(is_reduced, Listed) {
   const json report = run(task + "--list list.csv --reduce --json").json();
   BOOST_TEST(report.at("entries") == 5 * dampers);
   BOOST_TEST(report.at("feasible") == 4 * dampers);
-  succeed(task + "--list list.csv --output rows.npy");
-  const SweepTable text = read_csv(rows_of("--list list.csv"));
-  const NpyFile npy = read_npy(read("rows.npy"));
-  BOOST_TEST_REQUIRE(npy.count == static_cast<std::int64_t>(text.rows.size()));
-  for (std::int64_t row = 0; row < npy.count; ++row) {
-    const auto i = static_cast<std::size_t>(row);
-    BOOST_TEST(npy.number(row, "trade_off") == text.number(i, "trade_off"));
-    BOOST_TEST(npy.byte(row, "feasible") == (text.at(i, "feasible") == "true" ? 1 : 0));
-    if (!text.at(i, "f").empty()) {
-      BOOST_TEST(npy.number(row, "f") == text.number(i, "f"));
-    }
-  }
 }
 
 namespace {

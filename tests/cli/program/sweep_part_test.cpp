@@ -186,7 +186,8 @@ BOOST_AUTO_TEST_CASE(that_are_truncated_are_refused) {
 BOOST_AUTO_TEST_CASE(whose_seal_has_non_integers_are_refused) {
   const Arguments names = split(grid, 2);
   const std::string whole = read(names[0]);
-  for (const std::string_view key : {"part", "entries", "rows", "outcomes", "locked", "digest", "rest"}) {
+  for (const std::string_view key :
+       {"part", "entries", "rows", "outcomes", "locked", "digest", "rest"}) {
     const std::size_t place =
         whole.find_first_of("0123456789", whole.rfind(fmt::format("\"{}\":", key)));
     const std::size_t end = whole.find_first_not_of("0123456789", place);

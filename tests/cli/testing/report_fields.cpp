@@ -4,32 +4,14 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
-#include <regex>
 
 namespace stillpoint::cli_test {
 
 namespace {
 
 using nlohmann::json;
-
-bool is_kind(const json& value, std::string_view kind) {
-  if (kind.ends_with('?')) {
-    kind.remove_suffix(1);
-    if (value.is_null()) {
-      return true;
-    }
-  }
-  if (kind == "number") {
-    return value.is_number() && std::isfinite(value.get<double>());
-  }
-  if (kind == "count") {
-    return value.is_number() && std::floor(value.get<double>()) == value.get<double>();
-  }
-  return (kind == "text" && value.is_string()) || (kind == "bool" && value.is_boolean()) ||
-         (kind == "object" && value.is_object()) || (kind == "array" && value.is_array()) ||
-         (kind == "null" && value.is_null());
-}
 
 void remove_wall_times(json& value) {
   if (value.is_object()) {
@@ -44,15 +26,9 @@ void remove_wall_times(json& value) {
 
 }  // namespace
 
-void check_fields(const json& object, std::initializer_list<std::string_view> fields) {
-  BOOST_TEST_REQUIRE(object.is_object());
-  for (const std::string_view field : fields) {
-    const std::size_t colon = field.find(':');
-    const std::string name(field.substr(0, colon));
-    BOOST_TEST_CONTEXT("field " << field) {
-      BOOST_TEST(object.contains(name));
-      BOOST_TEST(is_kind(object.value(name, json("missing")), field.substr(colon + 1)));
-    }
+void check_null(const json& object, std::initializer_list<const char*> fields) {
+  for (const char* const field : fields) {
+    BOOST_TEST(object.value(field, json("missing")).is_null(), field);
   }
 }
 
@@ -72,17 +48,20 @@ void check_near(const json& object, std::initializer_list<std::pair<const char*,
   }
 }
 
-void check_response_fields(const json& response) {
-  check_fields(response, {"peak_amplitude:number", "peak_acceleration:number",
-                          "peak_absolute_acceleration:number", "half_cycles:count",
-                          "turning_points:count", "zero_passages:count", "stop_time:number",
-                          "stop_position:number", "stops_at_zero:bool", "outcome:text",
-                          "arrival_speed:number?", "decision_margin:number?"});
-}
-
 void check_only_finite(std::string_view report) {
-  static const std::regex not_finite("\\b(nan|inf|infinity)\\b", std::regex::icase);
-  BOOST_TEST(!std::regex_search(report.begin(), report.end(), not_finite));
+  const std::string ended = std::string(report) + '\n';
+  std::string word;
+  for (const char letter : ended) {
+    const auto c = static_cast<unsigned char>(letter);
+    if (c == '_' || std::isalnum(c) != 0) {
+      word.push_back(static_cast<char>(std::tolower(c)));
+      continue;
+    }
+    if (word == "nan" || word == "inf" || word == "infinity") {
+      BOOST_ERROR("a report has " << word);
+    }
+    word.clear();
+  }
 }
 
 json without_wall_times(json report) {

@@ -11,9 +11,9 @@
 
 namespace stillpoint::cli_test {
 
-/// Asserts that `object` has these fields. A field is "NAME:KIND", where KIND is number, count (a
-/// whole number), text, bool, object, array or null; "number?" may be null as well.
-void check_fields(const nlohmann::json& object, std::initializer_list<std::string_view> fields);
+/// Asserts that these fields of `object` are null. That a report has all fields, and of which type,
+/// its schema says, which every run is held to.
+void check_null(const nlohmann::json& object, std::initializer_list<const char*> fields);
 
 /// Asserts that these fields of `object` equal these values.
 void check_values(const nlohmann::json& object,
@@ -22,9 +22,6 @@ void check_values(const nlohmann::json& object,
 /// Asserts that these fields of `object` are near these values.
 void check_near(const nlohmann::json& object,
                 std::initializer_list<std::pair<const char*, double>> values, double tolerance);
-
-/// Asserts the fields of `response`, which every motion that stops has.
-void check_response_fields(const nlohmann::json& response);
 
 /// Asserts that no word of a report is "nan" or "inf".
 void check_only_finite(std::string_view report);

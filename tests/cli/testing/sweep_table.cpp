@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstring>
 #include <regex>
@@ -64,6 +65,28 @@ SweepTable read_csv(std::string_view text) {
     }
   }
   return table;
+}
+
+Arguments inputs_of(const SweepTable& table, std::size_t row) {
+  static const std::array results{"peak_amplitude", "peak_m", "peak_absolute_acceleration",
+                                  "feasible"};
+  Arguments options;
+  for (const std::string& column : table.columns) {
+    if (std::ranges::find(results, column) != results.end()) {
+      break;
+    }
+    const std::string& value = table.at(row, column);
+    if (column.ends_with("_low")) {  // behind the other end
+      options.back() = value + ":" + options.back();
+    } else if (column.ends_with("_high")) {
+      options.back() += ":" + value;
+    } else {
+      options.push_back("--" + column);
+      std::ranges::replace(options.back(), '_', '-');
+      options.push_back(value);
+    }
+  }
+  return options;
 }
 
 std::size_t NpyFile::record_size() const {

@@ -22,12 +22,14 @@ template <class Make>
 void no_change_within_half_the_margin(std::uint64_t seed, Make make) {
   constexpr double smallest_margin = 1e-12;  // below, the scene's own rounding counts
   Dice dice(seed);
+  int shaken_scenes = 0;
   for (int i = 0; i < 3000; ++i) {
     const Scene<> scene = make(dice);
     const double margin = response(scene).decision_margin.value();
     if (margin < smallest_margin) {
       continue;
     }
+    ++shaken_scenes;
     const End end = end_of(scene);
     for (int direction = 0; direction < 20; ++direction) {
       const Scene<> moved = shaken(scene, 0.499 * margin, dice);
@@ -36,6 +38,7 @@ void no_change_within_half_the_margin(std::uint64_t seed, Make make) {
                                                << end_of(moved));
     }
   }
+  BOOST_TEST(shaken_scenes > 2900);
 }
 
 /// The relative change of a single input, up or down, that changes the end; none up to `most`.

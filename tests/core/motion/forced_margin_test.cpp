@@ -126,7 +126,7 @@ ForcedScene<> turn_at_the_end(double lambda) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(of_random_scenes_are_honest) {
-  margins_are_honest(random_forced_scene, 20262, 0);
+  margins_are_honest(random_forced_scene, 20262, forced_scene_count() / 100);
 }
 
 BOOST_AUTO_TEST_CASE(of_scenes_whose_events_meet_are_honest) {

@@ -109,15 +109,6 @@ BOOST_AUTO_TEST_CASE(an_inward_start_has_its_peak_at_the_start) {
   BOOST_TEST(list[1].side == 1);
 }
 
-BOOST_AUTO_TEST_CASE(a_rest_after_a_swing_back_is_part_of_the_half_cycle) {
-  // f = 5, V0 = 12: peak 8 and a swing of pi back to 2.
-  const std::vector<HalfCycle> list = rows({0, 12, 1, 5, 0.5});
-  BOOST_REQUIRE(list.size() == 1U);
-  near("end_time", list[0].end_time, std::atan2(12.0, 5.0) + pi, time_tolerance);
-  near("end_position", list[0].end_position, 2, length_tolerance);
-  BOOST_TEST(!list[0].arrival_speed);
-}
-
 BOOST_AUTO_TEST_CASE(a_peak_at_two_dead_zones_comes_back_without_speed) {
   // x0 = 4, v0 = 12, f = 5: S = 15 = 3f, and the peak is 10 = 2f.
   for (const double delta : {0.0, 0.5}) {
@@ -128,30 +119,6 @@ BOOST_AUTO_TEST_CASE(a_peak_at_two_dead_zones_comes_back_without_speed) {
     BOOST_TEST(list[0].end_position == 0);
     near("end_time", list[0].end_time, std::atan2(12.0, 9.0) + pi, time_tolerance);
   }
-}
-
-BOOST_AUTO_TEST_CASE(point_friction_alone_gives_peaks_of_falling_energy) {
-  // v_k^2 = V0^2 - 2 (k - 1) Delta, A_k = v_k / p, each half-cycle pi / p long.
-  const std::vector<HalfCycle> list = rows({0, 2, 4, 0, 0.01});
-  BOOST_TEST(list.size() == 200U);
-  for (std::size_t k = 0; k + 1 < list.size(); ++k) {
-    const double speed = std::sqrt(4 - 0.02 * static_cast<double>(k));
-    near("departure_speed", list[k].departure_speed, speed, 1e-12);
-    near("peak", list[k].peak, speed / 4, 1e-12);
-    near("end_time", list[k].end_time, pi * static_cast<double>(k + 1) / 4, time_tolerance);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(constant_friction_alone_gives_peaks_falling_by_two_dead_zones) {
-  // f = 20, V0 = 99: S = 101, A_k = 81 - 40 (k - 1).
-  const std::vector<HalfCycle> list = rows({0, 99, 1, 20, 0});
-  BOOST_REQUIRE(list.size() == 3U);
-  near("peak", list[0].peak, 81, length_tolerance);
-  near("peak", list[1].peak, 41, length_tolerance);
-  near("peak", list[2].peak, 1, 1e-12);
-  const double up = std::atan2(99.0, 20.0);
-  near("peak_time", list[1].peak_time, up + pi, time_tolerance);
-  near("peak_time", list[2].peak_time, up + 2 * pi, time_tolerance);
 }
 
 BOOST_AUTO_TEST_CASE(random_walks_are_consistent_and_agree_with_free_response) {

@@ -213,7 +213,7 @@ BOOST_AUTO_TEST_CASE(files_that_are_read_may_be_doubtful) {
   }
   BOOST_TEST(doubts(even).empty());
   check_only(doubts("# t, a\n" + with_gap),
-             {"a.txt, line 62: the time jumps from 29.5 to 33", "other steps are 0.5"});
+             {"a.txt: the time jumps from 29.5 to 33", "other steps are 0.5"});
   std::ofstream(folder.path("notes.txt")) << "Notes of the site visit.\n";
   const std::string whole = fs::path(folder.path("x")).parent_path().string();
   const auto found = records::suite_doubts({{whole}}, {}, {});

@@ -44,32 +44,6 @@ BOOST_AUTO_TEST_CASE(an_empty_region_is_a_result_that_explains_itself) {
   BOOST_TEST(result.mends.size() == 3U);
 }
 
-BOOST_AUTO_TEST_CASE(the_box_of_a_design_is_safe_in_simulation) {
-  // The tolerance promises that every f and Delta within it stops at x = 0 with a peak within
-  // beta.
-  constexpr double rounding = 1e-14;
-  RandomSource random(1302);
-  for (int i = 0; i < 200; ++i) {
-    DesignRequest request;
-    request.problem = random_feasible_problem(random);
-    const double v0 = request.problem.v0;
-    const double p = request.problem.p;
-    const double beta = request.problem.beta;
-    const DesignPoint point = design::design(request).finding->point;
-    for (int j = -10; j <= 10; ++j) {
-      for (int k = -10; k <= 10; ++k) {
-        const double r = point.tolerance * (1 - rounding) / 10;
-        const double f = point.f * (1 + r * j);
-        const double delta = point.delta * (1 + r * k);
-        const Response response = free_response({p, f, delta}, {0, v0}, {.times = false});
-        BOOST_TEST(response.outcome == Outcome::stopped_at_zero);
-        BOOST_TEST(*response.half_cycles == 1);
-        BOOST_TEST(response.peak_amplitude <= beta * (1 + rounding));
-      }
-    }
-  }
-}
-
 BOOST_AUTO_TEST_CASE(wrong_input_of_a_design_is_an_input_error) {
   DesignRequest request;
   request.problem = {-1, 1, 1, Criterion::published};

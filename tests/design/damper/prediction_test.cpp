@@ -48,26 +48,6 @@ BOOST_AUTO_TEST_CASE(predictions_are_the_closed_forms_in_50_digits) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(predictions_are_what_the_simulation_shows) {
-  RandomSource random(802);
-  for (int i = 0; i < 5000; ++i) {
-    const Problem problem = random_feasible_problem(random);
-    const Region region = admissible_region(problem);
-    const double f = random_f(random, region.f3);
-    const Prediction prediction = predict(problem, f);
-    const Response response = free_response({problem.p, f, *region.delta2}, {0, problem.v0});
-    const double steep = steepness(problem, f, *response.arrival_speed);
-    BOOST_TEST(close(response.peak_amplitude, prediction.peak_amplitude, rounding));
-    BOOST_TEST(close(response.peak_acceleration, prediction.peak_acceleration, rounding));
-    BOOST_TEST(
-        close(*response.stop_time, prediction.stop_time, std::min(turning * steep, grazing)));
-    BOOST_TEST(within(*response.arrival_speed, prediction.arrival_speed,
-                      Precise(turning) * steep * problem.v0));
-    BOOST_TEST(*response.half_cycles == prediction.half_cycles);
-    BOOST_TEST(*response.stop_position == prediction.stop_position);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(a_half_cycle_in_whole_numbers) {
   // f = 7, V0 p = 24: S = 25, peak 18, v_-^2 = 18 * 4.
   const Prediction prediction = predict({24, 1, 20}, 7);

@@ -301,14 +301,17 @@ BOOST_AUTO_TEST_CASE(a_free_period_is_at_least_as_good_as_any_single_one) {
   BOOST_REQUIRE(free.finding.has_value());
   BOOST_TEST(free.finding->point.damper.p >= 0.8);
   BOOST_TEST(free.finding->point.damper.p <= 1.6);
+  int compared = 0;
   for (const double p : {0.8, 1.2, 1.6}) {
     request.p = {p, p};
     const RecordDesign single = design::design(request);
     if (single.finding) {
+      ++compared;
       BOOST_TEST(free.finding->point.figures.acceleration <=
                  single.finding->point.figures.acceleration * (1 + optimum_tolerance));
     }
   }
+  BOOST_TEST(compared > 0);
 }
 
 BOOST_AUTO_TEST_CASE(the_sensitivity_is_that_of_the_samples) {
@@ -325,14 +328,14 @@ BOOST_AUTO_TEST_CASE(the_sensitivity_is_that_of_the_samples) {
   request.f = SearchRange{point.damper.f * 1.1, point.damper.f * 1.1};
   request.delta = SearchRange{point.damper.delta * 1.1, point.damper.delta * 1.1};
   request.tolerance = 0;
+  request.limits = {};
   const RecordDesign corner = design::design(request);
   BOOST_TEST(sensitivity.worst.peak >= corner.nearest.figures.peak * (1 - hand_tolerance));
   BOOST_TEST(sensitivity.worst.acceleration >=
              corner.nearest.figures.acceleration * (1 - hand_tolerance));
-  if (corner.finding) {
-    BOOST_TEST(corner.finding->sensitivity.admissible == 64);
-    BOOST_TEST(corner.finding->sensitivity.worst.peak == corner.nearest.figures.peak);
-  }
+  BOOST_REQUIRE(corner.finding.has_value());
+  BOOST_TEST(corner.finding->sensitivity.admissible == 64);
+  BOOST_TEST(corner.finding->sensitivity.worst.peak == corner.nearest.figures.peak);
 }
 
 BOOST_AUTO_TEST_CASE(wrong_input_is_refused) {

@@ -102,14 +102,6 @@ BOOST_AUTO_TEST_CASE(the_exact_bound_is_zero_at_f3_and_does_not_exist_beyond) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(delta1_follows_the_criterion) {
-  const Problem published{1, 1, 0.9, Criterion::published};
-  const Problem exact{1, 1, 0.9, Criterion::exact};
-  BOOST_TEST(delta1(published, 0.2).value() == delta1_published(published, 0.2));
-  BOOST_TEST(delta1(exact, 0.2).value() == delta1_exact(exact, 0.2).value());
-  BOOST_TEST(!delta1(exact, 0.4).has_value());
-}
-
 BOOST_AUTO_TEST_CASE(every_slack_is_positive_inside_and_negative_outside) {
   const Problem problem{1, 1, 0.9};  // f2 = 0.1056, f3 = 0.3536, Delta1(0.2) = 0.1922
   for (const Constraint& constraint : constraints(problem, 0.2, 0.3)) {

@@ -139,13 +139,4 @@ BOOST_AUTO_TEST_CASE(an_unknown_algorithm_is_refused_with_the_names_of_the_known
   check_contains(text, {"LD_SLSQP", "GN_DIRECT_L"});
 }
 
-BOOST_AUTO_TEST_CASE(objectives_have_the_names_of_the_reports) {
-  BOOST_TEST(name(Objective::robust) == "robust");
-  BOOST_TEST(name(Objective::amplitude) == "amplitude");
-  BOOST_TEST(name(Objective::time) == "time");
-  BOOST_TEST(name(Objective::acceleration) == "acceleration");
-  BOOST_TEST(name(Criterion::published) == "published");
-  BOOST_TEST(name(Criterion::exact) == "exact");
-}
-
 BOOST_AUTO_TEST_SUITE_END()

@@ -128,6 +128,8 @@ BOOST_AUTO_TEST_CASE(both_ends_are_included_and_nothing_beyond_them) {
     BOOST_TEST(*v0.high >= now.problem.v0);
     BOOST_TEST(p.low <= now.problem.p);
     BOOST_TEST(*p.high >= now.problem.p);
+    // The dead zone never binds: within beta, beta p^2 >= p^2 A >= 2 f, twice what it asks for.
+    BOOST_TEST(now.problem.beta * p.low * p.low >= 2 * now.f * (1 - edge_tolerance));
     BOOST_TEST(now.with_v0(v0.low).holds());
     BOOST_TEST(now.with_v0(*v0.high).holds());
     BOOST_TEST(now.with_p(p.low).holds());
@@ -207,18 +209,6 @@ BOOST_AUTO_TEST_CASE(each_requirement_binds_at_its_end) {
       close(*soft.served().p.high, sqrt(Precise(1.05) * 1.05 - Precise(0.26) * 0.26), 1e-15));
 }
 
-BOOST_AUTO_TEST_CASE(the_dead_zone_never_binds) {
-  // Where the motion returns within beta, beta p^2 >= p^2 A >= 2 f: twice what the dead zone asks.
-  RandomSource random(2304);
-  for (int i = 0; i < 1000; ++i) {
-    const Point now = random_point(random);
-    if (now.holds()) {
-      const double p = now.served().p.low;
-      BOOST_TEST(now.problem.beta * p * p >= 2 * now.f * (1 - edge_tolerance));
-    }
-  }
-}
-
 BOOST_AUTO_TEST_CASE(f_max_and_the_tolerance_change_no_end_but_an_inadmissible_point_has_none) {
   Point now = plain;
   now.limits = {0.27, 0.38, 0.5};
@@ -238,6 +228,7 @@ BOOST_AUTO_TEST_CASE(at_delta2_the_hit_may_not_be_weaker_and_no_spring_is_too_st
 }
 
 BOOST_AUTO_TEST_CASE(the_ends_of_the_valid_inputs_are_no_error) {
+  int met = 0;
   for (const double v0 : {1e-150, 1e150}) {
     for (const double p : {1e-150, 1e-3, 1e3, 1e150}) {
       const double beta = v0 / p;
@@ -247,11 +238,13 @@ BOOST_AUTO_TEST_CASE(the_ends_of_the_valid_inputs_are_no_error) {
       const Point now{{v0, p, beta}, {}, 0.26 * v0 * p, 0.37 * v0 * v0};
       if (now.f <= 1e300 && now.delta <= 1e300 && now.delta > 0) {
         const auto served = works_for(now.problem, now.limits, now.f, now.delta);
+        met += served.has_value();
         BOOST_TEST(served.has_value() == now.holds());
         BOOST_TEST((!served || served->v0.low <= v0));
       }
     }
   }
+  BOOST_TEST(met > 0);
 }
 
 BOOST_AUTO_TEST_CASE(the_isolator_serves_340_to_429_mm_per_s) {

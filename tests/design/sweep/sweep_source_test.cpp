@@ -60,25 +60,11 @@ BOOST_AUTO_TEST_CASE(is_csv_or_json_lines) {
   BOOST_TEST((list(" {\"f\": 1}\n")->format() == ListFormat::jsonl));
 }
 
+/// The rest is in sweep_list_test.
 BOOST_AUTO_TEST_CASE(a_wrong_one_is_refused_with_its_line) {
   check_wrong("", 0, "is empty");
-  check_wrong("f,colour\n", 1, "\"colour\" is not a column of a list");
-  check_wrong("f,f\n", 1, "the column f appears twice");
-  check_wrong("f\n0.1\nx\n", 3, "f = \"x\"");
-  check_wrong("{\"f\": 1}\n{\"delta\": 1}\n", 2,
-              "has the key delta, but the first object does not");
-}
-
-BOOST_AUTO_TEST_CASE(with_a_wrong_number_of_values_is_refused_in_proper_english) {
-  check_wrong("f,delta\n0.1\n", 2, "has 1 value, but the header names 2 columns");
   check_wrong("f\n0.1,2\n", 2, "has 2 values, but the header names 1 column");
-  check_wrong("{\"f\": 1, \"p\": 1}\n{\"f\": 1}\n", 2, "has 1 key, but the first object has 2");
-}
-
-BOOST_AUTO_TEST_CASE(with_an_unclosed_quote_is_refused_for_that) {
-  for (const std::string text : {"f,delta\n\"0.1,0.2\n", "f,delta\n0.1,\"0.2\n"}) {
-    check_wrong(text, 2, "a quote is opened but not closed");
-  }
+  check_wrong("f,delta\n0.1,\"0.2\n", 2, "a quote is opened but not closed");
   check_wrong("f,\"delta\n", 1, "a quote is opened but not closed");
 }
 

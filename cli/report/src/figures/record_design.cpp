@@ -2,7 +2,7 @@
 #include "figures/report_figures.hpp"
 #include "figures/spectrum_parts.hpp"
 #include "format.hpp"
-#include "suite_parts.hpp"
+#include "sections.hpp"
 
 #include <stillpoint/report/record_design.hpp>
 

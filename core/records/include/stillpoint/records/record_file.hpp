@@ -57,21 +57,12 @@ struct RecordOptions {
   RecordClock clock{};
 };
 
-/// Where a file whose times are otherwise evenly spaced leaves out some.
-struct TimeJump {
-  std::size_t line{0};  ///< after it
-  double from{0};       ///< in the clock's unit, as these
-  double to{0};
-  double step{0};  ///< of the others
-};
-
 /// An acceleration record as a motion takes it, and what the file says about it.
 struct RecordFile {
   Record record;            ///< in g and tau, scaled; at least one value
   std::string description;  ///< what the file says of itself; may be empty
   RecordUnits units{RecordUnits::g};
   bool assumed_g{false};  ///< neither the file nor the options give the units
-  std::optional<TimeJump> jump{};
 };
 
 /// Throws InputError, "record-scale", unless 1e-100 <= |scale| <= 1e100.

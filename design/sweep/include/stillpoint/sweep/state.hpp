@@ -57,7 +57,7 @@ struct SweepState {
   std::array<std::int64_t, sweep_outcome_count> outcomes{};  ///< how many motions ended this way
   std::int64_t locked{0};    ///< motions that the notch holds while the load goes on
   std::int64_t feasible{0};  ///< of the design problems
-  ByteDigest bytes;                                          ///< of the file of a part so far
+  ByteDigest bytes;          ///< of the file of a part so far
 
   /// Adds the results of one more block.
   void add(const SweepBlock& block);
