@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
 #include "format.hpp"
+#include "sections.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -98,8 +99,8 @@ std::vector<Figure> trade_off_figures(const std::vector<design::TradeOff>& front
       units.length_words(front.back().peak_amplitude), front.back().peak_absolute_acceleration,
       units.length_words(chosen.response.peak_amplitude),
       chosen.response.peak_absolute_acceleration);
-  tolerance.description = format("The largest tolerance for each stroke; the design has {:.3g} %.",
-                                 100 * chosen.point.tolerance);
+  tolerance.description = format("The largest tolerance for each stroke; the design has {}.",
+                                 percent_digits(chosen.point.tolerance, 3));
   return {std::move(acceleration), std::move(tolerance)};
 }
 

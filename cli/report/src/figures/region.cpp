@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "figures/report_figures.hpp"
 #include "format.hpp"
+#include "sections.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -140,8 +141,9 @@ std::string plane_words(const Region& region, const FigureUnits& units) {
 
 /// "±34.2 %", or "-10 to +20 %" where the sides differ.
 std::string percent(double low, double high) {
-  return low == high ? format("±{:.3g} %", 100 * low)
-                     : format("-{:.3g} to +{:.3g} %", 100 * low, 100 * high);
+  const std::string above = percent_digits(high, 3);
+  const std::string below = percent_digits(low, 3);
+  return low == high ? "±" + above : format("-{} to +{}", below.substr(0, below.find(' ')), above);
 }
 
 }  // namespace
