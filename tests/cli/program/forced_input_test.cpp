@@ -67,7 +67,7 @@ const std::vector<Kind> kinds{
 }  // namespace
 
 BOOST_DATA_TEST_CASE_F(Sandbox, scene_is_as_good_as_flags, data::make(kinds), kind) {
-  write("w.txt", "1.3\n-1.2\n1.4\n0\n");
+  write("w.txt", "1.9\n1.8\n-1.9\n-1.9\n0\n");
   const json by_flags = reported(at_rest(kind.flags));
   const Surroundings piped{.input = std::string(R"({"p": 1, "f": 0.1, "delta": 0.01, )") +
                                     kind.scene + "}"};

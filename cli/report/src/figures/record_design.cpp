@@ -167,7 +167,7 @@ std::string beyond_words(const design::RecordDesignRequest& searched,
     ends +=
         format("{}Δ = {}", ends.empty() ? "" : " and ", units.length_words(searched.delta->high));
   }
-  return ends.empty() ? "" : format(" The search went on to {}.", ends);
+  return ends.empty() ? "" : format("; the search went on to {}", ends);
 }
 
 Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& point,
@@ -196,12 +196,12 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
   const bool any_meets = shown.least <= shown.most;
   drawn.caption = any_meets ? "Blue meets every limit, the darker the better"
                             : "Each colour names the first limit that is violated there";
-  drawn.caption += any_meets && any_fails ? "; what is hatched violates one." : ".";
+  drawn.caption += any_meets && any_fails ? "; what is hatched violates one" : "";
   constexpr std::uint8_t best_shade = 0;
   if (result.finding && std::ranges::count(drawn.map.cells, best_shade) == 0) {
-    drawn.caption += " The optimum is narrower than a cell.";
+    drawn.caption += "; the optimum is narrower than a cell";
   }
-  drawn.caption += beyond_words(result.request, task, units);
+  drawn.caption += beyond_words(result.request, task, units) + ".";
   return drawn;
 }
 
