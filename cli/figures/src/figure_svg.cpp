@@ -8,6 +8,7 @@
 #include "figure_paths.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -288,19 +289,23 @@ void bind_units(std::string& text) {
   }
 }
 
-/// "+-5 %" as it is printed, and "EN 15129" in one piece.
+/// "+-5 %", ">=" and "m/s2" as they are printed, and "EN 15129" in one piece.
 void set_signs(std::string& text) {
-  for (std::size_t i = text.find("+-"); i != std::string::npos; i = text.find("+-", i)) {
-    text.replace(i, 2, "\u00b1");
+  constexpr auto signs = std::to_array<std::pair<std::string_view, std::string_view>>(
+      {{"+-", "\u00b1"}, {"&gt;=", "\u2265"}, {"&lt;=", "\u2264"}, {"m/s2", "m/s\u00b2"}});
+  for (const auto& [typed, printed] : signs) {
+    for (std::size_t i = text.find(typed); i != std::string::npos; i = text.find(typed, i)) {
+      text.replace(i, typed.size(), printed);
+    }
   }
   for (std::size_t i = text.find("EN "); i != std::string::npos; i = text.find("EN ", i + 1)) {
     text.replace(i + 2, 1, no_break);
   }
 }
 
-/// "f >= 0.02", "f <= f3" and "f + delta/w" in one piece.
+/// "f ≥ 0.02", "f ≤ f3" and "f + delta/w" in one piece.
 void bind_bounds(std::string& text) {
-  for (const std::string_view sign : {" &gt;= ", " &lt;= ", " &gt; ", " &lt; ", " + "}) {
+  for (const std::string_view sign : {" \u2265 ", " \u2264 ", " &gt; ", " &lt; ", " + "}) {
     for (std::size_t i = text.find(sign); i != std::string::npos; i = text.find(sign, i + 1)) {
       text.replace(i + sign.size() - 1, 1, no_break);
       text.replace(i, 1, no_break);

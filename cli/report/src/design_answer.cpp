@@ -58,14 +58,25 @@ double example_width_m(double peak_m) {
   return std::min(usual, decade * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1));
 }
 
-/// What the structure feels: outside the notch, and inside one that has a width.
-std::string felt(const design::Finding& finding, const Response& response,
-                 const design::Limits& limits, const Physical& physical) {
-  const std::string outside = acceleration_shown(response.peak_absolute_acceleration);
+/// What the structure feels: outside the notch, at most over the ranges, and inside one that has a
+/// width.
+std::string felt(const design::Finding& finding, const design::DesignRequest& request,
+                 const Response& response, const Physical& physical) {
+  const auto& [problem, limits, search, pulse, ranges] = request;
+  const bool worst = pulse && finding.pulse->worst;
+  const bool springs = !pulse && problem.p_high;
+  const std::string outside =
+      acceleration_shown(worst     ? finding.pulse->worst->acceleration
+                         : springs ? std::hypot(finding.point.f, *problem.p_high * problem.v0)
+                                   : response.peak_absolute_acceleration) +
+      (springs ? " with the stiffest spring" : "");
   if (finding.practice && finding.practice->notch_width_min) {
-    return format("{} outside the notch; {} at most inside one at least {} wide", outside,
-                  acceleration_shown(limits.acceleration_max.value()),
-                  width_shown(physical, *finding.practice->notch_width_min));
+    const double width = *finding.practice->notch_width_min;
+    return format(
+        "{} outside the notch; {} at most inside one at least {} wide, where it may rest up to {} "
+        "off centre",
+        outside, acceleration_shown(limits.acceleration_max.value()), width_shown(physical, width),
+        width_shown(physical, width / 2));
   }
   if (limits.acceleration_max) {
     // The least width is known only for a stop at x = 0 after a hit.
@@ -94,6 +105,8 @@ void add_rest(Section& answer, const DesignReport& report, const Physical& physi
     answer.row("rest", "at x = 0 throughout", Tone::bad);
     return;
   }
+  const auto& check = report.result.finding->pulse;
+  const bool worst = check && check->worst && !report.built_notch;
   std::string where = length_shown(physical, *response.stop_position);
   if (response.outcome == Outcome::stopped_in_notch) {
     where += ", inside the notch,";
@@ -101,23 +114,21 @@ void add_rest(Section& answer, const DesignReport& report, const Physical& physi
   const auto arrival = report.result.finding->arrival;
   const bool counted = !report.built_notch && arrival && report.result.request.problem.arrivals > 1;
   answer.row("rest",
-             format("at x = {} after {}{}{}", where, time_shown(physical, *response.stop_time),
+             format("at x = {} {} {}{}{}", where, worst ? "within" : "after",
+                    time_shown(physical, worst ? check->worst->stop_time : *response.stop_time),
                     counted ? format(", at arrival {}", *arrival) : "",
                     report.result.request.problem.v0_low ? ", for the strongest hit" : ""));
 }
 
-/// For the ranges of a pulse: what holds for all of them, and which of them is shown.
+/// For the ranges of a pulse: how far what is above holds, and which of them is shown.
 void add_worst(Section& answer, const design::DesignRequest& request,
                const design::PulseCheck& check, const Physical& physical) {
   const bool springs = request.problem.p_high.has_value();
   const bool lengths = request.pulse_ranges.lambda_high.has_value();
-  answer.row("ranges",
-             format("for every pulse{} of the ranges: peak at most {}, acceleration "
-                    "outside the notch at most {}, rest within {}{}",
-                    springs ? " and spring" : "", length_shown(physical, check.worst->peak),
-                    acceleration_shown(check.worst->acceleration),
-                    time_shown(physical, check.worst->stop_time),
-                    springs || lengths ? "; lengths and periods are sampled" : ""));
+  answer.row(
+      "ranges",
+      format("all of this holds for every pulse{} of the ranges{}", springs ? " and spring" : "",
+             springs || lengths ? ", whose durations and periods are sampled" : ""));
   std::string shown = format("k = {:.6g} g", design::peak_load(check.pulse));
   if (lengths) {
     shown +=
@@ -129,21 +140,34 @@ void add_worst(Section& answer, const design::DesignRequest& request,
   answer.row("", format("the motion shown has the largest peak, with {}", shown));
 }
 
+/// From rest, a notch of width w holds the mass while the load is at most f + delta/w.
+void add_start(Section& answer, const design::DesignResult& result, const Physical& physical) {
+  const auto& [f, delta, tolerance] = result.finding->point;
+  const design::PulseRanges& ranges = result.request.pulse_ranges;
+  const double weakest = ranges.k_low.value_or(design::peak_load(*result.request.pulse));
+  if (weakest > f) {
+    answer.row("start", format("a notch narrower than {}, delta/(k - f), does not let the mass go: "
+                               "see --notch-width{}",
+                               width_shown(physical, delta / (weakest - f)), physical ? "-m" : ""));
+  }
+}
+
 /// Under a pulse, where only the tolerance asks for a strong notch.
 std::string unbounded_words(const DesignReport& report, const Physical& physical) {
   const design::DesignResult& result = report.result;
-  constexpr double beyond_use = 0.9;
-  if (!result.request.pulse || result.request.limits.delta_max ||
-      result.finding->point.tolerance <= beyond_use) {
+  constexpr double far_beyond = 3;  // times what stops the mass
+  if (!result.request.pulse || result.request.limits.delta_max) {
     return {};
   }
   const DeltaNeeds needs = delta_needs(result);
   const bool exact = result.request.problem.criterion == design::Criterion::exact;
-  return format(
-      " Nothing bounds delta: it could be anything above {}, and is this large only for the "
-      "tolerance. --delta-max{} keeps the notch small.",
-      length_shown(physical, exact ? needs.exact.value_or(0) : needs.published),
-      physical ? "-m" : "");
+  const double least = exact ? needs.exact.value_or(0) : needs.published;
+  return result.finding->point.delta > far_beyond * least
+             ? format(
+                   " Nothing bounds delta: it could be anything above {}, and is this large only "
+                   "for the tolerance. Give --delta-max{} to keep the notch small.",
+                   length_shown(physical, least), physical ? "-m" : "")
+             : "";
 }
 
 }  // namespace
@@ -175,8 +199,7 @@ std::string verdict(const DesignReport& report, const Physical& physical) {
   text += unbounded_words(report, physical);
   if (const std::string fault = built_notch_fault(report, physical); !fault.empty()) {
     text += format(" But {}.", fault);
-  }
-  if (std::string locked = lock_sentence(report); !locked.empty()) {
+  } else if (std::string locked = lock_sentence(report); !locked.empty()) {
     locked.front() = 'L';
     text += format(" {}.", locked);
   }
@@ -201,13 +224,18 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
       "peak",
       format("{}, {:.4g} % of the {} allowed{}", length_shown(physical, response.peak_amplitude),
              100 * response.peak_amplitude / problem.beta, length_shown(physical, problem.beta),
-             pulsed ? ", under the pulse" : ""));
+             pulsed           ? ", under the pulse"
+             : problem.p_high ? ", with the softest spring"
+                              : ""));
   add_rest(answer, report, physical);
-  answer.row("acceleration",
-             felt_in_built_notch(report).value_or(felt(finding, response, limits, physical)));
+  const auto built = felt_in_built_notch(report);
+  answer.row("acceleration", built.value_or(felt(finding, result.request, response, physical)));
+  if (pulsed && !built) {
+    add_start(answer, result, physical);
+  }
   if (pulsed && finding.pulse->worst) {
     add_worst(answer, result.request, *finding.pulse, physical);
-  } else if (problem.p_high) {  // the motion shown is that of the softest spring
+  } else if (built && problem.p_high) {  // the motion shown is that of the softest spring
     const double stiffest = std::hypot(f, *problem.p_high * problem.v0);
     answer.row("", format("{} with the stiffest spring", acceleration_shown(stiffest)));
   }

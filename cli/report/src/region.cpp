@@ -31,9 +31,9 @@ std::string violations(const RegionReport& report) {
   for (const design::Constraint& now : violated) {
     if (starts || text.empty()) {
       text += format(" It {}{} ({}).", text.empty() ? "" : "also ",
-                     violation(now, {problem, limits, report.physical}), now.name);
+                     violation(now, {problem, limits, report.physical}), in_words(now.name));
     } else {
-      others += format("{}{}", others.empty() ? "" : " and ", now.name);
+      others += format("{}{}", others.empty() ? "" : " and ", in_words(now.name));
     }
   }
   return text + (others.empty() ? "" : format(" It also violates {}.", others));

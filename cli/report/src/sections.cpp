@@ -6,6 +6,7 @@
 #include <stillpoint/report/digits.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -211,6 +212,22 @@ Section& add_region(Document& document, const design::Region& region, const Phys
   return section;
 }
 
+std::string in_words(std::string_view name) {
+  constexpr auto words = std::to_array<std::pair<std::string_view, std::string_view>>(
+      {{"f_max", "largest f"},
+       {"delta_max", "largest delta"},
+       {"delta_max_m", "largest delta"},
+       {"acceleration_max", "largest acceleration"}});
+  for (const auto& [field, phrase] : words) {
+    if (field == name) {
+      return std::string(phrase);
+    }
+  }
+  std::string text(name);
+  std::ranges::replace(text, '_', ' ');
+  return text;
+}
+
 bool stops_by_delta1(std::span<const design::Constraint> constraints) {
   return std::ranges::any_of(constraints, [](const design::Constraint& now) {
     return now.name == "stop" && now.variable == "delta";
@@ -243,7 +260,7 @@ void add_constraints(Document& document, std::span<const design::Constraint> con
     const auto [unit, unit_name] = unit_of(now.variable, units);
     const bool reached = returns || now.name != "stop";
     table.rows.push_back(
-        {{std::string(now.name), in(std::string(now.variable), unit_name), digits(now.value * unit),
+        {{in_words(now.name), in(std::string(now.variable), unit_name), digits(now.value * unit),
           std::string(now.relation), digits(now.limit * unit), digits(now.slack * unit),
           !reached        ? "not reached"
           : now.satisfied ? "met"
@@ -343,13 +360,14 @@ void add_response(Section& section, const Response& response, const Physical& ph
     section.row("peak acceleration", acceleration_text(physical, response.peak_acceleration));
   }
   add_metrics(section, response, physical);
-  add_margin(section, response, "the outcome could change if all inputs shift by about this much");
+  add_margin(section, response,
+             "the outcome or a count could change if all inputs shift by about this much");
 }
 
 void add_response(Section& section, const ForcedResponse& response, const Physical& physical) {
   add_outcome(section, response, outcome_phrase(response), physical);
   section.row("transmitted",
-              format("{}, the largest acceleration that the structure feels",
+              format("{}, the largest acceleration that the structure feels outside the notch",
                      acceleration_text(physical, response.peak_absolute_acceleration)));
   if (moves(response)) {
     section.row("relative", format("{}, the largest acceleration relative to the base",

@@ -110,6 +110,8 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty, const
                                           const EmptyTask& task);
 /// Whether Delta is compared with Delta1 of the first arrival: not for a damper that stops at a
 /// later one, nor if a rest off centre is allowed.
+/// A name of the interface as people read it: "dead zone", "largest f".
+[[nodiscard]] std::string in_words(std::string_view name);
 [[nodiscard]] bool stops_by_delta1(std::span<const design::Constraint> constraints);
 void add_constraints(Document& document, std::span<const design::Constraint> constraints,
                      const Physical& physical);

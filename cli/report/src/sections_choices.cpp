@@ -32,7 +32,7 @@ std::string consequence(const design::Constraint& violated, const PartTask& task
          : name == "stop"      ? "passes x = 0"
          : name == "dead_zone" ? "has too wide a dead zone"
          : name == "residual"  ? "rests too far out"
-                               : "exceeds " + std::string(name);
+                               : "exceeds the " + in_words(name);
 }
 
 /// "f is 12 % too small", "delta is 3.4 times the limit".

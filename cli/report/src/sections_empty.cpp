@@ -57,22 +57,6 @@ std::optional<ShownMend> with_units(const design::Mend& mend, const EmptyTask& t
   return shown;
 }
 
-/// The name of an input as in a sentence: "max displacement", "the largest f", or its symbol.
-std::string in_words(std::string name) {
-  static constexpr auto words = std::to_array<std::pair<std::string_view, std::string_view>>(
-      {{"f_max", "the largest f"},
-       {"delta_max", "the largest delta"},
-       {"delta_max_m", "the largest delta"},
-       {"acceleration_max", "the largest acceleration"}});
-  for (const auto& [field, phrase] : words) {
-    if (field == name) {
-      return std::string(phrase);
-    }
-  }
-  std::ranges::replace(name, '_', ' ');
-  return name;
-}
-
 /// The option that gives the tolerance.
 std::string_view name_of_tolerance(const design::BoxShape& shape) {
   return std::max(shape.delta_low, shape.delta_high) == 0 ? "tolerance_f"
@@ -88,7 +72,8 @@ std::string words_of(const design::Mend& mend, const EmptyTask& task) {
                                                : box_text(task.limits, mend.value));
   }
   const ShownMend shown = with_units(mend, task).value_or(dimensionless(mend));
-  return format("{} must be {}", in_words(shown.name), shown.bound());
+  const std::string name = in_words(shown.name);
+  return format("{}{} must be {}", name.starts_with("largest") ? "the " : "", name, shown.bound());
 }
 
 /// Nobody chooses the hit, and the period only by another isolator.
@@ -109,15 +94,16 @@ constexpr std::string_view exact_words = "criterion must be exact";
 
 void add_mend(Section& section, const design::Mend& mend, const EmptyTask& task) {
   if (mend.field == "tolerance") {
-    section.row(std::string(name_of_tolerance(task.limits.shape)),
+    section.row(in_words(name_of_tolerance(task.limits.shape)),
                 "at most " + box_text(task.limits, mend.value));
     return;
   }
   const ShownMend plain = dimensionless(mend);
   if (const auto now = with_units(mend, task)) {
-    section.row(now->name, format("{}   ({} {})", now->bound(), plain.name, plain.bound()));
+    section.row(in_words(now->name),
+                format("{}   ({} {})", now->bound(), plain.name, plain.bound()));
   } else {
-    section.row(plain.name, plain.bound());
+    section.row(in_words(plain.name), plain.bound());
   }
 }
 

@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(for_people_names_every_part) {
   const ProgramRun text = succeed(design(0.9, {"--title", "the bridge at noon", "--verbose"}));
   BOOST_TEST(text.err.empty(), text.err);
   check_only_finite(text.out);
-  check_contains(text.out, {"the bridge at noon", "0.259325", "0.36674", "36.33 %", "dead_zone",
+  check_contains(text.out, {"the bridge at noon", "0.259325", "0.36674", "36.33 %", "dead zone",
                             "start", "amplitude", "return", "stop", "half-cycle map", "Runge-Kutta",
                             "LD_SLSQP", "published", "robust"});
   BOOST_TEST(text.out.find('{') == std::string::npos);

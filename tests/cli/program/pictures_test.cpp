@@ -191,7 +191,7 @@ BOOST_AUTO_TEST_CASE(of_a_large_sweep_stay_small) {
       "page.html --svg figures");
   const std::string page = checked(read("page.html"));
   BOOST_TEST(page.size() < 1'000'000U);
-  check_contains(page, {"Δ₁ exact", "no return past f₃", "held above Δ₂", "centred after 1",
+  check_contains(page, {"Δ₁ exact", "no return past f₃ →", "held above Δ₂ ↑", "centred after 1",
                         "off centre after 2", "never starts", "1000000"});
   BOOST_TEST(read("figures/map.svg").size() < 1'000'000U);
 }

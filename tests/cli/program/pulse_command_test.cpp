@@ -232,7 +232,7 @@ BOOST_AUTO_TEST_CASE(a_duration_as_printed_makes_it_feasible) {
            "--pulse half-sine --k 0.5g --period 2.8s --max-displacement 20mm";
   };
   const ProgramRun text = ending(3, lasting("70ms"));
-  const std::regex figure("pulse_duration +at most ([.0-9]+) s ");
+  const std::regex figure("pulse duration +at most ([.0-9]+) s ");
   std::smatch found;
   BOOST_TEST_REQUIRE(std::regex_search(text.out, found, figure), text.out);
   succeed(lasting(found[1].str() + "s"));

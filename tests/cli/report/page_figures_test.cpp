@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(a_lack_of_tolerance_alone_leaves_a_clear_area_that_is_not_c
   request.limits.tolerance = 0.4;
   const Figure drawn = figure(page(DesignReport{design::design(request), {}}), "region");
   BOOST_TEST(drawn.title == "No damper: tolerance must be at most 22.21 %");
-  BOOST_TEST(contains(drawn.caption, "without a tolerance"), drawn.caption);
+  BOOST_TEST(contains(drawn.caption, "Without the tolerance asked for"), drawn.caption);
   BOOST_TEST(drawn.areas.front().name == "admissible without a tolerance");
 }
 

@@ -48,7 +48,8 @@ BOOST_AUTO_TEST_CASE(text_page_and_json_agree) {
   BOOST_TEST(contains(plain, with_unit(data["physical"]["peak_m"], "m")), plain);
   BOOST_TEST(contains(plain, made.verdict.substr(0, 40)), plain);
   for (const auto& constraint : data["constraints"]) {
-    BOOST_TEST(contains(made.body, constraint["name"].get<std::string>()));
+    const auto name = constraint["name"].get<std::string>();
+    BOOST_TEST(contains(made.body, name == "dead_zone" ? "dead zone" : name));
   }
 }
 

@@ -100,7 +100,7 @@ std::vector<Figure> trade_off_figures(const std::vector<design::TradeOff>& front
       units.length_words(chosen.response.peak_amplitude),
       chosen.response.peak_absolute_acceleration);
   tolerance.description = format("The largest tolerance for each stroke; the design has {}.",
-                                 percent_digits(chosen.point.tolerance, 3));
+                                 percent_digits(chosen.point.tolerance));
   return {std::move(acceleration), std::move(tolerance)};
 }
 

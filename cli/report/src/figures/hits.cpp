@@ -44,6 +44,41 @@ FigureArea area_of(HitEnd end) {
   return {};
 }
 
+/// What becomes of such hits: "rest off centre"; "" where a limit decides that the figure does not
+/// show.
+std::string_view fate(HitEnd end) {
+  switch (end) {
+    case HitEnd::held:
+      return "are held at the start";
+    case HitEnd::off_centre:
+      return "rest off centre";
+    case HitEnd::alternating:
+      return "may rest off centre";
+    case HitEnd::too_far:
+      return "go too far";
+    case HitEnd::never_stops:
+      return "never stop";
+    case HitEnd::centred:
+      break;
+  }
+  return "";
+}
+
+/// "; weaker ones are held at the start, stronger ones go too far"
+std::string beyond_words(const design::ServedInterval& works,
+                         const std::vector<design::Hits>& hits) {
+  std::string text;
+  for (const design::Hits& now : hits) {
+    const bool below = now.from < works.low && works.low <= now.to;
+    const bool above = works.high && now.from <= *works.high && *works.high < now.to;
+    if ((below || above) && !fate(now.end).empty()) {
+      text += fmt::format("{} {} ones {}", text.empty() ? ";" : ",", below ? "weaker" : "stronger",
+                          fate(now.end));
+    }
+  }
+  return text;
+}
+
 /// The hits whose peak is within beta, but whose acceleration outside the notch is not within its
 /// limit: sqrt(f^2 + (v0 p)^2) is above it, with the stiffest spring.
 void add_acceleration(Figure& figure, const design::Problem& problem, const design::Limits& limits,
@@ -83,7 +118,8 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
                               (units.velocity_unit.empty() ? "" : " ") + units.velocity_unit;
     figure.areas.push_back({"works for " + range, strip(low * unit, *high * unit, 0.05, 0.3),
                             Ink::blue, AreaLook::box});
-    figure.caption = fmt::format("The damper works for hits of {}.", range);
+    figure.caption =
+        fmt::format("The damper works for hits of {}{}.", range, beyond_words(works_for->v0, hits));
   } else {
     figure.caption = "The damper does not work for the hit that was asked for.";
   }
@@ -100,13 +136,17 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
   }
   add_acceleration(figure, problem, limits, f, hits, unit);
   figure.description += ". " + figure.caption;
-  const double v0 = problem.v0 * unit;
-  figure.curves.push_back({.name = "V₀ = " + units.velocity_words(problem.v0),
-                           .strokes = {{{v0, 0}, {v0, 1}}},
-                           .ink = Ink::blue,
-                           .dash = figures::Dash::dashed,
-                           .hover = false,
-                           .labelled = true});
+  for (const double asked : {problem.v0_low.value_or(0), problem.v0}) {
+    if (asked > 0) {
+      const double at = asked * unit;
+      figure.curves.push_back({.name = "V₀ = " + units.velocity_words(asked),
+                               .strokes = {{{at, 0}, {at, 1}}},
+                               .ink = Ink::blue,
+                               .dash = figures::Dash::dashed,
+                               .hover = false,
+                               .labelled = true});
+    }
+  }
   return figure;
 }
 

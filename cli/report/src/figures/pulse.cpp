@@ -141,10 +141,11 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
       "above the curve stops it there. ",
       drawn.region.f3);
   const bool bounded = std::isfinite(design::largest_delta_allowed(drawn.limits));
-  const std::string box = drawn.damper ? box_clause(*drawn.damper, units) : "";
+  const std::string box =
+      drawn.damper ? box_clause(*drawn.damper, drawn.region.f_upper.value_or(0), units) : "";
   figure.caption =
       drawn.intervals.empty()
-          ? "No f returns and meets the limits."
+          ? "At no f does the mass return to x = 0 and meet the limits."
           : format("{}each hatched side says what goes wrong there{}.",
                    !box.empty() ? box
                    : drawn.limits.tolerance > 0

@@ -100,14 +100,16 @@ void add_edge(Figure& figure, std::string name, FigurePoint from, FigurePoint to
 /// The strips of later arrivals lie below those of earlier ones.
 std::string caption_of(const DrawnRegion& drawn, const FigureUnits& units) {
   const Problem& problem = drawn.problem;
-  std::string text = drawn.damper ? box_clause(*drawn.damper, units) : "";
+  std::string text =
+      drawn.damper ? box_clause(*drawn.damper, drawn.region.f_upper.value_or(0), units) : "";
   if (!is_one_strip(problem)) {
     text += format("{} damper in a strip {} at that arrival; ", text.empty() ? "A" : "a",
                    problem.residual ? "rests within the residual" : "stops at x = 0");
   } else if (text.empty()) {
     text = drawn.region.feasible && drawn.limits.tolerance == 0
                ? "A damper in the area without hatching is admissible; "
-               : "The area without hatching is what the requirements leave without a tolerance; ";
+               : "Without the tolerance asked for, a damper in the area without hatching is "
+                 "admissible; ";
   }
   const std::string_view some = problem.v0_low && problem.p_high
                                     ? " for some hits or springs of the ranges"
@@ -141,8 +143,8 @@ std::string plane_words(const Region& region, const FigureUnits& units) {
 
 /// "±34.2 %", or "-10 to +20 %" where the sides differ.
 std::string percent(double low, double high) {
-  const std::string above = percent_digits(high, 3);
-  const std::string below = percent_digits(low, 3);
+  const std::string above = percent_digits(high);
+  const std::string below = percent_digits(low);
   return low == high ? "±" + above : format("-{} to +{}", below.substr(0, below.find(' ')), above);
 }
 
@@ -167,9 +169,11 @@ std::string tolerance_words(const design::BoxShape& shape, double tolerance) {
                       percent(tolerance * shape.delta_low, tolerance * shape.delta_high));
 }
 
-std::string box_clause(const DrawnDamper& damper, const FigureUnits& units) {
+std::string box_clause(const DrawnDamper& damper, double f_upper, const FigureUnits& units) {
   return damper.tolerance > 0
-             ? format("The box shows how far f = {:.4g} and Δ = {} may both be off; ", damper.f,
+             ? format("The box shows how far {} and Δ = {} may both be off; ",
+                      begins_at_nothing(damper.f, f_upper) ? "next to no f"
+                                                           : format("f = {:.4g}", damper.f),
                       units.length_words(damper.delta))
              : "";
 }
@@ -201,10 +205,11 @@ void add_boundaries(Figure& figure, const Problem& problem, const FigureUnits& u
   add_delta1(figure, problem, region.f3, units.length);
   const double top = region.delta2.value() * units.length;
   if (region.f3 > figure.x.least && region.f3 < figure.x.most) {
-    add_edge(figure, "no return past f₃", {region.f3, figure.y.least}, {region.f3, figure.y.most});
+    add_edge(figure, "no return past f₃ →", {region.f3, figure.y.least},
+             {region.f3, figure.y.most});
   }
   if (top > figure.y.least && top < figure.y.most) {
-    add_edge(figure, "held above Δ₂", {figure.x.least, top}, {figure.x.most, top});
+    add_edge(figure, "held above Δ₂ ↑", {figure.x.least, top}, {figure.x.most, top});
   }
 }
 

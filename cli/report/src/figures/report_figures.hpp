@@ -138,7 +138,8 @@ struct DrawnDamper {
 void add_damper(figures::Figure& figure, const DrawnDamper& damper, const design::BoxShape& shape,
                 const FigureUnits& units);
 /// What the box means, for a caption; empty without one.
-[[nodiscard]] std::string box_clause(const DrawnDamper& damper, const FigureUnits& units);
+[[nodiscard]] std::string box_clause(const DrawnDamper& damper, double f_upper,
+                                     const FigureUnits& units);
 
 /// What to draw for a region.
 struct DrawnRegion {

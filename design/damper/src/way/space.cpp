@@ -183,8 +183,8 @@ Function cost_of(const Way& way, const Scaled& scale, Objective objective, Tried
 /// The cost for algorithms without constraints: above every value inside where one is violated.
 Function penalised(const Way& way, const Scaled& scale, bool robust, const Function& cost,
                    const std::vector<Function>& inequalities, Tried& tried) {
-  return [&way, &tried, scale, robust, cost, inequalities](const Eigen::VectorXd& at,
-                                                           Eigen::VectorXd& /*gradient*/) {
+  return [&way, &tried, scale, robust, cost = cost, inequalities = inequalities](
+             const Eigen::VectorXd& at, Eigen::VectorXd& /*gradient*/) {
     const double above_all = 10.0 + way.passages();  // a half-cycle takes pi
     Eigen::VectorXd none;
     double violation = 0;
