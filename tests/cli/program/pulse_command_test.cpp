@@ -42,6 +42,21 @@ BOOST_AUTO_TEST_CASE(report_says_how_the_design_stands_under_its_pulse) {
   BOOST_TEST(pulse["peak_error"].get<double>() < 0.31 * 0.0025);
 }
 
+/// Under f + delta/w at the start.
+BOOST_AUTO_TEST_CASE(a_notch_as_narrow_as_the_report_says_holds_the_mass) {
+  const ProgramRun text = run(asked);
+  const std::regex width("a notch narrower than ([-.0-9e]+), delta/");
+  std::smatch found;
+  BOOST_TEST_REQUIRE(std::regex_search(text.out, found, width), text.out);
+  const auto peak = [&](double share) {
+    const json report =
+        reported(asked + Arguments{"--notch-width", in_full(share * std::stod(found[1]))});
+    return report["built_notch"]["peak_amplitude"].get<double>();
+  };
+  BOOST_TEST(peak(0.999) == 0);
+  BOOST_TEST(peak(1.001) > 0);
+}
+
 BOOST_AUTO_TEST_CASE(cross_check_has_the_pulse_and_an_integrator) {
   const json report = reported(asked);
   std::vector<std::string> names;
