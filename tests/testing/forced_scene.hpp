@@ -105,7 +105,7 @@ inline std::ostream& operator<<(std::ostream& out, const ForcedScene<double>& sc
         if constexpr (requires { e.lambda; }) {
           out << e.k << ", " << e.lambda;
         }
-        if constexpr (requires { e.phase; }) {
+        if constexpr (requires { e.duration; }) {
           out << ", " << e.phase << ", lasts " << e.duration.value_or(HUGE_VAL);
         }
         if constexpr (requires { e.values; }) {

@@ -108,7 +108,7 @@ void add_excitation(Section& section, const Excitation& excitation,
                     const std::optional<RecordOrigin>& record, const Physical& physical) {
   std::string what(name(excitation));
   std::visit(
-      [&](const auto& kind) {
+      [&]<class Kind>(const Kind& kind) {
         if constexpr (requires { kind.lambda; }) {
           what +=
               format(", k = {:.6g}, lambda = {}", kind.k, frequency_text(physical, kind.lambda));
@@ -117,7 +117,7 @@ void add_excitation(Section& section, const Excitation& excitation,
           what += format(", {} values from {:.6g} g to {:.6g} g", kind.values.size(), least + 0.0,
                          most + 0.0);  // no -0
         }
-        if constexpr (requires { kind.phase; }) {
+        if constexpr (IsSine<Kind> && !IsPulse<Kind>) {
           what += format(", phase {:.6g}", kind.phase);
         }
       },

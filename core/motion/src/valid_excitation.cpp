@@ -59,9 +59,9 @@ void check(const Harmonic& excitation) {
   }
 }
 
-template <IsPulse Pulse>
-void check(const Pulse& pulse) {
-  require_wave(pulse.k, pulse.lambda);
+template <class Law>
+void check(const Law& law) {
+  require_wave(law.k, law.lambda);
 }
 
 void check(const Record& record) {

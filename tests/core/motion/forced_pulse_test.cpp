@@ -53,6 +53,8 @@ BOOST_AUTO_TEST_CASE(a_straight_pulse_is_a_record_of_two_samples) {
     for (const double lambda : {0.4, 3.0}) {
       const Ramp ramp{k, lambda};
       const double lasts = pi / lambda;
+      BOOST_TEST(load_at(ramp, 0) == k);
+      BOOST_TEST(std::abs(load_at(ramp, lasts / 3) - 0.75 * k) <= 1e-15);
       ForcedScene<> scene{{.x0 = 0.1, .v0 = 0.2, .p = 1, .f = 0.1, .delta = 0.02},
                           Record{{k, k / 4}, 0, {0, lasts}},
                           1.5 * lasts};

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 
 namespace stillpoint::report {
@@ -27,17 +27,16 @@ struct Wave {
   std::vector<FigurePoint> operator()(const NoExcitation& /*none*/) const {
     return {{0, 0}, {horizon, 0}};
   }
-  std::vector<FigurePoint> operator()(const Harmonic& wave) const {
-    return sine(wave.k, wave.lambda, wave.phase, wave.duration.value_or(horizon));
-  }
-  template <IsPulse Pulse>
-  std::vector<FigurePoint> operator()(const Pulse& pulse) const {
-    const double ends = duration(pulse).value();
-    if constexpr (IsLine<Pulse>) {
-      return until_horizon({{0, Pulse::line.begin * pulse.k}, {ends, Pulse::line.end * pulse.k}});
-    } else {
-      return sine(pulse.k, pulse.lambda, 0, ends);
+  template <class Law>
+  std::vector<FigurePoint> operator()(const Law& law) const {
+    const double last = std::min(duration(law).value_or(horizon), horizon);
+    const std::int64_t count = IsLine<Law> ? 1 : sample_count(law.lambda, last);
+    std::vector<FigurePoint> points;
+    for (std::int64_t i = 0; i <= count; ++i) {
+      const double tau = last * static_cast<double>(i) / static_cast<double>(count);
+      points.push_back({tau, load_at(law, tau)});
     }
+    return until_horizon(std::move(points));
   }
   std::vector<FigurePoint> operator()(const Record& record) const {
     std::vector<FigurePoint> points;
@@ -50,18 +49,6 @@ struct Wave {
   }
 
  private:
-  [[nodiscard]] std::vector<FigurePoint> sine(double k, double lambda, double phase,
-                                              double ends) const {
-    const double last = std::min(ends, horizon);
-    const std::int64_t count = sample_count(lambda, last);
-    std::vector<FigurePoint> points;
-    for (std::int64_t i = 0; i <= count; ++i) {
-      const double tau = last * static_cast<double>(i) / static_cast<double>(count);
-      points.push_back({tau, k * std::sin(lambda * tau + phase)});
-    }
-    return until_horizon(std::move(points));
-  }
-
   /// Up to the horizon, and 0 from its own end on.
   [[nodiscard]] std::vector<FigurePoint> until_horizon(std::vector<FigurePoint> points) const {
     const auto beyond =

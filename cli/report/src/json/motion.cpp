@@ -37,7 +37,7 @@ ordered_json excitation_json(const Excitation& excitation,
                     {"record_factor", nullptr},
                     {"pga", nullptr}};
   std::visit(
-      [&](const auto& kind) {
+      [&]<class Kind>(const Kind& kind) {
         if constexpr (requires { kind.lambda; }) {
           json["k"] = number(kind.k);
           json["lambda"] = number(kind.lambda);
@@ -46,7 +46,7 @@ ordered_json excitation_json(const Excitation& excitation,
           json["record_factor"] = number(origin.factor);
           json["pga"] = number(records::peak_acceleration(kind));
         }
-        if constexpr (requires { kind.phase; }) {
+        if constexpr (IsSine<Kind> && !IsPulse<Kind>) {
           json["phase"] = number(kind.phase);
         }
       },

@@ -57,12 +57,21 @@ Real duration_of(const BasicRecord<Real>& record) {
   return record.step * Real(record.values.size() - 1);
 }
 
-/// The largest |k sin psi| from `from` until `until`: |k| where a crest lies there, otherwise that
-/// of an end.
+// (F30): the largest |W| from `from` until `until`, which is later and not after the end of the
+// excitation.
+
 template <class Real>
-Real largest_wave(const Real& k, DrivePhase<Real> psi, const ExactSum<Real>& from,
+Real largest_load(const NoExcitation& /*none*/, const Real& /*p*/, const ExactSum<Real>& /*from*/,
+                  const ExactSum<Real>& /*until*/) {
+  return Real(0);
+}
+
+/// |k| where a crest lies between, otherwise that of an end.
+template <class Real, IsSine Sine>
+Real largest_load(const Sine& sine, const Real& p, const ExactSum<Real>& from,
                   const ExactSum<Real>& until) {
   using std::max;
+  DrivePhase<Real> psi(sine.lambda, p, Real(sine.phase));
   psi.advance(from);
   const Real half = pi<Real>();
   Real to_crest = half / 2 - psi.psi();  // between -half / 2 and 3 half / 2; crests are half apart
@@ -73,44 +82,24 @@ Real largest_wave(const Real& k, DrivePhase<Real> psi, const ExactSum<Real>& fro
   }
   const Real length = until.minus(from);
   if (!(psi.ratio() * length < to_crest)) {
-    return magnitude(k);
+    return magnitude(sine.k);
   }
   const Real begin = magnitude(psi.sin_cos().sine);
   psi.advance(length);
-  return magnitude(k) * max(begin, magnitude(psi.sin_cos().sine));
+  return magnitude(sine.k) * max(begin, magnitude(psi.sin_cos().sine));
 }
 
-// (F30): the largest |W| from `from` until `until`, which is later and not after the end of the
-// excitation.
-
-template <class Real>
-Real largest_load(const NoExcitation& /*none*/, const Real& /*p*/, const ExactSum<Real>& /*from*/,
-                  const ExactSum<Real>& /*until*/) {
-  return Real(0);
-}
-
-template <class Real>
-Real largest_load(const BasicHarmonic<Real>& wave, const Real& p, const ExactSum<Real>& from,
+template <class Real, IsLine Line>
+Real largest_load(const Line& pulse, const Real& p, const ExactSum<Real>& from,
                   const ExactSum<Real>& until) {
-  return largest_wave(wave.k, DrivePhase<Real>(wave.lambda, p, wave.phase), from, until);
-}
-
-template <class Real, IsPulse Pulse>
-Real largest_load(const Pulse& pulse, const Real& p, const ExactSum<Real>& from,
-                  const ExactSum<Real>& until) {
-  if constexpr (IsLine<Pulse>) {
-    using std::abs;
-    using std::max;
-    const Real per_turn = pulse.lambda / (p * Real(2 * Pulse::turns) * pi<Real>());
-    const auto load = [&](const ExactSum<Real>& at) {
-      const Real part = at.value() * per_turn;
-      return Real(abs(Real(
-          pulse.k * (Real(Pulse::line.begin) + Real(Pulse::line.end - Pulse::line.begin) * part))));
-    };
-    return max(load(from), load(until));
-  } else {
-    return largest_wave(pulse.k, DrivePhase<Real>(pulse.lambda, p, Real(0)), from, until);
-  }
+  using std::max;
+  const Real per_turn = pulse.lambda / (p * Real(2 * Line::turns) * pi<Real>());
+  const auto load = [&](const ExactSum<Real>& at) {
+    const Real part = at.value() * per_turn;
+    return magnitude(
+        Real(pulse.k * (Real(Line::line.begin) + Real(Line::line.end - Line::line.begin) * part)));
+  };
+  return max(load(from), load(until));
 }
 
 /// At a sample, or at an end, which may lie between two.

@@ -12,6 +12,8 @@
 
 #include <stillpoint/core/excitation.hpp>
 
+#include <limits>
+
 namespace stillpoint {
 
 namespace detail {
@@ -43,30 +45,24 @@ Load<Real> excite(ForcedRun<Real, Watcher, Law>& /*run*/, const NoExcitation& /*
   return {};
 }
 
-template <class Real, class Watcher, class Law>
-Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const BasicHarmonic<Real>& excitation,
-                  const ExactSum<Real>& end) {
-  const bool for_ever = !excitation.duration;
-  return detail::harmonic(run, excitation.k, excitation.lambda, excitation.phase,
-                          detail::earlier(run.map().p, duration_of<Real>(excitation), end),
-                          for_ever);
+template <class Real, class Watcher, class Law, IsSine Sine>
+Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const Sine& sine, const ExactSum<Real>& end) {
+  const Real lasts = duration_of<Real>(sine);
+  return detail::harmonic(run, sine.k, sine.lambda, Real(sine.phase),
+                          detail::earlier(run.map().p, lasts, end),
+                          lasts == std::numeric_limits<Real>::infinity());
 }
 
-template <class Real, class Watcher, class Law, IsPulse Pulse>
-Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const Pulse& pulse,
+template <class Real, class Watcher, class Law, IsLine Line>
+Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const Line& pulse,
                   const ExactSum<Real>& end) {
   const Real& p = run.map().p;
-  const auto lasts = duration_of<Real>(pulse);
-  const ExactSum<Real> length = detail::earlier(p, lasts, end);
-  if constexpr (IsLine<Pulse>) {
-    const Real first = Real(Pulse::line.begin) * pulse.k;
-    const Real last = Real(Pulse::line.end) * pulse.k;
-    LinearDrive<Real> drive(Real(first / p), first, Real(last / p), last, Real(p * lasts));
-    run.through(drive, length, false);
-    return drive.load();
-  } else {
-    return detail::harmonic(run, pulse.k, pulse.lambda, Real(0), length, false);
-  }
+  const Real lasts = duration_of<Real>(pulse);
+  const Real first = Real(Line::line.begin) * pulse.k;
+  const Real last = Real(Line::line.end) * pulse.k;
+  LinearDrive<Real> drive(Real(first / p), first, Real(last / p), last, Real(p * lasts));
+  run.through(drive, detail::earlier(p, lasts, end), false);
+  return drive.load();
 }
 
 template <class Real, class Watcher, class Law>

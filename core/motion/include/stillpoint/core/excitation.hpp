@@ -3,6 +3,8 @@
 
 // The base acceleration W(tau) in units of g, tau >= 0. Outside the stated intervals W = 0.
 
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <string_view>
 #include <variant>
@@ -21,9 +23,9 @@ struct BasicHarmonic {
 };
 using Harmonic = BasicHarmonic<double>;
 
-// A pulse lasts `turns` times 2 pi / lambda. It is W = k sin(lambda tau) or, with a `line`,
+// A pulse lasts `turns` times 2 pi / lambda. It is a sine with that `phase` or, with a `line`,
 // straight from one part of k to another. What computes with it follows from these; a load with
-// another law also needs what a record has: in src/kernel, in the peers and in its figure.
+// another law also needs its load_at here and its part of src/kernel.
 
 /// The parts of k at the begin and at the end.
 struct PulseLine {
@@ -35,6 +37,7 @@ template <class Real>
 struct BasicHalfSine {
   static constexpr std::string_view name = "half-sine";
   static constexpr double turns = 0.5;
+  static constexpr double phase = 0;
   Real k{0};
   Real lambda{1};
 };
@@ -44,6 +47,7 @@ template <class Real>
 struct BasicFullSine {
   static constexpr std::string_view name = "full-sine";
   static constexpr double turns = 1;
+  static constexpr double phase = 0;
   Real k{0};
   Real lambda{1};
 };
@@ -85,11 +89,25 @@ template <class Kind>
 concept IsPulse = requires {
   Kind::turns;
 };
-/// Straight, not a part of a sine.
+template <class Kind>
+concept IsSine = requires(const Kind& kind) {
+  kind.phase;
+};
 template <class Kind>
 concept IsLine = requires {
   Kind::line;
 };
+
+/// W(tau) for 0 <= tau < duration, for figures and for integrators to compare with: the kernels,
+/// which do not use it, are more exact.
+[[nodiscard]] double load_at(const IsSine auto& sine, double tau) {
+  return sine.k * std::sin(sine.lambda * tau + sine.phase);
+}
+template <IsLine Line>
+[[nodiscard]] double load_at(const Line& pulse, double tau) {
+  const double part = pulse.lambda * tau / (2 * Line::turns * std::numbers::pi);
+  return pulse.k * (Line::line.begin + (Line::line.end - Line::line.begin) * part);
+}
 
 /// That of its kind.
 [[nodiscard]] inline std::string_view name(const Excitation& excitation) {

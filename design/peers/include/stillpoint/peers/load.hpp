@@ -25,59 +25,30 @@ struct NoLoad {
   static bool next_stretch() { return false; }
 };
 
-/// k sin(lambda t + phase) up to `end`, then 0.
-class WaveLoad {
+/// By the formula of the excitation up to its end, then 0.
+template <class Law>
+class LawLoad {
  public:
-  WaveLoad(double k, double lambda, double phase, double end)
-      : k_(k), lambda_(lambda), phase_(phase), end_(end) {}
-  explicit WaveLoad(const Harmonic& e)
-      : WaveLoad(e.k, e.lambda, e.phase, e.duration.value_or(for_ever)) {}
-  template <IsPulse Pulse>
-  explicit WaveLoad(const Pulse& e) : WaveLoad(e.k, e.lambda, 0, duration(e).value()) {}
+  explicit LawLoad(const Law& law) : law_(law), end_(duration(law).value_or(for_ever)) {}
 
-  double operator()(double t) const { return k_ * std::sin(lambda_ * t + phase_); }
+  double operator()(double t) const { return load_at(law_, t); }
   [[nodiscard]] double stretch_end() const { return end_; }
   /// The largest |W| from here on; infinite if something else still comes.
-  [[nodiscard]] double largest() const { return end_ == for_ever ? std::abs(k_) : for_ever; }
+  [[nodiscard]] double largest() const { return end_ == for_ever ? std::abs(law_.k) : for_ever; }
   /// Between looks at the load of a mass at rest.
-  [[nodiscard]] double scan_step() const { return std::numbers::pi / 16 / lambda_; }
+  [[nodiscard]] double scan_step() const {
+    return IsLine<Law> ? for_ever : std::numbers::pi / 16 / law_.lambda;
+  }
   /// Moves on to what follows; true: W jumps there.
   bool next_stretch() {
-    k_ = 0;
+    law_.k = 0;
     end_ = for_ever;
     return true;
   }
 
  private:
-  double k_{0};
-  double lambda_{0};
-  double phase_{0};
-  double end_{0};
-};
-
-/// A straight line up to `end`, then 0.
-class LineLoad {
- public:
-  template <IsLine Pulse>
-  explicit LineLoad(const Pulse& e)
-      : end_(duration(e).value()),
-        w_(Pulse::line.begin * e.k),
-        slope_((Pulse::line.end - Pulse::line.begin) * e.k / end_) {}
-
-  double operator()(double t) const { return w_ + slope_ * t; }
-  [[nodiscard]] double stretch_end() const { return end_; }
-  [[nodiscard]] double largest() const { return end_ == for_ever ? 0 : for_ever; }
-  [[nodiscard]] static double scan_step() { return for_ever; }
-  bool next_stretch() {
-    w_ = slope_ = 0;
-    end_ = for_ever;
-    return true;
-  }
-
- private:
+  Law law_;
   double end_;
-  double w_;
-  double slope_;
 };
 
 /// Straight lines between samples.
@@ -128,10 +99,10 @@ auto with_load(const Excitation& excitation, Action action) {
           return action(NoLoad());
         } else if constexpr (std::is_same_v<Kind, Record>) {
           return action(RecordLoad(kind));
-        } else if constexpr (IsLine<Kind>) {
-          return action(LineLoad(kind));
+        } else if constexpr (IsSine<Kind>) {  // as one kind, since integrators compile for long
+          return action(LawLoad(Harmonic{kind.k, kind.lambda, kind.phase, duration(kind)}));
         } else {
-          return action(WaveLoad(kind));
+          return action(LawLoad(kind));
         }
       },
       excitation);
