@@ -130,6 +130,13 @@ BOOST_AUTO_TEST_CASE(a_motion_that_comes_to_swing_without_friction_never_stops) 
   // From beyond it loses energy until it swings within |x| < 1, or rests outside.
   BOOST_TEST(run({1, 0.5, 0}, ice, {0, 1.5}).outcome == Outcome::never_stops);
   BOOST_TEST(run({1, 1.5, 0}, ice, {1.25, 0}).outcome == Outcome::stopped_in_dead_zone);
+  // A notch at x = 0 stops it: v_k^2 = 0.81 - 0.2 (k - 1). So it does after a pulse.
+  const auto notched = run({1, 0.5, 0.1}, ice, {0, 0.9});
+  BOOST_TEST(notched.outcome == Outcome::stopped_at_zero);
+  BOOST_TEST(*notched.half_cycles == 5);
+  close(*notched.stop_time, 5 * pi);
+  BOOST_TEST(run({1, 0.5, 0.1}, ice, {0, 0}, Rectangle{0.6, 1}).outcome ==
+             Outcome::stopped_at_zero);
 }
 
 BOOST_AUTO_TEST_CASE(zones_of_one_friction_are_no_zones) {

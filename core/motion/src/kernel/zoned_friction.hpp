@@ -136,10 +136,11 @@ class ZonedFriction {
                                          : Outcome::stopped_in_dead_zone;
   }
 
-  /// Whether there is no friction at all within |u|.
+  /// Whether nothing takes energy from a motion within |u|.
   [[nodiscard]] bool frictionless_up_to(const Real& u) const {
-    return std::ranges::all_of(
-        zones_, [&](const Zone& zone) { return zone.phi == 0 || !(zone.from < magnitude(u)); });
+    return !notched_ && std::ranges::all_of(zones_, [&](const Zone& zone) {
+      return zone.phi == 0 || !(zone.from < magnitude(u));
+    });
   }
 
  private:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pulse/worst_return.hpp"
 
+#include "pulse/edge.hpp"
+
 #include <stillpoint/core/elementary.hpp>
 
 #include <algorithm>
@@ -135,9 +137,20 @@ void WorstReturn::add_samples() {
   }
   std::ranges::sort(grid);
   grid.erase(std::unique(grid.begin(), grid.end()), grid.end());
-  samples_.reserve(grid.size());
+  const auto returns = [&](double f) { return found_at(f).returns; };
+  samples_.reserve(2 * grid.size());
   for (const double f : grid) {
-    samples_.push_back(at(f));
+    FirstReturn now = found_at(f);
+    if (!samples_.empty() && samples_.back().returns != now.returns) {
+      // Rounding may have moved the edge of the return away from both samples.
+      const double before = samples_.back().f;
+      const double edge =
+          last_that_holds(now.returns ? f : before, now.returns ? before : f, returns);
+      if (edge != before && edge != f) {
+        samples_.push_back(found_at(edge));
+      }
+    }
+    samples_.push_back(now);
   }
 }
 

@@ -161,6 +161,27 @@ BOOST_AUTO_TEST_CASE(a_range_of_k_has_the_design_that_is_known) {
   BOOST_TEST(least_delta(request.problem, 0.2).value() == 0.7 * (0.7 - 0.4) / 2, close);
 }
 
+// The last f of the return grows with k, and so does the peak there. With some of these k_high the
+// edge for k_low, as a part of k_high, is rounded to an f that does not return.
+BOOST_AUTO_TEST_CASE(the_last_return_is_that_of_the_lowest_k) {
+  const double k_low = 1.2035138792424556;
+  const double lambda = 0.382361453369762;
+  const double p = 0.42500357166303254;
+  PulseRequest request;
+  request.problem = {HalfSine{k_low, lambda}, p, 10, Criterion::exact, {}};
+  const Region weakest = design::design(request).region;
+  for (const double k_high : {1.69624, 1.697, 1.7, 1.705, 1.71}) {
+    request.problem = {HalfSine{k_high, lambda}, p, 10, Criterion::exact, {.k_low = k_low}};
+    const Region region = design::design(request).region;
+    BOOST_TEST_CONTEXT("k to " << k_high) {
+      const double peak =
+          forced_response({p, weakest.f3, 0}, {0, 0}, HalfSine{k_high, lambda}).peak_amplitude;
+      BOOST_TEST(region.f3 == weakest.f3, tt::tolerance(inset));
+      BOOST_TEST(region.beta_min == peak, tt::tolerance(inset));
+    }
+  }
+}
+
 // A full sine returns for every f below k, so all of a range do below its lowest k.
 BOOST_AUTO_TEST_CASE(no_feasible_f_is_above_the_lowest_k_of_full_sines) {
   for (const double lambda : {0.5, 1.0, 2.0, 5.0}) {
