@@ -96,28 +96,13 @@ std::string figures_words(const design::SuiteFigures& figures, const Physical& p
                       length_shown(physical, figures.residual));
 }
 
-/// Whether the largest acceleration of a record is felt while the mass slides: a notch that holds
-/// it passes on the load.
-bool felt_sliding(const design::RecordDesign& result, const ForcedResponse& response) {
-  constexpr double rounding = 1 + 1e-9;
-  const auto& [p, f, delta] = result.finding->point.damper;
-  return response.peak_absolute_acceleration <= rounding * (f + p * p * response.peak_amplitude) &&
-         response.peak_absolute_acceleration != response.largest_load_while_locked;
-}
-
-/// Of the transmitted acceleration, if there is a notch to tell apart.
+/// Of the transmitted acceleration, if there is a notch: one without a width gives impulses, which
+/// are left out.
 std::string_view felt_where(const design::RecordDesign& result) {
-  const design::SuitePoint& point = result.finding->point;
-  if (point.damper.delta == 0 || point.figures.peak == 0) {
-    return "";
-  }
-  if (result.request.notch_width) {
-    return ", the notch included";
-  }
-  return std::ranges::all_of(result.finding->responses,
-                             [&](const auto& each) { return felt_sliding(result, each); })
-             ? " outside the notch"
-             : " between passages";
+  const auto& [damper, figures] = result.finding->point;
+  return damper.delta == 0 || figures.peak == 0 ? ""
+         : result.request.notch_width           ? ", the notch included"
+                                                : " between passages";
 }
 
 /// What a damper that is not built exactly may do.

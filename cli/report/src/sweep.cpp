@@ -35,20 +35,16 @@ double rate(const SweepSummary& summary) {
          std::max(summary.wall_time_s, least_s);
 }
 
-/// What is fixed, and what varies from where to where.
+/// What is fixed, and what varies from where to where, apart from the columns of a list.
 void add_scene(Section& scene, const sweep::SweepSpec& spec) {
   for (const auto& [quantity, axis] : spec.axes) {
-    if (spec.list && axis.is_number()) {
-      continue;  // it stands for a column of the list
-    }
-    const records::Dimension dimension = sweep::dimension(quantity, spec.units);
-    const auto names = records::units_of(dimension);
+    const auto names = records::units_of(sweep::dimension(quantity, spec.units));
     const auto words = [&](double value) {
       return names.empty() || value == 0 ? fmt::format("{:.5g}", value)
              : names.front().name == "m" ? with_unit(value, "m")
                                          : fmt::format("{:.5g} {}", value, names.front().name);
     };
-    std::string label = records::hyphened(sweep::name(quantity, spec.units));
+    const std::string label = records::hyphened(sweep::name(quantity, spec.units));
     scene.row(label.substr(0, label.rfind("-m")),
               axis.size() == 1 ? words(axis[0])
                                : fmt::format("{} to {}, {} values", words(axis.ends().first),
