@@ -46,9 +46,10 @@ void add_scene(Section& scene, const sweep::SweepSpec& spec) {
     };
     const std::string label = records::hyphened(sweep::name(quantity, spec.units));
     scene.row(label.substr(0, label.rfind("-m")),
-              axis.size() == 1 ? words(axis[0])
-                               : fmt::format("{} to {}, {} values", words(axis.ends().first),
-                                             words(axis.ends().second), axis.size()));
+              axis.has_ranges()  ? in(axis.text(), names.empty() ? "" : std::string(names[0].name))
+               : axis.size() == 1 ? words(axis[0])
+                                 : fmt::format("{} to {}, {} values", words(axis.ends().first),
+                                               words(axis.ends().second), axis.size()));
   }
   if (spec.kind == SweepKind::forced) {
     add_excitation(scene, spec.excitation, std::nullopt,

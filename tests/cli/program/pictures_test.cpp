@@ -202,7 +202,7 @@ BOOST_AUTO_TEST_CASE(of_a_forced_sweep_have_no_boundaries) {
       "0.35 --t-end 100 --html page.html");
   const std::string page = checked(read("page.html"));
   check_contains(page, {"not known to have stopped",
-                        "written there; one that stops while the load goes on is locked."});
+                        "written there; a rest at x = 0 while the load goes on is a lock."});
   BOOST_TEST(!contains(page, "Δ₁ exact"));
   BOOST_TEST(!contains(page, "the theory's edges"));
 }

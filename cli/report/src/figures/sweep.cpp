@@ -120,7 +120,7 @@ std::string caption(const ClassCounts& counts, bool loaded, const std::string& p
     return "No motion stops that has started";
   }
   return words + ", after the half-cycles written there" +
-         (centred && loaded ? "; one that stops while the load goes on is locked" : "");
+         (centred && loaded ? format("; a rest {} while the load goes on is a lock", place) : "");
 }
 
 /// Without its unit.
