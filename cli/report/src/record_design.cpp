@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <stillpoint/design/practice.hpp>
 #include <stillpoint/records/record_scaling.hpp>
 #include <stillpoint/report/record_design.hpp>
 #include "format.hpp"
@@ -85,9 +86,32 @@ std::string of_what(const design::RecordDesign& result) {
                   : format("{} of {} records", largest ? "Largest" : "Mean", all);
 }
 
-std::string figures_words(const design::SuiteFigures& figures, const Physical& physical) {
-  return format("{} transmitted, stroke {}, residual {}", acceleration_shown(figures.acceleration),
-                length_shown(physical, figures.peak), length_shown(physical, figures.residual));
+std::string figures_words(const design::SuiteFigures& figures, const Physical& physical,
+                          std::string_view where = "") {
+  const std::string felt =
+      format("{} transmitted{}", acceleration_shown(figures.acceleration), where);
+  return figures.peak == 0
+             ? felt
+             : format("{}, stroke {}, residual {}", felt, length_shown(physical, figures.peak),
+                      length_shown(physical, figures.residual));
+}
+
+/// Of the transmitted acceleration, if there is a notch: one without a width gives impulses, which
+/// are left out.
+std::string_view felt_where(const design::RecordDesign& result) {
+  const auto& [damper, figures] = result.finding->point;
+  return damper.delta == 0 || figures.peak == 0 ? ""
+         : result.request.notch_width           ? ", the notch included"
+                                                : " between passages";
+}
+
+/// What a damper that is not built exactly may do.
+std::string tolerance_sentence(const design::Sensitivity& near, const Physical& physical) {
+  return format(" With f and delta off by up to {:.3g} %, {}.", 100 * near.tolerance,
+                near.worst.settled ? format("up to {} and a stroke of {}",
+                                            acceleration_shown(near.worst.acceleration),
+                                            length_shown(physical, near.worst.peak))
+                                   : "the mass may never rest");
 }
 
 std::string verdict(const RecordDesignReport& report) {
@@ -98,15 +122,27 @@ std::string verdict(const RecordDesignReport& report) {
   }
   const Physical& physical = report.physical;
   const auto& [damper, figures] = result.finding->point;
+  const design::Sensitivity& near = result.finding->sensitivity;
   return so_far + warning(result) +
          format("{} {}, with {}. {}: {}.", figures.peak == 0 ? "The damper found has" : "Build",
-                damper_words(physical, damper.f, damper.delta), spring_words(physical, damper.p),
-                of_what(result), figures_words(figures, physical));
+                damper_words(physical, damper.f, damper.delta, result.request.notch_width),
+                spring_words(physical, damper.p), of_what(result),
+                figures_words(figures, physical, felt_where(result))) +
+         (near.tolerance > 0 ? tolerance_sentence(near, physical) : "");
 }
 
-std::string worst_words(const design::SuiteFigures& worst, const Physical& physical) {
-  return worst.settled ? "the worst: " + figures_words(worst, physical)
-                       : "under some of them the mass never rests";
+/// Of the notch at a passage or a stop, which the figures leave out if it has no width.
+void add_passages(Section& answer, const design::RecordDesign& result) {
+  const auto& [damper, figures] = result.finding->point;
+  if (damper.delta == 0 || figures.peak == 0 || result.request.notch_width) {
+    return;
+  }
+  constexpr double part = 0.2;  // an example, as in the report of a hit's design
+  answer.row(
+      "in the notch",
+      format("f + delta/w transmitted at a passage or stop, in one of width w: {:.3g} g if w "
+             "is a fifth of the stroke",
+             design::notch_acceleration(damper.f, damper.delta, part * figures.peak)));
 }
 
 void add_answer(Section& answer, const design::RecordDesign& result, const Physical& physical) {
@@ -117,10 +153,13 @@ void add_answer(Section& answer, const design::RecordDesign& result, const Physi
   if (lock_words(result).empty()) {
     answer.row("locked", "never while a record goes on");
   }
+  add_passages(answer, result);
   const design::Sensitivity& near = result.finding->sensitivity;
   answer.row("tolerance",
-             format("{} of {} samples within +-{:.3g} % meet the limits; {}", near.admissible,
-                    near.samples, 100 * near.tolerance, worst_words(near.worst, physical)),
+             format("{}; {} of {} samples within +-{:.3g} % meet the limits",
+                    near.worst.settled ? "at worst " + figures_words(near.worst, physical)
+                                       : "the mass may never rest",
+                    near.admissible, near.samples, 100 * near.tolerance),
              near.admissible < near.samples ? Tone::bad : Tone::plain);
   const design::SuiteCheck& check = result.finding->check;
   answer.row("check",
@@ -227,8 +266,10 @@ void add_search(Document& document, const design::SuiteSearch& search) {
   Section& section = document.detail("Search");
   section.row("scan", format("{} damper{}, {} within the limits", search.scan_points,
                              search.scan_points == 1 ? "" : "s", search.scan_feasible));
-  section.row("NLopt", format("{} evaluations; the best by {} ({})", search.evaluations,
-                              search.algorithm, search.status));
+  section.row("NLopt", format("{} evaluations; the best by {}", search.evaluations,
+                              search.algorithm == "scan"
+                                  ? "the scan"
+                                  : format("{} ({})", search.algorithm, search.status)));
   section.row("time", format("{:.3g} s{}", search.wall_time_s,
                              search.interrupted ? ", then interrupted: the best so far" : ""));
 }

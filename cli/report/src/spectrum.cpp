@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <stillpoint/records/record_scaling.hpp>
 #include <stillpoint/report/spectrum.hpp>
 #include "format.hpp"
 #include "sections.hpp"
@@ -20,6 +21,14 @@ using design::SpectrumPoint;
 
 /// More do not fit a screen; a file has them all.
 constexpr std::size_t most_shown_periods = 20;
+
+/// Whether the structure never feels more than what the notch passes on while it is locked, so that
+/// what it lowers is beside the point.
+bool only_locked(const SpectrumReport& report) {
+  return std::ranges::all_of(report.result.combined, [](const SpectrumPoint& point) {
+    return point.with_notch.largest_load_while_locked == point.with_notch.acceleration;
+  });
+}
 
 /// Where the notch holds the mass while the load goes on; empty if nowhere.
 std::string lock_words(const SpectrumReport& report) {
@@ -67,7 +76,7 @@ std::string friction_words(const SpectrumReport& report) {
                     largest([](const SpectrumFigures& one) { return *one.residual; }, length)
               : "and at some period the mass never comes to rest";
   return format(
-      "Friction alone transmits at most {}{}; the largest peak is {}, {}. ",
+      "Friction alone transmits at most {}{}; the largest peak is {}, {}.",
       largest([](const SpectrumFigures& one) { return one.acceleration; }, acceleration_shown), of,
       largest([](const SpectrumFigures& one) { return one.peak; }, length), rest);
 }
@@ -136,6 +145,13 @@ void add_damper(Section& answer, const SpectrumReport& report) {
   answer.row("damper", format("f = {}, delta = {}, the same at every period", digits(task.f),
                               length_shown(report.physical, task.delta)));
   add_real_notch(answer, task.hold, task.notch_width, report.physical);
+  for (const design::SuiteRecord& record : task.records) {
+    answer.row(&record == task.records.data() ? "record" : "",
+               format("{}, peak {}, {} long", record_label(record),
+                      acceleration_shown(std::abs(record.scale) *
+                                         records::peak_acceleration(record.record)),
+                      time_shown(report.physical, *duration(design::scaled(record)))));
+  }
 }
 
 }  // namespace
@@ -150,8 +166,13 @@ Document document(const SpectrumReport& report) {
   Document document;
   document.title = "Response spectrum";
   const std::string locked = lock_words(report);
+  const bool alone = result.request.delta == 0;
+  const bool held = only_locked(report);
   document.verdict = (locked.empty() ? "" : format("Locked: {}. ", locked)) +
-                     (result.request.delta == 0 ? friction_words(report) : "") + summary(result);
+                     (held    ? friction_words(report)
+                      : alone ? friction_words(report) + " " + summary(result)
+                              : summary(result));
+  document.tone = locked.empty() ? Tone::plain : Tone::bad;
   add_damper(document.answer, report);
   const std::size_t count = result.records.size();
   add_points(document.section(heading(report)), report, result.combined);

@@ -3,8 +3,11 @@
 
 #include "figures/report_figures.hpp"
 #include "json/parts.hpp"
+#include "sections.hpp"
 #include "sweep_parts.hpp"
 
+#include <stillpoint/records/text.hpp>
+#include <stillpoint/report/digits.hpp>
 #include <stillpoint/sweep/json_text.hpp>
 
 #include <fmt/format.h>
@@ -32,6 +35,28 @@ double rate(const SweepSummary& summary) {
          std::max(summary.wall_time_s, least_s);
 }
 
+/// What is fixed, and what varies from where to where, apart from the columns of a list.
+void add_scene(Section& scene, const sweep::SweepSpec& spec) {
+  for (const auto& [quantity, axis] : spec.axes) {
+    const auto names = records::units_of(sweep::dimension(quantity, spec.units));
+    const auto words = [&](double value) {
+      return names.empty() || value == 0 ? fmt::format("{:.5g}", value)
+             : names.front().name == "m" ? with_unit(value, "m")
+                                         : fmt::format("{:.5g} {}", value, names.front().name);
+    };
+    const std::string label = records::hyphened(sweep::name(quantity, spec.units));
+    scene.row(label.substr(0, label.rfind("-m")),
+              axis.has_ranges()  ? in(axis.text(), names.empty() ? "" : std::string(names[0].name))
+               : axis.size() == 1 ? words(axis[0])
+                                 : fmt::format("{} to {}, {} values", words(axis.ends().first),
+                                               words(axis.ends().second), axis.size()));
+  }
+  if (spec.kind == SweepKind::forced) {
+    add_excitation(scene, spec.excitation, std::nullopt,
+                   spec.units ? Physical(spec.units->physical()) : Physical());
+  }
+}
+
 constexpr std::array<std::string_view, sweep_outcome_count> outcome_labels{
     "stop at x = 0", "stop in dead zone",         "never stop",
     "never start",   "not known to have stopped", "have too many half-cycles",
@@ -55,6 +80,7 @@ void outcomes_from_json(const ordered_json& outcomes, SweepState& state) {
 
 void add_outcomes(Document& document, const SweepState& state, bool design) {
   document.verdict = summary(state, design);
+  document.tone = state.locked > 0 ? Tone::bad : Tone::plain;
   Section& section = document.section(design ? "Designs" : "Outcomes");
   if (design) {
     section.row("feasible", fmt::format("{}", state.feasible));
@@ -67,7 +93,7 @@ void add_outcomes(Document& document, const SweepState& state, bool design) {
     }
   }
   if (state.locked > 0) {
-    section.row("locked", fmt::format("{}", state.locked));
+    section.row("of these locked", fmt::format("{}", state.locked));
   }
 }
 
@@ -112,9 +138,10 @@ Document document(const SweepReport& report) {
   if (summary.resumed_at > 0) {
     rows.row("resumed at", fmt::format("{}", summary.resumed_at));
   }
-  rows.row("time", fmt::format("{:.4g} s, {:.3g} rows/s on {} thread{}", summary.wall_time_s,
-                               rate(summary), spec.threads, spec.threads == 1 ? "" : "s"));
+  rows.row("time", fmt::format("{:.2g} s on {} thread{}", summary.wall_time_s, spec.threads,
+                               spec.threads == 1 ? "" : "s"));
   add_outcomes(document, state, spec.kind == SweepKind::design);
+  add_scene(document.detail("Scene"), spec);
   return document;
 }
 

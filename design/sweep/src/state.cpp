@@ -90,24 +90,29 @@ std::string summary(const SweepState& state, bool of_designs) {
     return fmt::format("{} of {} entries have an admissible design.", state.feasible, state.rows);
   }
   const auto count = [&state](Outcome outcome) { return state.outcomes[sweep_outcome(outcome)]; };
+  const std::int64_t at_zero = count(Outcome::stopped_at_zero);
   const std::int64_t in_notch = count(Outcome::stopped_in_notch);
-  std::string text = fmt::format(
-      "{} of {} motions stop at x = 0{}, {} off centre", count(Outcome::stopped_at_zero) + in_notch,
-      state.rows, in_notch > 0 ? " or in the notch" : "", count(Outcome::stopped_in_dead_zone));
-  const auto add = [&text](std::string_view mark, std::int64_t how_many, std::string_view one,
-                           std::string_view several) {
+  std::string text =
+      state.locked == 0
+          ? ""
+          : fmt::format(
+                "Locked: in {} of {} motions the notch holds the mass to the end of the load. ",
+                state.locked, state.rows);
+  text += at_zero + in_notch == state.rows && state.rows > 1
+              ? fmt::format("All {} motions stop ", state.rows)
+              : fmt::format("{} of {} motions stop ", at_zero + in_notch, state.rows);
+  text += in_notch == 0 ? "at x = 0" : at_zero == 0 ? "in the notch" : "at x = 0 or in the notch";
+  const auto add = [&text](std::int64_t how_many, std::string_view one, std::string_view several) {
     if (how_many > 0) {
-      text += fmt::format("{} {} {}", mark, how_many, how_many == 1 ? one : several);
+      text += fmt::format(", {} {}", how_many, how_many == 1 ? one : several);
     }
   };
-  add(",", count(Outcome::caught_at_start), "never starts", "never start");
-  add(",", count(Outcome::never_stops), "never stops", "never stop");
-  add(",", count(Outcome::running), "is not known to have stopped",
-      "are not known to have stopped");
-  add(",", state.outcomes[too_many_half_cycles], "has too many half-cycles",
+  add(count(Outcome::stopped_in_dead_zone), "off centre", "off centre");
+  add(count(Outcome::caught_at_start), "never starts", "never start");
+  add(count(Outcome::never_stops), "never stops", "never stop");
+  add(count(Outcome::running), "is not known to have stopped", "are not known to have stopped");
+  add(state.outcomes[too_many_half_cycles], "has too many half-cycles",
       "have too many half-cycles");
-  add(".", state.locked, "is locked: the notch holds the mass to the end of the load",
-      "are locked: the notch holds the mass to the end of the load");
   return text + ".";
 }
 

@@ -90,7 +90,9 @@ BOOST_FIXTURE_TEST_CASE(of_a_sweep_says_how_many_end_well, Sandbox) {
   BOOST_TEST(lines_of(run(motions + "--delta 0,0.37").out).at(1) ==
              "  1 of 2 motions stop at x = 0, 1 off centre.");
   BOOST_TEST(lines_of(run(motions + "--delta 0.37,0.6").out).at(1) ==
-             "  1 of 2 motions stop at x = 0, 0 off centre, 1 never starts.");
+             "  1 of 2 motions stop at x = 0, 1 never starts.");
+  BOOST_TEST(lines_of(run(motions + "--delta 0.37,0.38").out).at(1) ==
+             "  All 2 motions stop at x = 0.");
   BOOST_TEST(lines_of(run("sweep --v0 1 --p 1 --beta 0.5,0.9 --reduce").out).at(1) ==
              "  1 of 2 entries have an admissible design.");
 }

@@ -167,7 +167,7 @@ std::string beyond_words(const design::RecordDesignRequest& searched,
     ends +=
         format("{}Δ = {}", ends.empty() ? "" : " and ", units.length_words(searched.delta->high));
   }
-  return ends.empty() ? "" : format("; the search went on to {}", ends);
+  return ends.empty() ? "" : format("; the search reached {}, beyond the map", ends);
 }
 
 Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& point,
@@ -179,8 +179,9 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
   const ShownValues shown = shown_values(map, point.figures, task);
   Figure drawn;
   drawn.id = "map";
-  drawn.title = result.finding ? format("The {} over f and Δ", quantity(task.objective))
-                               : shortfall_title(result, units);
+  drawn.title = !result.finding ? shortfall_title(result, units)
+                                : format("The {} over f and Δ{}", quantity(task.objective),
+                                         task.p.low < task.p.high ? ", at the best period" : "");
   drawn.x = {"constant friction f", task.f->low, task.f->high};
   drawn.y = {units.delta_label, task.delta->low * units.length, task.delta->high * units.length};
   add_cells(drawn.map, map, shown, task);
@@ -194,9 +195,9 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
       format("The plane of f and Δ: the {} of the records combined, and where a limit is violated.",
              quantity(task.objective));
   const bool any_meets = shown.least <= shown.most;
-  drawn.caption = any_meets ? "Blue meets every limit, the darker the better"
-                            : "Each colour names the first limit that is violated there";
-  drawn.caption += any_meets && any_fails ? "; what is hatched violates one" : "";
+  drawn.caption = !any_meets  ? "Each area is named after the first limit violated there"
+                  : any_fails ? "What is not hatched meets every limit, the darker the better"
+                              : "The darker, the better";
   constexpr std::uint8_t best_shade = 0;
   if (result.finding && std::ranges::count(drawn.map.cells, best_shade) == 0) {
     drawn.caption += "; the optimum is narrower than a cell";

@@ -6,7 +6,9 @@
 #include <stillpoint/report/spectrum.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -47,14 +49,33 @@ struct SpectrumAxes {
   }
 };
 
-double highest(const std::vector<std::vector<FigurePoint>>& strokes) {
-  double most = 0;
-  for (const auto& stroke : strokes) {
+/// Of the points from one x to another; (first, 0) if all are at 0.
+FigurePoint highest(const FigureCurve& curve, double first = 0, double last = HUGE_VAL) {
+  FigurePoint most{first, 0};
+  for (const auto& stroke : curve.strokes) {
     for (const FigurePoint& point : stroke) {
-      most = std::max(most, point.y);
+      if (first <= point.x && point.x <= last && point.y > most.y) {
+        most = point;
+      }
     }
   }
   return most;
+}
+
+/// So few periods that a line between them would look like more.
+void add_points(Figure& figure, std::size_t periods) {
+  constexpr std::size_t few = 40;
+  if (periods > few) {
+    return;
+  }
+  for (const FigureCurve& curve : figure.curves) {
+    if (curve.hover) {
+      figure.marks.push_back({curve.name, {}, figures::Shape::disc, curve.ink});
+      for (const auto& stroke : curve.strokes) {
+        std::ranges::copy(stroke, std::back_inserter(figure.marks.back().points));
+      }
+    }
+  }
 }
 
 /// The line of each record, faint behind those of all together.
@@ -77,11 +98,42 @@ void add_curves(Figure& figure, const design::Spectrum& spectrum, const Spectrum
         {which + "friction alone", axes.strokes(spectrum.combined, &SpectrumPoint::without)});
     return;
   }
-  figure.curves.push_back({which + "without point friction",
+  figure.curves.push_back({which + "without the notch",
                            axes.strokes(spectrum.combined, &SpectrumPoint::without), Ink::orange,
                            figures::Dash::dashed});
   figure.curves.push_back({which + "with the notch",
                            axes.strokes(spectrum.combined, &SpectrumPoint::with_notch), Ink::blue});
+}
+
+struct Kind {
+  std::string_view id;
+  std::string name;
+  std::string label;
+  std::string unit_name;
+  double unit;
+  Drawn drawn;
+};
+
+/// What it comes to: its largest value, or the largest about the period of a design.
+std::string caption(const Kind& kind, const Figure& figure, bool compared, const FigureUnits& units,
+                    const std::optional<double>& chosen) {
+  const auto value = [&](double y) {
+    return format("{:.4g}{}{}", y, kind.unit_name.empty() ? "" : " ", kind.unit_name);
+  };
+  const FigureCurve& shown = figure.curves.back();
+  if (chosen) {
+    constexpr double about = 0.05;
+    return format("Within {} % of the period of the design, the {} is at most {}.", 100 * about,
+                  kind.name, value(highest(shown, (1 - about) * *chosen, (1 + about) * *chosen).y));
+  }
+  const auto words = [&](const FigureCurve& curve) {
+    const FigurePoint most = highest(curve);
+    return most.y == 0 ? std::string("0 at every period")
+                       : format("at most {}, at a period of {:.4g}{}", value(most.y), most.x,
+                                units.time_unit.empty() ? "" : " s");
+  };
+  return format("The {} is {}{}.", kind.name, words(shown),
+                compared ? "; without the notch " + words(*std::prev(figure.curves.end(), 2)) : "");
 }
 
 }  // namespace
@@ -95,20 +147,14 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
     periods.push_back(period(p));
   }
   const auto [shortest, longest] = std::ranges::minmax(periods);
-  struct Kind {
-    std::string_view id;
-    std::string name;
-    std::string label;
-    double unit;
-    Drawn drawn;
-  };
   const std::vector<Kind> kinds{
-      {spectrum_figure_names[0], "transmitted acceleration", "acceleration, g", 1,
+      {spectrum_figure_names[0], "transmitted acceleration", "acceleration, g", "g", 1,
        [](const SpectrumFigures& one) { return std::optional(one.acceleration); }},
-      {spectrum_figure_names[1], "peak displacement", in("peak", units.length_unit), units.length,
+      {spectrum_figure_names[1], "peak displacement", in("peak", units.length_unit),
+       units.length_unit, units.length,
        [](const SpectrumFigures& one) { return std::optional(one.peak); }},
       {spectrum_figure_names[2], "residual displacement", in("residual", units.length_unit),
-       units.length, [](const SpectrumFigures& one) { return one.residual; }}};
+       units.length_unit, units.length, [](const SpectrumFigures& one) { return one.residual; }}};
   std::vector<Figure> all;
   for (const Kind& kind : kinds) {
     Figure figure;
@@ -119,9 +165,12 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
                                     longest);
     figure.x.least = std::max(figure.x.least, 0.0);
     add_curves(figure, spectrum, {kind.drawn, kind.unit, periods});
+    figure.caption = caption(kind, figure, spectrum.request.delta > 0, units,
+                             chosen ? std::optional(period(*chosen)) : std::nullopt);
+    add_points(figure, periods.size());
     double most = 0;
     for (const FigureCurve& curve : figure.curves) {
-      most = std::max(most, highest(curve.strokes));
+      most = std::max(most, highest(curve).y);
     }
     constexpr double above_most = 1.08;
     constexpr double below_zero = -0.02;  // so that a line at 0 is seen whole
@@ -136,10 +185,9 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
       figure.curves.push_back(std::move(line));
     }
     figure.description = format(
-        "The {} over the period from {:.4g} to {:.4g}, with the notch and without, f and Δ fixed.",
+        "The {} against the period from {:.4g} to {:.4g}, with the notch and without, f and Δ "
+        "fixed.",
         kind.name, shortest, longest);
-    figure.caption = format("The {} over the period, with the same {} at every period.", kind.name,
-                            spectrum.request.delta > 0 ? "f and Δ" : "f");
     all.push_back(std::move(figure));
   }
   const auto never_rests = [](const SpectrumPoint& point) {

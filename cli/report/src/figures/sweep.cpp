@@ -66,11 +66,12 @@ bool any_rests(const ClassCounts& counts, std::size_t from) {
 }
 
 /// Two colours, and those of motions that are neither.
-std::vector<figures::MapKey> key_of(const ClassCounts& counts, bool from_rest) {
+std::vector<figures::MapKey> key_of(const ClassCounts& counts, bool from_rest,
+                                    const std::string& place) {
   constexpr std::size_t ranges = SweepClass::ranges;
   std::vector<figures::MapKey> key;
   if (any_rests(counts, 0)) {
-    key.push_back({"stops centred", palette[2]});
+    key.push_back({"stops " + place, palette[2]});
   }
   if (any_rests(counts, ranges)) {
     key.push_back({"stops off centre", palette[ranges + 2], true});
@@ -105,19 +106,21 @@ bool under_load(const sweep::SweepSpec& spec) {
   return spec.kind == SweepKind::forced && !std::holds_alternative<NoExcitation>(spec.excitation);
 }
 
-/// Of the colours that are there. Under a load a rest at x = 0 may be one that the notch holds.
-std::string caption(const ClassCounts& counts, bool loaded) {
+/// Of the colours that are there. Under a load a rest at `place` may be one that the notch holds.
+std::string caption(const ClassCounts& counts, bool loaded, const std::string& place) {
   const bool centred = any_rests(counts, 0);
   const bool off = any_rests(counts, SweepClass::ranges);
-  const std::string words = centred && off ? "Blue stops centred, orange (hatched) off centre"
-                            : centred      ? "Blue stops centred"
-                            : off          ? "Orange (hatched) stops off centre"
-                                           : "";
+  const std::string words =
+      centred && off
+          ? format("The mass stops {} in blue areas and off centre in hatched ones", place)
+      : centred ? format("The mass stops {} in every blue area", place)
+      : off     ? "The mass stops off centre in every hatched area"
+                : "";
   if (words.empty()) {
     return "No motion stops that has started";
   }
-  return words + "; the number counts half-cycles" +
-         (centred && loaded ? "; a mass that stops centred while the load goes on is locked" : "");
+  return words + ", after the half-cycles written there" +
+         (centred && loaded ? format("; a rest {} while the load goes on is a lock", place) : "");
 }
 
 /// Without its unit.
@@ -137,16 +140,21 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
   const auto counts = class_counts(map);
   const double v0 = std::abs(only_value(spec, Quantity::v0));
   const bool from_rest = v0 == 0;
+  const std::string place = given(spec, Quantity::notch_width) ? "in the notch" : "at x = 0";
   Figure figure;
   figure.id = "map";
   figure.title = "How the motions end, after how many half-cycles";
   figure.x = figure_axis("constant friction f", map.f());
   figure.y = figure_axis(units.delta_label, map.delta(), units.length);
-  figure.map = {map.f().cells(),          map.delta().cells(), map.cells(), {}, {}, {},
-                key_of(counts, from_rest)};
-  figure.description =
-      format("The plane of f and Δ. Centred means a rest {}, off centre one in the dead zone.",
-             given(spec, Quantity::notch_width) ? "in the notch" : "at x = 0");
+  figure.map = {map.f().cells(),
+                map.delta().cells(),
+                map.cells(),
+                {},
+                {},
+                {},
+                key_of(counts, from_rest, place)};
+  figure.description = format(
+      "The plane of f and Δ. Centred means a rest {}, off centre one in the dead zone.", place);
   for (std::size_t i = 0; i < SweepClass::count; ++i) {
     figure.map.palette.emplace_back(palette.at(i));
     figure.map.names.push_back(counts.at(i) > 0 ? class_name(i, from_rest) : "");
@@ -159,13 +167,11 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
           100.0 * static_cast<double>(counts.at(i)) / static_cast<double>(map.cells().size()));
     }
   }
-  figure.caption = caption(counts, under_load(spec));
+  figure.caption = caption(counts, under_load(spec), place);
   const double p = only_value(spec, Quantity::p);
   if (spec.kind == SweepKind::free && from_zero(spec) && plain_surface(spec) && v0 > 0 && p > 0) {
     add_boundaries(figure, {.v0 = v0, .p = p, .beta = v0 / p}, units);
-    figure.caption +=
-        "; above Δ₁, below Δ₂ and left of f₃, as far as they cross the map, a motion stops on its "
-        "first return";
+    figure.caption += figure.curves.empty() ? "" : "; the lines are the theory's edges of area 1";
   }
   figure.caption += '.';
   return figure;
