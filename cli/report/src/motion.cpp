@@ -47,8 +47,11 @@ void add_half_cycles(Document& document, const Simulation& answer, const Physica
   }
   Section& section = document.section("Half-cycles");
   section.parts.emplace_back(std::move(table));
-  if (answer.response.half_cycles.value_or(HUGE_VAL) > static_cast<double>(listed)) {
-    section.line("... the JSON report lists more, see --max-half-cycles", Tone::faint);
+  const auto& count = answer.response.half_cycles;
+  if (count.value_or(HUGE_VAL) > static_cast<double>(listed)) {
+    section.line(format("The first {}{}; --json lists more, see --max-half-cycles.", listed,
+                        count ? " of " + plural(count, "half-cycle") : ""),
+                 Tone::faint);
   }
 }
 
@@ -58,9 +61,9 @@ double load_end(const SimulationRequest& request) {
                   request.t_end.value_or(HUGE_VAL));
 }
 
-/// How a motion that goes on under a harmonic load develops: " It swings steadily to 144 mm.", by
-/// the peaks of the last whole half-cycles; empty if they are not listed.
-std::string swings(const MotionReport& report) {
+/// How a motion that goes on under a harmonic load develops: " Its peaks settle at 144 mm.", by the
+/// last of them; empty if they are not listed.
+std::string peaks_words(const MotionReport& report) {
   const auto* const load = std::get_if<Harmonic>(&report.request.excitation);
   const std::vector<HalfCycle>& listed = report.answer.half_cycles;
   constexpr std::size_t compared = 8;
@@ -68,23 +71,22 @@ std::string swings(const MotionReport& report) {
       report.answer.response.half_cycles != static_cast<double>(listed.size())) {
     return "";
   }
-  std::vector<double> peaks;  // without the last half-cycle, which the end of the run may cut
-  std::transform(listed.end() - 1 - compared, listed.end() - 1, std::back_inserter(peaks),
-                 [](const HalfCycle& now) { return std::abs(now.peak); });
+  const bool cut = listed.back().peak_time == listed.back().end_time;  // before its peak
+  const auto last = listed.end() - (cut ? 1 : 0);
+  std::vector<double> peaks;
+  std::transform(last - compared, last, std::back_inserter(peaks),
+                 [](const HalfCycle& now) { return now.peak; });
   const auto [least, most] = std::ranges::minmax(peaks);
   const auto shown = [&](double length) { return length_shown(report.physical, length); };
   constexpr double same = 0.01;
   if (most - least <= same * most) {
-    const bool held = report.answer.forced->final_velocity == 0;
-    return format(" {} swings steadily to {}.", held ? "Between rests it" : "It",
-                  shown(peaks.back()));
+    return format(" Its peaks settle at {}.", shown(peaks.back()));
   }
   const bool grow = std::ranges::is_sorted(peaks);
   if (grow || std::ranges::is_sorted(peaks, std::ranges::greater())) {
-    return format(" Its swings {}, the last to {}.", grow ? "grow" : "shrink", shown(peaks.back()));
+    return format(" Its peaks {}, the last to {}.", grow ? "grow" : "shrink", shown(peaks.back()));
   }
-  return format(" Its last {} swings go to between {} and {}.", compared, shown(least),
-                shown(most));
+  return format(" Its last {} peaks lie between {} and {}.", compared, shown(least), shown(most));
 }
 
 std::string verdict(const MotionReport& report) {
@@ -102,12 +104,16 @@ std::string verdict(const MotionReport& report) {
                       ? "throughout the load"
                       : "at x = " + length_shown(physical, *response.stop_position));
   }
-  std::string text = format("It {}", report.answer.forced ? outcome_phrase(*report.answer.forced)
-                                                          : outcome_phrase(response.outcome));
+  std::string text =
+      response.outcome == Outcome::stopped_in_notch
+          ? format("It stops in the notch at x = {}",
+                   length_shown(physical, *response.stop_position))
+          : format("It {}", report.answer.forced ? outcome_phrase(*report.answer.forced)
+                                                 : outcome_phrase(response.outcome));
   if (response.stop_time && *response.stop_time > 0) {
     text += format(", after {}", time_shown(physical, *response.stop_time));
   }
-  return text + "." + (response.outcome == Outcome::running ? swings(report) : "");
+  return text + "." + (response.outcome == Outcome::running ? peaks_words(report) : "");
 }
 
 /// Where the largest transmitted acceleration is felt, if there is a notch. While the mass slides
@@ -116,20 +122,23 @@ std::string_view felt_where(const MotionReport& report) {
   const auto& [p, f, delta, hold] = report.request.oscillator;
   const Response& response = report.answer.response;
   const auto& forced = report.answer.forced;
+  const bool wide = report.request.surface.notch_width.has_value();
+  const bool acts = delta > 0 && moves(response);
   if (forced && forced->largest_load_while_locked == response.peak_absolute_acceleration) {
-    return " while it is locked";
+    return acts && !wide ? " while it is locked; the notch's impulses come on top"
+                         : " while it is locked";
   }
-  if (delta == 0 || !moves(response)) {
+  if (!acts) {
     return "";
   }
-  if (report.request.surface.notch_width) {
+  if (wide) {
     return ", the notch included";
   }
   constexpr double rounding = 1 + 1e-9;
   const bool while_held =
       hold && report.request.surface.zones.empty() &&
       response.peak_absolute_acceleration > rounding * (f + p * p * response.peak_amplitude);
-  return while_held ? " while the notch holds it" : ", outside the notch";
+  return while_held ? " while the notch holds it; its impulses come on top" : ", outside the notch";
 }
 
 void add_answer(Section& answer, const MotionReport& report) {
@@ -155,15 +164,20 @@ void add_answer(Section& answer, const MotionReport& report) {
     answer.row("impulse",
                format("{}: the notch passes the hit on in full", impulse_shown(physical, *caught)));
   }
-  // No damper is built more accurately than the first. That of a load is no tolerance: below the
-  // second, rounding may decide.
-  const double worth_saying = report.answer.forced ? 1e-9 : 0.01;
+  // No damper is built more accurately than the first. That of a load or a surface is no tolerance:
+  // below the second, rounding may decide.
+  const bool of_inputs = !report.answer.forced && report.request.surface.plain();
+  const double worth_saying = of_inputs ? 0.01 : 1e-9;
   if (response.decision_margin && *response.decision_margin < worth_saying) {
     const double percent = 100 * *response.decision_margin;
-    answer.row("note",
-               format("{} of another count or outcome",
-                      percent > 0 ? format("within {:.2g} %", percent) : "on the very edge"),
-               Tone::bad);
+    answer.row(
+        "note",
+        format("{} may change {}",
+               of_inputs && percent > 0 ? format("inputs {:.2g} % off", percent) : "rounding",
+               response.outcome == Outcome::caught_at_start
+                   ? "whether it starts"
+                   : "the number of half-cycles or where it stops"),
+        Tone::bad);
   }
   if (report.answer.forced && response.outcome == Outcome::running) {
     const ForcedResponse& forced = *report.answer.forced;

@@ -50,18 +50,19 @@ BOOST_AUTO_TEST_CASE(a_real_notch_and_zones_come_from_flags_and_from_a_scene) {
 BOOST_AUTO_TEST_CASE(the_answer_says_where_the_acceleration_is_felt) {
   const auto says = [&](const Arguments& more, const std::string& where) {
     const ProgramRun answer = run(simulate("0.26", "0.37") + more);
-    BOOST_TEST(contains(answer.out, "g transmitted" + where + "\n"), answer.out);
+    const std::string text = std::regex_replace(answer.out, std::regex("\\s+"), " ");
+    BOOST_TEST(contains(text, "g transmitted" + where + " Half-"), text);
   };
   says({}, ", outside the notch");
   says("--notch-width 0.1", ", the notch included");
   // It stops at x = 0 under a load that goes on, and then grows.
   write("late.csv", "0 0\n10 0\n14 3\n");
-  says("--record late.csv", " while it is locked");
+  says("--record late.csv", " while it is locked; the notch's impulses come on top");
   // The notch holds up to 0.1 + 0.4 until a short load of 0.6 frees the mass, which slides with
   // less.
   write("freed.csv", "0 0\n9.9 0\n10 0.6\n10.1 0\n20 0\n");
   const ProgramRun freed = run("simulate --p 1 --f 0.1 --delta 0.01 --hold 0.4 --record freed.csv");
-  BOOST_TEST(contains(freed.out, "g transmitted while the notch holds it\n"), freed.out);
+  BOOST_TEST(contains(freed.out, "g transmitted while the notch holds it; its"), freed.out);
 }
 
 BOOST_AUTO_TEST_CASE(the_answer_names_zones_and_the_notch_that_was_given) {

@@ -110,6 +110,7 @@ BOOST_AUTO_TEST_CASE(a_motion_from_rest_off_centre_starts_at_its_peak) {
   request.start = {-0.5, 0};
   const HtmlPage drawn = page(MotionReport{request, simulate(request)});
   BOOST_TEST(figure(drawn, "motion").caption.starts_with("The mass starts at its peak of 0.5 and"));
+  BOOST_TEST(has_note(figure(drawn, "motion"), "peak 0.5 at the start"));
   BOOST_TEST(
       figure(motion({1, 0.3, 0.4}), "motion")
           .caption.starts_with("The mass reaches its peak of 0.744 after "));  // sqrt(1.09) - 0.3
@@ -122,10 +123,14 @@ BOOST_AUTO_TEST_CASE(the_energy_of_a_motion_that_goes_on_fills_the_figure) {
   BOOST_TEST(drawn.areas.front().outline.back().x == 0);
   BOOST_TEST(drawn.curves.size() == 1U);
   BOOST_TEST(drawn.curves.front().strokes[0].back().x == drawn.x.most);
-  BOOST_TEST(drawn.caption.starts_with("Of 0.5 of energy, none is lost; "), drawn.caption);
+  BOOST_TEST(drawn.caption.starts_with("Of the energy of 0.5 at the start, none is lost; 0.5 is "),
+             drawn.caption);
   BOOST_TEST(figure(motion({1, 0.1, 0}), "energy").curves.size() == 2U);
   BOOST_TEST(figure(motion({1, 0, 0.1}), "energy")
-                 .caption.starts_with("Of 0.5 of energy, the notch took "));
+                 .caption.starts_with("Of the energy of 0.5 at the start, the notch took "));
+  // f times the path, pi/2 of a quarter of a turn at least, is below 0.1 % of 0.5.
+  BOOST_TEST(contains(figure(motion({1, 1e-9, 0.3}), "energy").caption,
+                      ", constant friction took less than 0.1 % and the notch 0.5."));
 }
 
 /// From x = 0 freely to the peak A and back to the rest x: the zones take theirs over every path,
@@ -146,7 +151,8 @@ BOOST_AUTO_TEST_CASE(zones_and_a_notch_with_a_width_take_their_part_of_the_energ
   BOOST_TEST(last(1) - last(0) == friction, tt::tolerance(1e-9));
   BOOST_TEST(last(2) - last(1) == 0.37 / 0.05 * (0.025 - rest), tt::tolerance(1e-9));
   BOOST_TEST(contains(drawn.caption, " took 0.3"), drawn.caption);
-  BOOST_TEST(contains(drawn.caption, " stays in the spring."), drawn.caption);
+  BOOST_TEST(contains(drawn.caption, "; less than 0.1 % stays in the spring."), drawn.caption);
+  BOOST_TEST(contains(figure(motion({1, 0.1, 0}), "energy").caption, "; 0.00"));
 }
 
 /// Where the friction changes there is a state, a mark and a kink, out and in again.
@@ -169,6 +175,7 @@ BOOST_AUTO_TEST_CASE(the_edges_of_a_notch_with_a_width_are_drawn) {
       BOOST_TEST((at.*across == 0.025));
     }
     BOOST_TEST(!has(each.marks, "passage"));
+    BOOST_TEST(named(each.marks, "turn").points.size() == 1U);  // the other is the rest
   }
   // v^2/2 at the edge, from the peak inwards: (A^2 - x^2)/2 - f (A - x).
   const double peak = answer.response.peak_amplitude;
@@ -177,6 +184,10 @@ BOOST_AUTO_TEST_CASE(the_edges_of_a_notch_with_a_width_are_drawn) {
   BOOST_TEST(v * v / 2 == fallen, tt::tolerance(1e-9));
   BOOST_TEST(figure(drawn, "phase").curves.front().strokes.size() == 3U);
   BOOST_TEST(contains(figure(drawn, "motion").caption, ", inside the notch, after "));
+  BOOST_TEST(figure(drawn, "phase").caption.ends_with(", but none as the hit leaves it."));
+  request.surface.notch_width = 4;  // beyond the figure on both sides
+  const HtmlPage all = page(MotionReport{request, simulate(request)});
+  BOOST_TEST(!has(figure(all, "motion").areas, "notch"));
 }
 
 /// The motion that the headline tells, and the paper's beside it where the eye can tell them apart.
@@ -244,9 +255,9 @@ BOOST_AUTO_TEST_CASE(energy_has_the_unit_of_its_size) {
     report.physical->scales.mass_kg = mass;
     return figure(page(report), "energy").caption;
   };
-  BOOST_TEST(caption(0.4, 1.2e6).starts_with("Of 96 kJ of energy, "));
-  BOOST_TEST(caption(0.2, 40).starts_with("Of 0.8 J of energy, "));
-  BOOST_TEST(caption(0.03, 40).starts_with("Of 18 mJ of energy, "));
+  BOOST_TEST(caption(0.4, 1.2e6).starts_with("Of the energy of 96 kJ at the start, "));
+  BOOST_TEST(caption(0.2, 40).starts_with("Of the energy of 0.8 J at the start, "));
+  BOOST_TEST(caption(0.03, 40).starts_with("Of the energy of 18 mJ at the start, "));
 }
 
 /// At rest after 50 half-cycles, before a tenth of the load is over: most columns hold no state.
@@ -302,6 +313,24 @@ BOOST_AUTO_TEST_CASE(the_stop_of_a_forced_motion_is_a_jump) {
   zones.surface.zones = {{0.2, 0.3}, {0.5, 0.15}};
   const HtmlPage without = page(MotionReport{zones, simulate(zones)});
   BOOST_TEST(!has(figure(without, "phase").curves, "jump at x = 0"));
+}
+
+/// Near resonance the notch holds up to f + 0.1 g: it stops the mass, and the load frees it later.
+BOOST_AUTO_TEST_CASE(a_notch_that_lets_go_is_marked_apart_from_a_passage) {
+  Oscillator holding{1, 0.05, 0.1};
+  const Harmonic load{.k = 0.2, .lambda = 0.8, .duration = 60};
+  const auto marked = [&](const char* name) {
+    return named(figure(motion(holding, load), "phase").marks, name).points;
+  };
+  BOOST_TEST(!marked("passage").empty());
+  BOOST_TEST(marked("stopped by the notch, then freed").empty());
+  holding.hold = 0.1;
+  const auto freed = marked("stopped by the notch, then freed");
+  BOOST_TEST(!freed.empty());
+  const auto passed = marked("passage");
+  const auto stands = [](const figures::FigurePoint& at) { return at.y == 0; };
+  BOOST_TEST(std::ranges::all_of(freed, stands));
+  BOOST_TEST(std::ranges::none_of(passed, stands));
 }
 
 /// The record of 0.35 g moves the free mass a hundred times as far as the one with this notch.

@@ -260,7 +260,7 @@ BOOST_AUTO_TEST_CASE(the_energy_is_in_kilojoules_and_every_part_has_a_name) {
   const HtmlPage page = isolator();
   const Figure& drawn = figure(page, "energy");
   BOOST_TEST(drawn.y.label == "energy, kJ");
-  BOOST_TEST(contains(drawn.description, "Of 8 kJ of energy"), drawn.description);
+  BOOST_TEST(contains(drawn.description, "Of the energy of 8 kJ at the start"), drawn.description);
   for (const char* part : {"kinetic and spring", "constant friction", "notch"}) {
     BOOST_TEST(has(drawn.areas, part), part);
   }

@@ -43,27 +43,35 @@ double friction_between(const DrawnMotion& motion, const State& one, const State
   return motion.oscillator.f;
 }
 
+/// "12 kJ", a part of a whole.
+std::string part_words(double part, double whole, const FigureUnits& units) {
+  return part < 1e-3 * whole ? "less than 0.1 %" : units.energy_words(part);
+}
+
 /// "constant friction took 28 kJ and the notch 12 kJ".
-std::string taken(const std::string& friction, double constant, double point,
+std::string taken(const std::string& friction, double constant, double point, double whole,
                   const FigureUnits& units) {
   std::string text;
   if (constant > 0) {
-    text = friction + " took " + units.energy_words(constant);
+    text = friction + " took " + part_words(constant, whole, units);
   }
   if (point > 0) {
-    text += (text.empty() ? "the notch took " : " and the notch ") + units.energy_words(point);
+    text +=
+        (text.empty() ? "the notch took " : " and the notch ") + part_words(point, whole, units);
   }
-  return text;
+  return text.empty() ? "none is lost" : text;
 }
 
 /// "; 2.3 kJ stays in the spring"; empty if nothing is left.
-std::string what_is_left(const DrawnMotion& motion, double left, const FigureUnits& units) {
-  if (motion.rest) {
-    return motion.rest->x == 0 ? ""
-                               : fmt::format("; {} stays in the spring", units.energy_words(left));
+std::string what_is_left(const DrawnMotion& motion, double left, double whole,
+                         const FigureUnits& units) {
+  if (motion.rest && motion.rest->x == 0) {
+    return "";
   }
-  return fmt::format("; kinetic and spring energy is {} {}", units.energy_words(left),
-                     motion.whole ? "at the end" : "where the figure ends");
+  return fmt::format("; {} {}", part_words(left, whole, units),
+                     motion.rest    ? "stays in the spring"
+                     : motion.whole ? "is left at the end"
+                                    : "is left where the figure ends");
 }
 
 }  // namespace
@@ -108,10 +116,9 @@ Figure energy_figure(const DrawnMotion& motion, const FigureUnits& units) {
   figure.y = {units.energy_label, 0, most > 0 ? 1.06 * most : 1};
   const double now = left.back().y / units.energy;
   const std::string friction = motion.surface.zones.empty() ? "constant friction" : "friction";
-  const std::string took = taken(friction, constant, point, units);
-  figure.description =
-      fmt::format("Of {} of energy, {}{}.", units.energy_words(whole),
-                  took.empty() ? "none is lost" : took, what_is_left(motion, now, units));
+  figure.description = fmt::format(
+      "Of the energy of {} at the start, {}{}.", units.energy_words(whole),
+      taken(friction, constant, point, whole, units), what_is_left(motion, now, whole, units));
   figure.caption = figure.description;
   figure.areas = {{"kinetic and spring", between(nothing, left), Ink::blue},
                   {constant > 0 ? friction : "", between(left, with_constant), Ink::orange},

@@ -178,7 +178,11 @@ void add_zones(Figure& figure, const DrawnMotion& motion, double length, Along a
     before = zone.to;
   }
   if (const auto& width = motion.surface.notch_width) {
-    strip("notch", Ink::green, -*width / 2, *width / 2);
+    const figures::FigureAxis& across = along == Along::x ? figure.y : figure.x;
+    const double half = *width / 2;
+    if (-half * length > across.least || half * length < across.most) {  // else it is all
+      strip("notch", Ink::green, -half, half);
+    }
   }
 }
 
@@ -247,7 +251,9 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
     figure.marks.push_back({"rest", {place(*motion.rest)}, figures::Shape::square, Ink::green});
   }
   if (moves) {
-    figure.notes.push_back({(stays ? "rest at the " : "") + peak_words, place(peak)});
+    figure.notes.push_back(
+        {(stays ? "rest at the " : "") + peak_words + (peak.tau > 0 ? "" : " at the start"),
+         place(peak)});
   }
   if (motion.rest && !(moves && stays)) {
     figure.notes.push_back(

@@ -84,7 +84,9 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
     figure.curves.push_back(std::move(jumps));
   } else if (motion.surface.notch_width) {
     figure.caption.back() = ',';
-    figure.caption += " and the shaded notch takes energy over its width.";
+    figure.caption += " and the notch takes energy over its width";
+    figure.caption +=
+        states.front().x == 0 && states.front().v != 0 ? ", but none as the hit leaves it." : ".";
   }
   mark_events(figure, motion, place, long_one ? 0 : last);
   return figure;

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -80,23 +81,33 @@ void add_if_visible(DrawnMotion& motion, OtherMotion other);
 [[nodiscard]] bool is_moving(const DrawnMotion& motion);
 /// " (beginning)" for a motion that is not drawn whole.
 [[nodiscard]] std::string beginning(const DrawnMotion& motion);
-/// Marks of events, in the three shapes that figures use; turns and passages up to a tau.
+/// Marks of events; turns and passages up to a tau.
 template <class Place>
 void mark_events(figures::Figure& figure, const DrawnMotion& motion, const Place& place,
                  double last) {
-  const auto until = [last](std::vector<State> states) {
-    std::erase_if(states, [last](const State& state) { return state.tau > last; });
-    return states;
+  const auto those = [&](std::vector<State> states, const auto& are) {
+    std::erase_if(states, [&](const State& at) { return at.tau > last || !are(at); });
+    return places(states, place);
   };
+  using figures::Fill;
   using figures::Ink;
   using figures::Shape;
-  figure.marks.push_back(
-      {"turn", places(until(motion.turns), place), Shape::disc, Ink::blue, figures::Fill::hollow});
+  const auto goes_on = [&](const State& at) { return !motion.rest || at.tau != motion.rest->tau; };
   const auto& width = motion.surface.notch_width;
-  std::vector<State> acts = width ? motion.states : motion.passages;  // where the notch does
-  std::erase_if(acts, [&](const State& at) { return width && std::abs(at.x) != *width / 2; });
-  figure.marks.push_back({width ? "edge of the notch" : "passage", places(until(acts), place),
-                          Shape::cross, Ink::orange});
+  const bool acts = motion.oscillator.delta > 0 && !width;
+  const auto freed = [&](const State& at) { return acts && at.v == 0; };
+  figure.marks.push_back(
+      {"turn", those(motion.turns, goes_on), Shape::disc, Ink::blue, Fill::hollow});
+  if (width) {
+    const auto at_edge = [&](const State& at) { return std::abs(at.x) == *width / 2; };
+    figure.marks.push_back(
+        {"edge of the notch", those(motion.states, at_edge), Shape::cross, Ink::orange});
+  } else {
+    figure.marks.push_back(
+        {"passage", those(motion.passages, std::not_fn(freed)), Shape::cross, Ink::orange});
+    figure.marks.push_back({"stopped by the notch, then freed", those(motion.passages, freed),
+                            Shape::diamond, Ink::orange, Fill::hollow});
+  }
   if (motion.rest && motion.rest->tau <= last) {
     figure.marks.push_back({"rest", {place(*motion.rest)}, Shape::square, Ink::green});
   }
