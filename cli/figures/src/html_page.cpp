@@ -44,7 +44,7 @@ body{color:#ddd;background:#14181d}td,th{border-color:#444}.rows th,.faint{color
 /// it. Each pair is a line of text to the browser, which by default keeps two lines together.
 constexpr std::string_view print_style = R"(
 @page{margin:10mm 12mm}
-body{max-width:none;padding:0;font-size:13px;line-height:1.3;orphans:1;widows:1}h1{font-size:19px}h2{font-size:15px;margin:6px 0 2px}.answer{font-size:15px;margin:4px 0}.figures{margin-top:4px;grid-template-columns:1fr 1fr;gap:2px 40px}figcaption{font-size:12px}.readout,details{display:none}
+body{max-width:none;padding:0;font-size:13px;line-height:1.2;orphans:1;widows:1}h1{font-size:19px}h2{font-size:15px;margin:6px 0 2px}.answer{font-size:15px;margin:4px 0}.figures{margin-top:4px;grid-template-columns:1fr 1fr;gap:2px 40px}figcaption{font-size:11px}.readout,details{display:none}
 section:not(:has(tr:nth-child(17),td:nth-child(6))){display:inline-block;vertical-align:top;width:48%;margin-right:1.5%}section:has(td:nth-child(6)){break-before:avoid}section p{margin:6px 0;break-after:avoid}section code{font-size:11px;overflow-wrap:anywhere}
 body section.input{display:block;width:auto;margin:10px 0 0;break-before:avoid;break-inside:avoid}.input p{display:none}.input h2,.input pre{display:inline;font-size:11px}
 pre{white-space:normal;overflow-wrap:anywhere;overflow:visible;background:none;padding:0 4px}.wide~p{break-before:avoid;break-after:auto}footer{break-before:avoid;margin-top:12px}.wide{overflow:visible}td,.columns th{white-space:normal}td,th{padding:1px 5px}table{font-size:11px}.rows td{min-width:0;overflow-wrap:anywhere}
