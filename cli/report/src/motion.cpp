@@ -246,7 +246,7 @@ Document document(const MotionReport& report) {
   if (report.answer.forced) {
     add_response(motion, *report.answer.forced, report.physical);
   } else {
-    add_response(motion, report.answer.response, report.physical);
+    add_response(motion, report.answer.response, report.physical, report.request.surface.plain());
   }
   add_half_cycles(document, report.answer, report.physical);
   return document;

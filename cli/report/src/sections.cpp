@@ -352,31 +352,36 @@ void add_margin(Section& section, const Response& response, std::string_view mea
   }
 }
 
+constexpr std::string_view closest_decision =
+    "how near the closest decision, to stick or to pass x = 0, was to going the other way; not a "
+    "tolerance of the inputs";
+
 }  // namespace
 
-void add_response(Section& section, const Response& response, const Physical& physical) {
+void add_response(Section& section, const Response& response, const Physical& physical,
+                  bool margin_of_inputs) {
   add_outcome(section, response, outcome_phrase(response.outcome), physical);
   if (moves(response)) {
     section.row("peak acceleration", acceleration_text(physical, response.peak_acceleration));
   }
   add_metrics(section, response, physical);
   add_margin(section, response,
-             "the outcome or a count could change if all inputs shift by about this much");
+             margin_of_inputs
+                 ? "the outcome or a count could change if all inputs shift by about this much"
+                 : closest_decision);
 }
 
 void add_response(Section& section, const ForcedResponse& response, const Physical& physical) {
   add_outcome(section, response, outcome_phrase(response), physical);
   section.row("transmitted",
-              format("{}, the largest acceleration that the structure feels outside the notch",
+              format("{}, the largest acceleration that the structure feels, impulses apart",
                      acceleration_text(physical, response.peak_absolute_acceleration)));
   if (moves(response)) {
     section.row("relative", format("{}, the largest acceleration relative to the base",
                                    acceleration_text(physical, response.peak_acceleration)));
   }
   add_metrics(section, response, physical);
-  add_margin(section, response,
-             "how far the closest decision, a stick at the start included, was from the other "
-             "outcome; not a tolerance");
+  add_margin(section, response, closest_decision);
   if (response.sticks > 0) {
     section.row("sticks", format("{}, {} in all", plural(response.sticks, "stick"),
                                  time_shown(physical, response.stick_time)));

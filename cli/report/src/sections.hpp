@@ -116,7 +116,9 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty, const
 void add_constraints(Document& document, std::span<const design::Constraint> constraints,
                      const Physical& physical);
 
-void add_response(Section& section, const Response& response, const Physical& physical);
+/// Only with the paper's notch is the decision margin one of the inputs.
+void add_response(Section& section, const Response& response, const Physical& physical,
+                  bool margin_of_inputs = true);
 /// With what a forced motion has in addition to a free one.
 void add_response(Section& section, const ForcedResponse& response, const Physical& physical);
 

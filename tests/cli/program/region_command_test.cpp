@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli_test.hpp"
 
+#include <fmt/format.h>
+
 #include <map>
 #include <regex>
 
@@ -50,7 +52,7 @@ BOOST_AUTO_TEST_CASE(limits_bound_the_variable_that_they_name) {
                                           {"stop", "delta +0.4"},
                                           {"largest f", "f +0.3"},
                                           {"largest delta", "delta +0.4"}}) {
-    BOOST_TEST(std::regex_search(text, std::regex("\n +" + name + " +" + value + " ")), text);
+    BOOST_TEST(std::regex_search(text, std::regex(fmt::format("\n +{} +{} ", name, value))), text);
   }
 }
 

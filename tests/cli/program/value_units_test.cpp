@@ -146,7 +146,7 @@ BOOST_FIXTURE_TEST_CASE(natural_frequency_gives_the_period, Sandbox) {
   // The suggested change of p is in hertz, and works.
   const Arguments narrow("region --velocity 0.4 --max-displacement 0.1");
   const ProgramRun empty = ending(3, narrow + "--natural-frequency 0.25");
-  const std::string words = "natural_frequency  at least ";
+  const std::string words = "natural frequency  at least ";
   const std::size_t place = empty.out.find(words);
   BOOST_TEST_REQUIRE(place != std::string::npos, empty.out);
   const std::string rest_of_it = empty.out.substr(place + words.size());

@@ -262,8 +262,8 @@ BOOST_AUTO_TEST_CASE(a_figure_without_any_damper_says_why) {
   BOOST_TEST(caption(0.9, {.f_max = 0.05}) ==
              "No damper is admissible: in the gap f is too weak and already beyond a limit.");
   for (const double tolerance : {0.1, 0.5}) {  // some damper has it, none has
-    BOOST_TEST(caption(0.9, {.tolerance = tolerance})
-                   .starts_with("Without the tolerance asked for, "));
+    BOOST_TEST(
+        caption(0.9, {.tolerance = tolerance}).starts_with("Without the tolerance asked for, "));
   }
 }
 
