@@ -132,6 +132,26 @@ std::string verdict(const RecordDesignReport& report) {
 }
 
 /// Of the notch at a passage or a stop, which the figures leave out if it has no width.
+double peak_load(const design::SuiteRecord& record) {
+  return std::abs(record.scale) * records::peak_acceleration(record.record);
+}
+
+/// From rest, a notch of width w holds the mass while the load is at most f + delta/w.
+void add_start(Section& answer, const design::RecordDesign& result, const Physical& physical) {
+  const design::SuiteDamper& damper = result.finding->point.damper;
+  double weakest = HUGE_VAL;
+  for (const design::SuiteRecord& record : result.request.records) {
+    weakest = std::min(weakest, peak_load(record));
+  }
+  if (damper.delta > 0 && weakest > damper.f && !result.request.notch_width &&
+      !result.request.hold) {
+    answer.row("start", format("a notch narrower than {}, delta/(load - f), does not let the mass "
+                               "go under each record: see --notch-width{}",
+                               width_shown(physical, damper.delta / (weakest - damper.f)),
+                               physical ? "-m" : ""));
+  }
+}
+
 void add_passages(Section& answer, const design::RecordDesign& result) {
   const auto& [damper, figures] = result.finding->point;
   if (damper.delta == 0 || figures.peak == 0 || result.request.notch_width) {
@@ -154,6 +174,7 @@ void add_answer(Section& answer, const design::RecordDesign& result, const Physi
     answer.row("locked", "never while a record goes on");
   }
   add_passages(answer, result);
+  add_start(answer, result, physical);
   const design::Sensitivity& near = result.finding->sensitivity;
   answer.row("tolerance",
              format("{}; {} of {} samples within +-{:.3g} % meet the limits",
@@ -195,8 +216,7 @@ void add_records(Document& document, const RecordDesignReport& report) {
     const ForcedResponse& response = result.finding->responses[i];
     const design::SuiteRecord& record = result.request.records[i];
     table.rows.push_back(
-        {{record_label(record),
-          format("{:.4g}", std::abs(record.scale) * records::peak_acceleration(record.record)),
+        {{record_label(record), format("{:.4g}", peak_load(record)),
           format("{:.5g}", response.peak_amplitude * units.length),
           format("{:.5g}", std::abs(response.stop_position.value()) * units.length),
           format("{:.4g}", response.peak_absolute_acceleration),

@@ -67,10 +67,13 @@ std::string_view fate(HitEnd end) {
 /// "; weaker ones are held at the start, stronger ones go too far"
 std::string beyond_words(const design::ServedInterval& works,
                          const std::vector<design::Hits>& hits) {
+  constexpr double beside = 1e-6;  // an edge of both may differ by rounding
+  const double weaker = works.low * (1 - beside);
+  const double stronger = works.high.value_or(HUGE_VAL) * (1 + beside);
   std::string text;
   for (const design::Hits& now : hits) {
-    const bool below = now.from < works.low && works.low <= now.to;
-    const bool above = works.high && now.from <= *works.high && *works.high < now.to;
+    const bool below = now.from < weaker && weaker <= now.to;
+    const bool above = now.from <= stronger && stronger < now.to;
     if ((below || above) && !fate(now.end).empty()) {
       text += fmt::format("{} {} ones {}", text.empty() ? ";" : ",", below ? "weaker" : "stronger",
                           fate(now.end));
