@@ -126,7 +126,8 @@ ForcedScene<> turn_at_the_end(double lambda) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(of_random_scenes_are_honest) {
-  margins_are_honest(random_forced_scene, 20262, forced_scene_count() / 100);
+  // About one in 200 changes: with the sanitizers' few none may.
+  margins_are_honest(random_forced_scene, 20262, forced_scene_count() / 200);
 }
 
 BOOST_AUTO_TEST_CASE(of_scenes_whose_events_meet_are_honest) {
