@@ -140,16 +140,11 @@ void add_worst(Section& answer, const design::DesignRequest& request,
   answer.row("", format("the motion shown has the largest peak, with {}", shown));
 }
 
-/// From rest, a notch of width w holds the mass while the load is at most f + delta/w.
 void add_start(Section& answer, const design::DesignResult& result, const Physical& physical) {
   const auto& [f, delta, tolerance] = result.finding->point;
-  const design::PulseRanges& ranges = result.request.pulse_ranges;
-  const double weakest = ranges.k_low.value_or(design::peak_load(*result.request.pulse));
-  if (weakest > f) {
-    answer.row("start", format("a notch narrower than {}, delta/(k - f), does not let the mass go: "
-                               "see --notch-width{}",
-                               width_shown(physical, delta / (weakest - f)), physical ? "-m" : ""));
-  }
+  const double weakest =
+      result.request.pulse_ranges.k_low.value_or(design::peak_load(*result.request.pulse));
+  add_start(answer, {f, delta, weakest}, "delta/(k - f)", "go", physical);
 }
 
 /// Under a pulse, where only the tolerance asks for a strong notch.

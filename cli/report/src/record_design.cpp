@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/design/practice.hpp>
-#include <stillpoint/records/record_scaling.hpp>
 #include <stillpoint/report/record_design.hpp>
 #include "format.hpp"
 #include "sections.hpp"
@@ -131,27 +130,20 @@ std::string verdict(const RecordDesignReport& report) {
          (near.tolerance > 0 ? tolerance_sentence(near, physical) : "");
 }
 
-/// Of the notch at a passage or a stop, which the figures leave out if it has no width.
-double peak_load(const design::SuiteRecord& record) {
-  return std::abs(record.scale) * records::peak_acceleration(record.record);
-}
-
-/// From rest, a notch of width w holds the mass while the load is at most f + delta/w.
+/// Where the weakest record must set the mass off.
 void add_start(Section& answer, const design::RecordDesign& result, const Physical& physical) {
-  const design::SuiteDamper& damper = result.finding->point.damper;
   double weakest = HUGE_VAL;
   for (const design::SuiteRecord& record : result.request.records) {
-    weakest = std::min(weakest, peak_load(record));
+    weakest = std::min(weakest, design::peak_load(record));
   }
-  if (damper.delta > 0 && weakest > damper.f && !result.request.notch_width &&
-      !result.request.hold) {
-    answer.row("start", format("a notch narrower than {}, delta/(load - f), does not let the mass "
-                               "go under each record: see --notch-width{}",
-                               width_shown(physical, damper.delta / (weakest - damper.f)),
-                               physical ? "-m" : ""));
+  if (!result.request.notch_width && !result.request.hold) {
+    const design::SuiteDamper& damper = result.finding->point.damper;
+    add_start(answer, {damper.f, damper.delta, weakest}, "delta/(load - f)", "go under each record",
+              physical);
   }
 }
 
+/// Of the notch at a passage or a stop, which the figures leave out if it has no width.
 void add_passages(Section& answer, const design::RecordDesign& result) {
   const auto& [damper, figures] = result.finding->point;
   if (damper.delta == 0 || figures.peak == 0 || result.request.notch_width) {
@@ -216,7 +208,7 @@ void add_records(Document& document, const RecordDesignReport& report) {
     const ForcedResponse& response = result.finding->responses[i];
     const design::SuiteRecord& record = result.request.records[i];
     table.rows.push_back(
-        {{record_label(record), format("{:.4g}", peak_load(record)),
+        {{record_label(record), format("{:.4g}", design::peak_load(record)),
           format("{:.5g}", response.peak_amplitude * units.length),
           format("{:.5g}", std::abs(response.stop_position.value()) * units.length),
           format("{:.4g}", response.peak_absolute_acceleration),

@@ -36,6 +36,15 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
                    const design::Problem& problem, const Physical& physical);
 /// The least width of a notch, rounded up.
 [[nodiscard]] std::string width_shown(const Physical& physical, double width);
+struct StartUnderLoad {
+  double f;
+  double delta;
+  double load;  ///< the largest
+};
+/// From rest, a notch of width w holds the mass while the load is at most f + delta/w: how wide it
+/// must be so that the mass may `go`, as `formula` says.
+void add_start(Section& section, const StartUnderLoad& start, std::string_view formula,
+               std::string_view go, const Physical& physical);
 /// How much of the notch the stop takes, and how wide it must be.
 void add_notch(Section& section, const std::optional<design::Practice>& lines,
                const Physical& physical);

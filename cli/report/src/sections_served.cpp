@@ -61,6 +61,17 @@ std::string width_shown(const Physical& physical, double width) {
                 units.length_unit.empty() ? "" : " " + units.length_unit);
 }
 
+void add_start(Section& section, const StartUnderLoad& start, std::string_view formula,
+               std::string_view go, const Physical& physical) {
+  const auto& [f, delta, load] = start;
+  if (delta > 0 && load > f) {
+    section.row(
+        "start",
+        format("a notch narrower than {}, {}, does not let the mass {}: see --notch-width{}",
+               width_shown(physical, delta / (load - f)), formula, go, physical ? "-m" : ""));
+  }
+}
+
 void add_notch(Section& section, const std::optional<design::Practice>& lines,
                const Physical& physical) {
   if (!lines) {

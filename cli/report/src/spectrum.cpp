@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/records/record_scaling.hpp>
 #include <stillpoint/report/spectrum.hpp>
 #include "format.hpp"
 #include "sections.hpp"
@@ -148,8 +147,7 @@ void add_damper(Section& answer, const SpectrumReport& report) {
   for (const design::SuiteRecord& record : task.records) {
     answer.row(&record == task.records.data() ? "record" : "",
                format("{}, peak {}, {} long", record_label(record),
-                      acceleration_shown(std::abs(record.scale) *
-                                         records::peak_acceleration(record.record)),
+                      acceleration_shown(design::peak_load(record)),
                       time_shown(report.physical, *duration(design::scaled(record)))));
   }
 }

@@ -65,8 +65,7 @@ std::string_view fate(HitEnd end) {
 }
 
 /// "; weaker ones are held at the start, stronger ones go too far"
-std::string beyond_words(const design::ServedInterval& works,
-                         const std::vector<design::Hits>& hits) {
+std::string other_hits(const design::ServedInterval& works, const std::vector<design::Hits>& hits) {
   constexpr double beside = 1e-6;  // an edge of both may differ by rounding
   const double weaker = works.low * (1 - beside);
   const double stronger = works.high.value_or(HUGE_VAL) * (1 + beside);
@@ -122,7 +121,7 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
     figure.areas.push_back({"works for " + range, strip(low * unit, *high * unit, 0.05, 0.3),
                             Ink::blue, AreaLook::box});
     figure.caption =
-        fmt::format("The damper works for hits of {}{}.", range, beyond_words(works_for->v0, hits));
+        fmt::format("The damper works for hits of {}{}.", range, other_hits(works_for->v0, hits));
   } else {
     figure.caption = "The damper does not work for the hit that was asked for.";
   }

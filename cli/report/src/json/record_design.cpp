@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "json/parts.hpp"
 
-#include <stillpoint/records/record_scaling.hpp>
 #include <stillpoint/report/record_design.hpp>
 
 #include <cmath>
@@ -67,10 +66,9 @@ ordered_json records_json(const design::RecordDesign& result, const Physical& ph
     const design::SuiteRecord& record = result.request.records[i];
     const ForcedResponse& response = result.finding->responses[i];
     const double residual = std::abs(response.stop_position.value());
-    const double pga = std::abs(record.scale) * records::peak_acceleration(record.record);
     list.push_back({{"file", record.name},
                     {"scale", number(record.scale)},
-                    {"pga", number(pga)},
+                    {"pga", number(design::peak_load(record))},
                     {"peak_amplitude", number(response.peak_amplitude)},
                     {"peak_m", metres(physical, response.peak_amplitude)},
                     {"peak_absolute_acceleration", number(response.peak_absolute_acceleration)},

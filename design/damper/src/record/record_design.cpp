@@ -33,7 +33,7 @@ constexpr std::uint64_t sampling_seed = 20'081;
 double largest_load(const std::vector<SuiteRecord>& records) {
   double most = 0;
   for (const SuiteRecord& record : records) {
-    most = std::max(most, std::abs(record.scale) * records::peak_acceleration(record.record));
+    most = std::max(most, peak_load(record));
   }
   return most;
 }

@@ -33,6 +33,10 @@ std::span<const Named<Combine>> enumerators(Combine) noexcept {
   return rows;
 }
 
+double peak_load(const SuiteRecord& record) {
+  return std::abs(record.scale) * records::peak_acceleration(record.record);
+}
+
 Record scaled(const SuiteRecord& record) {
   Record load = record.record;
   for (double& value : load.values) {

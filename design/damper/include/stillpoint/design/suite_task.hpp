@@ -30,6 +30,7 @@ using records::SuiteRecord;
 
 /// The record times its scale.
 [[nodiscard]] Record scaled(const SuiteRecord& record);
+[[nodiscard]] double peak_load(const SuiteRecord& record);  ///< the largest |W|
 
 /// 0 <= low <= high; low = high fixes the variable.
 struct SearchRange {
