@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "cli_test.hpp"
 
-#include <regex>
+#include <stillpoint/answers/exit_code.hpp>
+#include <stillpoint/design/cross_check.hpp>
+#include <stillpoint/design/design.hpp>
+#include <stillpoint/report/report.hpp>
 
-BOOST_AUTO_TEST_SUITE(design_command_test)
+BOOST_FIXTURE_TEST_SUITE(design_command_test, stillpoint::cli_test::Sandbox)
 
 namespace {
 
@@ -14,8 +17,6 @@ Arguments design(double beta, const Arguments& more = {}) {
 }
 
 }  // namespace
-
-BOOST_FIXTURE_TEST_SUITE(report, Sandbox)
 
 /// After several arrivals a requirement bounds v0; the table is in the units of the figures.
 BOOST_AUTO_TEST_CASE(the_table_of_constraints_is_in_the_units_of_the_task) {
@@ -55,38 +56,6 @@ BOOST_AUTO_TEST_CASE(echoes_tolerances_of_each_side) {
              json({0, {0.875, 1}, {0.875, 1.125}}));
 }
 
-BOOST_AUTO_TEST_CASE(echoes_the_input) {
-  const json report =
-      reported(design(0.9,
-                      "--criterion exact --objective time --tolerance 0.1 --f-max 0.3 "
-                      "--delta-max 0.45 --algorithm LN_COBYLA"));
-  const json expected = {{"v0", 1},
-                         {"p", 1},
-                         {"beta", 0.9},
-                         {"v0_range", nullptr},
-                         {"p_range", nullptr},
-                         {"arrivals", 1},
-                         {"residual", nullptr},
-                         {"tolerance", 0.1},
-                         {"tolerance_f", nullptr},
-                         {"tolerance_delta", nullptr},
-                         {"criterion", "exact"},
-                         {"objective", "time"},
-                         {"f_max", 0.3},
-                         {"delta_max", 0.45},
-                         {"acceleration_max", nullptr},
-                         {"algorithm", "LN_COBYLA"},
-                         {"pulse", nullptr},
-                         {"k", nullptr},
-                         {"k_range", nullptr},
-                         {"lambda", nullptr},
-                         {"lambda_range", nullptr},
-                         {"catalogue", nullptr},
-                         {"trade_off", nullptr}};
-  BOOST_TEST(report["input"] == expected);
-  BOOST_TEST(report["search"]["algorithm"] == "LN_COBYLA");
-}
-
 /// The rows are those that `region` lists for the same point.
 BOOST_AUTO_TEST_CASE(given_limits_have_rows) {
   const Arguments limits("--f-max 0.3 --delta-max 0.45");
@@ -97,22 +66,6 @@ BOOST_AUTO_TEST_CASE(given_limits_have_rows) {
                               limits);
   BOOST_TEST(report["constraints"].size() == 7U);
   BOOST_TEST(report["constraints"] == again["constraints"]);
-}
-
-BOOST_AUTO_TEST_CASE(is_reproducible_apart_from_wall_times) {
-  const std::vector<Arguments> problems{design(0.9), design(0.9, "--algorithm GN_CRS2_LM"),
-                                        "design --velocity 0.4 --period 3 --max-displacement 0.16"};
-  for (const Arguments& arguments : problems) {
-    BOOST_TEST(without_wall_times(reported(arguments)) == without_wall_times(reported(arguments)));
-    // Times change the width of their column too.
-    const auto text = [&] {
-      static const std::regex spaces(" +");
-      static const std::regex wall_time("[-+.e0-9]+ [um]?s( |\n)");
-      return std::regex_replace(std::regex_replace(run(arguments).out, spaces, " "), wall_time,
-                                "TIME$1");
-    };
-    BOOST_TEST(text() == text());
-  }
 }
 
 BOOST_AUTO_TEST_CASE(for_people_names_every_part) {
@@ -136,25 +89,20 @@ BOOST_AUTO_TEST_CASE(is_the_same_json_in_a_file) {
   BOOST_TEST(read("report.json") == both.out);
 }
 
-BOOST_AUTO_TEST_SUITE_END()
-
-BOOST_FIXTURE_TEST_SUITE(search, Sandbox)
-
-BOOST_AUTO_TEST_CASE(optimum_is_shown_beside_that_along_f) {
-  constexpr double same = 2e-9;  // both stay a relative 1e-9 inside open edges
-  const Arguments plain("design --v0 1 --p 1 --beta 2 --tolerance 0.05");
-  for (const std::string objective : {"robust", "amplitude", "time", "acceleration"}) {
-    for (const Arguments& more : {Arguments{}, Arguments("--arrivals 3 --f-max 0.02"),
-                                  Arguments("--residual 0.05 --arrivals 2")}) {
-      const Arguments asked = plain + Arguments{"--objective", objective} + more;
-      const json search = run(asked + "--json").json()["search"];
-      const double along_f = search["optimum_along_f"].get<double>();
-      BOOST_TEST(std::abs(search["optimum"].get<double>() - along_f) <= same * along_f);
-      BOOST_TEST(contains(run(asked + "--verbose").out, "along f alone"));
-    }
-  }
+/// The report is still printed.
+BOOST_AUTO_TEST_CASE(a_failed_cross_check_is_exit_code_4_with_a_report) {
+  const stillpoint::design::Problem problem{1, 1, 0.8};
+  auto result = stillpoint::design::design({problem});
+  const auto& [f, delta, tolerance] = result.finding.value().point;
+  auto wrong = stillpoint::design::predict(problem, f);
+  wrong.peak_amplitude *= 1 + 1e-6;
+  result.finding->cross_check = stillpoint::design::cross_check(wrong, problem, f, delta);
+  const stillpoint::report::DesignReport failed{result};
+  BOOST_TEST(stillpoint::answers::exit_code(failed) == 4);
+  const auto check = stillpoint::report::json(failed)["cross_check"];
+  BOOST_TEST(check["passed"] == false);
+  BOOST_TEST(check["methods"][0]["passed"] == false);
+  BOOST_TEST(contains(stillpoint::report::text(document(failed)), "DISAGREES"));
 }
-
-BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

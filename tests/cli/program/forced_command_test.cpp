@@ -34,14 +34,6 @@ BOOST_AUTO_TEST_CASE(of_a_motion_that_locks_says_so_on_standard_error_too) {
   BOOST_TEST(run(pulse("half-sine") + "--json").err.empty());
 }
 
-BOOST_AUTO_TEST_CASE(of_a_motion_that_stops_says_where_and_when) {
-  const json response = reported(pulse("half-sine"))["response"];
-  check_values(response, {{"outcome", "stopped_in_dead_zone"},
-                          {"end_time", response["stop_time"]},
-                          {"final_position", response["stop_position"]},
-                          {"final_velocity", 0}});
-}
-
 BOOST_AUTO_TEST_CASE(of_a_motion_that_never_stops_has_null_for_missing_values) {
   const json report = reported(free_at_rest("--excitation rectangle --k 0.5 --lambda 2"));
   check_null(report["response"],
@@ -81,19 +73,6 @@ BOOST_AUTO_TEST_CASE(for_people_names_the_excitation_and_the_end) {
     const ProgramRun answer = run(last);
     BOOST_TEST(contains(answer.out, " none\n"), answer.out);
   }
-}
-
-BOOST_AUTO_TEST_CASE(scene_of_a_record_has_the_figures_that_other_programs_found) {
-  write("s5.txt", column_file(record_s5()));
-  const json report = reported(s5 + "--v0 0 --record-step 0.02 --t-end 59.98");
-  const json& response = report["response"];
-  BOOST_TEST(near(response["peak_amplitude"], 0.098335012538125103, 1e-12));
-  BOOST_TEST(near(response["final_position"], -0.0015776946596039220, 1e-9));
-  BOOST_TEST(response["zero_passages"] == 18);
-  BOOST_TEST(response["end_time"] == 59.98);
-  check_null(report["input"]["excitation"], {"k", "lambda", "phase"});
-  check_values(report["input"]["excitation"],
-               {{"type", "record"}, {"record", "s5.txt"}, {"samples", 3000}});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

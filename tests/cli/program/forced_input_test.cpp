@@ -103,15 +103,6 @@ BOOST_AUTO_TEST_CASE(flag_replaces_the_wave_of_a_scene_with_a_record_and_back) {
   BOOST_TEST(reported("simulate record.json" + wave) == reported("simulate wave.json"));
 }
 
-BOOST_AUTO_TEST_CASE(record_options_are_echoed) {
-  write("w.txt", "0.3\n-0.2\n");
-  const json given =
-      reported(at_rest("--record w.txt --record-step 1 --record-units m/s2 --record-scale 2"));
-  const json& excitation = given["input"]["excitation"];
-  check_values(excitation, {{"record_units", "m/s2"}, {"record_step", 1}, {"record_scale", 2}});
-  BOOST_TEST(reported(harmonic)["input"]["excitation"]["record_units"].is_null());
-}
-
 BOOST_AUTO_TEST_CASE(scene_with_an_excitation_serves_other_commands_with_a_note) {
   const Surroundings surroundings{.input = R"({"v0": 1, "p": 1, "beta": 0.9,
                            "excitation": {"type": "half-sine", "k": 1, "lambda": 2}})"};
@@ -163,36 +154,6 @@ BOOST_AUTO_TEST_CASE(waves_may_be_in_tau_with_physical_input) {
                 "--lambda", "0.7", "--t-end", "30"})["response"];
   BOOST_TEST(report["response"] == same);
   BOOST_TEST(same["end_time"] == 30);
-}
-
-// p is the natural frequency, so lambda / p times 2 pi / 3 is the other one.
-BOOST_AUTO_TEST_CASE(waves_are_reported_in_si_with_physical_input) {
-  const Arguments scene(
-      "simulate --velocity 0.4 --period 3 --f 0.02 --delta-m 0.001 --k 0.1 --lambda 0.7 --t-end 30 "
-      "--excitation");
-  const json endless = reported(scene + "harmonic");
-  const double rad_per_s = 0.7 / endless["input"]["p"].get<double>() * 2 * pi / 3;
-  BOOST_TEST(near(endless["physical"]["excitation_rad_per_s"], rad_per_s, 1e-14));
-  BOOST_TEST(endless["physical"]["excitation_duration_s"].is_null());
-  const json pulse = reported(scene + "full-sine");
-  BOOST_TEST(near(pulse["physical"]["excitation_rad_per_s"], rad_per_s, 1e-14));
-  BOOST_TEST(near(pulse["physical"]["excitation_duration_s"], 2 * pi / rad_per_s, 1e-14));
-}
-
-BOOST_AUTO_TEST_CASE(synthetic_records_run) {
-  // Without a notch: that would hold the mass for good at its first slow return.
-  const std::string folder = STILLPOINT_DATA_DIR "/records/";
-  for (const char* name : {"near_fault_pulse.txt", "strong_motion.AT2"}) {
-    const Arguments shaken{"simulate",  "--period", "2.5",      "--f",        "0.02",
-                           "--delta-m", "0",        "--record", folder + name};
-    const json report = reported(shaken);
-    BOOST_TEST(report["response"]["outcome"] == "stopped_in_dead_zone");
-    BOOST_TEST(report["response"]["zero_passages"].get<int>() > 1);
-    BOOST_TEST(report["physical"]["peak_m"].get<double>() > 0.05);
-    BOOST_TEST(report["physical"]["peak_m"].get<double>() < 1);
-    const ProgramRun text = succeed(shaken + "--verbose");
-    BOOST_TEST(contains(text.out, "SYNTHETIC"), text.out);
-  }
 }
 
 /// A later load might move the mass again, so that the motion is running, but it does not move.

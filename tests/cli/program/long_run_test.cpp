@@ -2,6 +2,10 @@
 #include "cli_test.hpp"
 #include "forced_arguments.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 BOOST_FIXTURE_TEST_SUITE(long_run_test, stillpoint::cli_test::Sandbox)
 
 using namespace stillpoint::cli_test;
@@ -74,6 +78,53 @@ BOOST_AUTO_TEST_CASE(of_free_motion_warns_beforehand_that_it_takes_minutes) {
 BOOST_AUTO_TEST_CASE(short_run_shows_none, *boost::unit_test::precondition(if_terminals)) {
   const ProgramRun brief = succeed(harmonic, {.error_is_terminal = true});
   BOOST_TEST(brief.err.empty(), brief.err);
+}
+
+// ---- sweeps
+
+namespace {
+
+/// Hours.
+const Arguments sweep("sweep --v0 1 --p 1 --f 1e-4:1:1000000 --delta 1e-4:1:1000000");
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(sweep_interrupted_on_standard_output_ends_with_a_whole_row) {
+  const ProgramRun stopped = ending(130, sweep, {.interrupt = true});
+  BOOST_TEST((stopped.out.empty() || stopped.out.ends_with('\n')));
+  BOOST_TEST(stopped.err.starts_with("stillpoint: interrupted: "), stopped.err);
+}
+
+/// Hours of work are announced once, in the log.
+BOOST_AUTO_TEST_CASE(sweep_says_how_long_it_will_take_without_a_terminal) {
+  const ProgramRun stopped =
+      ending(130, sweep + "--output /dev/null", {.interrupt_once_heard = true});
+  const auto lines = stopped.err_lines();
+  BOOST_TEST_REQUIRE(lines.size() == 2U, stopped.err);
+  BOOST_TEST(lines[0].starts_with("stillpoint: "), lines[0]);
+  check_contains(lines[0], {" of 1e+12 rows, 0 %, ", " rows/s: about "});
+  BOOST_TEST(lines[0].ends_with(" minutes to go"), lines[0]);
+  BOOST_TEST(lines[1].starts_with("stillpoint: interrupted: "), lines[1]);
+}
+
+/// A list that comes slowly, and is never finished.
+BOOST_AUTO_TEST_CASE(sweep_that_waits_for_a_list_is_ended_by_an_interrupt) {
+  fs::path list = path("list");
+  BOOST_TEST_REQUIRE(::mkfifo(list.c_str(), 0600) == 0);
+  const int writer = ::open(list.c_str(), O_RDWR | O_CLOEXEC);
+  const std::string begun = "f,delta\n0.1,0.2\n";
+  BOOST_TEST(::write(writer, begun.data(), begun.size()) == static_cast<ssize_t>(begun.size()));
+  const ProgramRun stopped = run("sweep --v0 1 --p 1 --list list", {.interrupt = true});
+  ::close(writer);
+  BOOST_TEST(stopped.exit_code == 130);
+  BOOST_TEST(stopped.err.starts_with("stillpoint: interrupted: "), stopped.err);
+}
+
+BOOST_AUTO_TEST_CASE(sweep_shows_progress_on_a_terminal,
+                     *boost::unit_test::precondition(if_terminals)) {
+  const ProgramRun stopped =
+      ending(130, sweep + "--output /dev/null", {.error_is_terminal = true, .interrupt = true});
+  check_contains(stopped.err, {" of 1e+12 rows, 0 %, ", " rows/s, ", " left\x1b[K"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

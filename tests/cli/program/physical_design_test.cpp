@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli_test.hpp"
 
-#include <regex>
-
 BOOST_AUTO_TEST_SUITE(physical_design_test)
 
 namespace {
@@ -20,26 +18,10 @@ constexpr double mass = 2e5;
 constexpr double gravity = 9.80665;
 constexpr double omega = 2.0943951023931953;
 constexpr double length = 0.19098593171027440;
-constexpr double stiffness = 877298.16898572060;
 
 const Arguments isolator("design --velocity 0.4 --max-displacement 0.16");
 
 }  // namespace
-
-BOOST_FIXTURE_TEST_CASE(scales_match_those_worked_out_by_hand, Sandbox) {
-  const json report = reported(isolator + "--period 3 --mass 2e5");
-  const json& quantities = report["physical"];
-  check_near(quantities,
-             {{"length_unit_m", length},
-              {"time_unit_s", 0.13955337724887287},
-              {"omega_rad_per_s", omega},
-              {"stiffness_n_per_m", stiffness},
-              {"max_displacement_min_m", 0.13504744742356592}},
-             1e-15);
-  BOOST_TEST(near(number(report, "input", "v0"), 0.29227990983246930, 1e-15));
-  BOOST_TEST(near(number(report, "input", "p"), 0.29227990983246930, 1e-15));
-  BOOST_TEST(near(number(report, "input", "beta"), 0.83775804095727800, 1e-15));
-}
 
 BOOST_FIXTURE_TEST_CASE(damper_is_the_dimensionless_one_in_units, Sandbox) {
   const json report = reported(isolator + "--period 3 --mass 2e5");
@@ -91,16 +73,6 @@ BOOST_FIXTURE_TEST_CASE(mends_are_in_units_too_and_mend, Sandbox) {
   succeed(problem("0.4", "3", in_full(room)));
   succeed(problem(in_full(velocity), "3", "0.13"));
   succeed(problem("0.4", in_full(period), "0.13"));
-}
-
-BOOST_FIXTURE_TEST_CASE(mends_as_printed_make_it_feasible, Sandbox) {
-  const ProgramRun text = run("design --velocity 0.4 --period 3 --max-displacement 0.13");
-  const std::regex figure("max displacement +at least ([.0-9]+) mm");
-  std::smatch found;
-  BOOST_TEST_REQUIRE(std::regex_search(text.out, found, figure), text.out);
-  BOOST_TEST(near(std::stod(found[1]), 1e3 * length / std::numbers::sqrt2, 1e-4));
-  const std::string room = found[1].str() + "mm";
-  succeed({"design", "--velocity", "0.4", "--period", "3", "--max-displacement", room});
 }
 
 BOOST_FIXTURE_TEST_CASE(text_has_units, Sandbox) {

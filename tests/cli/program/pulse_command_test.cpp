@@ -76,15 +76,6 @@ BOOST_AUTO_TEST_CASE(response_under_the_pulse_matches_simulate) {
   BOOST_TEST(report["pulse"]["response"] == by_hand["response"]);
 }
 
-BOOST_AUTO_TEST_CASE(a_full_sine_has_no_reduction) {
-  const json report = reported("design --pulse full-sine --k 0.5 --lambda 0.7 --p 1 --beta 0.4");
-  BOOST_TEST(report["input"]["v0"].is_null());
-  BOOST_TEST(report["pulse"]["equivalent_v0"].is_null());
-  BOOST_TEST(report["pulse"]["peak_error"].is_null());
-  BOOST_TEST(report["pulse"]["response"]["stops_at_zero"] == true);
-  BOOST_TEST(report["cross_check"]["passed"] == true);
-}
-
 // Known by hand, docs/theory.md section 15. The rectangle with the largest peak is the strongest.
 BOOST_AUTO_TEST_CASE(ranges_of_a_pulse_are_in_the_report) {
   const Arguments ranged(

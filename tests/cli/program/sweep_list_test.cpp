@@ -71,21 +71,6 @@ BOOST_AUTO_TEST_CASE(of_scenes_gives_each_its_own_start) {
   BOOST_TEST((rows.columns.front() == "v0" && rows.rows.size() == 2));
 }
 
-BOOST_AUTO_TEST_CASE(of_many_entries_is_complete_and_in_order) {
-  std::string text = "f,delta\n";
-  constexpr int entries = 40'000;  // more than fit into the reader's buffer
-  for (int i = 0; i < entries; ++i) {
-    text += std::to_string(i) + "e-5,0.5\n";
-  }
-  const ProgramRun answer = run(sweep("--columns f"), with_input(text));
-  const SweepTable table = read_csv(answer.out);
-  BOOST_TEST_REQUIRE(table.rows.size() == static_cast<std::size_t>(entries));
-  for (int i = 0; i < entries; ++i) {
-    const std::string given = std::to_string(i) + "e-5";
-    BOOST_TEST_REQUIRE(table.number(static_cast<std::size_t>(i), "f") == std::stod(given));
-  }
-}
-
 /// The entries around one that would take too long are computed, and its row says why it was not.
 BOOST_AUTO_TEST_CASE(entry_that_takes_too_long_has_a_row_of_its_own) {
   const std::string text = "f,delta,x0\n0.1,0.2,0\n1e-12,1e-30,0\n0.02,0.03,0.5\n";
@@ -190,6 +175,51 @@ BOOST_DATA_TEST_CASE_F(Sandbox, wrong_list, data::make(wrong_lists), wrong) {
     if (kept && to_file) {
       const auto left = json::parse(read("rows.npy.part.json"));
       BOOST_TEST(left["rows"] == wrong.rows);
+    }
+  }
+}
+
+// ---- resumed after a wrong entry
+
+namespace {
+
+std::string rows(int count, const std::string& last) {
+  std::string text = "f,delta\n";
+  for (int i = 1; i < count; ++i) {
+    text += std::to_string(i) + "e-5,0.5\n";
+  }
+  return text + last + "\n";
+}
+
+ProgramRun resume(const Sandbox& sandbox, const std::string& list, const Arguments& more = {}) {
+  return sandbox.run("sweep --v0 1 --p 1 --list - --output rows.npy --resume" + more,
+                     {.input = list});
+}
+
+}  // namespace
+
+/// However many entries are computed at once, all before the wrong one are kept, and the rest
+/// of the list may be corrected.
+BOOST_AUTO_TEST_CASE(resumed_keeps_every_row_before_the_wrong_entry) {
+  const std::string whole_list = rows(200, "0.1,0.5");
+  BOOST_TEST(resume(*this, whole_list).exit_code == 0);
+  const std::string whole = read("rows.npy");
+  for (const std::string& wrong : {std::string("-0.1,0.5"), std::string("a,0.5")}) {
+    for (const int at : {2, 150}) {
+      fs::remove(path("rows.npy"));
+      const ProgramRun refused = resume(*this, rows(at, wrong) + "0.2,0.5\n");
+      BOOST_TEST(refused.exit_code == 2);
+      BOOST_TEST(contains(refused.err, "line " + std::to_string(at + 1) + ": f = "), refused.err);
+      // The same command would only meet the same line again.
+      const std::string kept =
+          std::string(at == 2 ? "1 row is" : "149 rows are") +
+          " kept in rows.npy.part: correct the list, then give the same command with --resume";
+      BOOST_TEST(contains(refused.err, kept), refused.err);
+      BOOST_TEST(json::parse(read("rows.npy.part.json"))["rows"] == at - 1);
+      const ProgramRun mended = resume(*this, whole_list, "--json");
+      BOOST_TEST_REQUIRE(mended.exit_code == 0, mended.err);
+      BOOST_TEST(mended.json()["resumed_at"] == at - 1);
+      BOOST_TEST(read("rows.npy") == whole);
     }
   }
 }

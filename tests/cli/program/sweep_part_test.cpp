@@ -124,29 +124,6 @@ BOOST_AUTO_TEST_CASE(are_not_written_over_each_other) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(that_were_killed_are_resumed) {
-  const Arguments forced(
-      "sweep --p 1 --f 0.001:0.01:60 --delta 0:0.001:50 --excitation harmonic --k 0.1 --lambda 0.9 "
-      "--t-end 700");
-  const Arguments second = forced + "--part 2/3 --output 2-of-3.csv";
-  Surroundings killed;
-  killed.signal = SIGKILL;
-  killed.signal_when = [this] {
-    std::error_code none;
-    const auto size = fs::file_size(path("2-of-3.csv.part"), none);
-    return !none && size > 0;
-  };
-  BOOST_TEST_REQUIRE(run(second, killed).exit_code == -1);
-  BOOST_TEST(!fs::exists(path("2-of-3.csv")));
-  succeed(second + "--resume --json");
-  for (const int i : {1, 3}) {
-    static_cast<void>(part(forced, i, 3));
-  }
-  static_cast<void>(run(forced + "--output whole.csv"));
-  BOOST_TEST(merge("1-of-3.csv 2-of-3.csv 3-of-3.csv").exit_code == 0);
-  BOOST_TEST((read("merged") == read("whole.csv")));
-}
-
 BOOST_AUTO_TEST_CASE(that_are_missing_or_repeated_are_refused) {
   const Arguments names = split(grid, 3);  // the third comes first
   check_refused({names[0], names[2]}, {"2/3", "is missing"});
@@ -269,31 +246,6 @@ BOOST_AUTO_TEST_CASE(of_a_reduction_whose_merge_is_interrupted_leave_the_old_fil
   const WriteLimit limit(100, SIG_DFL);
   BOOST_TEST(merge(names).exit_code == -1);
   BOOST_TEST(read("merged") == "old");
-}
-
-/// Wherever it happens to be: a merge that was done before the signal came counts for nothing.
-BOOST_AUTO_TEST_CASE(whose_merge_is_killed_are_merged_again) {
-  const Arguments large("sweep --v0 1 --p 1 --f 0.02:0.35:700 --delta 0:0.5:500");
-  const Arguments names = split(large, 2);
-  BOOST_TEST_REQUIRE(merge(names).exit_code == 0);
-  const std::string whole = read("merged");
-  for (const int signal : {SIGKILL, SIGTERM}) {
-    Surroundings killed;
-    killed.signal = signal;
-    killed.signal_when = [this] { return fs::exists(path("merged.part")); };
-    constexpr int most_tries = 200;
-    int tries = 0;
-    do {
-      fs::remove(path("merged"));
-      ++tries;
-    } while (run("sweep merge merged" + names, killed).exit_code == 0 && tries < most_tries);
-    BOOST_TEST_REQUIRE(tries < most_tries);
-    // At the last instant the whole file may be in its place.
-    BOOST_TEST((!fs::exists(path("merged")) || read("merged") == whole));
-    BOOST_TEST(merge(names).exit_code == 0);
-    BOOST_TEST((read("merged") == whole));
-    BOOST_TEST(!fs::exists(path("merged.part")));
-  }
 }
 
 BOOST_AUTO_TEST_CASE(are_not_overwritten_by_the_whole) {

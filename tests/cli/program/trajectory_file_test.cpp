@@ -55,28 +55,6 @@ BOOST_AUTO_TEST_CASE(has_columns_in_metres_and_seconds_for_physical_input) {
   BOOST_TEST(near(motion.end("t_s"), quantities["stop_time_s"], 1e-15));
 }
 
-// Up to where it is told to, or to the rest; ten periods more of a motion that never stops.
-BOOST_AUTO_TEST_CASE(under_a_load_ends_with_the_motion) {
-  const Arguments scene(
-      "simulate --v0 1 --p 1 --f 0.8 --delta 0 --excitation rectangle --k 0.5 --lambda 0.1");
-  constexpr double stop = 3.797288279831329;
-  for (const Arguments& more : {Arguments{}, Arguments("--t-end 50")}) {
-    const Simulation motion = simulation(*this, scene + more);
-    const json& stopped = motion.report["response"]["stop_time"];
-    BOOST_TEST(near(stopped, stop, 1e-15));
-    BOOST_TEST(motion.report["half_cycles"].back()["end_time"] == stopped);
-    BOOST_TEST(motion.end("tau") == (more.empty() ? stopped.get<double>() : 50));
-  }
-  const Simulation resting = simulation(*this, pulse("half-sine"));
-  BOOST_TEST(near(resting.end("tau"), resting.report["response"]["stop_time"], 1e-11));
-  BOOST_TEST(near(resting.end("x"), resting.report["response"]["stop_position"], 1e-13));
-  BOOST_TEST(resting.end("v") == 0);
-  const Simulation endless =
-      simulation(*this, free_at_rest("--excitation half-sine --k 1 --lambda 2"));
-  BOOST_TEST(endless.report["response"]["outcome"] == "never_stops");
-  BOOST_TEST(near(endless.end("tau"), std::numbers::pi / 2 + 20 * std::numbers::pi, 1e-13));
-}
-
 BOOST_AUTO_TEST_CASE(is_written_beside_the_report) {
   succeed(eleven + "--trajectory motion.csv --output report.json");
   BOOST_TEST(contents().size() == 2U);

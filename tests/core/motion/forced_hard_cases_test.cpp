@@ -255,19 +255,6 @@ BOOST_AUTO_TEST_CASE(releases_within_rounding_of_a_sample_or_a_crest_end) {
   BOOST_TEST(crest.state.turning_points < 50);
 }
 
-BOOST_AUTO_TEST_CASE(the_short_stick_of_scene_s5_is_found) {
-  const ForcedTrajectory path({1, 0.05, 0}, {0, 0}, record_s5(), {59.98});
-  bool found = false;
-  for (std::size_t i = 0; i + 1 < path.events().size(); ++i) {
-    const auto& event = path.events()[i];
-    if (event.kind == EventKind::stick && std::abs(event.state.tau - 32.3650) < 5e-5) {
-      found = path.events()[i + 1].kind == EventKind::release &&
-              std::abs(path.events()[i + 1].state.tau - 32.3942) < 5e-5;
-    }
-  }
-  BOOST_TEST(found);
-}
-
 BOOST_AUTO_TEST_CASE(even_ratios_of_p_and_lambda_depend_on_the_start_and_are_followed) {
   agreeing({{0, 0.5, 1, 0.05, 0}, Harmonic{0.2, 0.5}, 300});
   agreeing({{0, 0.5, 1, 0.05, 0}, Harmonic{0.2, 0.25}, 300});

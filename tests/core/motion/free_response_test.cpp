@@ -58,13 +58,6 @@ BOOST_AUTO_TEST_CASE(the_least_speed_moves_against_friction_far_above_it) {
   near("stop_position", *r.stop_position, 1e-300, 1e-15);
 }
 
-BOOST_AUTO_TEST_CASE(outcomes_have_the_names_of_their_enumerators) {
-  BOOST_TEST(name(Outcome::stopped_at_zero) == "stopped_at_zero");
-  BOOST_TEST(name(Outcome::stopped_in_dead_zone) == "stopped_in_dead_zone");
-  BOOST_TEST(name(Outcome::never_stops) == "never_stops");
-  BOOST_TEST(name(Outcome::caught_at_start) == "caught_at_start");
-}
-
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

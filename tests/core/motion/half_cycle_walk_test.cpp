@@ -12,6 +12,17 @@ constexpr double time_tolerance = 1e-14;    // relative
 constexpr double speed_tolerance = 1e-14;   // relative
 constexpr double energy_tolerance = 1e-13;  // relative to the energy of the half-cycle
 
+/// With one friction alone the motion is a closed form, and the walk is not.
+Scene<> any_scene(Dice& dice) {
+  Scene<> scene = any_start_scene(dice);
+  if (dice.once_in(3)) {
+    const bool constant = dice.once_in(2);
+    (constant ? scene.delta : scene.f) = 0;
+    (constant ? scene.f : scene.delta) *= dice.power_of_ten(-1.5, 0);
+  }
+  return scene;
+}
+
 std::vector<HalfCycle> rows(const Scene<>& scene, std::int64_t most = 100000) {
   return first_half_cycles(scene.oscillator(), scene.start(), most);
 }
@@ -123,8 +134,8 @@ BOOST_AUTO_TEST_CASE(a_peak_at_two_dead_zones_comes_back_without_speed) {
 
 BOOST_AUTO_TEST_CASE(random_walks_are_consistent_and_agree_with_free_response) {
   Dice dice(501);
-  for (int i = 0; i < 3000; ++i) {
-    const Scene<> scene = any_start_scene(dice);
+  for (int i = 0; i < 4000; ++i) {
+    const Scene<> scene = any_scene(dice);
     BOOST_TEST_CONTEXT("seed 501, scene " << scene) {
       const std::vector<HalfCycle> list = rows(scene);
       for (std::size_t k = 0; k < list.size(); ++k) {
@@ -140,8 +151,8 @@ BOOST_AUTO_TEST_CASE(random_walks_are_consistent_and_agree_with_free_response) {
 
 BOOST_AUTO_TEST_CASE(next_to_ties_the_walk_agrees_with_free_response) {
   Dice dice(502);
-  for (int found = 0; found < 1000;) {
-    const Scene<> scene = any_start_scene(dice);
+  for (int found = 0; found < 3000;) {
+    const Scene<> scene = any_scene(dice);
     if (const auto tie = near_tie(scene, dice); tie && end_of(*tie).half_cycles > 0) {
       ++found;
       BOOST_TEST_CONTEXT("seed 502, scene " << *tie) {

@@ -102,12 +102,6 @@ BOOST_AUTO_TEST_CASE(both_frictions_vanishing_are_too_many_half_cycles) {
   BOOST_CHECK_NO_THROW((void)free_peak(scene.oscillator(), scene.start()));
 }
 
-BOOST_AUTO_TEST_CASE(the_callers_limit_bounds_the_half_cycles) {
-  const Scene<> scene{0, 1, 1, 0.001, 0.0001};  // 424 half-cycles, at most 500
-  BOOST_CHECK_THROW((void)response(scene, {.half_cycle_limit = 100}), TooManyHalfCycles);
-  BOOST_CHECK_NO_THROW((void)response(scene, {.half_cycle_limit = 501}));
-}
-
 BOOST_AUTO_TEST_CASE(wrong_limits_of_a_trajectory_are_named) {
   const Scene<> scene{0, 1, 1, 0.1, 0.1};
   for (const double horizon : {0.0, -1.0, nan, inf}) {

@@ -27,11 +27,6 @@ BOOST_AUTO_TEST_CASE(a_notch_lets_go_when_the_load_exceeds_what_it_and_friction_
              0);
 }
 
-BOOST_AUTO_TEST_CASE(leaving_pays_nothing) {
-  // W = -1, f = 0.25, h = 0.5: from x = 0 about 0.75 up to 1.5, as without a notch.
-  close(run({1, 0.25, 0.4, 0.5}, {0, 0}, constant(-1), 3.2).peak_amplitude, 1.5);
-}
-
 BOOST_AUTO_TEST_CASE(a_load_of_exactly_f_and_hold_is_held_and_an_ulp_more_is_not) {
   // 0.1 + 0.2 rounds up to 0.30000000000000004, 0.3 is below the exact sum, and that above it.
   for (const double k : {0.3, -0.3, 0.30000000000000004, -0.30000000000000004}) {
@@ -124,18 +119,6 @@ BOOST_AUTO_TEST_CASE(each_departure_from_the_notch_begins_a_half_cycle) {
     BOOST_TEST(std::abs(path.at(now.start_time).x) <= 1e-14);
     BOOST_TEST(std::abs(path.at(now.peak_time).x - now.side * now.peak) <= 1e-13);
   }
-}
-
-BOOST_AUTO_TEST_CASE(a_hold_that_no_load_reaches_is_the_papers_notch) {
-  // Up to the stop; from there the paper knows that it is final.
-  const Harmonic load{0.1, 1};
-  const auto paper = run({1, 0.05, 0.1}, {0, 1}, load, 200);
-  const auto held = run({1, 0.05, 0.1, 0.5}, {0, 1}, load, 200);
-  BOOST_TEST(paper.outcome == Outcome::stopped_at_zero);
-  BOOST_TEST(held.outcome == paper.outcome);
-  BOOST_TEST(*held.stop_time == *paper.stop_time);
-  BOOST_TEST(held.peak_amplitude == paper.peak_amplitude);
-  BOOST_TEST(*held.zero_passages == *paper.zero_passages);
 }
 
 /// A hold of 1e100 is another branch at each rest, and no other motion.

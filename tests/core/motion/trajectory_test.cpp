@@ -8,7 +8,6 @@ BOOST_AUTO_TEST_SUITE(trajectory_test)
 namespace {
 
 constexpr double length_tolerance = 1e-13;  // of the peak amplitude
-constexpr double speed_tolerance = 1e-13;   // of the largest speed
 constexpr double slope_tolerance = 1e-7;    // central differences, of the largest slope
 
 Trajectory trajectory(const Scene<>& scene, double horizon) {
@@ -106,20 +105,6 @@ BOOST_AUTO_TEST_CASE(the_events_of_a_motion_come_in_order) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(states_between_events_lie_on_arcs) {
-  // Up about x = -7 with radius 25, down about x = 7 with radius 11.
-  const Trajectory path = trajectory({0, 24, 1, 7, 20}, 10);
-  const double up = std::atan2(24.0, 7.0);
-  for (const double h : {0.1, 0.5, 1.0}) {
-    const State rising = path.at(up - h);
-    BOOST_TEST(std::abs(rising.x - (25 * std::cos(h) - 7)) <= length_tolerance * 18);
-    BOOST_TEST(std::abs(rising.v - 25 * std::sin(h)) <= speed_tolerance * 24);
-    const State falling = path.at(up + h);
-    BOOST_TEST(std::abs(falling.x - (11 * std::cos(h) + 7)) <= length_tolerance * 18);
-    BOOST_TEST(std::abs(falling.v + 11 * std::sin(h)) <= speed_tolerance * 24);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(at_an_event_the_state_is_the_events_own) {
   const Trajectory path = trajectory({-1.1, 3, 1.3, 0.2, 0.4}, 20);
   const std::vector<Event>& events = path.events();
@@ -170,18 +155,6 @@ BOOST_AUTO_TEST_CASE(overwhelming_friction_leaves_a_start_inward_its_digits) {
   const Trajectory path = trajectory({0.7, -1e-3, 1, 1e8, 0.125}, 2e-11);
   near("x", path.at(0.5e-11).x, 0.7 - 3.75e-15, 1e-15);
   near("v", path.at(0.5e-11).v, -5e-4, 1e-7);
-}
-
-BOOST_AUTO_TEST_CASE(a_start_inward_follows_its_arc) {
-  // f = 6, x0 = 2, v0 = -3: about x = 6 with radius 5, to rest at 1.
-  const Trajectory path = trajectory({2, -3, 1, 6, 0.5}, 5);
-  const double end = std::atan2(3.0, 4.0);
-  BOOST_REQUIRE(path.events().size() == 2U);
-  const State middle = path.at(end / 2);
-  near("x", middle.x, 6 - 5 * std::cos(end / 2), 1e-14);
-  near("v", middle.v, -5 * std::sin(end / 2), 1e-14);
-  near("tau", path.events()[1].state.tau, end, 1e-14);
-  near("x", path.at(5).x, 1, 1e-14);
 }
 
 BOOST_AUTO_TEST_CASE(where_nothing_moves_the_state_stays) {

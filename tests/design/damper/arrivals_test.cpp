@@ -39,34 +39,6 @@ BOOST_AUTO_TEST_CASE(the_tolerances_of_the_strips_are_those_of_the_table) {
   BOOST_TEST(std::abs(little[1].tolerance - 1.0 / 3) < 1e-6);
 }
 
-BOOST_AUTO_TEST_CASE(every_simulated_point_of_a_box_stops_at_the_arrival_of_its_design) {
-  RandomSource random(903);
-  int boxes = 0;
-  int points = 0;
-  while (boxes < 110) {
-    const Task task = random_task(random);
-    const auto found = search(task.problem, task.limits);
-    if (!found || arrival_of(task.problem, found->point.f, found->point.delta) == 1) {
-      continue;
-    }
-    ++boxes;
-    const auto [f, delta, tolerance] = found->point;
-    const auto n = static_cast<double>(*arrival_of(task.problem, f, delta));
-    int failed = 0;
-    for (int i = 0; i < 1000; ++i, ++points) {
-      const double at_f = f * (1 + random.uniform(-1, 1) * tolerance);
-      const double at_delta = delta * (1 + random.uniform(-1, 1) * tolerance);
-      const Response response =
-          free_response({task.problem.p, at_f, at_delta}, {0, task.problem.v0}, {.times = false});
-      failed += !response.stops_at_zero || response.half_cycles != n ||
-                response.peak_amplitude > task.problem.beta ||
-                !within_limits(task.problem, task.limits, at_f, at_delta);
-    }
-    BOOST_TEST(failed == 0, context_of(task));
-  }
-  BOOST_TEST(points >= 100'000);
-}
-
 BOOST_AUTO_TEST_CASE(the_arrival_is_the_one_that_the_simulation_shows) {
   RandomSource random(904);
   std::array<int, 6> met{};
@@ -91,34 +63,6 @@ BOOST_AUTO_TEST_CASE(the_arrival_is_the_one_that_the_simulation_shows) {
   for (int n = 1; n <= 5; ++n) {
     BOOST_TEST(met[static_cast<std::size_t>(n)] > 100);
   }
-}
-
-BOOST_AUTO_TEST_CASE(a_design_of_a_later_arrival_is_reported_and_cross_checked) {
-  RandomSource random(905);
-  int later = 0;
-  for (int i = 0; i < 100; ++i) {
-    const Task task = random_task(random);
-    for (const Objective objective : objectives) {
-      const DesignResult result =
-          design::design(DesignRequest{task.problem, task.limits, {objective, {}, 20'000, 10}});
-      BOOST_TEST(result.region.feasible == result.finding.has_value());
-      if (!result.finding) {
-        BOOST_TEST(result.reason.has_value());
-        continue;
-      }
-      const Finding& finding = *result.finding;
-      later += finding.arrival.value() > 1;
-      BOOST_TEST(finding.cross_check.passed, name(objective) << ", " << context_of(task));
-      BOOST_TEST(*finding.response.half_cycles == static_cast<double>(*finding.arrival));
-      BOOST_TEST(finding.response.stops_at_zero);
-      for (const Constraint& constraint : finding.constraints) {
-        BOOST_TEST(constraint.satisfied, constraint.name);
-      }
-      BOOST_TEST(finding.point.f >= *result.region.f_lower);
-      BOOST_TEST(finding.point.f <= *result.region.f_upper);
-    }
-  }
-  BOOST_TEST(later > 50);
 }
 
 BOOST_AUTO_TEST_CASE(a_later_arrival_works_for_its_own_strip_of_hits) {
@@ -161,35 +105,6 @@ BOOST_AUTO_TEST_CASE(more_arrivals_are_offered_where_they_help) {
   BOOST_TEST(tenth == 10);
   BOOST_TEST(offered(1, 0, 0.05, 9) == tenth);
   BOOST_TEST(offered(1, 0, 0.05, 10) == 0);
-}
-
-BOOST_AUTO_TEST_CASE(mends_with_several_arrivals_are_minimal_and_sufficient) {
-  RandomSource random(906);
-  constexpr double nearer = 1e-6;
-  int mended = 0;
-  int unexplained = 0;
-  for (int i = 0; i < 150; ++i) {
-    Task task = random_task(random);
-    task.limits.tolerance *= 1.5;
-    if (task.feasible()) {
-      continue;
-    }
-    unexplained += !reason(admissible_region(task.problem, task.limits), task.problem, task.limits)
-                        .has_value();
-    for (const Mend& mend : mends(task.problem, task.limits)) {
-      ++mended;
-      const Task now = task.with(mend.field, mend.value);
-      const Task not_yet =
-          task.with(mend.field, mend.value * (mend.upwards ? 1 - nearer : 1 + nearer));
-      BOOST_TEST_CONTEXT(mend.field << " = " << mend.value << ", " << context_of(task)) {
-        BOOST_TEST(now.feasible());
-        BOOST_TEST(search(now.problem, now.limits).has_value());
-        BOOST_TEST(!not_yet.feasible());
-      }
-    }
-  }
-  BOOST_TEST(mended > 100);
-  BOOST_TEST(unexplained == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_damper_that_stops_the_mass_too_late_is_explained) {

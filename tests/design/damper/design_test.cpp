@@ -34,28 +34,6 @@ BOOST_AUTO_TEST_CASE(a_design_carries_all_that_its_report_needs) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(an_empty_region_is_a_result_that_explains_itself) {
-  DesignRequest request;
-  request.problem = {1, 1, 0.5, Criterion::published};
-  const DesignResult result = design::design(request);
-  BOOST_TEST(!result.region.feasible);
-  BOOST_TEST(!result.finding);
-  BOOST_TEST(result.reason.has_value());
-  BOOST_TEST(result.mends.size() == 3U);
-}
-
-BOOST_AUTO_TEST_CASE(wrong_input_of_a_design_is_an_input_error) {
-  DesignRequest request;
-  request.problem = {-1, 1, 1, Criterion::published};
-  BOOST_CHECK_THROW((void)design::design(request), InputError);
-  request.problem = {1, 1, 1, Criterion::published};
-  request.limits.tolerance = 1;
-  BOOST_CHECK_THROW((void)design::design(request), InputError);
-  request.limits.tolerance = 0;
-  request.search.algorithm = "BEST";
-  BOOST_CHECK_THROW((void)design::design(request), InputError);
-}
-
 BOOST_AUTO_TEST_CASE(a_design_in_one_line) {
   // Where amplitude does not bind, the best tolerance by the published criterion is 0.36336.
   DesignRequest request;

@@ -75,28 +75,6 @@ BOOST_AUTO_TEST_CASE(condition_10_is_mended_in_closed_form) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(f_max_is_mended_to_f2_and_its_box) {
-  // f2 = 0.225 with V0 = p = 1, beta = 0.8.
-  check_value({{1, 1, 0.8}, {0.2, std::nullopt, 0}}, "f_max", 0.225, value_tolerance);
-  check_value({{1, 1, 0.8}, {0.2, std::nullopt, 0.1}}, "f_max", 0.225 * 1.1 / 0.9, value_tolerance);
-}
-
-BOOST_AUTO_TEST_CASE(delta_max_is_mended_to_the_least_delta1) {
-  // At f3 the published bound is 1/16.
-  check_value({{1, 1, 2}, {std::nullopt, 0.01, 0}}, "delta_max", 1.0 / 16, 4e-15);
-}
-
-BOOST_AUTO_TEST_CASE(the_tolerance_is_mended_to_the_largest_there_is) {
-  // (f3 - f2)/(f3 + f2) where f alone binds; the most tolerant design otherwise.
-  constexpr double known_digits = 2e-8;
-  check_value({{1, 1, 0.8}, {std::nullopt, std::nullopt, 0.5}}, "tolerance", 0.22219797,
-              known_digits);
-  check_value({{1, 1, 0.9}, {std::nullopt, std::nullopt, 0.5}}, "tolerance", 0.36336281,
-              known_digits);
-  check_value({{1, 1, 0.9, Criterion::exact}, {std::nullopt, std::nullopt, 0.5}}, "tolerance",
-              0.37608589, known_digits);
-}
-
 /// A tolerance that no damper has and a beta that is too small: two inputs must change. Both do by
 /// one factor, and no smaller one is enough.
 BOOST_AUTO_TEST_CASE(what_no_input_mends_alone_two_do) {
@@ -210,14 +188,10 @@ BOOST_AUTO_TEST_CASE(what_two_inputs_mend_does_not_depend_on_the_unit_of_time) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_region_that_is_not_empty_needs_no_mend) {
-  BOOST_TEST(mends({1, 1, 0.8}, {}).empty());
-  BOOST_TEST(mends({1, 1, 0.8}, {0.3, 0.4, 0.1}).empty());
-}
-
 BOOST_AUTO_TEST_CASE(every_mend_mends_and_no_smaller_change_does) {
   RandomSource random(1102);
   std::map<std::string, int> met;
+  int lowered = 0;  // of p, which amplitude wants larger, and the stop under f_max smaller
   for (int i = 0; i < 2000; ++i) {
     const Task now = random_task(random);
     const auto list = mends_of(now);
@@ -234,6 +208,7 @@ BOOST_AUTO_TEST_CASE(every_mend_mends_and_no_smaller_change_does) {
         continue;
       }
       const double old = Task(now).input(field);
+      lowered += field == "p" && value < old ? 1 : 0;
       BOOST_TEST_CONTEXT(field << " from " << old << " to " << value) {
         BOOST_TEST(now.with(field, value).feasible());
         const double less = value + (old - value) * smaller;
@@ -248,6 +223,7 @@ BOOST_AUTO_TEST_CASE(every_mend_mends_and_no_smaller_change_does) {
   for (const char* field : {"v0", "p", "beta", "f_max", "delta_max", "tolerance", "arrivals"}) {
     BOOST_TEST(met[field] > 50, field << " met " << met[field] << " times");
   }
+  BOOST_TEST((lowered > 20 && lowered < met["p"] - 20), lowered << " of " << met["p"]);
 }
 
 BOOST_AUTO_TEST_CASE(what_is_not_listed_cannot_mend_alone) {
@@ -272,25 +248,6 @@ BOOST_AUTO_TEST_CASE(what_is_not_listed_cannot_mend_alone) {
     }
   }
   BOOST_TEST(unlisted > 100);
-}
-
-BOOST_AUTO_TEST_CASE(p_is_mended_between_its_two_sides) {
-  // Amplitude wants more p, the stop under f_max = 0.3 less: with 18 % both are met in a window.
-  RandomSource random(1104);
-  int lowered = 0;
-  int raised = 0;
-  for (int i = 0; i < 2000; ++i) {
-    Task now{random_problem(random, 0.6, 1.5), {}};
-    now.limits.f_max = admissible_region(now.problem).f3 * random.uniform(0.5, 1);
-    now.limits.tolerance = random.uniform(0.05, 0.3);
-    const auto list = mends_of(now);
-    if (const auto found = list.find("p"); found != list.end()) {
-      BOOST_TEST(now.with("p", found->second).feasible());
-      (found->second < now.problem.p ? lowered : raised) += 1;
-    }
-  }
-  BOOST_TEST(lowered > 20);
-  BOOST_TEST(raised > 20);
 }
 
 // p V0 alone is 948 g, so that no f at all is left below the limit.

@@ -104,10 +104,13 @@ BOOST_AUTO_TEST_CASE(every_simulated_point_of_a_box_in_ranges_is_admissible) {
 
 BOOST_AUTO_TEST_CASE(a_design_in_ranges_is_reported_and_cross_checked) {
   int off_centre = 0;
-  for (int i = 0; i < 200; ++i) {
+  int later = 0;
+  for (int i = 0; i < 400; ++i) {
     RandomSource random(1'204'000 + static_cast<std::uint64_t>(i));
     const Task task = random_task(random);
-    const DesignResult result = design::design({task.problem, task.limits, {}, {}});
+    const Objective objective = random_objective(random);
+    const DesignResult result =
+        design::design({task.problem, task.limits, {objective, {}, 20'000, 10}, {}});
     BOOST_TEST_CONTEXT(context_of(task)) {
       if (!result.finding) {
         BOOST_TEST(result.reason.has_value());
@@ -116,6 +119,11 @@ BOOST_AUTO_TEST_CASE(a_design_in_ranges_is_reported_and_cross_checked) {
       }
       const Finding& finding = *result.finding;
       off_centre += !finding.arrival;
+      later += finding.arrival.value_or(0) > 1;
+      if (finding.arrival) {
+        BOOST_TEST(finding.response.stops_at_zero);
+        BOOST_TEST(*finding.response.half_cycles == static_cast<double>(*finding.arrival));
+      }
       BOOST_TEST(finding.cross_check.passed);
       for (const Constraint& constraint : finding.constraints) {
         BOOST_TEST(constraint.satisfied, constraint.name);
@@ -129,6 +137,7 @@ BOOST_AUTO_TEST_CASE(a_design_in_ranges_is_reported_and_cross_checked) {
     }
   }
   BOOST_TEST(off_centre > 0);
+  BOOST_TEST(later > 0);
 }
 
 /// The strip of Delta is as thin as the spread of the hits, so that rounding decides at its end.

@@ -163,12 +163,13 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused_with_the_name_of_its_field) {
   }
   for (const double wrong : {0.0, -1.0, 1e-301, 1e301, double(HUGE_VAL), not_a_number}) {
     test::check_refused("beta", [&] { return admissible_region({1, 1, wrong}); });
-    test::check_refused("f_max", [&] {
-      return admissible_region({1, 1, 1}, {wrong, std::nullopt, 0});
-    });
-    test::check_refused("delta_max", [&] {
-      return admissible_region({1, 1, 1}, {std::nullopt, wrong, 0});
-    });
+    for (const LimitKind& kind : limit_kinds()) {
+      Limits limits;
+      limits.*kind.value = wrong;
+      test::check_refused(std::string(kind.field), [&] {
+        return admissible_region({1, 1, 1}, limits);
+      });
+    }
   }
   for (const double wrong : {-0.1, 1.0, double(HUGE_VAL), not_a_number}) {
     test::check_refused("tolerance", [&] {

@@ -149,11 +149,6 @@ BOOST_AUTO_TEST_CASE(a_single_f_is_left_at_beta_min_and_is_found) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(an_empty_region_has_no_design) {
-  BOOST_TEST(!search({1, 1, 0.5}, {}).has_value());
-  BOOST_TEST(!search({1, 1, 0.8}, {0.2, std::nullopt, 0}).has_value());
-}
-
 BOOST_AUTO_TEST_CASE(even_thin_strips_are_searched) {
   for (const double f_max : {1e-3, 1e-6, 1e-12}) {
     for (const Criterion criterion : {Criterion::published, Criterion::exact}) {

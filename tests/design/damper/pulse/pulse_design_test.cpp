@@ -211,21 +211,6 @@ BOOST_AUTO_TEST_CASE(a_box_with_sides_of_its_own_is_the_one_that_is_known) {
   BOOST_TEST(upwards.finding.value().point.tolerance == 0.995, close);
 }
 
-// f, x, k and beta in one unit, time in another: the same damper.
-BOOST_AUTO_TEST_CASE(a_design_does_not_depend_on_the_units) {
-  const PulseRequest one = request_of(HalfSine{0.5, 0.7}, 0.6);
-  const DesignPoint plain = design::design(one).finding.value().point;
-  constexpr double p = 3;
-  constexpr double k = 20;
-  PulseRequest other = request_of(HalfSine{0.5 * k, 0.7 * p}, 0.6 * k / p / p);
-  other.problem.p = p;
-  const DesignPoint scaled = design::design(other).finding.value().point;
-  const auto close = tt::tolerance(inset);
-  BOOST_TEST(scaled.f == plain.f * k, close);
-  BOOST_TEST(scaled.delta == plain.delta * k * k / p / p, close);
-  BOOST_TEST(scaled.tolerance == plain.tolerance, close);
-}
-
 BOOST_AUTO_TEST_CASE(a_full_sine_leaves_no_velocity_and_has_designs_all_the_same) {
   const DesignResult result = design::design(request_of(FullSine{0.5, 0.8}, 0.4));
   const PulseCheck& check = result.finding.value().pulse.value();
