@@ -38,11 +38,6 @@ std::vector<std::string> report_faults(const json& report,
   return schema_faults(report_schema(report["schema"]), report, unknown);
 }
 
-std::string underscored(std::string name) {
-  std::ranges::replace(name, '-', '_');
-  return name;
-}
-
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(scene_schema)
