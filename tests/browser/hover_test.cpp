@@ -10,7 +10,6 @@ namespace {
 using namespace stillpoint::browser_test;
 using nlohmann::json;
 
-constexpr double five_digits = 5e-5;          // of the values under the pointer
 constexpr double region_samples = 2.5;        // pixels from a point of a curve to its next sample
 constexpr double motion_samples = 12;         // the same, of 60 samples a period
 constexpr double hundredth_of_a_unit = 1e-3;  // two decimals of about 300 units, for values near 1
@@ -42,22 +41,6 @@ BOOST_AUTO_TEST_CASE(shows_the_values_of_marks) {
       BOOST_TEST(!hover["ring"].is_null());
     }
   });
-}
-
-BOOST_AUTO_TEST_CASE(shows_the_design_of_the_report) {
-  const json& report = pages().reports.at("design");
-  const double f = report["design"]["f"];
-  const double delta = report["design"]["delta"].get<double>() * millimetres(report);
-  for (const char* look : {"1280", "400"}) {
-    const json& figure = seen(Scheme::light)["design"][look]["figures"]["region"];
-    for (const json& hover : {figure["hover_marks"][0], figure["zoom"]["hover"]}) {
-      const auto readout = parsed(hover["readout"]);
-      BOOST_TEST_REQUIRE(readout.has_value());
-      BOOST_TEST(readout->name == "design");
-      BOOST_TEST(std::abs(readout->x - f) <= five_digits * f, hover.dump());
-      BOOST_TEST(std::abs(readout->y - delta) <= five_digits * delta, hover.dump());
-    }
-  }
 }
 
 BOOST_AUTO_TEST_CASE(shows_the_bounds_of_the_report) {

@@ -108,14 +108,6 @@ BOOST_AUTO_TEST_CASE(rest_under_a_load_is_final_for_it_as_for_simulate) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_run_of_minutes_is_refused) {
-  const json report = reported("accuracy --v0 1 --p 1 --f 1e-4 --delta 1e-4");
-  const json fine = method(report, "RK4", "step 0.001");
-  check_values(fine,
-               {{"wall_time_s", nullptr}, {"counts_right", nullptr}, {"not_run", "too_long"}});
-  BOOST_TEST(method(report, "stillpoint")["not_run"].is_null());
-}
-
 // Friction holds the mass: each of these used to run without end.
 BOOST_AUTO_TEST_CASE(says_so_if_nothing_moves) {
   for (const Arguments& still : {Arguments("accuracy --v0 0.1 --p 1 --f 0.1 --delta 0.2"),

@@ -4,7 +4,7 @@
 
 BOOST_FIXTURE_TEST_SUITE(forced_input_test, stillpoint::cli_test::Sandbox)
 
-// The ways to say what shakes the base: flags, a scene, records, metres and seconds.
+// simulate with an excitation: the ways to say what shakes the base, and what is said of it.
 
 namespace {
 
@@ -169,6 +169,49 @@ BOOST_AUTO_TEST_CASE(a_run_that_ends_at_rest_does_not_say_that_it_moves) {
                          "is at rest at the end of the run\n", " none\n"});
   const std::string friction = run(shaken + "--f 0.05 --delta-m 0 --end-time 15").out;
   BOOST_TEST(contains(friction, "\n  It is at rest at the end of the run.\n"), friction);
+}
+
+BOOST_AUTO_TEST_CASE(of_a_motion_that_locks_says_so_on_standard_error_too) {
+  // Caught at the start; physical: H = 0.1 m and g = 0.1 m/s2, so 20 tau are 20 s.
+  const Arguments caught(
+      "simulate --f 0.02 --delta 0.1 --excitation harmonic --k 0.3 --lambda 1 --t-end 20");
+  const ProgramRun plain = run(caught + "--v0 0.1 --p 1 --json");
+  BOOST_TEST(plain.err ==
+             "stillpoint: locked at x = 0 throughout the load; the structure feels up to 0.3 g\n");
+  const json response = plain.json()["response"];
+  check_values(response, {{"outcome", "caught_at_start"},
+                          {"locked_from", 0},
+                          {"largest_load_while_locked", 0.3},
+                          {"peak_absolute_acceleration", 0.3},
+                          {"peak_acceleration", 0}});
+  // Stopped at its first return.
+  const Arguments stopped(
+      "simulate --f 0.3 --delta 0.4 --excitation harmonic --k 0.05 --lambda 3 --t-end 20");
+  BOOST_TEST(
+      contains(run(stopped + "--v0 1 --p 1").err, " of 20; the structure then feels up to "));
+  const ProgramRun physical =
+      run(stopped + "--velocity 0.1 --period 6.283185307179586 --gravity 0.1");
+  BOOST_TEST(contains(physical.err, " s of 20 s; the structure then feels up to "), physical.err);
+  BOOST_TEST(contains(physical.out, "Locked at x = 0 from "));
+  // A load that is over, or a start that is fast enough, does not lock.
+  BOOST_TEST(run(pulse("half-sine") + "--json").err.empty());
+}
+
+BOOST_AUTO_TEST_CASE(for_people_names_the_excitation_and_the_end) {
+  const ProgramRun sticking = succeed(s4 + "--verbose");
+  check_contains(sticking.out,
+                 {"Forced motion", "harmonic, k = 0.2, lambda = 0.35", "is still moving at the end",
+                  "22 sticks, tau = 102.9", "tau = 200, x = 0.078877"});
+  // x and v by a Runge-Kutta method of step 1e-4: 92.08 mm, 0.3672 m/s
+  const ProgramRun metric = succeed(
+      "simulate --period 2.8s --f 0.05 --delta-m 0 --excitation harmonic --k 0.1 "
+      "--excitation-frequency 0.5Hz --end-time 60s --verbose");
+  check_contains(metric.out, {"lambda = 1.4 = 0.5 Hz", "v = 0.08404", " = 0.3673 m/s"});
+  // The last half-cycle does not arrive at x = 0: under way, and at rest.
+  for (const Arguments& last : {Arguments(harmonic), Arguments(pulse("half-sine"))}) {
+    const ProgramRun answer = run(last);
+    BOOST_TEST(contains(answer.out, " none\n"), answer.out);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

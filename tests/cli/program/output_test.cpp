@@ -104,16 +104,6 @@ BOOST_AUTO_TEST_CASE(has_the_permissions_of_any_new_file) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(of_the_trajectory_is_replaced_the_same_way) {
-  write("motion.csv", "old");
-  fs::create_hard_link(path("motion.csv"), path("old"));
-  const Mask set(0027);
-  succeed("simulate --v0 1 --p 1 --f 0.1 --delta 0.1 --trajectory motion.csv");
-  BOOST_TEST(read("motion.csv").starts_with("tau,x,v\n"));
-  BOOST_TEST(read("old") == "old");
-  BOOST_TEST(permissions(path("motion.csv")) == 0640U);
-}
-
 BOOST_AUTO_TEST_CASE(may_be_the_standard_output) {
   const ProgramRun text = succeed(design("--output /dev/stdout"));
   const std::size_t behind = text.out.find("\n}\n");

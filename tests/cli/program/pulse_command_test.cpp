@@ -67,15 +67,6 @@ BOOST_AUTO_TEST_CASE(cross_check_has_the_pulse_and_an_integrator) {
   BOOST_TEST((names == std::vector<std::string>{"forced_pulse", "runge_kutta"}));
 }
 
-// The same run by hand.
-BOOST_AUTO_TEST_CASE(response_under_the_pulse_matches_simulate) {
-  const json report = reported(asked);
-  const json by_hand = reported({"simulate", "--p", "1", "--f", in_full(report["design"]["f"]),
-                                 "--delta", in_full(report["design"]["delta"]), "--excitation",
-                                 "half-sine", "--k", "0.5", "--lambda", "20"});
-  BOOST_TEST(report["pulse"]["response"] == by_hand["response"]);
-}
-
 // Known by hand, docs/theory.md section 15. The rectangle with the largest peak is the strongest.
 BOOST_AUTO_TEST_CASE(ranges_of_a_pulse_are_in_the_report) {
   const Arguments ranged(
@@ -158,17 +149,6 @@ BOOST_AUTO_TEST_CASE(region_matches_the_design) {
 }
 
 BOOST_AUTO_TEST_CASE(region_judges_a_point_under_the_pulse) {
-  const json inside = reported(region + "--f 0.175 --delta 0.49");
-  BOOST_TEST(inside["admissible"] == true);
-  BOOST_TEST(near(inside["tolerance"], 3.0 / 7, 1e-9));
-  BOOST_TEST(near(inside["delta1_exact"], 0.65 * 0.3 / 2, 1e-12));
-  BOOST_TEST(inside["input"]["v0"].is_null());
-  check_null(inside, {"works_for", "hits", "arrival"});
-  BOOST_TEST(inside["strips"].empty());
-  const json beyond = reported(region + "--f 0.3 --delta 0.49");
-  BOOST_TEST(beyond["admissible"] == false);
-  check_null(beyond, {"tolerance", "delta1_published", "delta1_exact"});
-
   const Arguments weak = region + "--f 0.05 --delta 0.49";
   check_contains(run(weak).out, {"It exceeds ", "Feasible f: 0.100001 to 0.249999", "violated"});
   const Arguments lacking = region + "--f 0.12 --delta 0.49 --tolerance 0.2";
@@ -179,16 +159,6 @@ BOOST_AUTO_TEST_CASE(region_of_a_pulse_is_drawn) {
   succeed(region + "--f 0.175 --delta 0.49 --html page.html --json");
   check_contains(read("page.html"), {"id=\"region-title\"", "least Δ allowed", "point, admissible",
                                      "too weak: exceeds", "too strong"});
-}
-
-BOOST_AUTO_TEST_CASE(region_of_a_pulse_in_metres_has_its_excitation) {
-  const json report = reported(
-      "region --pulse half-sine --k 0.5g --pulse-duration 70ms --period "
-      "2.8s --max-displacement 100mm --f 0.01 --delta-m 3mm");
-  BOOST_TEST(near(report["physical"]["excitation_duration_s"], 0.07, 1e-12));
-  BOOST_TEST(report["physical"]["velocity_m_per_s"].is_null());
-  BOOST_TEST(report["physical"]["delta2_m"].is_null());
-  BOOST_TEST(near(report["physical"]["delta_m"], 0.003, 1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(page_for_people_says_it_in_words) {
@@ -272,14 +242,7 @@ const std::vector<Wrong> wrong_pulses{
     {without(asked, "--lambda"), {"lambda is missing", "--lambda"}},
     {without(asked, "--k") + "--k 0", {"k = 0"}},
     {without(asked, "--k") + "--k 2:1", {"k = 2:1", "LOW <= HIGH"}},
-    {without(asked, "--k") + "--k 0:1", {"k = 0", "more than 0"}},
-    {without(asked, "--k") + "--k nan:1", {"k = ", "finite number"}},
-    {without(asked, "--k") + "--k -1:1", {"k = -1:1"}},
-    {without(asked, "--k") + "--k 1:2:3", {"k = 1:2:3", "LOW:HIGH"}},
     {without(asked, "--lambda") + "--lambda 2:1", {"lambda = 2:1", "LOW <= HIGH"}},
-    {without(asked, "--lambda") + "--lambda 0:1", {"lambda = 0"}},
-    {without(asked, "--lambda") + "--lambda 1:1e13",
-     {"lambda = 1", "a shorter pulse cannot be followed"}},
     {without(asked, "--lambda") + "--lambda 0.0099",
      {"lambda = 0.0099", "from 0.01 p to", "a longer pulse cannot be followed"}},
     {without(asked, "--lambda") + "--lambda 1e13",

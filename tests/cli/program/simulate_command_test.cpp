@@ -79,16 +79,6 @@ BOOST_AUTO_TEST_CASE(the_answer_names_zones_and_the_notch_that_was_given) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(every_passage_has_its_impulse) {
-  for (const json& now : reported(simulate("0.02", "0.02"))["half_cycles"]) {
-    const double arrival = now["arrival_speed"];
-    const double left = std::sqrt(std::max(0.0, arrival * arrival - 0.04));
-    BOOST_TEST(near(now["impulse"], arrival - left, 1e-12));
-  }
-  BOOST_TEST(contains(run(simulate("0.02", "0.02") + "--verbose").out, "impulse/mass"));
-  BOOST_TEST(!contains(run(simulate("0.02", "0") + "--verbose").out, "impulse/mass"));
-}
-
 BOOST_AUTO_TEST_CASE(edges_of_zones_and_the_hold_may_carry_their_unit) {
   const Arguments motion("simulate --velocity 0.4 --period 2.8 --f 0.02");
   const Arguments delta("--delta-m 1mm");
@@ -195,26 +185,6 @@ BOOST_AUTO_TEST_CASE(a_hit_that_the_notch_holds_is_passed_on_in_full) {
                                  "--max-displacement 170mm --residual-m 5mm")
                                  .out;
   BOOST_TEST((ranged.find("  weak hits         below ") != std::string::npos), ranged);
-}
-
-BOOST_AUTO_TEST_CASE(list_of_half_cycles_is_capped_as_asked) {
-  for (const Arguments& motion : {simulate("0.02", "0.02"), s3}) {
-    const json all = reported(motion);
-    const std::size_t count = all["half_cycles"].size();
-    for (const std::size_t most : {std::size_t{0}, std::size_t{1}, count / 2, count, count + 1}) {
-      const json report = reported(motion + Arguments{"--max-half-cycles", std::to_string(most)});
-      const std::size_t listed = std::min(most, count);
-      BOOST_TEST(report["half_cycles"].size() == listed);
-      BOOST_TEST(report["half_cycles_listed"] == listed);
-      BOOST_TEST(report["response"] == all["response"]);
-      for (std::size_t i = 0; i < listed; ++i) {
-        BOOST_TEST(report["half_cycles"][i] == all["half_cycles"][i]);
-      }
-    }
-  }
-  // Also of a motion without an end.
-  const Arguments endless = free_at_rest("--excitation half-sine --k 1 --lambda 2");
-  BOOST_TEST(reported(endless + "--max-half-cycles 3")["half_cycles"].size() == 3U);
 }
 
 BOOST_AUTO_TEST_CASE(without_friction_it_never_stops_and_says_so_at_once) {

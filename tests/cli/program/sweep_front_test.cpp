@@ -99,12 +99,6 @@ BOOST_FIXTURE_TEST_CASE(of_a_list_is_resumed_where_a_line_was_wrong, Listed) {
   BOOST_TEST(read("rows.csv") == whole);
 }
 
-BOOST_FIXTURE_TEST_CASE(is_reduced, Listed) {
-  const json report = run(task + "--list list.csv --reduce --json").json();
-  BOOST_TEST(report.at("entries") == 5 * dampers);
-  BOOST_TEST(report.at("feasible") == 4 * dampers);
-}
-
 namespace {
 
 Wrong wrong(const std::string& options, const Texts& says) {
@@ -114,7 +108,6 @@ Wrong wrong(const std::string& options, const Texts& says) {
 const std::vector<Wrong> refused{
     wrong("--v0 1 --beta 0.9 --trade-off 1",
           {"trade-off = 1: must be a whole number from 2 to 1000"}),
-    wrong("--v0 1 --beta 0.9 --trade-off 2000", {"trade-off = 2000", "to 1000"}),
     wrong("--v0 1 --beta 0.9 --trade-off 5,6", {"trade-off = \"5,6\"", "a whole number"}),
     wrong("--v0 1 --f 0.1 --delta 0.1 --trade-off 5", {"trade-off needs a design", "--beta"}),
     wrong("--v0 1 --beta 0.9 --trade-off 5 --catalogue parts.csv",

@@ -236,18 +236,6 @@ BOOST_AUTO_TEST_CASE(whose_merge_is_interrupted_leave_the_old_file_unchanged) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(of_a_reduction_whose_merge_is_interrupted_leave_the_old_file_unchanged) {
-  const Arguments names = split(grid + "--reduce", 2, "json");
-  write("merged", "old");
-  {
-    const WriteLimit limit(100, SIG_IGN);
-    check_refused(names, {"merged", "cannot be written"});
-  }
-  const WriteLimit limit(100, SIG_DFL);
-  BOOST_TEST(merge(names).exit_code == -1);
-  BOOST_TEST(read("merged") == "old");
-}
-
 BOOST_AUTO_TEST_CASE(are_not_overwritten_by_the_whole) {
   const Arguments names = split(grid, 2);
   fs::create_symlink(names[0], path("merged"));
@@ -259,10 +247,8 @@ BOOST_AUTO_TEST_SUITE_END()
 namespace {
 
 const Wrong wrong_parts[] = {
-    {grid + "--part 0/3", {"part", "0/3", "1 <= I <= N"}},
     {grid + "--part 4/3", {"part", "4/3", "1 <= I <= N"}},
     {grid + "--part 3", {"part", "\"3\"", "I/N"}},
-    {grid + "--part 1/2/3", {"part", "1/2/3", "I/N"}},
     {grid + "--part 1/1000001", {"part", "1/1000001", "1000000"}},
     {grid + "--part auto", {"part = auto", "no launcher", "I/N"}},
     {grid + "--part auto/0", {"part", "auto/N"}},

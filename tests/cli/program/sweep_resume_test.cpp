@@ -104,12 +104,6 @@ BOOST_AUTO_TEST_CASE(is_forgotten_with_its_part) {
   BOOST_TEST(contents().size() == 1U);
 }
 
-BOOST_AUTO_TEST_CASE(refuses_another_task) {
-  check_refused("--times", {"rows.csv.part", "columns was", "other options"});
-  check_refusal(run("sweep --v0 1 --p 1 --f 0.1 --delta 0 --output rows.csv --resume"),
-                {R"(kind was "forced", is "free")"});
-}
-
 BOOST_AUTO_TEST_CASE(refuses_a_part_that_is_too_short) {
   const std::uintmax_t right = checkpoint()["bytes"];
   for (const std::uintmax_t bytes : {right - 1, std::uintmax_t{100}}) {
@@ -236,11 +230,6 @@ BOOST_AUTO_TEST_CASE(can_be_resumed_from_any_moment) {
 BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_FIXTURE_TEST_SUITE(resume_option, Sandbox)
-
-BOOST_AUTO_TEST_CASE(starts_afresh_without_leftovers) {
-  const ProgramRun answer = succeed(sweep("--output rows.csv --resume --json"));
-  BOOST_TEST(answer.json()["resumed_at"] == 0);
-}
 
 BOOST_AUTO_TEST_CASE(continues_one_that_has_just_begun) {
   write("rows.csv.part", "");

@@ -114,6 +114,22 @@ BOOST_AUTO_TEST_CASE(the_worst_direction_may_need_all_inputs) {
   BOOST_TEST(end_of(moved(1.001 * margin)).half_cycles == 0);
 }
 
+BOOST_AUTO_TEST_CASE(the_margin_is_zero_on_an_exact_tie) {
+  for (const Scene<>& tie : {Scene<>{0, 24, 1, 7, 36},
+                             {4, 12, 1, 5, 0.5},
+                             {4, 12, 1, 5, 0},
+                             {3, 6, 1, 5, 0.5},
+                             {0, 2, 1, 0, 2},
+                             {0, 1, 1, 0, 0.125},
+                             {1, 0, 1, 1, 0.5},
+                             {2, -4, 1, 5, 0.5},
+                             {10, 20, 1, 5, 0}}) {
+    BOOST_TEST_CONTEXT("scene " << tie) {
+      BOOST_TEST(response(tie).decision_margin.value() == 0);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(next_to_a_change_of_the_end_the_margin_is_a_matter_of_rounding) {
   Dice dice(404);
   for (int found = 0; found < 2000;) {

@@ -7,14 +7,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(forced_trajectory_test)
 
-namespace {
-
-double load(const Harmonic& wave, double tau) {
-  return wave.k * std::sin(wave.lambda * tau + wave.phase);
-}
-
-}  // namespace
-
 BOOST_AUTO_TEST_CASE(between_events_the_state_obeys_the_equation_of_motion) {
   const Oscillator oscillator{1.5, 0.05, 0.004};
   const Harmonic wave{0.3, 1.1, 0.4};
@@ -31,7 +23,7 @@ BOOST_AUTO_TEST_CASE(between_events_the_state_obeys_the_equation_of_motion) {
     ++looked_at;
     const State now = path.at(tau);
     const double slope = (path.at(tau + h).v - path.at(tau - h).v) / (2 * h);
-    const double right = -load(wave, tau) - oscillator.p * oscillator.p * now.x -
+    const double right = -load_at(wave, tau) - oscillator.p * oscillator.p * now.x -
                          (now.v > 0 ? 1 : -1) * oscillator.f;
     BOOST_TEST(std::abs(slope - right) <= 1e-7);
     BOOST_TEST(std::abs((path.at(tau + h).x - path.at(tau - h).x) / (2 * h) - now.v) <= 1e-7);

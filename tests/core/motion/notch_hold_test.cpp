@@ -85,19 +85,6 @@ BOOST_AUTO_TEST_CASE(a_hold_beyond_every_load_changes_no_bit) {
   BOOST_TEST(stopped > 20);
 }
 
-BOOST_AUTO_TEST_CASE(a_batch_takes_a_hold) {
-  const Eigen::ArrayXd f = Eigen::ArrayXd::LinSpaced(5, 0, 0.1);
-  const Eigen::ArrayXd delta = Eigen::ArrayXd::LinSpaced(5, 0, 0.2);
-  ForcedBatchOptions options;
-  options.scene.t_end = 30;
-  options.hold = 0.07;
-  const auto all = forced_batch(0.3, 1, f, delta, Harmonic{0.3, 0.7}, options);
-  for (Eigen::Index i = 0; i < f.size(); ++i) {
-    const auto one = run({1, f[i], delta[i], 0.07}, {0, 0.3}, Harmonic{0.3, 0.7}, 30);
-    BOOST_TEST(*all[static_cast<std::size_t>(i)].final_position == *one.final_position);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(a_wrong_hold_is_refused) {
   for (const double hold :
        {-1.0, -infinite, infinite, std::numeric_limits<double>::quiet_NaN(), 1e200}) {

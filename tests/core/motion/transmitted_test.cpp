@@ -66,21 +66,12 @@ BOOST_AUTO_TEST_CASE(without_a_load_it_is_the_relative_acceleration) {
 
 namespace {
 
-double load(const NoExcitation& /*none*/, double /*tau*/) {
-  return 0;
-}
-double load(const Harmonic& wave, double tau) {
-  return tau < wave.duration.value_or(HUGE_VAL) ? wave.k * std::sin(wave.lambda * tau + wave.phase)
-                                                : 0;
-}
-double load(const HalfSine& pulse, double tau) {
-  return pulse.lambda * tau < pi ? pulse.k * std::sin(pulse.lambda * tau) : 0;
-}
-double load(const FullSine& pulse, double tau) {
-  return pulse.lambda * tau < 2 * pi ? pulse.k * std::sin(pulse.lambda * tau) : 0;
-}
-double load(const Rectangle& pulse, double tau) {
-  return pulse.lambda * tau < pi ? pulse.k : 0;
+double load(const auto& kind, double tau) {
+  if constexpr (requires { load_at(kind, tau); }) {
+    return tau < duration(kind).value_or(HUGE_VAL) ? load_at(kind, tau) : 0;
+  } else {
+    return 0;
+  }
 }
 
 std::vector<double> times(const Record& record) {

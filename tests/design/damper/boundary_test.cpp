@@ -182,12 +182,4 @@ BOOST_AUTO_TEST_CASE(the_stop_tips_at_the_exact_bound_in_formula_and_simulation)
   BOOST_TEST(decided > count / 3);
 }
 
-BOOST_AUTO_TEST_CASE(limits_bind_to_the_last_bit) {
-  const Problem problem{1, 1, 0.9};
-  const Limits limits{0.2, 0.3, 0};
-  BOOST_TEST(admissible(problem, limits, 0.2, 0.3));
-  BOOST_TEST(!admissible(problem, limits, above(0.2), 0.3));
-  BOOST_TEST(!admissible(problem, limits, 0.2, above(0.3)));
-}
-
 BOOST_AUTO_TEST_SUITE_END()

@@ -169,12 +169,6 @@ BOOST_AUTO_TEST_CASE(evaluations_are_those_of_the_objective) {
   BOOST_TEST(minimise(problem, "LD_SLSQP", plenty).evaluations == calls);
 }
 
-BOOST_AUTO_TEST_CASE(nlopt_reports_its_version) {
-  const std::string version = nlopt_version();
-  BOOST_TEST(version.front() == '2');
-  BOOST_TEST(std::count(version.begin(), version.end(), '.') == 2);
-}
-
 namespace {
 
 /// A way of a task with or without ranges and a residual.

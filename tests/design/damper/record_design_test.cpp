@@ -217,16 +217,6 @@ BOOST_AUTO_TEST_CASE(a_damper_that_does_not_move_passes_the_load_on) {
   BOOST_TEST(std::abs(mean.finding->point.figures.acceleration - 0.8) <= hand_tolerance);
 }
 
-BOOST_AUTO_TEST_CASE(the_mean_counts_from_seven_records_on) {
-  RecordDesignRequest request = three_samples();
-  request.f = SearchRange{2, 2};
-  request.delta = SearchRange{0, 0};
-  request.records.resize(6, request.records.front());
-  BOOST_TEST((design::design(request).request.combine == Combine::max));
-  request.records.resize(7, request.records.front());
-  BOOST_TEST((design::design(request).request.combine == Combine::mean));
-}
-
 /// Its pieces joined are record_part_test's.
 BOOST_AUTO_TEST_CASE(a_scan_must_be_whole) {
   const RecordDesignRequest request = with_capacity();

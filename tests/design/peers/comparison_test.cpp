@@ -97,17 +97,6 @@ BOOST_AUTO_TEST_CASE(real_notches_are_compared_with_50_digits) {
   }
 }
 
-// k < f: the mass comes to rest for good although the load never ends.
-BOOST_AUTO_TEST_CASE(a_rest_that_a_harmonic_load_cannot_end_is_final) {
-  const Comparison found = compare(with(Harmonic{0.05, 1.3}, {1, 0.1, 0.01}, {0, 1}, 60));
-  BOOST_TEST(found.exact.rounded.outcome != Outcome::running);
-  for (const MethodRow& row : found.rows) {
-    const bool fine = row.name != "dopri5" || row.setting->value < 1e-6;
-    BOOST_TEST((row.counts_right || !fine),
-               row.name << ' ' << (row.setting ? row.setting->value : 0));
-  }
-}
-
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::peers

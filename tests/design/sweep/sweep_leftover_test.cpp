@@ -92,15 +92,6 @@ BOOST_AUTO_TEST_CASE(of_another_sweep_is_left_alone) {
   BOOST_TEST(read("rows.csv.part") == part);
 }
 
-BOOST_AUTO_TEST_CASE(of_a_live_sweep_is_left_alone) {
-  const auto alive = open_rows(spec());
-  SweepSpec other = spec();
-  for (const bool resume : {false, true}) {
-    other.resume = resume;
-    BOOST_CHECK_THROW(static_cast<void>(open_rows(other)), LeftoverError);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(that_is_wrong_is_refused_before_anything_is_created) {
   SweepSpec wrong = spec();
   wrong.columns = {};

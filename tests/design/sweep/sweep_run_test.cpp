@@ -156,15 +156,6 @@ BOOST_AUTO_TEST_CASE(tells_its_progress_and_stops_when_asked) {
   BOOST_TEST(!sink.finished);
 }
 
-BOOST_AUTO_TEST_CASE(before_it_begins_may_be_stopped) {
-  MemorySink sink;
-  std::stop_source stop;
-  stop.request_stop();
-  const SweepSpec spec = free_spec(Axis({0.1}), Axis({0.2}));
-  BOOST_TEST((run(spec, sink, {.stop = stop.get_token()}).end == SweepEnd::stopped));
-  BOOST_TEST(sink.text.empty());
-}
-
 BOOST_AUTO_TEST_CASE(refuses_a_spec_that_is_not_valid) {
   MemorySink sink;
   BOOST_CHECK_THROW(run(free_spec(Axis({-1}), Axis({0})), sink), InputError);
