@@ -117,7 +117,8 @@ void many_dampers(Text& text, const Comparison& comparison) {
       "The scan of a record design: the record of S5 in eleven scales and steps, a grid of f and "
       "Delta, one thread. One by one, {:.0f} dampers are run and the times scaled up. The peaks of "
       "RK4 are off by up to {}; {:.1f} % of its motions have a wrong count.\n\n"
-      "| | whole scene, s | per sample and damper, ns | relative to the lanes |\n|---|---|---|---|\n",
+      "| | whole scene, s | per sample and damper, ns | relative to the lanes "
+      "|\n|---|---|---|---|\n",
       many.sampled, error(many.error_of_peak), 100 * many.wrong_counts);
   for (const Unit& unit : many.rows) {
     add(text, "| {} | {:.2f} | {:.2f} | {} |\n", unit.what, unit.seconds.median,
