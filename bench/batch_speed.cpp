@@ -10,6 +10,7 @@
 // the machine can only add to it. It is processor time for one thread, and elapsed time where two
 // threads are compared with one.
 
+#include "machine.hpp"
 #include "sqrt_floor.hpp"
 
 #include <stillpoint/core/batch.hpp>
@@ -24,9 +25,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <fstream>
 #include <random>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -153,16 +152,6 @@ class Measurement {
   BatchResult alike_;
 };
 
-std::string processor() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    if (line.starts_with("model name")) {
-      return line.substr(line.find(':') + 2);
-    }
-  }
-  return "unknown processor";
-}
-
 void print(const char* name, const Times& least, double half_cycles) {
   const auto ratio = [&](double time) { return time / half_cycles / least.floor; };
   std::printf("| %s | %.3f | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f |\n", name, least.floor,
@@ -185,8 +174,9 @@ void run(int rounds) {
     keep_least(scalar, measurement.scalar(false));
     keep_least(scalar_with_times, measurement.scalar(true));
   }
-  std::printf("%s; %s; %d rounds; %.1f half-cycles a motion\n\n", processor().c_str(),
-              STILLPOINT_BUILT_BY, rounds, half_cycles / (side * side));
+  const Machine machine = this_machine();
+  std::printf("%s; %s, %s; %d rounds; %.1f half-cycles a motion\n\n", machine.processor.c_str(),
+              machine.compiler.c_str(), machine.flags.c_str(), rounds, half_cycles / (side * side));
   std::printf(
       "| instruction set | square root, ns | in order | random order | in order, times | random "
       "order, times | all alike, 983 | two threads |\n|---|---|---|---|---|---|---|---|\n");

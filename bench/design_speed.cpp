@@ -26,6 +26,7 @@
 #include <random>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::bench {
@@ -80,53 +81,32 @@ std::vector<Part> thousand_parts() {
   return parts;
 }
 
-/// A task with ranges and a residual.
-struct Variation {
-  std::string name;
-  std::function<void(Problem&)> apply;
-};
-
-std::vector<Variation> variations() {
-  return {{"v0 0.9:1", [](Problem& task) { task.v0_low = 0.9; }},
-          {"v0 0:1", [](Problem& task) { task.v0_low = 0; }},
-          {"residual 0.05", [](Problem& task) { task.residual = 0.05; }},
-          {"v0 and p 0.95:1, residual 0.05", [](Problem& task) {
-             task.v0_low = 0.95;
-             task.p = 0.95;
-             task.p_high = 1;
-             task.residual = 0.05;
-           }}};
-}
-
 constexpr std::array objectives{Objective::robust, Objective::amplitude, Objective::time,
                                 Objective::acceleration};
 constexpr Limits within_10_percent{.tolerance = 0.1};
 
+/// A task, and with ranges and a residual.
 void add_searches(std::vector<Case>& all) {
-  for (const Objective objective : objectives) {
-    const SearchOptions options{.objective = objective};
-    const Limits limits = objective == Objective::robust ? Limits() : within_10_percent;
-    for (const std::int64_t arrivals : {1, 2, 4, 10}) {
-      all.push_back(
-          {fmt::format("search, {}, arrivals {}", name(objective), arrivals),
-           [=](double beta) { (void)design::search(problem(beta, arrivals), limits, options); }});
-    }
-  }
-  all.push_back({"search, robust, arrivals 4, f_max 0.1",
-                 [](double beta) { (void)design::search(problem(beta, 4), {.f_max = 0.1}); }});
-}
-
-void add_varied_searches(std::vector<Case>& all) {
+  const std::vector<std::pair<std::string, std::function<void(Problem&)>>> variations{
+      {"", [](Problem&) {}},
+      {"v0 0.9:1, ", [](Problem& task) { task.v0_low = 0.9; }},
+      {"v0 0:1, ", [](Problem& task) { task.v0_low = 0; }},
+      {"residual 0.05, ", [](Problem& task) { task.residual = 0.05; }},
+      {"v0 and p 0.95:1, residual 0.05, ", [](Problem& task) {
+         task.v0_low = task.p = 0.95;
+         task.p_high = 1;
+         task.residual = 0.05;
+       }}};
   for (const std::int64_t arrivals : {1, 4}) {
-    for (const Variation& variation : variations()) {
+    for (const auto& variation : variations) {
       for (const Objective objective : objectives) {
         const SearchOptions options{.objective = objective};
         const Limits limits{.tolerance = objective == Objective::robust ? 0 : 0.02};
         all.push_back(
-            {fmt::format("search, {}, {}, arrivals {}", name(objective), variation.name, arrivals),
+            {fmt::format("search, {}, {}arrivals {}", name(objective), variation.first, arrivals),
              [=](double beta) {
                Problem task = problem(beta, arrivals);
-               variation.apply(task);
+               variation.second(task);
                (void)design::search(task, limits, options);
              }});
       }
@@ -177,7 +157,6 @@ void add_pulse(std::vector<Case>& all, const char* what, const design::Pulse& pu
 std::vector<Case> cases() {
   std::vector<Case> all;
   add_searches(all);
-  add_varied_searches(all);
   add_answers(all);
   add_pulse(all, "half-sine, p/lambda 0.8", HalfSine{1, 1.25});
   add_pulse(all, "rectangle, p/lambda 0.8", Rectangle{1, 1.25});

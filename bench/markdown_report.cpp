@@ -56,8 +56,8 @@ void heading(Text& text, const Comparison& comparison) {
 void ratios(Text& text, const Comparison& comparison) {
   add(text,
       "## How many times faster\n\n"
-      "Than the best of dopri5, RK4 and rk8pd, each at its cheapest setting with right counts and "
-      "no error above the bound.\n\n"
+      "The time of the fastest of dopri5, RK4 and rk8pd over the kernel's, each at its cheapest "
+      "setting with right counts and no error above the bound.\n\n"
       "| scene | kernel, us | largest error | 1e-6 | 1e-8 | 1e-10 |\n|---|---|---|---|---|---|\n");
   for (const SceneRows& scene : comparison.scenes) {
     const Row& kernel = scene.kernel();
@@ -117,7 +117,8 @@ void many_dampers(Text& text, const Comparison& comparison) {
       "The scan of a record design: the record of S5 in eleven scales and steps, a grid of f and "
       "Delta, one thread. One by one, {:.0f} dampers are run and the times scaled up. The peaks of "
       "RK4 are off by up to {}; {:.1f} % of its motions have a wrong count.\n\n"
-      "| | whole scene, s | per sample and damper, ns | times the lanes |\n|---|---|---|---|\n",
+      "| | whole scene, s | per sample and damper, ns | relative to the lanes "
+      "|\n|---|---|---|---|\n",
       many.sampled, error(many.error_of_peak), 100 * many.wrong_counts);
   for (const Unit& unit : many.rows) {
     add(text, "| {} | {:.2f} | {:.2f} | {} |\n", unit.what, unit.seconds.median,
@@ -149,12 +150,8 @@ void how(Text& text, const Comparison& comparison) {
       "All follow the same rules of passage, turn and stick, except the regularised model, which "
       "smooths both frictions. The peers get their advantages: step lengths carry over from piece "
       "to piece, steps end at the samples of a record, and Newton's method finds the events where "
-      "there is no dense output.",
+      "there is no dense output.\n\n",
       comparison.options.batches, comparison.options.batch_seconds * 1e3, comparison.options.slow);
-#ifndef STILLPOINT_BENCH_CVODE
-  add(text, " CVODE is measured only where SUNDIALS is installed; here it was not.");
-#endif
-  add(text, "\n\n");
 }
 
 }  // namespace

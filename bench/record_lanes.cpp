@@ -14,12 +14,9 @@
 #include <stillpoint/records/record_scaling.hpp>
 
 #include <fmt/format.h>
-#include <hwy/targets.h>
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <cstdint>
 #include <ctime>
 #include <exception>
 #include <filesystem>
@@ -134,36 +131,6 @@ void print_kinds(const std::vector<Record>& records, int rounds) {
   }
 }
 
-/// Half a period, which the mass follows in small slides.
-Record slow() {
-  constexpr std::size_t samples = 20'000;
-  Record record;
-  record.step = 0.01;
-  record.values.resize(samples);
-  for (std::size_t i = 0; i < samples; ++i) {
-    record.values[i] = 0.3 * std::sin(std::numbers::pi * static_cast<double>(i) / samples);
-  }
-  return record;
-}
-
-void print_instruction_sets(int rounds) {
-  const Record record = slow();
-  const Case one({"", 0.005, 0.02, 0, {}}, record);
-  RecordBatchResult result;
-  fmt::print("\nA slow load of {} samples: {:.1f} one by one", record.values.size(),
-             measured(one, rounds).scalar);
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    double least = never;
-    for (int round = 0; round < rounds; ++round) {
-      least = std::min(least, in_lanes(one, result));
-    }
-    fmt::print(", {:.1f} with {}", least, hwy::TargetName(target));
-  }
-  fmt::print("\n");
-}
-
 void run(int rounds, const std::vector<std::string>& paths) {
   std::vector<Record> records;
   records.reserve(paths.size());
@@ -178,7 +145,6 @@ void run(int rounds, const std::vector<std::string>& paths) {
   }
   fmt::print("\n");
   print_kinds(records, rounds);
-  print_instruction_sets(rounds);
 }
 
 }  // namespace

@@ -18,8 +18,6 @@ namespace stillpoint::accuracy {
 
 namespace {
 
-enum class Metric { position, stick_time, peak };
-
 template <class Real>
 test::ForcedScene<Real> harmonic_scene(const Inputs<Real>& in) {
   test::ForcedScene<Real> scene;
@@ -29,48 +27,18 @@ test::ForcedScene<Real> harmonic_scene(const Inputs<Real>& in) {
   return scene;
 }
 
-double metric_of(const ForcedResponse& response, Metric metric) {
-  switch (metric) {
-    case Metric::position:
-      return response.final_position.value();
-    case Metric::stick_time:
-      return response.stick_time;
-    case Metric::peak:
-      break;
-  }
-  return response.peak_amplitude;
-}
-
-Exact metric_of(const ForcedState<Exact>& state, const Exact& p, Metric metric) {
-  switch (metric) {
-    case Metric::position:
-      return state.u / p;
-    case Metric::stick_time: {
-      // A rest that the end cuts short counts, as in response_of_run.hpp.
-      const bool rests = state.v == 0 && !state.fresh && !state.outcome;
-      const Exact waited = rests ? state.now.minus(state.rest_begin) : Exact(0);
-      return (state.stick_time.value() + waited) / p;
-    }
-    case Metric::peak:
-      break;
-  }
-  using std::max;
-  return max(state.farthest, Exact(abs(state.u))) / p;
-}
-
-HardCase under_harmonic(Metric metric) {
+/// The place at the end.
+HardCase under_harmonic() {
   HardCase now;
-  now.metric = metric == Metric::position     ? "final_position"
-               : metric == Metric::stick_time ? "stick_time"
-                                              : "peak_amplitude";
-  now.kernel = [metric](const Inputs<double>& in) {
-    return metric_of(forced_response({in[1], in[2], in[3]}, {0, in[0]},
-                                     Harmonic{in[4], in[5], in[6]}, {.t_end = in[7]}),
-                     metric);
+  now.metric = "final_position";
+  now.kernel = [](const Inputs<double>& in) {
+    return forced_response({in[1], in[2], in[3]}, {0, in[0]}, Harmonic{in[4], in[5], in[6]},
+                           {.t_end = in[7]})
+        .final_position.value();
   };
   now.alike = true;
-  now.exact = [metric](const Inputs<Exact>& in) {
-    return metric_of(test::run_forced(harmonic_scene(in)).state, in[1], metric);
+  now.exact = [](const Inputs<Exact>& in) {
+    return Exact(test::run_forced(harmonic_scene(in)).state.u / in[1]);
   };
   return now;
 }
@@ -105,7 +73,7 @@ Real divided(const Inputs<Real>& in) {
 }
 
 HardCase near_resonance(double detuning, const std::string& text) {
-  HardCase now = under_harmonic(Metric::position);
+  HardCase now = under_harmonic();
   now.name = "near resonance, relative detuning " + text;
   now.why = "two large terms cancel";
   now.naive = "the closed form with p^2 - lambda^2 as a divisor";
@@ -128,7 +96,7 @@ HardCase near_resonance(double detuning, const std::string& text) {
 }
 
 HardCase fast_forcing() {
-  HardCase now = under_harmonic(Metric::position);
+  HardCase now = under_harmonic();
   now.name = "forcing a million times faster than the spring";
   now.why = "the phase of the ripple must keep the digits that 1e6 cycles use up";
   now.naive = "the closed form with p^2 - lambda^2 as a divisor";
@@ -169,7 +137,7 @@ HardCase release_at_the_crest() {
 
 /// A little after a release x grows with the cube of the time.
 HardCase just_released() {
-  HardCase now = under_harmonic(Metric::position);
+  HardCase now = under_harmonic();
   now.name = "a little after a release";
   now.why = "x grows with the cube of the time, so a sum of larger terms loses its digits";
   now.naive = "e + (x0 - e) cos(p h) + x_W(h), term by term";
@@ -195,8 +163,8 @@ HardCase just_released() {
 }
 
 HardCase scene(const std::string& name, const std::string& why, const Inputs<double>& inputs,
-               Metric metric, double spread, int neighbours) {
-  HardCase now = under_harmonic(metric);
+               double spread, int neighbours) {
+  HardCase now = under_harmonic();
   now.name = name;
   now.why = why;
   now.inputs = inputs;
@@ -221,7 +189,11 @@ HardCase short_stick() {
     scene.motion = {Exact(0), Exact(0), in[0], in[1], Exact(0)};
     scene.excitation = Widen<Exact>()(test::rounded_record_s5());
     scene.t_end = Exact(59.98);
-    return metric_of(test::run_forced(scene).state, in[0], Metric::stick_time);
+    const ForcedState<Exact> state = test::run_forced(scene).state;
+    // A rest that the end cuts short counts, as in response_of_run.hpp.
+    const bool rests = state.v == 0 && !state.fresh && !state.outcome;
+    const Exact waited = rests ? state.now.minus(state.rest_begin) : Exact(0);
+    return Exact((state.stick_time.value() + waited) / in[0]);
   };
   now.neighbour = [](Dice& dice) {
     return Inputs<double>{1 + 1e-4 * dice.uniform(-1, 1), 0.05 * (1 + 1e-4 * dice.uniform(-1, 1))};
@@ -242,15 +214,13 @@ std::vector<HardCase> forced_cases() {
           release_at_the_crest(),
           just_released(),
           scene("scene S3: resonance, both frictions, to 200", "64 passages and turns",
-                {0.5, 1, 0.05, 0.01, 0.2, 1, 0, 200}, Metric::position, 1e-4, 2000),
+                {0.5, 1, 0.05, 0.01, 0.2, 1, 0, 200}, 1e-4, 2000),
           scene("scene S4: 22 sticks, to 200", "each stick ends where the load grows slowly",
-                {0.5, 1, 0.18, 0, 0.2, 0.35, 0, 200}, Metric::position, 1e-4, 2000),
+                {0.5, 1, 0.18, 0, 0.2, 0.35, 0, 200}, 1e-4, 2000),
           scene("100 cycles of forcing", "any error of the phase shows",
-                {0.5, 1, 0.05, 0.001, 0.2, 0.8, 0.3, 200 * std::numbers::pi / 0.8},
-                Metric::position, 1e-6, 1000),
+                {0.5, 1, 0.05, 0.001, 0.2, 0.8, 0.3, 200 * std::numbers::pi / 0.8}, 1e-6, 1000),
           scene("1000 cycles of forcing", "any error of the phase shows",
-                {0.5, 1, 0.05, 0.001, 0.2, 0.8, 0.3, 2000 * std::numbers::pi / 0.8},
-                Metric::position, 1e-6, 200),
+                {0.5, 1, 0.05, 0.001, 0.2, 0.8, 0.3, 2000 * std::numbers::pi / 0.8}, 1e-6, 200),
           short_stick()};
 }
 

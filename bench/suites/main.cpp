@@ -50,8 +50,8 @@ std::string damper_text(const design::SuiteDamper& damper) {
 /// Whether no suite's dense scan beats its design.
 bool compare_with_dense_scans(const std::vector<NamedSuite>& all) {
   fmt::print(
-      "| suite | notch | f | delta | period | objective | found by | the design over the scan's "
-      "best, less 1 | points | processor time of the design "
+      "| suite | notch | f | delta | period | objective | found by | excess over the scan's "
+      "best | points | processor time of the design "
       "|\n|---|---|---|---|---|---|---|---|---|---|\n");
   bool good = true;
   for (const auto& [name, request] : all) {

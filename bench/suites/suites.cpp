@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace stillpoint::bench {
 
@@ -39,18 +41,27 @@ SuiteRecord sine(double seconds, int half_waves) {
   return {fmt::format("{} s", seconds), std::move(record), 1};
 }
 
-NamedSuite suite(const std::string& name, std::vector<SuiteRecord> records, double stroke_mm,
-                 double residual_mm) {
+/// What is asked for; the least acceleration, or within a limit on it the least stroke.
+struct Task {
+  double stroke_mm;
+  double residual_mm;
+  std::optional<double> hold{};
+  std::optional<double> acceleration{};
+  design::SearchRange periods_s{2.8, 2.8};
+};
+
+NamedSuite suite(const std::string& name, std::vector<SuiteRecord> records, const Task& task) {
   RecordDesignRequest request;
   request.records = std::move(records);
-  request.limits.peak = stroke_mm * 1e-3 * metre;
-  request.limits.residual = residual_mm * 1e-3 * metre;
-  return {fmt::format("{}; stroke {} mm, residual {} mm", name, stroke_mm, residual_mm),
+  request.p = {2.8 / task.periods_s.high, 2.8 / task.periods_s.low};
+  request.limits = {task.stroke_mm * 1e-3 * metre, task.acceleration,
+                    task.residual_mm * 1e-3 * metre};
+  request.hold = task.hold;
+  if (task.acceleration) {
+    request.objective = SuiteObjective::amplitude;
+  }
+  return {fmt::format("{}; stroke {} mm, residual {} mm", name, task.stroke_mm, task.residual_mm),
           std::move(request)};
-}
-
-void vary_period(RecordDesignRequest& request, double shortest_s, double longest_s) {
-  request.p = {2.8 / longest_s, 2.8 / shortest_s};
 }
 
 }  // namespace
@@ -66,50 +77,33 @@ std::vector<NamedSuite> suites(const std::string& folder,
   const SuiteRecord pulse = read(folder + "/near_fault_pulse.txt");
   const SuiteRecord strong = read(folder + "/strong_motion.AT2");
   const std::vector both{pulse, strong};
-  std::vector<NamedSuite> all;
-  all.push_back(suite("both", both, 300, 5));
-  all.push_back(suite("both", both, 400, 5));
-  all.back().request.hold = 0.1;
-  all.push_back(suite("both", both, 250, 5));
-  all.back().request.notch_width = 0.05 * metre;
-  all.push_back(suite("pulse 1, 1.5, -1 times, least stroke at 0.3 g",
-                      {pulse, times(1.5, pulse), times(-1, pulse)}, 1000, 10));
-  all.back().request.objective = SuiteObjective::amplitude;
-  all.back().request.limits.acceleration = 0.3;
-  all.back().request.hold = 0.2;
-  all.push_back(
-      suite("half-sines of 0.3, 0.6, 1 s", {sine(0.3, 1), sine(0.6, 1), sine(1, 1)}, 400, 2));
-  all.back().request.hold = 0.05;
-  all.push_back(suite("full sines of 0.8, 1.2 s and the pulse, least stroke at 0.3 g",
-                      {sine(0.8, 2), sine(1.2, 2), pulse}, 600, 10));
-  all.back().request.objective = SuiteObjective::amplitude;
-  all.back().request.limits.acceleration = 0.3;
-  all.back().request.hold = 0.1;
-  all.push_back(suite("seven: both scaled by 0.7 to 1.3, mean",
-                      {times(0.7, pulse), pulse, times(1.3, pulse), times(0.8, strong), strong,
-                       times(1.2, strong), times(-1, strong)},
-                      300, 5));
-  all.back().request.hold = 0.1;
-  all.push_back(suite("both, period 2 to 4 s", both, 400, 5));
-  all.back().request.hold = 0.1;
-  vary_period(all.back().request, 2, 4);
-  all.push_back(suite("both, period 1.5 to 3.5 s", both, 250, 5));
-  vary_period(all.back().request, 1.5, 3.5);
-  all.push_back(suite("strong motion doubled, pulse halved, period 2 to 4 s, least stroke at 0.2 g",
-                      {times(2, strong), times(0.5, pulse)}, 600, 10));
-  all.back().request.objective = SuiteObjective::amplitude;
-  all.back().request.limits.acceleration = 0.2;
-  all.back().request.hold = 0.15;
-  vary_period(all.back().request, 2, 4);
+  std::vector<NamedSuite> all{
+      suite("both", both, {300, 5}),
+      suite("both", both, {400, 5, 0.1}),
+      suite("both", both, {250, 5}),
+      suite("pulse 1, 1.5, -1 times, least stroke at 0.3 g",
+            {pulse, times(1.5, pulse), times(-1, pulse)}, {1000, 10, 0.2, 0.3}),
+      suite("half-sines of 0.3, 0.6, 1 s", {sine(0.3, 1), sine(0.6, 1), sine(1, 1)},
+            {400, 2, 0.05}),
+      suite("full sines of 0.8, 1.2 s and the pulse, least stroke at 0.3 g",
+            {sine(0.8, 2), sine(1.2, 2), pulse}, {600, 10, 0.1, 0.3}),
+      suite("seven: both scaled by 0.7 to 1.3, mean",
+            {times(0.7, pulse), pulse, times(1.3, pulse), times(0.8, strong), strong,
+             times(1.2, strong), times(-1, strong)},
+            {300, 5, 0.1}),
+      suite("both, period 2 to 4 s", both, {400, 5, 0.1, {}, {2, 4}}),
+      suite("both, period 1.5 to 3.5 s", both, {250, 5, {}, {}, {1.5, 3.5}}),
+      suite("strong motion doubled, pulse halved, period 2 to 4 s, least stroke at 0.2 g",
+            {times(2, strong), times(0.5, pulse)}, {600, 10, 0.15, 0.2, {2, 4}})};
+  all[2].request.notch_width = 0.05 * metre;
   if (!recorded.empty()) {
     std::vector<SuiteRecord> doubled;
     doubled.reserve(recorded.size());
     for (const std::string& path : recorded) {
       doubled.push_back(times(2, read(path)));
     }
-    all.push_back(suite("recorded motions doubled", doubled, 250, 2));
-    all.push_back(suite("recorded motions doubled", doubled, 250, 2));
-    all.back().request.hold = 0.1;
+    all.push_back(suite("recorded motions doubled", doubled, {250, 2}));
+    all.push_back(suite("recorded motions doubled", doubled, {250, 2, 0.1}));
   }
   return all;
 }

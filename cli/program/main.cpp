@@ -123,7 +123,7 @@ int run_program(int argc, const char* const* argv) {
     say(interrupted.what());
     return exit_interrupted;
   } catch (const std::bad_alloc&) {
-    say("this needs more memory than there is");
+    say("there is not enough memory for this");
   } catch (const std::exception& error) {
     say(error.what());
   }

@@ -38,7 +38,7 @@ class RecordView {
       this.changed();
       this.refuse(
         `${file.name} has ${digits(file.size / 1e6, 3)} MB; this page reads at most ${largest_record / 1e6} MB. ` +
-          `The program has no such limit: stillpoint simulate --record.`,
+          `The program reads up to 67 MB: stillpoint simulate --record.`,
       );
       return;
     }

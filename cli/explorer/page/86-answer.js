@@ -152,7 +152,8 @@ class AnswerView {
   show_judgement({ judged, damper, admissible }) {
     const node = el("judgement");
     node.classList.toggle("broken", !admissible);
-    if (!damper) return fill(node, "No damper is admissible: at every f and Δ some requirement is violated.");
+    if (!damper)
+      return fill(node, "No damper is admissible: at every f and Δ some requirement is violated.");
     if (admissible) {
       const served = judged.physical?.works_for_velocity_m_per_s ?? judged.works_for?.v0;
       const range = range_parts(served, judged.physical ? "m/s" : "");

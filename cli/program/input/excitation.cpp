@@ -56,7 +56,7 @@ double lambda(const Settings& settings, const ExcitationKind& kind,
                                            "Hz, or --lambda, the dimensionless angular frequency"
                                          : "give --excitation-frequency in Hz, or --lambda, the "
                                            "dimensionless angular frequency"
-                       : "give --lambda, its angular frequency");
+                       : "give --lambda, the angular frequency");
 }
 
 /// `what` in messages: "excitation" or "pulse".
@@ -68,6 +68,27 @@ Harmonic wave(const Settings& settings, std::string_view what, const ExcitationK
   wave.phase = settings.number("phase").value_or(wave.phase);
   wave.duration = in_either(settings, "duration", "excitation-duration", time_s.value_or(1), 0);
   return wave;
+}
+
+/// The largest length of a pulse, as the option that gives it has it: its bound in lambda would
+/// tell the user nothing.
+void require_followed(const Settings& settings, const ExcitationKind& kind,
+                      const Physical& physical) {
+  const Option* const clock = settings.given(Rivals::frequency);
+  if (!physical || clock == nullptr || clock->traits.dimension == Dimension::none) {
+    return;
+  }
+  const double lowest_lambda = physical->scales.p / design::slowest_pulse;
+  const bool lasts = clock->traits.dimension == Dimension::time;
+  const double most = (lasts ? kind.angle : 2 * std::numbers::pi) * physical->scales.time_s;
+  const double bound = lasts ? most / lowest_lambda : lowest_lambda / most;
+  const double given = *settings.number(clock->name);
+  if (lasts ? given > bound : given < bound) {
+    const std::string_view unit = records::units_of(clock->traits.dimension).front().name;
+    throw InputError(std::string(clock->name), fmt::format("{} {}", given, unit),
+                     fmt::format("must be at {} {:.4g} {}: a longer pulse cannot be followed",
+                                 lasts ? "most" : "least", bound, unit));
+  }
 }
 
 ExcitationInput record(const Settings& settings, const records::RecordClock& clock,
@@ -122,19 +143,21 @@ std::optional<ExcitationInput> excitation_input(const Settings& settings, const 
 }
 
 std::optional<double> end_of_run(const Settings& settings, const Physical& physical) {
-  return in_either(settings, "t-end", "end-time", time_unit(physical).value_or(1),
-                   smallest_physical);
+  const auto t_end =
+      in_either(settings, "t-end", "end-time", time_unit(physical).value_or(1), smallest_physical);
+  if (t_end) {
+    require_within("t-end", *t_end, smallest_speed, largest_speed);
+  }
+  return t_end;
 }
 
 std::optional<double> forced_end(const Settings& settings, const Excitation& excitation,
                                  const Physical& physical) {
   const auto t_end = end_of_run(settings, physical);
-  if (t_end) {
-    require_within("t-end", *t_end, smallest_speed, largest_speed);
-  } else if (!duration(excitation)) {
+  if (!t_end && !duration(excitation)) {
     throw InputError::missing(physical ? "end-time" : "t-end",
-                              physical ? "give --end-time in s, the excitation never ends"
-                                       : "give --t-end, the excitation never ends");
+                              physical ? "give --end-time in s: the excitation never ends"
+                                       : "give --t-end: the excitation never ends");
   }
   return t_end;
 }
@@ -151,6 +174,7 @@ void require_no_pulse_options(const Settings& settings) {
 std::optional<design::Pulse> pulse_input(const Settings& settings, const Physical& physical) {
   if (const auto type = settings.known("pulse")) {
     const ExcitationKind& kind = *find_excitation_kind(*type);
+    require_followed(settings, kind, physical);
     return kind.pulse(wave(settings, "pulse", kind, time_unit(physical)));
   }
   require_no_pulse_options(settings);

@@ -34,9 +34,6 @@ std::optional<double> free_end(const Settings& settings, const Physical& physica
         "{} needs a trajectory or an excitation: give --trajectory FILE or --excitation as well",
         settings.given(Rivals::end)->name));
   }
-  if (t_end && !(*t_end > 0)) {
-    throw InputError("t-end", *t_end, "must be greater than 0");
-  }
   return t_end;
 }
 

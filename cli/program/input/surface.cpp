@@ -23,6 +23,9 @@ double in_units(double value, const Physical& physical) {
 }  // namespace
 
 std::string zones_text(const nlohmann::json& list) {
+  if (list.empty()) {
+    throw InputError(std::string(zones_name), "[]", "must have at least one zone");
+  }
   std::string text;
   for (const nlohmann::json& zone : list) {
     const auto value = [&zone](const char* key) {

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -91,7 +92,7 @@ void add_merge(CLI::App& command, MergeFiles& files) {
   const bool sweep = command.get_name() == "sweep";
   CLI::App& merge = *command.add_subcommand(
       "merge", sweep ? "join the parts of a sweep, see --part"
-                     : "make a design under records of its parts, see --part; --html, --json and "
+                     : "make a design under records from its parts, see --part; --html, --json and "
                        "the like may follow");
   merge.set_help_flag("-h,--help", "print this text");
   merge.fallthrough();
@@ -305,6 +306,11 @@ Invocation parse_command_line(int argc, const char* const* argv) {
   refuse_extras(chosen, invocation.command);
   invocation.flags = from_flags(chosen, given, invocation.command);
   if (chosen.get_option("scene")->count() > 0) {
+    // Of "--velocity 400 mm/s" the second word.
+    if (records::is_unit(given.scene) && !std::filesystem::exists(given.scene)) {
+      throw UsageError(
+          fmt::format("{0}: a unit must follow its number without a space: 1{0}", given.scene));
+    }
     invocation.scene = given.scene;
   }
   if (!chosen.get_subcommands().empty()) {

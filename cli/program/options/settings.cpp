@@ -143,7 +143,10 @@ std::optional<records::FilePlace> Settings::place_of(std::string_view field) con
 
 InputError Settings::as_given(const InputError& error) const {
   const Option* const plain = find_option(records::hyphened(error.field()));
-  if (plain == nullptr || plain->traits.dimension != Dimension::none || has(plain->name)) {
+  if (plain != nullptr && has(plain->name)) {
+    return error.named(std::string(plain->name));
+  }
+  if (plain == nullptr || plain->traits.dimension != Dimension::none) {
     return error;
   }
   for (const Option* option : physical_rivals(*plain)) {

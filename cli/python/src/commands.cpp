@@ -5,7 +5,6 @@
 #include "arguments.hpp"
 #include "input/request.hpp"
 #include "interruptible.hpp"
-#include "method.hpp"
 #include "parts.hpp"
 #include "record_parts.hpp"
 #include "result.hpp"

@@ -71,15 +71,15 @@ void add_merge(py::module_& module) {
              R"(merge(parts, *, output=None)
 --
 
-Joins what sweep(part=..., output=...) or design(part=..., output=...) under records has computed in
-parts, here or elsewhere: what one run finds. A design continues with the searches, which need all
-of the scan; a reduced sweep is the report of the whole; of other sweeps the rows are the table.
+Joins the parts that sweep(part=..., output=...) or design(part=..., output=...) under records made,
+here or elsewhere, into what one run would find. A design continues with the searches, which need
+the whole scan; a reduced sweep gives the report of the whole; any other sweep has its rows as table.
 
-parts   paths of all its files, in any order
-output  a file for the rows, or the report; without it rows have to be in NumPy's format
+parts   paths of all the parts, in any order
+output  a file for the rows, or the report; without it rows must be in NumPy's format
 
-Raises InputError for a part that is missing, doubled, cut short or of another run, and for a design
-where the records have changed.)");
+Raises InputError for a part that is missing, given twice, cut short or of another run, and if the
+records of a design have changed.)");
 }
 
 }  // namespace stillpoint::python

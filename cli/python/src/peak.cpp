@@ -3,7 +3,6 @@
 
 #include "dampers.hpp"
 #include "interruptible.hpp"
-#include "method.hpp"
 #include "parts.hpp"
 
 #include <stillpoint/core/for_each_entry.hpp>

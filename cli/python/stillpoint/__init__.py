@@ -2,9 +2,9 @@
 """Design of friction dampers for vibration and seismic isolation.
 
 design, region, simulate, spectrum and sweep take the options of the program's commands as keyword
-arguments, with '_' for '-'. What they return has the fields of the JSON report as attributes, report,
-the whole of it as a dict, and figures in a notebook. peak and motions follow many free motions from
-arrays to arrays; read_record reads an acceleration record. What is wrong with the input is an
+arguments, with '_' for '-'. Their results have the fields of the JSON report as attributes and the
+whole report as a dict, report; a notebook shows their figures. peak and motions follow many free
+motions from arrays to arrays; read_record reads an acceleration record. Wrong input raises
 InputError, a ValueError with the text that the program prints.
 """
 

@@ -111,12 +111,19 @@ std::string objective_text(design::Objective objective, double value, const Phys
   return digits(value);
 }
 
+/// How NLopt ended, by its status.
+std::string_view ended(std::string_view status) {
+  return status == "SUCCESS" || status.ends_with("TOL_REACHED") ? "converged"
+         : status.starts_with("MAX")                            ? "its budget was spent"
+                                     : "no step was better than the start";
+}
+
 void add_search(Document& document, const design::SearchRecord& search,
                 const design::DesignResult& result, const Physical& physical) {
   const design::Objective objective = result.request.search.objective;
   Section& sought = document.detail("Search");
   sought.line(format("NLopt {} {}: {} after {} evaluations, {:.2g} ms", design::nlopt_version(),
-                     search.algorithm, search.status, search.evaluations,
+                     search.algorithm, ended(search.status), search.evaluations,
                      1e3 * search.wall_time_s));
   const Optimum optimum = optimum_of(result);
   if (optimum.along_f) {

@@ -19,7 +19,7 @@ void add_frame(figures::HtmlPage& page, const PageFrame& frame) {
     page.title += ": " + records::printable(frame.title, longest_title);
   }
   page.body += fmt::format(
-      "<section class=\"input\"><h2>Input</h2>\n<p>Saved as <code>scene.json</code>, "
+      "<section class=\"input\"><h2>Input</h2>\n<p>Save this as <code>scene.json</code>; then "
       "<code>stillpoint {} "
       "scene.json{} <span class=\"number\">--html</span> page.html</code> makes this page "
       "again.</p>\n<pre>{}</pre></section>\n",

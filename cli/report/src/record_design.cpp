@@ -279,9 +279,7 @@ void add_search(Document& document, const design::SuiteSearch& search) {
   section.row("scan", format("{} damper{}, {} within the limits", search.scan_points,
                              search.scan_points == 1 ? "" : "s", search.scan_feasible));
   section.row("NLopt", format("{} evaluations; the best by {}", search.evaluations,
-                              search.algorithm == "scan"
-                                  ? "the scan"
-                                  : format("{} ({})", search.algorithm, search.status)));
+                              search.algorithm == "scan" ? "the scan" : search.algorithm));
   section.row("time", format("{:.3g} s{}", search.wall_time_s,
                              search.interrupted ? ", then interrupted: the best so far" : ""));
 }

@@ -39,10 +39,12 @@ InputError InputError::missing(const std::string& field, const std::string& hint
   return {field, Whole{fmt::format("{} is missing: {}", field, hint)}};
 }
 
+InputError InputError::named(const std::string& field) const {
+  return {field, Whole{field + std::string(what()).substr(field_.size())}};
+}
+
 InputError InputError::in_entry(std::ptrdiff_t index) const {
-  const std::string after_field = std::string(what()).substr(field_.size());
-  const std::string entry = fmt::format("{}[{}]", field_, index);
-  return {entry, Whole{entry + after_field}};
+  return named(fmt::format("{}[{}]", field_, index));
 }
 
 TooManyHalfCycles::TooManyHalfCycles(double bound, double limit)

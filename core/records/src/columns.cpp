@@ -204,6 +204,7 @@ RecordFile read_columns(RecordReader& reader) {
     times.move_to(file.record);
   } else if (options.step) {
     file.record.step = *options.step / options.clock.per_tau;
+    file.takes_step = true;
   } else {
     throw InputError::missing(
         "record-step", fmt::format("record {}, line {}: values without times need their step in {}",

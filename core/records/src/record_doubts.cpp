@@ -60,13 +60,15 @@ void add_doubts(const RecordFile& file, const std::string& path, bool is_scaled,
 
 std::vector<std::string> suite_doubts(const SuiteFiles& files, const RecordTarget& of_all,
                                       const RecordOptions& options) {
+  RecordOptions of_each = options;
+  of_each.step_for_others = true;
   std::vector<std::string> doubts;
   for (const ListedRecord& asked : asked_records(files, of_all)) {
     for (const std::string& file : folder_files(asked.path).plain_text) {
       doubts.push_back(doubt(file, "is left out because it begins with text"));
     }
     for (const std::string& file : record_files(asked.path)) {
-      add_doubts(read_record(file, options), file, asked.target.is_given(), doubts);
+      add_doubts(read_record(file, of_each), file, asked.target.is_given(), doubts);
     }
   }
   return doubts;

@@ -37,7 +37,8 @@ const RecordFormat& format_of(const RecordReader& reader) {
 
 void check(const RecordOptions& options) {
   if (options.step && !options.clock.holds_step(*options.step)) {
-    throw InputError("record-step", *options.step, step_bounds(options.clock));
+    throw InputError("record-step", fmt::format("{} {}", *options.step, options.clock.unit),
+                     step_bounds(options.clock));
   }
   require_scale(options.scale);
   require_within("gravity", options.gravity_m_per_s2, smallest_scale, largest_scale);

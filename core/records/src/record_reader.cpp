@@ -71,7 +71,7 @@ void RecordReader::refuse(std::size_t number, std::string_view message) const {
 }
 
 void RecordReader::refuse_step(std::size_t line, std::string_view what) const {
-  if (options_->step) {
+  if (options_->step && !options_->step_for_others) {
     refuse(line, fmt::format("{}, so record-step = {} must not be given", what, *options_->step));
   }
 }

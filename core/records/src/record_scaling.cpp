@@ -157,7 +157,7 @@ double own_spectrum(const Record& record, const std::string& path, const RecordC
   const double shortest = mean_interval(record).value_or(0) * clock.per_tau;
   if (!resolved(period, shortest)) {
     throw InputError(
-        "record-spectrum-period", period,
+        "record-spectrum-period", fmt::format("{} {}", period, clock.unit),
         fmt::format("must be at least {:.6g} {}, the mean time between two values of record {}",
                     shortest, clock.unit, path));
   }

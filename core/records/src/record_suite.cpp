@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/records/record_suite.hpp>
 
+#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
 
 #include <fmt/format.h>
@@ -35,14 +36,22 @@ std::vector<ListedRecord> asked_records(const SuiteFiles& files, const RecordTar
 std::vector<SuiteRecord> read_suite(const SuiteFiles& files, const RecordScale& scale,
                                     const RecordOptions& options) {
   require_scale(scale.factor);
+  RecordOptions of_each = options;
+  of_each.step_for_others = true;
+  bool step_serves = !options.step;
   std::vector<SuiteRecord> suite;
   for (const ListedRecord& asked : asked_records(files, scale.target)) {
     const RecordScale to{scale.factor * asked.scale, asked.target, scale.spectrum_p};
     for (std::string& file : record_files(asked.path)) {
-      Record record = read_record(file, options).record;
-      const double factor = to.factor * factor_to_target(to, record, file, options.clock);
-      suite.push_back({std::move(file), std::move(record), factor});
+      RecordFile read = read_record(file, of_each);
+      step_serves = step_serves || read.takes_step;
+      const double factor = to.factor * factor_to_target(to, read.record, file, options.clock);
+      suite.push_back({std::move(file), std::move(read.record), factor});
     }
+  }
+  if (!step_serves) {
+    throw InputError("record-step", fmt::format("{} {}", *options.step, options.clock.unit),
+                     "must not be given: each record has times or a step of its own");
   }
   return suite;
 }

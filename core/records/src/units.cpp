@@ -87,10 +87,6 @@ std::string moved(std::string_view number, int power_of_ten) {
   return fmt::format("{}e{}", number.substr(0, e), std::clamp(exponent, -far, far) + power_of_ten);
 }
 
-bool is_known(std::string_view unit) {
-  return std::ranges::find(unit_table, unit, &Unit::name) != unit_table.end();
-}
-
 }  // namespace
 
 std::vector<Unit> units_of(Dimension dimension) {
@@ -111,7 +107,7 @@ std::string unit_names(Dimension dimension) {
 double parse_value(std::string_view field, Dimension dimension, std::string_view text,
                    std::string_view instead) {
   const auto parts = divided(text);
-  if (!parts || parts->unit.empty() || (dimension == none && !is_known(parts->unit))) {
+  if (!parts || parts->unit.empty() || (dimension == none && !is_unit(parts->unit))) {
     return parse_number(field, text);
   }
   const std::vector<Unit> accepted = units_of(dimension);
@@ -141,6 +137,10 @@ void require_physical(std::string_view field, Dimension dimension, double value,
   const std::string unit = units.empty() ? "" : fmt::format(" {}", units.front().name);
   throw InputError(std::string(field), fmt::format("{}{}", value, unit),
                    fmt::format("must be from {} to {}{}", least, largest_physical, unit));
+}
+
+bool is_unit(std::string_view text) {
+  return std::ranges::find(unit_table, text, &Unit::name) != unit_table.end();
 }
 
 bool has_unit(std::string_view text) {

@@ -10,7 +10,6 @@ namespace {
 
 class FixedStep {
  public:
-  static constexpr bool locates_events = false;
   static constexpr bool has_dense_output = false;
 
   explicit FixedStep(double step) : step_(step) {}

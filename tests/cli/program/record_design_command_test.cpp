@@ -58,6 +58,8 @@ const std::vector<Wrong> wrong_inputs{
     {"design --records-list word.csv --period 2", {"records-list word.csv, line 2", "scale"}},
     {"design --records-list zero.csv --period 2", {"records-list zero.csv, line 2", "scale"}},
     {"design --records-list empty.csv --period 2", {"records-list empty.csv", "no record"}},
+    {"design --record a.txt --period 2 --record-step 0.01",
+     {"record-step = 0.01 s: must not be given: each record has times or a step of its own"}},
     {"design --record a.txt --period 2 --acceleration-max 0", {"acceleration-max = 0"}},
     {"design --record a.txt --period 2 --residual-m -1", {"residual-m = -1"}},
     {"design --record a.txt --period 2 --tolerance 1", {"tolerance = 1"}},
@@ -102,6 +104,13 @@ BOOST_FIXTURE_TEST_CASE(records_may_be_dimensionless, Recorded) {
       reported("design --record a.txt --p 1 --beta 1 --search-f 2:2 --residual 0.1");
   BOOST_TEST(report["design"]["delta_m"] == nullptr);
   BOOST_TEST(near(report["worst"]["peak_absolute_acceleration"], 0.4, hand_tolerance));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_step_is_for_the_records_without_one, Recorded) {
+  write("values.txt", "0\n0.9\n0\n");
+  const json report = reported(held + "--record values.txt --record-step 0.5");
+  BOOST_TEST(near(report["records"][0]["pga"], 0.4, hand_tolerance));
+  BOOST_TEST(near(report["records"][1]["pga"], 0.9, hand_tolerance));
 }
 
 BOOST_FIXTURE_TEST_CASE(the_report_matches_simulate, Recorded) {

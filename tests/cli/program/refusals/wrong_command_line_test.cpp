@@ -34,6 +34,7 @@ const std::vector<Wrong> command_lines{
     {design("--stroke 2"), {"--stroke: unknown option; did you mean --max-displacement?"}},
     {design("--f 0.2"), {"--f: is not an option of design", "region rates a given damper"}},
     {simulate("--pulse half-sine"), {"--pulse", "simulate", "a motion takes --excitation"}},
+    {"design --velocity 400 mm/s", {"mm/s: a unit must follow its number without a space: 1mm/s"}},
     {"design old.json old.json", {"old.json", "only one scene"}},
     {design({"--objective", "a\nb"}), {"objective", "robust"}},
 };

@@ -58,13 +58,16 @@ const std::vector<Wrong> values{
      {"beta and notch-width cannot be combined"}},
     {"design --velocity 1 --period 3 --max-displacement 1 --delta-max-m 0",
      {"delta-max-m = 0", "from"}},
-    {design("--acceleration-max 0"), {"acceleration_max = 0", "from 1e-300"}},
+    {design("--acceleration-max 0"), {"acceleration-max = 0", "from 1e-300"}},
     {design("--tolerance 1"), {"tolerance = 1", "less than 1 (0.1 is 10 %)"}},
     {design("--tolerance 10%"), {"tolerance = \"10%\": must be a number; 10 % is 0.1"}},
     {design("--acceleration-max 1m/s2"),
      {"acceleration-max = \"1m/s2\": must be a number in g, with or without the unit g"}},
     {"design --pulse half-sine --k 0.5 --pulse-duration 700 --period 2.8 --max-displacement 1",
-     {"pulse-duration = 700 s: makes lambda = 0.002: must be from 0.01 p"}},
+     {"pulse-duration = 700 s: must be at most 140 s: a longer pulse cannot be followed"}},
+    {"design --pulse full-sine --k 0.5 --excitation-frequency 0.001 --period 2.5"
+     " --max-displacement 1",
+     {"excitation-frequency = 0.001 Hz: must be at least 0.004 Hz: a longer pulse"}},
     {"simulate --period 2.8 --f 0 --delta-m 0 --excitation harmonic --k 1 --end-time 1"
      " --excitation-frequency 1e20",
      {"excitation-frequency = 1e+20 Hz: makes lambda = 2.8e+20: lambda / p must be"}},

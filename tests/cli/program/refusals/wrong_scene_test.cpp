@@ -34,6 +34,9 @@ const std::vector<Wrong> scenes{
      {"line 2, column 2: friction-zones 1: f = -0.1"},
      "{\"v0\": 1, \"p\": 1, \"f\": 0.1, \"delta\": 0.1,\n \"friction_zones\": [{\"to\": 0.1, "
      "\"f\": -0.1}]}"},
+    {"simulate -",
+     {"friction-zones = []: must have at least one zone"},
+     R"({"v0": 1, "p": 1, "f": 0.1, "delta": 0.1, "friction_zones": []})"},
     scene("{" + good + R"(, "arrivals": 1e9})", {"arrivals = 1000000000", "from 1 to 1000"}),
     scene("{" + good + R"(, "arrivals": 2.5})",
           {"arrivals = 2.5: must be a whole number from 1 to 1000"}),

@@ -19,6 +19,9 @@ class InputError : public std::invalid_argument {
   /// "FIELD is missing: HINT"
   [[nodiscard]] static InputError missing(const std::string& field, const std::string& hint);
 
+  /// The same error by another name of the field.
+  [[nodiscard]] InputError named(const std::string& field) const;
+
   /// The same error in entry `index` of arrays: "f = -1: ..." becomes "f[17] = -1: ...".
   [[nodiscard]] InputError in_entry(std::ptrdiff_t index) const;
 

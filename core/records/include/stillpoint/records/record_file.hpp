@@ -46,8 +46,10 @@ struct RecordClock {
 };
 
 struct RecordOptions {
-  /// In the clock's unit, > 0; for a file with values alone, and only for that.
+  /// In the clock's unit, > 0; for a file with values alone. Any other refuses it, unless it may be
+  /// for other files of the suite.
   std::optional<double> step{};
+  bool step_for_others{false};
   /// If not given: what the file's header says, else g.
   std::optional<RecordUnits> units{};
   /// Of a file with several records, from 1; empty: the only one.
@@ -62,7 +64,8 @@ struct RecordFile {
   Record record;            ///< in g and tau, scaled; at least one value
   std::string description;  ///< what the file says of itself; may be empty
   RecordUnits units{RecordUnits::g};
-  bool assumed_g{false};  ///< neither the file nor the options give the units
+  bool assumed_g{false};   ///< neither the file nor the options give the units
+  bool takes_step{false};  ///< that of the options, which must have one
 };
 
 /// Throws InputError, "record-scale", unless 1e-100 <= |scale| <= 1e100.

@@ -55,6 +55,9 @@ inline constexpr double standard_gravity_m_per_s2 = 9.80665;
 void require_physical(std::string_view field, Dimension dimension, double value,
                       double least = smallest_physical);
 
+/// Whether `text` is a unit alone.
+[[nodiscard]] bool is_unit(std::string_view text);
+
 /// Whether something follows the number of `text`.
 [[nodiscard]] bool has_unit(std::string_view text);
 
