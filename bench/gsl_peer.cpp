@@ -38,6 +38,7 @@ int right_hand_side(double t, const double* y, double* rate, void* parameters) {
 
 class Rk8pd {
  public:
+  static constexpr bool locates_events = false;
   static constexpr bool has_dense_output = false;
 
   explicit Rk8pd(double tolerance)

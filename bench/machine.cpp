@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 #include <gsl/gsl_version.h>
 #include <boost/version.hpp>
+#ifdef STILLPOINT_BENCH_CVODE
+#include <sundials/sundials_config.h>
+#endif
 
 #include <ctime>
 #include <fstream>
@@ -51,6 +54,9 @@ Machine this_machine() {
   machine.libraries = {
       fmt::format("Boost {}.{}", BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000),
       "GSL " GSL_VERSION};
+#ifdef STILLPOINT_BENCH_CVODE
+  machine.libraries.emplace_back("SUNDIALS " SUNDIALS_VERSION);
+#endif
   machine.date = fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)));
   return machine;
 }

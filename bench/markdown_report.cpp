@@ -150,8 +150,12 @@ void how(Text& text, const Comparison& comparison) {
       "All follow the same rules of passage, turn and stick, except the regularised model, which "
       "smooths both frictions. The peers get their advantages: step lengths carry over from piece "
       "to piece, steps end at the samples of a record, and Newton's method finds the events where "
-      "there is no dense output.\n\n",
+      "there is no dense output.",
       comparison.options.batches, comparison.options.batch_seconds * 1e3, comparison.options.slow);
+#ifndef STILLPOINT_BENCH_CVODE
+  add(text, " CVODE is measured only where SUNDIALS is installed; here it was not.");
+#endif
+  add(text, "\n\n");
 }
 
 }  // namespace

@@ -62,6 +62,11 @@ std::vector<Method> methods(const peers::ReferenceScene& scene) {
        "GSL's rk8pd with gsl_odeiv2_evolve_apply; it has no dense output, so events are found "
        "as for RK4; the absolute and relative tolerances are equal",
        "tolerance", true, tolerances(), gsl_rk8pd});
+#ifdef STILLPOINT_BENCH_CVODE
+  all.push_back({"CVODE",
+                 "SUNDIALS CVODE, Adams with fixed-point iteration, events by its own root finder",
+                 "tolerance", false, tolerances(), cvode_adams});
+#endif
   all.push_back({"regularised",
                  "tanh(v / width) instead of sgn, a bump of that width as the point friction, no "
                  "events; dopri5 with the tolerance width / 1000",

@@ -24,6 +24,11 @@ struct Method {
 /// bracket on shorter steps from its start.
 [[nodiscard]] peers::Result gsl_rk8pd(const peers::Scene& scene, double tolerance);
 
+/// SUNDIALS CVODE 6, where it is installed: Adams with fixed-point iteration, as its manual advises
+/// for problems that are not stiff. CVodeRootInit finds events in the given directions; CVodeReInit
+/// after each; stop times at kinks.
+[[nodiscard]] peers::Result cvode_adams(const peers::Scene& scene, double tolerance);
+
 /// Every method with its settings for a scene, this project's kernel first.
 [[nodiscard]] std::vector<Method> methods(const peers::ReferenceScene& scene);
 

@@ -41,6 +41,7 @@ class SizedErrorChecker {
 /// the next the last derivative of a step stays the first of the next.
 class Dopri5 {
  public:
+  static constexpr bool locates_events = false;
   static constexpr bool has_dense_output = true;
 
   Dopri5(double tolerance, const Size& size)

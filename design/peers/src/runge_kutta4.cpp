@@ -10,6 +10,7 @@ namespace {
 
 class FixedStep {
  public:
+  static constexpr bool locates_events = false;
   static constexpr bool has_dense_output = false;
 
   explicit FixedStep(double step) : step_(step) {}

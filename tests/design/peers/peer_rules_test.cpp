@@ -54,7 +54,7 @@ namespace {
 /// so that no short excursion is missed.
 class CloseDopri5 : Dopri5 {
  public:
-  using Dopri5::at, Dopri5::Dopri5, Dopri5::has_dense_output;
+  using Dopri5::at, Dopri5::Dopri5, Dopri5::has_dense_output, Dopri5::locates_events;
 
   template <class Load>
   struct Looked : Load {

@@ -9,9 +9,11 @@
 //
 // A Method integrates:
 //   begin(motion, t, state)  a new piece, or after a jump of W
-//   step(motion, limit)      one step, to `limit` at most; says where it ended
+//   step(motion, limit)      one step, to `limit` at most; says where it ended and what it located
 //   state()                  at the end of that step
 //   at(motion, t)            within that step
+//   locates_events           whether the integrator looks for turns and x = 0 itself; it then ends
+//                            its steps at them, at() is not used, and scenes have no other edges
 //   has_dense_output         whether at() is cheap
 
 #include <stillpoint/peers/ground.hpp>
@@ -47,9 +49,13 @@ struct Motion {
   }
 };
 
+/// The event that an integrator with its own event finder found at the end of a step.
+enum class Located { nothing, turn, arrival };
+
 struct Step {
   double from{0};
   double to{0};
+  Located event{Located::nothing};
 };
 
 /// Where `function` changes its sign in [from, to], to the last bit; `to` if it does not. It may
@@ -239,21 +245,32 @@ class EventRun {
     const double s = direction_;
     t_ = step.to;
     state_ = method_.state();
-    const bool turned = s * v() <= 0;
-    if (!turned && !(s * x() >= edge_)) {
-      return false;
-    }
-    if (turned) {
-      locate(motion, 1, step.from, step.to);
-    }
-    // If the motion turns within the step, its position there says whether it met the edge.
-    if (s * x() >= edge_) {
-      locate(motion, 0, step.from, t_);
-      arrive();
+    if constexpr (Method::locates_events) {
+      if (step.event == Located::turn) {
+        turn(inward);
+      } else if (step.event == Located::arrival && edge_ == 0) {
+        arrive();
+      } else {
+        return false;
+      }
+      return true;
     } else {
-      turn(inward);
+      const bool turned = s * v() <= 0;
+      if (!turned && !(s * x() >= edge_)) {
+        return false;
+      }
+      if (turned) {
+        locate(motion, 1, step.from, step.to);
+      }
+      // If the motion turns within the step, its position there says whether it met the edge.
+      if (s * x() >= edge_) {
+        locate(motion, 0, step.from, t_);
+        arrive();
+      } else {
+        turn(inward);
+      }
+      return true;
     }
-    return true;
   }
 
   /// To where x comes to the edge (0) or v vanishes (1) within the step.
