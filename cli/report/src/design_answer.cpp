@@ -216,6 +216,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   const design::Finding& finding = *result.finding;
   const auto& [f, delta, tolerance] = finding.point;
   const Response& response = told_motion(report);
+  const std::string which = shown_words(problem);
   answer.row("damper",
              format("{}, delta = {}",
                     wants_no_friction(report) ? "f as small as you can make it"
@@ -226,7 +227,9 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
       "peak",
       format("{}, {:.4g} % of the {} allowed{}", length_shown(physical, response.peak_amplitude),
              100 * response.peak_amplitude / problem.beta, length_shown(physical, problem.beta),
-             pulse ? ", under the pulse" : ""));
+             pulse           ? ", under the pulse"
+             : which.empty() ? ""
+                             : ", " + which));
   add_rest(answer, report, physical);
   const auto built = felt_in_built_notch(report);
   answer.row("acceleration",
@@ -240,9 +243,6 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
     const double stiffest = std::hypot(f, *problem.p_high * problem.v0);
     answer.row("", format("{} with the stiffest spring", acceleration_shown(stiffest)));
   }
-  if (const std::string which = shown_words(problem); !pulse && !which.empty()) {
-    answer.row("ranges", format("{}; peak and rest: {}", range_words(problem, physical), which));
-  }
   if (report.built_notch) {
     answer.row("note",
                format("what follows is for a notch that {}", ideal_words(*report.built_notch)));
@@ -255,11 +255,9 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   add_works_for(answer, finding.works_for, physical);
   // A weaker hit than this is caught at the start: rule 4 of docs/theory.md, section 2.
   if (const double caught = std::sqrt(2 * delta); problem.v0_low && *problem.v0_low < caught) {
-    answer.row(
-        "weak hits",
-        format("those below {} do not move the mass: the structure feels their whole "
-               "impulse, up to {}",
-               FigureUnits(physical).velocity_words(caught), impulse_shown(physical, caught)));
+    answer.row("weak hits", format("those below {} are felt in full, up to {}",
+                                   FigureUnits(physical).velocity_words(caught),
+                                   impulse_shown(physical, caught)));
   }
   if (finding.cross_check.passed) {
     answer.row("checks", checks_agree(finding.cross_check), Tone::good);
