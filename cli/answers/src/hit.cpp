@@ -5,25 +5,6 @@
 
 namespace stillpoint::answers {
 
-namespace {
-
-/// The finding's motion with the notch to be built. Under a pulse it is that of the velocity and
-/// the period that were checked.
-std::optional<design::BuiltNotch> built(const DesignTask& task,
-                                        const design::DesignResult& result) {
-  if (!task.notch || !result.finding) {
-    return std::nullopt;
-  }
-  design::DesignRequest shown = result.request;
-  if (const auto& check = result.finding->pulse) {
-    shown.pulse = check->pulse;
-    shown.problem.p = check->p;
-  }
-  return built_notch(shown, result.finding->point, *task.notch);
-}
-
-}  // namespace
-
 report::DesignReport answer(DesignTask task) {
   const design::DesignRequest& request = task.request;
   report::DesignReport report;
@@ -39,7 +20,9 @@ report::DesignReport answer(DesignTask task) {
   if (task.trade_offs) {
     report.trade_off = design::trade_off(request.problem, request.limits, *task.trade_offs);
   }
-  report.built_notch = built(task, report.result);
+  if (task.notch && report.result.finding) {
+    report.built_notch = report::with_notch(report.result, *task.notch);
+  }
   return report;
 }
 

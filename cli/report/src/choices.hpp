@@ -3,7 +3,7 @@
 
 // The choices: the parts of a catalogue and the front of a trade-off.
 
-#include "units.hpp"
+#include "sections.hpp"
 
 #include <stillpoint/design/catalogue.hpp>
 #include <stillpoint/design/trade_off.hpp>
@@ -18,23 +18,16 @@
 
 namespace stillpoint::report {
 
-/// The requirements that a part is judged by.
-struct PartTask {
-  const design::Problem& problem;
-  const design::Limits& limits;
-  const Physical& physical;
-};
-
 /// "exceeds 150 mm: f 12 % too small".
-[[nodiscard]] std::string violation(const design::Constraint& violated, const PartTask& task);
+[[nodiscard]] std::string violation(const design::Constraint& violated, const ShownTask& task);
 /// The violations of a part, or "fits".
-[[nodiscard]] std::string judgement(const design::RatedPart& rated, const PartTask& task);
+[[nodiscard]] std::string judgement(const design::RatedPart& rated, const ShownTask& task);
 
 /// "7 of 40 parts fit".
 [[nodiscard]] std::string how_many_fit(const std::vector<design::RatedPart>& parts);
 
 /// The best parts, and how far the others fail.
-void add_parts(Document& document, const Catalogue& catalogue, const PartTask& task);
+void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& task);
 /// Their marks, without those beyond the axes.
 void add_parts(figures::Figure& figure, const Catalogue& catalogue, const FigureUnits& units);
 
@@ -49,7 +42,7 @@ void add_trade_off(Document& document, const std::vector<design::TradeOff>& fron
     const FigureUnits& units);
 
 [[nodiscard]] nlohmann::ordered_json catalogue_json(const Catalogue& catalogue,
-                                                    const PartTask& task);
+                                                    const ShownTask& task);
 [[nodiscard]] nlohmann::ordered_json trade_off_json(const std::vector<design::TradeOff>& front,
                                                     const Physical& physical);
 

@@ -10,24 +10,6 @@ namespace stillpoint::report {
 
 namespace {
 
-void add_damper(Document& document, const DesignReport& report, const Physical& physical) {
-  const design::DesignResult& result = report.result;
-  const design::Finding& finding = *result.finding;
-  const DeltaNeeds needs = delta_needs(result);
-  const design::DesignPoint& point = finding.point;
-  Section& section = document.detail("Damper");
-  if (wants_no_friction(report)) {
-    section.row("f found", digits(point.f));
-  }
-  if (stops_by_delta1(finding.constraints)) {
-    section.row("Delta1(f)",
-                format("{} published, {} exact", length_shown(physical, needs.published),
-                       needs.exact ? length_shown(physical, *needs.exact) : "none"));
-  }
-  add_damper_physics(section, physical, point.f, point.delta);
-  add_notch(section, finding.practice, physical);
-}
-
 /// A pulse is shown in place of the velocity to which it reduces.
 void add_task(Document& document, const design::DesignRequest& request, const Physical& physical) {
   const auto& [problem, limits, search, pulse, ranges] = request;
@@ -45,28 +27,16 @@ std::string judgement(const design::CheckMethod& method) {
   return method.decided ? "agrees" : "agrees in the peak; too close to a tie to compare more";
 }
 
-/// In eight characters.
-std::string duration_text(double seconds) {
-  return seconds < 1e-3 ? format("{:.1f} us", 1e6 * seconds)
-         : seconds < 1  ? format("{:.1f} ms", 1e3 * seconds)
-                        : format("{:.1f} s", seconds);
-}
-
 void add_checks(Document& document, const design::CrossCheck& check, const Physical& physical) {
   const FigureUnits units(physical);
-  Table table{{"", in("peak", units.length_unit), in("stop time", units.time_unit), "half-cycles",
-               "relative error", "allowed", "time", ""},
+  Table table{{"", in("peak", units.length_unit), in("stop time", units.time_unit),
+               "relative error", "allowed", ""},
               {}};
   for (const design::CheckMethod& method : check.methods) {
-    std::optional<double> stop_time = method.stop_time;
-    if (stop_time) {
-      *stop_time *= units.time;
-    }
     table.rows.push_back(
         {{std::string(method_words(method.name)), digits(method.peak_amplitude * units.length),
-          digits(stop_time), format("{:.0f}", method.half_cycles),
-          format("{:.1e}", method.relative_error), format("{:.1e}", method.tolerance),
-          duration_text(method.wall_time_s), judgement(method)},
+          digits(method.stop_time * units.time), format("{:.1e}", method.relative_error),
+          format("{:.1e}", method.tolerance), judgement(method)},
          method.passed ? Tone::good : Tone::bad});
   }
   Section& section = check.passed ? document.detail("Cross-check: agrees")
@@ -76,10 +46,9 @@ void add_checks(Document& document, const design::CrossCheck& check, const Physi
 
 /// The choice among parts and the front, if requested.
 void add_choices(Document& document, const DesignReport& report, const Physical& physical) {
-  const auto& [problem, limits, search, pulse, ranges] = report.result.request;
   if (report.catalogue) {
     document.answer.row("catalogue", how_many_fit(report.catalogue->parts));
-    add_parts(document, *report.catalogue, {problem, limits, physical});
+    add_parts(document, *report.catalogue, task_of(report));
   }
   if (report.trade_off && !report.trade_off->empty()) {
     document.answer.row("trade-off", trade_off_words(*report.trade_off, physical));
@@ -87,57 +56,49 @@ void add_choices(Document& document, const DesignReport& report, const Physical&
   }
 }
 
-void add_motion(Document& document, const design::Finding& finding, const Physical& physical) {
-  if (finding.pulse) {
-    add_pulse_check(document, *finding.pulse, physical);
-  } else {
-    add_response(document.detail("Motion"), finding.response, physical);
+/// Of the motion with the paper's notch. Its peak, acceleration and rest are in the answer.
+void add_motion(Document& document, const DesignReport& report, const Physical& physical) {
+  const design::Finding& finding = *report.result.finding;
+  std::string which = !finding.pulse         ? shown_words(report.result.request.problem)
+                      : finding.pulse->worst ? "largest peak"
+                                             : "";
+  if (report.built_notch) {
+    which += format("{}with a notch that {}", which.empty() ? "" : ", ",
+                    ideal_words(*report.built_notch));
   }
-  add_practice(document.detail("In practice"), finding.practice, physical);
-}
-
-/// A value of the objective, in the units of the task.
-std::string objective_text(design::Objective objective, double value, const Physical& physical) {
-  switch (objective) {
-    case design::Objective::robust:
-      break;
-    case design::Objective::amplitude:
-      return length_text(physical, value);
-    case design::Objective::time:
-      return time_text(physical, value);
-    case design::Objective::acceleration:
-      return digits(value) + " g";
-  }
-  return digits(value);
-}
-
-/// How NLopt ended, by its status.
-std::string_view ended(std::string_view status) {
-  return status == "SUCCESS" || status.ends_with("TOL_REACHED") ? "converged"
-         : status.starts_with("MAX")                            ? "its budget was spent"
-                                     : "no step was better than the start";
+  const std::string of_it = which.empty() ? "" : ": " + which;
+  add_counts(document.detail((finding.pulse ? "Under the pulse itself" : "Motion") + of_it),
+             finding.response, physical, !finding.pulse);
+  add_practice(document.detail("In practice" + of_it), finding.practice, physical);
 }
 
 void add_search(Document& document, const design::SearchRecord& search,
-                const design::DesignResult& result, const Physical& physical) {
-  const design::Objective objective = result.request.search.objective;
+                const design::DesignResult& result) {
   Section& sought = document.detail("Search");
-  sought.line(format("NLopt {} {}: {} after {} evaluations, {:.2g} ms", design::nlopt_version(),
-                     search.algorithm, ended(search.status), search.evaluations,
-                     1e3 * search.wall_time_s));
-  const Optimum optimum = optimum_of(result);
-  if (optimum.along_f) {
-    const std::string found = objective_text(objective, *optimum.found, physical);
-    const std::string along_f = objective_text(objective, *optimum.along_f, physical);
-    sought.line(
-        format("{} {}: {}; by a search along f alone, without NLopt: {}{}",
-               objective == design::Objective::robust ? "tolerance" : name(objective),
-               result.request.pulse ? "by NLopt" : "of the design", found, along_f,
-               result.request.pulse && found != along_f ? "; the better one is built" : ""));
+  sought.row("NLopt", format("{} {}, {} after {} evaluations, {:.2g} ms", design::nlopt_version(),
+                             search.algorithm, status_words(search.status), search.evaluations,
+                             1e3 * search.wall_time_s));
+  const auto [found, along_f] = optimum_of(result);
+  if (along_f) {
+    const bool same = digits(found) == digits(along_f);
+    sought.row("without NLopt",
+               same ? "a search along f alone finds the same optimum"
+                    : format("a search along f alone finds {}, NLopt {}; the better one is built",
+                             digits(along_f), digits(found)));
   }
 }
 
 }  // namespace
+
+std::string status_words(std::string_view status) {
+  return status == "XTOL_REACHED" || status == "FTOL_REACHED" || status == "SUCCESS" ||
+                 status == "STOPVAL_REACHED"
+             ? "converged"
+         : status == "ROUNDOFF_LIMITED" ? "converged as far as rounding allows"
+         : status == "MAXEVAL_REACHED"  ? "stopped at its limit of evaluations"
+         : status == "MAXTIME_REACHED"  ? "stopped at its limit of time"
+                                        : format("no step improved the start ({})", status);
+}
 
 Optimum optimum_of(const design::DesignResult& result) {
   const auto& [problem, limits, search, pulse, ranges] = result.request;
@@ -161,16 +122,8 @@ Document document(const DesignReport& report) {
   }
   Document document;
   document.title = "Damper design";
-  const auto add_posed = [&] {
-    add_task(document, result.request, physical);
-    if (result.request.pulse) {
-      add_pulse_region(document, result, physical);
-    } else {
-      add_region(document, result.region, physical);
-    }
-  };
   if (!result.finding) {
-    add_emptiness(document, result, {problem, limits, pulse, physical});
+    add_emptiness(document, result, task_of(report));
     if (report.catalogue) {
       const design::RatedPart& best = report.catalogue->parts.front();
       if (best.tolerance) {  // it is admissible but for that
@@ -178,9 +131,10 @@ Document document(const DesignReport& report) {
                                   tolerance_shown(limits, limits.tolerance), best.part.name,
                                   tolerance_shown(limits, *best.tolerance));
       }
-      add_parts(document, *report.catalogue, {problem, limits, physical});
+      add_parts(document, *report.catalogue, task_of(report));
     }
-    add_posed();
+    add_task(document, result.request, physical);
+    add_region(document, result, limits, physical);
     return document;
   }
   const design::Finding& finding = *result.finding;
@@ -192,13 +146,16 @@ Document document(const DesignReport& report) {
   if (report.built_notch) {
     add_built_notch(document, *report.built_notch, finding, physical);
   }
-  add_posed();
-  add_damper(document, report, physical);
-  add_constraints(document, finding.constraints, physical);
-  add_motion(document, finding, physical);
+  add_task(document, result.request, physical);
+  add_damper(document.detail("Damper"), finding.point,
+             stops_by_delta1(finding.constraints) ? delta_needs(result) : DeltaNeeds(),
+             finding.practice, physical);
+  add_feasible(add_constraints(document, finding.constraints, limits, physical), result, limits,
+               physical);
+  add_motion(document, report, physical);
   add_checks(document, finding.cross_check, physical);
   if (finding.search) {
-    add_search(document, *finding.search, result, physical);
+    add_search(document, *finding.search, result);
   }
   return document;
 }

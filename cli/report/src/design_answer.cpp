@@ -4,13 +4,22 @@
 
 #include <stillpoint/report/digits.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace stillpoint::report {
 
 namespace {
+
+/// The friction of the design, rounded so that it is still feasible.
+std::string f_digits(const design::DesignResult& result) {
+  constexpr int shown = 6;
+  const double f = result.finding->point.f;
+  const std::string nearest = digits(f);
+  const double as_shown = std::stod(nearest);
+  return as_shown < *result.region.f_lower   ? limit_digits(f, true, shown)
+         : as_shown > *result.region.f_upper ? limit_digits(f, false, shown)
+                                             : nearest;
+}
 
 /// Beside next to no friction: what is left of it with friction that can be built.
 std::string tolerance_without_friction(const design::DesignResult& result) {
@@ -48,76 +57,65 @@ std::string checks_agree(const design::CrossCheck& check) {
   return text;
 }
 
-/// The width of a notch as an example: 20 mm, or 1, 2 or 5 times a power of ten if that is above a
-/// fifth of the peak.
-double example_width_m(double peak_m) {
-  constexpr double usual = 0.02;
-  const double most = peak_m / 5;
-  const double decade = std::pow(10, std::floor(std::log10(most)));
-  const double digit = most / decade;
-  return std::min(usual, decade * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1));
-}
-
 /// What the structure feels: outside the notch, at most over the ranges, and inside one that has a
 /// width.
-std::string felt(const design::Finding& finding, const design::DesignRequest& request,
-                 const Response& response, const Physical& physical) {
-  const auto& [problem, limits, search, pulse, ranges] = request;
-  const bool worst = pulse && finding.pulse->worst;
+std::string felt(const DesignReport& report, const Physical& physical) {
+  const design::Finding& finding = *report.result.finding;
+  const auto& [problem, limits, search, pulse, ranges] = report.result.request;
+  const auto& [f, delta, tolerance] = finding.point;
+  const Response& response = finding.response;
   const bool springs = !pulse && problem.p_high;
-  const std::string outside =
-      acceleration_shown(worst     ? finding.pulse->worst->acceleration
-                         : springs ? std::hypot(finding.point.f, *problem.p_high * problem.v0)
-                                   : response.peak_absolute_acceleration) +
-      (springs ? " with the stiffest spring" : "");
+  const double most = pulse && finding.pulse->worst ? finding.pulse->worst->acceleration
+                      : springs                     ? std::hypot(f, *problem.p_high * problem.v0)
+                                                    : response.peak_absolute_acceleration;
+  const std::string outside = format("{} outside the notch{}", acceleration_shown(most),
+                                     springs ? " (stiffest spring)" : "");
   if (finding.practice && finding.practice->notch_width_min) {
     const double width = *finding.practice->notch_width_min;
     return format(
-        "{} outside the notch; {} at most inside one at least {} wide, where it may rest up to {} "
-        "off centre",
-        outside, acceleration_shown(limits.acceleration_max.value()), width_shown(physical, width),
-        width_shown(physical, width / 2));
+        "{}; {} at most inside one at least {} wide, with f and delta as given, where it may rest "
+        "up to {} off centre",
+        outside, acceleration_shown(limits.acceleration_max.value()),
+        length_limit(physical, width, true), length_limit(physical, width / 2, true));
   }
   if (limits.acceleration_max) {
     // The least width is known only for a stop at x = 0 after a hit.
     const bool least = !finding.pulse && finding.arrival;
-    return format("{} outside the notch; inside it, {} {}", outside,
+    return format("{}; inside it, {} {}", outside,
                   least ? "at any width more than" : "no width is known to keep it within",
                   acceleration_shown(*limits.acceleration_max));
   }
-  if (!physical) {
-    return format("{} outside the notch, f + delta/w inside one of width w", outside);
+  if (pulse) {  // from rest: whether a notch of that width lets the mass go is not for a formula
+    const double width = example_width(physical, response.peak_amplitude);
+    const std::string fault =
+        notch_fault(with_notch(report.result, {width}), report.result.request, physical);
+    if (!fault.empty()) {
+      return format("{}, f + delta/w inside one of width w; but with w = {}, {}", outside,
+                    length_shown(physical, width), fault);
+    }
   }
-  const double example_m = example_width_m(response.peak_amplitude * physical->scales.length_m);
-  const double inside = design::notch_acceleration(finding.point.f, finding.point.delta,
-                                                   example_m / physical->scales.length_m);
-  return format("{} outside the notch, f + delta/w inside one of width w: {:.3g} g if w is {}",
-                outside, inside, with_unit(example_m, "m"));
+  return format("{}, {}", outside, inside_words(physical, f, delta, response.peak_amplitude));
 }
 
 void add_rest(Section& answer, const DesignReport& report, const Physical& physical) {
   const Response& response = told_motion(report);
-  if (!response.stop_time) {
-    answer.row("rest", "none: it " + outcome_phrase(response.outcome), Tone::bad);
-    return;
-  }
-  if (response.half_cycles == 0) {
-    answer.row("rest", "at x = 0 throughout", Tone::bad);
+  if (!response.stop_time || response.half_cycles == 0) {
+    answer.row(
+        "rest",
+        response.stop_time ? "at x = 0 throughout" : "none: it " + outcome_phrase(response.outcome),
+        Tone::bad);
     return;
   }
   const auto& check = report.result.finding->pulse;
   const bool worst = check && check->worst && !report.built_notch;
-  std::string where = length_shown(physical, *response.stop_position);
-  if (response.outcome == Outcome::stopped_in_notch) {
-    where += ", inside the notch,";
-  }
   const auto arrival = report.result.finding->arrival;
   const bool counted = !report.built_notch && arrival && report.result.request.problem.arrivals > 1;
   answer.row("rest",
-             format("at x = {} {} {}{}{}", where, worst ? "within" : "after",
+             format("at x = {}{} {} {}{}", length_shown(physical, *response.stop_position),
+                    response.outcome == Outcome::stopped_in_notch ? ", inside the notch," : "",
+                    worst ? "within" : "after",
                     time_shown(physical, worst ? check->worst->stop_time : *response.stop_time),
-                    counted ? format(", at arrival {}", *arrival) : "",
-                    report.result.request.problem.v0_low ? ", for the strongest hit" : ""));
+                    counted ? format(", on return {} to x = 0", *arrival) : ""));
 }
 
 /// For the ranges of a pulse: how far what is above holds, and which of them is shown.
@@ -156,7 +154,7 @@ std::string unbounded_words(const DesignReport& report, const Physical& physical
   }
   const DeltaNeeds needs = delta_needs(result);
   const bool exact = result.request.problem.criterion == design::Criterion::exact;
-  const double least = exact ? needs.exact.value_or(0) : needs.published;
+  const double least = exact ? needs.exact.value_or(0) : *needs.published;
   return result.finding->point.delta > far_beyond * least
              ? format(
                    " Nothing bounds delta: it could be anything above {}, and is this large only "
@@ -174,6 +172,12 @@ std::string_view method_words(std::string_view name) {
                                   : name;
 }
 
+std::string shown_words(const design::Problem& problem) {
+  return format("{}{}{}", problem.v0_low ? "strongest hit" : "",
+                problem.v0_low && problem.p_high ? ", " : "",
+                problem.p_high ? "softest spring" : "");
+}
+
 bool wants_no_friction(const DesignReport& report) {
   const design::DesignResult& result = report.result;
   return !report.catalogue && begins_at_nothing(result.finding->point.f, *result.region.f_upper);
@@ -184,9 +188,11 @@ std::string verdict(const DesignReport& report, const Physical& physical) {
   const auto& [f, delta, tolerance] = finding.point;
   const auto width = report.built_notch ? report.built_notch->shape.width : std::nullopt;
   std::string text =
-      format("Build {}.",
-             damper_words(physical, wants_no_friction(report) ? std::nullopt : std::optional(f),
-                          delta, width));
+      format("Build {}.", damper_words(physical,
+                                       wants_no_friction(report)
+                                           ? std::nullopt
+                                           : std::optional(std::stod(f_digits(report.result))),
+                                       delta, width));
   if (report.catalogue) {
     text = format("Order part {}: f = {}, delta = {}.", report.catalogue->parts.front().part.name,
                   digits(f), length_shown(physical, delta));
@@ -209,37 +215,48 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   const auto& [problem, limits, search, pulse, ranges] = result.request;
   const design::Finding& finding = *result.finding;
   const auto& [f, delta, tolerance] = finding.point;
-  const bool pulsed = pulse.has_value();
   const Response& response = told_motion(report);
-  const std::string friction =
-      wants_no_friction(report) ? "f as small as you can make it" : format("f = {}", digits(f));
-  answer.row("damper", format("{}, delta = {}", friction, length_text(physical, delta)),
+  const std::string which = shown_words(problem);
+  answer.row("damper",
+             format("{}, delta = {}",
+                    wants_no_friction(report) ? "f as small as you can make it"
+                                              : "f = " + f_digits(result),
+                    length_shown(physical, delta)),
              Tone::heading);
   answer.row(
       "peak",
       format("{}, {:.4g} % of the {} allowed{}", length_shown(physical, response.peak_amplitude),
              100 * response.peak_amplitude / problem.beta, length_shown(physical, problem.beta),
-             pulsed           ? ", under the pulse"
-             : problem.p_high ? ", with the softest spring"
-                              : ""));
+             pulse           ? ", under the pulse"
+             : which.empty() ? ""
+                             : ", " + which));
   add_rest(answer, report, physical);
   const auto built = felt_in_built_notch(report);
-  answer.row("acceleration", built.value_or(felt(finding, result.request, response, physical)));
-  if (pulsed && !built) {
+  answer.row("acceleration",
+             built ? *built + ", with f and delta as given" : felt(report, physical));
+  if (pulse && !built) {
     add_start(answer, result, physical);
   }
-  if (pulsed && finding.pulse->worst) {
+  if (pulse && finding.pulse->worst) {
     add_worst(answer, result.request, *finding.pulse, physical);
   } else if (built && problem.p_high) {  // the motion shown is that of the softest spring
     const double stiffest = std::hypot(f, *problem.p_high * problem.v0);
     answer.row("", format("{} with the stiffest spring", acceleration_shown(stiffest)));
   }
-  answer.row("tolerance", tolerance_left(report));
-  add_works_for(answer, finding.works_for, problem, physical);
+  if (report.built_notch) {
+    answer.row("note",
+               format("what follows is for a notch that {}", ideal_words(*report.built_notch)));
+  }
+  constexpr double buildable = 0.01;
+  const bool too_exact = leaves_any(tolerance) && tolerance < buildable;
+  answer.row("tolerance",
+             tolerance_left(report) + (too_exact ? ", less than a real damper keeps" : ""),
+             too_exact ? Tone::bad : Tone::plain);
+  add_works_for(answer, finding.works_for, physical);
   // A weaker hit than this is caught at the start: rule 4 of docs/theory.md, section 2.
   if (const double caught = std::sqrt(2 * delta); problem.v0_low && *problem.v0_low < caught) {
-    const std::string words = FigureUnits(physical).velocity_words(caught);
-    answer.row("weak hits", format("below {} are held: felt in full, up to {}", words,
+    answer.row("weak hits", format("those below {} are felt in full, up to {}",
+                                   FigureUnits(physical).velocity_words(caught),
                                    impulse_shown(physical, caught)));
   }
   if (finding.cross_check.passed) {

@@ -2,19 +2,10 @@
 #include "design_parts.hpp"
 #include "format.hpp"
 
-#include <cmath>
-
 namespace stillpoint::report {
 
-namespace {
-
-const Response& with_the_papers_notch(const design::Finding& finding) {
-  return finding.pulse ? finding.pulse->response : finding.response;
-}
-
-/// What is wrong with the design in the notch that will be built; empty if nothing is.
-std::string fault_of(const design::BuiltNotch& built, const design::DesignRequest& request,
-                     const Physical& physical) {
+std::string notch_fault(const design::BuiltNotch& built, const design::DesignRequest& request,
+                        const Physical& physical) {
   const auto& [problem, limits, search, pulse, ranges] = request;
   const ForcedResponse& response = built.response;
   const double peak = response.peak_amplitude;
@@ -23,10 +14,10 @@ std::string fault_of(const design::BuiltNotch& built, const design::DesignReques
     return "this notch holds the mass throughout the pulse";
   }
   if (built.shape.width && *built.shape.width / 2 >= peak) {
-    return format(
-        "the mass never leaves a notch {} wide: it stops at x = {}",
-        length_shown(physical, *built.shape.width),
-        response.stop_position ? length_shown(physical, *response.stop_position) : "none");
+    return "the mass never leaves this notch" +
+           (response.stop_position
+                ? format(": it stops at x = {}", length_shown(physical, *response.stop_position))
+                : "");
   }
   if (peak > problem.beta * rounding) {
     return format("with this notch the peak exceeds {}", length_shown(physical, problem.beta));
@@ -44,11 +35,17 @@ std::string fault_of(const design::BuiltNotch& built, const design::DesignReques
   return {};
 }
 
-}  // namespace
+design::BuiltNotch with_notch(const design::DesignResult& result, const design::NotchShape& shape) {
+  design::DesignRequest shown = result.request;
+  if (const auto& check = result.finding->pulse) {
+    shown.pulse = check->pulse;
+    shown.problem.p = check->p;
+  }
+  return design::built_notch(shown, result.finding->point, shape);
+}
 
 const Response& told_motion(const DesignReport& report) {
-  return report.built_notch ? report.built_notch->response
-                            : with_the_papers_notch(*report.result.finding);
+  return report.built_notch ? report.built_notch->response : report.result.finding->response;
 }
 
 std::optional<std::string> felt_in_built_notch(const DesignReport& report) {
@@ -78,38 +75,32 @@ std::optional<std::string> felt_in_built_notch(const DesignReport& report) {
 }
 
 std::string built_notch_fault(const DesignReport& report, const Physical& physical) {
-  return report.built_notch ? fault_of(*report.built_notch, report.result.request, physical) : "";
+  return report.built_notch ? notch_fault(*report.built_notch, report.result.request, physical)
+                            : "";
+}
+
+std::string_view ideal_words(const design::BuiltNotch& built) {
+  return built.shape.width ? "has no width" : "holds any load";
 }
 
 void add_built_notch(Document& document, const design::BuiltNotch& built,
                      const design::Finding& finding, const Physical& physical) {
-  const auto& [shape, friction, response, changes_nothing] = built;
-  const Response& paper = with_the_papers_notch(finding);
   Section& section = document.section("The notch as built");
-  if (shape.width) {
-    section.row("width", length_text(physical, *shape.width));
-    section.row("friction inside", format("f + delta/width = {:.6g}", *friction));
+  if (built.shape.width) {
+    section.row("width", length_shown(physical, *built.shape.width));
+    section.row("friction inside", format("f + delta/width = {:.6g}", *built.friction));
   } else {
     section.row("holds",
-                format("f + hold = {:.4g} g at x = 0", finding.point.f + shape.hold.value()));
-    if (changes_nothing) {
-      section.line("No load exceeds that while the mass is at rest there: nothing changes.");
-      return;
-    }
+                format("f + hold = {:.4g} g at x = 0", finding.point.f + built.shape.hold.value()));
   }
-  if (paper.stop_time) {
-    std::string ideal =
-        format("rest at x = {} after {}", length_shown(physical, *paper.stop_position),
-               time_shown(physical, *paper.stop_time));
-    if (response.stop_time && *response.stop_time > 0) {
-      ideal += format(", {:.3g} % {}", 100 * std::abs(*paper.stop_time / *response.stop_time - 1),
-                      *response.stop_time < *paper.stop_time ? "later" : "earlier");
-    }
-    section.row(shape.width ? "without width" : "holding all", ideal);
+  const Response& ideal = finding.response;
+  if (built.changes_nothing) {
+    section.line("No load exceeds that while the mass is at rest there: nothing changes.");
+  } else if (ideal.stop_time) {
+    section.row("compare", format("with a notch that {} it rests at x = {} after {}",
+                                  ideal_words(built), length_shown(physical, *ideal.stop_position),
+                                  time_shown(physical, *ideal.stop_time)));
   }
-  section.line(format(
-      "Tolerance, works for, checks, the region and the tables below are those of a notch that {}.",
-      shape.width ? "has no width" : "holds any load"));
 }
 
 }  // namespace stillpoint::report

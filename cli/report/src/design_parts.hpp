@@ -17,6 +17,9 @@ namespace stillpoint::report {
 /// comes near and nobody builds.
 [[nodiscard]] bool wants_no_friction(const DesignReport& report);
 
+/// "strongest hit, softest spring": which motion of a task with ranges is shown; empty without.
+[[nodiscard]] std::string shown_words(const design::Problem& problem);
+
 /// What to build.
 [[nodiscard]] std::string verdict(const DesignReport& report, const Physical& physical);
 
@@ -26,15 +29,18 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
 /// "Runge-Kutta" for the runge_kutta of the JSON report.
 [[nodiscard]] std::string_view method_words(std::string_view name);
 
-/// How the motion under a pulse compares with that from a velocity in its place.
-void add_pulse_check(Document& document, const design::PulseCheck& check, const Physical& physical);
-
 /// The motion that the answer describes: with the notch that will be built, if that is given.
 [[nodiscard]] const Response& told_motion(const DesignReport& report);
 /// What the structure feels with a built notch that has a width or holds the mass throughout.
 [[nodiscard]] std::optional<std::string> felt_in_built_notch(const DesignReport& report);
 /// "with this notch the peak exceeds 150 mm": what a built notch spoils; empty if nothing.
+[[nodiscard]] std::string notch_fault(const design::BuiltNotch& built,
+                                      const design::DesignRequest& request,
+                                      const Physical& physical);
+/// The same of the notch that was asked for, if any.
 [[nodiscard]] std::string built_notch_fault(const DesignReport& report, const Physical& physical);
+/// What a notch as built is compared with: "has no width", "holds any load".
+[[nodiscard]] std::string_view ideal_words(const design::BuiltNotch& built);
 /// How the notch as built compares with the paper's.
 void add_built_notch(Document& document, const design::BuiltNotch& built,
                      const design::Finding& finding, const Physical& physical);

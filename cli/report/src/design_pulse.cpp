@@ -1,42 +1,11 @@
 // SPDX-License-Identifier: MIT
+// What a report says of a pulse.
 #include "design_parts.hpp"
 #include "format.hpp"
 
-#include <cmath>
+#include <stillpoint/report/digits.hpp>
 
 namespace stillpoint::report {
-
-namespace {
-
-/// "0.28 % larger", "0.28 % smaller": the reduced figure against the true one.
-std::string off_by(double relative) {
-  return format("{:.2g} % {}", 100 * std::abs(relative), relative < 0 ? "smaller" : "larger");
-}
-
-/// Why the reduction to a velocity is off.
-std::string warning_text(design::PulseWarning warning, const design::PulseCheck& check) {
-  switch (warning) {
-    case design::PulseWarning::pulse_not_short:
-      return format("the pulse is not short, p/lambda = {:.3g}", check.shortness);
-    case design::PulseWarning::friction_not_small:
-      return format("f is not small against k, f/k = {:.3g}", check.friction_ratio);
-  }
-  return {};
-}
-
-std::string reduction_text(const design::PulseCheck& check) {
-  if (!check.start) {
-    return "not used: this pulse leaves no velocity";
-  }
-  std::string text = format("not used; with an initial velocity for the pulse the peak would be {}",
-                            off_by(check.peak_error.value_or(0)));
-  for (const design::PulseWarning warning : check.warnings) {
-    text += "; " + warning_text(warning, check);
-  }
-  return text;
-}
-
-}  // namespace
 
 std::string lock_sentence(const DesignReport& report) {
   const auto& finding = report.result.finding;
@@ -48,20 +17,33 @@ std::string lock_sentence(const DesignReport& report) {
                       report.physical);
 }
 
-void add_pulse_check(Document& document, const design::PulseCheck& check,
-                     const Physical& physical) {
-  Section& section = document.detail("Under the pulse itself");
-  section.row("p/lambda, f/k", format("{:.4g}, {:.4g}", check.shortness, check.friction_ratio));
-  add_response(section, check.response, physical);
-  section.row("reduction", reduction_text(check));
-  if (check.start) {
-    section.row("", format("that velocity is {}, at {}",
-                           FigureUnits(physical).velocity_words(check.start->speed),
-                           time_shown(physical, check.start->tau)));
+void add_pulse(Section& task, const design::Pulse& pulse, const design::PulseRanges& ranges,
+               const Physical& physical) {
+  const auto& [k_low, lambda_high] = ranges;
+  const double lambda = design::angular_frequency(pulse);
+  const double lasts = duration(design::excitation(pulse)).value();
+  task.row("pulse",
+           format("{}, k = {}{:.6g} g, {}", design::name(pulse),
+                  k_low ? format("{:.6g} to ", *k_low) : "", design::peak_load(pulse),
+                  frequency_shown(physical, lambda) +
+                      (lambda_high ? " to " + frequency_shown(physical, *lambda_high) : "")));
+  task.row("duration",
+           (lambda_high ? time_shown(physical, lasts * (lambda / *lambda_high)) + " to " : "") +
+               time_shown(physical, lasts));
+}
+
+DeltaNeeds delta_needs(const design::DesignResult& result) {
+  const auto& [problem, limits, search, pulse, ranges] = result.request;
+  const double f = result.finding->point.f;
+  if (!pulse) {
+    return {design::delta1_published(problem, f), design::delta1_exact(problem, f)};
   }
-  if (check.stop_time_error) {
-    section.row("", format("with it the stop time would be {}", off_by(*check.stop_time_error)));
-  }
+  const auto least = [&](design::Criterion criterion) {
+    design::PulseProblem task = design::pulse_request(result.request).problem;
+    task.criterion = criterion;
+    return design::least_delta(task, f);
+  };
+  return {least(design::Criterion::published).value_or(0), least(design::Criterion::exact)};
 }
 
 }  // namespace stillpoint::report

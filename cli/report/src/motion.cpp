@@ -145,7 +145,7 @@ void add_answer(Section& answer, const MotionReport& report) {
   const auto& [p, f, delta, hold] = report.request.oscillator;
   const Response& response = report.answer.response;
   const Physical& physical = report.physical;
-  answer.row("damper", format("f = {}, delta = {}", digits(f), length_text(physical, delta)));
+  answer.row("damper", format("f = {}, delta = {}", digits(f), length_shown(physical, delta)));
   add_surface(answer, report.request, physical);
   if (moves(response)) {
     answer.row("peak", length_shown(physical, response.peak_amplitude), Tone::heading);
@@ -236,18 +236,14 @@ Document document(const MotionReport& report) {
     add_physical_input(scene, *report.physical);
   }
   scene.row("dimensionless", format("v0 = {:.6g}, p = {:.6g}, x0 = {:.6g}", start.v0, p, start.x0));
-  scene.row("damper", format("f = {:.6g}, delta = {}", f, length_text(report.physical, delta)));
+  scene.row("damper", format("f = {:.6g}, delta = {}", f, length_shown(report.physical, delta)));
   add_surface(scene, report.request, report.physical);
   add_damper_physics(scene, report.physical, f, delta);
   if (is_forced(report.request)) {
     add_excitation(scene, report.request.excitation, report.record, report.physical);
   }
-  Section& motion = document.detail("Motion");
-  if (report.answer.forced) {
-    add_response(motion, *report.answer.forced, report.physical);
-  } else {
-    add_response(motion, report.answer.response, report.physical, report.request.surface.plain());
-  }
+  add_response(document.detail("Motion"), report.answer, report.physical,
+               report.request.surface.plain());
   add_half_cycles(document, report.answer, report.physical);
   return document;
 }

@@ -145,9 +145,6 @@ HtmlPage page(const DesignReport& report) {
       others = hit_figures(report, units);
     }
     std::ranges::move(told_figures(report, units), std::back_inserter(others));
-  } else {
-    page.verdict += what_would_help(
-        report.result, {request.problem, request.limits, request.pulse, report.physical});
   }
   page.figures = {region_of(request, report.result, damper, report.catalogue, report.physical)};
   std::ranges::move(others, std::back_inserter(page.figures));
@@ -173,10 +170,6 @@ std::vector<Figure> drawings(const RegionReport& report) {
 
 HtmlPage page(const RegionReport& report) {
   HtmlPage page = page_of(document(report));
-  if (!report.answer.region.feasible) {
-    const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
-    page.verdict += what_would_help(report.answer, {problem, limits, pulse, report.physical});
-  }
   page.figures = drawings(report);
   return page;
 }

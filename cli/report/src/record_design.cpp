@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/design/practice.hpp>
 #include <stillpoint/report/record_design.hpp>
 #include "format.hpp"
 #include "sections.hpp"
@@ -144,28 +143,24 @@ void add_start(Section& answer, const design::RecordDesign& result, const Physic
 }
 
 /// Of the notch at a passage or a stop, which the figures leave out if it has no width.
-void add_passages(Section& answer, const design::RecordDesign& result) {
+void add_passages(Section& answer, const design::RecordDesign& result, const Physical& physical) {
   const auto& [damper, figures] = result.finding->point;
   if (damper.delta == 0 || figures.peak == 0 || result.request.notch_width) {
     return;
   }
-  constexpr double part = 0.2;  // an example, as in the report of a hit's design
-  answer.row(
-      "in the notch",
-      format("f + delta/w transmitted at a passage or stop, in one of width w: {:.3g} g if w "
-             "is a fifth of the stroke",
-             design::notch_acceleration(damper.f, damper.delta, part * figures.peak)));
+  answer.row("in the notch",
+             "it feels " + inside_words(physical, damper.f, damper.delta, figures.peak));
 }
 
 void add_answer(Section& answer, const design::RecordDesign& result, const Physical& physical) {
   const design::SuiteDamper& damper = result.finding->point.damper;
   answer.row("damper",
-             format("f = {}, delta = {}", digits(damper.f), length_text(physical, damper.delta)),
+             format("f = {}, delta = {}", digits(damper.f), length_shown(physical, damper.delta)),
              Tone::heading);
   if (lock_words(result).empty()) {
     answer.row("locked", "never while a record goes on");
   }
-  add_passages(answer, result);
+  add_passages(answer, result, physical);
   add_start(answer, result, physical);
   const design::Sensitivity& near = result.finding->sensitivity;
   answer.row("tolerance",
@@ -227,7 +222,7 @@ void add_shortfalls(Document& document, const RecordDesignReport& report) {
   const design::SuiteDamper& damper = report.result.nearest.damper;
   section.row("nearest",
               format("f = {}, delta = {}, {}", digits(damper.f),
-                     length_text(physical, damper.delta), spring_words(physical, damper.p)));
+                     length_shown(physical, damper.delta), spring_words(physical, damper.p)));
   for (const auto& [which, limit, nearest, relaxed] : report.result.shortfalls) {
     section.row(
         which == SuiteObjective::acceleration ? "transmitted" : std::string(quantity(which)),
@@ -249,10 +244,10 @@ void add_task(Document& document, const RecordDesignReport& report) {
   section.row("objective", format("minimise the {} {} of the records",
                                   combined(task.combine.value()), quantity(task.objective)));
   if (task.limits.peak) {
-    section.row("stroke", format("at most {}", length_text(physical, *task.limits.peak)));
+    section.row("stroke", format("at most {}", length_shown(physical, *task.limits.peak)));
   }
   if (task.limits.residual) {
-    section.row("residual", format("at most {}", length_text(physical, *task.limits.residual)));
+    section.row("residual", format("at most {}", length_shown(physical, *task.limits.residual)));
   }
   if (task.limits.acceleration) {
     section.row("transmitted", format("at most {}", acceleration_shown(*task.limits.acceleration)));
@@ -262,8 +257,8 @@ void add_task(Document& document, const RecordDesignReport& report) {
     return low == high ? low : format("{} to {}", low, high);
   };
   section.row("f searched", searched(digits(task.f->low), digits(task.f->high)));
-  section.row("delta searched", searched(length_text(physical, task.delta->low),
-                                         length_text(physical, task.delta->high)));
+  section.row("delta searched", searched(length_shown(physical, task.delta->low),
+                                         length_shown(physical, task.delta->high)));
   if (task.p.low < task.p.high) {
     const auto period = [&](double p) {
       return format("{:.4g}", 2 * std::numbers::pi / p * physical->scales.time_s);
@@ -279,7 +274,9 @@ void add_search(Document& document, const design::SuiteSearch& search) {
   section.row("scan", format("{} damper{}, {} within the limits", search.scan_points,
                              search.scan_points == 1 ? "" : "s", search.scan_feasible));
   section.row("NLopt", format("{} evaluations; the best by {}", search.evaluations,
-                              search.algorithm == "scan" ? "the scan" : search.algorithm));
+                              search.algorithm == "scan" ? "the scan"
+                                                         : format("{}, which {}", search.algorithm,
+                                                                  status_words(search.status))));
   section.row("time", format("{:.3g} s{}", search.wall_time_s,
                              search.interrupted ? ", then interrupted: the best so far" : ""));
 }

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace stillpoint::report {
@@ -19,19 +18,21 @@ namespace {
 /// " It rests off centre: f is 55 % too large (return)." What decides is first. Where the mass does
 /// not start, what the others say does not happen.
 std::string violations(const RegionReport& report) {
-  const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
   std::vector<design::Constraint> violated = report.answer.constraints;
   std::erase_if(violated, [](const auto& now) { return now.satisfied; });
   std::ranges::stable_sort(violated, {}, [](const design::Constraint& now) {
     return now.name == "start" ? 0 : now.name == "dead_zone" ? 2 : 1;
   });
-  const bool starts = violated.empty() || violated.front().name != "start";
+  if (violated.empty()) {
+    return " Some hits of the range leave it too far off centre.";  // all else it meets
+  }
+  const bool starts = violated.front().name != "start";
   std::string text;
   std::string others;
   for (const design::Constraint& now : violated) {
     if (starts || text.empty()) {
-      text += format(" It {}{} ({}).", text.empty() ? "" : "also ",
-                     violation(now, {problem, limits, report.physical}), in_words(now.name));
+      text += format(" It {}{} ({}).", text.empty() ? "" : "also ", violation(now, task_of(report)),
+                     in_words(now.name));
     } else {
       others += format("{}{}", others.empty() ? "" : " and ", in_words(now.name));
     }
@@ -52,42 +53,36 @@ std::string judgement(const RegionReport& report) {
                                      tolerance_shown(limits, limits.tolerance), tolerance);
 }
 
-/// Both ways to count it, where the motion returns.
-void add_delta1(Section& section, const design::RegionAnswer& answer, const Physical& physical) {
-  if (!answer.delta1_exact) {
-    section.row("Delta1", "none: the motion does not return");
-    return;
-  }
-  section.row("Delta1 published", length_text(physical, answer.delta1_published.value()));
-  section.row("Delta1 exact", length_text(physical, *answer.delta1_exact));
-}
-
 /// "Feasible f: 0.1 to 0.25.", and whether there are others.
 std::string feasible_f(const design::RegionVerdict& verdict, const design::Limits& limits) {
-  const auto& [low, high] = std::pair(*verdict.region.f_lower, *verdict.region.f_upper);
   const std::size_t intervals = verdict.intervals ? verdict.intervals->size() : 1;
   return format("Feasible f{}: {}{}.", limits.tolerance > 0 ? " with the tolerance asked for" : "",
-                range_digits(low, high),
+                range_digits(*verdict.region.f_lower, *verdict.region.f_upper),
                 intervals > 1
                     ? format(", of {} intervals that with the most tolerant damper", intervals)
                     : "");
 }
 
-/// "At f = 0.024, delta from 2.1 mm to 8.2 mm is admissible. ", if one interval of delta is.
+/// "At f = 0.024, delta from 2.1 mm to 8.2 mm is admissible. ", or what suits every feasible f; if
+/// one interval of delta does. Delta1 falls with f.
 std::string feasible_delta(const RegionReport& report) {
   const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
   const design::Region& region = report.answer.region;
-  if (!f || delta || pulse || problem.arrivals > 1 || !is_plain(problem, limits) ||
-      limits.tolerance > 0) {
+  if (pulse || problem.arrivals > 1 || !is_plain(problem, limits) || limits.tolerance > 0) {
     return "";
   }
-  const double low = design::delta1(problem, *f).value_or(HUGE_VAL);
+  const double low = design::delta1(problem, f.value_or(*region.f_lower)).value_or(HUGE_VAL);
   const double high = std::min(problem.v0 * problem.v0 / 2, limits.delta_max.value_or(HUGE_VAL));
-  if (*f < *region.f_lower || *f > *region.f_upper || low >= high) {
-    return format("At f = {} no delta is admissible. ", digits(*f));
+  if (f && (*f < *region.f_lower || *f > *region.f_upper || low >= high)) {
+    return format("At f = {} no delta is admissible.", digits(*f));
   }
-  return format("At f = {}, delta from {} to {} is admissible. ", digits(*f),
-                length_shown(report.physical, low), length_shown(report.physical, high));
+  constexpr double hardly_any = 1e-6;  // where f may be next to nothing, only delta2 stops it
+  return low >= high * (1 - hardly_any) && !f
+             ? ""
+             : format("{} delta from {} to {} is admissible.",
+                      f ? format("At f = {},", digits(*f)) : "With any of them,",
+                      length_limit(report.physical, low, true),
+                      length_limit(report.physical, high, false));
 }
 
 /// Of several arrivals.
@@ -124,39 +119,45 @@ Document document(const RegionReport& report) {
   if (pulse) {
     add_pulse(task, *pulse, ranges, report.physical);
   }
-  (pulse ? add_pulse_region(document, answer, report.physical)
-         : add_region(document, answer.region, report.physical))
-      .detail = false;
+  add_region(document, answer, limits, report.physical).detail = false;
   add_strips(document, problem, answer.strips);
   if (answer.region.feasible) {
-    document.verdict = feasible_delta(report) + feasible_f(answer, limits);
+    const std::string of_f = feasible_f(answer, limits);
+    const std::string of_delta = feasible_delta(report);
+    document.verdict =
+        format("{}{}{}", f ? of_delta : of_f, of_delta.empty() ? "" : " ", f ? of_f : of_delta);
     document.tone = Tone::good;
   } else {
-    add_emptiness(document, answer, {problem, limits, pulse, report.physical});
+    add_emptiness(document, answer, task_of(report));
   }
   if (report.catalogue) {
     const auto& parts = report.catalogue->parts;
     const std::string best =
         parts.front().admissible ? "; the most tolerant is " + parts.front().part.name : "";
     document.verdict += format(" {}{}.", how_many_fit(parts), best);
-    add_parts(document, *report.catalogue, {problem, limits, report.physical});
+    add_parts(document, *report.catalogue, task_of(report));
   }
-  if (f) {
-    Section& section = document.section(format("At f = {:.6g}", *f));
-    if (!delta || stops_by_delta1(answer.constraints)) {
-      add_delta1(section, answer, report.physical);
+  if (!f) {
+    return document;
+  }
+  Section& section = document.section(format("At f = {:.6g}", *f));
+  const bool by_delta1 = !delta || stops_by_delta1(answer.constraints);
+  if (by_delta1 && !answer.delta1_exact) {
+    section.row("Delta1(f)", "none: the motion does not return");
+  }
+  add_damper(section, {*f, delta.value_or(0)},
+             by_delta1 && answer.delta1_exact
+                 ? DeltaNeeds{answer.delta1_published, answer.delta1_exact}
+                 : DeltaNeeds(),
+             answer.practice, report.physical);
+  if (delta) {
+    section.row("delta", length_shown(report.physical, *delta));
+    document.verdict = format("{} {}", judgement(report), document.verdict);
+    add_works_for(document.answer, answer.works_for, report.physical);
+    if (answer.practice) {
+      add_practice(document.detail("In practice"), answer.practice, report.physical);
     }
-    add_damper_physics(section, report.physical, *f, delta.value_or(0));
-    if (delta) {
-      section.row("delta", length_text(report.physical, *delta));
-      add_notch(section, answer.practice, report.physical);
-      document.verdict = format("{} {}", judgement(report), document.verdict);
-      add_works_for(document.answer, answer.works_for, problem, report.physical);
-      if (answer.practice) {
-        add_practice(document.detail("In practice"), answer.practice, report.physical);
-      }
-      add_constraints(document, answer.constraints, report.physical);
-    }
+    add_constraints(document, answer.constraints, limits, report.physical);
   }
   return document;
 }

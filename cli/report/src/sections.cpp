@@ -6,7 +6,6 @@
 #include <stillpoint/report/digits.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -14,6 +13,14 @@
 #include <variant>
 
 namespace stillpoint::report {
+
+namespace {
+
+std::string with_blank(const std::string& unit) {
+  return unit.empty() ? "" : " " + unit;
+}
+
+}  // namespace
 
 void add_physical_input(Section& section, const design::PhysicalInput& physical) {
   const design::Scales& scales = physical.scales;
@@ -110,8 +117,7 @@ void add_excitation(Section& section, const Excitation& excitation,
   std::visit(
       [&]<class Kind>(const Kind& kind) {
         if constexpr (requires { kind.lambda; }) {
-          what +=
-              format(", k = {:.6g}, lambda = {}", kind.k, frequency_text(physical, kind.lambda));
+          what += format(", k = {:.6g}, {}", kind.k, frequency_shown(physical, kind.lambda));
         } else if constexpr (requires { kind.values; }) {
           const auto [least, most] = std::ranges::minmax(kind.values);
           what += format(", {} values from {:.6g} g to {:.6g} g", kind.values.size(), least + 0.0,
@@ -136,8 +142,28 @@ void add_excitation(Section& section, const Excitation& excitation,
     section.row("", values);
   }
   if (const auto lasts = duration(excitation)) {
-    section.row("duration", time_text(physical, *lasts));
+    section.row("duration", time_shown(physical, *lasts));
   }
+}
+
+std::string range_words(const design::Problem& problem, const Physical& physical) {
+  const FigureUnits units(physical);
+  std::string words;
+  if (problem.v0_low) {
+    const std::string most =
+        format("{:.6g}{}", problem.v0 * units.velocity, with_blank(units.velocity_unit));
+    words = *problem.v0_low == 0
+                ? "hits up to " + most
+                : format("hits of {:.6g} to {}", *problem.v0_low * units.velocity, most);
+  }
+  if (problem.p_high) {
+    const double period = 2 * std::numbers::pi * units.time;
+    words += words.empty() ? "" : " and ";
+    words += physical ? format("periods of {:.6g} to {:.6g} s", period / *problem.p_high,
+                               period / problem.p)
+                      : format("springs with p of {:.6g} to {:.6g}", problem.p, *problem.p_high);
+  }
+  return words;
 }
 
 Section& add_problem(Document& document, const design::Problem& problem,
@@ -149,24 +175,12 @@ Section& add_problem(Document& document, const design::Problem& problem,
   section.row("dimensionless",
               format("{}p = {:.6g}, beta = {:.6g}",
                      pulsed ? "" : format("v0 = {:.6g}, ", problem.v0), problem.p, problem.beta));
-  const double velocity = physical ? physical->scales.velocity_m_per_s : 1;
-  if (problem.v0_low) {
-    const std::string low =
-        *problem.v0_low > 0 ? format(" from {:.6g}", *problem.v0_low * velocity) : "";
-    section.row("hits", format("all{} up to {:.6g}{}; the motion shown is for the strongest", low,
-                               problem.v0 * velocity, physical ? " m/s" : ""));
-  }
-  if (problem.p_high) {
-    const double period = physical ? 2 * std::numbers::pi * physical->scales.time_s : 0;
-    section.row("springs",
-                format("{} {:.6g} to {:.6g}{}{}", physical ? "periods of" : "p",
-                       physical ? period / *problem.p_high : problem.p,
-                       physical ? period / problem.p : *problem.p_high, physical ? " s" : "",
-                       pulsed ? "" : "; the motion shown is for the softest"));
+  if (const std::string ranges = range_words(problem, physical); !ranges.empty()) {
+    section.row("ranges", "all " + ranges);
   }
   if (problem.residual) {
-    section.row("residual",
-                format("a rest within {} is admissible", length_text(physical, *problem.residual)));
+    section.row("residual", format("a rest within {} is admissible",
+                                   length_shown(physical, *problem.residual)));
   }
   section.row("criterion", format("{} Delta1", name(problem.criterion)));
   if (problem.arrivals > 1) {
@@ -178,7 +192,7 @@ Section& add_problem(Document& document, const design::Problem& problem,
     if (const auto& most = limits.*kind.value) {
       add(format(
           "{} <= {}", kind.quantity,
-          kind.bounds_f() ? format("{:.6g}{}", *most, kind.unit) : length_text(physical, *most)));
+          kind.bounds_f() ? format("{:.6g}{}", *most, kind.unit) : length_shown(physical, *most)));
     }
   }
   if (limits.tolerance > 0) {
@@ -190,38 +204,9 @@ Section& add_problem(Document& document, const design::Problem& problem,
   return section;
 }
 
-Section& add_region(Document& document, const design::Region& region, const Physical& physical) {
-  Section& section = document.detail("Bounds");
-  section.row("amplitude",
-              format("f >= f2 = {:.6g}{}", region.f2, region.f2 <= 0 ? "  (does not bind)" : ""));
-  section.row(
-      "return",
-      format("f <= f3 = {:.6g}{}", region.f3,
-             region.feasible && *region.f_upper > region.f3 ? "  (the residual allows more)" : ""));
-  if (region.f4) {
-    section.row("acceleration", format("f <= f4 = {:.6g}{}", *region.f4,
-                                       *region.f4 < 0 ? "  (no f is small enough)" : ""));
-  }
-  section.row("dead zone", format("f < f1 = {:.6g}", region.f1));
-  section.row("start",
-              format("delta <= delta2 = {}", length_text(physical, region.delta2.value())));
-  section.row("smallest beta", length_text(physical, region.beta_min));
-  if (region.feasible) {
-    section.row("feasible f", range_digits(*region.f_lower, *region.f_upper));
-  }
-  return section;
-}
-
 std::string in_words(std::string_view name) {
-  constexpr auto words = std::to_array<std::pair<std::string_view, std::string_view>>(
-      {{"f_max", "largest f"},
-       {"delta_max", "largest delta"},
-       {"delta_max_m", "largest delta"},
-       {"acceleration_max", "largest acceleration"}});
-  for (const auto& [field, phrase] : words) {
-    if (field == name) {
-      return std::string(phrase);
-    }
+  if (const std::size_t at = name.find("_max"); at != std::string_view::npos) {
+    return format("largest {}", name.substr(0, at));  // delta_max_m is delta_max in metres
   }
   std::string text(name);
   std::ranges::replace(text, '_', ' ');
@@ -237,40 +222,117 @@ bool stops_by_delta1(std::span<const design::Constraint> constraints) {
 namespace {
 
 std::pair<double, std::string> unit_of(std::string_view variable, const FigureUnits& units) {
-  if (variable == "delta" || variable == "peak") {
-    return {units.length, units.length_unit};
-  }
-  if (variable == "v0") {
-    return {units.velocity, units.velocity_unit};
-  }
-  return {1, variable == "acceleration" ? "g" : ""};
+  return variable == "delta" || variable == "peak" ? std::pair(units.length, units.length_unit)
+         : variable == "v0"                        ? std::pair(units.velocity, units.velocity_unit)
+         : variable == "acceleration"              ? std::pair(1.0, std::string("g"))
+                                                   : std::pair(1.0, std::string());
+}
+
+/// "delta <= 8.1577 mm", rounded so that what is as printed meets it.
+std::string requirement(const design::Constraint& now, const FigureUnits& units) {
+  constexpr int shown = 6;
+  constexpr double conversion = 1e-12;  // the rounding of 150 mm to dimensionless and back
+  const auto [unit, unit_name] = unit_of(now.variable, units);
+  const bool upwards = now.relation.front() == '>';
+  const double limit = now.limit * unit * (upwards ? 1 - conversion : 1 + conversion);
+  return format("{} {} {}{}", now.variable, now.relation,
+                limit > 0 ? limit_digits(limit, upwards, shown) : digits(limit),
+                with_blank(unit_name));
+}
+
+/// Of a limit that a damper is compared with.
+void add_bound(Section& section, const FigureUnits& units, std::string_view name,
+               std::string_view variable, std::string_view relation, double limit,
+               std::string_view note = "") {
+  const auto bound = design::Constraint::compared(name, variable, relation, 0, limit);
+  section.row(in_words(name), format("{}{}", requirement(bound, units), note));
 }
 
 }  // namespace
 
-void add_constraints(Document& document, std::span<const design::Constraint> constraints,
-                     const Physical& physical) {
+void add_feasible(Section& section, const design::RegionVerdict& verdict,
+                  const design::Limits& limits, const Physical& physical) {
+  const design::Region& region = verdict.region;
+  section.row(physical ? "max displacement" : "beta",
+              region.beta_min == 0
+                  ? "as small as you like: with f just below the peak load it hardly moves"
+                  : format("at least {}", length_limit(physical, region.beta_min, true)));
+  const std::string feasible =
+      region.feasible ? range_digits(*region.f_lower, *region.f_upper) : "";
+  for (const auto& [low, high] : verdict.intervals.value_or(std::vector<design::Interval>())) {
+    if (const std::string all = range_digits(low, high); all != feasible) {
+      section.row("admissible f", all);  // without the tolerance, or of other islands
+    }
+  }
+  if (region.feasible) {
+    section.row("feasible f",
+                feasible + (limits.tolerance > 0 ? ", with the tolerance asked for" : ""));
+  }
+}
+
+Section& add_region(Document& document, const design::RegionVerdict& verdict,
+                    const design::Limits& limits, const Physical& physical) {
+  const design::Region& region = verdict.region;
+  const bool pulsed = verdict.intervals.has_value();
+  const FigureUnits units(physical);
+  Section& section = document.detail("Bounds");
+  if (!pulsed || region.feasible) {
+    add_bound(section, units, "amplitude", "f", ">=", std::max(region.f2, 0.0),
+              region.f2 <= 0 ? "  (does not bind)" : "");
+  }
+  if (pulsed && region.beta_min == 0) {
+    section.row("return", "with every f that starts");
+  } else {
+    add_bound(section, units, "return", "f", "<=", region.f3,
+              !pulsed && region.feasible && *region.f_upper > region.f3
+                  ? "  (the residual allows more)"
+                  : "");
+  }
+  if (region.f4) {
+    add_bound(section, units, "acceleration", "f", "<=", *region.f4,
+              *region.f4 < 0 ? "  (no f is small enough)" : "");
+  }
+  if (region.delta2) {
+    add_bound(section, units, "dead_zone", "f", "<", region.f1);
+    add_bound(section, units, "start", "delta", "<=", *region.delta2);
+  } else {
+    section.row("start",
+                "f below the peak load; nothing bounds delta, since the mass starts from rest");
+  }
+  for (const design::LimitKind& kind : design::limit_kinds()) {
+    if (const auto& most = limits.*kind.value; most && !kind.figure) {
+      add_bound(section, units, kind.constraint, kind.bounds_f() ? "f" : "delta", "<=", *most);
+    }
+  }
+  add_feasible(section, verdict, limits, physical);
+  return section;
+}
+
+Section& add_constraints(Document& document, std::span<const design::Constraint> constraints,
+                         const design::Limits& limits, const Physical& physical) {
   const FigureUnits units(physical);
   const bool all_met = std::ranges::all_of(constraints, &design::Constraint::satisfied);
   const bool returns = std::ranges::none_of(constraints, [](const design::Constraint& now) {
     return now.name == "return" && !now.satisfied;
   });
-  Table table{{"", "", "value", "", "limit", "slack", ""}, {}};
+  Table table{{"", "requirement", "slack", ""}, {}};
   for (const design::Constraint& now : constraints) {
+    if (!returns && now.name == "stop") {
+      table.rows.push_back({{"stop", "-", "-", "not reached"}});
+      continue;
+    }
     const auto [unit, unit_name] = unit_of(now.variable, units);
-    const bool reached = returns || now.name != "stop";
-    table.rows.push_back(
-        {{in_words(now.name), in(std::string(now.variable), unit_name), digits(now.value * unit),
-          std::string(now.relation), digits(now.limit * unit), digits(now.slack * unit),
-          !reached        ? "not reached"
-          : now.satisfied ? "met"
-                          : "violated"},
-         !reached        ? Tone::plain
-         : now.satisfied ? Tone::good
-                         : Tone::bad});
+    table.rows.push_back({{in_words(now.name), requirement(now, units),
+                           format("{:.4g}{}", now.slack * unit, with_blank(unit_name)),
+                           now.satisfied ? "met" : "violated"},
+                          now.satisfied ? Tone::good : Tone::bad});
   }
   Section& section = all_met ? document.detail("Constraints") : document.section("Constraints");
   section.parts.emplace_back(std::move(table));
+  if (limits.tolerance > 0) {
+    section.row("tolerance", "at least " + box_text(limits, limits.tolerance));
+  }
+  return section;
 }
 
 bool moves(const Response& response) {
@@ -303,96 +365,74 @@ std::string outcome_phrase(const ForcedResponse& response) {
 
 namespace {
 
-/// "0.104242 = 0.4556 m/s".
-std::string velocity_text(const Physical& physical, double velocity) {
-  return digits(velocity) +
-         (physical ? " = " + FigureUnits(physical).velocity_words(velocity) : "");
-}
-
-std::string acceleration_text(const Physical& physical, double acceleration) {
-  return physical ? format("{:.6g} g = {:.5g} m/s2", acceleration,
-                           acceleration * physical->scales.gravity_m_per_s2)
-                  : format("{:.6g} g", acceleration);
-}
-
-void add_outcome(Section& section, const Response& response, const std::string& ends,
-                 const Physical& physical) {
-  const bool held = !moves(response) && response.outcome != Outcome::caught_at_start;
-  section.row("outcome", held ? "never moves" : ends);
-  if (moves(response)) {
-    section.row("peak", length_text(physical, response.peak_amplitude));
-  }
-}
-
-void add_metrics(Section& section, const Response& response, const Physical& physical) {
-  if (!moves(response)) {
-    return;
-  }
-  if (response.stop_time) {
-    section.row("stop time", time_text(physical, *response.stop_time));
-    section.row("stop position", length_text(physical, *response.stop_position));
-  }
-  if (response.arrival_speed) {
-    section.row("arrival speed",
-                velocity_text(physical, *response.arrival_speed) + ", the last at x = 0");
-  }
-  if (response.half_cycles) {
-    section.row("counts", format("{}, {}, {}", plural(response.half_cycles, "half-cycle"),
-                                 plural(response.zero_passages, "passage"),
-                                 plural(response.turning_points, "turning point")));
-  }
-}
-
 /// The margins of the two motions are different quantities: docs/theory.md section 6,
 /// docs/forced.md section 7.
-void add_margin(Section& section, const Response& response, std::string_view meaning) {
-  if (response.decision_margin) {
-    section.row("decision margin",
-                format("{:.2g} %: {}", 100 * *response.decision_margin, meaning));
-  }
-}
-
 constexpr std::string_view closest_decision =
     "how near the closest decision, to stick or to pass x = 0, was to going the other way; not a "
     "tolerance of the inputs";
 
 }  // namespace
 
-void add_response(Section& section, const Response& response, const Physical& physical,
-                  bool margin_of_inputs) {
-  add_outcome(section, response, outcome_phrase(response.outcome), physical);
-  if (moves(response)) {
-    section.row("peak acceleration", acceleration_text(physical, response.peak_acceleration));
+void add_counts(Section& section, const Response& response, const Physical& physical,
+                bool margin_of_inputs) {
+  if (moves(response) && response.arrival_speed) {
+    section.row("arrival speed",
+                format("{}, the last at x = 0",
+                       FigureUnits(physical).velocity_words(*response.arrival_speed)));
   }
-  add_metrics(section, response, physical);
-  add_margin(section, response,
-             margin_of_inputs
-                 ? "the outcome or a count could change if all inputs shift by about this much"
-                 : closest_decision);
+  if (moves(response) && response.half_cycles) {
+    section.row("counts", format("{}, {}, {}", plural(response.half_cycles, "half-cycle"),
+                                 plural(response.zero_passages, "passage"),
+                                 plural(response.turning_points, "turning point")));
+  }
+  if (response.decision_margin) {
+    section.row("decision margin",
+                format("{:.2g} %: {}", 100 * *response.decision_margin,
+                       margin_of_inputs ? "it may stop elsewhere if all inputs shift by about this "
+                                          "much; a limit may be exceeded long before"
+                                        : closest_decision));
+  }
 }
 
-void add_response(Section& section, const ForcedResponse& response, const Physical& physical) {
-  add_outcome(section, response, outcome_phrase(response), physical);
-  section.row("transmitted",
-              format("{}, the largest acceleration that the structure feels, impulses apart",
-                     acceleration_text(physical, response.peak_absolute_acceleration)));
+void add_response(Section& section, const Simulation& answer, const Physical& physical,
+                  bool margin_of_inputs) {
+  const Response& response = answer.response;
+  const auto& forced = answer.forced;
+  const bool held = !moves(response) && response.outcome != Outcome::caught_at_start;
+  section.row("outcome", held     ? "never moves"
+                         : forced ? outcome_phrase(*forced)
+                                  : outcome_phrase(response.outcome));
+  if (forced) {
+    section.row(
+        "transmitted",
+        format("{:.6g} g, the largest acceleration that the structure feels, impulses apart",
+               response.peak_absolute_acceleration));
+  }
   if (moves(response)) {
-    section.row("relative", format("{}, the largest acceleration relative to the base",
-                                   acceleration_text(physical, response.peak_acceleration)));
+    section.row("peak", length_shown(physical, response.peak_amplitude));
+    section.row(forced ? "relative" : "peak acceleration",
+                format("{:.6g} g{}", response.peak_acceleration,
+                       forced ? ", the largest acceleration relative to the base" : ""));
+    if (response.stop_time) {
+      section.row("stop time", time_shown(physical, *response.stop_time));
+      section.row("stop position", length_shown(physical, *response.stop_position));
+    }
   }
-  add_metrics(section, response, physical);
-  add_margin(section, response, closest_decision);
-  if (response.sticks > 0) {
-    section.row("sticks", format("{}, {} in all", plural(response.sticks, "stick"),
-                                 time_shown(physical, response.stick_time)));
+  add_counts(section, response, physical, margin_of_inputs && !forced);
+  if (!forced) {
+    return;
   }
-  if (response.end_time && response.outcome == Outcome::running) {
+  if (forced->sticks > 0) {
+    section.row("sticks", format("{}, {} in all", plural(forced->sticks, "stick"),
+                                 time_shown(physical, forced->stick_time)));
+  }
+  if (forced->end_time && forced->outcome == Outcome::running) {
     section.row("at the end",
-                format("tau = {}, x = {}, v = {}", time_text(physical, *response.end_time),
-                       length_text(physical, *response.final_position),
-                       velocity_text(physical, *response.final_velocity)));
+                format("{}, x = {}, v = {}", time_shown(physical, *forced->end_time),
+                       length_shown(physical, *forced->final_position),
+                       FigureUnits(physical).velocity_words(*forced->final_velocity)));
   }
-  if (response.left_notch_from_rest) {
+  if (forced->left_notch_from_rest) {
     section.row("note",
                 "it started from rest at x = 0, so the notch acts from the first return on");
   }

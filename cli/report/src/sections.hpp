@@ -33,9 +33,13 @@ void add_damper_physics(Section& section, const Physical& physical, double f, do
 [[nodiscard]] std::string interval_text(const design::ServedInterval& interval);
 /// The hits and periods for which it works, if known.
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
-                   const design::Problem& problem, const Physical& physical);
-/// The least width of a notch, rounded up.
-[[nodiscard]] std::string width_shown(const Physical& physical, double width);
+                   const Physical& physical);
+/// The width of a notch as an example: 20 mm, or 1, 2 or 5 times a power of ten if that is above a
+/// fifth of the peak; that fifth without physical input.
+[[nodiscard]] double example_width(const Physical& physical, double peak);
+/// "f + delta/w inside one of width w: 0.319 g if w is 20 mm"
+[[nodiscard]] std::string inside_words(const Physical& physical, double f, double delta,
+                                       double peak);
 struct StartUnderLoad {
   double f;
   double delta;
@@ -45,10 +49,7 @@ struct StartUnderLoad {
 /// must be so that the mass may `go`, as `formula` says.
 void add_start(Section& section, const StartUnderLoad& start, std::string_view formula,
                std::string_view go, const Physical& physical);
-/// How much of the notch the stop takes, and how wide it must be.
-void add_notch(Section& section, const std::optional<design::Practice>& lines,
-               const Physical& physical);
-/// "480 kN s" for a speed; "0.4 m/s per unit mass" if the mass is not known.
+/// "480 kN s" for a speed; "0.4 N s per kg" if the mass is not known.
 [[nodiscard]] std::string impulse_shown(const Physical& physical, double impulse);
 void add_practice(Section& section, const std::optional<design::Practice>& lines,
                   const Physical& physical);
@@ -77,21 +78,30 @@ inline constexpr int usual_digits = 4;
 /// "f and delta may both be off by +-34.18 %", likewise.
 [[nodiscard]] std::string tolerance_words(const design::Limits& limits, double tolerance);
 
+/// "hits of 0.36 to 0.44 m/s and periods of 2.66 to 2.94 s"; empty without ranges.
+[[nodiscard]] std::string range_words(const design::Problem& problem, const Physical& physical);
 /// The section of the task; `pulsed` if a pulse takes the place of v0.
 Section& add_problem(Document& document, const design::Problem& problem,
                      const design::Limits& limits, const Physical& physical, bool pulsed);
-Section& add_region(Document& document, const design::Region& region, const Physical& physical);
+/// What bounds the dampers of a task, with the limits that are given.
+Section& add_region(Document& document, const design::RegionVerdict& verdict,
+                    const design::Limits& limits, const Physical& physical);
+/// The least stroke, and the f that are feasible.
+void add_feasible(Section& section, const design::RegionVerdict& verdict,
+                  const design::Limits& limits, const Physical& physical);
 /// The rows of a pulse in the section of the task.
 void add_pulse(Section& task, const design::Pulse& pulse, const design::PulseRanges& ranges,
                const Physical& physical);
-/// The region of a pulse, by the forced motion itself.
-Section& add_pulse_region(Document& document, const design::RegionVerdict& verdict,
-                          const Physical& physical);
-/// The least Delta for the f of a finding.
+/// The least Delta for an f by either criterion; the exact one is empty if the motion does not
+/// return, both if it does not stop by them.
 struct DeltaNeeds {
-  double published{0};
+  std::optional<double> published;
   std::optional<double> exact;
 };
+/// What the damper takes: force, energy and how much of its notch the stop uses.
+void add_damper(Section& section, const design::DesignPoint& damper, const DeltaNeeds& needs,
+                const std::optional<design::Practice>& lines, const Physical& physical);
+/// Of a finding.
 [[nodiscard]] DeltaNeeds delta_needs(const design::DesignResult& result);
 
 /// The objective's value of the design (for a pulse, of NLopt's best point), and of the best along
@@ -102,34 +112,45 @@ struct Optimum {
 };
 [[nodiscard]] Optimum optimum_of(const design::DesignResult& result);
 
-/// A task without an admissible damper.
-struct EmptyTask {
+/// NLopt's status in words.
+[[nodiscard]] std::string status_words(std::string_view status);
+
+/// What a damper is asked for, and the units to say so in.
+struct ShownTask {
   const design::Problem& problem;
   const design::Limits& limits;
   const std::optional<design::Pulse>& pulse;
   const Physical& physical;
 };
+[[nodiscard]] inline ShownTask task_of(const DesignReport& report) {
+  const design::DesignRequest& request = report.result.request;
+  return {request.problem, request.limits, request.pulse, report.physical};
+}
+[[nodiscard]] inline ShownTask task_of(const RegionReport& report) {
+  const design::RegionRequest& request = report.request;
+  return {request.problem, request.limits, request.pulse, report.physical};
+}
 /// Why there is no admissible design, which is the verdict, and what would make it feasible.
-void add_emptiness(Document& document, const design::RegionVerdict& empty, const EmptyTask& task);
-/// "No damper: max displacement must be at least 168.8 mm", the title of the region's figure.
-[[nodiscard]] std::string mend_title(const design::RegionVerdict& empty, const EmptyTask& task,
+void add_emptiness(Document& document, const design::RegionVerdict& empty, const ShownTask& task);
+/// "No damper with a max displacement below 168.8 mm", the title of the region's figure.
+[[nodiscard]] std::string mend_title(const design::RegionVerdict& empty, const ShownTask& task,
                                      std::string_view what = "damper");
-/// How the verdict of a page continues: " To get one, max displacement must be ...".
-[[nodiscard]] std::string what_would_help(const design::RegionVerdict& empty,
-                                          const EmptyTask& task);
-/// Whether Delta is compared with Delta1 of the first arrival: not for a damper that stops at a
-/// later one, nor if a rest off centre is allowed.
 /// A name of the interface as people read it: "dead zone", "largest f".
 [[nodiscard]] std::string in_words(std::string_view name);
+/// Whether Delta is compared with Delta1 of the first arrival: not for a damper that stops at a
+/// later one, nor if a rest off centre is allowed.
 [[nodiscard]] bool stops_by_delta1(std::span<const design::Constraint> constraints);
-void add_constraints(Document& document, std::span<const design::Constraint> constraints,
-                     const Physical& physical);
+/// Each with its slack: by how much a damper meets or misses it.
+Section& add_constraints(Document& document, std::span<const design::Constraint> constraints,
+                         const design::Limits& limits, const Physical& physical);
 
-/// Only with the paper's notch is the decision margin one of the inputs.
-void add_response(Section& section, const Response& response, const Physical& physical,
-                  bool margin_of_inputs = true);
-/// With what a forced motion has in addition to a free one.
-void add_response(Section& section, const ForcedResponse& response, const Physical& physical);
+/// The last arrival, what was counted and the decision margin, which is one of the inputs only in
+/// free motion with the paper's notch.
+void add_counts(Section& section, const Response& response, const Physical& physical,
+                bool margin_of_inputs);
+/// All that is known of a motion.
+void add_response(Section& section, const Simulation& answer, const Physical& physical,
+                  bool margin_of_inputs);
 
 /// "locked at x = 0 from 1.61 s of 20 s; the structure then feels up to 0.35 g", of a motion that
 /// is locked under a load that lasts until `load_end`.

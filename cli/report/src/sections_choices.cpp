@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <span>
 #include <string_view>
-#include <utility>
 
 namespace stillpoint::report {
 
@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t most_rows = 20;
 
 /// What goes wrong if a constraint is violated: "exceeds 150 mm".
-std::string consequence(const design::Constraint& violated, const PartTask& task) {
+std::string consequence(const design::Constraint& violated, const ShownTask& task) {
   const std::string_view name = violated.name;
   if (name == "amplitude") {
     return "exceeds " + length_shown(task.physical, task.problem.beta);
@@ -52,48 +52,19 @@ std::string by_how_much(const design::Constraint& violated) {
              : format("{} is {:.3g} times the limit", variable, value / limit);
 }
 
-/// "amplitude 600, stop 12, tolerance 3": how many parts each rules out.
-std::string failures(const std::vector<design::RatedPart>& parts) {
-  std::vector<std::pair<std::string_view, std::size_t>> counts;
-  const auto count = [&counts](std::string_view name) {
-    const auto found =
-        std::ranges::find(counts, name, &std::pair<std::string_view, std::size_t>::first);
-    if (found == counts.end()) {
-      counts.emplace_back(name, 1);
-    } else {
-      ++found->second;
-    }
-  };
-  for (const design::RatedPart& rated : parts) {
-    if (!rated.admissible && rated.tolerance) {
-      count("tolerance");
-    }
-    for (const design::Constraint& violated : rated.violated) {
-      count(violated.name);
-    }
-  }
-  std::string text;
-  for (const auto& [name, parts_of_it] : counts) {
-    text += format("{}{} {}", text.empty() ? "" : ", ", name, parts_of_it);
-  }
-  return text;
-}
-
 std::string percent(const std::optional<double>& tolerance) {
-  return leaves_any(tolerance.value_or(0)) ? "+-" + percent_digits(*tolerance) : "none";
+  return !tolerance ? "none" : leaves_any(*tolerance) ? "+-" + percent_digits(*tolerance) : "0 %";
 }
 
 }  // namespace
 
-std::string violation(const design::Constraint& violated, const PartTask& task) {
+std::string violation(const design::Constraint& violated, const ShownTask& task) {
   return format("{}: {}", consequence(violated, task), by_how_much(violated));
 }
 
-std::string judgement(const design::RatedPart& rated, const PartTask& task) {
-  if (rated.admissible) {
-    return "fits";
-  }
-  std::string text = rated.tolerance          ? "tolerates too little"
+std::string judgement(const design::RatedPart& rated, const ShownTask& task) {
+  std::string text = rated.admissible         ? "fits"
+                     : rated.tolerance        ? "tolerates too little"
                      : rated.violated.empty() ? "is not admissible"
                                               : "";
   for (const design::Constraint& violated : rated.violated) {
@@ -108,7 +79,7 @@ std::string how_many_fit(const std::vector<design::RatedPart>& parts) {
                 fit == 1 ? "s" : "");
 }
 
-void add_parts(Document& document, const Catalogue& catalogue, const PartTask& task) {
+void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& task) {
   const FigureUnits units(task.physical);
   const auto& parts = catalogue.parts;
   Table table{{"part", "f", in("delta", units.length_unit), "tolerance", ""}, {}};
@@ -124,8 +95,19 @@ void add_parts(Document& document, const Catalogue& catalogue, const PartTask& t
   if (parts.size() > shown) {
     section.line(format("{} more; --json lists them all.", parts.size() - shown), Tone::faint);
   }
-  if (const std::string ruled_out = failures(parts); !ruled_out.empty()) {
-    section.line("Parts that each requirement rules out: " + ruled_out + ".");
+  std::map<std::string, std::size_t> reasons;  // each part once, by the first
+  for (const design::RatedPart& rated : parts) {
+    if (!rated.admissible) {
+      ++reasons[rated.violated.empty() ? "too little tolerance"
+                                       : in_words(rated.violated.front().name)];
+    }
+  }
+  std::string ruled_out;
+  for (const auto& [reason, count] : reasons) {
+    ruled_out += format("{}{} {}", ruled_out.empty() ? "Ruled out by: " : ", ", reason, count);
+  }
+  if (!ruled_out.empty()) {
+    section.line(ruled_out + ".");
   }
 }
 
@@ -134,7 +116,8 @@ std::string trade_off_words(const std::vector<design::TradeOff>& front, const Ph
     return format("{} at {}", length_shown(physical, end.peak_amplitude),
                   acceleration_shown(end.peak_absolute_acceleration));
   };
-  return format("from a stroke of {} to {}", at(front.front()), at(front.back()));
+  return format("from a stroke of {} to {}, outside the notch", at(front.front()),
+                at(front.back()));
 }
 
 void add_trade_off(Document& document, const std::vector<design::TradeOff>& front,
@@ -156,7 +139,9 @@ void add_trade_off(Document& document, const std::vector<design::TradeOff>& fron
   section.parts.emplace_back(std::move(table));
   const std::string some =
       step == 1 ? "" : format("{} of {} dampers; --json lists them all. ", shown, front.size());
-  section.line(some + "Where several delta are equally tolerant, the table has the middle one.");
+  section.line(some +
+               "Accelerations are those outside the notch. Where several delta are equally "
+               "tolerant, the table has the middle one, and the design may have another.");
 }
 
 }  // namespace stillpoint::report

@@ -5,6 +5,9 @@
 
 #include <stillpoint/report/digits.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace stillpoint::report {
 
 std::string interval_text(const design::ServedInterval& interval) {
@@ -22,43 +25,41 @@ std::string interval_text(const design::ServedInterval& interval) {
              : ends;
 }
 
-namespace {
-
-/// Of an interval that ends with the numbers that can be given, not where the damper fails.
-std::string_view if_cut(const design::ServedInterval& served, const design::Interval& valid) {
-  constexpr double near = 1e-9;
-  const bool low = served.low > 0 && served.low <= valid.low * (1 + near);
-  const bool high = served.high && *served.high >= valid.high * (1 - near);
-  return low    ? "; the lower end is the program's own limit"
-         : high ? "; the upper end is the program's own limit"
-                : "";
-}
-
-}  // namespace
-
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
-                   const design::Problem& problem, const Physical& physical) {
+                   const Physical& physical) {
   if (!served) {
     return;
   }
-  const std::string_view cut_hits = if_cut(served->v0, design::valid_v0(problem));
-  const std::string_view cut_springs = if_cut(served->p, design::valid_p(problem));
   if (!physical) {
-    section.row("works for", format("hits v0 of {}{}", interval_text(served->v0), cut_hits));
-    section.row("", format("p of {} with v0 as given{}", interval_text(served->p), cut_springs));
+    section.row("works for", "v0 of " + interval_text(served->v0));
+    section.row("", format("p of {} with v0 as given", interval_text(served->p)));
     return;
   }
   const auto [velocity, period] = physical_works_for(physical->scales, *served);
-  section.row("works for", format("hits of {} m/s{}", interval_text(velocity), cut_hits));
-  section.row(
-      "", format("periods of {} s with the hit as given{}", interval_text(period), cut_springs));
+  section.row("works for", format("hits of {} m/s", interval_text(velocity)));
+  section.row("", format("periods of {} s with the hit as given", interval_text(period)));
 }
 
-std::string width_shown(const Physical& physical, double width) {
-  constexpr int shown = 5;
-  const FigureUnits units(physical);
-  return format("{}{}", limit_digits(width * units.length, true, shown),
-                units.length_unit.empty() ? "" : " " + units.length_unit);
+double example_width(const Physical& physical, double peak) {
+  const double most = peak / 5;
+  if (!physical) {
+    return most;
+  }
+  constexpr double usual_m = 0.02;
+  const double most_m = most * physical->scales.length_m;
+  const double decade = std::pow(10, std::floor(std::log10(most_m)));
+  const double digit = most_m / decade;
+  return std::min(usual_m, decade * (digit >= 5   ? 5
+                                     : digit >= 2 ? 2
+                                                  : 1)) /
+         physical->scales.length_m;
+}
+
+std::string inside_words(const Physical& physical, double f, double delta, double peak) {
+  const double width = example_width(physical, peak);
+  return format("f + delta/w inside one of width w: {:.3g} g if w is {}",
+                design::notch_acceleration(f, delta, width),
+                physical ? length_shown(physical, width) : "a fifth of the peak");
 }
 
 void add_start(Section& section, const StartUnderLoad& start, std::string_view formula,
@@ -68,16 +69,20 @@ void add_start(Section& section, const StartUnderLoad& start, std::string_view f
     section.row(
         "start",
         format("a notch narrower than {}, {}, does not let the mass {}: see --notch-width{}",
-               width_shown(physical, delta / (load - f)), formula, go, physical ? "-m" : ""));
+               length_limit(physical, delta / (load - f), true), formula, go,
+               physical ? "-m" : ""));
   }
 }
 
-void add_notch(Section& section, const std::optional<design::Practice>& lines,
-               const Physical& physical) {
-  if (!lines) {
-    return;
+void add_damper(Section& section, const design::DesignPoint& damper, const DeltaNeeds& needs,
+                const std::optional<design::Practice>& lines, const Physical& physical) {
+  if (needs.published) {
+    section.row("Delta1(f)",
+                format("{} published, {} exact", length_limit(physical, *needs.published, true),
+                       needs.exact ? length_limit(physical, *needs.exact, true) : "none"));
   }
-  if (lines->notch_used) {
+  add_damper_physics(section, physical, damper.f, damper.delta);
+  if (lines && lines->notch_used) {
     const double energy = *lines->notch_used * lines->notch_capacity;
     const auto joules = physical ? physical->scales.energy_per_passage_j(energy) : std::nullopt;
     section.row("used at the stop",
@@ -85,17 +90,18 @@ void add_notch(Section& section, const std::optional<design::Practice>& lines,
                        joules ? with_unit(*joules, "J") : length_shown(physical, energy),
                        100 * *lines->notch_used));
   }
-  if (lines->notch_width_min) {
+  if (lines && lines->notch_width_min) {
     section.row("notch width",
                 format("at least {} keeps the limit of the acceleration inside it too",
-                       width_shown(physical, *lines->notch_width_min)));
+                       length_limit(physical, *lines->notch_width_min, true)));
   }
 }
 
 std::string impulse_shown(const Physical& physical, double impulse) {
   const auto newton_seconds = physical ? physical->scales.impulse_n_s(impulse) : std::nullopt;
   return newton_seconds ? with_unit(*newton_seconds, "N s")
-                        : format("{} per unit mass", FigureUnits(physical).velocity_words(impulse));
+         : physical     ? format("{:.4g} N s per kg", impulse * physical->scales.velocity_m_per_s)
+                        : format("{:.4g} times the mass", impulse);
 }
 
 namespace {
@@ -115,13 +121,11 @@ void add_practice(Section& section, const std::optional<design::Practice>& lines
   }
   section.row("base shear/weight",
               format("{:.4g}, restoring {:.4g}", lines->base_shear, lines->restoring));
-  std::string secant = digits(lines->secant_stiffness);
   const auto weight = physical ? physical->scales.friction_force_n(1) : std::nullopt;
-  if (weight && lines->secant_stiffness) {
-    secant +=
-        " = " + with_unit(*lines->secant_stiffness * *weight / physical->scales.length_m, "N/m");
-  }
-  section.row("secant stiffness", secant);
+  section.row("secant stiffness",
+              weight && lines->secant_stiffness
+                  ? with_unit(*lines->secant_stiffness * *weight / physical->scales.length_m, "N/m")
+                  : digits(lines->secant_stiffness));
   section.row("equiv. damping",
               lines->equivalent_damping
                   ? format("{:.3g} % of critical, for a full cycle at this peak",

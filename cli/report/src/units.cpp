@@ -23,22 +23,17 @@ std::string acceleration_shown(double acceleration) {
   return format("{:.4g} g", acceleration);
 }
 
-std::string length_text(const Physical& physical, double length) {
-  return digits(length) + (physical && length != 0
-                               ? " = " + with_unit(length * physical->scales.length_m, "m")
-                               : "");
+std::string length_limit(const Physical& physical, double length, bool upwards) {
+  constexpr int with_a_unit = 5;
+  constexpr int plain = 6;
+  const FigureUnits units(physical);
+  return limit_digits(length * units.length, upwards, physical ? with_a_unit : plain) +
+         (physical ? " " : "") + units.length_unit;
 }
 
-std::string time_text(const Physical& physical, double tau) {
-  return digits(tau) +
-         (physical && tau != 0 ? " = " + with_unit(tau * physical->scales.time_s, "s") : "");
-}
-
-std::string frequency_text(const Physical& physical, double lambda) {
-  return digits(lambda) +
-         (physical
-              ? format(" = {:.5g} Hz", lambda / (2 * std::numbers::pi * physical->scales.time_s))
-              : "");
+std::string frequency_shown(const Physical& physical, double lambda) {
+  return physical ? format("{:.5g} Hz", lambda / (2 * std::numbers::pi * physical->scales.time_s))
+                  : "lambda = " + digits(lambda);
 }
 
 std::string in(const std::string& name, const std::string& unit) {

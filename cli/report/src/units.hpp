@@ -18,14 +18,11 @@ using Physical = std::optional<design::PhysicalInput>;
 [[nodiscard]] std::string time_shown(const Physical& physical, double tau);
 [[nodiscard]] std::string acceleration_shown(double acceleration);
 
-/// A length "0.259325 = 12.1 mm"; alone without physical input and for 0.
-[[nodiscard]] std::string length_text(const Physical& physical, double length);
+/// A length that keeps a limit as printed, with five digits or, without physical input, six.
+[[nodiscard]] std::string length_limit(const Physical& physical, double length, bool upwards);
 
-/// A tau "4.81 = 1.53 s"; alone without physical input and for 0.
-[[nodiscard]] std::string time_text(const Physical& physical, double tau);
-
-/// An angular frequency "20 = 62.8 rad/s"; alone without physical input.
-[[nodiscard]] std::string frequency_text(const Physical& physical, double lambda);
+/// "7.1429 Hz", or "lambda = 20" without physical input.
+[[nodiscard]] std::string frequency_shown(const Physical& physical, double lambda);
 
 /// "peak, mm"; the name alone without a unit.
 [[nodiscard]] std::string in(const std::string& name, const std::string& unit);

@@ -55,10 +55,10 @@ BOOST_AUTO_TEST_CASE(ends_of_what_a_damper_serves_are_served) {
       return reported(Arguments{"region", "--v0", speed, "--p", spring, "--beta", drawn[2]} +
                       damper)["admissible"] == true;
     };
-    for (const std::string& end : ends_of(text, "hits v0 of ")) {
+    for (const std::string& end : ends_of(text, "works for +v0 of ")) {
       BOOST_TEST(admissible(end, p), end << " in " << text);
     }
-    for (const std::string& end : ends_of(text, "p of ")) {
+    for (const std::string& end : ends_of(text, "\n +p of ")) {
       BOOST_TEST(admissible(v0, end), end << " in " << text);
     }
   }
@@ -78,11 +78,27 @@ BOOST_AUTO_TEST_CASE(ends_of_the_feasible_f_are_feasible) {
   }
 }
 
+/// The best acceleration and the best peak are at the ends of the feasible f.
+BOOST_AUTO_TEST_CASE(a_design_on_an_edge_prints_a_feasible_f) {
+  std::mt19937 random(seed);
+  for (int i = 0; i < 8; ++i) {
+    const auto [v0, p, beta] = random_task(random, 0.72, 0.9);
+    const Arguments task{
+        "design", "--objective", i % 2 == 0 ? "amplitude" : "acceleration", "--v0", v0, "--p", p,
+        "--beta", beta};
+    const std::string text = run(task).out;
+    const double f = std::stod(ends_of(text, "damper +f = ").front());
+    const json region = reported(task)["region"];
+    BOOST_TEST(f >= region["f_lower"].get<double>(), text);
+    BOOST_TEST(f <= region["f_upper"].get<double>(), text);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(mends_as_printed_mend) {
   std::mt19937 random(seed);
   const std::regex mend(
-      "\n +(velocity|period|max_displacement|v0|p|beta|f_max|delta_max|"
-      "acceleration_max) +at (?:least|most) " +
+      "\n +(velocity|period|max displacement|v0|p|beta|largest f|largest delta|"
+      "largest acceleration) +at (?:least|most) " +
       number + "( m/s| s| mm|)");
   int tried = 0;
   for (int i = 0; i < 30; ++i) {
@@ -109,8 +125,9 @@ BOOST_AUTO_TEST_CASE(mends_as_printed_mend) {
     }
     for (std::sregex_iterator now(none.out.begin(), none.out.end(), mend), end; now != end; ++now) {
       Arguments mended = task;
-      std::string option = "--" + (*now)[1].str();
-      std::ranges::replace(option, '_', '-');
+      const std::string name = (*now)[1];
+      std::string option = "--" + (name.starts_with("largest ") ? name.substr(8) + "-max" : name);
+      std::ranges::replace(option, ' ', '-');
       *(std::ranges::find(mended, option) + 1) = (*now)[2].str() + ((*now)[3] == " mm" ? "mm" : "");
       BOOST_TEST(run(mended).exit_code == 0, option << " as in " << none.out);
       ++tried;

@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(a_damper_that_locks_during_its_pulse_is_reported) {
 BOOST_AUTO_TEST_CASE(an_infeasible_pulse_says_why_in_the_units_of_the_task) {
   const std::string pulse = STILLPOINT_DATA_DIR "/scenes/pulse.json";
   const std::string text = ending(3, {"design", pulse, "--max-displacement", "20mm"}).out;
-  check_contains(text, {"then the peak is at least 66.95 mm, where\n  20 mm is allowed."});
+  check_contains(text, {"peak is at least 66.953 mm, where 20 mm is allowed."});
   const std::string limited =
       ending(3, {"design", pulse, "--max-displacement", "70mm", "--f-max", "0.001"}).out;
   check_contains(limited, {"a peak within 70 mm needs"});
@@ -163,9 +163,8 @@ BOOST_AUTO_TEST_CASE(region_of_a_pulse_is_drawn) {
 
 BOOST_AUTO_TEST_CASE(page_for_people_says_it_in_words) {
   const ProgramRun run = succeed(asked + "--verbose");
-  check_contains(run.out,
-                 {"half-sine, k = 0.5 g, lambda = 20", "Under the pulse itself",
-                  "the forced motion itself", "forced motion", "larger", "tolerance by NLopt"});
+  check_contains(run.out, {"half-sine, k = 0.5 g, lambda = 20", "Under the pulse itself",
+                           "forced motion", "finds the same optimum"});
   for (const char* part : {"the pulse is not short", "v0 = 0 ", "inf"}) {
     BOOST_TEST(!contains(run.out, part), part << " in " << run.out);
   }
@@ -174,7 +173,7 @@ BOOST_AUTO_TEST_CASE(page_for_people_says_it_in_words) {
 BOOST_AUTO_TEST_CASE(says_that_it_hardly_re_centres_and_the_unit_of_a_limit) {
   const Arguments soft("design --pulse full-sine --k 0.08 --lambda 0.8 --p 1 --beta 0.077");
   check_contains(run(soft + "--delta-max 0.005 --acceleration-max 0.12 --verbose").out,
-                 {" (EN 15129 asks for 0.25)\n", " (EN 1998-2)\n", "acceleration, g  "});
+                 {" (EN 15129 asks for 0.25)\n", " (EN 1998-2)\n", "acceleration <= 0.12 g  "});
 }
 
 BOOST_AUTO_TEST_CASE(says_what_makes_the_reduction_poor) {
@@ -183,8 +182,6 @@ BOOST_AUTO_TEST_CASE(says_what_makes_the_reduction_poor) {
   const json report = reported(bad);
   BOOST_TEST((report["pulse"]["warnings"] == json{"pulse_not_short", "friction_not_small"}));
   BOOST_TEST(report["pulse"]["response"]["stops_at_zero"] == true);
-  const std::string page = run(bad + "--verbose").out;
-  check_contains(page, {"the pulse is not short", "f/k = "});
 }
 
 BOOST_AUTO_TEST_CASE(without_a_design_the_mends_are_in_terms_of_the_pulse) {
@@ -201,6 +198,18 @@ BOOST_AUTO_TEST_CASE(without_a_design_the_mends_are_in_terms_of_the_pulse) {
   BOOST_TEST((inputs == std::vector<std::string>{"k", "lambda", "p", "beta"}));
 }
 
+/// 1.86 g inside a notch of 2 mm would be f + delta/w, but from rest the mass does not get out of
+/// it.
+BOOST_AUTO_TEST_CASE(the_example_of_a_notch_is_one_that_lets_the_mass_go) {
+  const std::string text =
+      std::regex_replace(run("design --pulse half-sine --k 4g --pulse-duration 11ms --period 0.4s "
+                             "--max-displacement 15mm --delta-max-m 5mm --tolerance 0.05")
+                             .out,
+                         std::regex("\\s+"), " ");
+  BOOST_TEST(contains(text, "but with w = 2 mm, the mass never leaves this notch: it stops at"),
+             text);
+}
+
 /// For a pulse given in seconds the suggested change is in seconds, as it can be given.
 BOOST_AUTO_TEST_CASE(a_duration_as_printed_makes_it_feasible) {
   const auto lasting = [](const std::string& duration) {
@@ -208,7 +217,7 @@ BOOST_AUTO_TEST_CASE(a_duration_as_printed_makes_it_feasible) {
            "--pulse half-sine --k 0.5g --period 2.8s --max-displacement 20mm";
   };
   const ProgramRun text = ending(3, lasting("70ms"));
-  const std::regex figure("pulse duration +at most ([.0-9]+) s ");
+  const std::regex figure("pulse duration +at most ([.0-9]+) s\n");
   std::smatch found;
   BOOST_TEST_REQUIRE(std::regex_search(text.out, found, figure), text.out);
   succeed(lasting(found[1].str() + "s"));

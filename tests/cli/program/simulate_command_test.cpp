@@ -117,11 +117,12 @@ BOOST_AUTO_TEST_CASE(the_answer_of_a_design_is_with_the_notch_that_will_be_built
   };
   says("--notch-width-m 0.02",
        {"a notch 20 mm wide.", "rest at x = 4.4596 mm, inside the notch, after 1.5327 s",
-        "0.3168 g inside the notch, 0.09465 g outside it", "without width rest at x = 0 after"});
+        "0.3168 g inside the notch, 0.09465 g outside it",
+        "with a notch that has no width it rests at x = 0 after"});
   says("--notch-width-m 0.02 --mass 1200000", {"a notch 20 mm wide that takes 69.423 kJ"});
   says("--notch-width-m 0.02 --acceleration-max 0.095",
        {"But inside this notch the structure feels 0.3145 g, more than the limit of 0.095 g."});
-  says("--notch-width-m 2", {"But the mass never leaves a notch 2 m wide: it stops at x ="});
+  says("--notch-width-m 2", {"But the mass never leaves this notch: it stops at x ="});
   BOOST_TEST(!contains(run(design + "--notch-width-m 0.02").out, "But "));
   BOOST_TEST(!contains(run(design + "--hold 0").out, "But "));
 }
@@ -154,7 +155,8 @@ BOOST_AUTO_TEST_CASE(a_pulse_that_lasts_can_free_the_mass_from_a_weak_notch) {
   BOOST_TEST(built["changes_nothing"] == false);
   BOOST_TEST(built["zero_passages"].get<int>() >= 1);
   BOOST_TEST(built["stop_time"].get<double>() > report["response"]["stop_time"].get<double>());
-  BOOST_TEST(contains(run(design + "--hold 0.01").out, "15.1 % earlier"));
+  BOOST_TEST(contains(run(design + "--hold 0.01").out,
+                      "  compare           with a notch that holds any load it rests at x = 0"));
   const json strong = reported(design + "--hold 0.02");
   BOOST_TEST(strong["built_notch"]["peak_amplitude"] == 0);
   check_contains(run(design + "--hold 0.02").out,
@@ -184,7 +186,7 @@ BOOST_AUTO_TEST_CASE(a_hit_that_the_notch_holds_is_passed_on_in_full) {
   const std::string ranged = run("design --velocity 0:0.4 --period 2.8s --mass 1200t "
                                  "--max-displacement 170mm --residual-m 5mm")
                                  .out;
-  BOOST_TEST((ranged.find("  weak hits         below ") != std::string::npos), ranged);
+  BOOST_TEST((ranged.find("  weak hits         those below ") != std::string::npos), ranged);
 }
 
 BOOST_AUTO_TEST_CASE(without_friction_it_never_stops_and_says_so_at_once) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "testing/test.hpp"
 
+#include <stillpoint/figures/figure.hpp>
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/report.hpp>
 
@@ -39,13 +40,13 @@ BOOST_AUTO_TEST_CASE(text_page_and_json_agree) {
   const auto data = json(report);
   const std::string plain = text(document(report), {.verbosity = Verbosity::full});
   const figures::HtmlPage made = page(report);
-  for (const double value :
-       {data["design"]["f"].get<double>(), data["design"]["delta"].get<double>(),
-        data["response"]["peak_amplitude"].get<double>(), data["region"]["f3"].get<double>()}) {
-    BOOST_TEST(contains(plain, digits(value)), plain);
-    BOOST_TEST(contains(made.answer + made.body, digits(value)), made.answer);
+  const auto& physical = data["physical"];
+  for (const std::string& value :
+       {digits(data["design"]["f"].get<double>()), with_unit(physical["delta_m"], "m"),
+        with_unit(physical["peak_m"], "m"), limit_digits(data["region"]["f3"], false, 6)}) {
+    BOOST_TEST(contains(plain, value), plain);
+    BOOST_TEST(contains(made.answer + made.body, figures::prose(value)), made.answer);
   }
-  BOOST_TEST(contains(plain, with_unit(data["physical"]["peak_m"], "m")), plain);
   BOOST_TEST(contains(plain, made.verdict.substr(0, 40)), plain);
   for (const auto& constraint : data["constraints"]) {
     const auto name = constraint["name"].get<std::string>();
@@ -68,7 +69,8 @@ BOOST_AUTO_TEST_CASE(an_empty_region_says_why_and_what_would_help) {
   const RegionReport report{request, design::answer(request)};
   const Document made = document(report);
   BOOST_TEST((made.tone == Tone::bad));
-  BOOST_TEST(contains(made.verdict, report.answer.reason.value()), made.verdict);
+  const std::string reason = report.answer.reason.value();
+  BOOST_TEST(contains(made.verdict, reason.substr(reason.find(": ") + 2)), made.verdict);
   BOOST_TEST_REQUIRE(!report.answer.mends.empty());
   for (const design::Mend& mend : report.answer.mends) {
     BOOST_TEST(contains(text(made), limit_digits(mend.value, mend.upwards, 5)), text(made));

@@ -6,7 +6,7 @@ namespace stillpoint::report {
 
 using nlohmann::ordered_json;
 
-ordered_json catalogue_json(const Catalogue& catalogue, const PartTask& task) {
+ordered_json catalogue_json(const Catalogue& catalogue, const ShownTask& task) {
   return list_json(catalogue.parts, [&](const design::RatedPart& rated) -> ordered_json {
     const auto& [name, f, delta] = rated.part;
     return {

@@ -27,23 +27,19 @@ void add_pulse(ordered_json& task, const std::optional<design::Pulse>& pulse,
   }
 }
 
-ordered_json design_point_json(const design::DesignResult& result) {
-  const auto& [problem, limits, search, pulse, ranges] = result.request;
+ordered_json design_point_json(const DesignReport& report) {
+  const design::DesignResult& result = report.result;
+  const design::BoxShape& shape = result.request.limits.shape;
   const design::Finding& finding = *result.finding;
   const auto needs = delta_needs(result);
-  const design::DesignPoint& point = finding.point;
-  const bool shaped = limits.shape != design::BoxShape{};
-  const auto within = [&](double below, double above) {
-    return shaped ? ordered_json{number(1 - point.tolerance * below),
-                                 number(1 + point.tolerance * above)}
-                  : ordered_json(nullptr);
-  };
-  return {{"name", nullptr},
-          {"f", number(point.f)},
-          {"delta", number(point.delta)},
+  const auto& [f, delta, tolerance] = finding.point;
+  return {{"name", or_null(report.catalogue,
+                           [](const Catalogue& given) { return given.parts.front().part.name; })},
+          {"f", number(f)},
+          {"delta", number(delta)},
           {"tolerance", number(design::even_tolerance(result))},
-          {"tolerance_f", within(limits.shape.f_low, limits.shape.f_high)},
-          {"tolerance_delta", within(limits.shape.delta_low, limits.shape.delta_high)},
+          {"tolerance_f", side_json(shape, tolerance, shape.f_low, shape.f_high)},
+          {"tolerance_delta", side_json(shape, tolerance, shape.delta_low, shape.delta_high)},
           {"arrival", or_null(finding.arrival)},
           {"delta1_published", number(needs.published)},
           {"delta1_exact", number(needs.exact)}};
@@ -147,52 +143,44 @@ ordered_json json(const DesignReport& report) {
   task["algorithm"] = or_null(search.algorithm);
   task["catalogue"] = file_of(report.catalogue);
   task["trade_off"] = or_null(report.trade_offs);
-  const PartTask parts{problem, limits, report.physical};
-  ordered_json json{
+  const auto found = [&](const auto& make) { return or_null(result.finding, make); };
+  using design::Finding;
+  return {
       {"schema", "stillpoint/design-report/1"},
       {"program", program_json()},
       {"input", task},
       {"region", region_fields(result)},
-      {"design", nullptr},
-      {"constraints", ordered_json::array()},
-      {"works_for", nullptr},
-      {"hits", nullptr},
-      {"practice", nullptr},
-      {"response", nullptr},
-      {"search", nullptr},
-      {"cross_check", nullptr},
-      {"pulse", nullptr},
+      {"design", found([&](const Finding&) { return design_point_json(report); })},
+      {"constraints", constraints_json(result.finding ? result.finding->constraints
+                                                      : std::vector<design::Constraint>())},
+      {"works_for",
+       found([](const Finding& now) { return or_null(now.works_for, works_for_json); })},
+      {"hits", found([&](const Finding& now) {
+         return now.pulse
+                    ? ordered_json(nullptr)
+                    : hits_json(shown_hits(result.request.problem, now.point.f, now.point.delta));
+       })},
+      {"practice", found([](const Finding& now) { return or_null(now.practice, practice_json); })},
+      {"response", found([](const Finding& now) {
+         return now.pulse ? forced_json(now.pulse->response) : response_json(now.response);
+       })},
+      {"search", found([&](const Finding& now) {
+         return or_null(now.search, [&](const design::SearchRecord& record) {
+           return search_json(record, result);
+         });
+       })},
+      {"cross_check", found([](const Finding& now) { return cross_check_json(now.cross_check); })},
+      {"pulse", found([](const Finding& now) { return or_null(now.pulse, pulse_check_json); })},
       {"built_notch",
        or_null(report.built_notch,
                [&](const auto& built) { return built_notch_json(built, report.physical); })},
-      {"catalogue", or_null(report.catalogue,
-                            [&](const Catalogue& given) { return catalogue_json(given, parts); })},
+      {"catalogue",
+       or_null(report.catalogue,
+               [&](const Catalogue& given) { return catalogue_json(given, task_of(report)); })},
       {"trade_off",
        or_null(report.trade_off,
                [&](const auto& front) { return trade_off_json(front, report.physical); })},
       {"physical", physical_json(report)}};
-  if (result.finding) {
-    const design::Finding& finding = *result.finding;
-    json["design"] = design_point_json(result);
-    json["design"]["name"] = or_null(
-        report.catalogue, [](const Catalogue& given) { return given.parts.front().part.name; });
-    json["constraints"] = constraints_json(finding.constraints);
-    json["works_for"] = or_null(finding.works_for, works_for_json);
-    if (!pulse) {
-      json["hits"] = hits_json(shown_hits(problem, finding.point.f, finding.point.delta));
-    }
-    json["practice"] = or_null(finding.practice, practice_json);
-    json["response"] =
-        finding.pulse ? forced_json(finding.pulse->response) : response_json(finding.response);
-    json["search"] = or_null(finding.search, [&](const design::SearchRecord& record) {
-      return search_json(record, result);
-    });
-    json["cross_check"] = cross_check_json(finding.cross_check);
-    if (finding.pulse) {
-      json["pulse"] = pulse_check_json(*finding.pulse);
-    }
-  }
-  return json;
 }
 
 ordered_json json(const RegionReport& report) {
@@ -207,25 +195,24 @@ ordered_json json(const RegionReport& report) {
   task["delta"] = number(delta);
   task["catalogue"] = file_of(report.catalogue);
   const bool hit_by = f && delta && !pulse;
-  const PartTask parts{problem, limits, report.physical};
-  return {
-      {"schema", "stillpoint/region-report/1"},
-      {"program", program_json()},
-      {"input", task},
-      {"region", region_fields(answer)},
-      {"strips", strips_json(answer.strips)},
-      {"delta1_published", number(answer.delta1_published)},
-      {"delta1_exact", number(answer.delta1_exact)},
-      {"admissible", or_null(answer.admissible)},
-      {"tolerance", number(answer.tolerance)},
-      {"arrival", or_null(answer.arrival)},
-      {"constraints", constraints_json(answer.constraints)},
-      {"works_for", or_null(answer.works_for, works_for_json)},
-      {"hits", hit_by ? hits_json(shown_hits(problem, *f, *delta)) : ordered_json(nullptr)},
-      {"practice", or_null(answer.practice, practice_json)},
-      {"catalogue", or_null(report.catalogue,
-                            [&](const Catalogue& given) { return catalogue_json(given, parts); })},
-      {"physical", physical_json(report)}};
+  return {{"schema", "stillpoint/region-report/1"},
+          {"program", program_json()},
+          {"input", task},
+          {"region", region_fields(answer)},
+          {"strips", strips_json(answer.strips)},
+          {"delta1_published", number(answer.delta1_published)},
+          {"delta1_exact", number(answer.delta1_exact)},
+          {"admissible", or_null(answer.admissible)},
+          {"tolerance", number(answer.tolerance)},
+          {"arrival", or_null(answer.arrival)},
+          {"constraints", constraints_json(answer.constraints)},
+          {"works_for", or_null(answer.works_for, works_for_json)},
+          {"hits", hit_by ? hits_json(shown_hits(problem, *f, *delta)) : ordered_json(nullptr)},
+          {"practice", or_null(answer.practice, practice_json)},
+          {"catalogue",
+           or_null(report.catalogue,
+                   [&](const Catalogue& given) { return catalogue_json(given, task_of(report)); })},
+          {"physical", physical_json(report)}};
 }
 
 }  // namespace stillpoint::report

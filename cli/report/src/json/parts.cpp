@@ -150,25 +150,30 @@ ordered_json forced_json(const ForcedResponse& forced) {
   return json;
 }
 
+ordered_json side_json(const design::BoxShape& shape, double tolerance, double below,
+                       double above) {
+  return shape == design::BoxShape{}
+             ? ordered_json(nullptr)
+             : ordered_json{number(1 - tolerance * below), number(1 + tolerance * above)};
+}
+
 ordered_json task_json(const design::Problem& problem, const design::Limits& limits) {
-  const auto range = [](double low, double high, bool given) {
-    return given ? ordered_json{number(low), number(high)} : ordered_json(nullptr);
+  const auto range = [](const std::optional<double>& low, const std::optional<double>& high) {
+    return low && high ? ordered_json{number(*low), number(*high)} : ordered_json(nullptr);
   };
   const double t = limits.tolerance;
   const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
-  const bool shaped = limits.shape != design::BoxShape{};
   ordered_json json{{"v0", number(problem.v0)},
-                    {"v0_range", range(problem.v0_low.value_or(problem.v0), problem.v0,
-                                       problem.v0_low.has_value())},
+                    {"v0_range", range(problem.v0_low, problem.v0)},
                     {"p", number(problem.p)},
-                    {"p_range", range(problem.p, problem.stiffest_p(), problem.p_high.has_value())},
+                    {"p_range", range(problem.p, problem.p_high)},
                     {"beta", number(problem.beta)},
                     {"criterion", name(problem.criterion)},
                     {"arrivals", problem.arrivals},
                     {"residual", number(problem.residual)},
                     {"tolerance", number(t * std::min({f_low, f_high, delta_low, delta_high}))},
-                    {"tolerance_f", range(1 - t * f_low, 1 + t * f_high, shaped)},
-                    {"tolerance_delta", range(1 - t * delta_low, 1 + t * delta_high, shaped)}};
+                    {"tolerance_f", side_json(limits.shape, t, f_low, f_high)},
+                    {"tolerance_delta", side_json(limits.shape, t, delta_low, delta_high)}};
   for (const design::LimitKind& kind : design::limit_kinds()) {
     json[std::string(kind.field)] = number(limits.*kind.value);
   }

@@ -51,6 +51,9 @@ template <class Items, class Make>
   return list;
 }
 
+/// The factors of one side of a tolerance box; null if the box has the usual shape.
+[[nodiscard]] nlohmann::ordered_json side_json(const design::BoxShape& shape, double tolerance,
+                                               double below, double above);
 /// The part of `input` that design and region share.
 [[nodiscard]] nlohmann::ordered_json task_json(const design::Problem& problem,
                                                const design::Limits& limits);

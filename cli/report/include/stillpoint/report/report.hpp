@@ -42,6 +42,10 @@ struct DesignReport {
   std::optional<std::vector<design::TradeOff>> trade_off{};
 };
 
+/// The motion of a design, which exists, with that notch; of ranges under a pulse the motion shown.
+[[nodiscard]] design::BuiltNotch with_notch(const design::DesignResult& result,
+                                            const design::NotchShape& shape);
+
 struct RegionReport {
   design::RegionRequest request;
   design::RegionAnswer answer;
