@@ -76,20 +76,6 @@ std::string path(const Plane& plane, const std::vector<FigurePoint>& points, boo
   return d;
 }
 
-std::vector<FigurePoint> corners(const std::vector<FigurePoint>& outline) {
-  std::vector<FigurePoint> made;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const bool inside = i > 0 && i + 1 < outline.size();
-    const auto ahead = [&](std::size_t from, std::size_t to) {
-      return outline[from].y == outline[to].y ? outline[to].x - outline[from].x : 0;
-    };
-    if (!inside || !(ahead(i - 1, i) * ahead(i, i + 1) > 0)) {
-      made.push_back(outline[i]);
-    }
-  }
-  return made;
-}
-
 std::vector<Heading> headings(const Plane& plane, const std::vector<FigurePoint>& stroke) {
   constexpr double apart = 160;
   constexpr double shortest = 60;

@@ -12,9 +12,6 @@ namespace stillpoint::figures {
 [[nodiscard]] std::string path(const Plane& plane, const std::vector<FigurePoint>& points,
                                bool smooth = false);
 
-/// Without the points in the middle of its level edges.
-[[nodiscard]] std::vector<FigurePoint> corners(const std::vector<FigurePoint>& outline);
-
 /// A place on a line, and the direction of the line there in degrees, clockwise from the right.
 struct Heading {
   FigurePoint at;  ///< in pixels

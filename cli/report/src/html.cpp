@@ -4,6 +4,7 @@
 #include <stillpoint/report/document.hpp>
 #include "format.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -33,15 +34,53 @@ std::string_view look_of(Tone tone) {
   return "";
 }
 
-/// Each with the head of its column, for narrow screens, where a row is a paragraph.
+/// "peak, mm" before and after a number of its column, on narrow screens, where a row is a
+/// paragraph.
+std::string around(const std::string& head) {
+  const std::size_t comma = std::min(head.find(", "), head.size());
+  std::string text =
+      head.empty() ? "" : format(" data-head=\"{}\"", escaped(head.substr(0, comma)));
+  if (comma < head.size()) {
+    text += format(" data-unit=\"{}\"", escaped(head.substr(comma + 2)));
+  }
+  return text;
+}
+
 std::string cells(const TableRow& row, const std::vector<std::string>& head) {
   std::string text = row.tone == Tone::bad ? "<tr class=\"violated\">" : "<tr>";
   for (std::size_t i = 0; i < row.cells.size(); ++i) {
     const bool last = i + 1 == row.cells.size();
-    const std::string name = head[i].empty() ? "" : format(" data-head=\"{}\"", escaped(head[i]));
-    text += format("<td{}{}>{}</td>", name, last ? look_of(row.tone) : "", prose(row.cells[i]));
+    text += format("<td{}{}>{}</td>", row.cells[i].empty() ? "" : around(head[i]),
+                   last ? look_of(row.tone) : "", prose(row.cells[i]));
   }
   return text + "</tr>\n";
+}
+
+std::size_t longest_word(std::string_view text) {
+  std::size_t longest = 0;
+  std::size_t word = 0;
+  for (const char c : text) {
+    word = c == ' ' ? 0 : word + 1;
+    longest = std::max(longest, word);
+  }
+  return longest;
+}
+
+/// Whether it has a table too wide for half a page: on paper 92 mm, 56 letters of 7.5 points.
+bool is_wide(const Section& section) {
+  constexpr std::size_t room = 56;
+  return std::ranges::any_of(section.parts, [](const auto& part) {
+    const Table* const table = std::get_if<Table>(&part);
+    std::size_t wide = 0;
+    for (std::size_t i = 0; table != nullptr && i < table->head.size(); ++i) {
+      std::size_t longest = longest_word(table->head[i]);
+      for (const TableRow& row : table->rows) {
+        longest = std::max(longest, longest_word(row.cells[i]));
+      }
+      wide += longest + 1;
+    }
+    return wide > room;
+  });
 }
 
 /// Renders the parts of a section. Rows that follow each other are one table.
@@ -63,11 +102,11 @@ class Parts {
 
   void operator()(const Table& table) {
     end_rows();
-    text_ += "<div class=\"wide\"><table class=\"columns\">\n<tr>";
+    text_ += "<div class=\"wide\"><table class=\"columns\">\n<thead><tr>";
     for (const std::string& name : table.head) {
       text_ += format("<th>{}</th>", escaped(name));
     }
-    text_ += "</tr>\n";
+    text_ += "</tr></thead>\n";
     for (const TableRow& row : table.rows) {
       text_ += cells(row, table.head);
     }
@@ -102,7 +141,9 @@ std::string html(const Section& section) {
 std::string html(const Document& document) {
   std::string text;
   for (const Section& section : document.sections) {
-    text += format("<section><h2>{}</h2>\n{}</section>\n", escaped(section.heading), html(section));
+    text += format("<section{}><h2>{}</h2>\n{}</section>\n",
+                   is_wide(section) ? " class=\"across\"" : "", escaped(section.heading),
+                   html(section));
   }
   return text;
 }

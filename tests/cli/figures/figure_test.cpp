@@ -79,17 +79,6 @@ BOOST_AUTO_TEST_CASE(draws_points_where_the_axes_say) {
   BOOST_TEST(contains(text, "d=\"M74.00 0V270H148.00V0Z\""));
 }
 
-BOOST_AUTO_TEST_CASE(leaves_out_points_within_a_level_edge) {
-  // y = 0 is at 135 pixels, y = 1 at 108, y = 2 at 81. The tooth at x = 6 goes back along its edge:
-  // it stays.
-  Figure figure = one_of_everything();
-  figure.areas = {
-      {"area", {{0, 0}, {2, 0}, {4, 0}, {6, 0}, {5, 0}, {5, 2}, {1, 1}, {0, 1}}, Ink::sky}};
-  BOOST_TEST(contains(svg(figure, Frame::in_page),
-                      "d=\"M0.00 135.00L222.00 135.00L185.00 135.00L185.00 81.00L37.00 108.00"
-                      "L0.00 108.00Z\""));
-}
-
 BOOST_AUTO_TEST_CASE(has_round_ticks) {
   BOOST_TEST(ticks({"", 0, 10}) == (std::vector<double>{0, 2, 4, 6, 8, 10}),
              boost::test_tools::per_element());

@@ -20,7 +20,7 @@ Document sample() {
   first.row("", "of steel", Tone::good);
   Section& second = document.section("Table");
   second.parts.emplace_back(
-      Table{{"", "size", "is"}, {{{"a", "1", "met"}, Tone::good}, {{"long", "22", ""}}}});
+      Table{{"", "size, mm", "is"}, {{{"a", "1", "met"}, Tone::good}, {{"long", "22", ""}}}});
   second.line("A note.");
   return document;
 }
@@ -37,9 +37,9 @@ BOOST_AUTO_TEST_CASE(as_text_is_aligned_columns) {
              "                    of steel\n"
              "\n"
              "Table\n"
-             "         size   is\n"
-             "  a         1   met\n"
-             "  long     22\n"
+             "         size, mm   is\n"
+             "  a             1   met\n"
+             "  long         22\n"
              "  A note.\n");
 }
 
@@ -105,12 +105,24 @@ BOOST_AUTO_TEST_CASE(as_html_is_tables_and_paragraphs) {
              "</table></div>\n</section>\n"
              "<section><h2>Table</h2>\n"
              "<div class=\"wide\"><table class=\"columns\">\n"
-             "<tr><th></th><th>size</th><th>is</th></tr>\n"
-             "<tr><td>a</td><td data-head=\"size\">1</td><td data-head=\"is\" "
+             "<thead><tr><th></th><th>size, mm</th><th>is</th></tr></thead>\n"
+             "<tr><td>a</td><td data-head=\"size\" data-unit=\"mm\">1</td><td data-head=\"is\" "
              "class=\"good\">met</td></tr>\n"
-             "<tr><td>long</td><td data-head=\"size\">22</td><td data-head=\"is\"></td></tr>\n"
+             "<tr><td>long</td><td data-head=\"size\" data-unit=\"mm\">22</td><td></td></tr>\n"
              "</table></div>\n"
              "<p>A note.</p>\n</section>\n");
+}
+
+/// Lines break between words, so that only the longest counts.
+BOOST_AUTO_TEST_CASE(a_table_too_wide_for_half_a_page_goes_across) {
+  const auto page = [](std::size_t letters) {
+    Document document;
+    document.section("Table").parts.emplace_back(
+        Table{{"", "of some words"}, {{{"a b c d e f", std::string(letters, '1')}}}});
+    return html(document);
+  };
+  BOOST_TEST(page(53).starts_with("<section><h2>"));
+  BOOST_TEST(page(54).starts_with("<section class=\"across\"><h2>"));
 }
 
 /// Text in a document never brings in markup or control characters.

@@ -285,6 +285,15 @@ BOOST_AUTO_TEST_CASE(the_answer_stands_above_the_figures) {
   BOOST_TEST(whole.find("<th>works for</th>") < whole.find("<figure>"));
 }
 
+BOOST_AUTO_TEST_CASE(a_last_odd_figure_stands_beside_the_tables) {
+  HtmlPage page = isolator();
+  const auto odd = [&page] { return contains(figures::html(page), "</div>\n<figure>"); };
+  page.figures.resize(3);
+  BOOST_TEST(odd());
+  page.figures.resize(2);
+  BOOST_TEST(!odd());
+}
+
 BOOST_AUTO_TEST_CASE(the_report_as_text_is_folded_away) {
   const HtmlPage page = isolator();
   const std::string whole = figures::html(page);

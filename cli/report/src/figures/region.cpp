@@ -74,16 +74,18 @@ struct Extent {
   }
 };
 
-/// A box too small to see is enlarged in a corner.
+/// A box too small to see is enlarged in a corner, unless it is one of next to no f.
 void add_inset(Figure& figure, const std::vector<FigurePoint>& box) {
-  constexpr double visible = 0.05;        // of the plot
-  constexpr double least_numbers = 1e-9;  // below which rounding would be seen
-  constexpr double room = 0.6;            // on either side, in widths of the box
+  constexpr double visible = 0.05;          // of the plot
+  constexpr double least_numbers = 1e-9;    // below which rounding would be seen
+  constexpr double next_to_nothing = 1e-6;  // of the axis
+  constexpr double room = 0.6;              // on either side, in widths of the box
   const double wide = box[2].x - box[0].x;
   const double high = box[2].y - box[0].y;
   const bool small = wide < visible * (figure.x.most - figure.x.least) ||
                      high < visible * (figure.y.most - figure.y.least);
-  if (small && wide > least_numbers * box[2].x && high > least_numbers * box[2].y) {
+  if (small && box[2].x > next_to_nothing * figure.x.most && wide > least_numbers * box[2].x &&
+      high > least_numbers * box[2].y) {
     figure.inset = {{"", box[0].x - room * wide, box[2].x + room * wide},
                     {"", box[0].y - room * high, box[2].y + room * high}};
   }
