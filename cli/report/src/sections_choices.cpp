@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -54,24 +55,14 @@ std::string by_how_much(const design::Constraint& violated) {
 
 /// "amplitude 600, stop 12, tolerance 3": how many parts each rules out.
 std::string failures(const std::vector<design::RatedPart>& parts) {
-  std::vector<std::pair<std::string_view, std::size_t>> counts;
-  const auto count = [&counts](std::string_view name) {
-    const auto found =
-        std::ranges::find(counts, name, &std::pair<std::string_view, std::size_t>::first);
-    if (found == counts.end()) {
-      counts.emplace_back(name, 1);
-    } else {
-      ++found->second;
-    }
-  };
+  std::map<std::string_view, std::size_t> counts;
   for (const design::RatedPart& rated : parts) {
-    if (!rated.admissible && rated.tolerance) {
-      count("tolerance");
-    }
+    counts["tolerance"] += !rated.admissible && rated.tolerance ? 1U : 0U;
     for (const design::Constraint& violated : rated.violated) {
-      count(violated.name);
+      ++counts[violated.name];
     }
   }
+  std::erase_if(counts, [](const auto& each) { return each.second == 0; });
   std::string text;
   for (const auto& [name, parts_of_it] : counts) {
     text += format("{}{} {}", text.empty() ? "" : ", ", name, parts_of_it);
@@ -80,7 +71,7 @@ std::string failures(const std::vector<design::RatedPart>& parts) {
 }
 
 std::string percent(const std::optional<double>& tolerance) {
-  return leaves_any(tolerance.value_or(0)) ? "+-" + percent_digits(*tolerance) : "none";
+  return !tolerance ? "none" : leaves_any(*tolerance) ? "+-" + percent_digits(*tolerance) : "0 %";
 }
 
 }  // namespace
@@ -134,7 +125,7 @@ std::string trade_off_words(const std::vector<design::TradeOff>& front, const Ph
     return format("{} at {}", length_shown(physical, end.peak_amplitude),
                   acceleration_shown(end.peak_absolute_acceleration));
   };
-  return format("from a stroke of {} to {}", at(front.front()), at(front.back()));
+  return format("from a stroke of {} outside the notch to {}", at(front.front()), at(front.back()));
 }
 
 void add_trade_off(Document& document, const std::vector<design::TradeOff>& front,
@@ -156,7 +147,10 @@ void add_trade_off(Document& document, const std::vector<design::TradeOff>& fron
   section.parts.emplace_back(std::move(table));
   const std::string some =
       step == 1 ? "" : format("{} of {} dampers; --json lists them all. ", shown, front.size());
-  section.line(some + "Where several delta are equally tolerant, the table has the middle one.");
+  section.line(
+      some +
+      "The acceleration is that outside the notch. Where several delta are equally tolerant, "
+      "the table has the middle one; the design above may have another.");
 }
 
 }  // namespace stillpoint::report
