@@ -21,6 +21,10 @@ std::string shown(const Physical& physical, SuiteObjective which, double value) 
                                                : length_shown(physical, value);
 }
 
+std::string row_name(SuiteObjective which) {
+  return which == SuiteObjective::acceleration ? "transmitted" : std::string(quantity(which));
+}
+
 std::string_view combined(design::Combine combine) {
   return combine == design::Combine::max ? "largest" : "mean";
 }
@@ -76,14 +80,6 @@ std::string warning(const design::RecordDesign& result) {
   return locked.empty() ? "" : format("Locked: {}. ", locked);
 }
 
-/// "Largest of 2 records"
-std::string of_what(const design::RecordDesign& result) {
-  const std::size_t all = result.finding->responses.size();
-  const bool largest = result.request.combine.value() == design::Combine::max;
-  return all == 1 ? "Under the record"
-                  : format("{} of {} records", largest ? "Largest" : "Mean", all);
-}
-
 std::string figures_words(const design::SuiteFigures& figures, const Physical& physical,
                           std::string_view where = "") {
   const std::string felt =
@@ -103,13 +99,35 @@ std::string_view felt_where(const design::RecordDesign& result) {
                                                 : " between passages";
 }
 
+bool is_mean(const design::RecordDesignRequest& task) {
+  return task.combine.value() == design::Combine::mean && task.records.size() > 1;
+}
+
+/// The mean hides that one record may be far beyond the limits.
+std::string worst_of_mean(const design::RecordDesign& result, const Physical& physical) {
+  const std::size_t worst = worst_record(result);
+  return format(" The worst of them, {}: {}.", record_label(result.request.records[worst]),
+                figures_words(design::figures_of(result.finding->responses[worst]), physical));
+}
+
+std::string samples_words(const design::Sensitivity& near) {
+  return near.admissible == near.samples
+             ? format("{0} of {0} samples within +-{1:.3g} % meet the limits", near.samples,
+                      100 * near.tolerance)
+             : format("{} of {} samples violate a limit or are near tipping",
+                      near.samples - near.admissible, near.samples);
+}
+
 /// What a damper that is not built exactly may do.
-std::string tolerance_sentence(const design::Sensitivity& near, const Physical& physical) {
-  return format(" With f and delta off by up to {:.3g} %, {}.", 100 * near.tolerance,
-                near.worst.settled ? format("up to {} and a stroke of {}",
+std::string tolerance_sentence(const design::RecordDesign& result, const Physical& physical) {
+  const design::Sensitivity& near = result.finding->sensitivity;
+  return format(" With f and delta off by up to {:.3g} %, {}{}.", 100 * near.tolerance,
+                near.worst.settled ? format("{}up to {} and a stroke of {}",
+                                            is_mean(result.request) ? "a mean of " : "",
                                             acceleration_shown(near.worst.acceleration),
                                             length_shown(physical, near.worst.peak))
-                                   : "the mass may never rest");
+                                   : "the mass may never rest",
+                near.admissible < near.samples ? "; " + samples_words(near) : "");
 }
 
 std::string verdict(const RecordDesignReport& report) {
@@ -120,13 +138,14 @@ std::string verdict(const RecordDesignReport& report) {
   }
   const Physical& physical = report.physical;
   const auto& [damper, figures] = result.finding->point;
-  const design::Sensitivity& near = result.finding->sensitivity;
   return so_far + warning(result) +
          format("{} {}, with {}. {}: {}.", figures.peak == 0 ? "The damper found has" : "Build",
                 damper_words(physical, damper.f, damper.delta, result.request.notch_width),
-                spring_words(physical, damper.p), of_what(result),
+                spring_words(physical, damper.p),
+                suite_words(*result.request.combine, result.request.records.size()),
                 figures_words(figures, physical, felt_where(result))) +
-         (near.tolerance > 0 ? tolerance_sentence(near, physical) : "");
+         (is_mean(result.request) ? worst_of_mean(result, physical) : "") +
+         (result.finding->sensitivity.tolerance > 0 ? tolerance_sentence(result, physical) : "");
 }
 
 /// Where the weakest record must set the mass off.
@@ -164,10 +183,10 @@ void add_answer(Section& answer, const design::RecordDesign& result, const Physi
   add_start(answer, result, physical);
   const design::Sensitivity& near = result.finding->sensitivity;
   answer.row("tolerance",
-             format("{}; {} of {} samples within +-{:.3g} % meet the limits",
+             format("{}; {}",
                     near.worst.settled ? "at worst " + figures_words(near.worst, physical)
                                        : "the mass may never rest",
-                    near.admissible, near.samples, 100 * near.tolerance),
+                    samples_words(near)),
              near.admissible < near.samples ? Tone::bad : Tone::plain);
   const design::SuiteCheck& check = result.finding->check;
   answer.row("check",
@@ -200,14 +219,14 @@ void add_records(Document& document, const RecordDesignReport& report) {
                "transmitted, g", in("locked from", units.time_unit)},
               {}};
   for (std::size_t i = 0; i < result.finding->responses.size(); ++i) {
-    const ForcedResponse& response = result.finding->responses[i];
+    const auto& locked_from = result.finding->responses[i].locked_from;
+    const design::SuiteFigures figures = design::figures_of(result.finding->responses[i]);
     const design::SuiteRecord& record = result.request.records[i];
     table.rows.push_back(
         {{record_label(record), format("{:.4g}", design::peak_load(record)),
-          format("{:.5g}", response.peak_amplitude * units.length),
-          format("{:.5g}", std::abs(response.stop_position.value()) * units.length),
-          format("{:.4g}", response.peak_absolute_acceleration),
-          response.locked_from ? format("{:.5g}", *response.locked_from * units.time) : "never"}});
+          format("{:.5g}", figures.peak * units.length),
+          format("{:.5g}", figures.residual * units.length), format("{:.4g}", figures.acceleration),
+          locked_from ? format("{:.5g}", *locked_from * units.time) : "never"}});
   }
   document.section("Records").parts.emplace_back(std::move(table));
 }
@@ -225,7 +244,7 @@ void add_shortfalls(Document& document, const RecordDesignReport& report) {
                      length_shown(physical, damper.delta), spring_words(physical, damper.p)));
   for (const auto& [which, limit, nearest, relaxed] : report.result.shortfalls) {
     section.row(
-        which == SuiteObjective::acceleration ? "transmitted" : std::string(quantity(which)),
+        row_name(which),
         format("{}; {} is allowed", shown(physical, which, nearest), shown(physical, which, limit)),
         nearest > limit ? Tone::bad : Tone::plain);
     section.row(
@@ -243,14 +262,10 @@ void add_task(Document& document, const RecordDesignReport& report) {
   Section& section = document.detail("Task");
   section.row("objective", format("minimise the {} {} of the records",
                                   combined(task.combine.value()), quantity(task.objective)));
-  if (task.limits.peak) {
-    section.row("stroke", format("at most {}", length_shown(physical, *task.limits.peak)));
-  }
-  if (task.limits.residual) {
-    section.row("residual", format("at most {}", length_shown(physical, *task.limits.residual)));
-  }
-  if (task.limits.acceleration) {
-    section.row("transmitted", format("at most {}", acceleration_shown(*task.limits.acceleration)));
+  for (const auto& [which, member] : design::limit_of) {
+    if (const std::optional<double>& limit = task.limits.*member) {
+      section.row(row_name(which), "at most " + shown(physical, which, *limit));
+    }
   }
   add_real_notch(section, task.hold, task.notch_width, physical);
   const auto searched = [](const std::string& low, const std::string& high) {
@@ -288,6 +303,12 @@ std::string record_label(const design::SuiteRecord& record) {
          spelled_out(record.name.substr(record.name.rfind('/') + 1));
 }
 
+std::string suite_words(design::Combine combine, std::size_t count) {
+  return count == 1 ? "Under the record"
+                    : format("{} of {} records",
+                             combine == design::Combine::max ? "Largest" : "Mean", count);
+}
+
 void add_real_notch(Section& section, const std::optional<double>& hold,
                     const std::optional<double>& width, const Physical& physical) {
   if (hold) {
@@ -296,6 +317,14 @@ void add_real_notch(Section& section, const std::optional<double>& hold,
   if (width) {
     section.row("notch", format("{} wide", length_shown(physical, *width)));
   }
+}
+
+std::size_t worst_record(const design::RecordDesign& result) {
+  const std::vector<ForcedResponse>& all = result.finding->responses;
+  const auto value = [&](const ForcedResponse& response) {
+    return value_of(design::figures_of(response), result.request.objective);
+  };
+  return static_cast<std::size_t>(std::ranges::max_element(all, {}, value) - all.begin());
 }
 
 std::string_view quantity(design::SuiteObjective objective) {

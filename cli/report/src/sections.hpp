@@ -9,10 +9,11 @@
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/region.hpp>
-#include <stillpoint/records/record_suite.hpp>
+#include <stillpoint/design/suite_task.hpp>
 #include <stillpoint/report/document.hpp>
 #include <stillpoint/report/report.hpp>
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -59,7 +60,9 @@ void add_excitation(Section& section, const Excitation& excitation,
                     const std::optional<RecordOrigin>& record, const Physical& physical);
 
 /// "2 x a.AT2": the factor and the file of a record of a suite.
-[[nodiscard]] std::string record_label(const records::SuiteRecord& record);
+[[nodiscard]] std::string record_label(const design::SuiteRecord& record);
+/// "Largest of 2 records", "Under the record".
+[[nodiscard]] std::string suite_words(design::Combine combine, std::size_t count);
 /// Where a notch under records differs from the paper's.
 void add_real_notch(Section& section, const std::optional<double>& hold,
                     const std::optional<double>& width, const Physical& physical);

@@ -6,9 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstddef>
-#include <optional>
-#include <vector>
 
 namespace stillpoint::records {
 
@@ -54,6 +53,46 @@ void go_to_channel(RecordReader& reader, bool (*begins)(std::string_view line)) 
 
 std::string single_spaced(std::string_view line) {
   return fmt::format("{}", fmt::join(words_of(line, " \t"), " "));
+}
+
+std::vector<HeaderText> fields_below(RecordReader reader, std::size_t last, std::size_t width) {
+  constexpr std::size_t most = 100;  // a wrong file may have any number
+  std::vector<HeaderText> fields;
+  while (fields.size() < most && reader.number() < last && reader.next()) {
+    for (const std::string_view field : fields_of(reader.line(), width)) {
+      fields.push_back({field, reader});
+    }
+  }
+  return fields;
+}
+
+std::optional<HeaderText> find_key(const std::vector<RecordReader>& header, std::string_view key) {
+  for (const RecordReader& line : header) {
+    const std::string_view text =
+        trimmed(line.line().substr(std::min(key.size(), line.line().size())));
+    if (line.line().starts_with(key) && !text.empty()) {
+      return HeaderText{text, line};
+    }
+  }
+  return std::nullopt;
+}
+
+HeaderText text_of(const std::vector<RecordReader>& header, std::string_view key) {
+  const auto found = find_key(header, key);
+  if (!found) {
+    header.back().refuse(fmt::format("the header ends here without {}", key));
+  }
+  return *found;
+}
+
+std::string described(const std::vector<RecordReader>& header,
+                      std::initializer_list<std::string_view> keys) {
+  std::string all;
+  for (const std::string_view key : keys) {
+    const auto found = find_key(header, key);
+    all += found ? std::string(found->text) + " " : "";
+  }
+  return single_spaced(all);
 }
 
 ValueBlock points_below(const RecordReader& reader, std::string_view count) {

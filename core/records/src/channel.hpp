@@ -4,8 +4,12 @@
 #include "record_reader.hpp"
 #include "value_block.hpp"
 
+#include <cstddef>
+#include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace stillpoint::records {
 
@@ -16,6 +20,26 @@ void go_to_channel(RecordReader& reader, bool (*begins)(std::string_view line));
 
 /// A line with one blank between words.
 [[nodiscard]] std::string single_spaced(std::string_view line);
+
+/// Text of a header, and the line in which it stands.
+struct HeaderText {
+  std::string_view text;
+  RecordReader reader;
+};
+
+/// The fields of the lines below `reader`, down to line `last` or the hundredth field.
+[[nodiscard]] std::vector<HeaderText> fields_below(RecordReader reader, std::size_t last,
+                                                   std::size_t width);
+
+/// What follows `key`, without blanks, in the first line of a header that begins with it; empty
+/// without such a line, or with nothing behind the key.
+[[nodiscard]] std::optional<HeaderText> find_key(const std::vector<RecordReader>& header,
+                                                 std::string_view key);
+/// The same; refuses a header without it, at its last line.
+[[nodiscard]] HeaderText text_of(const std::vector<RecordReader>& header, std::string_view key);
+/// The texts of these keys, in a line.
+[[nodiscard]] std::string described(const std::vector<RecordReader>& header,
+                                    std::initializer_list<std::string_view> keys);
 
 /// The block below a line that gives the count of points, `count`, and a Fortran format.
 [[nodiscard]] ValueBlock points_below(const RecordReader& reader, std::string_view count);

@@ -12,9 +12,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace stillpoint::records {
 
@@ -22,35 +22,19 @@ namespace {
 
 constexpr std::size_t most_columns = 2;
 
-/// The columns of a line. Those beyond the allowed number are counted, not kept.
-struct Row {
-  std::array<std::string_view, most_columns> columns;
-  std::size_t count{0};
-};
+using Columns = std::vector<std::string_view>;
 
 /// Between two columns there are blanks, tabs, or one comma with any of these around it.
-Row split(std::string_view text, const RecordReader& reader) {
-  Row row;
-  bool after_comma = true;  // like the beginning of a line: a column must follow
-  while (!text.empty()) {
-    const std::size_t length = std::min(text.find_first_of(" \t,"), text.size());
-    const bool is_comma = length == 0 && text.front() == ',';
-    if (is_comma && after_comma) {
+Columns columns_of(std::string_view text, const RecordReader& reader) {
+  Columns columns;
+  for (const std::string_view part : split(text, ',')) {
+    const Columns words = words_of(part, " \t");
+    if (words.empty()) {
       reader.refuse("a column is empty");
     }
-    if (length > 0) {
-      if (row.count < most_columns) {
-        row.columns[row.count] = text.substr(0, length);
-      }
-      ++row.count;
-    }
-    after_comma = is_comma || (after_comma && length == 0);
-    text.remove_prefix(length > 0 ? length : 1);
+    columns.insert(columns.end(), words.begin(), words.end());
   }
-  if (after_comma) {
-    reader.refuse("a column is empty");
-  }
-  return row;
+  return columns;
 }
 
 /// Takes the comment off the line. The first one is the description.
@@ -76,29 +60,31 @@ std::string_view decimal_comma(const RecordReader& reader) {
 }
 
 /// Text before the values is most likely a heading.
-void check_heading(const Row& row, const RecordReader& reader) {
-  if (row.columns[0].find(';') != std::string_view::npos) {
-    reader.refuse_word(row.columns[0], fmt::format("is not a number; between columns there must be "
-                                                   "blanks, tabs or a comma, no semicolon{}",
-                                                   decimal_comma(reader)));
+void check_heading(std::string_view first, const RecordReader& reader) {
+  if (first.find(';') != std::string_view::npos) {
+    reader.refuse_word(first, fmt::format("is not a number; between columns there must be "
+                                          "blanks, tabs or a comma, no semicolon{}",
+                                          decimal_comma(reader)));
   }
-  if (scan_fortran_number(row.columns[0]).fault == NumberFault::no_number) {
-    reader.refuse_word(row.columns[0],
+  if (scan_fortran_number(first).fault == NumberFault::no_number) {
+    reader.refuse_word(first,
                        fmt::format("{}; a heading above columns must begin with #, and a PEER "
                                    "record has the word NPTS",
                                    explanation(NumberFault::no_number)));
   }
 }
 
-void check_count(const Row& row, std::size_t expected, std::size_t first_line,
+void check_count(std::size_t count, std::size_t expected, std::size_t first_line,
                  const RecordReader& reader) {
-  if (row.count > most_columns) {
-    reader.refuse(fmt::format("{} columns: must be time and value, or value alone{}", row.count,
-                              decimal_comma(reader)));
+  if (count > most_columns) {
+    const std::string_view comma = decimal_comma(reader);
+    reader.refuse(
+        fmt::format("{} columns: must be time and value, or value alone{}", count,
+                    comma.empty() ? "; many values a line need a header with NPTS and DT" : comma));
   }
-  if (row.count != expected) {
-    reader.refuse(fmt::format("{} column{}, but {} on line {}", row.count,
-                              row.count == 1 ? "" : "s", expected, first_line));
+  if (count != expected) {
+    reader.refuse(fmt::format("{} column{}, but {} on line {}", count, count == 1 ? "" : "s",
+                              expected, first_line));
   }
 }
 
@@ -184,17 +170,17 @@ RecordFile read_columns(RecordReader& reader) {
     if (line.empty()) {
       continue;
     }
-    const Row row = split(line, reader);
+    const Columns columns = columns_of(line, reader);
     if (first_line == 0) {
-      check_heading(row, reader);
+      check_heading(columns[0], reader);
       first_line = reader.number();
-      count = row.count;
+      count = columns.size();
     }
-    check_count(row, count, first_line, reader);
+    check_count(columns.size(), count, first_line, reader);
     if (count == most_columns) {
-      times.add(row.columns[0], reader);
+      times.add(columns[0], reader);
     }
-    file.record.values.push_back(reader.parse_acceleration(row.columns[count - 1]));
+    file.record.values.push_back(reader.parse_acceleration(columns.back()));
   }
   if (file.record.values.empty()) {
     reader.refuse("the file has no values");

@@ -17,9 +17,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <vector>
 
 namespace stillpoint::records {
 
@@ -38,23 +39,8 @@ bool is_cosmos(RecordReader reader) {
   return reader.next() && has(upper_case(reader.line()), "(FORMAT V");
 }
 
-/// A value of the real header. Unknown ones are not above 0, usually -999.
-struct RealValue {
-  std::size_t number{0};  ///< from 1
-  double value{0};
-  std::size_t line{0};
-};
-
-/// The step and the length in s, of the values or else of the recorder.
-struct CosmosTime {
-  RealValue step;
-  RealValue length;
-};
-
-/// These values of the last real header above `end`, in the order of their numbers.
-template <std::size_t Count>
-std::array<RealValue, Count> real_values(RecordReader start, const RecordReader& end,
-                                         const std::array<std::size_t, Count>& numbers) {
+/// The fields of the last real header above `end`, and what stands below it.
+std::vector<HeaderText> real_header(RecordReader start, const RecordReader& end) {
   std::optional<RecordReader> header;
   while (start.number() < end.number() && start.next()) {
     if (has(upper_case(start.line()), "REAL-HEADER VALUES")) {
@@ -64,31 +50,43 @@ std::array<RealValue, Count> real_values(RecordReader start, const RecordReader&
   if (!header) {
     end.refuse("Real-header values are missing: number 62 or 34 of them is the step");
   }
-  const std::size_t width = field_width(header->line());
-  std::array<RealValue, Count> found;
-  std::size_t place = 0;
-  std::size_t count = 0;
-  while (place < Count && header->next() && header->number() < end.number()) {
-    for (const std::string_view field : fields_of(header->line(), width)) {
-      if (++count == (place < Count ? numbers[place] : 0)) {
-        found[place] = {count, header->parse_number(field), header->number()};
-        ++place;
-      }
-    }
-  }
-  if (found.front().number == 0) {
-    end.refuse(fmt::format("only {} Real-header values: number 62 or 34 must be the step", count));
-  }
-  return found;
+  return fields_below(*header, end.number() - 1, field_width(header->line()));
 }
 
+/// A value of the real header. Unknown ones are not above 0, usually -999.
+struct RealValue {
+  std::size_t number{0};  ///< from 1; 0: the header ends before
+  double value{0};
+  std::size_t line{0};
+};
+
+RealValue real_value(const std::vector<HeaderText>& header, std::size_t number) {
+  if (number > header.size()) {
+    return {};
+  }
+  const auto& [text, reader] = header[number - 1];
+  return {number, reader.parse_number(text), reader.number()};
+}
+
+/// The step and the length in s, of the values or else of the recorder.
+struct CosmosTime {
+  RealValue step;
+  RealValue length;
+};
+
 CosmosTime cosmos_time(const RecordReader& start, const RecordReader& end) {
-  const auto [raw_step, raw_length, step, length] =
-      real_values(start, end, std::array<std::size_t, 4>{34, 35, 62, 63});
+  const std::vector<HeaderText> header = real_header(start, end);
+  const RealValue raw_step = real_value(header, 34);
+  if (raw_step.number == 0) {
+    end.refuse(
+        fmt::format("only {} Real-header values: number 62 or 34 must be the step", header.size()));
+  }
+  const RealValue step = real_value(header, 62);
+  const RealValue length = real_value(header, 63);
   constexpr double ms = 1000;
   const bool is_given = step.value > 0;
   return {is_given ? RealValue{step.number, step.value / ms, step.line} : raw_step,
-          is_given && length.value > 0 ? length : raw_length};
+          is_given && length.value > 0 ? length : real_value(header, 35)};
 }
 
 /// A factor of 1000 between s and ms must not slip through.

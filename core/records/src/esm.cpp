@@ -11,74 +11,40 @@
 
 #include <fmt/format.h>
 
-#include <optional>
+#include <vector>
 
 namespace stillpoint::records {
 
 namespace {
 
-struct EsmHeader {
-  std::optional<double> step;
-  std::size_t step_line{0};
-  ValueBlock block{.count_name = "NDATA"};
-  std::optional<RecordUnits> units;
-  std::size_t units_line{0};
-  std::string description;
-};
-
 bool is_esm(RecordReader reader) {
   return reader.next() && reader.line().starts_with("EVENT_NAME:");
 }
 
-/// The keys that matter, and those that describe the record.
-void note_esm_key(const RecordReader& reader, std::string_view key, std::string_view value,
-                  EsmHeader& header) {
-  if (key == "SAMPLING_INTERVAL_S") {
-    header.step = reader.parse_number(value);
-    header.step_line = reader.number();
-  } else if (key == "NDATA") {
-    header.block.count = whole_count(reader, key, value, reader.parse_number(value));
-    header.block.count_line = reader.number();
-  } else if (key == "UNITS") {
-    header.units = read_units(reader, value);
-    header.units_line = reader.number();
-  } else if (key == "DATA_TYPE" && upper_case(value) != "ACCELERATION") {
-    reader.refuse(fmt::format("DATA_TYPE is {}: must be ACCELERATION", quoted(value)));
-  } else if (key == "EVENT_NAME" || key == "NETWORK" || key == "STATION_CODE" || key == "STREAM") {
-    header.description += " " + std::string(value);
-  }
-}
-
-/// Stops before the first line that has no key.
-EsmHeader read_esm_header(RecordReader& reader) {
-  EsmHeader header;
-  for (RecordReader ahead = reader; ahead.next(); reader = ahead) {
-    const std::size_t colon = ahead.line().find(':');
-    if (colon == std::string_view::npos) {
-      break;
-    }
-    const std::string_view value = trimmed(ahead.line().substr(colon + 1));
-    if (!value.empty()) {
-      note_esm_key(ahead, ahead.line().substr(0, colon), value, header);
-    }
-  }
-  for (const auto& [key, found] :
-       {std::pair{"SAMPLING_INTERVAL_S", header.step.has_value()},
-        std::pair{"NDATA", header.block.count > 0}, std::pair{"UNITS", header.units.has_value()}}) {
-    if (!found) {
-      reader.refuse(fmt::format("the header ends here without {}", key));
-    }
-  }
-  return header;
-}
-
 RecordFile read_esm(RecordReader& reader) {
-  const EsmHeader header = read_esm_header(reader);
-  const double step = reader.file_step(header.step_line, "SAMPLING_INTERVAL_S", *header.step);
-  reader.set_units(*header.units, header.units_line);
-  return {{read_block(reader, header.block, acceleration_field), step, {}},
-          printable(single_spaced(header.description), longest_description),
-          *header.units};
+  std::vector<RecordReader> header;
+  for (RecordReader ahead = reader;
+       ahead.next() && ahead.line().find(':') != std::string_view::npos; reader = ahead) {
+    header.push_back(ahead);
+  }
+  const auto type = find_key(header, "DATA_TYPE:");
+  if (type && upper_case(type->text) != "ACCELERATION") {
+    type->reader.refuse(fmt::format("DATA_TYPE is {}: must be ACCELERATION", quoted(type->text)));
+  }
+  const auto [step, step_line] = text_of(header, "SAMPLING_INTERVAL_S:");
+  const double tau =
+      reader.file_step(step_line.number(), "SAMPLING_INTERVAL_S", step_line.parse_number(step));
+  const auto [count, count_line] = text_of(header, "NDATA:");
+  const ValueBlock block{"NDATA",
+                         whole_count(count_line, "NDATA", count, count_line.parse_number(count)),
+                         count_line.number()};
+  const auto [unit, unit_line] = text_of(header, "UNITS:");
+  const RecordUnits units = read_units(unit_line, unit);
+  reader.set_units(units, unit_line.number());
+  return {{read_block(reader, block, acceleration_field), tau, {}},
+          printable(described(header, {"EVENT_NAME:", "NETWORK:", "STATION_CODE:", "STREAM:"}),
+                    longest_description),
+          units};
 }
 
 }  // namespace

@@ -15,20 +15,11 @@
 
 #include <cmath>
 #include <numeric>
+#include <vector>
 
 namespace stillpoint::records {
 
 namespace {
-
-struct KnetHeader {
-  double frequency{0};  ///< 0: not given
-  std::size_t frequency_line{0};
-  double duration{0};
-  ValueBlock block{.count_name = "Sampling Freq times Duration Time"};
-  double gal_per_count{0};
-  std::size_t scale_line{0};
-  std::string description;
-};
 
 bool is_knet(RecordReader reader) {
   return reader.next() && reader.line().starts_with("Origin Time");
@@ -48,7 +39,8 @@ double positive(const RecordReader& reader, std::string_view key, std::string_vi
 }
 
 /// 3920(gal)/6182761: gal for that many counts.
-double gal_per_count(const RecordReader& reader, std::string_view text) {
+double gal_per_count(const HeaderText& scale) {
+  const auto& [text, reader] = scale;
   const std::size_t slash = text.find('/');
   const std::string_view gal = trimmed(text.substr(0, slash));
   if (slash == std::string_view::npos || !gal.ends_with("(gal)")) {
@@ -58,55 +50,28 @@ double gal_per_count(const RecordReader& reader, std::string_view text) {
          positive(reader, "Scale Factor", trimmed(text.substr(slash + 1)), "");
 }
 
-void note_knet_line(const RecordReader& reader, KnetHeader& header) {
-  const std::string_view line = reader.line();
-  const auto value_of = [line](std::string_view key) { return trimmed(line.substr(key.size())); };
-  constexpr std::string_view frequency = "Sampling Freq(Hz)";
-  constexpr std::string_view duration = "Duration Time(s)";
-  constexpr std::string_view scale = "Scale Factor";
-  if (line.starts_with(frequency)) {
-    header.frequency = positive(reader, frequency, value_of(frequency), "Hz");
-    header.frequency_line = reader.number();
-  } else if (line.starts_with(duration)) {
-    header.duration = positive(reader, duration, value_of(duration), "");
-    header.block.count_line = reader.number();
-  } else if (line.starts_with(scale)) {
-    header.gal_per_count = gal_per_count(reader, value_of(scale));
-    header.scale_line = reader.number();
-  } else {
-    for (const std::string_view key : {"Station Code", "Dir.", "Record Time"}) {
-      if (line.starts_with(key)) {
-        header.description += " " + std::string(value_of(key));
-      }
-    }
-  }
-}
-
-KnetHeader read_knet_header(RecordReader& reader) {
+std::vector<RecordReader> read_knet_header(RecordReader& reader) {
   constexpr std::size_t lines = 17;
-  KnetHeader header;
+  std::vector<RecordReader> header;
   while (reader.number() < lines && reader.next()) {
-    note_knet_line(reader, header);
+    header.push_back(reader);
   }
   if (!reader.line().starts_with("Memo.")) {
     reader.refuse("the 17 lines of a K-NET heading must end with the line Memo.");
   }
-  for (const auto& [key, value] : {std::pair{"Sampling Freq(Hz)", header.frequency},
-                                   std::pair{"Duration Time(s)", header.duration},
-                                   std::pair{"Scale Factor", header.gal_per_count}}) {
-    if (value == 0) {
-      reader.refuse(fmt::format("the heading ends here without {}", key));
-    }
-  }
+  return header;
+}
+
+ValueBlock counts_below(const HeaderText& duration, double frequency) {
+  constexpr std::string_view name = "Sampling Freq times Duration Time";
   // 59.99 s at 100 Hz are 5999 counts, though the product of the doubles is not.
   constexpr double rounding = 1e-6;
-  double count = header.frequency * header.duration;
+  double count = frequency * positive(duration.reader, "Duration Time(s)", duration.text, "");
   if (std::abs(count - std::round(count)) <= rounding) {
     count = std::round(count);
   }
-  header.block.count =
-      whole_count(reader, header.block.count_name, fmt::format("{:.10g}", count), count);
-  return header;
+  return {name, whole_count(duration.reader, name, fmt::format("{:.10g}", count), count),
+          duration.reader.number()};
 }
 
 double count_field(const RecordReader& reader, std::string_view field) {
@@ -119,23 +84,29 @@ double count_field(const RecordReader& reader, std::string_view field) {
 }
 
 RecordFile read_knet(RecordReader& reader) {
-  const KnetHeader header = read_knet_header(reader);
+  const std::vector<RecordReader> header = read_knet_header(reader);
+  const auto [rate, rate_line] = text_of(header, "Sampling Freq(Hz)");
+  const double frequency = positive(rate_line, "Sampling Freq(Hz)", rate, "Hz");
   const double step =
-      reader.file_step(header.frequency_line, "Sampling Freq(Hz) as a step", 1 / header.frequency);
-  reader.set_units(RecordUnits::cm_per_s2, header.scale_line);
-  std::vector<double> values = read_block(reader, header.block, count_field);
+      reader.file_step(rate_line.number(), "Sampling Freq(Hz) as a step", 1 / frequency);
+  const ValueBlock block = counts_below(text_of(header, "Duration Time(s)"), frequency);
+  const HeaderText scale = text_of(header, "Scale Factor");
+  const double gal = gal_per_count(scale);
+  reader.set_units(RecordUnits::cm_per_s2, scale.reader.number());
+  std::vector<double> values = read_block(reader, block, count_field);
   const double mean =
       std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
   for (double& value : values) {
-    const auto acceleration = reader.in_g((value - mean) * header.gal_per_count);
+    const auto acceleration = reader.in_g((value - mean) * gal);
     if (!acceleration) {
-      reader.refuse(header.scale_line,
-                    fmt::format("an acceleration of {} counts {}", value, reader.load_bounds()));
+      scale.reader.refuse(
+          fmt::format("an acceleration of {} counts {}", value, reader.load_bounds()));
     }
     value = *acceleration;
   }
-  const std::string description = fmt::format("{}; the mean of the counts, {:.6g}, is subtracted",
-                                              single_spaced(header.description), mean);
+  const std::string description =
+      fmt::format("{}; the mean of the counts, {:.6g}, is subtracted",
+                  described(header, {"Station Code", "Record Time", "Dir."}), mean);
   return {{std::move(values), step, {}},
           printable(description, longest_description),
           RecordUnits::cm_per_s2};

@@ -22,6 +22,10 @@ std::string doubt(const std::string& path, std::string_view message) {
   return FileError({"record", path}, message).what();
 }
 
+/// In s; a record of a hundred values has a shorter step, unless its times are in ms.
+constexpr double doubtful_step = 1;
+constexpr std::size_t enough_values = 100;
+
 /// A step that is several times as long as the first one, where nearly all are like that.
 std::optional<std::size_t> long_step(const std::vector<double>& times) {
   constexpr double far = 5;
@@ -46,6 +50,11 @@ void add_doubts(const RecordFile& file, const std::string& path, bool is_scaled,
         doubt(path, fmt::format("the largest value is {:.4g} g if its values are in g, which "
                                 "is assumed; did you mean --record-units {}?",
                                 peak, peak < largest_in_m_per_s2 ? "m/s2" : "cm/s2")));
+  }
+  if (const double step = mean_interval(file.record).value_or(0);
+      step > doubtful_step && file.record.values.size() >= enough_values) {
+    doubts.push_back(doubt(
+        path, fmt::format("its values are {:.4g} s apart on average; are its times in ms?", step)));
   }
   const std::vector<double>& times = file.record.times;
   if (const auto i = long_step(times)) {

@@ -32,27 +32,16 @@ bool is_smc(RecordReader reader) {
   return std::ranges::any_of(kinds, [&](const char* kind) { return first.starts_with(kind); });
 }
 
-/// A number of a header: its text, and where it stands.
-struct SmcNumber {
-  std::string_view text;
-  RecordReader reader;
-
-  [[nodiscard]] double value() const { return reader.parse_number(text); }
-};
-
 /// Number `wanted`, counted from 1, of the header that takes the next `lines` lines.
-SmcNumber smc_number(RecordReader reader, std::size_t lines, std::size_t width,
-                     std::size_t wanted) {
-  std::size_t before = 0;
-  for (std::size_t i = 0; i < lines && reader.next(); ++i) {
-    const auto fields = fields_of(reader.line(), width);
-    if (wanted <= before + fields.size()) {
-      return {fields[wanted - before - 1], reader};
-    }
-    before += fields.size();
+HeaderText smc_number(const RecordReader& reader, std::size_t lines, std::size_t width,
+                      std::size_t wanted) {
+  const auto fields = fields_below(reader, reader.number() + lines, width);
+  if (wanted > fields.size()) {
+    (fields.empty() ? reader : fields.back().reader)
+        .refuse(fmt::format("the header has only {} numbers: number {} is missing", fields.size(),
+                            wanted));
   }
-  reader.refuse(
-      fmt::format("the header has only {} numbers: number {} is missing", before, wanted));
+  return fields[wanted - 1];
 }
 
 void skip(RecordReader& reader, std::size_t lines) {
@@ -61,6 +50,10 @@ void skip(RecordReader& reader, std::size_t lines) {
       reader.refuse("the file ends within its header");
     }
   }
+}
+
+double value_of(const HeaderText& number) {
+  return number.reader.parse_number(number.text);
 }
 
 RecordFile read_smc(RecordReader& reader) {
@@ -85,27 +78,27 @@ RecordFile read_smc(RecordReader& reader) {
       }
     }
   }
-  const SmcNumber comments = smc_number(reader, integer_lines, integer_width, 16);
-  const SmcNumber count = smc_number(reader, integer_lines, integer_width, 17);
-  const ValueBlock block{
-      "whole number 17",
-      whole_count(count.reader, "whole number 17, the count of values,", count.text, count.value()),
-      count.reader.number(), value_width};
+  const HeaderText comments = smc_number(reader, integer_lines, integer_width, 16);
+  const HeaderText count = smc_number(reader, integer_lines, integer_width, 17);
+  const ValueBlock block{"whole number 17",
+                         whole_count(count.reader, "whole number 17, the count of values,",
+                                     count.text, value_of(count)),
+                         count.reader.number(), value_width};
   skip(reader, integer_lines);
-  const SmcNumber rate = smc_number(reader, real_lines, real_width, 2);
+  const HeaderText rate = smc_number(reader, real_lines, real_width, 2);
   constexpr double unknown = 1e38;  // the format writes 1.7E+38
-  if (!(rate.value() > 0 && rate.value() < unknown)) {
+  if (!(value_of(rate) > 0 && value_of(rate) < unknown)) {
     rate.reader.refuse(
         fmt::format("real number 2, the samples in a second, is {}: must be more "
                     "than 0 and known",
                     rate.text));
   }
   const double tau =
-      reader.file_step(rate.reader.number(), "1 over the samples in a second", 1 / rate.value());
+      reader.file_step(rate.reader.number(), "1 over the samples in a second", 1 / value_of(rate));
   skip(reader, real_lines);
-  if (comments.value() > 0) {
+  if (value_of(comments) > 0) {
     skip(reader, whole_count(comments.reader, "whole number 16, the lines of comments,",
-                             comments.text, comments.value()));
+                             comments.text, value_of(comments)));
   }
   reader.set_units(RecordUnits::cm_per_s2, 1);
   return {{read_block(reader, block, acceleration_field), tau, {}},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli_test.hpp"
 
+#include <regex>
+
 BOOST_AUTO_TEST_SUITE(record_design_command_test)
 
 // design --record, from the flags to the report. The search itself is in record_design_test.
@@ -14,6 +16,10 @@ constexpr double hand_tolerance = 1e-12;
 
 /// A damper that does not move, so every figure is known: it transmits the load.
 const Arguments held("design --record a.txt --period 2.8s --search-f 2:2 --search-delta-m 0:0");
+
+std::string one_line(const std::string& text) {
+  return std::regex_replace(text, std::regex("\\s+"), " ");
+}
 
 /// A search under it takes seconds.
 const Arguments long_search("design --record long.txt --record-step 0.01 --period 2.8 --hold 0.1");
@@ -80,6 +86,21 @@ BOOST_FIXTURE_TEST_CASE(a_damper_that_does_not_move_transmits_the_load, Recorded
     BOOST_TEST(near(report["worst"]["peak_absolute_acceleration"], load, hand_tolerance));
     BOOST_TEST(report["cross_check"]["passed"] == true);
   }
+  // The mean hides the record that is beyond it.
+  const std::string mean =
+      one_line(run(held + "--records-list list.csv --combine mean --quiet").out);
+  BOOST_TEST(contains(mean,
+                      "Mean of 2 records: 0.8 g transmitted. The worst of them, -3 x a.txt: "
+                      "1.2 g transmitted."),
+             mean);
+}
+
+/// The optimum is on the edge of the limit, so f a little less breaks it.
+BOOST_FIXTURE_TEST_CASE(samples_beyond_a_limit_are_in_the_first_lines, Recorded) {
+  const std::string text = one_line(
+      run("design --record a.txt --period 2.8s --search-delta-m 0:0 --max-displacement 10mm").out);
+  const std::regex beyond("a stroke of [0-9.]+ mm; [0-9]+ of 64 samples violate a limit or ");
+  BOOST_TEST(std::regex_search(text, beyond), text);
 }
 
 BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_reported, Recorded) {

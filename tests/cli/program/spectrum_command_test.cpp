@@ -142,7 +142,7 @@ BOOST_FIXTURE_TEST_CASE(missing_values_are_left_out, Recorded) {
 
 BOOST_FIXTURE_TEST_CASE(text_and_page_show_it, Recorded) {
   const ProgramRun answer = succeed(asked + "--html p.html --svg figures");
-  BOOST_TEST(contains(answer.out, "Under the record, the notch lowers the residual"), answer.out);
+  BOOST_TEST(contains(answer.out, "Under the record: the notch lowers the "), answer.out);
   check_contains(answer.out, {"\n  damper            f = 0.02, delta = 20 mm, the same",
                               "\n  record            a.txt, peak 0.4 g, "});
   BOOST_TEST(contains(answer.out, "\n  1.5 "), answer.out);

@@ -206,12 +206,15 @@ BOOST_AUTO_TEST_CASE(files_that_are_read_may_be_doubtful) {
   BOOST_TEST(doubts("ACCELERATION IN UNITS OF G\n" + counted).empty());
 
   std::string even;
+  std::string in_ms;
   std::string with_gap;
   for (int i = 0; i < 100; ++i) {
+    in_ms += in_full(10.0 * i) + " 0.1\n";
     even += in_full(std::round(i / 0.03) / 1000) + " 0.1\n";  // 0.033, 0.067
     with_gap += i >= 60 && i < 66 ? "" : in_full(0.5 * i) + " 0.1\n";
   }
   BOOST_TEST(doubts(even).empty());
+  check_only(doubts(in_ms), {"a.txt: its values are 10 s apart on average; are its times in ms?"});
   check_only(doubts("# t, a\n" + with_gap),
              {"a.txt: the time jumps from 29.5 to 33", "other steps are 0.5"});
   std::ofstream(folder.path("notes.txt")) << "Notes of the site visit.\n";

@@ -39,12 +39,14 @@ void finds(const ReferenceScene& scene, const Result& result, double tolerance) 
 
 BOOST_AUTO_TEST_CASE(dopri5_finds_the_references) {
   // 1e-12 per step; resonance amplifies the errors, and 424 half-cycles add theirs up.
-  finds(scene("S1"), dopri5(scene("S1").scene, 1e-12), 1e-10);
-  finds(scene("S2"), dopri5(scene("S2").scene, 1e-12), 1e-7);
-  finds(scene("FR"), dopri5(scene("FR").scene, 1e-12), 1e-10);
-  finds(scene("S3"), dopri5(scene("S3").scene, 1e-12), 2e-9);
-  finds(scene("S4"), dopri5(scene("S4").scene, 1e-12), 1e-10);
-  finds(scene("S5"), dopri5(scene("S5").scene, 1e-12), 1e-11);
+  for (const auto& [name, tolerance] : {std::pair{"S1", 1e-10},
+                                        {"S2", 1e-7},
+                                        {"FR", 1e-10},
+                                        {"S3", 2e-9},
+                                        {"S4", 1e-10},
+                                        {"S5", 1e-11}}) {
+    finds(scene(name), dopri5(scene(name).scene, 1e-12), tolerance);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(runge_kutta4_finds_the_references) {

@@ -77,10 +77,11 @@ std::vector<Figure> trade_off_figures(const std::vector<design::TradeOff>& front
                                       const design::Finding& chosen, const FigureUnits& units) {
   const double stroke = chosen.response.peak_amplitude * units.length;
   Figure acceleration =
-      over_stroke(front, units, "acceleration, g",
+      over_stroke(front, units, "acceleration outside the notch, g",
                   [](const design::TradeOff& now) { return now.peak_absolute_acceleration; },
                   Ink::orange, {stroke, chosen.response.peak_absolute_acceleration});
   acceleration.id = "trade-off";
+  acceleration.y.label = "acceleration, g";  // the name is too long for its height
   acceleration.title = "Trade-off of stroke, acceleration and tolerance";
   Figure tolerance =
       over_stroke(front, units, "tolerance, %",
@@ -91,7 +92,8 @@ std::vector<Figure> trade_off_figures(const std::vector<design::TradeOff>& front
   tolerance.below = true;
   tolerance.caption =
       "Each point is the most tolerant damper with that stroke: no damper is better in one of the "
-      "three without being worse in another.";
+      "three without being worse in another. Inside a notch of width w the acceleration is f + "
+      "Δ/w.";
   acceleration.description = format(
       "The least transmitted acceleration for each stroke, from {} at {:.4g} g to {} at "
       "{:.4g} g. The design has {} at {:.4g} g.",

@@ -27,25 +27,20 @@ using design::SuiteLimits;
 
 /// The objective from least to largest, then what is broken, which is hatched: more red than blue.
 constexpr std::array shades{"#0b4f8a", "#2f7fc1", "#6aaede", "#9ecae9", "#c6dff2", "#e6f1fa"};
-constexpr std::array broken{"#ef8a2b", "#f7b267", "#fbd3a4", "#8a7a68"};
-constexpr std::array broken_names{"stroke too large", "residual too large", "transmits too much",
+constexpr std::array broken{"#ef8a2b", "#fbd3a4", "#f7b267", "#8a7a68"};
+constexpr std::array broken_names{"stroke too large", "transmits too much", "residual too large",
                                   "never rests, or is near tipping"};
 
-/// The first of broken_names that is true; their number where the limits are met.
+/// The first of broken_names, in the order of design::limit_of, that is true; their number where
+/// the limits are met.
 std::size_t broken_index(const SuiteFigures& figures, const SuiteLimits& limits) {
-  const auto above = [](const std::optional<double>& limit, double value) {
-    return limit && value > *limit;
-  };
-  if (figures.settled && above(limits.peak, figures.peak)) {
-    return 0;
-  }
-  if (figures.settled && above(limits.residual, figures.residual)) {
-    return 1;
-  }
-  if (figures.settled && above(limits.acceleration, figures.acceleration)) {
-    return 2;
-  }
-  return admissible(figures, limits) ? broken.size() : 3;
+  const auto* const violated = std::ranges::find_if(design::limit_of, [&](const auto& each) {
+    const std::optional<double>& limit = limits.*each.second;
+    return figures.settled && limit && value_of(figures, each.first) > *limit;
+  });
+  return admissible(figures, limits)
+             ? broken.size()
+             : static_cast<std::size_t>(violated - design::limit_of.begin());
 }
 
 /// About the damper, but not beyond the range.
@@ -241,23 +236,6 @@ DrawnRecord drawn_record(const design::RecordDesign& result, std::size_t index,
   drawn.motion.id = format("record-{}", index + 1);
   drawn.motion.title = record_label(record);
   return drawn;
-}
-
-/// The record with the largest figure of the objective.
-std::size_t worst_record(const design::RecordDesign& result) {
-  const auto value = [&](const ForcedResponse& response) {
-    switch (result.request.objective) {
-      case design::SuiteObjective::amplitude:
-        return response.peak_amplitude;
-      case design::SuiteObjective::residual:
-        return std::abs(response.stop_position.value_or(0));
-      case design::SuiteObjective::acceleration:
-        break;
-    }
-    return response.peak_absolute_acceleration;
-  };
-  const std::vector<ForcedResponse>& all = result.finding->responses;
-  return static_cast<std::size_t>(std::ranges::max_element(all, {}, value) - all.begin());
 }
 
 /// The worst one large with its load, then the others small.

@@ -65,20 +65,16 @@ ordered_json records_json(const design::RecordDesign& result, const Physical& ph
   for (std::size_t i = 0; i < result.finding->responses.size(); ++i) {
     const design::SuiteRecord& record = result.request.records[i];
     const ForcedResponse& response = result.finding->responses[i];
-    const double residual = std::abs(response.stop_position.value());
-    list.push_back({{"file", record.name},
-                    {"scale", number(record.scale)},
-                    {"pga", number(design::peak_load(record))},
-                    {"peak_amplitude", number(response.peak_amplitude)},
-                    {"peak_m", metres(physical, response.peak_amplitude)},
-                    {"peak_absolute_acceleration", number(response.peak_absolute_acceleration)},
-                    {"residual", number(residual)},
-                    {"residual_m", metres(physical, residual)},
-                    {"outcome", name(response.outcome)},
-                    {"locked_from", number(response.locked_from)},
-                    {"locked_from_s", seconds(physical, response.locked_from)},
-                    {"largest_load_while_locked", number(response.largest_load_while_locked)},
-                    {"decision_margin", number(response.decision_margin)}});
+    ordered_json& json =
+        list.emplace_back(ordered_json{{"file", record.name},
+                                       {"scale", number(record.scale)},
+                                       {"pga", number(design::peak_load(record))}});
+    json.update(figures_json(design::figures_of(response), physical));
+    json["outcome"] = name(response.outcome);
+    json["locked_from"] = number(response.locked_from);
+    json["locked_from_s"] = seconds(physical, response.locked_from);
+    json["largest_load_while_locked"] = number(response.largest_load_while_locked);
+    json["decision_margin"] = number(response.decision_margin);
   }
   return list;
 }

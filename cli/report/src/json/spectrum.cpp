@@ -31,56 +31,55 @@ constexpr std::array spectrum_columns{"record",
                                       "residual_m_without_notch",
                                       "peak_absolute_acceleration_without_notch"};
 
-double period_s(const SpectrumReport& report, std::size_t point) {
-  return 2 * std::numbers::pi / report.result.request.p[point] * report.physical.scales.time_s;
-}
+constexpr std::size_t first_without = 7;  // of the columns
+constexpr std::size_t first_figure = 2;   // which has the same quantity as that one
 
-std::optional<double> metres(const SpectrumReport& report, const std::optional<double>& length) {
-  return length ? std::optional(*length * report.physical.scales.length_m) : std::nullopt;
-}
+/// Empty where a value does not exist.
+using SpectrumRow = std::array<std::optional<double>, spectrum_columns.size()>;
 
-std::optional<double> locked_from_s(const SpectrumReport& report,
-                                    const design::SpectrumFigures& figures) {
-  return figures.locked_from ? std::optional(*figures.locked_from * report.physical.scales.time_s)
-                             : std::nullopt;
-}
-
-void add_figures(ordered_json& json, const SpectrumReport& report,
-                 const design::SpectrumFigures& figures) {
-  json["peak_m"] = number(metres(report, figures.peak));
-  json["residual_m"] = number(metres(report, figures.residual));
-  json["peak_absolute_acceleration"] = number(figures.acceleration);
+SpectrumRow row_of(const SpectrumReport& report, std::size_t record, std::size_t place,
+                   const design::SpectrumPoint& point) {
+  const double time_s = report.physical.scales.time_s;
+  const double length_m = report.physical.scales.length_m;
+  const auto times = [](const std::optional<double>& value, double unit) {
+    return value ? std::optional(*value * unit) : std::nullopt;
+  };
+  const auto& [with_notch, without] = point;
+  return {static_cast<double>(record + 1),
+          2 * std::numbers::pi / report.result.request.p[place] * time_s,
+          with_notch.peak * length_m,
+          times(with_notch.residual, length_m),
+          with_notch.acceleration,
+          times(with_notch.locked_from, time_s),
+          with_notch.largest_load_while_locked,
+          without.peak * length_m,
+          times(without.residual, length_m),
+          without.acceleration};
 }
 
 ordered_json points_json(const SpectrumReport& report,
                          const std::vector<design::SpectrumPoint>& points) {
   ordered_json list = ordered_json::array();
   for (std::size_t i = 0; i < points.size(); ++i) {
-    ordered_json point{{"period_s", number(period_s(report, i))}};
-    const design::SpectrumFigures& with_notch = points[i].with_notch;
-    add_figures(point, report, with_notch);
-    point["locked_from_s"] = number(locked_from_s(report, with_notch));
-    point["largest_load_while_locked"] = number(with_notch.largest_load_while_locked);
-    add_figures(point["without_notch"], report, points[i].without);
-    list.push_back(std::move(point));
+    const SpectrumRow row = row_of(report, 0, i, points[i]);
+    ordered_json& json = list.emplace_back();
+    for (std::size_t column = 1; column < first_without; ++column) {
+      json[spectrum_columns.at(column)] = number(row.at(column));
+    }
+    ordered_json& without = json["without_notch"];
+    for (std::size_t column = first_without; column < row.size(); ++column) {
+      without[spectrum_columns.at(column - first_without + first_figure)] = number(row.at(column));
+    }
   }
   return list;
 }
-
-/// Of the file; empty where a value does not exist.
-using SpectrumRow = std::array<std::optional<double>, spectrum_columns.size()>;
 
 template <class Write>
 void for_each_row(const SpectrumReport& report, const Write& write) {
   const auto& records = report.result.records;
   for (std::size_t record = 0; record < records.size(); ++record) {
     for (std::size_t i = 0; i < records[record].size(); ++i) {
-      const auto& [with_notch, without] = records[record][i];
-      write(SpectrumRow{static_cast<double>(record + 1), period_s(report, i),
-                        metres(report, with_notch.peak), metres(report, with_notch.residual),
-                        with_notch.acceleration, locked_from_s(report, with_notch),
-                        with_notch.largest_load_while_locked, metres(report, without.peak),
-                        metres(report, without.residual), without.acceleration});
+      write(row_of(report, record, i, records[record][i]));
     }
   }
 }
@@ -132,9 +131,9 @@ ordered_json json(const SpectrumReport& report) {
           {"program", program_json()},
           {"input",
            {{"f", number(task.f)},
-            {"delta_m", number(metres(report, task.delta))},
+            {"delta_m", metres(report.physical, task.delta)},
             {"hold", number(task.hold)},
-            {"notch_width_m", number(metres(report, task.notch_width))},
+            {"notch_width_m", metres(report.physical, task.notch_width)},
             {"combine", name(task.combine.value())},
             {"gravity_m_per_s2", number(report.physical.scales.gravity_m_per_s2)}}},
           {"combined", points_json(report, report.result.combined)},

@@ -154,15 +154,13 @@ SuiteCheck check(const Suite& suite, const SuiteDamper& damper,
   SuiteCheck check;
   check.passed = true;
   for (std::size_t i = 0; i < responses.size(); ++i) {
-    const ForcedResponse& kernel = responses[i];
+    const SuiteFigures kernel = figures_of(responses[i]);
     const SuiteFigures other = integrate_record_motion(suite.oscillator(damper), suite.surface(),
                                                        std::get<Record>(suite.loads()[i]));
     const double error =
-        std::max({relative(other.peak - kernel.peak_amplitude, kernel.peak_amplitude),
-                  relative(other.acceleration - kernel.peak_absolute_acceleration,
-                           kernel.peak_absolute_acceleration),
-                  relative(other.residual - std::abs(kernel.stop_position.value_or(0)),
-                           kernel.peak_amplitude)});
+        std::max({relative(other.peak - kernel.peak, kernel.peak),
+                  relative(other.acceleration - kernel.acceleration, kernel.acceleration),
+                  relative(other.residual - kernel.residual, kernel.peak)});
     check.records.push_back({other.peak, other.acceleration, other.residual, error});
     check.relative_error = std::max(check.relative_error, error);
     check.passed = check.passed && other.settled && error <= check.tolerance;
@@ -300,20 +298,6 @@ SuiteMap suite_map(const RecordDesignRequest& request, double p, int side) {
   }
   map.figures = suite.figures(dampers, task.threads);
   return map;
-}
-
-std::string summary(const RecordDesign& result) {
-  const auto& [damper, figures] = result.finding ? result.finding->point : result.nearest;
-  const std::string point =
-      fmt::format("p = {:.6g}, f = {:.6g}, delta = {:.6g}", damper.p, damper.f, damper.delta);
-  const std::string does =
-      figures.settled
-          ? fmt::format("transmits {:.4g} g, moves up to |x| = {:.4g} and rests within {:.4g}",
-                        figures.acceleration, figures.peak, figures.residual)
-          : "does not come to rest";
-  return result.finding ? fmt::format("{} {}{}", point, does,
-                                      result.finding->check.passed ? "" : "; the check failed")
-                        : fmt::format("no damper: the nearest, {}, {}", point, does);
 }
 
 }  // namespace stillpoint::design

@@ -7,13 +7,10 @@
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <mutex>
 #include <numbers>
-#include <string_view>
 #include <utility>
 
 namespace stillpoint::design {
@@ -82,25 +79,6 @@ SpectrumFigures combined(const std::vector<std::vector<SpectrumPoint>>& records,
   return all;
 }
 
-using Value = double (*)(const SpectrumFigures&);
-
-double transmitted(const SpectrumFigures& one) {
-  return one.acceleration;
-}
-
-/// At how many of the periods `first` has less than `second`.
-std::string periods_with_less(const std::vector<SpectrumPoint>& points, Value value,
-                              SpectrumFigures SpectrumPoint::*first,
-                              SpectrumFigures SpectrumPoint::*second) {
-  const auto all = static_cast<std::ptrdiff_t>(points.size());
-  const auto less = std::ranges::count_if(points, [&](const SpectrumPoint& point) {
-    return value(point.*first) < value(point.*second);
-  });
-  return less == 0     ? "at no period"
-         : less == all ? "at every period"
-                       : fmt::format("at {} of {} periods", less, all);
-}
-
 }  // namespace
 
 Spectrum spectrum(const SpectrumRequest& request, const std::function<bool(double)>& go_on) {
@@ -139,43 +117,6 @@ Spectrum spectrum(const SpectrumRequest& request, const std::function<bool(doubl
     }
   }
   return result;
-}
-
-std::string summary(const Spectrum& spectrum) {
-  const std::vector<SpectrumPoint>& points = spectrum.combined;
-  const SpectrumRequest& task = spectrum.request;
-  if (task.delta == 0) {
-    return "Delta is 0, so there is no notch to compare with.";
-  }
-  const auto lowered = [&](Value value) {
-    return periods_with_less(points, value, &SpectrumPoint::with_notch, &SpectrumPoint::without);
-  };
-  const bool largest = *task.combine == Combine::max;
-  const std::string of = task.records.size() == 1
-                             ? std::string("Under the record")
-                             : fmt::format("Taking the {} of {} records",
-                                           largest ? "largest" : "mean", task.records.size());
-  const Value residual = [](const SpectrumFigures& one) { return one.residual.value_or(HUGE_VAL); };
-  const Value peak = [](const SpectrumFigures& one) { return one.peak; };
-  std::string text = fmt::format(
-      "{}, the notch lowers the residual {}, the transmitted acceleration {}, and the peak {}.", of,
-      lowered(residual), lowered(transmitted), lowered(peak));
-  std::string_view before = " It raises";
-  for (const auto& [what, value] :
-       {std::pair<std::string_view, Value>("residual", residual),
-        std::pair<std::string_view, Value>("transmitted acceleration", transmitted),
-        std::pair<std::string_view, Value>("peak", peak)}) {
-    const std::string raised =
-        periods_with_less(points, value, &SpectrumPoint::without, &SpectrumPoint::with_notch);
-    if (raised != "at no period") {
-      text += fmt::format("{} the {} {}", before, what, raised);
-      before = ",";
-    }
-  }
-  if (before == ",") {
-    text += ".";
-  }
-  return text;
 }
 
 }  // namespace stillpoint::design

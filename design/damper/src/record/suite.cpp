@@ -45,6 +45,11 @@ Record scaled(const SuiteRecord& record) {
   return load;
 }
 
+SuiteFigures figures_of(const ForcedResponse& response) {
+  return {response.peak_amplitude, response.peak_absolute_acceleration,
+          std::abs(response.stop_position.value()), response.decision_margin.value_or(1)};
+}
+
 double value_of(const SuiteFigures& figures, SuiteObjective which) {
   switch (which) {
     case SuiteObjective::amplitude:
@@ -125,8 +130,7 @@ SuiteFigures Suite::figures(const SuiteDamper& damper) const {
       const ForcedResponse one = response(damper, load);
       all.settled = one.stop_position && rests_in_time(one.half_cycles.value());
       if (all.settled) {
-        add(all, {one.peak_amplitude, one.peak_absolute_acceleration, std::abs(*one.stop_position),
-                  one.decision_margin.value_or(1)});
+        add(all, figures_of(one));
       }
     } catch (const TooManyHalfCycles&) {
       all.settled = false;

@@ -4,7 +4,6 @@
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/design/suite_task.hpp>
 
-#include <array>
 #include <compare>
 #include <cstddef>
 #include <optional>
@@ -66,14 +65,6 @@ class Suite {
   std::optional<double> hold_;
   Surface surface_;
 };
-
-/// The limit of each figure.
-inline constexpr std::array<std::pair<SuiteObjective, std::optional<double> SuiteLimits::*>, 3>
-    limit_of{{
-        {SuiteObjective::amplitude, &SuiteLimits::peak},
-        {SuiteObjective::acceleration, &SuiteLimits::acceleration},
-        {SuiteObjective::residual, &SuiteLimits::residual},
-    }};
 
 /// The rank of a damper: the less, the better. Any admissible one is better than any other.
 struct SuiteRank {

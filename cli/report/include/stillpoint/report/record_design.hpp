@@ -31,6 +31,9 @@ struct RecordDesignReport {
 /// "stroke", "transmitted acceleration" or "residual".
 [[nodiscard]] std::string_view quantity(design::SuiteObjective objective);
 
+/// Of a design with a damper: the record with the largest figure of the objective.
+[[nodiscard]] std::size_t worst_record(const design::RecordDesign& result);
+
 /// Why there is no damper, in one sentence; empty if there is one.
 [[nodiscard]] std::string shortfall_sentence(const RecordDesignReport& report);
 

@@ -73,9 +73,6 @@ struct RecordDesign {
   SuiteSearch search;
 };
 
-/// The result in one line for people: the damper and its figures, or how close the best came.
-[[nodiscard]] std::string summary(const RecordDesign& result);
-
 /// Scan, NLopt, check. Finding no damper is a result. Throws InputError.
 [[nodiscard]] RecordDesign design(const RecordDesignRequest& request,
                                   const RecordWatch& go_on = {});

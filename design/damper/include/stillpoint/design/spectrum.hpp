@@ -7,7 +7,6 @@
 
 #include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace stillpoint::design {
@@ -50,8 +49,5 @@ struct Spectrum {
 /// if it returns false the rest is skipped and the spectrum is unusable. Throws InputError.
 [[nodiscard]] Spectrum spectrum(const SpectrumRequest& request,
                                 const std::function<bool(double)>& go_on = {});
-
-/// In one line: at how many periods the notch lowers each combined figure.
-[[nodiscard]] std::string summary(const Spectrum& spectrum);
 
 }  // namespace stillpoint::design

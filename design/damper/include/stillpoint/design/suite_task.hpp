@@ -3,13 +3,16 @@
 
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/for_each_entry.hpp>
+#include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/records/record_suite.hpp>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::design {
@@ -44,6 +47,14 @@ struct SuiteLimits {
   std::optional<double> acceleration{};  ///< transmitted, in g; > 0
   std::optional<double> residual{};      ///< >= 0
 };
+
+/// The limit of each figure.
+inline constexpr std::array<std::pair<SuiteObjective, std::optional<double> SuiteLimits::*>, 3>
+    limit_of{{
+        {SuiteObjective::amplitude, &SuiteLimits::peak},
+        {SuiteObjective::acceleration, &SuiteLimits::acceleration},
+        {SuiteObjective::residual, &SuiteLimits::residual},
+    }};
 
 struct RecordDesignRequest {
   std::vector<SuiteRecord> records;
@@ -82,6 +93,9 @@ struct SuiteFigures {
   /// meaning.
   bool settled{true};
 };
+
+/// Of one motion that comes to rest.
+[[nodiscard]] SuiteFigures figures_of(const ForcedResponse& response);
 
 /// The figure that the objective minimises.
 [[nodiscard]] double value_of(const SuiteFigures& figures, SuiteObjective which);
