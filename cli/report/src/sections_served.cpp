@@ -25,7 +25,7 @@ std::string interval_text(const design::ServedInterval& interval) {
 namespace {
 
 /// Of an interval that ends with the numbers that can be given, not where the damper fails.
-std::string_view if_cut(const design::ServedInterval& served, const design::Interval& valid) {
+std::string_view if_cut(const design::ServedInterval& served, const Interval& valid) {
   constexpr double near = 1e-9;
   const bool low = served.low > 0 && served.low <= valid.low * (1 + near);
   const bool high = served.high && *served.high >= valid.high * (1 - near);
