@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "check/runge_kutta.hpp"
 #include "damper.hpp"
-#include "record/suite_check.hpp"
 
 BOOST_AUTO_TEST_SUITE(spectrum_test)
 
