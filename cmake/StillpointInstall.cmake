@@ -35,7 +35,7 @@ install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME copyright COM
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/stillpoint")
 target_compile_features(stillpoint_motion PUBLIC cxx_std_20)
 
-set(libraries motion records core damper sweep design)
+set(libraries motion records core integrators damper sweep design)
 foreach(library IN LISTS libraries)
   set_target_properties(stillpoint_${library} PROPERTIES EXPORT_NAME ${library})
 endforeach()

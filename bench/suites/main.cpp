@@ -29,7 +29,6 @@ namespace {
 
 using design::RecordDesign;
 using design::RecordDesignRequest;
-using design::SearchRange;
 using design::SuitePoint;
 
 /// The accuracy that the docs promise.
@@ -126,7 +125,7 @@ void print_gains(const std::vector<NamedSuite>& all) {
     paper.hold = std::nullopt;
     paper.notch_width.reset();
     RecordDesignRequest none = paper;
-    none.delta = SearchRange{0, 0};
+    none.delta = Interval{0, 0};
     const auto with_hold = [&](double hold) {
       RecordDesignRequest request = paper;
       request.hold = hold;

@@ -51,7 +51,7 @@ check_package(libstillpoint-dev
   "libeigen3-dev[^\n]*libfmt-dev .>= [0-9]+.,[^\n]*libhwy-dev[^\n]*libnlopt-cxx-dev"
   include/stillpoint/core/free_motion.hpp include/stillpoint/design/design.hpp
   include/stillpoint/records/record_file.hpp include/stillpoint/sweep/run.hpp
-  libstillpoint_motion.a libstillpoint_records.a libstillpoint_damper.a libstillpoint_sweep.a
+  libstillpoint_motion.a libstillpoint_records.a libstillpoint_integrators.a libstillpoint_damper.a libstillpoint_sweep.a
   cmake/stillpoint/stillpointConfig.cmake cmake/stillpoint/FindNLopt.cmake
   pkgconfig/stillpoint.pc pkgconfig/stillpoint-core.pc)
 

@@ -23,7 +23,7 @@ namespace stillpoint::cli {
 namespace {
 
 /// "LOW:HIGH", each with a unit if it has one.
-std::optional<design::SearchRange> search_range(const Settings& settings, const char* name) {
+std::optional<Interval> search_range(const Settings& settings, const char* name) {
   const auto text = settings.text(name);
   if (!text) {
     return std::nullopt;
@@ -31,14 +31,13 @@ std::optional<design::SearchRange> search_range(const Settings& settings, const 
   if (text->find(':') == std::string::npos) {
     throw InputError(name, *text, "must be LOW:HIGH");
   }
-  const auto [low, high] = range_value(*find_option(name), *text);
-  records::require_physical(name, find_option(name)->traits.dimension, high, low);
-  return design::SearchRange{low, high};
+  const Interval range = range_value(*find_option(name), *text);
+  records::require_physical(name, find_option(name)->traits.dimension, range.high, range.low);
+  return range;
 }
 
 /// With the longest period if only the range of the search is given.
-MotionInput suite_motion(const Settings& settings,
-                         const std::optional<design::SearchRange>& periods) {
+MotionInput suite_motion(const Settings& settings, const std::optional<Interval>& periods) {
   Settings whole = settings;
   if (periods && settings.given(Rivals::stiffness) == nullptr) {
     whole.set(*find_option("period"), periods->high);
@@ -88,7 +87,7 @@ report::RecordDesignInput record_design_input(const Settings& settings) {
   request.f = search_range(settings, "search-f");
   request.f_max = settings.number("f-max");
   if (const auto range = search_range(settings, "search-delta-m")) {
-    request.delta = design::SearchRange{range->low / length, range->high / length};
+    request.delta = Interval{range->low / length, range->high / length};
   }
   request.delta_max = point_friction(settings, "delta-max", "delta-max-m", start.physical);
   request.objective = objective_of(settings, request.objective, " under records");

@@ -57,7 +57,7 @@ std::string whole_number(const Option& option) {
   return fmt::format("a whole number from {} to {}", least, most);
 }
 
-Range range_value(const Option& option, std::string_view text) {
+Interval range_value(const Option& option, std::string_view text) {
   return sweep::parse_range(option.name, text, reader(option));
 }
 
@@ -174,7 +174,7 @@ std::vector<std::string> doubts(const Settings& settings, Command command) {
     const Axis* const axis = std::get_if<Axis>(&entry.value);
     const bool one_number = axis != nullptr ? axis->is_number()
                                             : std::holds_alternative<double>(entry.value) ||
-                                                  std::holds_alternative<Range>(entry.value);
+                                                  std::holds_alternative<Interval>(entry.value);
     if (one_number && find_option(option)->serves(command)) {
       given[std::string(option)] = {settings.number(option).value(),
                                     entry.with_unit || (axis != nullptr && has_unit(axis->text()))};
@@ -195,7 +195,7 @@ nlohmann::ordered_json as_json(const Settings::Value& value) {
       [](const auto& plain) -> nlohmann::ordered_json {
         if constexpr (std::is_same_v<std::decay_t<decltype(plain)>, Axis>) {
           return plain.text();
-        } else if constexpr (std::is_same_v<std::decay_t<decltype(plain)>, Range>) {
+        } else if constexpr (std::is_same_v<std::decay_t<decltype(plain)>, Interval>) {
           return {plain.low, plain.high};
         } else {
           return plain;

@@ -32,7 +32,6 @@ class UsageError : public std::runtime_error {
 
 using records::has_unit;
 using sweep::Axis;
-using sweep::Range;
 
 /// The value of an option, in its SI unit; see records/units.hpp. Throws InputError.
 [[nodiscard]] double parse_value(const Option& option, std::string_view text);
@@ -41,12 +40,12 @@ using sweep::Range;
 [[nodiscard]] std::string whole_number(const Option& option);
 
 /// LOW:HIGH. Throws InputError.
-[[nodiscard]] Range range_value(const Option& option, std::string_view text);
+[[nodiscard]] Interval range_value(const Option& option, std::string_view text);
 
 /// What was set, by a flag or by a scene; keys are option names.
 class Settings {
  public:
-  using Value = std::variant<double, std::int64_t, bool, std::string, Axis, Range>;
+  using Value = std::variant<double, std::int64_t, bool, std::string, Axis, Interval>;
 
   struct Entry {
     Value value;
@@ -73,7 +72,9 @@ class Settings {
   }
 
   /// A range; empty if not set or if it is a number.
-  [[nodiscard]] std::optional<Range> range(std::string_view name) const { return get<Range>(name); }
+  [[nodiscard]] std::optional<Interval> range(std::string_view name) const {
+    return get<Interval>(name);
+  }
 
   /// The value of a number (for a range, the end that stands for it), integer, text, flag or axis
   /// option; empty (false) if not set.

@@ -30,7 +30,7 @@ std::string_view combined(design::Combine combine) {
 }
 
 /// What a reader should know of a spring at an end of what was searched; empty elsewhere.
-std::string end_words(const design::SearchRange& searched, double p, bool of_period) {
+std::string end_words(const Interval& searched, double p, bool of_period) {
   constexpr double apart = 1e-6;
   if (!(searched.low < searched.high)) {
     return {};

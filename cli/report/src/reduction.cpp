@@ -34,7 +34,7 @@ void add_columns(Document& made, const Reduction& reduction) {
     const auto median = quantile(reduction, column, 0.5);
     table.rows.push_back(
         {{reduction.row[column.column].name, extreme_cell(column.least, column.column),
-          median ? fmt::format("{:.4g} and {:.4g}", median->first, median->second) : "-",
+          median ? fmt::format("{:.4g} and {:.4g}", median->low, median->high) : "-",
           extreme_cell(column.largest, column.column)}});
   }
   made.section("Columns").parts.emplace_back(std::move(table));

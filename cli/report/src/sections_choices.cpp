@@ -29,7 +29,9 @@ std::string consequence(const design::Constraint& violated, const ShownTask& tas
   }
   return name == "start" ? violated.variable == "f" ? "is held by friction" : "is held by the notch"
          : name == "return"    ? "rests off centre"
-         : name == "stop"      ? "passes x = 0"
+         : name == "stop"      ? violated.by_criterion_alone
+                                     ? "stops at x = 0, but not by the published criterion"
+                                     : "passes x = 0"
          : name == "dead_zone" ? "has too wide a dead zone"
          : name == "residual"  ? "rests too far out"
                                : "exceeds the " + in_words(name);
@@ -37,7 +39,7 @@ std::string consequence(const design::Constraint& violated, const ShownTask& tas
 
 /// "f is 12 % too small", "delta is 3.4 times the limit".
 std::string by_how_much(const design::Constraint& violated) {
-  const auto& [name, variable, relation, value, limit, slack, satisfied] = violated;
+  const auto& [name, variable, relation, value, limit, slack, satisfied, by_criterion] = violated;
   const bool too_large = relation.front() == '<';
   const double off = std::abs(slack) / limit;
   constexpr double in_percent_up_to = 1;

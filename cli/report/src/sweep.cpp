@@ -48,8 +48,8 @@ void add_scene(Section& scene, const sweep::SweepSpec& spec) {
     scene.row(label.substr(0, label.rfind("-m")),
               axis.has_ranges()  ? in(axis.text(), names.empty() ? "" : std::string(names[0].name))
                : axis.size() == 1 ? words(axis[0])
-                                 : fmt::format("{} to {}, {} values", words(axis.ends().first),
-                                               words(axis.ends().second), axis.size()));
+                                 : fmt::format("{} to {}, {} values", words(axis.ends().low),
+                                               words(axis.ends().high), axis.size()));
   }
   if (spec.kind == SweepKind::forced) {
     add_excitation(scene, spec.excitation, std::nullopt,

@@ -55,6 +55,13 @@ TooManyHalfCycles::TooManyHalfCycles(double bound, double limit)
 
 TooManyHalfCycles::TooManyHalfCycles(const std::string& message) : std::runtime_error(message) {}
 
+TooManyHalfCycles TooManyHalfCycles::at_least(double least, double limit) {
+  return TooManyHalfCycles(
+      fmt::format("friction is so small that the motion takes at least {:.3g} "
+                  "half-cycles; at most {:.3g} are allowed (half-cycle-limit)",
+                  least, limit));
+}
+
 TooManyHalfCycles TooManyHalfCycles::in_trajectory(double limit) {
   return TooManyHalfCycles(fmt::format(
       "the trajectory has more than {:.6g} half-cycles: give an earlier end (t_end)", limit));

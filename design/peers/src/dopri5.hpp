@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/core/elementary.hpp>
 #include <stillpoint/peers/event_run.hpp>
 
 #include <boost/numeric/odeint.hpp>
@@ -37,6 +38,21 @@ class SizedErrorChecker {
   State size_;
 };
 
+/// odeint's rule for the next step, with a power that is the same on every machine.
+class StepAdjuster : public boost::numeric::odeint::default_step_adjuster<double, double> {
+ public:
+  [[nodiscard]] static double decrease_step(double step, double error, int order) {
+    return step * std::max(0.9 * elementary::pow(error, -1.0 / (order - 1)), 0.2);
+  }
+  [[nodiscard]] static double increase_step(double step, double error, int order) {
+    constexpr double most = 5;
+    return error < 0.5
+               ? step * (0.9 * elementary::pow(std::max(elementary::pow(most, -order), error),
+                                               -1.0 / order))
+               : step;
+  }
+};
+
 /// What odeint::make_dense_output does, with steps that can be told to end at a kink: from one to
 /// the next the last derivative of a step stays the first of the next.
 class Dopri5 {
@@ -45,7 +61,7 @@ class Dopri5 {
   static constexpr bool has_dense_output = true;
 
   Dopri5(double tolerance, const Size& size)
-      : controlled_(SizedErrorChecker(tolerance, size)), next_(1e-2 * size.time) {}
+      : controlled_(SizedErrorChecker(tolerance, size), StepAdjuster()), next_(1e-2 * size.time) {}
 
   template <class AnyMotion>
   void begin(const AnyMotion& motion, double t, const State& state) {
@@ -74,6 +90,7 @@ class Dopri5 {
   }
 
   [[nodiscard]] const State& state() const { return now_.state; }
+  [[nodiscard]] double acceleration() const { return now_.rate[1]; }
 
   template <class AnyMotion>
   State at(const AnyMotion& /*motion*/, double t) {
@@ -91,7 +108,8 @@ class Dopri5 {
     State rate{};
   };
 
-  boost::numeric::odeint::controlled_runge_kutta<Dopri, SizedErrorChecker> controlled_;
+  boost::numeric::odeint::controlled_runge_kutta<Dopri, SizedErrorChecker, StepAdjuster>
+      controlled_;
   Point before_;
   Point now_;
   double next_;

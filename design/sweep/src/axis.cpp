@@ -60,7 +60,7 @@ Axis::Axis(std::vector<double> values)
   assert(!values_.empty());
 }
 
-Axis::Axis(const std::vector<Range>& ranges, RangeEnd standing) : size_(0), steps_(false) {
+Axis::Axis(const std::vector<Interval>& ranges, RangeEnd standing) : size_(0), steps_(false) {
   assert(!ranges.empty() && standing != RangeEnd::none);
   values_.reserve(ranges.size());
   others_.reserve(ranges.size());
@@ -103,7 +103,7 @@ double Axis::operator[](std::int64_t i) const {
   return static_cast<double>(std::exp(low + part * (high - low)));
 }
 
-std::pair<double, double> Axis::ends() const {
+Interval Axis::ends() const {
   const auto [least, most] = std::ranges::minmax(values_);
   return {least, most};
 }
@@ -135,7 +135,7 @@ Axis parse_axis(std::string_view field, std::string_view text, const NumberReade
   const bool colons = text.find(':') != std::string_view::npos;
   const auto at_most_one = [](std::string_view part) { return std::ranges::count(part, ':') <= 1; };
   if (colons && standing != RangeEnd::none && std::ranges::all_of(parts, at_most_one)) {
-    std::vector<Range> ranges;
+    std::vector<Interval> ranges;
     ranges.reserve(parts.size());
     for (const std::string_view part : parts) {
       if (part.find(':') == std::string_view::npos) {
@@ -158,13 +158,13 @@ Axis parse_axis(std::string_view field, std::string_view text, const NumberReade
   return Axis(std::move(values));
 }
 
-Range parse_range(std::string_view field, std::string_view text, const NumberReader& number) {
+Interval parse_range(std::string_view field, std::string_view text, const NumberReader& number) {
   const std::vector<std::string_view> ends = split(text, ':');
   if (ends.size() != 2 || ends[0].empty() || ends[1].empty()) {
     throw InputError(std::string(field), std::string(text),
                      "must be a number, or a range LOW:HIGH");
   }
-  const Range range{number(ends[0]), number(ends[1])};
+  const Interval range{number(ends[0]), number(ends[1])};
   if (!(range.low <= range.high && range.low >= 0)) {
     throw InputError(std::string(field), std::string(text),
                      "must be a range LOW:HIGH with 0 <= LOW <= HIGH");

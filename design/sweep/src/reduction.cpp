@@ -127,8 +127,8 @@ void add(Reduction& total, const Reduction& more) {
   }
 }
 
-std::optional<std::pair<double, double>> quantile(const Reduction& reduction,
-                                                  const ReducedColumn& column, double share) {
+std::optional<Interval> quantile(const Reduction& reduction, const ReducedColumn& column,
+                                 double share) {
   if (column.count == 0) {
     return std::nullopt;
   }
@@ -158,7 +158,7 @@ std::optional<std::pair<double, double>> quantile(const Reduction& reduction,
       }
     }
   }
-  return std::pair(low, high);
+  return Interval{low, high};
 }
 
 }  // namespace stillpoint::sweep

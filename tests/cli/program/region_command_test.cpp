@@ -159,7 +159,14 @@ BOOST_AUTO_TEST_CASE(text_shows_bounds_and_judgement) {
                             "violated", "does not return"});
 }
 
+/// Between the two Delta1 the mass stops: only the published criterion is violated.
+BOOST_AUTO_TEST_CASE(between_both_delta1_the_words_are_those_of_the_criterion) {
+  check_contains(succeed(region("--f 0.2 --delta 0.18")).out, {"It stops at x = 0, but not by"});
+  check_contains(succeed(region("--f 0.2 --delta 0.17")).out, {"It passes x = 0: delta is"});
+}
+
 /// Delta1 is that of the first arrival.
+
 BOOST_AUTO_TEST_CASE(a_friction_alone_has_no_notch) {
   const Arguments isolator(
       "region --velocity 0.4 --period 2.8 --mass 1200t --max-displacement 0.15");

@@ -21,6 +21,36 @@ Surface notch(double width) {
 
 }  // namespace
 
+BOOST_AUTO_TEST_CASE(a_motion_that_friction_hardly_slows_is_refused_at_once) {
+  // Within |x| = 0.22 it takes at most 1e-20 of v^2 a half-cycle.
+  const Surface zone{{}, {{0.22, 1e-20}}};
+  for (const double delta : {0.0, 1e-20}) {
+    for (const Excitation& load : {Excitation{}, Excitation{Rectangle{0.5, 1}}}) {
+      BOOST_CHECK_THROW((void)run({1, 0.1, delta}, zone, {0, 1}, load), TooManyHalfCycles);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_limit_of_half_cycles_refuses_just_what_exceeds_it) {
+  Dice dice(18);
+  for (int i = 0; i < 300; ++i) {
+    const double small = dice.power_of_ten(-3, -1.5);
+    const Oscillator oscillator{1, dice.power_of_ten(-2, 0), dice.once_in(2) ? small * small : 0};
+    const Surface zone{dice.once_in(4) ? std::optional(small) : std::nullopt,
+                       {{dice.uniform(0.05, 0.5), small}, {0.6, dice.power_of_ten(-3, 0)}}};
+    const Start start{dice.uniform(-1, 1), dice.uniform(-1, 1)};
+    const auto with_limit = [&](double limit) {
+      return forced_response(oscillator, start, Rectangle{0.5, 2}, {.half_cycle_limit = limit},
+                             zone);
+    };
+    const double passages = *with_limit(1e6).zero_passages;
+    BOOST_CHECK_NO_THROW((void)with_limit(passages + 1));
+    if (passages > 0) {
+      BOOST_CHECK_THROW((void)with_limit(passages), TooManyHalfCycles);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(half_cycles_through_zones_are_those_of_arcs_and_of_the_work_of_each) {
   const auto list = [](const Oscillator& oscillator, const Surface& surface, double x0) {
     return forced_half_cycles(oscillator, {x0, 0}, NoExcitation{}, 10, 2, {}, surface);

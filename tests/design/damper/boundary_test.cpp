@@ -69,6 +69,9 @@ BOOST_AUTO_TEST_CASE(delta_of_a_whole_number_triple_tips_both_bounds_at_the_last
       // The published bound is safe on both sides; at the exact one the motion changes. At
       // v_-^2 = 2 Delta itself it stops, but the region excludes that, because it has no tolerance.
       BOOST_TEST(stops_at_first_return(simulate(exact, f, below(at_published))));
+      BOOST_TEST(constraints(published, f, below(at_published))[4].by_criterion_alone);
+      BOOST_TEST(constraints(published, f, above(at_exact))[4].by_criterion_alone);
+      BOOST_TEST(!constraints(published, f, below(at_exact))[4].by_criterion_alone);
       BOOST_TEST(stops_at_first_return(simulate(exact, f, at_exact)));
       BOOST_TEST(*simulate(exact, f, below(at_exact)).zero_passages >= 1);
     }

@@ -198,8 +198,8 @@ BOOST_AUTO_TEST_CASE(a_stopped_search_suggests_no_relaxed_limit) {
 
 BOOST_AUTO_TEST_CASE(a_damper_that_does_not_move_passes_the_load_on) {
   RecordDesignRequest request = three_samples();
-  request.f = SearchRange{2, 2};
-  request.delta = SearchRange{0, 0};
+  request.f = Interval{2, 2};
+  request.delta = Interval{0, 0};
   request.records.push_back(request.records.front());
   request.records.back().scale = -3;  // its largest load is 1.2
   const RecordDesign worst = design::design(request);
@@ -231,8 +231,8 @@ BOOST_AUTO_TEST_CASE(a_scan_must_be_whole) {
 
 BOOST_AUTO_TEST_CASE(a_damper_without_friction_never_rests) {
   RecordDesignRequest request = three_samples();
-  request.f = SearchRange{0, 0};
-  request.delta = SearchRange{0, 0};
+  request.f = Interval{0, 0};
+  request.delta = Interval{0, 0};
   const RecordDesign result = design::design(request);
   BOOST_TEST(!result.finding.has_value());
   BOOST_TEST(!result.nearest.figures.settled);
@@ -266,8 +266,8 @@ BOOST_AUTO_TEST_CASE(each_suggested_limit_suffices) {
 BOOST_AUTO_TEST_CASE(only_the_limit_in_the_way_is_suggested) {
   // It does not move, so that it feels 0.4 g whatever the stroke.
   RecordDesignRequest request = three_samples();
-  request.f = SearchRange{2, 2};
-  request.delta = SearchRange{0, 0};
+  request.f = Interval{2, 2};
+  request.delta = Interval{0, 0};
   request.limits = {1, 0.1, 0};
   const RecordDesign none = design::design(request);
   BOOST_TEST(!none.finding.has_value());
@@ -281,7 +281,7 @@ BOOST_AUTO_TEST_CASE(only_the_limit_in_the_way_is_suggested) {
 BOOST_AUTO_TEST_CASE(a_free_period_is_at_least_as_good_as_any_single_one) {
   RecordDesignRequest request = short_records();
   request.records.resize(1, request.records.front());
-  request.delta = SearchRange{0, 0.1};
+  request.delta = Interval{0, 0.1};
   request.p = {0.8, 1.6};
   const RecordDesign free = design::design(request);
   BOOST_REQUIRE(free.finding.has_value());
@@ -311,8 +311,8 @@ BOOST_AUTO_TEST_CASE(the_sensitivity_is_that_of_the_samples) {
   BOOST_TEST(sensitivity.worst.peak >= point.figures.peak);
   BOOST_TEST(sensitivity.worst.acceleration >= point.figures.acceleration);
   BOOST_TEST(sensitivity.worst.residual >= point.figures.residual);
-  request.f = SearchRange{point.damper.f * 1.1, point.damper.f * 1.1};
-  request.delta = SearchRange{point.damper.delta * 1.1, point.damper.delta * 1.1};
+  request.f = Interval{point.damper.f * 1.1, point.damper.f * 1.1};
+  request.delta = Interval{point.damper.delta * 1.1, point.damper.delta * 1.1};
   request.tolerance = 0;
   request.limits = {};
   const RecordDesign corner = design::design(request);
@@ -335,8 +335,8 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused) {
   refused("scale", [](auto& request) { request.records[0].scale = 0; });
   refused("p", [](auto& request) { request.p = {2, 1}; });
   refused("p", [](auto& request) { request.p = {0, 1}; });
-  refused("f", [](auto& request) { request.f = SearchRange{-1, 1}; });
-  refused("delta", [](auto& request) { request.delta = SearchRange{1, 0}; });
+  refused("f", [](auto& request) { request.f = Interval{-1, 1}; });
+  refused("delta", [](auto& request) { request.delta = Interval{1, 0}; });
   refused("beta", [](auto& request) { request.limits.peak = 0; });
   refused("residual", [](auto& request) { request.limits.residual = -1; });
   refused("acceleration-max", [](auto& request) { request.limits.acceleration = 0; });

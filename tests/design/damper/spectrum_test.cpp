@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "check/runge_kutta.hpp"
 #include "damper.hpp"
 
 BOOST_AUTO_TEST_SUITE(spectrum_test)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "record/suite.hpp"
+#include "check/runge_kutta.hpp"
 #include "damper.hpp"
-#include "record/suite_check.hpp"
 
 #include "suites_of_records.hpp"
 
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(a_delta_beyond_the_default_range_makes_no_difference) {
     request.p = {p, p};
     request.hold = i % 4 < 2 ? std::optional(random.uniform(0, 0.2)) : std::nullopt;
     request.scan_points = 1;
-    request.f = SearchRange{0.2, 0.2};
+    request.f = Interval{0.2, 0.2};
     RecordDesignRequest probe = request;
     probe.delta.reset();
     const double most = suite_map(probe, p, 1).delta.front() * 2;  // the middle of the one cell

@@ -58,7 +58,7 @@ class CloseDopri5 : Dopri5 {
 
   template <class Load>
   struct Looked : Load {
-    [[nodiscard]] double scan_step() const { return Load::scan_step() / 64; }
+    [[nodiscard]] double next_look(double t) const { return t + (Load::next_look(t) - t) / 64; }
   };
 
   template <class AnyMotion>

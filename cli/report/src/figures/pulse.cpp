@@ -44,9 +44,8 @@ FigureCurve needs(const LeastDelta& least_delta, double last, const FigureUnits&
 }
 
 /// From the curve, where it is below `top`, to `end`.
-std::vector<FigurePoint> beside_the_curve(const LeastDelta& least_delta,
-                                          const design::Interval& interval, double top, double end,
-                                          double unit) {
+std::vector<FigurePoint> beside_the_curve(const LeastDelta& least_delta, const Interval& interval,
+                                          double top, double end, double unit) {
   std::vector<FigurePoint> outline;
   for (int i = 0; i <= curve_steps; ++i) {
     const double f = interval.low + (interval.high - interval.low) * i / curve_steps;

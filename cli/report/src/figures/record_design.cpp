@@ -44,7 +44,7 @@ std::size_t broken_index(const SuiteFigures& figures, const SuiteLimits& limits)
 }
 
 /// About the damper, but not beyond the range.
-design::SearchRange shown_range(const design::SearchRange& range, double chosen) {
+Interval shown_range(const Interval& range, double chosen) {
   constexpr double around = 3;
   constexpr double least_part = 0.1;
   return {range.low,

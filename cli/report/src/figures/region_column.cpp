@@ -58,13 +58,13 @@ std::vector<RegionColumn> region_columns(const design::Problem& problem,
   return columns;
 }
 
-std::optional<design::Interval> below_strip(const RegionColumn& column, std::size_t n) {
+std::optional<Interval> below_strip(const RegionColumn& column, std::size_t n) {
   const auto& strips = column.strips;
   // Strip 1 begins at the start, so that nothing is above it.
   if (strips[0] || (n == 0 ? strips[1].has_value() : !strips[n])) {
     return std::nullopt;
   }
-  design::Interval range{column.stop, n == 0 ? HUGE_VAL : strips[n]->low};
+  Interval range{column.stop, n == 0 ? HUGE_VAL : strips[n]->low};
   for (std::size_t below = n + 1; below < strips.size(); ++below) {
     if (strips[below]) {
       range.low = std::max(range.low, strips[below]->high);

@@ -17,7 +17,7 @@ struct RegionColumn {
   double stop;  ///< below it the mass passes the last arrival allowed
   /// The strips by arrival, from 0, any rest within the residual. Those of arrivals beyond the ones
   /// that are drawn are one.
-  std::vector<std::optional<design::Interval>> strips;
+  std::vector<std::optional<Interval>> strips;
 };
 
 /// The f closest to `outside` at which something still holds that holds at `inside`.
@@ -39,7 +39,6 @@ double last_inside(double inside, double outside, const Holds& holds) {
 /// Where the mass rests off centre or beyond the residual: from the next lower strip, or the stop,
 /// to that of arrival n; n = 0: up to the start. Empty if there is no such strip or nothing
 /// between.
-[[nodiscard]] std::optional<design::Interval> below_strip(const RegionColumn& column,
-                                                          std::size_t n);
+[[nodiscard]] std::optional<Interval> below_strip(const RegionColumn& column, std::size_t n);
 
 }  // namespace stillpoint::report

@@ -111,7 +111,7 @@ class Sides {
       widest = 0;
     };
     for (const RegionColumn& column : columns) {
-      const std::optional<design::Interval> span = span_of(column);
+      const std::optional<Interval> span = span_of(column);
       if (!span) {
         finish();
         continue;
@@ -130,7 +130,6 @@ class Sides {
     if (!(from < to)) {
       return;
     }
-    using design::Interval;
     std::vector<double> grid(edge_steps + 1);
     for (int i = 0; i <= edge_steps; ++i) {
       grid[static_cast<std::size_t>(i)] = from + (to - from) * i / edge_steps;

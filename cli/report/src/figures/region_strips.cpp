@@ -99,7 +99,7 @@ class Strips {
   }
 
  private:
-  [[nodiscard]] std::optional<design::Interval> range_at(const DrawnStrip& strip, double f) const {
+  [[nodiscard]] std::optional<Interval> range_at(const DrawnStrip& strip, double f) const {
     auto range = design::delta_range(drawn_.problem, strip.first, f);
     if (range && strip.with_later) {
       range->low = design::least_stopping_delta(drawn_.problem, f);
@@ -108,17 +108,17 @@ class Strips {
   }
 
   /// Of f.
-  [[nodiscard]] std::optional<design::Interval> extent(std::int64_t arrival) const {
+  [[nodiscard]] std::optional<Interval> extent(std::int64_t arrival) const {
     if (plain_ && arrival > 0) {
       const auto n = static_cast<double>(arrival);
       const double tip = drawn_.problem.v0 * drawn_.problem.p / (2 * std::sqrt(n * (n + 1)));
-      return design::Interval{std::max(drawn_.region.f2, 0.0),
-                              std::min(arrival == 1 ? drawn_.region.f3 : tip,
-                                       design::largest_f_allowed(drawn_.problem, drawn_.limits))};
+      return Interval{std::max(drawn_.region.f2, 0.0),
+                      std::min(arrival == 1 ? drawn_.region.f3 : tip,
+                               design::largest_f_allowed(drawn_.problem, drawn_.limits))};
     }
     const auto found = std::ranges::find(found_, arrival, &design::Strip::arrival);
     return found != found_.end() && found->f_lower
-               ? std::optional(design::Interval{*found->f_lower, *found->f_upper})
+               ? std::optional(Interval{*found->f_lower, *found->f_upper})
                : std::nullopt;
   }
 

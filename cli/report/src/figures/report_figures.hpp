@@ -187,7 +187,7 @@ struct DrawnPulseRegion {
   design::PulseProblem problem;
   design::Limits limits;
   design::Region region;
-  std::vector<design::Interval> intervals;
+  std::vector<Interval> intervals;
   std::optional<DrawnDamper> damper;
   std::string mend;
 };

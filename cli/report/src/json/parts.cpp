@@ -35,8 +35,8 @@ ordered_json point_json(const design::DesignPoint& point) {
           {"delta", number(point.delta)}};
 }
 
-ordered_json intervals_json(const std::vector<design::Interval>& intervals) {
-  return list_json(intervals, [](const design::Interval& interval) -> ordered_json {
+ordered_json intervals_json(const std::vector<Interval>& intervals) {
+  return list_json(intervals, [](const Interval& interval) -> ordered_json {
     return {number(interval.low), number(interval.high)};
   });
 }

@@ -18,7 +18,7 @@ ordered_json period_json(const Physical& physical, double p) {
   return seconds(physical, 2 * std::numbers::pi / p);
 }
 
-ordered_json range_json(const design::SearchRange& range) {
+ordered_json range_json(const Interval& range) {
   return ordered_json::array({number(range.low), number(range.high)});
 }
 

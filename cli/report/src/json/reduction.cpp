@@ -55,7 +55,7 @@ ordered_json quantiles_json(const Reduction& reduction, const ReducedColumn& col
   ordered_json result = ordered_json::array();
   for (const double share : quantile_shares) {
     if (const auto bounds = quantile(reduction, column, share)) {
-      result.push_back({{"share", share}, {"low", bounds->first}, {"high", bounds->second}});
+      result.push_back({{"share", share}, {"low", bounds->low}, {"high", bounds->high}});
     }
   }
   return result;

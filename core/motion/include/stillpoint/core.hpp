@@ -13,6 +13,7 @@
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/half_cycles.hpp>
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/interval.hpp>
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/core/seconds.hpp>

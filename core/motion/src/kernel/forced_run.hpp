@@ -206,6 +206,14 @@ class ForcedRun {
     }
   }
 
+  /// That many more are certain.
+  void require_passages(const Real& more) const {
+    const double all = static_cast<double>(s_.passages) + static_cast<double>(more);
+    if (all > static_cast<double>(most_passages_)) {
+      throw TooManyHalfCycles::at_least(all, static_cast<double>(most_passages_ + 1));
+    }
+  }
+
   /// The same on a piece that begins now, where no notch is.
   template <class Piece, class AnyCrossing>
   void cross(const Piece& piece, const typename Piece::End& end, std::optional<AnyCrossing>& last) {

@@ -14,8 +14,10 @@
 
 #include <stillpoint/core/state.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace stillpoint {
 
@@ -107,6 +109,17 @@ void slide_in_zone(Run& run, Drive& drive, ExactSum<Real>& left) {
   }
 }
 
+/// A motion that W = 0 leaves free, at a turn: refused here if the limit is certain to be exceeded.
+template <class Run>
+void require_few_passages(const Run& run) {
+  const auto& u = run.state().u;
+  const auto& notch = run.map().notch;
+  using Real = std::decay_t<decltype(u)>;
+  const Real end = run.law().farthest_end(u);
+  const Real left = std::max(Real(end * end), notch);
+  run.require_passages(Real((u * u - left) / (notch + run.law().most_taken(u)) - 1));
+}
+
 /// W = 0 for good: up to the final rest, or until nothing can slow the mass down any more.
 template <class Run, class Drive>
 void slide_to_rest(Run& run, Drive& drive) {
@@ -118,6 +131,7 @@ void slide_to_rest(Run& run, Drive& drive) {
       run.state().outcome = Outcome::never_stops;
     }
     if (!run.over()) {
+      require_few_passages(run);
       run.set_off_under(drive);
     }
   }

@@ -136,6 +136,32 @@ class ZonedFriction {
                                          : Outcome::stopped_in_dead_zone;
   }
 
+  /// The most that friction takes of v^2 + u^2 between two passages of x = 0, within |u|.
+  [[nodiscard]] Real most_taken(const Real& u) const {
+    Real taken(0);
+    Real to = magnitude(u);
+    for (auto zone = zones_.rbegin(); zone != zones_.rend(); ++zone) {
+      if (zone->from < to) {
+        taken += 4 * zone->phi * (to - zone->from);
+        to = zone->from;
+      }
+    }
+    return taken;
+  }
+
+  /// A motion within |u| loses nothing any more, or rests, no farther out than here.
+  [[nodiscard]] Real farthest_end(const Real& u) const {
+    Real farthest(0);
+    bool frictionless = !notched_;
+    for (const Zone& zone : zones_) {
+      if (zone.from < magnitude(u)) {
+        farthest = std::max({farthest, zone.phi, frictionless ? zone.from : Real(0)});
+        frictionless = frictionless && zone.phi == 0;
+      }
+    }
+    return farthest;
+  }
+
   /// Whether nothing takes energy from a motion within |u|.
   [[nodiscard]] bool frictionless_up_to(const Real& u) const {
     return !notched_ && std::ranges::all_of(zones_, [&](const Zone& zone) {

@@ -1,24 +1,39 @@
 // SPDX-License-Identifier: MIT
-
-// The initial-value problems (9) of the paper, integrated step by step. In units of V0 and p:
-// x'' = -s a - x with s = sgn x' on each monotone piece, a = f / (V0 p), notch = 2 Delta / V0^2.
-
 #include "check/runge_kutta.hpp"
 
-#include "check/monotone_piece.hpp"
+#include "pulse/first_return.hpp"
+#include "record/suite.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/peers/load.hpp>
+#include <stillpoint/peers/methods.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace stillpoint::design {
 
 namespace {
 
-constexpr double first_kutta_step =
-    1e-3;  // of 1 / p; the controller corrects a poor choice at once
+using std::numbers::pi;
+
+/// Of the phase p t. The error of a step is (p h)^5/120 of the motion, so 5e-16 for each radian:
+/// close decisions amplify it up to a millionfold. A slip as short as a step is off by
+/// (p h)^2/20 of itself, so 1e-8.
+constexpr double phase_step = 1.0 / 2000;
+
+/// The largest |W| after tau = `from`, which a mass held for ever feels.
+double largest_load_after(const Record& record, double from) {
+  double most = 0;
+  for (peers::RecordLoad load(record); load.stretch_end() < peers::for_ever; load.next_stretch()) {
+    if (const double end = load.stretch_end(); end > from) {
+      most = std::max(most, std::abs(load(end)));
+    }
+  }
+  return most;
+}
 
 }  // namespace
 
@@ -27,61 +42,67 @@ IntegratedMotion integrate_free_motion(const Oscillator& oscillator, double v0, 
   require_valid(oscillator, {0, v0});
   require_within("v0", v0, smallest_speed, largest_speed);
   require_within("tolerance", tolerance, std::numeric_limits<double>::epsilon(), 1e-2);
-  const double a = oscillator.f / oscillator.p / v0;
-  const double notch = 2 * oscillator.delta / v0 / v0;
-  if (a == 0 && notch == 0) {
+  const auto& [p, f, delta, hold] = oscillator;
+  if (f == 0 && delta == 0) {
     throw InputError("f, delta", "0", "some friction is needed for the motion to stop");
   }
-  // From rest at a turn or with a speed at x = 0, to the next of them.
-  const auto follow_next = [&](MonotonePiece& piece) {
-    const auto motion = [&](const MotionState& now, MotionState& rate, double /*t*/) {
-      rate = {now[1], -piece.direction * a - now[0]};
-    };
-    return follow(piece, motion, {tolerance, tolerance}, first_kutta_step, HUGE_VAL,
-                  [](const MotionState&, double) {});
-  };
   IntegratedMotion motion;
+  motion.stopped = true;
   motion.half_cycles = 0;
-  double peak = 0;
-  double acceleration = 0;
-  MonotonePiece now{0, {0, 1}, 1};
-  const auto stop = [&](double position) {
-    motion.stopped = true;
-    motion.stop_position = position * v0 / oscillator.p;
-  };
   // Compared as in the region: if scaled by v0 first, an exact tie could round to the other side.
-  if (2 * oscillator.delta > v0 * v0) {
-    stop(0);
+  if (2 * delta > v0 * v0) {
     return motion;
   }
-  while (!motion.stopped && motion.half_cycles < max_half_cycles) {
-    ++motion.half_cycles;
-    follow_next(now);
-    const double top = now.state[0];
-    peak = std::max(peak, std::abs(top));
-    acceleration = std::max(acceleration, std::abs(top) + a);
-    if (std::abs(top) <= a) {
-      stop(top);
-      break;
-    }
-    now = {now.time, {top, 0}, std::copysign(1.0, -top)};
-    if (follow_next(now) == PieceEnd::turn) {
-      stop(now.state[0]);
-      break;
-    }
-    const double speed = now.state[1];
-    motion.arrival_speed = std::abs(speed) * v0;
-    const double left = speed * speed - notch;
-    if (left <= 0) {
-      stop(0);
-    } else {
-      now.state = {0, std::copysign(std::sqrt(left), speed)};
-    }
-  }
-  motion.peak_amplitude = peak * v0 / oscillator.p;
-  motion.peak_acceleration = acceleration * v0 * oscillator.p;
-  motion.stop_time = now.time / oscillator.p;
+  // In units of V0 and p, where no half-cycle takes more than pi.
+  const Oscillator unit{1, f / p / v0, std::min(delta / v0 / v0, 0.5)};
+  const peers::Result result =
+      peers::dopri5({unit, {0, 1}, NoExcitation{}, max_half_cycles * pi}, tolerance);
+  motion.stopped = result.outcome != Outcome::running;
+  motion.half_cycles = std::min(static_cast<double>(result.passages) + 1, max_half_cycles);
+  motion.peak_amplitude = result.peak * v0 / p;
+  motion.peak_acceleration = result.acceleration * v0 * p;
+  motion.stop_time = result.end_time / p;
+  motion.arrival_speed = result.arrival_speed * v0;
+  motion.stop_position = motion.stopped ? result.x * v0 / p : 0;
   return motion;
+}
+
+IntegratedMotion integrate_under_pulse(const Oscillator& oscillator, const Pulse& pulse,
+                                       double size, double tolerance) {
+  const auto& [p, f, delta, hold] = oscillator;
+  const double k = peak_load(pulse);
+  const double length = k / p / p;
+  // In units of k and p. The mass arrives or rests within a turn of the phase after the pulse.
+  const Excitation load = excitation(unit_pulse(pulse, p));
+  const double ends = duration(load).value();
+  constexpr double first_step = 1e-2;  // of the time below; the controller corrects it at once
+  const peers::Result result =
+      peers::dopri5({{1, f / k, unpassable}, {}, load, ends + 3 * pi}, tolerance,
+                    {size / length, size / length, first_step * std::min(1.0, ends)});
+  const double speed = result.arrival_speed;
+  const bool passes = speed * speed > 2 * delta / length / k;
+  IntegratedMotion motion;
+  motion.stopped = !passes && result.outcome != Outcome::running;
+  motion.half_cycles = passes ? 2 : 1;
+  motion.peak_amplitude = result.peak * length;
+  motion.peak_acceleration = result.relative_acceleration * k;
+  motion.stop_time = result.end_time / p;
+  motion.arrival_speed = speed * k / p;
+  motion.stop_position = result.x * length;
+  return motion;
+}
+
+SuiteFigures integrate_record_motion(const Oscillator& oscillator, const Surface& surface,
+                                     const Record& record) {
+  const double p = oscillator.p;
+  const double t_end = duration(record).value() + most_suite_half_cycles * pi / p;
+  const peers::Result result = peers::runge_kutta4({oscillator, {}, record, t_end, surface},
+                                                   phase_step / p, peers::any_effort);
+  return {
+      .peak = result.peak,
+      .acceleration = std::max(result.acceleration, largest_load_after(record, result.end_time)),
+      .residual = std::abs(result.x),
+      .settled = result.outcome != Outcome::running};
 }
 
 }  // namespace stillpoint::design

@@ -41,6 +41,9 @@ struct FirstReturn {
   }
 };
 
+/// More than the energy of any arrival, so the notch holds it.
+inline constexpr double unpassable = 1e250;
+
 /// The pulse in units of k and p.
 [[nodiscard]] Pulse unit_pulse(const Pulse& pulse, double p);
 

@@ -48,35 +48,15 @@ bool fits(const PulseCase& now) {
   return PulseRegion(profile, now.problem, now.limits).feasible();
 }
 
-/// For an input that does not always help or always harm: the nearest value on either side that
-/// fits, among those found by steps of growing size.
+/// By steps that grow: a region is expensive.
 std::optional<double> nearest_either_way(const PulseCase& base, double from, double least,
                                          double most, void (*set)(PulseCase&, double)) {
-  constexpr double first_step = 1.02;
   constexpr double growth = 1.12;
-  const auto fits_at = [&](double value) {
+  return design::nearest_either_way(from, least, most, growth, [&](double value) {
     PulseCase changed = base;
     set(changed, value);
     return fits(changed);
-  };
-  double step = first_step;
-  double inner = 1;  // factors up to this are tried
-  while (from * inner < most || from / inner > least) {
-    const double outer = inner * step;
-    step = 1 + (step - 1) * growth;
-    const double above = std::min(from * outer, most);
-    const double below = std::max(from / outer, least);
-    const auto nearest = [&](double inside, double to) {
-      return fits_at(to) ? nearest_fit(inside, to, fits_at) : std::nullopt;
-    };
-    const auto up = from * inner < most ? nearest(from * inner, above) : std::nullopt;
-    const auto down = from / inner > least ? nearest(from / inner, below) : std::nullopt;
-    if (up || down) {
-      return up && (!down || *up / from <= from / *down) ? up : down;
-    }
-    inner = outer;
-  }
-  return std::nullopt;
+  });
 }
 
 }  // namespace

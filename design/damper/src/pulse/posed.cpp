@@ -55,71 +55,88 @@ NloptProblem along_f(const PulseTask& task, double scale,
   return posed;
 }
 
-/// x = f / high of the interval, and t: the least -t with
-///   low / high - x (1 - t) <= 0,  x (1 + t) - 1 <= 0,  need (1 + t) / ((1 - t) delta_max) - 1 <=
-///   0 at each end of the box, and between them,
-/// t times the part of its own on each side.
-NloptProblem over_boxes(const PulseTask& task, const std::function<void(double)>& visit) {
-  const double low = task.part.low;
-  const double high = task.part.high;
-  const double asked = task.region.asked();
-  const double most = task.region.most_tolerance();
+void store(Eigen::VectorXd& gradient, double by_x, double by_t) {
+  gradient = Eigen::Vector2d(by_x, by_t).head(gradient.size());
+}
+
+/// The box lies in the interval.
+void add_edges(NloptProblem& posed, const PulseTask& task) {
+  const double least = task.part.low / task.part.high;
   const double down = task.region.shape().f_low;
   const double up = task.region.shape().f_high;
-  const Criterion criterion = task.region.criterion();
-  NloptProblem posed;
-  posed.lower = Eigen::Vector2d(low / high, asked);
-  posed.upper = Eigen::Vector2d(1, most);
-  posed.start = Eigen::Vector2d(start_of(task) / high, asked);
-  const auto store = [](Eigen::VectorXd& gradient, double by_x, double by_t) {
-    gradient = Eigen::Vector2d(by_x, by_t).head(gradient.size());
-  };
-  posed.objective = [=](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
-    visit(x[0] * high);
-    store(gradient, 0, -1);
-    return -x[1];
-  };
   posed.constraints.emplace_back([=](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
     store(gradient, -(1 - down * x[1]), down * x[0]);
-    return low / high - x[0] * (1 - down * x[1]);
+    return least - x[0] * (1 - down * x[1]);
   });
   posed.constraints.emplace_back([=](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
     store(gradient, 1 + up * x[1], up * x[0]);
     return x[0] * (1 + up * x[1]) - 1;
   });
-  if (std::isinf(task.region.delta_max())) {
-    return posed;
-  }
-  // It converges on the edge from outside.
+}
+
+/// NLopt converges on the edge of delta_max from outside.
+double most_use(const PulseTask& task) {
   constexpr double inset = 1e-9;
-  const double most_use = task.most_use * (1 - inset);
-  const auto at_end = [=, &task](double side) {
-    return [=, &task](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
-      const double t = x[1];
-      const double unclamped = x[0] * high * (1 + side * t);
-      const double end = std::clamp(unclamped, low, high);
-      const double use = task.region.use_per_need(t) * task.known.at(end).need(criterion);
-      if (gradient.size() > 0) {
-        const double by_end =
-            end == unclamped ? task.region.use_per_need(t) * task.known.need_slope(end, criterion)
-                             : 0;
-        store(gradient, by_end * (1 + side * t) * high,
-              by_end * side * x[0] * high + use * task.region.use_growth(t));
-      }
-      return use - most_use;
-    };
+  return task.most_use * (1 - inset);
+}
+
+/// delta_max allows the need at that end of the box: `side` is -1 or 1 times its part of t.
+void add_need(NloptProblem& posed, const PulseTask& task, double side) {
+  posed.constraints.emplace_back([=, &task](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
+    const auto& [low, high] = task.part;
+    const Criterion criterion = task.region.criterion();
+    const double t = x[1];
+    const double unclamped = x[0] * high * (1 + side * t);
+    const double end = std::clamp(unclamped, low, high);
+    const double use = task.region.use_per_need(t) * task.known.at(end).need(criterion);
+    if (gradient.size() > 0) {
+      const double by_end =
+          end == unclamped ? task.region.use_per_need(t) * task.known.need_slope(end, criterion)
+                           : 0;
+      store(gradient, by_end * (1 + side * t) * high,
+            by_end * side * x[0] * high + use * task.region.use_growth(t));
+    }
+    return use - most_use(task);
+  });
+}
+
+/// The same between both ends.
+void add_need_between(NloptProblem& posed, const PulseTask& task) {
+  posed.constraints.emplace_back([&task](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
+    const BoxShape& shape = task.region.shape();
+    const double f = x[0] * task.part.high;
+    const double use =
+        task.region.use_per_need(x[1]) *
+        task.region.profile()->need_of_samples(
+            f * (1 - shape.f_low * x[1]), f * (1 + shape.f_high * x[1]), task.region.criterion());
+    store(gradient, 0, use * task.region.use_growth(x[1]));
+    return use - most_use(task);
+  });
+}
+
+/// x = f / high of the interval, and t: the least -t with
+///   low / high - x (1 - t) <= 0,  x (1 + t) - 1 <= 0,  need (1 + t) / ((1 - t) delta_max) - 1 <=
+///   0 at each end of the box, and between them,
+/// t times the part of its own on each side.
+NloptProblem over_boxes(const PulseTask& task, const std::function<void(double)>& visit) {
+  const auto& [low, high] = task.part;
+  const double asked = task.region.asked();
+  NloptProblem posed;
+  posed.lower = Eigen::Vector2d(low / high, asked);
+  posed.upper = Eigen::Vector2d(1, task.region.most_tolerance());
+  posed.start = Eigen::Vector2d(start_of(task) / high, asked);
+  posed.objective = [visit, unit = high](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
+    visit(x[0] * unit);
+    store(gradient, 0, -1);
+    return -x[1];
   };
-  posed.constraints.emplace_back(at_end(-down));
-  posed.constraints.emplace_back(at_end(up));
-  if (task.has_top()) {
-    posed.constraints.emplace_back([=, &task](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
-      const double t = x[1];
-      const double use = task.region.use_per_need(t) *
-                         task.region.profile()->need_of_samples(
-                             x[0] * high * (1 - down * t), x[0] * high * (1 + up * t), criterion);
-      store(gradient, 0, use * task.region.use_growth(t));
-      return use - most_use;
-    });
+  add_edges(posed, task);
+  if (std::isfinite(task.region.delta_max())) {
+    add_need(posed, task, -task.region.shape().f_low);
+    add_need(posed, task, task.region.shape().f_high);
+    if (task.has_top()) {
+      add_need_between(posed, task);
+    }
   }
   return posed;
 }

@@ -11,9 +11,6 @@ namespace stillpoint::design {
 
 namespace {
 
-/// More than the energy of any arrival, so the notch holds it.
-constexpr double unpassable = 1e250;
-
 /// By the forced run of core, without a slope.
 FirstReturn forced_return(const Pulse& unit, double f) {
   const ForcedResponse motion = forced_response({1, f, unpassable}, {}, excitation(unit));

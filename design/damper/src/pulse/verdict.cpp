@@ -221,6 +221,9 @@ std::vector<Constraint> constraints_of(const PulseRequest& request, const Design
   if (motion.returns) {
     list.push_back(Constraint::compared("stop", "delta", ">=", point.delta,
                                         motion.need(problem.criterion) * region.delta_unit()));
+    Constraint& stop = list.back();
+    stop.by_criterion_alone =
+        !stop.satisfied && point.delta >= motion.exact_need * region.delta_unit();
   }
   for (const LimitKind& kind : limit_table) {
     const auto& limit = limits.*kind.value;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/design/record_design.hpp>
 
+#include "check/runge_kutta.hpp"
 #include "record/suite.hpp"
-#include "record/suite_check.hpp"
 #include "record/suite_search.hpp"
 #include "record/suite_watch.hpp"
 
@@ -38,7 +38,7 @@ double largest_load(const std::vector<SuiteRecord>& records) {
   return most;
 }
 
-void require_range(const char* field, const SearchRange& range, double low, double high) {
+void require_range(const char* field, const Interval& range, double low, double high) {
   require_within(field, range.low, low, high);
   require_within(field, range.high, low, high);
   if (range.high < range.low) {
@@ -64,13 +64,13 @@ void require_valid(const RecordDesignRequest& request) {
 }
 
 /// No farther than what can be manufactured.
-void keep_below(std::optional<SearchRange>& range, const std::optional<double>& most,
+void keep_below(std::optional<Interval>& range, const std::optional<double>& most,
                 const char* field) {
   if (!most) {
     return;
   }
   require_within(field, *most, 0, largest_speed);
-  range = range.value_or(SearchRange{0, *most});
+  range = range.value_or(Interval{0, *most});
   if (range->low > *most) {
     throw InputError(field, *most,
                      fmt::format("must be at least {}, where the search begins", range->low));
@@ -83,7 +83,7 @@ RecordDesignRequest completed(RecordDesignRequest request) {
   request.combine = request.combine.value_or(default_combine(request.records.size()));
   keep_below(request.f, request.f_max, "f-max");
   keep_below(request.delta, request.delta_max, "delta-max");
-  request.f = request.f.value_or(SearchRange{0, largest_load(request.records)});
+  request.f = request.f.value_or(Interval{0, largest_load(request.records)});
   require_range("f", *request.f, 0, largest_speed);
   if (!request.delta) {
     double peak = request.limits.peak.value_or(0);
@@ -96,7 +96,7 @@ RecordDesignRequest completed(RecordDesignRequest request) {
       }
     }
     const double speed = request.p.high * peak;
-    request.delta = SearchRange{0, speed * speed / 2 + largest_load(request.records) * peak};
+    request.delta = Interval{0, speed * speed / 2 + largest_load(request.records) * peak};
   }
   require_range("delta", *request.delta, 0, largest_square);
   for (const double p : {request.p.low, request.p.high}) {
@@ -281,7 +281,7 @@ SuiteMap suite_map(const RecordDesignRequest& request, double p, int side) {
   const RecordDesignRequest task = completed(request);
   const Suite suite(task);
   SuiteMap map;
-  const auto middle = [side](const SearchRange& range, int i) {
+  const auto middle = [side](const Interval& range, int i) {
     return range.low + (range.high - range.low) * (i + 0.5) / side;
   };
   for (int i = 0; i < side; ++i) {

@@ -15,11 +15,11 @@ namespace {
 /// second.
 constexpr std::int64_t scan_block = 1000;
 
-double square_between(const SearchRange& range, double unit) {
+double square_between(const Interval& range, double unit) {
   return unit == 1 ? range.high : range.low + (range.high - range.low) * unit * unit;
 }
 
-double period_between(const SearchRange& p, double unit) {
+double period_between(const Interval& p, double unit) {
   return unit == 0   ? p.high
          : unit == 1 ? p.low
                      : 1 / (1 / p.high + (1 / p.low - 1 / p.high) * unit);

@@ -27,9 +27,9 @@ class SuiteBox {
 
  private:
   enum class Variable { f, delta, p };
-  SearchRange f_;
-  SearchRange delta_;
-  SearchRange p_;
+  Interval f_;
+  Interval delta_;
+  Interval p_;
   std::vector<Variable> variables_;
 };
 

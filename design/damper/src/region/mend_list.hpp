@@ -65,6 +65,30 @@ void add_mend(std::vector<Mend>& list, const Case& base, const Fits& fits,
   }
 }
 
+/// For an input that does not always help or always harm: the nearest value on either side that
+/// fits, as far as `least` and `most`. An interval narrower than a step may be missed; the steps
+/// grow by the factor `growth` each.
+template <class Fits>
+std::optional<double> nearest_either_way(double from, double least, double most, double growth,
+                                         const Fits& fits) {
+  double step = 1.02;
+  double inner = 1;  // factors up to this are tried
+  const auto nearest = [&](double inside, double to) {
+    return inside != to && fits(to) ? nearest_fit(inside, to, fits) : std::nullopt;
+  };
+  while (from * inner < most || from / inner > least) {
+    const double outer = inner * step;
+    const auto up = nearest(std::min(from * inner, most), std::min(from * outer, most));
+    const auto down = nearest(std::max(from / inner, least), std::max(from / outer, least));
+    if (up || down) {
+      return up && (!down || *up / from <= from / *down) ? up : down;
+    }
+    step = 1 + (step - 1) * growth;
+    inner = outer;
+  }
+  return std::nullopt;
+}
+
 /// More arrivals are not suggested: searching for them would take seconds when there are none.
 inline constexpr std::int64_t most_arrivals_offered = 100;
 

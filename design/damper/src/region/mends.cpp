@@ -7,7 +7,6 @@
 #include "region/mend_list.hpp"
 #include "way/extent.hpp"
 
-#include <stillpoint/core/elementary.hpp>
 #include <stillpoint/core/oscillator.hpp>
 
 #include <algorithm>
@@ -155,21 +154,13 @@ std::optional<double> mended_p(const Case& base, int n) {
                      [&](double value) { return all(with_p(base, value)); });
 }
 
-/// The p that is nearest in either direction. More p helps the peak and the return and harms the
-/// stop, so it is searched for in steps.
+/// More p helps the peak and the return and harms the stop.
 std::optional<double> stepped_p(const Case& base) {
-  constexpr double step = 1.02;    // an interval of p narrower than this may be missed
-  constexpr int most_steps = 700;  // a factor of a million
-  const auto fits = [&](double p) { return has_damper(with_p(base, p)); };
-  for (double factor = step; factor < elementary::pow(step, most_steps); factor *= step) {
-    for (const double p : {base.problem.p * factor, base.problem.p / factor}) {
-      const auto [least, most] = valid_p(base.problem);
-      if (p >= least && p <= most && fits(p)) {
-        return nearest_fit(p > base.problem.p ? p / step : p * step, p, fits);
-      }
-    }
-  }
-  return std::nullopt;
+  constexpr double far = 1e6;
+  const double p = base.problem.p;
+  const auto [least, most] = valid_p(base.problem);
+  return nearest_either_way(p, std::max(least, p / far), std::min(most, p * far), 1,
+                            [&](double value) { return has_damper(with_p(base, value)); });
 }
 
 /// For ranges, each end by itself, as far as the other end.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/design/trade_off.hpp>
 
+#include "golden_sections.hpp"
 #include "region/limit_table.hpp"
 
 #include <stillpoint/core/cancellation.hpp>
@@ -13,11 +14,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <string>
-#include <utility>
 
 namespace stillpoint::design {
 
@@ -45,28 +44,12 @@ struct AtF {
   }
 
   /// The best Delta of the span; if only f binds, the middle of those that are equally good.
-  [[nodiscard]] double best_in(Interval span) const {
+  [[nodiscard]] double best_in(const Interval& span) const {
     const auto [low, high] = span;
-    constexpr double golden = std::numbers::phi - 1;
-    constexpr int rounds = 75;  // golden^75 = 2e-16
-    double a = high - golden * (high - low);
-    double b = low + golden * (high - low);
-    double at_a = worth(a);
-    double at_b = worth(b);
-    for (int i = 0; i < rounds && a < b; ++i) {
-      if (at_a < at_b) {
-        span.low = std::exchange(a, b);
-        at_a = at_b;
-        b = span.low + golden * (span.high - span.low);
-        at_b = worth(b);
-      } else {
-        span.high = std::exchange(b, a);
-        at_b = at_a;
-        a = span.high - golden * (span.high - span.low);
-        at_a = worth(a);
-      }
-    }
-    const double best = at_a < at_b ? b : a;
+    int rounds = 75;  // phi^-75 = 2e-16
+    const double best = golden_sections(
+        span, [this](double delta) { return worth(delta); },
+        [&rounds](const Interval&, double, double) { return rounds-- == 0; });
     const double most = worth(best);
     // Far above the rounding of a tolerance, far below what can be built.
     constexpr double equal = 1e-12;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "golden_sections.hpp"
 #include "way/unit_strip.hpp"
 
 #include <stillpoint/core/elementary.hpp>
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <numbers>
 #include <numeric>
 #include <optional>
 
@@ -58,33 +58,13 @@ class HighestSearch {
     return around;
   }
 
-  /// By golden sections.
   void narrow(const Interval& around) {
-    constexpr double golden = std::numbers::phi - 1;
     constexpr double resolved = 1e-9;
-    auto [left, right] = around;
-    double inner_left = right - golden * (right - left);
-    double inner_right = left + golden * (right - left);
-    double at_left = value_at(inner_left);
-    double at_right = value_at(inner_right);
-    while (right - left > resolved) {
-      if (at_left > at_right ? consider(inner_left, at_left) : consider(inner_right, at_right)) {
-        return;
-      }
-      if (at_left >= at_right) {
-        right = inner_right;
-        inner_right = inner_left;
-        at_right = at_left;
-        inner_left = right - golden * (right - left);
-        at_left = value_at(inner_left);
-      } else {
-        left = inner_left;
-        inner_left = inner_right;
-        at_left = at_right;
-        inner_right = left + golden * (right - left);
-        at_right = value_at(inner_right);
-      }
-    }
+    golden_sections(
+        around, [this](double at) { return value_at(at); },
+        [this](const Interval& span, double at, double value) {
+          return !(span.high - span.low > resolved) || consider(at, value);
+        });
   }
 
  private:

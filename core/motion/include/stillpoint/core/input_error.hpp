@@ -43,6 +43,9 @@ class TooManyHalfCycles : public std::runtime_error {
   /// The motion has at most `bound` half-cycles; `limit` are allowed.
   TooManyHalfCycles(double bound, double limit);
 
+  /// It has at least that many.
+  [[nodiscard]] static TooManyHalfCycles at_least(double least, double limit);
+
   /// There are more than `limit` half-cycles up to the end of a trajectory.
   [[nodiscard]] static TooManyHalfCycles in_trajectory(double limit);
 

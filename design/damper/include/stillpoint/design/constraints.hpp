@@ -32,6 +32,8 @@ struct Constraint {
   double limit{0};
   double slack{0};
   bool satisfied{false};
+  /// Of a violated `stop`: the motion stops, only the published criterion asks for more.
+  bool by_criterion_alone{false};
 
   /// With the slack of a relation <, <=, > or >=.
   [[nodiscard]] static Constraint compared(std::string_view name, std::string_view variable,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/core/interval.hpp>
 #include <stillpoint/core/names.hpp>
 
 #include <cstdint>
@@ -8,12 +9,6 @@
 #include <span>
 
 namespace stillpoint::design {
-
-/// Of f, of Delta or of an input.
-struct Interval {
-  double low{0};
-  double high{0};
-};
 
 /// Which lower bound of Delta keeps the motion at x = 0 on its first return.
 enum class Criterion {

@@ -4,6 +4,7 @@
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/interval.hpp>
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/records/record_suite.hpp>
 
@@ -35,12 +36,6 @@ using records::SuiteRecord;
 [[nodiscard]] Record scaled(const SuiteRecord& record);
 [[nodiscard]] double peak_load(const SuiteRecord& record);  ///< the largest |W|
 
-/// 0 <= low <= high; low = high fixes the variable.
-struct SearchRange {
-  double low{0};
-  double high{0};
-};
-
 /// On the combined figures; empty: no limit.
 struct SuiteLimits {
   std::optional<double> peak{};          ///< > 0
@@ -58,13 +53,14 @@ inline constexpr std::array<std::pair<SuiteObjective, std::optional<double> Suit
 
 struct RecordDesignRequest {
   std::vector<SuiteRecord> records;
-  SearchRange p{1, 1};  ///< low > 0
+  // Intervals of what is searched: low >= 0; low = high fixes the variable.
+  Interval p{1, 1};  ///< low > 0
   /// Default: up to the largest load, beyond which nothing moves.
-  std::optional<SearchRange> f{};
+  std::optional<Interval> f{};
   /// Default: up to (p peak)^2/2 + peak times the largest load, with the largest p and the limit of
   /// the peak, or without a limit the peak without a damper: the most that the spring and the load
   /// can give on the way back from there. A notch that takes more stops every return as well.
-  std::optional<SearchRange> delta{};
+  std::optional<Interval> delta{};
   std::optional<double> f_max{};      ///< what can be manufactured: the search goes no farther
   std::optional<double> delta_max{};  ///< the same
   SuiteObjective objective{SuiteObjective::acceleration};

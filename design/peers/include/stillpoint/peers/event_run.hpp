@@ -15,6 +15,7 @@
 //   locates_events           whether the integrator looks for turns and x = 0 itself; it then ends
 //                            its steps at them, at() is not used, and scenes have no other edges
 //   has_dense_output         whether at() is cheap
+//   acceleration()           where it is known at no cost: v' at the end of the step
 
 #include <stillpoint/peers/ground.hpp>
 #include <stillpoint/peers/load.hpp>
@@ -90,11 +91,11 @@ double newton_root(const Function& function, double from, double to) {
     return bracketed_root([&](double t) { return function(t).first; }, from, to);
   }
   std::uintmax_t most_evaluations = 50;
-  const double chord = from - at_from * (to - from) / (at_to - at_from);
-  // Half of the digits: Newton's last step doubles them.
-  return boost::math::tools::newton_raphson_iterate(
-      [&](double t) { return function(t); }, chord, from, to,
-      std::numeric_limits<double>::digits / 2, most_evaluations);
+  const double chord = -at_from * (to - from) / (at_to - at_from);
+  // Half of the digits of the time since `from`: Newton's last step doubles them.
+  return from + boost::math::tools::newton_raphson_iterate(
+                    [&](double since) { return function(from + since); }, chord, 0.0, to - from,
+                    std::numeric_limits<double>::digits / 2, most_evaluations);
 }
 
 template <class Load, class Method>
@@ -197,7 +198,8 @@ class EventRun {
     }
     --effort_left_;
     const double from = t_;
-    t_ = std::min({t_ + load_.scan_step(), load_.stretch_end(), scene_.t_end});
+    feel(load_(from));
+    t_ = std::min({load_.next_look(t_), load_.stretch_end(), scene_.t_end});
     if (!held()) {
       const double s = pushed_by(load());
       const double limit = -s * ground_.capacity(s, x());
@@ -205,10 +207,16 @@ class EventRun {
       const double root = bracketed_root(excess, from, t_);
       // A load that was at the limit exceeds it at once.
       t_ = root == t_ && excess(from) == 0 ? from : root;
+      feel(load_(t_));
       enter_stretch();
       return set_off(s);
     }
+    feel(load_(t_));
     enter_stretch();
+  }
+
+  void feel(double acceleration) {
+    result_.acceleration = std::max(result_.acceleration, std::abs(acceleration));
   }
 
   void set_off(double s) {
@@ -225,18 +233,20 @@ class EventRun {
     const Motion<Load> motion{load_, stiffness_, s, s * ground_.friction_towards(s, x())};
     edge_ = ground_.edge_towards(s, x());
     method_.begin(motion, t_, state_);
+    feel(stiffness_ * x() + motion.friction);
     const bool inward = s * x() < 0;
     while (t_ < scene_.t_end && effort_left_ > 0) {
       const Step step = method_.step(motion, std::min(load_.stretch_end(), scene_.t_end));
       ++result_.steps;
       --effort_left_;
       if (step_ends(motion, step, inward)) {
-        return;
+        return feel(stiffness_ * x() + motion.friction);
       }
       if (enter_stretch()) {
         method_.begin(motion, t_, state_);
       }
     }
+    feel(stiffness_ * x() + motion.friction);
     count_passage(inward);
   }
 
@@ -245,6 +255,10 @@ class EventRun {
     const double s = direction_;
     t_ = step.to;
     state_ = method_.state();
+    if constexpr (requires { method_.acceleration(); }) {
+      result_.relative_acceleration =
+          std::max(result_.relative_acceleration, std::abs(method_.acceleration()));
+    }
     if constexpr (Method::locates_events) {
       if (step.event == Located::turn) {
         turn(inward);
@@ -311,12 +325,14 @@ class EventRun {
 
   void arrive() {
     effort_left_ -= event_effort;
-    x() = direction_ * edge_;
+    x() = edge_ == 0 ? 0 : direction_ * edge_;
     ground_.reach(edge_);
     if (edge_ == 0) {
+      result_.arrival_speed = std::abs(v());
       const double left = v() * v() - notch_;
       if (left <= 0 && !ground_.lets_go()) {
         v() = 0;
+        feel(load_(t_));
         return stop(Outcome::stopped_at_zero);
       }
       if (left <= 0) {

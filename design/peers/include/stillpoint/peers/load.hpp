@@ -21,7 +21,7 @@ struct NoLoad {
   [[nodiscard]] static double stretch_end() { return for_ever; }
   /// The largest |W| from here on; infinite if it is not known, because more is to come.
   [[nodiscard]] static double largest() { return 0; }
-  [[nodiscard]] static double scan_step() { return for_ever; }
+  [[nodiscard]] static double next_look(double /*t*/) { return for_ever; }
   static bool next_stretch() { return false; }
 };
 
@@ -35,9 +35,16 @@ class LawLoad {
   [[nodiscard]] double stretch_end() const { return end_; }
   /// The largest |W| from here on; infinite if something else still comes.
   [[nodiscard]] double largest() const { return end_ == for_ever ? std::abs(law_.k) : for_ever; }
-  /// Between looks at the load of a mass at rest.
-  [[nodiscard]] double scan_step() const {
-    return IsLine<Law> ? for_ever : std::numbers::pi / 16 / law_.lambda;
+  /// When to look again at the load of a mass at rest: each crest is among the looks.
+  [[nodiscard]] double next_look(double t) const {
+    if constexpr (IsLine<Law>) {
+      return for_ever;
+    } else {
+      constexpr double apart = std::numbers::pi / 16;
+      constexpr double rounding = 1e-6;
+      const double looks = std::floor((law_.lambda * t + law_.phase) / apart + rounding) + 1;
+      return (looks * apart - law_.phase) / law_.lambda;
+    }
   }
   /// Moves on to what follows; true: W jumps there.
   bool next_stretch() {
@@ -60,7 +67,7 @@ class RecordLoad {
   [[nodiscard]] double stretch_end() const { return end_; }
   [[nodiscard]] double largest() const { return over() ? 0 : for_ever; }
   /// Checking the samples is enough: the largest load between is at one of them.
-  [[nodiscard]] static double scan_step() { return for_ever; }
+  [[nodiscard]] static double next_look(double /*t*/) { return for_ever; }
   bool next_stretch() {
     const std::size_t i = next_++;
     begin_ = end_;

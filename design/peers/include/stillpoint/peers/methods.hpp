@@ -4,12 +4,14 @@
 #include <stillpoint/peers/scene.hpp>
 
 #include <cstdint>
+#include <limits>
 
 namespace stillpoint::peers {
 
 // Each gives up, Result::finished false, after an effort of `most`: a step, a look at the load of a
 // mass at rest, and ten of them for an event.
 inline constexpr std::int64_t usual_effort = 20'000'000;
+inline constexpr std::int64_t any_effort = std::numeric_limits<std::int64_t>::max();
 
 /// Boost.Odeint's dopri5, adaptive: the error of a step is at most `tolerance`, relative to the
 /// state plus `size`. Events are sign changes over a step, bracketed on its dense output. Steps end

@@ -27,6 +27,9 @@ struct Result {
   double end_time{0};                 ///< when the final rest began, or how far the run came
   double x{0};                        ///< at end_time
   double v{0};
+  double arrival_speed{0};          ///< of the last arrival at x = 0 where a notch is
+  double acceleration{0};           ///< largest transmitted: |p^2 x + s f| in motion, |W| at rest
+  double relative_acceleration{0};  ///< largest |v'| at the ends of steps, of methods that know it
   std::int64_t passages{0};
   std::int64_t turns{0};
   std::int64_t sticks{0};

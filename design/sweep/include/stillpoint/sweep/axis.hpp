@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/core/interval.hpp>
 #include <stillpoint/sweep/quantity.hpp>
 
 #include <cstdint>
@@ -16,15 +17,9 @@ namespace stillpoint::sweep {
 /// Which end of a range LOW:HIGH stands for it, for example as the motion that is shown.
 enum class RangeEnd { none, low, high };
 
-/// LOW:HIGH, with 0 <= LOW <= HIGH.
-struct Range {
-  double low{0};
-  double high{0};
-};
-
 /// The values of one input of a sweep, in order: single numbers, or steps from a first to a last,
-/// of which only the ends and the count are kept. A value may be a Range, of which one end stands
-/// for it.
+/// of which only the ends and the count are kept. A value may be a range LOW:HIGH, of which one end
+/// stands for it.
 class Axis {
  public:
   enum class Spacing { linear, logarithmic };
@@ -32,7 +27,7 @@ class Axis {
   /// At least one number.
   explicit Axis(std::vector<double> values);
   /// At least one range; for a number both ends are the same.
-  Axis(const std::vector<Range>& ranges, RangeEnd standing);
+  Axis(const std::vector<Interval>& ranges, RangeEnd standing);
   /// `count` values including both ends, at least 1; a single one is `first`. A logarithmic range
   /// has both ends above 0.
   Axis(double first, double last, std::int64_t count, Spacing spacing);
@@ -41,7 +36,7 @@ class Axis {
   /// Value i, 0 <= i < size(). A linear range has the values of numpy.linspace, to the last bit.
   [[nodiscard]] double operator[](std::int64_t i) const;
   /// The smallest and the largest value.
-  [[nodiscard]] std::pair<double, double> ends() const;
+  [[nodiscard]] Interval ends() const;
   /// One number, not a range.
   [[nodiscard]] bool is_number() const { return size_ == 1 && !has_ranges(); }
   /// The other ends of the values, if some of them are ranges.
@@ -76,8 +71,8 @@ using NumberReader = std::function<double(std::string_view text)>;
 [[nodiscard]] Axis parse_axis(std::string_view field, std::string_view text,
                               const NumberReader& number, RangeEnd standing = RangeEnd::none);
 
-/// "0.9:1.1". Throws InputError.
-[[nodiscard]] Range parse_range(std::string_view field, std::string_view text,
-                                const NumberReader& number);
+/// "0.9:1.1". Throws InputError unless 0 <= LOW <= HIGH.
+[[nodiscard]] Interval parse_range(std::string_view field, std::string_view text,
+                                   const NumberReader& number);
 
 }  // namespace stillpoint::sweep

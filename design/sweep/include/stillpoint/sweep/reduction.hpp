@@ -132,9 +132,8 @@ void add(Reduction& total, const Reduction& more);
 
 /// Bounds of the value below which a share of the finite values lies: the bin of that value in all
 /// of its histograms. Empty if there are none.
-[[nodiscard]] std::optional<std::pair<double, double>> quantile(const Reduction& reduction,
-                                                                const ReducedColumn& column,
-                                                                double share);
+[[nodiscard]] std::optional<Interval> quantile(const Reduction& reduction,
+                                               const ReducedColumn& column, double share);
 
 struct SweepSpec;
 struct SweepBlock;
