@@ -3,10 +3,7 @@
 
 #include "line_reader.hpp"
 
-#include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 namespace stillpoint::sweep {
 
@@ -26,13 +23,5 @@ class CsvLine {
   const LineReader& lines_;
   bool more_{true};
 };
-
-/// A flat JSON object of numbers.
-struct JsonRow {
-  std::vector<std::pair<std::string, double>> fields;  ///< each key once
-  std::string error;                                   ///< what is wrong; empty if nothing is
-};
-
-[[nodiscard]] JsonRow parse_json_row(std::string_view text);
 
 }  // namespace stillpoint::sweep
