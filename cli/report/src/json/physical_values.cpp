@@ -89,13 +89,11 @@ void add_served(ordered_json& json, const design::Scales& scales,
 
 void add_hits(ordered_json& json, const design::Scales& scales,
               const std::vector<design::Hits>& hits) {
-  ordered_json list = ordered_json::array();
-  for (const design::Hits& now : hits) {
-    list.push_back({{"from_m_per_s", number(now.from * scales.velocity_m_per_s)},
-                    {"to_m_per_s", number(now.to * scales.velocity_m_per_s)},
-                    {"rest_m", number(times(now.rest, scales.length_m))}});
-  }
-  json["hits"] = list;
+  json["hits"] = list_json(hits, [&](const design::Hits& now) -> ordered_json {
+    return {{"from_m_per_s", number(now.from * scales.velocity_m_per_s)},
+            {"to_m_per_s", number(now.to * scales.velocity_m_per_s)},
+            {"rest_m", number(times(now.rest, scales.length_m))}};
+  });
 }
 
 void add_practice(ordered_json& json, const design::Scales& scales,
@@ -112,17 +110,17 @@ void add_practice(ordered_json& json, const design::Scales& scales,
   json["notch_width_min_m"] = number(times(now.notch_width_min, scales.length_m));
 }
 
-void add_response(ordered_json& json, const design::Scales& scales, const Response* response) {
-  const Response none;
-  const Response& now = response != nullptr ? *response : none;
-  const auto existing = [&](double value) {
-    return response != nullptr ? std::optional(value) : std::nullopt;
+void add_response(ordered_json& json, const design::Scales& scales,
+                  const std::optional<Response>& response) {
+  const auto scaled = [&](double Response::*metric, double unit) {
+    return number(response ? std::optional(*response.*metric * unit) : std::nullopt);
   };
-  json["peak_m"] = number(existing(now.peak_amplitude * scales.length_m));
+  const Response now = response.value_or(Response());
+  json["peak_m"] = scaled(&Response::peak_amplitude, scales.length_m);
   json["peak_acceleration_m_per_s2"] =
-      number(existing(now.peak_acceleration * scales.gravity_m_per_s2));
+      scaled(&Response::peak_acceleration, scales.gravity_m_per_s2);
   json["peak_absolute_acceleration_m_per_s2"] =
-      number(existing(now.peak_absolute_acceleration * scales.gravity_m_per_s2));
+      scaled(&Response::peak_absolute_acceleration, scales.gravity_m_per_s2);
   json["stop_time_s"] = number(times(now.stop_time, scales.time_s));
   json["stop_position_m"] = number(times(now.stop_position, scales.length_m));
   json["arrival_speed_m_per_s"] = number(times(now.arrival_speed, scales.velocity_m_per_s));
@@ -171,7 +169,7 @@ ordered_json physical_json(const DesignReport& report) {
     add_hits(json, scales, shown_hits(request.problem, finding->point.f, finding->point.delta));
   }
   add_practice(json, scales, finding ? finding->practice : std::nullopt);
-  add_response(json, scales, finding ? &finding->response : nullptr);
+  add_response(json, scales, finding ? std::optional(finding->response) : std::nullopt);
   if (request.pulse && !result.reduced_v0) {
     json["velocity_m_per_s"] = nullptr;  // of a full sine
   }
@@ -213,7 +211,7 @@ ordered_json physical_json(const MotionReport& report) {
   const auto& [p, f, delta, hold] = report.request.oscillator;
   ordered_json json = scale_values(*report.physical, report.physical->velocity_m_per_s);
   add_damper(json, scales, f, delta);
-  add_response(json, scales, &report.answer.response);
+  add_response(json, scales, report.answer.response);
   const std::optional<double> caught = caught_impulse(report);
   json["caught_impulse_n_s"] = number(caught ? scales.impulse_n_s(*caught) : std::nullopt);
   add_excitation(json, scales, report.request.excitation);
