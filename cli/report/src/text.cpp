@@ -121,7 +121,8 @@ class Text {
       const auto heads = heads_of(table.head, breaks);
       std::vector<std::size_t> widths = cells;
       std::ranges::for_each(heads, [&](const auto& head) { widen(widths, head); });
-      const std::size_t gap = width(widths, usual_gap) <= page_width ? usual_gap : narrow_gap;
+      const bool fits = breaks == HeadBreak::none || width(widths, usual_gap) <= page_width;
+      const std::size_t gap = fits ? usual_gap : narrow_gap;
       if (breaks == HeadBreak::words || width(widths, gap) <= page_width) {
         for (const std::vector<std::string>& head : heads) {
           const std::string line = aligned({head}, widths, gap);

@@ -189,7 +189,8 @@ KeyPlaces require_json_object(std::string_view text, const records::FilePlace& f
     throw records::FileError(file, "is empty, must be a JSON object");
   }
   JsonCheck check(text, file);
-  if (const json value = json::parse(text, nullptr, true, true); !value.is_object()) {
+  const json value = text[first] == '{' ? json::object() : json::parse(text, nullptr, true, true);
+  if (!value.is_object()) {
     throw records::FileError(file,
                              fmt::format("is a JSON {}, must be an object", value.type_name()));
   }

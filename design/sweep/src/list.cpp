@@ -91,8 +91,7 @@ void List::refuse(std::string_view what) const {
 }
 
 void List::read_header(std::string_view line) {
-  CsvLine fields(line, *lines_);
-  for (std::string_view field; fields.next(field);) {
+  for (const std::string_view field : csv_fields(line, *lines_)) {
     const auto quantity = find_named(listed_inputs, field, units_);
     if (!quantity) {
       refuse(not_a("column", field, units_));
@@ -105,23 +104,19 @@ void List::read_header(std::string_view line) {
 }
 
 void List::read_row(std::string_view line, std::vector<double>& values) {
-  values.clear();
-  std::size_t count = 0;
-  CsvLine fields(line, *lines_);
-  for (std::string_view field; fields.next(field); ++count) {
-    if (count < columns_.size()) {
-      try {
-        values.push_back(records::parse_number(name(columns_[count], units_), field));
-      } catch (const InputError& error) {
-        refuse(
-            printable(error.what(), 4 * longest_word) +
-            (dimension(columns_[count], units_) != records::Dimension::none ? " in SI units" : ""));
-      }
-    }
-  }
-  if (count != columns_.size()) {
-    refuse(fmt::format("has {}, but the header names {}", counted(count, "value"),
+  const std::vector<std::string_view> fields = csv_fields(line, *lines_);
+  if (fields.size() != columns_.size()) {
+    refuse(fmt::format("has {}, but the header names {}", counted(fields.size(), "value"),
                        counted(columns_.size(), "column")));
+  }
+  values.resize(fields.size());
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    try {
+      values[i] = records::parse_number(name(columns_[i], units_), fields[i]);
+    } catch (const InputError& error) {
+      const bool has_unit = dimension(columns_[i], units_) != records::Dimension::none;
+      refuse(printable(error.what(), 4 * longest_word) + (has_unit ? " in SI units" : ""));
+    }
   }
 }
 

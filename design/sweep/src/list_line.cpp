@@ -7,20 +7,20 @@
 
 namespace stillpoint::sweep {
 
-bool CsvLine::next(std::string_view& field) {
-  if (!more_) {
-    return false;
+std::vector<std::string_view> csv_fields(std::string_view line, const LineReader& lines) {
+  std::vector<std::string_view> fields;
+  for (bool more = true; more;) {
+    const bool in_quotes = records::trimmed(line).starts_with('"');
+    const std::size_t quote = in_quotes ? line.find('"', line.find('"') + 1) : 0;
+    const std::size_t comma = line.find(',', quote);  // none behind npos
+    if (quote == std::string_view::npos) {
+      lines.refuse(lines.number(), "a quote is opened but not closed");
+    }
+    more = comma != std::string_view::npos;
+    fields.push_back(records::unquoted(line.substr(0, comma)));
+    line.remove_prefix(more ? comma + 1 : 0);
   }
-  const bool in_quotes = records::trimmed(rest_).starts_with('"');
-  const std::size_t quote = in_quotes ? rest_.find('"', rest_.find('"') + 1) : 0;
-  const std::size_t comma = rest_.find(',', quote);  // none behind npos
-  if (quote == std::string_view::npos) {
-    lines_.refuse(lines_.number(), "a quote is opened but not closed");
-  }
-  more_ = comma != std::string_view::npos;
-  field = records::unquoted(rest_.substr(0, comma));
-  rest_ = more_ ? rest_.substr(comma + 1) : std::string_view();
-  return true;
+  return fields;
 }
 
 }  // namespace stillpoint::sweep

@@ -164,7 +164,7 @@ const std::vector<WrongList> wrong_lists{
     {"{\"f\": {\"a\": 1}, \"delta\": 1}\n", {"line 1", "f is a JSON object"}},
     {"{\"f\": \"1\", \"delta\": 1}\n", {"line 1", "f is a JSON string", "number"}},
     {"{\"f\": null, \"delta\": 1}\n", {"line 1", "f is a JSON null", "number"}},
-    {"{\"f\": 1, \"delta\": 1, \"f\": 2}\n", {"line 1, column 24", "f is set twice"}},
+    {"{\"f\": 1, \"delta\": 1, \"f\": 2}\n", {"line 1, column 22", "f is set twice"}},
     {"{\"f\": 1, \"delta\": 1, \"g\": 2}\n", {"line 1", "\"g\"", "is not a key"}},
     {"{\"f\": 1, \"delta\": 1}\n{\"f\": 1}\n", {"line 2", "has 1 key,", "has 2"}, 1},
     {"{\"f\": 1, \"delta\": 1}\n{\"f\": 1, \"delta\": 1, \"x0\": 1}\n",
