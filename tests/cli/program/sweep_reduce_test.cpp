@@ -217,7 +217,8 @@ BOOST_AUTO_TEST_CASE(that_are_complete_are_not_computed_again) {
 
 BOOST_AUTO_TEST_CASE(are_text_for_people) {
   const std::string text = run(motions + asked).out;
-  check_contains(text, {"stop_time", "median", "Smallest stop_time", "entries"});
+  check_contains(text,
+                 {"motions stop at x = 0", "stop_time", "median", "Smallest stop_time", "entry"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -238,7 +239,7 @@ const Wrong wrong_reductions[] = {
     {motions + "--reduce --histogram stop_time:1:1:5", {"histogram", "increasing"}},
     {motions + "--reduce --histogram stop_time:1:0:5", {"histogram", "increasing"}},
     {motions + "--reduce --histogram stop_time:5:1:5:log", {"histogram", "increasing"}},
-    {motions + "--reduce --histogram stop_time:0:1:0", {"histogram", "1 to"}},
+    {motions + "--reduce --histogram stop_time:0:1:0", {"histogram", "2 bins or more"}},
     {motions + "--reduce --histogram stop_time:0:1:1e9", {"histogram", "1 to"}},
     {motions + "--reduce --histogram stop_time:0:1:2.5", {"histogram", "BINS"}},
     {motions + "--reduce --histogram stop_time:0:1:5:exp", {"histogram", "BINS"}},
