@@ -68,7 +68,7 @@ std::vector<FigurePoint> thinned(const std::vector<FigurePoint>& points) {
   if (points.size() <= 2 * most_columns) {
     return points;
   }
-  std::vector<FigurePoint> kept;
+  std::vector<FigurePoint> kept{points.front()};
   const std::size_t step = (points.size() + most_columns - 1) / most_columns;
   for (std::size_t first = 0; first < points.size(); first += step) {
     const auto begin = points.begin() + static_cast<std::ptrdiff_t>(first);

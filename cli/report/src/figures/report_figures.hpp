@@ -36,7 +36,7 @@ std::vector<figures::FigurePoint> places(const std::vector<State>& states, const
   return points;
 }
 
-/// The least and the largest of each column if there are more points than columns, and the last.
+/// The least and the largest of each column and both ends, if there are more points than columns.
 [[nodiscard]] std::vector<figures::FigurePoint> thinned(
     const std::vector<figures::FigurePoint>& points);
 
