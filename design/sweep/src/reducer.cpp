@@ -145,14 +145,19 @@ std::pair<Quantity, std::string_view> column_of(std::string_view option, std::st
 
 /// Of what follows the column: a range of N bins has N + 1 edges.
 Axis edges_of(std::string_view option, std::string_view text, std::string_view rest) {
+  const std::vector<std::string_view> parts = records::split(rest, ':');
+  const std::string_view bins =
+      parts.size() > 2 ? std::string_view(parts[2].begin(), rest.end()) : "";
+  const bool one_bin = bins == "1" || bins == "1:log";
   try {
-    const Axis asked = parse_axis(option, rest);
+    const Axis asked =
+        parse_axis(option, one_bin ? fmt::format("{},{}", parts[0], parts[1]) : std::string(rest));
     const auto spacing = asked.spacing();
     return spacing ? Axis(asked[0], asked[asked.size() - 1], asked.size() + 1, *spacing) : asked;
   } catch (const InputError&) {
     throw wrong(option, text,
-                "must be COLUMN:LOW:HIGH:BINS with 2 bins or more, COLUMN:LOW:HIGH:BINS:log with "
-                "LOW > 0, or COLUMN:EDGE,EDGE,...");
+                "must be COLUMN:LOW:HIGH:BINS, COLUMN:LOW:HIGH:BINS:log with LOW > 0, or "
+                "COLUMN:EDGE,EDGE,...");
   }
 }
 
