@@ -6,7 +6,6 @@
 #include "sections.hpp"
 #include "sweep_parts.hpp"
 
-#include <stillpoint/records/text.hpp>
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/sweep/json_text.hpp>
 
@@ -14,7 +13,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 namespace stillpoint::report {
