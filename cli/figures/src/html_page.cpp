@@ -92,9 +92,9 @@ std::string html(const HtmlPage& page) {
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
       "<title>{}</title>\n<style>{}{}@media screen and (prefers-color-scheme: dark){{{}{}}}\n"
-      "@media print{{{}}}</style>\n</head>\n<body>\n<h1>{}</h1>\n<p class=\"answer\">{}</p>\n",
+      "@media print{{{}}}</style>\n</head>\n<body>\n<h1>{}</h1>\n<p class=\"answer{}\">{}</p>\n",
       escaped(page.title), page_style, figure_style(), dark_page_style, dark_figure_style(),
-      print_style, prose(page.title), prose(page.verdict));
+      print_style, prose(page.title), page.alarming ? " bad" : "", prose(page.verdict));
   text += page.answer + "<main>\n" + figures(page.figures) + page.body;
   if (!page.report.empty()) {
     text += fmt::format(

@@ -151,6 +151,7 @@ std::string html(const Document& document) {
 figures::HtmlPage page_of(const Document& document) {
   return {.title = document.title,
           .verdict = document.verdict,
+          .alarming = document.tone == Tone::bad,
           .answer = html(document.answer),
           .figures = {},
           .body = html(document),

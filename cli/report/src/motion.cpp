@@ -105,13 +105,14 @@ std::string verdict(const MotionReport& report) {
                       : "at x = " + length_shown(physical, *response.stop_position));
   }
   std::string text =
-      response.outcome == Outcome::stopped_in_notch
-          ? format("It stops in the notch at x = {}",
+      response.stop_position.value_or(0) != 0
+          ? format("It stops in the {} at x = {}",
+                   response.outcome == Outcome::stopped_in_notch ? "notch" : "dead zone",
                    length_shown(physical, *response.stop_position))
           : format("It {}", report.answer.forced ? outcome_phrase(*report.answer.forced)
                                                  : outcome_phrase(response.outcome));
   if (response.stop_time && *response.stop_time > 0) {
-    text += format(", after {}", time_shown(physical, *response.stop_time));
+    text += format(" after {}", time_shown(physical, *response.stop_time));
   }
   return text + "." + (response.outcome == Outcome::running ? peaks_words(report) : "");
 }
@@ -150,10 +151,6 @@ void add_answer(Section& answer, const MotionReport& report) {
   if (moves(response)) {
     answer.row("peak", length_shown(physical, response.peak_amplitude), Tone::heading);
   }
-  if (response.stop_position && *response.stop_position != 0) {
-    answer.row("rest", format("at x = {}", length_shown(physical, *response.stop_position)),
-               Tone::heading);
-  }
   const auto caught = caught_impulse(report);
   if (report.answer.forced || moves(response)) {
     answer.row("acceleration",
@@ -161,8 +158,9 @@ void add_answer(Section& answer, const MotionReport& report) {
                       felt_where(report)));
   }
   if (caught) {
-    answer.row("impulse",
-               format("{}: the notch passes the hit on in full", impulse_shown(physical, *caught)));
+    answer.row("impulse", format("{}: the notch passes the hit on in full, like any below {}",
+                                 impulse_shown(physical, *caught),
+                                 FigureUnits(physical).velocity_words(std::sqrt(2 * delta))));
   }
   // No damper is built more accurately than the first. That of a load or a surface is no tolerance:
   // below the second, rounding may decide.
@@ -235,9 +233,8 @@ Document document(const MotionReport& report) {
   if (report.physical) {
     add_physical_input(scene, *report.physical);
   }
-  scene.row("dimensionless", format("v0 = {:.6g}, p = {:.6g}, x0 = {:.6g}", start.v0, p, start.x0));
-  scene.row("damper", format("f = {:.6g}, delta = {}", f, length_shown(report.physical, delta)));
-  add_surface(scene, report.request, report.physical);
+  scene.row("dimensionless", format("v0 = {:.6g}, p = {:.6g}, x0 = {:.6g}, delta = {:.6g}",
+                                    start.v0, p, start.x0, delta));
   add_damper_physics(scene, report.physical, f, delta);
   if (is_forced(report.request)) {
     add_excitation(scene, report.request.excitation, report.record, report.physical);

@@ -85,14 +85,11 @@ void add_histogram(Document& made, const Histogram& histogram, const Reduction& 
 }  // namespace
 
 Document document(const ReductionReport& report) {
-  Document made;
-  made.title = "Sweep without rows";
-  Section& rows = made.section("Entries");
+  Document made = document_of("Sweep without rows", report.state,
+                              report.kind == name(sweep::SweepKind::design));
   if (report.split) {
-    rows.row("part", text(report.label.part));
+    made.answer.row("part", text(report.label.part));
   }
-  rows.row("entries", fmt::format("{}", report.state.rows));
-  add_outcomes(made, report.state, report.kind == name(sweep::SweepKind::design));
   add_columns(made, report.reduction);
   for (const BestRows& best : report.reduction.best) {
     add_best(made, best, report.reduction);

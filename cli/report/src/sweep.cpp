@@ -6,7 +6,6 @@
 #include "sections.hpp"
 #include "sweep_parts.hpp"
 
-#include <stillpoint/records/text.hpp>
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/sweep/json_text.hpp>
 
@@ -14,7 +13,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 namespace stillpoint::report {
@@ -40,12 +38,13 @@ void add_scene(Section& scene, const sweep::SweepSpec& spec) {
   for (const auto& [quantity, axis] : spec.axes) {
     const auto names = records::units_of(sweep::dimension(quantity, spec.units));
     const auto words = [&](double value) {
-      return names.empty() || value == 0 ? fmt::format("{:.5g}", value)
+      return names.empty() || value == 0 ? fmt::format("{:.9g}", value)
              : names.front().name == "m" ? with_unit(value, "m")
-                                         : fmt::format("{:.5g} {}", value, names.front().name);
+                                         : fmt::format("{:.9g} {}", value, names.front().name);
     };
-    const std::string label = records::hyphened(sweep::name(quantity, spec.units));
-    scene.row(label.substr(0, label.rfind("-m")),
+    std::string_view label = sweep::name(quantity, spec.units);
+    label.remove_suffix(label.ends_with("_m") ? 2 : 0);
+    scene.row(in_words(label),
               axis.has_ranges()  ? in(axis.text(), names.empty() ? "" : std::string(names[0].name))
                : axis.size() == 1 ? words(axis[0])
                                  : fmt::format("{} to {}, {} values", words(axis.ends().low),
@@ -56,11 +55,6 @@ void add_scene(Section& scene, const sweep::SweepSpec& spec) {
                    spec.units ? Physical(spec.units->physical()) : Physical());
   }
 }
-
-constexpr std::array<std::string_view, sweep_outcome_count> outcome_labels{
-    "stop at x = 0", "stop in dead zone",         "never stop",
-    "never start",   "not known to have stopped", "have too many half-cycles",
-    "stop in notch"};
 
 }  // namespace
 
@@ -78,23 +72,12 @@ void outcomes_from_json(const ordered_json& outcomes, SweepState& state) {
   }
 }
 
-void add_outcomes(Document& document, const SweepState& state, bool design) {
+Document document_of(std::string title, const SweepState& state, bool design) {
+  Document document;
+  document.title = std::move(title);
   document.verdict = summary(state, design);
   document.tone = state.locked > 0 ? Tone::bad : Tone::plain;
-  Section& section = document.section(design ? "Designs" : "Outcomes");
-  if (design) {
-    section.row("feasible", fmt::format("{}", state.feasible));
-    section.row("infeasible", fmt::format("{}", state.rows - state.feasible));
-    return;
-  }
-  for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
-    if (state.outcomes[i] > 0) {
-      section.row(std::string(outcome_labels[i]), fmt::format("{}", state.outcomes[i]));
-    }
-  }
-  if (state.locked > 0) {
-    section.row("of these locked", fmt::format("{}", state.locked));
-  }
+  return document;
 }
 
 ordered_json json(const SweepReport& report) {
@@ -124,23 +107,19 @@ ordered_json json(const SweepReport& report) {
 
 Document document(const SweepReport& report) {
   const auto& [spec, summary, map] = report;
-  const SweepState& state = summary.state;
-  Document document;
-  document.title = "Sweep";
-  Section& rows = document.section("Rows");
+  Document document = document_of("Sweep", summary.state, spec.kind == SweepKind::design);
+  Section& rows = document.answer;
   if (spec.output) {
     rows.row("file", *spec.output);
   }
   if (spec.part) {
     rows.row("part", text(*spec.part));
   }
-  rows.row("rows", fmt::format("{}", state.rows));
   if (summary.resumed_at > 0) {
-    rows.row("resumed at", fmt::format("{}", summary.resumed_at));
+    rows.row("resumed at", fmt::format("{} rows", summary.resumed_at));
   }
   rows.row("time", fmt::format("{:.2g} s on {} thread{}", summary.wall_time_s, spec.threads,
                                spec.threads == 1 ? "" : "s"));
-  add_outcomes(document, state, spec.kind == SweepKind::design);
   add_scene(document.detail("Scene"), spec);
   return document;
 }
@@ -157,14 +136,7 @@ std::string progress_words(double rows, std::int64_t begun_with,
 }
 
 figures::HtmlPage page(const SweepReport& report) {
-  const Document words = document(report);
-  figures::HtmlPage page;
-  page.title = words.title;
-  page.verdict = words.verdict;
-  if (report.spec.output) {
-    page.answer = html(words.answer);
-    page.body = html(words);
-  }
+  figures::HtmlPage page = page_of(document(report));
   if (report.map) {
     page.figures = {sweep_figure(report.spec, *report.map)};
   }

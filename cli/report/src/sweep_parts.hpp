@@ -8,13 +8,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include <string>
+
 namespace stillpoint::report {
 
 [[nodiscard]] nlohmann::ordered_json outcomes_json(const sweep::SweepState& state);
 /// Throws nlohmann's exceptions where one is missing.
 void outcomes_from_json(const nlohmann::ordered_json& outcomes, sweep::SweepState& state);
 
-/// How many entries ended in each way, as a sentence and individually.
-void add_outcomes(Document& document, const sweep::SweepState& state, bool design);
+/// With how many entries ended in each way.
+[[nodiscard]] Document document_of(std::string title, const sweep::SweepState& state, bool design);
 
 }  // namespace stillpoint::report

@@ -104,27 +104,37 @@ class Text {
     return text;
   }
 
-  /// Columns as wide as their widest cell, the first and the last one to the left, the others to
-  /// the right. A table that is too wide gets its heads in two lines, with only the units below if
-  /// that is enough; columns that still do not fit come below, again with the first.
-  std::string operator()(const Table& table) const {
+  /// Columns as wide as their widest cell, to the right; to the left the first and, unless it has
+  /// only numbers, the last one. A table that is too wide gets its heads in two lines, with only
+  /// the units below if that is enough.
+  std::string operator()(const Table& table) {
     std::vector<std::size_t> cells(table.head.size());
+    ends_in_numbers_ = std::ranges::all_of(table.rows, [](const TableRow& row) {
+      return row.cells.back() == "none" ||
+             row.cells.back().find_first_not_of("0123456789.e+-") == std::string::npos;
+    });
     for (const TableRow& row : table.rows) {
       widen(cells, row.cells);
     }
+    std::string text;
     for (const HeadBreak breaks : {HeadBreak::none, HeadBreak::units, HeadBreak::words}) {
       const auto heads = heads_of(table.head, breaks);
       std::vector<std::size_t> widths = cells;
       std::ranges::for_each(heads, [&](const auto& head) { widen(widths, head); });
-      if (width(widths, usual_gap) <= page_width) {
-        return in_blocks(heads, table.rows, widths, usual_gap);
-      }
-      if (breaks == HeadBreak::words ||
-          (breaks == HeadBreak::units && width(widths, narrow_gap) <= page_width)) {
-        return in_blocks(heads, table.rows, widths, narrow_gap);
+      const bool fits = breaks == HeadBreak::none || width(widths, usual_gap) <= page_width;
+      const std::size_t gap = fits ? usual_gap : narrow_gap;
+      if (breaks == HeadBreak::words || width(widths, gap) <= page_width) {
+        for (const std::vector<std::string>& head : heads) {
+          const std::string line = aligned({head}, widths, gap);
+          text += line == "\n" ? "" : line;
+        }
+        for (const TableRow& row : table.rows) {
+          text += aligned(row, widths, gap);
+        }
+        break;
       }
     }
-    return {};  // not reached
+    return text;
   }
 
  private:
@@ -161,42 +171,6 @@ class Text {
     return lines;
   }
 
-  [[nodiscard]] std::string in_blocks(const std::vector<std::vector<std::string>>& heads,
-                                      const std::vector<TableRow>& rows,
-                                      const std::vector<std::size_t>& widths,
-                                      std::size_t gap) const {
-    std::string text;
-    std::size_t begin = 1;
-    do {
-      std::size_t end = begin;
-      for (std::size_t used = 2 + widths[0]; end < widths.size(); ++end) {
-        used += gap + widths[end];
-        if (used > page_width && end > begin) {
-          break;
-        }
-      }
-      // The first column, and those of the block.
-      const auto part = [begin, end](auto all) {
-        const auto at = [&all](std::size_t i) {
-          return all.begin() + static_cast<std::ptrdiff_t>(std::min(i, all.size()));
-        };
-        all.erase(at(end), all.end());
-        all.erase(at(1), at(begin));
-        return all;
-      };
-      for (const std::vector<std::string>& head : heads) {
-        const std::string line = aligned({part(head)}, part(widths), gap);
-        text += line == "\n" ? "" : line;
-      }
-      for (const TableRow& row : rows) {
-        text += aligned({part(row.cells), end < widths.size() ? Tone::plain : row.tone},
-                        part(widths), gap);
-      }
-      begin = end;
-    } while (begin < widths.size());
-    return text;
-  }
-
   [[nodiscard]] std::string aligned(const TableRow& row, const std::vector<std::size_t>& widths,
                                     std::size_t gap) const {
     std::string text;
@@ -204,9 +178,10 @@ class Text {
       const std::string& cell = row.cells[i];
       const bool last = i + 1 == row.cells.size();
       text += std::string(i == 0 ? 2 : gap, ' ');
-      text += last     ? styled(row.tone, cell)
-              : i == 0 ? fmt::format("{:<{}}", cell, widths[i])
-                       : fmt::format("{:>{}}", cell, widths[i]);
+      const std::size_t room = last && !ends_in_numbers_ ? 0 : widths[i];
+      const std::string placed =
+          i == 0 ? fmt::format("{:<{}}", cell, room) : fmt::format("{:>{}}", cell, room);
+      text += last ? styled(row.tone, placed) : placed;
     }
     text.erase(text.find_last_not_of(' ') + 1);
     return text + "\n";
@@ -214,6 +189,7 @@ class Text {
 
   bool coloured_;
   std::size_t label_width_{label_width};
+  bool ends_in_numbers_{false};  ///< the table at hand
 };
 
 }  // namespace

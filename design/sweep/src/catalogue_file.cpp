@@ -54,11 +54,7 @@ class CatalogueReader {
     if (!lines_.next(line, {})) {
       return false;
     }
-    fields_.clear();
-    CsvLine row(line, lines_);
-    for (std::string_view field; row.next(field);) {
-      fields_.push_back(field);
-    }
+    fields_ = csv_fields(line, lines_);
     return true;
   }
 

@@ -24,6 +24,16 @@ std::string shown_key(std::string_view key) {
   return records::printable(key, records::longest_word);
 }
 
+/// The cause in the parser's message: "... - unexpected end of input; ...".
+std::string parse_error_cause(std::string_view message) {
+  // "[...] parse error at ...: ... - CAUSE; last read: ..."
+  constexpr std::string_view dash = " - ";
+  if (const std::size_t begin = message.find(dash); begin != std::string_view::npos) {
+    message.remove_prefix(begin + dash.size());
+  }
+  return records::printable(message.substr(0, message.find("; last read")), 150);
+}
+
 /// Reads a text and notes how much of it has been read.
 class NotingIterator {
  public:
@@ -141,6 +151,9 @@ class JsonCheck {
     return place;
   }
 
+  /// The text may be one line of a file.
+  [[nodiscard]] std::size_t first_line() const { return file_.line.value_or(1); }
+
   /// `position` counts the bytes that are read.
   [[noreturn]] void refuse(std::optional<std::size_t> position, std::string_view message) const {
     records::FilePlace place = file_;
@@ -148,7 +161,7 @@ class JsonCheck {
       const std::string_view before =
           text_.substr(0, std::min(std::max<std::size_t>(*position, 1) - 1, text_.size()));
       const std::size_t newline = before.rfind('\n');
-      place.line = 1 + static_cast<std::size_t>(std::ranges::count(before, '\n'));
+      place.line = first_line() + static_cast<std::size_t>(std::ranges::count(before, '\n'));
       place.column =
           newline == std::string_view::npos ? before.size() + 1 : before.size() - newline;
     }
@@ -161,7 +174,7 @@ class JsonCheck {
   /// The lines before this, and where the last of them begins.
   const char* counted_{text_.data()};
   const char* line_begin_{text_.data()};
-  std::size_t line_{1};
+  std::size_t line_{first_line()};
   KeyPlaces places_;
   std::string outer_;                        ///< the last key of the text's object
   std::string last_;                         ///< key
@@ -170,22 +183,14 @@ class JsonCheck {
 
 }  // namespace
 
-std::string parse_error_cause(std::string_view message) {
-  // "[...] parse error at ...: ... - CAUSE; last read: ..."
-  constexpr std::string_view dash = " - ";
-  if (const std::size_t begin = message.find(dash); begin != std::string_view::npos) {
-    message.remove_prefix(begin + dash.size());
-  }
-  return records::printable(message.substr(0, message.find("; last read")), 150);
-}
-
 KeyPlaces require_json_object(std::string_view text, const records::FilePlace& file) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) {
     throw records::FileError(file, "is empty, must be a JSON object");
   }
   JsonCheck check(text, file);
-  if (const json value = json::parse(text, nullptr, true, true); !value.is_object()) {
+  const json value = text[first] == '{' ? json::object() : json::parse(text, nullptr, true, true);
+  if (!value.is_object()) {
     throw records::FileError(file,
                              fmt::format("is a JSON {}, must be an object", value.type_name()));
   }

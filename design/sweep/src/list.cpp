@@ -9,13 +9,17 @@
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/records/units.hpp>
+#include <stillpoint/sweep/json_text.hpp>
 #include <stillpoint/sweep/output_file.hpp>
 #include <stillpoint/sweep/state.hpp>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 namespace stillpoint::sweep {
 
@@ -87,8 +91,7 @@ void List::refuse(std::string_view what) const {
 }
 
 void List::read_header(std::string_view line) {
-  CsvLine fields(line, *lines_);
-  for (std::string_view field; fields.next(field);) {
+  for (const std::string_view field : csv_fields(line, *lines_)) {
     const auto quantity = find_named(listed_inputs, field, units_);
     if (!quantity) {
       refuse(not_a("column", field, units_));
@@ -101,54 +104,54 @@ void List::read_header(std::string_view line) {
 }
 
 void List::read_row(std::string_view line, std::vector<double>& values) {
-  values.clear();
-  std::size_t count = 0;
-  CsvLine fields(line, *lines_);
-  for (std::string_view field; fields.next(field); ++count) {
-    if (count < columns_.size()) {
-      try {
-        values.push_back(records::parse_number(name(columns_[count], units_), field));
-      } catch (const InputError& error) {
-        refuse(
-            printable(error.what(), 4 * longest_word) +
-            (dimension(columns_[count], units_) != records::Dimension::none ? " in SI units" : ""));
-      }
-    }
-  }
-  if (count != columns_.size()) {
-    refuse(fmt::format("has {}, but the header names {}", counted(count, "value"),
+  const std::vector<std::string_view> fields = csv_fields(line, *lines_);
+  if (fields.size() != columns_.size()) {
+    refuse(fmt::format("has {}, but the header names {}", counted(fields.size(), "value"),
                        counted(columns_.size(), "column")));
+  }
+  values.resize(fields.size());
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    try {
+      values[i] = records::parse_number(name(columns_[i], units_), fields[i]);
+    } catch (const InputError& error) {
+      const bool has_unit = dimension(columns_[i], units_) != records::Dimension::none;
+      refuse(printable(error.what(), 4 * longest_word) + (has_unit ? " in SI units" : ""));
+    }
   }
 }
 
 void List::read_object(std::string_view line, std::vector<double>& values) {
-  const JsonRow row = parse_json_row(line);
-  if (!row.error.empty()) {
-    refuse(row.error);
-  }
+  require_json_object(
+      line, {.kind = "list", .path = source(), .line = static_cast<std::size_t>(lines_->number())});
+  const auto row = nlohmann::ordered_json::parse(line, nullptr, true, true);
+  constexpr double absent = std::numeric_limits<double>::quiet_NaN();
   const bool is_first = columns_.empty();
-  values.resize(row.fields.size());
-  for (std::size_t i = 0; i < row.fields.size(); ++i) {
-    const auto& [key, value] = row.fields[i];
+  values.assign(std::max(row.size(), columns_.size()), absent);
+  for (const auto& [key, value] : row.items()) {
     const auto quantity = find_named(listed_inputs, key, units_);
     if (!quantity) {
       refuse(not_a("key", key, units_));
     }
-    const auto place = std::ranges::find(columns_, *quantity);
-    if (is_first && place == columns_.end()) {
-      columns_.push_back(*quantity);
-      values[i] = value;
-    } else if (is_first) {
-      refuse(fmt::format("the key {} appears twice", name(*quantity, units_)));
-    } else if (place == columns_.end()) {
-      refuse(fmt::format("has the key {}, but the first object does not", name(*quantity, units_)));
-    } else if (row.fields.size() == columns_.size()) {
-      values[static_cast<std::size_t>(place - columns_.begin())] = value;
+    if (!value.is_number()) {
+      refuse(fmt::format("{} is a JSON {}: must be a number", key, value.type_name()));
     }
+    const auto place =
+        static_cast<std::size_t>(std::ranges::find(columns_, *quantity) - columns_.begin());
+    const bool is_new = place == columns_.size();
+    if (is_new && !is_first) {
+      refuse(fmt::format("has the key {}, but the first object does not", name(*quantity, units_)));
+    }
+    if (is_new) {
+      columns_.push_back(*quantity);
+    } else if (!std::isnan(values[place])) {
+      refuse(fmt::format("the key {} appears twice", name(*quantity, units_)));
+    }
+    values[place] = value;
   }
-  if (row.fields.size() != columns_.size()) {
-    refuse(fmt::format("has {}, but the first object has {}", counted(row.fields.size(), "key"),
-                       columns_.size()));
+  if (row.empty() || row.size() != columns_.size()) {
+    refuse(fmt::format("has {}, but {}", counted(row.size(), "key"),
+                       row.empty() ? "must have the inputs that vary"
+                                   : fmt::format("the first object has {}", columns_.size())));
   }
 }
 

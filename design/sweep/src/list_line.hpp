@@ -3,36 +3,15 @@
 
 #include "line_reader.hpp"
 
-#include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace stillpoint::sweep {
 
-/// The fields of a line of CSV, one after the other. A field may be in double quotes, and then a
-/// comma between them belongs to it (RFC 4180).
-class CsvLine {
- public:
-  /// `line` is the last one of `lines`.
-  CsvLine(std::string_view line, const LineReader& lines) : rest_(line), lines_(lines) {}
-
-  /// The next field without blanks and quotes; false after the last. Throws FileError if it opens a
-  /// quote and does not close it.
-  [[nodiscard]] bool next(std::string_view& field);
-
- private:
-  std::string_view rest_;
-  const LineReader& lines_;
-  bool more_{true};
-};
-
-/// A flat JSON object of numbers.
-struct JsonRow {
-  std::vector<std::pair<std::string, double>> fields;  ///< each key once
-  std::string error;                                   ///< what is wrong; empty if nothing is
-};
-
-[[nodiscard]] JsonRow parse_json_row(std::string_view text);
+/// The fields of a line of CSV, the last one of `lines`, without blanks and quotes. A field may be
+/// in double quotes, and then a comma between them belongs to it (RFC 4180). Throws FileError if a
+/// quote is opened and not closed.
+[[nodiscard]] std::vector<std::string_view> csv_fields(std::string_view line,
+                                                       const LineReader& lines);
 
 }  // namespace stillpoint::sweep

@@ -143,30 +143,17 @@ std::pair<Quantity, std::string_view> column_of(std::string_view option, std::st
                   names(numbers, units)));
 }
 
-void require_bins(std::string_view option, std::string_view text, std::int64_t bins) {
-  constexpr std::int64_t most_bins = 100'000;  // each thread has its own
-  if (bins < 1 || bins > most_bins) {
-    throw wrong(option, text, fmt::format("must have 1 to {} bins", most_bins));
-  }
-}
-
-/// "0:1:51" of "0:1:50": N bins have N + 1 edges.
-std::string with_edges(std::string_view option, std::string_view text, std::string_view rest) {
-  const std::vector<std::string_view> parts = records::split(rest, ':');
-  const auto bins = parts.size() > 2 ? records::scan_integer(parts[2]) : std::nullopt;
-  if (!bins) {
-    return std::string(rest);
-  }
-  require_bins(option, text, *bins);
-  const std::string_view spacing(parts[2].end(), rest.end());
-  return fmt::format("{}:{}:{}{}", parts[0], parts[1], *bins + 1, spacing);
-}
-
-/// Of what follows the column.
+/// Of what follows the column: a range of N bins has N + 1 edges.
 Axis edges_of(std::string_view option, std::string_view text, std::string_view rest) {
-  const std::string edges = with_edges(option, text, rest);
+  const std::vector<std::string_view> parts = records::split(rest, ':');
+  const std::string_view bins =
+      parts.size() > 2 ? std::string_view(parts[2].begin(), rest.end()) : "";
+  const bool one_bin = bins == "1" || bins == "1:log";
   try {
-    return parse_axis(option, edges);
+    const Axis asked =
+        parse_axis(option, one_bin ? fmt::format("{},{}", parts[0], parts[1]) : std::string(rest));
+    const auto spacing = asked.spacing();
+    return spacing ? Axis(asked[0], asked[asked.size() - 1], asked.size() + 1, *spacing) : asked;
   } catch (const InputError&) {
     throw wrong(option, text,
                 "must be COLUMN:LOW:HIGH:BINS, COLUMN:LOW:HIGH:BINS:log with LOW > 0, or "
@@ -181,7 +168,10 @@ BinsRequest parse_bins(std::string_view text, const std::vector<Quantity>& colum
   const std::string_view option = "histogram";
   const auto [column, rest] = column_of(option, text, columns, units);
   const Axis edges = edges_of(option, text, rest);
-  require_bins(option, text, edges.size() - 1);
+  constexpr std::int64_t most_bins = 100'000;  // each thread has its own
+  if (edges.size() < 2 || edges.size() > most_bins + 1) {
+    throw wrong(option, text, fmt::format("must have 1 to {} bins", most_bins));
+  }
   BinsRequest result{column, {}};
   result.edges.reserve(static_cast<std::size_t>(edges.size()));
   for (std::int64_t i = 0; i < edges.size(); ++i) {

@@ -93,14 +93,14 @@ std::string summary(const SweepState& state, bool of_designs) {
   const std::int64_t at_zero = count(Outcome::stopped_at_zero);
   const std::int64_t in_notch = count(Outcome::stopped_in_notch);
   std::string text =
-      state.locked == 0
-          ? ""
-          : fmt::format(
-                "Locked: in {} of {} motions the notch holds the mass to the end of the load. ",
-                state.locked, state.rows);
-  text += at_zero + in_notch == state.rows && state.rows > 1
-              ? fmt::format("All {} motions stop ", state.rows)
-              : fmt::format("{} of {} motions stop ", at_zero + in_notch, state.rows);
+      state.locked > 0
+          ? fmt::format(
+                "Locked: in {} of {} motions the notch holds the mass to the end of the "
+                "load. {} stop ",
+                state.locked, state.rows, at_zero + in_notch)
+      : at_zero + in_notch == state.rows && state.rows > 1
+          ? fmt::format("All {} motions stop ", state.rows)
+          : fmt::format("{} of {} motions stop ", at_zero + in_notch, state.rows);
   text += in_notch == 0 ? "at x = 0" : at_zero == 0 ? "in the notch" : "at x = 0 or in the notch";
   const auto add = [&text](std::int64_t how_many, std::string_view one, std::string_view several) {
     if (how_many > 0) {

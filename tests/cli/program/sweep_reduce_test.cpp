@@ -217,7 +217,8 @@ BOOST_AUTO_TEST_CASE(that_are_complete_are_not_computed_again) {
 
 BOOST_AUTO_TEST_CASE(are_text_for_people) {
   const std::string text = run(motions + asked).out;
-  check_contains(text, {"stop_time", "median", "Smallest stop_time", "entries"});
+  check_contains(text,
+                 {"motions stop at x = 0", "stop_time", "median", "Smallest stop_time", "entry"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -236,7 +237,7 @@ const Wrong wrong_reductions[] = {
     {motions + "--reduce --best stop_time", {"best"}},
     {motions + "--reduce --best stop_time:5:first", {"best", "smallest"}},
     {motions + "--reduce --histogram stop_time:1:1:5", {"histogram", "increasing"}},
-    {motions + "--reduce --histogram stop_time:0:1:0", {"histogram", "1 to"}},
+    {motions + "--reduce --histogram stop_time:0:1:0", {"histogram", "BINS"}},
     {motions + "--reduce --histogram stop_time:0:1:2.5", {"histogram", "BINS"}},
     {motions + "--reduce --histogram stop_time:0:1:5:exp", {"histogram", "BINS"}},
     {motions + "--reduce --histogram stop_time:1", {"histogram", "1 to"}},

@@ -70,30 +70,19 @@ BOOST_AUTO_TEST_CASE(a_wide_table_has_its_units_below) {
   BOOST_TEST(!contains(written, "starts, s"));
 }
 
-/// However many columns there are: the words of their heads in two lines, then columns below.
-BOOST_AUTO_TEST_CASE(no_table_is_wider_than_80_columns) {
+/// If that is too narrow for their units, the words of heads stand in two lines.
+BOOST_AUTO_TEST_CASE(heads_of_a_wide_table_break_between_words) {
   Document document;
-  document.title = std::string(50, 't') + " " + std::string(50, 't');
-  Table table{{""}, {{{"first"}, Tone::good}}};
-  for (int i = 0; i < 12; ++i) {
-    table.head.emplace_back(i % 3 == 0   ? "relative error"
-                            : i % 3 == 1 ? "stop time, s"
-                                         : "half-cycles");
-    table.rows[0].cells.emplace_back("1.23456");
-    document.section("Wide").parts.emplace_back(table);
+  Table table{{""}, {{{"first"}}}};
+  for (int i = 0; i < 8; ++i) {
+    table.head.emplace_back(i % 2 == 0 ? "relative error" : "half-cycles");
+    table.rows[0].cells.emplace_back("1.23");
   }
-  std::istringstream lines(text(document));
-  std::size_t values = 0;
-  std::size_t words = 0;
-  for (std::string line; std::getline(lines, line);) {
-    BOOST_TEST(line.size() <= 80U, line);
-    for (std::size_t at = 0; (at = line.find("1.23456", at)) != std::string::npos; ++at) {
-      ++values;
-    }
-    words += contains(line, "half-") && !contains(line, "half-cycles") ? 1U : 0U;
-  }
-  BOOST_TEST(values == 12U * 13U / 2U);
-  BOOST_TEST(words > 0U);
+  document.section("Wide").parts.emplace_back(table);
+  const std::string written = text(document);
+  BOOST_TEST(contains(written, "         relative   half-  relative"), written);
+  BOOST_TEST(contains(written, "            error  cycles     error"), written);
+  BOOST_TEST(contains(written, "  first      1.23    1.23      1.23"), written);
 }
 
 BOOST_AUTO_TEST_CASE(as_html_is_tables_and_paragraphs) {

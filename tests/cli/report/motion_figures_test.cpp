@@ -19,12 +19,17 @@ namespace {
 
 using namespace stillpoint::test;
 
-HtmlPage motion(const Oscillator& oscillator, const Excitation& excitation = {}) {
+HtmlPage page_of(const SimulationRequest& request) {
+  return page(MotionReport{request, simulate(request)});
+}
+
+HtmlPage motion(const Oscillator& oscillator, const Excitation& excitation = {},
+                const Start& start = {0, 1}) {
   SimulationRequest request;
   request.oscillator = oscillator;
+  request.start = start;
   request.excitation = excitation;
-  request.start = {0, 1};
-  return page(MotionReport{request, simulate(request)});
+  return page_of(request);
 }
 
 }  // namespace
@@ -84,7 +89,7 @@ BOOST_AUTO_TEST_CASE(the_envelope_of_a_motion_that_goes_on_does_not_end) {
   request.excitation = Harmonic{.k = 0.2, .lambda = 0.7};
   for (const double end : {250.0, 251.0, 252.0, 253.0, 254.0, 255.0, 256.0}) {
     request.t_end = end;
-    const Figure drawn = figure(page(MotionReport{request, simulate(request)}), "motion");
+    const Figure drawn = figure(page_of(request), "motion");
     const auto& outline = named(drawn.curves, "envelope").strokes[0];
     const std::size_t columns = outline.size() / 2;
     const double settled = outline[columns - 20].y;
@@ -96,19 +101,12 @@ BOOST_AUTO_TEST_CASE(the_envelope_of_a_motion_that_goes_on_does_not_end) {
 
 /// Without friction it swings on when the pulse is over and the damper has stopped.
 BOOST_AUTO_TEST_CASE(a_motion_without_friction_is_drawn_to_the_end) {
-  SimulationRequest request;
-  request.oscillator = {1, 0.02, 0.0025};
-  request.excitation = FullSine{0.1, 2.8};
-  const HtmlPage drawn = page(MotionReport{request, simulate(request)});
-  const Figure& pulse = figure(drawn, "motion");
+  const Figure pulse = figure(motion({1, 0.02, 0.0025}, FullSine{0.1, 2.8}, {0, 0}), "motion");
   BOOST_TEST(named(pulse.curves, "without friction").strokes[0].back().x == pulse.x.most);
 }
 
 BOOST_AUTO_TEST_CASE(a_motion_from_rest_off_centre_starts_at_its_peak) {
-  SimulationRequest request;
-  request.oscillator = {1, 0.05, 0.01};
-  request.start = {-0.5, 0};
-  const HtmlPage drawn = page(MotionReport{request, simulate(request)});
+  const HtmlPage drawn = motion({1, 0.05, 0.01}, {}, {-0.5, 0});
   BOOST_TEST(figure(drawn, "motion").caption.starts_with("The mass starts at its peak of 0.5 and"));
   BOOST_TEST(has_note(figure(drawn, "motion"), "peak 0.5 at the start"));
   BOOST_TEST(
@@ -186,7 +184,7 @@ BOOST_AUTO_TEST_CASE(the_edges_of_a_notch_with_a_width_are_drawn) {
   BOOST_TEST(contains(figure(drawn, "motion").caption, ", inside the notch, after "));
   BOOST_TEST(figure(drawn, "phase").caption.ends_with(", but none as the hit leaves it."));
   request.surface.notch_width = 4;  // beyond the figure on both sides
-  const HtmlPage all = page(MotionReport{request, simulate(request)});
+  const HtmlPage all = page_of(request);
   BOOST_TEST(!has(figure(all, "motion").areas, "notch"));
 }
 
@@ -274,11 +272,8 @@ BOOST_AUTO_TEST_CASE(the_envelope_of_a_long_rest_is_a_line) {
 
 /// |W| <= 0.05 < f. There is a limit of the axis although there is nothing to measure.
 BOOST_AUTO_TEST_CASE(a_mass_that_a_load_does_not_move_is_a_line_over_the_whole_load) {
-  SimulationRequest request;
-  request.oscillator = {1, 0.3, 0.4};
   const Harmonic load{.k = 0.05, .lambda = 3, .duration = 40};
-  request.excitation = load;
-  const HtmlPage drawn = page(MotionReport{request, simulate(request)});
+  const HtmlPage drawn = motion({1, 0.3, 0.4}, load, {0, 0});
   const Figure& still = figure(drawn, "motion");
   BOOST_TEST(still.caption == "The mass does not move.");
   BOOST_TEST(still.x.most == 40);
@@ -296,7 +291,7 @@ BOOST_AUTO_TEST_CASE(a_time_too_short_to_be_seen_is_not_named) {
   for (const double periods : {2.0, 20.0}) {
     request.excitation = Harmonic{.k = 0.2, .lambda = 1};
     request.t_end = periods * 2 * std::numbers::pi;
-    const Figure drawn = figure(page(MotionReport{request, simulate(request)}), "motion");
+    const Figure drawn = figure(page_of(request), "motion");
     BOOST_TEST(has(drawn.bands, "held") == (periods < 10));
   }
 }
@@ -311,7 +306,7 @@ BOOST_AUTO_TEST_CASE(the_stop_of_a_forced_motion_is_a_jump) {
   zones.oscillator = {1, 0.1, 0};
   zones.start = {0, 1};
   zones.surface.zones = {{0.2, 0.3}, {0.5, 0.15}};
-  const HtmlPage without = page(MotionReport{zones, simulate(zones)});
+  const HtmlPage without = page_of(zones);
   BOOST_TEST(!has(figure(without, "phase").curves, "jump at x = 0"));
 }
 
@@ -336,15 +331,9 @@ BOOST_AUTO_TEST_CASE(a_notch_that_lets_go_is_marked_apart_from_a_passage) {
 /// The record of 0.35 g moves the free mass a hundred times as far as the one with this notch.
 BOOST_AUTO_TEST_CASE(a_motion_without_friction_is_left_out_where_it_only_crosses_the_figure) {
   const Harmonic load{.k = 0.35, .lambda = 1, .duration = 20};
-  SimulationRequest request;
-  request.oscillator = {1, 0.345, 0};
-  request.excitation = load;
-  const auto drawn = [&] {
-    return figure(page(MotionReport{request, simulate(request)}), "motion");
-  };
-  BOOST_TEST(!has(drawn().curves, "without friction"));
-  request.oscillator.f = 0.1;
-  BOOST_TEST(has(drawn().curves, "without friction"));
+  const auto drawn = [&](double f) { return figure(motion({1, f, 0}, load, {0, 0}), "motion"); };
+  BOOST_TEST(!has(drawn(0.345).curves, "without friction"));
+  BOOST_TEST(has(drawn(0.1).curves, "without friction"));
 }
 
 /// Caught at its first return; the load lasts 40.

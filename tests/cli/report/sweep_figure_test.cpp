@@ -39,8 +39,8 @@ BOOST_AUTO_TEST_CASE(has_the_values_in_the_middle_of_their_cells) {
   BOOST_TEST(figure.map.labels.at(sweep::SweepClass::ranges * 2) == "never starts");
   BOOST_TEST(
       figure.caption ==
-      "The mass stops at x = 0 in blue areas and off centre in hatched ones, after the half-cycles "
-      "written there; the lines are the theory's edges of area 1.");
+      "The mass stops at x = 0 in blue areas and off centre in hatched ones, after the number of "
+      "half-cycles written there; the lines are the theory's edges of area 1.");
   // The boundaries of the first return are those of the paper's notch.
   BOOST_TEST(!figure.curves.empty());
   report.spec.axes.push_back({Quantity::notch_width, sweep::Axis({0.1})});

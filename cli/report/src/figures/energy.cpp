@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -16,21 +15,6 @@ using figures::FigurePoint;
 using figures::Ink;
 
 namespace {
-
-/// Every n-th of more points than can be told apart, and the last.
-void thin_out(std::vector<FigurePoint>& points) {
-  constexpr std::size_t most = 1500;
-  const std::size_t step = points.size() / most + 1;
-  const FigurePoint last = points.back();
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < points.size(); i += step) {
-    points[kept++] = points[i];
-  }
-  points.resize(kept);
-  if (step > 1) {
-    points.push_back(last);
-  }
-}
 
 /// Between two states on the same side of every edge, without the notch's.
 double friction_between(const DrawnMotion& motion, const State& one, const State& other) {
@@ -101,7 +85,7 @@ Figure energy_figure(const DrawnMotion& motion, const FigureUnits& units) {
     all.push_back({tau, (now + constant + point) * units.energy});
   }
   for (std::vector<FigurePoint>* const level : {&left, &with_constant, &all}) {
-    thin_out(*level);
+    *level = thinned(*level);
   }
   const auto between = [](std::vector<FigurePoint> lower, const std::vector<FigurePoint>& upper) {
     lower.insert(lower.end(), upper.rbegin(), upper.rend());

@@ -7,8 +7,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace stillpoint::report {
@@ -26,42 +28,25 @@ std::vector<FigurePoint> strip(double from, double to, double low, double high) 
   return {{from, low}, {to, low}, {to, high}, {from, high}};
 }
 
-FigureArea area_of(HitEnd end) {
-  switch (end) {
-    case HitEnd::held:
-      return {"held", {}, Ink::grey, AreaLook::hatched};
-    case HitEnd::centred:
-      return {"centred", {}, Ink::sky};
-    case HitEnd::off_centre:
-      return {"off centre", {}, Ink::amber, AreaLook::hatched};
-    case HitEnd::alternating:
-      return {"alternately centred and off centre", {}, Ink::amber};
-    case HitEnd::too_far:
-      return {"too far", {}, Ink::orange, AreaLook::hatched};
-    case HitEnd::never_stops:
-      return {"never stops", {}, Ink::purple, AreaLook::hatched};
-  }
-  return {};
-}
+struct Look {
+  HitEnd end;
+  const char* name;
+  Ink ink;
+  AreaLook look;
+  const char* fate;  ///< of such hits; empty where a limit decides that the figure does not show
+};
 
-/// What becomes of such hits: "rest off centre"; "" where a limit decides that the figure does not
-/// show.
-std::string_view fate(HitEnd end) {
-  switch (end) {
-    case HitEnd::held:
-      return "are held at the start";
-    case HitEnd::off_centre:
-      return "rest off centre";
-    case HitEnd::alternating:
-      return "may rest off centre";
-    case HitEnd::too_far:
-      return "go too far";
-    case HitEnd::never_stops:
-      return "never stop";
-    case HitEnd::centred:
-      break;
-  }
-  return "";
+const Look& look_of(HitEnd end) {
+  using enum HitEnd;
+  static constexpr auto looks = std::to_array<Look>(
+      {{held, "held", Ink::grey, AreaLook::hatched, "are held at the start"},
+       {centred, "centred", Ink::sky, AreaLook::filled, ""},
+       {off_centre, "off centre", Ink::amber, AreaLook::hatched, "rest off centre"},
+       {alternating, "alternately centred and off centre", Ink::amber, AreaLook::filled,
+        "may rest off centre"},
+       {too_far, "too far", Ink::orange, AreaLook::hatched, "go too far"},
+       {never_stops, "never stops", Ink::purple, AreaLook::hatched, "never stop"}});
+  return *std::ranges::find(looks, end, &Look::end);
 }
 
 /// "; weaker ones are held at the start, stronger ones go too far"
@@ -73,9 +58,10 @@ std::string other_hits(const design::ServedInterval& works, const std::vector<de
   for (const design::Hits& now : hits) {
     const bool below = now.from < weaker && weaker <= now.to;
     const bool above = now.from <= stronger && stronger < now.to;
-    if ((below || above) && !fate(now.end).empty()) {
+    const std::string_view fate = look_of(now.end).fate;
+    if ((below || above) && !fate.empty()) {
       text += fmt::format("{} {} ones {}", text.empty() ? ";" : ",", below ? "weaker" : "stronger",
-                          fate(now.end));
+                          fate);
     }
   }
   return text;
@@ -127,14 +113,13 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
   }
   figure.description = "Ends of the motion by the velocity of the hit:";
   for (const design::Hits& now : hits) {
-    figure.areas.push_back(area_of(now.end));
-    figure.areas.back().outline = strip(now.from * unit, now.to * unit, 0, 1);
+    const Look& look = look_of(now.end);
+    const bool seen = now.to - now.from >= narrowest * hits.back().to;
+    figure.areas.push_back(
+        {seen ? look.name : "", strip(now.from * unit, now.to * unit, 0, 1), look.ink, look.look});
     figure.description +=
-        fmt::format("{} {} from {} to {}", &now == hits.data() ? "" : ",", figure.areas.back().name,
+        fmt::format("{} {} from {} to {}", &now == hits.data() ? "" : ",", look.name,
                     units.velocity_words(now.from), units.velocity_words(now.to));
-    if (now.to - now.from < narrowest * hits.back().to) {
-      figure.areas.back().name.clear();  // nobody would find it
-    }
   }
   add_acceleration(figure, problem, limits, f, hits, unit);
   figure.description += ". " + figure.caption;

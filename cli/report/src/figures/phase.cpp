@@ -75,18 +75,16 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
       "Velocity over displacement, from x = {}, x' = {}, with {} of the velocity at x = 0.",
       units.length_words(states.front().x), units.velocity_words(states.front().v),
       plural(static_cast<double>(jumps.strokes.size()), "jump"));
-  figure.caption = "Velocity against displacement: the motion runs clockwise.";
   add_zones(figure, motion, units.length, Along::y);
   figure.curves = {std::move(arcs)};
   if (!jumps.strokes.empty()) {
-    figure.caption.back() = ',';
-    figure.caption += " and at x = 0 the velocity jumps because the notch takes energy.";
+    figure.caption = "At x = 0 the velocity jumps because the notch takes energy.";
     figure.curves.push_back(std::move(jumps));
   } else if (motion.surface.notch_width) {
-    figure.caption.back() = ',';
-    figure.caption += " and the notch takes energy over its width";
-    figure.caption +=
-        states.front().x == 0 && states.front().v != 0 ? ", but none as the hit leaves it." : ".";
+    const State& start = states.front();
+    figure.caption =
+        fmt::format("The notch takes energy over its width{}.",
+                    start.x == 0 && start.v != 0 ? ", but none as the hit leaves it" : "");
   }
   mark_events(figure, motion, place, long_one ? 0 : last);
   return figure;

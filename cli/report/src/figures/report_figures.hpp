@@ -36,6 +36,10 @@ std::vector<figures::FigurePoint> places(const std::vector<State>& states, const
   return points;
 }
 
+/// The least and the largest of each column and both ends, if there are more points than columns.
+[[nodiscard]] std::vector<figures::FigurePoint> thinned(
+    const std::vector<figures::FigurePoint>& points);
+
 /// Another motion from the same start, to compare with.
 struct OtherMotion {
   std::string name;

@@ -65,23 +65,27 @@ bool any_rests(const ClassCounts& counts, std::size_t from) {
                      [](std::int64_t count) { return count > 0; });
 }
 
-/// Two colours, and those of motions that are neither.
-std::vector<figures::MapKey> key_of(const ClassCounts& counts, bool from_rest,
-                                    const std::string& place) {
+/// The key has two colours, and those of motions that are neither.
+figures::FigureMap drawn(const sweep::SweepMap& map, const ClassCounts& counts, bool from_rest,
+                         const std::string& place) {
   constexpr std::size_t ranges = SweepClass::ranges;
-  std::vector<figures::MapKey> key;
+  figures::FigureMap drawn{map.f().cells(), map.delta().cells(), map.cells(), {}, {}, {}, {}};
   if (any_rests(counts, 0)) {
-    key.push_back({"stops " + place, palette[2]});
+    drawn.key.push_back({"stops " + place, palette[2]});
   }
   if (any_rests(counts, ranges)) {
-    key.push_back({"stops off centre", palette[ranges + 2], true});
+    drawn.key.push_back({"stops off centre", palette[ranges + 2], true});
   }
-  for (std::size_t i = 2 * ranges; i < SweepClass::count; ++i) {
-    if (counts.at(i) > 0) {
-      key.push_back({class_name(i, from_rest), palette.at(i)});
+  for (std::size_t i = 0; i < SweepClass::count; ++i) {
+    const bool rests = i < 2 * ranges;
+    drawn.palette.emplace_back(palette.at(i));
+    drawn.names.push_back(class_name(i, from_rest));
+    drawn.labels.push_back(rests ? count_label(i) : drawn.names.back());
+    if (!rests && counts.at(i) > 0) {
+      drawn.key.push_back({drawn.names.back(), palette.at(i)});
     }
   }
-  return key;
+  return drawn;
 }
 
 /// From the edge of the first cell to that of the last, times a unit.
@@ -91,15 +95,6 @@ FigureAxis figure_axis(std::string label, const MapAxis& swept, double unit = 1)
                            linear ? Scale::linear : Scale::logarithmic};
   const double half = 0.5 / static_cast<double>(swept.cells() - 1);
   return {std::move(label), middles.value(-half), middles.value(1 + half), middles.scale};
-}
-
-/// The classes that the map has, in the order of the palette.
-ClassCounts class_counts(const sweep::SweepMap& map) {
-  ClassCounts counts{};
-  for (const std::uint8_t cell : map.cells()) {
-    ++counts.at(cell);
-  }
-  return counts;
 }
 
 bool under_load(const sweep::SweepSpec& spec) {
@@ -119,7 +114,7 @@ std::string caption(const ClassCounts& counts, bool loaded, const std::string& p
   if (words.empty()) {
     return "No motion stops that has started";
   }
-  return words + ", after the half-cycles written there" +
+  return words + ", after the number of half-cycles written there" +
          (centred && loaded ? format("; a rest {} while the load goes on is a lock", place) : "");
 }
 
@@ -137,33 +132,22 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
     units.length = 1e3;
     units.delta_label += ", mm";
   }
-  const auto counts = class_counts(map);
+  ClassCounts counts{};
+  std::ranges::for_each(map.cells(), [&counts](std::uint8_t cell) { ++counts.at(cell); });
   const double v0 = std::abs(only_value(spec, Quantity::v0));
-  const bool from_rest = v0 == 0;
   const std::string place = given(spec, Quantity::notch_width) ? "in the notch" : "at x = 0";
   Figure figure;
   figure.id = "map";
   figure.title = "How the motions end, after how many half-cycles";
   figure.x = figure_axis("constant friction f", map.f());
   figure.y = figure_axis(units.delta_label, map.delta(), units.length);
-  figure.map = {map.f().cells(),
-                map.delta().cells(),
-                map.cells(),
-                {},
-                {},
-                {},
-                key_of(counts, from_rest, place)};
+  figure.map = drawn(map, counts, v0 == 0, place);
   figure.description = format(
       "The plane of f and Δ. Centred means a rest {}, off centre one in the dead zone.", place);
   for (std::size_t i = 0; i < SweepClass::count; ++i) {
-    figure.map.palette.emplace_back(palette.at(i));
-    figure.map.names.push_back(counts.at(i) > 0 ? class_name(i, from_rest) : "");
-    figure.map.labels.push_back(counts.at(i) == 0            ? ""
-                                : i < 2 * SweepClass::ranges ? count_label(i)
-                                                             : class_name(i, from_rest));
     if (counts.at(i) > 0) {
       figure.description += format(
-          " {}: {:.3g} %.", class_name(i, from_rest),
+          " {}: {:.3g} %.", figure.map.names[i],
           100.0 * static_cast<double>(counts.at(i)) / static_cast<double>(map.cells().size()));
     }
   }

@@ -100,7 +100,7 @@ const std::vector<Wrong> sweeps{
      ""},
     {with(simulate(), "--f", "0:1:2"), {"f = \"0:1:2\"", "one number, not a range"}},
     {"sweep --v0 1 --p 1 --list -",
-     {"line 1: is not valid JSON: unexpected end of input; expected"},
+     {"line 1, column 11: is not valid JSON after the key f: unexpected end of input"},
      "{\"f\": 0.1,"},
     {"sweep --v0 1 --p 1 --list -",
      {"line 2: delta = \"?0\": must be a number"},

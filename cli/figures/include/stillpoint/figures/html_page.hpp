@@ -13,6 +13,7 @@ namespace stillpoint::figures {
 struct HtmlPage {
   std::string title;
   std::string verdict;   ///< the answer, below the title
+  bool alarming{false};  ///< of the verdict
   std::string answer{};  ///< HTML above the figures
   std::vector<Figure> figures;
   std::string body;    ///< HTML below them; its tables may have the class rows or columns, its text

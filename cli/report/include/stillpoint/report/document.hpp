@@ -66,7 +66,7 @@ struct TextOptions {
   Verbosity verbosity{Verbosity::normal};
 };
 
-/// For a terminal or a file, at most 80 columns wide if its words allow it: the answer, then
+/// For a terminal or a file, at most 80 columns wide if words and tables allow it: the answer, then
 /// headed sections of aligned columns. Control characters in the title are spelled out.
 [[nodiscard]] std::string text(const Document& document, const TextOptions& options = {});
 

@@ -25,7 +25,7 @@ struct SweepReport {
 
 [[nodiscard]] Document document(const SweepReport& report);
 [[nodiscard]] nlohmann::ordered_json json(const SweepReport& report);
-/// The map if there is one, and the document if the rows went to a file.
+/// With the map if there is one.
 [[nodiscard]] figures::HtmlPage page(const SweepReport& report);
 
 /// "4.2e+06 of 1e+08 rows, 4 %, 1.9e+06 rows/s", after `seconds` of a run that began with

@@ -23,11 +23,8 @@ using KeyPlaces = std::map<std::string, records::FilePlace>;
 
 /// Throws FileError, with line and column, unless the text is a JSON object, which may have
 /// comments, in which no key appears twice, nothing is nested deeper than 16 levels and every
-/// number fits a double.
+/// number fits a double. With a line in `file`, the text begins there.
 KeyPlaces require_json_object(std::string_view text, const records::FilePlace& file);
-
-/// The cause in the parser's message: "... - unexpected end of input; ...".
-[[nodiscard]] std::string parse_error_cause(std::string_view message);
 
 /// Reads an integer. Throws std::runtime_error for any other value, and for an integer beyond
 /// Integer: nlohmann's get_to casts these, which for a double beyond the range is undefined.
