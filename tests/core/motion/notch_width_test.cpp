@@ -189,6 +189,8 @@ BOOST_AUTO_TEST_CASE(the_structure_feels_the_friction_of_each_zone) {
   BOOST_TEST(locked.locked_from.value() == 0);
   close(locked.peak_absolute_acceleration, 1.1);
   close(locked.largest_load_while_locked.value(), 1.1);
+  // Without Delta there is no notch that could hold it, only friction.
+  BOOST_TEST(!run({1, 0.125, 0}, notch(0.2), {0, 0}, Harmonic{0.1, 1}, 20).locked_from);
 }
 
 BOOST_AUTO_TEST_CASE(the_finite_notch_tends_to_the_papers_in_first_order) {

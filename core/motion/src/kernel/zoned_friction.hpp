@@ -67,6 +67,7 @@ class ZonedFriction {
         h_(lets_go_ ? *oscillator.hold : Real(0)),
         spare_(h_ / p_),
         half_width_(surface.notch_width ? Real(p_ * (*surface.notch_width / 2)) : Real(-1)),
+        walled_(oscillator.delta > 0 && surface.notch_width),
         leaving_(surface.notch_width && start.x0 == 0 && start.v0 != 0) {
     const Real wall = surface.notch_width ? Real(oscillator.delta / *surface.notch_width) : Real(0);
     Real from(0);
@@ -127,7 +128,7 @@ class ZonedFriction {
   }
 
   [[nodiscard]] bool notch_holds(const Real& u, bool came_there) const {
-    return magnitude(u) <= half_width_ || (notched_ && u == 0 && (came_there || lets_go_));
+    return (walled_ && magnitude(u) <= half_width_) || (notched_ && u == 0 && (came_there || lets_go_));
   }
 
   [[nodiscard]] Outcome rest_at(const Real& u) const {
@@ -174,6 +175,7 @@ class ZonedFriction {
   Real h_;
   Real spare_;
   Real half_width_;  ///< p w/2; below 0 without such a notch
+  bool walled_;      ///< the notch adds to the friction there
   bool leaving_;     ///< since the start, freely
   std::vector<Zone> zones_;
 };
