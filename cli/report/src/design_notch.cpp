@@ -93,7 +93,7 @@ void add_built_notch(Document& document, const design::BuiltNotch& built,
     section.row("holds",
                 format("f + hold = {:.4g} g at x = 0", finding.point.f + shape.hold.value()));
     if (changes_nothing) {
-      section.line("No load exceeds that while the mass is at rest there: nothing changes.");
+      section.line("The mass moves as if the notch held any load: nothing changes.");
       return;
     }
   }
