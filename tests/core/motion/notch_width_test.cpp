@@ -175,6 +175,12 @@ BOOST_AUTO_TEST_CASE(dirac_s_notch_stands_between_zones) {
   close(list.at(1).departure_speed, 0.5);
 }
 
+BOOST_AUTO_TEST_CASE(a_zone_without_friction_about_zero_leaves_a_motion_that_never_stops) {
+  // Each turn is beyond the edge by about half as much as the one before it: f = p^2 L/4.
+  const Surface zone{{}, {{0.1, 0}}};
+  BOOST_TEST(run({2, 0.1, 0}, zone, {0, 1}).outcome == Outcome::never_stops);
+}
+
 BOOST_AUTO_TEST_CASE(the_structure_feels_the_friction_of_each_zone) {
   // From x = 1 with f = 0.125 and Delta/w = 1 within |x| < 0.1: at the start 0.125 - 1, inside at
   // most 1.125 + 0.1 on the way out, beyond the notch 0.125 + |x|.
