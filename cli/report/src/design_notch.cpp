@@ -95,7 +95,7 @@ void add_built_notch(Document& document, const design::BuiltNotch& built,
   }
   const Response& ideal = finding.response;
   if (built.changes_nothing) {
-    section.line("No load exceeds that while the mass is at rest there: nothing changes.");
+    section.line("The mass moves as if the notch held any load: nothing changes.");
   } else if (ideal.stop_time) {
     section.row("compare", format("with a notch that {} it rests at x = {} after {}",
                                   ideal_words(built), length_shown(physical, *ideal.stop_position),

@@ -142,6 +142,11 @@ BOOST_AUTO_TEST_CASE(what_the_notch_holds_changes_no_design_for_a_hit) {
     BOOST_TEST(near(built["stop_time"], report["response"]["stop_time"], 1e-14));
   }
   BOOST_TEST(contains(run(design + "--hold 0.1").out, "nothing changes"));
+  // A rectangle above f + hold sets the mass off at once, and is over when it comes back.
+  const json at_once =
+      reported(Arguments("design --pulse rectangle --k 1.2 --lambda 3.3 --p 1.44"
+                         " --beta 0.67 --delta-max 0.62 --hold 0.3"));
+  BOOST_TEST(at_once["built_notch"]["changes_nothing"] == true);
   // With a width the mass stops before the middle.
   BOOST_TEST(reported(design + "--notch-width 0.05")["built_notch"]["changes_nothing"] == false);
 }

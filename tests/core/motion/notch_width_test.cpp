@@ -111,6 +111,19 @@ BOOST_AUTO_TEST_CASE(zones_of_one_friction_are_no_zones) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_zone_without_friction_about_zero_leaves_a_motion_that_never_stops) {
+  // Each turn is beyond the edge by about half as much as the one before it: f = p^2 L/4.
+  const Surface zone{{}, {{0.1, 0}}};
+  BOOST_TEST(run({2, 0.1, 0}, zone, {0, 1}).outcome == Outcome::never_stops);
+}
+
+BOOST_AUTO_TEST_CASE(friction_alone_does_not_lock) {
+  // From rest f + Delta/w = 1.125 holds, and the notch locks; without Delta there is no notch.
+  BOOST_TEST(run({1, 0.125, 0.2}, notch(0.2), {0, 0}, Harmonic{1.1, 1}, 20).locked_from.value() ==
+             0);
+  BOOST_TEST(!run({1, 0.125, 0}, notch(0.2), {0, 0}, Harmonic{0.1, 1}, 20).locked_from);
+}
+
 BOOST_AUTO_TEST_CASE(the_finite_notch_tends_to_the_papers_in_first_order) {
   // docs/notches.md (N3): rest at 0.2354 w, stop time + 0.0661 w.
   const Oscillator oscillator{1, 0.26, 0.37};

@@ -67,6 +67,7 @@ class ZonedFriction {
         h_(lets_go_ ? *oscillator.hold : Real(0)),
         spare_(h_ / p_),
         half_width_(surface.notch_width ? Real(p_ * (*surface.notch_width / 2)) : Real(-1)),
+        walled_(oscillator.delta > 0 && surface.notch_width),
         leaving_(surface.notch_width && start.x0 == 0 && start.v0 != 0) {
     const Real wall = surface.notch_width ? Real(oscillator.delta / *surface.notch_width) : Real(0);
     Real from(0);
@@ -127,7 +128,8 @@ class ZonedFriction {
   }
 
   [[nodiscard]] bool notch_holds(const Real& u, bool came_there) const {
-    return magnitude(u) <= half_width_ || (notched_ && u == 0 && (came_there || lets_go_));
+    return (walled_ && magnitude(u) <= half_width_) ||
+           (notched_ && u == 0 && (came_there || lets_go_));
   }
 
   [[nodiscard]] Outcome rest_at(const Real& u) const {
@@ -162,10 +164,12 @@ class ZonedFriction {
     return farthest;
   }
 
-  /// Whether nothing takes energy from a motion within |u|.
+  /// Whether nothing takes energy from a motion within |u|. Turns beyond a zone without friction
+  /// close in on its edge, and rounding keeps them a few ulp beyond it.
   [[nodiscard]] bool frictionless_up_to(const Real& u) const {
+    const Real within = magnitude(u) * (1 - 8 * std::numeric_limits<Real>::epsilon());
     return !notched_ && std::ranges::all_of(zones_, [&](const Zone& zone) {
-      return zone.phi == 0 || !(zone.from < magnitude(u));
+      return zone.phi == 0 || !(zone.from < within);
     });
   }
 
@@ -200,6 +204,7 @@ class ZonedFriction {
   Real h_;
   Real spare_;
   Real half_width_;  ///< p w/2; below 0 without such a notch
+  bool walled_;      ///< the notch adds to the friction there
   bool leaving_;     ///< since the start, freely
   std::vector<Zone> zones_;
 };
