@@ -47,7 +47,7 @@ struct Task {
   double residual_mm;
   std::optional<double> hold{};
   std::optional<double> acceleration{};
-  design::SearchRange periods_s{2.8, 2.8};
+  Interval periods_s{2.8, 2.8};
 };
 
 NamedSuite suite(const std::string& name, std::vector<SuiteRecord> records, const Task& task) {

@@ -107,7 +107,7 @@ bool is_mean(const design::RecordDesignRequest& task) {
 std::string worst_of_mean(const design::RecordDesign& result, const Physical& physical) {
   const std::size_t worst = worst_record(result);
   return format(" The worst of them, {}: {}.", record_label(result.request.records[worst]),
-                figures_words(design::figures_of(result.finding->responses[worst]), physical));
+                figures_words(design::suite_figures(result.finding->responses[worst]), physical));
 }
 
 std::string samples_words(const design::Sensitivity& near) {
@@ -220,7 +220,7 @@ void add_records(Document& document, const RecordDesignReport& report) {
               {}};
   for (std::size_t i = 0; i < result.finding->responses.size(); ++i) {
     const auto& locked_from = result.finding->responses[i].locked_from;
-    const design::SuiteFigures figures = design::figures_of(result.finding->responses[i]);
+    const design::SuiteFigures figures = design::suite_figures(result.finding->responses[i]);
     const design::SuiteRecord& record = result.request.records[i];
     table.rows.push_back(
         {{record_label(record), format("{:.4g}", design::peak_load(record)),
@@ -322,7 +322,7 @@ void add_real_notch(Section& section, const std::optional<double>& hold,
 std::size_t worst_record(const design::RecordDesign& result) {
   const std::vector<ForcedResponse>& all = result.finding->responses;
   const auto value = [&](const ForcedResponse& response) {
-    return value_of(design::figures_of(response), result.request.objective);
+    return value_of(design::suite_figures(response), result.request.objective);
   };
   return static_cast<std::size_t>(std::ranges::max_element(all, {}, value) - all.begin());
 }

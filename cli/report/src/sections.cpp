@@ -259,7 +259,7 @@ void add_feasible(Section& section, const design::RegionVerdict& verdict,
                   : format("at least {}", length_limit(physical, region.beta_min, true)));
   const std::string feasible =
       region.feasible ? range_digits(*region.f_lower, *region.f_upper) : "";
-  for (const auto& [low, high] : verdict.intervals.value_or(std::vector<design::Interval>())) {
+  for (const auto& [low, high] : verdict.intervals.value_or(std::vector<Interval>())) {
     if (const std::string all = range_digits(low, high); all != feasible) {
       section.row("admissible f", all);  // without the tolerance, or of other islands
     }

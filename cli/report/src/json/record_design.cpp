@@ -69,7 +69,7 @@ ordered_json records_json(const design::RecordDesign& result, const Physical& ph
         list.emplace_back(ordered_json{{"file", record.name},
                                        {"scale", number(record.scale)},
                                        {"pga", number(design::peak_load(record))}});
-    json.update(figures_json(design::figures_of(response), physical));
+    json.update(figures_json(design::suite_figures(response), physical));
     json["outcome"] = name(response.outcome);
     json["locked_from"] = number(response.locked_from);
     json["locked_from_s"] = seconds(physical, response.locked_from);

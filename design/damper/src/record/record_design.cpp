@@ -154,7 +154,7 @@ SuiteCheck check(const Suite& suite, const SuiteDamper& damper,
   SuiteCheck check;
   check.passed = true;
   for (std::size_t i = 0; i < responses.size(); ++i) {
-    const SuiteFigures kernel = figures_of(responses[i]);
+    const SuiteFigures kernel = suite_figures(responses[i]);
     const SuiteFigures other = integrate_record_motion(suite.oscillator(damper), suite.surface(),
                                                        std::get<Record>(suite.loads()[i]));
     const double error =

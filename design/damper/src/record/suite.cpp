@@ -45,7 +45,7 @@ Record scaled(const SuiteRecord& record) {
   return load;
 }
 
-SuiteFigures figures_of(const ForcedResponse& response) {
+SuiteFigures suite_figures(const ForcedResponse& response) {
   return {response.peak_amplitude, response.peak_absolute_acceleration,
           std::abs(response.stop_position.value()), response.decision_margin.value_or(1)};
 }
@@ -130,7 +130,7 @@ SuiteFigures Suite::figures(const SuiteDamper& damper) const {
       const ForcedResponse one = response(damper, load);
       all.settled = one.stop_position && rests_in_time(one.half_cycles.value());
       if (all.settled) {
-        add(all, figures_of(one));
+        add(all, suite_figures(one));
       }
     } catch (const TooManyHalfCycles&) {
       all.settled = false;

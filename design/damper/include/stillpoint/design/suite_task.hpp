@@ -91,7 +91,7 @@ struct SuiteFigures {
 };
 
 /// Of one motion that comes to rest.
-[[nodiscard]] SuiteFigures figures_of(const ForcedResponse& response);
+[[nodiscard]] SuiteFigures suite_figures(const ForcedResponse& response);
 
 /// The figure that the objective minimises.
 [[nodiscard]] double value_of(const SuiteFigures& figures, SuiteObjective which);
