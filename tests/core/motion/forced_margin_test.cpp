@@ -134,15 +134,6 @@ BOOST_AUTO_TEST_CASE(of_scenes_whose_events_meet_are_honest) {
   margins_are_honest(constructed_scene, 20263, forced_scene_count() / 2);
 }
 
-BOOST_AUTO_TEST_CASE(wait_for_a_pulse_does_not_count) {
-  // f is a fiftieth of k; the closest decision is that the mass, back with about the speed that its
-  // spring gives it, does not turn before x = 0.
-  const auto state = run_forced(ForcedScene<>{{0, 0, 1, 0.02, 0.5}, HalfSine{1, 10}, 10}).state;
-  BOOST_TEST(*state.outcome == Outcome::stopped_at_zero);
-  BOOST_TEST(margin_of(state) > 0.4);
-  BOOST_TEST(margin_of(state) < 0.5);
-}
-
 BOOST_AUTO_TEST_CASE(turn_that_meets_the_end_of_a_rectangle_has_none) {
   // A relative change of 1e-9 makes 5 or 3 of 4 turns.
   const auto before = run_forced(turn_at_the_end(15.7453631651)).state;

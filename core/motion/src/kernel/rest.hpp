@@ -65,9 +65,7 @@ void rest(Run& run, Drive& drive, ExactSum<Real>& left, bool for_ever) {
   const Real size = magnitude(s.u) + magnitude(w) + phi;
   Real excess = magnitude(load) - phi;
   if (s.fresh) {
-    // Where nothing pushes, a small change of the inputs does not make it push.
-    const bool idle = s.u == 0 && w == 0;
-    s.margin.decide(magnitude(excess), idle ? size : std::max(size, Real(drive.amplitude())));
+    s.margin.decide(magnitude(excess), std::max(size, Real(drive.amplitude())));
   }
   if (Hold<Real>::may_tie(excess, size)) {
     excess = law.hold_at(s.u).excess(drive.load(), sign);
