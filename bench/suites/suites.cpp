@@ -43,8 +43,8 @@ SuiteRecord sine(double seconds, int half_waves) {
 
 /// What is asked for; the least acceleration, or within a limit on it the least stroke.
 struct Task {
-  double stroke_mm;
-  double residual_mm;
+  double stroke_mm{0};
+  double residual_mm{0};
   std::optional<double> hold{};
   std::optional<double> acceleration{};
   Interval periods_s{2.8, 2.8};

@@ -35,7 +35,7 @@ td{font-variant-numeric:tabular-nums}.rows th{font-weight:normal;color:#666;whit
 .number{white-space:nowrap}.key{font-weight:bold}.good{color:#00704f}.bad{color:#b3261e;font-weight:bold}.faint{color:#666}
 pre{overflow-x:auto;font:13px/1.4 "DejaVu Sans Mono",monospace;background:#f4f4f4;padding:10px}.input pre{white-space:pre-wrap;overflow-wrap:anywhere}
 footer{margin-top:24px;font-size:13px;color:#666}
-@media screen and (max-width:520px){body{padding:8px}.rows th{white-space:normal}td,th,.columns td{padding:3px 4px 3px 0}.rows td,.across td{overflow-wrap:anywhere}.columns{font-size:11px}
+@media screen and (max-width:520px){body{padding:8px}.rows th{white-space:normal}td,th,.columns td{padding:3px 8px 3px 0}details pre{white-space:pre-wrap;overflow-wrap:anywhere}.rows td,.across td{overflow-wrap:anywhere}.columns{font-size:11px}
 .across .columns{font-size:14px}.across .columns,.across .columns tr,.across tbody{display:block}.across tr{border-bottom:1px solid #999;padding:4px 0}.across thead{display:none}.across .columns td{display:inline-block;border:0;margin-right:10px}.across td[data-head]::before{content:attr(data-head) " ";opacity:.8}.across td[data-unit]::after{content:" " attr(data-unit);opacity:.8}.across td:empty{display:none}}
 )";
 
@@ -48,18 +48,18 @@ body{color:#ddd;background:#14181d}td,th{border-color:#444}.rows th,.faint{color
 constexpr std::string_view print_style = R"(
 @page{margin:8mm 10mm}
 body{max-width:none;padding:0;font-size:10px;line-height:1.15}h1{font-size:18px;margin:0}h2{font-size:13px;margin:0 0 1px}section{padding-top:5px}.answer{font-size:13px;margin:2px 0}table{font-size:11px}
-main{columns:2;column-gap:6mm;margin:0}.figures{display:block;margin:0}.figures,footer{column-span:none}figure{max-width:none}figcaption,main table{font-size:10px}.readout,details{display:none}
+main{columns:2;column-gap:6mm;margin:0}.figures{display:block;margin:0}.figures,footer{column-span:none}figure{max-width:none;margin-top:6px}figcaption,main table{font-size:10px}.readout,details{display:none}
 p{margin:2px 0}p,footer{break-before:avoid}.wide{overflow:visible}td,th{padding:.5px 5px}.columns td,.columns th{padding:.5px 3px}.rows td,code{overflow-wrap:anywhere}
-.input{break-inside:auto}.input p{display:none}.input h2,.input pre{display:inline;font-size:10px}pre{white-space:normal!important;background:none;padding:0 4px}footer{margin-top:4px;font-size:10px}
+.only{column-span:all;width:150mm}.input p{display:none}.input h2,.input pre{display:inline;font-size:10px}pre{white-space:normal!important;background:none;padding:0 4px}footer{margin-top:4px;font-size:10px}
 )";
 
 /// One figure, and those that belong below it, with plots that begin at the same place.
-std::string column(std::span<const Figure> group) {
+std::string column(std::span<const Figure> group, bool only) {
   double left = 0;
   for (const Figure& figure : group) {
     left = std::max(left, plot_left(figure));
   }
-  std::string text = "<figure>\n";
+  std::string text = only ? "<figure class=\"only\">\n" : "<figure>\n";
   std::string caption;
   for (const Figure& figure : group) {
     text += "<div>" + svg(figure, Frame::in_page, left) +
@@ -76,7 +76,8 @@ std::string figures(const std::vector<Figure>& list) {
   for (auto first = list.begin(); first != list.end();) {
     const auto last = std::find_if(std::next(first), list.end(),
                                    [](const Figure& figure) { return !figure.below; });
-    columns.push_back(column({&*first, static_cast<std::size_t>(last - first)}));
+    columns.push_back(column({&*first, static_cast<std::size_t>(last - first)},
+                             first == list.begin() && last == list.end()));
     first = last;
   }
   const std::size_t paired = columns.size() / 2 * 2;

@@ -125,8 +125,9 @@ void add_worst(Section& answer, const design::DesignRequest& request,
   const bool lengths = request.pulse_ranges.lambda_high.has_value();
   answer.row(
       "ranges",
-      format("all of this holds for every pulse{} of the ranges{}", springs ? " and spring" : "",
-             springs || lengths ? ", whose durations and periods are sampled" : ""));
+      format(
+          "all of this holds for every pulse{} of the ranges{}", springs ? " and spring" : "",
+          springs || lengths ? "; durations and periods between those tried are estimated" : ""));
   std::string shown = format("k = {:.6g} g", design::peak_load(check.pulse));
   if (lengths) {
     shown +=
@@ -142,7 +143,8 @@ void add_start(Section& answer, const design::DesignResult& result, const Physic
   const auto& [f, delta, tolerance] = result.finding->point;
   const double weakest =
       result.request.pulse_ranges.k_low.value_or(design::peak_load(*result.request.pulse));
-  add_start(answer, {f, delta, weakest}, "delta/(k - f)", "go", physical);
+  add_start(answer, {f, delta, weakest, result.finding->response.peak_amplitude}, "delta/(k - f)",
+            "go", physical);
 }
 
 /// Under a pulse, where only the tolerance asks for a strong notch.

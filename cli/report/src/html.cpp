@@ -36,11 +36,11 @@ std::string_view look_of(Tone tone) {
 
 /// "peak, mm" before and after a number of its column, on narrow screens, where a row is a
 /// paragraph.
-std::string around(const std::string& head) {
+std::string around(const std::string& head, const std::string& cell) {
   const std::size_t comma = std::min(head.find(", "), head.size());
   std::string text =
       head.empty() ? "" : format(" data-head=\"{}\"", escaped(head.substr(0, comma)));
-  if (comma < head.size()) {
+  if (comma < head.size() && cell.find_first_of("0123456789") != std::string::npos) {
     text += format(" data-unit=\"{}\"", escaped(head.substr(comma + 2)));
   }
   return text;
@@ -50,7 +50,7 @@ std::string cells(const TableRow& row, const std::vector<std::string>& head) {
   std::string text = row.tone == Tone::bad ? "<tr class=\"violated\">" : "<tr>";
   for (std::size_t i = 0; i < row.cells.size(); ++i) {
     const bool last = i + 1 == row.cells.size();
-    text += format("<td{}{}>{}</td>", row.cells[i].empty() ? "" : around(head[i]),
+    text += format("<td{}{}>{}</td>", row.cells[i].empty() ? "" : around(head[i], row.cells[i]),
                    last ? look_of(row.tone) : "", prose(row.cells[i]));
   }
   return text + "</tr>\n";

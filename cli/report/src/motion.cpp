@@ -24,9 +24,9 @@ void add_half_cycles(Document& document, const Simulation& answer, const Physica
   if (answer.half_cycles.empty()) {
     return;
   }
-  Table table{{"", in("starts", units.time_unit), in("leaves at", units.velocity_unit),
+  Table table{{"", in("starts", units.time_unit), in("leaves with", units.velocity_unit),
                in("peak at", units.time_unit), in("peak", units.length_unit),
-               in("ends", units.time_unit), in("arrives at", units.velocity_unit)},
+               in("ends", units.time_unit), in("arrives with", units.velocity_unit)},
               {}};
   const bool impulses = std::ranges::any_of(
       answer.half_cycles, [](const HalfCycle& now) { return now.impulse.value_or(0) > 0; });
@@ -67,6 +67,7 @@ std::string peaks_words(const MotionReport& report) {
   const auto* const load = std::get_if<Harmonic>(&report.request.excitation);
   const std::vector<HalfCycle>& listed = report.answer.half_cycles;
   constexpr std::size_t compared = 8;
+  constexpr std::size_t settled = 4;
   if (load == nullptr || load->duration || listed.size() <= compared ||
       report.answer.response.half_cycles != static_cast<double>(listed.size())) {
     return "";
@@ -76,16 +77,17 @@ std::string peaks_words(const MotionReport& report) {
   std::vector<double> peaks;
   std::transform(last - compared, last, std::back_inserter(peaks),
                  [](const HalfCycle& now) { return now.peak; });
-  const auto [least, most] = std::ranges::minmax(peaks);
   const auto shown = [&](double length) { return length_shown(report.physical, length); };
-  constexpr double same = 0.01;
-  if (most - least <= same * most) {
+  constexpr double same = 0.005;
+  const auto [low, high] = std::ranges::minmax(std::span(peaks).last(settled));
+  if (high - low <= same * high) {
     return format(" Its peaks settle at {}.", shown(peaks.back()));
   }
   const bool grow = std::ranges::is_sorted(peaks);
   if (grow || std::ranges::is_sorted(peaks, std::ranges::greater())) {
     return format(" Its peaks {}, the last to {}.", grow ? "grow" : "shrink", shown(peaks.back()));
   }
+  const auto [least, most] = std::ranges::minmax(peaks);
   return format(" Its last {} peaks lie between {} and {}.", compared, shown(least), shown(most));
 }
 
@@ -207,7 +209,12 @@ std::string lock_sentence(const MotionReport& report) {
     const Outcome outcome = report.answer.response.outcome;
     return outcome == Outcome::caught_at_start ? outcome_phrase(outcome) : "";
   }
-  return locked_words(*forced, load_end(report.request), report.physical);
+  const double moved = *forced->locked_from - forced->stick_time;
+  constexpr double hardly = 0.1;
+  return locked_words(*forced, load_end(report.request), report.physical) +
+         (moved < hardly * *forced->locked_from
+              ? format("; before that it moves for {} in all", time_shown(report.physical, moved))
+              : "");
 }
 
 std::optional<double> caught_impulse(const MotionReport& report) {

@@ -114,7 +114,7 @@ std::string samples_words(const design::Sensitivity& near) {
   return near.admissible == near.samples
              ? format("{0} of {0} samples within +-{1:.3g} % meet the limits", near.samples,
                       100 * near.tolerance)
-             : format("{} of {} samples violate a limit or are near tipping",
+             : format("{} of {} samples violate a limit or may stop elsewhere",
                       near.samples - near.admissible, near.samples);
 }
 
@@ -156,19 +156,19 @@ void add_start(Section& answer, const design::RecordDesign& result, const Physic
   }
   if (!result.request.notch_width && !result.request.hold) {
     const design::SuiteDamper& damper = result.finding->point.damper;
-    add_start(answer, {damper.f, damper.delta, weakest}, "delta/(load - f)", "go under each record",
-              physical);
+    add_start(answer, {damper.f, damper.delta, weakest, result.finding->point.figures.peak},
+              "delta/(load - f)", "go under every record", physical);
   }
 }
 
 /// Of the notch at a passage or a stop, which the figures leave out if it has no width.
 void add_passages(Section& answer, const design::RecordDesign& result, const Physical& physical) {
   const auto& [damper, figures] = result.finding->point;
-  if (damper.delta == 0 || figures.peak == 0 || result.request.notch_width) {
+  if (damper.delta == 0 || figures.peak == 0 || result.request.notch_width || result.request.hold) {
     return;
   }
-  answer.row("in the notch",
-             "it feels " + inside_words(physical, damper.f, damper.delta, figures.peak));
+  answer.row("in the notch", inside_words(physical, damper.f, damper.delta, figures.peak,
+                                          design::peak_load(result.request.records)));
 }
 
 void add_answer(Section& answer, const design::RecordDesign& result, const Physical& physical) {
@@ -252,7 +252,8 @@ void add_shortfalls(Document& document, const RecordDesignReport& report) {
                              shown(physical, which, *relaxed))
             : report.result.search.interrupted
                 ? "interrupted before it was known whether changing this limit alone is enough"
-                : "changing this limit alone would not be enough");
+            : nearest > limit ? "changing this limit alone would not be enough"
+                              : "met");
   }
 }
 

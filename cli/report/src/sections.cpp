@@ -234,6 +234,9 @@ std::string requirement(const design::Constraint& now, const FigureUnits& units)
   constexpr double conversion = 1e-12;  // the rounding of 150 mm to dimensionless and back
   const auto [unit, unit_name] = unit_of(now.variable, units);
   const bool upwards = now.relation.front() == '>';
+  if (upwards && now.limit < 0) {
+    return format("any {}", now.variable);
+  }
   const double limit = now.limit * unit * (upwards ? 1 - conversion : 1 + conversion);
   return format("{} {} {}{}", now.variable, now.relation,
                 limit > 0 ? limit_digits(limit, upwards, shown) : digits(limit),
@@ -256,7 +259,11 @@ void add_feasible(Section& section, const design::RegionVerdict& verdict,
   section.row(physical ? "max displacement" : "beta",
               region.beta_min == 0
                   ? "as small as you like: with f just below the peak load it hardly moves"
-                  : format("at least {}", length_limit(physical, region.beta_min, true)));
+                  : format("at least {}{}", length_limit(physical, region.beta_min, true),
+                           limits.f_max || limits.delta_max || limits.acceleration_max ||
+                                   limits.tolerance > 0
+                               ? ", without the limits and the tolerance asked for"
+                               : ""));
   const std::string feasible =
       region.feasible ? range_digits(*region.f_lower, *region.f_upper) : "";
   for (const auto& [low, high] : verdict.intervals.value_or(std::vector<Interval>())) {
@@ -350,7 +357,7 @@ std::string outcome_phrase(Outcome outcome) {
     case Outcome::never_stops:
       return "never stops: there is no friction";
     case Outcome::caught_at_start:
-      return "never starts: the hit is too weak to leave the notch (v0^2 < 2 delta)";
+      return "never starts: the hit is too weak to leave the notch";
     case Outcome::running:
       return "is still moving at the end of the run";
   }
@@ -388,9 +395,11 @@ void add_counts(Section& section, const Response& response, const Physical& phys
   if (response.decision_margin) {
     section.row("decision margin",
                 format("{:.2g} %: {}", 100 * *response.decision_margin,
-                       margin_of_inputs ? "it may stop elsewhere if all inputs shift by about this "
-                                          "much; a limit may be exceeded long before"
-                                        : closest_decision));
+                       !margin_of_inputs ? closest_decision
+                       : response.outcome == Outcome::caught_at_start
+                           ? "it may start if all inputs shift by about this much"
+                           : "it may stop elsewhere if all inputs shift by about this much; a "
+                             "limit may be exceeded long before"));
   }
 }
 
@@ -403,10 +412,11 @@ void add_response(Section& section, const Simulation& answer, const Physical& ph
                          : forced ? outcome_phrase(*forced)
                                   : outcome_phrase(response.outcome));
   if (forced) {
-    section.row(
-        "transmitted",
-        format("{:.6g} g, the largest acceleration that the structure feels, impulses apart",
-               response.peak_absolute_acceleration));
+    const bool impulses = std::ranges::any_of(
+        answer.half_cycles, [](const HalfCycle& now) { return now.impulse.value_or(0) > 0; });
+    section.row("transmitted",
+                format("{:.6g} g, the largest acceleration that the structure feels{}",
+                       response.peak_absolute_acceleration, impulses ? ", impulses apart" : ""));
   }
   if (moves(response)) {
     section.row("peak", length_shown(physical, response.peak_amplitude));

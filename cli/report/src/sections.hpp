@@ -38,13 +38,15 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
 /// The width of a notch as an example: 20 mm, or 1, 2 or 5 times a power of ten if that is above a
 /// fifth of the peak; that fifth without physical input.
 [[nodiscard]] double example_width(const Physical& physical, double peak);
-/// "f + delta/w inside one of width w: 0.319 g if w is 20 mm"
+/// "f + delta/w inside one of width w: 0.319 g if w is 20 mm", unless from rest the largest load
+/// cannot move the mass out of it.
 [[nodiscard]] std::string inside_words(const Physical& physical, double f, double delta,
-                                       double peak);
+                                       double peak, double load = HUGE_VAL);
 struct StartUnderLoad {
   double f;
   double delta;
   double load;  ///< the largest
+  double peak;  ///< a notch that must be wider is none
 };
 /// From rest, a notch of width w holds the mass while the load is at most f + delta/w: how wide it
 /// must be so that the mass may `go`, as `formula` says.

@@ -55,8 +55,13 @@ double example_width(const Physical& physical, double peak) {
          physical->scales.length_m;
 }
 
-std::string inside_words(const Physical& physical, double f, double delta, double peak) {
+std::string inside_words(const Physical& physical, double f, double delta, double peak,
+                         double load) {
   const double width = example_width(physical, peak);
+  if (design::notch_acceleration(f, delta, width) >= load) {
+    return format("f + delta/w holds the mass throughout if w is {}",
+                  physical ? length_shown(physical, width) : "a fifth of the peak");
+  }
   return format("f + delta/w inside one of width w: {:.3g} g if w is {}",
                 design::notch_acceleration(f, delta, width),
                 physical ? length_shown(physical, width) : "a fifth of the peak");
@@ -64,13 +69,13 @@ std::string inside_words(const Physical& physical, double f, double delta, doubl
 
 void add_start(Section& section, const StartUnderLoad& start, std::string_view formula,
                std::string_view go, const Physical& physical) {
-  const auto& [f, delta, load] = start;
+  const auto& [f, delta, load, peak] = start;
   if (delta > 0 && load > f) {
     section.row(
         "start",
         format("a notch narrower than {}, {}, does not let the mass {}: see --notch-width{}",
-               length_limit(physical, delta / (load - f), true), formula, go,
-               physical ? "-m" : ""));
+               length_limit(physical, delta / (load - f), true), formula, go, physical ? "-m" : ""),
+        delta / (load - f) > peak ? Tone::bad : Tone::plain);
   }
 }
 
@@ -125,7 +130,9 @@ void add_practice(Section& section, const std::optional<design::Practice>& lines
   section.row("secant stiffness",
               weight && lines->secant_stiffness
                   ? with_unit(*lines->secant_stiffness * *weight / physical->scales.length_m, "N/m")
-                  : digits(lines->secant_stiffness));
+              : lines->secant_stiffness
+                  ? format("{:.4g} times the spring's", lines->base_shear / lines->restoring)
+                  : "none");
   section.row("equiv. damping",
               lines->equivalent_damping
                   ? format("{:.3g} % of critical, for a full cycle at this peak",

@@ -162,6 +162,13 @@ void add_damper(Section& answer, const SpectrumReport& report) {
   answer.row("damper", format("f = {}, delta = {}, the same at every period", digits(task.f),
                               length_shown(report.physical, task.delta)));
   add_real_notch(answer, task.hold, task.notch_width, report.physical);
+  if (task.delta > 0 && !task.notch_width && !task.hold) {
+    const double peak = std::ranges::max(report.result.combined, {}, [](const SpectrumPoint& now) {
+                          return now.with_notch.peak;
+                        }).with_notch.peak;
+    answer.row("in the notch", inside_words(report.physical, task.f, task.delta, peak,
+                                            design::peak_load(task.records)));
+  }
   for (const design::SuiteRecord& record : task.records) {
     answer.row(&record == task.records.data() ? "record" : "",
                format("{}, peak {}, {} long", record_label(record),

@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(ranges_of_a_pulse_are_in_the_report) {
   BOOST_TEST(!contains(shown, "sampled"));
   Arguments of_lengths = ranged;
   of_lengths[6] = "0.9:1";
-  BOOST_TEST(contains(run(of_lengths).out, "are sampled"));
+  BOOST_TEST(contains(run(of_lengths).out, "between those tried"));
 }
 
 // It stops after 2.7172 s of a pulse of 3.5 s: W = 0.08 sin(2 pi t/3.5) is then -0.0789 g, and

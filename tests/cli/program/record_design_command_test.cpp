@@ -223,7 +223,7 @@ BOOST_FIXTURE_TEST_CASE(text_and_page_show_each_record, Recorded) {
   BOOST_TEST(contains(answer.out, " transmitted, stroke "), answer.out);
   BOOST_TEST(contains(answer.out, "a.txt"));
   check_contains(answer.out, {" With f and delta off by up to ", "\n  tolerance         at worst ",
-                              "\n  in the notch      it feels f + delta/w"});
+                              "\n  in the notch      f + delta/w"});
   BOOST_TEST(run(asked + "--notch-width-m 20mm").out.find("in the notch      ") ==
              std::string::npos);
   const std::string page = read("p.html");

@@ -152,8 +152,9 @@ BOOST_FIXTURE_TEST_CASE(text_and_page_show_it, Recorded) {
         "residual, mm", "residual without, mm"}) {
     BOOST_TEST(contains(page, std::string("<th>") + head + "</th>"), head);
   }
-  check_contains(page, {"The transmitted acceleration is at most ", "; without the notch at most ",
-                        R"(data-name="with the notch" data-at="1 )"});
+  check_contains(page,
+                 {"The transmitted acceleration is largest at a period of ",
+                  "; without the notch largest at ", R"(data-name="with the notch" data-at="1 )"});
   for (const char* const part : {"spectrum-acceleration", "spectrum-peak", "spectrum-residual"}) {
     BOOST_TEST(contains(page, std::string("id=\"") + part + "-title\""), part);
     BOOST_TEST(fs::exists(path(std::string("figures/") + part + ".svg")), part);

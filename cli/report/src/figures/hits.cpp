@@ -60,8 +60,9 @@ std::string other_hits(const design::ServedInterval& works, const std::vector<de
     const bool above = now.from <= stronger && stronger < now.to;
     const std::string_view fate = look_of(now.end).fate;
     if ((below || above) && !fate.empty()) {
-      text += fmt::format("{} {} ones {}", text.empty() ? ";" : ",", below ? "weaker" : "stronger",
-                          fate);
+      const bool last = below ? now.from == 0 : now.to == hits.back().to;
+      text += fmt::format("{} {}{} ones {}", text.empty() ? ";" : ",", last ? "" : "slightly ",
+                          below ? "weaker" : "stronger", fate);
     }
   }
   return text;
@@ -121,7 +122,14 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
         fmt::format("{} {} from {} to {}", &now == hits.data() ? "" : ",", look.name,
                     units.velocity_words(now.from), units.velocity_words(now.to));
   }
+  const std::size_t ends = figure.areas.size();
   add_acceleration(figure, problem, limits, f, hits, unit);
+  if (works_for && figure.areas.size() > ends &&
+      figure.caption.find("stronger") == std::string::npos) {
+    figure.caption.back() = figure.caption.find(';') == std::string::npos ? ';' : ',';
+    figure.caption +=
+        fmt::format(" stronger ones feel more than {:.4g} g.", *limits.acceleration_max);
+  }
   figure.description += ". " + figure.caption;
   for (const double asked : {problem.v0_low.value_or(0), problem.v0}) {
     if (asked > 0) {

@@ -29,7 +29,7 @@ using design::SuiteLimits;
 constexpr std::array shades{"#0b4f8a", "#2f7fc1", "#6aaede", "#9ecae9", "#c6dff2", "#e6f1fa"};
 constexpr std::array broken{"#ef8a2b", "#fbd3a4", "#f7b267", "#8a7a68"};
 constexpr std::array broken_names{"stroke too large", "transmits too much", "residual too large",
-                                  "never rests, or is near tipping"};
+                                  "never rests, or may stop elsewhere"};
 
 /// The first of broken_names, in the order of design::limit_of, that is true; their number where
 /// the limits are met.
@@ -176,7 +176,7 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
   drawn.id = "map";
   drawn.title = !result.finding ? shortfall_title(result, units)
                                 : format("The {} over f and Δ{}", quantity(task.objective),
-                                         task.p.low < task.p.high ? ", at the best period" : "");
+                                         task.p.low < task.p.high ? ", best period" : "");
   drawn.x = {"constant friction f", task.f->low, task.f->high};
   drawn.y = {units.delta_label, task.delta->low * units.length, task.delta->high * units.length};
   add_cells(drawn.map, map, shown, task);

@@ -172,12 +172,11 @@ std::string tolerance_words(const design::BoxShape& shape, double tolerance) {
 }
 
 std::string box_clause(const DrawnDamper& damper, double f_upper, const FigureUnits& units) {
-  return damper.tolerance > 0
-             ? format("The box shows how far {} and Δ = {} may both be off; ",
-                      begins_at_nothing(damper.f, f_upper) ? "next to no f"
-                                                           : format("f = {:.4g}", damper.f),
-                      units.length_words(damper.delta))
-             : "";
+  const bool none = begins_at_nothing(damper.f, f_upper);
+  return damper.tolerance > 0 ? format("The box shows how far {}Δ = {} may {}be off; ",
+                                       none ? "" : format("f = {:.4g} and ", damper.f),
+                                       units.length_words(damper.delta), none ? "" : "both ")
+                              : "";
 }
 
 void add_damper(Figure& figure, const DrawnDamper& damper, const design::BoxShape& shape,

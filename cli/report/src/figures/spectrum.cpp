@@ -128,9 +128,13 @@ std::string caption(const Kind& kind, const Figure& figure, bool compared, const
   }
   const auto words = [&](const FigureCurve& curve) {
     const FigurePoint most = highest(curve);
-    return most.y == 0 ? std::string("0 at every period")
-                       : format("at most {}, at a period of {:.4g}{}", value(most.y), most.x,
-                                units.time_unit.empty() ? "" : " s");
+    const bool same = std::ranges::all_of(curve.strokes, [&](const auto& stroke) {
+      return std::ranges::all_of(
+          stroke, [&](const FigurePoint& now) { return value(now.y) == value(most.y); });
+    });
+    return same ? value(most.y) + " at every period"
+                : format("largest at a period of {:.4g}{}, {}", most.x,
+                         units.time_unit.empty() ? "" : " s", value(most.y));
   };
   return format("The {} is {}{}.", kind.name, words(shown),
                 compared ? "; without the notch " + words(*std::prev(figure.curves.end(), 2)) : "");

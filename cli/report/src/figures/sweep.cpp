@@ -114,7 +114,7 @@ std::string caption(const ClassCounts& counts, bool loaded, const std::string& p
   if (words.empty()) {
     return "No motion stops that has started";
   }
-  return words + ", after the number of half-cycles written there" +
+  return words + ", the darker the fewer half-cycles it takes" +
          (centred && loaded ? format("; a rest {} while the load goes on is a lock", place) : "");
 }
 
@@ -155,7 +155,9 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
   const double p = only_value(spec, Quantity::p);
   if (spec.kind == SweepKind::free && from_zero(spec) && plain_surface(spec) && v0 > 0 && p > 0) {
     add_boundaries(figure, {.v0 = v0, .p = p, .beta = v0 / p}, units);
-    figure.caption += figure.curves.empty() ? "" : "; the lines are the theory's edges of area 1";
+    figure.caption += figure.curves.empty()
+                          ? ""
+                          : "; the lines are bounds from theory of a stop on the first return";
   }
   figure.caption += '.';
   return figure;

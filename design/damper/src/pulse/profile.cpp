@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pulse/profile.hpp"
 
+#include "golden_sections.hpp"
 #include "pulse/edge.hpp"
 #include "pulse/first_return.hpp"
 #include "pulse/neighbours.hpp"
@@ -74,6 +75,7 @@ PulseProfile::PulseProfile(const Pulse& pulse, double p, Criterion criterion, bo
   }
   if (k_varies) {
     add_maxima_over_square();
+    add_slowest();
   }
 }
 
@@ -152,6 +154,27 @@ void PulseProfile::add_maxima_over_square() {
         figure(b).slope < 0) {
       found.push_back(maximum(
           a, b, [this](double f) { return at(f); }, figure));
+    }
+  }
+  samples_.insert(samples_.end(), found.begin(), found.end());
+  std::ranges::sort(samples_, {}, &FirstReturn::f);
+}
+
+/// Between three samples of which the middle one returns last.
+void PulseProfile::add_slowest() {
+  const auto time = [this](double f) { return at(f).time; };
+  constexpr double close = 1e-6;  // leaves the largest time wrong by the square of it
+  const auto done = [](const Interval& span, double place, double) {
+    return span.high - span.low <= close * place;
+  };
+  std::vector<FirstReturn> found;
+  for (std::size_t i = 1; i + 1 < samples_.size(); ++i) {
+    const FirstReturn& a = samples_[i - 1];
+    const FirstReturn& now = samples_[i];
+    const FirstReturn& b = samples_[i + 1];
+    if (a.returns && now.returns && b.returns && a.turns == now.turns && now.turns == b.turns &&
+        now.time >= a.time && now.time >= b.time) {
+      found.push_back(at(golden_sections({a.f, b.f}, time, done)));
     }
   }
   samples_.insert(samples_.end(), found.begin(), found.end());

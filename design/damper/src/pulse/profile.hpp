@@ -21,7 +21,7 @@ inline constexpr double nearest_to_k = 1 - 1e-4;
 /// is largest: both sides of a jump differ by a relative 1e-14, and each local maximum is a sample.
 class PulseProfile {
  public:
-  /// Also with the maxima of need/f^2 if k has a range: docs/theory.md section 15.
+  /// Also with the maxima of need/f^2 and of the time if k has a range: docs/theory.md section 15.
   PulseProfile(const Pulse& pulse, double p, Criterion criterion, bool k_varies = false);
 
   [[nodiscard]] FirstReturn at(double f) const;
@@ -31,6 +31,7 @@ class PulseProfile {
   void add_between(const FirstReturn& a, const FirstReturn& b, int depth);
   void add_edge(const FirstReturn& a, const FirstReturn& b, int depth);
   void add_maxima_over_square();
+  void add_slowest();
 
   Pulse pulse_;
   Criterion criterion_;

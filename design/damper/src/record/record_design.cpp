@@ -30,14 +30,6 @@ constexpr double relaxed_by = 1e-3;
 constexpr int random_samples = 60;
 constexpr std::uint64_t sampling_seed = 20'081;
 
-double largest_load(const std::vector<SuiteRecord>& records) {
-  double most = 0;
-  for (const SuiteRecord& record : records) {
-    most = std::max(most, peak_load(record));
-  }
-  return most;
-}
-
 void require_range(const char* field, const Interval& range, double low, double high) {
   require_within(field, range.low, low, high);
   require_within(field, range.high, low, high);
@@ -83,7 +75,7 @@ RecordDesignRequest completed(RecordDesignRequest request) {
   request.combine = request.combine.value_or(default_combine(request.records.size()));
   keep_below(request.f, request.f_max, "f-max");
   keep_below(request.delta, request.delta_max, "delta-max");
-  request.f = request.f.value_or(Interval{0, largest_load(request.records)});
+  request.f = request.f.value_or(Interval{0, peak_load(request.records)});
   require_range("f", *request.f, 0, largest_speed);
   if (!request.delta) {
     double peak = request.limits.peak.value_or(0);
@@ -96,7 +88,7 @@ RecordDesignRequest completed(RecordDesignRequest request) {
       }
     }
     const double speed = request.p.high * peak;
-    request.delta = Interval{0, speed * speed / 2 + largest_load(request.records) * peak};
+    request.delta = Interval{0, speed * speed / 2 + peak_load(request.records) * peak};
   }
   require_range("delta", *request.delta, 0, largest_square);
   for (const double p : {request.p.low, request.p.high}) {

@@ -37,6 +37,14 @@ double peak_load(const SuiteRecord& record) {
   return std::abs(record.scale) * records::peak_acceleration(record.record);
 }
 
+double peak_load(const std::vector<SuiteRecord>& records) {
+  double most = 0;
+  for (const SuiteRecord& record : records) {
+    most = std::max(most, peak_load(record));
+  }
+  return most;
+}
+
 Record scaled(const SuiteRecord& record) {
   Record load = record.record;
   for (double& value : load.values) {

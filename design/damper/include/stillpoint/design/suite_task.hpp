@@ -35,6 +35,7 @@ using records::SuiteRecord;
 /// The record times its scale.
 [[nodiscard]] Record scaled(const SuiteRecord& record);
 [[nodiscard]] double peak_load(const SuiteRecord& record);  ///< the largest |W|
+[[nodiscard]] double peak_load(const std::vector<SuiteRecord>& records);
 
 /// On the combined figures; empty: no limit.
 struct SuiteLimits {
