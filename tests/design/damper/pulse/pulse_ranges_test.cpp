@@ -144,6 +144,23 @@ int outside(const Task& task, const DesignPoint& point, int points, RandomSource
 
 }  // namespace
 
+/// The slowest return is inside the range of k, between samples: a scan of k finds none slower.
+BOOST_AUTO_TEST_CASE(the_slowest_return_is_that_of_a_scan) {
+  constexpr double scan = 1e-6;  // what 400 steps of k may miss
+  PulseRequest request;
+  request.problem = {FullSine{0.2028, 1.737}, 1.79, 0.071, Criterion::published, {.k_low = 0.1835}};
+  request.search.objective = Objective::acceleration;
+  const DesignResult result = design::design(request);
+  const DesignPoint& point = result.finding.value().point;
+  double slowest = 0;
+  for (int i = 0; i <= 400; ++i) {
+    const double k = 0.1835 + i * (0.2028 - 0.1835) / 400;
+    const auto motion = forced_response({1.79, point.f, point.delta}, {}, FullSine{k, 1.737});
+    slowest = std::max(slowest, motion.stop_time.value());
+  }
+  BOOST_TEST(result.finding->pulse->worst->stop_time == slowest, tt::tolerance(scan));
+}
+
 // Known by hand, docs/theory.md section 8: with lambda = p a rectangle returns for f <= k/2 with
 // the peak 2 (k - f). For every k from 0.45 to 0.55 that leaves f from 0.55 - 0.9/2 to 0.45/2.
 BOOST_AUTO_TEST_CASE(a_range_of_k_has_the_design_that_is_known) {
