@@ -142,7 +142,7 @@ std::string verdict(const RecordDesignReport& report) {
          format("{} {}, with {}. {}: {}.", figures.peak == 0 ? "The damper found has" : "Build",
                 damper_words(physical, damper.f, damper.delta, result.request.notch_width),
                 spring_words(physical, damper.p),
-                suite_words(*result.request.combine, result.request.records.size()),
+                design::suite_words(*result.request.combine, result.request.records.size()),
                 figures_words(figures, physical, felt_where(result))) +
          (is_mean(result.request) ? worst_of_mean(result, physical) : "") +
          (result.finding->sensitivity.tolerance > 0 ? tolerance_sentence(result, physical) : "");
@@ -302,12 +302,6 @@ void add_search(Document& document, const design::SuiteSearch& search) {
 std::string record_label(const design::SuiteRecord& record) {
   return (record.scale == 1 ? "" : format("{:.4g} x ", record.scale)) +
          spelled_out(record.name.substr(record.name.rfind('/') + 1));
-}
-
-std::string suite_words(design::Combine combine, std::size_t count) {
-  return count == 1 ? "Under the record"
-                    : format("{} of {} records",
-                             combine == design::Combine::max ? "Largest" : "Mean", count);
 }
 
 void add_real_notch(Section& section, const std::optional<double>& hold,

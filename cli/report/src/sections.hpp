@@ -63,8 +63,6 @@ void add_excitation(Section& section, const Excitation& excitation,
 
 /// "2 x a.AT2": the factor and the file of a record of a suite.
 [[nodiscard]] std::string record_label(const design::SuiteRecord& record);
-/// "Largest of 2 records", "Under the record".
-[[nodiscard]] std::string suite_words(design::Combine combine, std::size_t count);
 /// Where a notch under records differs from the paper's.
 void add_real_notch(Section& section, const std::optional<double>& hold,
                     const std::optional<double>& width, const Physical& physical);

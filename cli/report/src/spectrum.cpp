@@ -72,31 +72,10 @@ std::string friction_words(const SpectrumReport& report) {
   const std::size_t count = report.result.records.size();
   return format(
       "{} transmits at most {}; the largest peak is {}, {}.",
-      count == 1 ? "Friction alone" : suite_words(*task.combine, count) + ": friction alone",
+      count == 1 ? "Friction alone"
+                 : design::suite_words(*task.combine, count) + ": friction alone",
       largest([](const SpectrumFigures& one) { return one.acceleration; }, acceleration_shown),
       largest([](const SpectrumFigures& one) { return one.peak; }, length), rest);
-}
-
-/// At how many periods the notch lowers or raises each figure.
-std::string notch_words(const SpectrumReport& report) {
-  const std::vector<SpectrumPoint>& points = report.result.combined;
-  std::string text;
-  const auto add = [&](std::string_view name, const auto& value) {
-    const auto count_less = [&](SpectrumFigures SpectrumPoint::*first,
-                                SpectrumFigures SpectrumPoint::*second) {
-      return std::ranges::count_if(points, [&](const SpectrumPoint& point) {
-        return value(point.*first) < value(point.*second);
-      });
-    };
-    const auto raised = count_less(&SpectrumPoint::without, &SpectrumPoint::with_notch);
-    text += format("{} the {} at {} of {} periods{}", text.empty() ? ": the notch lowers" : ",",
-                   name, count_less(&SpectrumPoint::with_notch, &SpectrumPoint::without),
-                   points.size(), raised > 0 ? format(" (raises it at {})", raised) : "");
-  };
-  add("residual", [](const SpectrumFigures& one) { return one.residual.value_or(HUGE_VAL); });
-  add("transmitted acceleration", [](const SpectrumFigures& one) { return one.acceleration; });
-  add("peak", [](const SpectrumFigures& one) { return one.peak; });
-  return suite_words(*report.result.request.combine, report.result.records.size()) + text + ".";
 }
 
 /// In the units of the figures. Without a notch there is nothing to compare with.
@@ -143,7 +122,7 @@ std::string heading(const SpectrumReport& report) {
   if (count == 1) {
     return compared ? "With the notch and without it" : "Friction alone";
   }
-  return suite_words(*report.result.request.combine, count) +
+  return design::suite_words(*report.result.request.combine, count) +
          (compared ? ", with the notch and without it" : ", friction alone");
 }
 
@@ -192,7 +171,7 @@ Document document(const SpectrumReport& report) {
   const bool alone = result.request.delta == 0;
   const bool held = only_locked(report);
   document.verdict = (locked.empty() ? "" : format("Locked: {}. ", locked)) +
-                     (held || alone ? friction_words(report) : notch_words(report));
+                     (held || alone ? friction_words(report) : design::summary(report.result));
   document.tone = locked.empty() ? Tone::plain : Tone::bad;
   add_damper(document.answer, report);
   const std::size_t count = result.records.size();

@@ -62,6 +62,8 @@ void check_against_dense_scan(const RecordDesignRequest& request, int side) {
   const RecordDesign result = design::design(request);
   BOOST_REQUIRE(result.finding.has_value());
   BOOST_TEST(result.finding->check.passed, result.finding->check.relative_error);
+  const std::string line = summary(result);
+  BOOST_TEST((line.starts_with("p = ") && line.find(" transmits 0.") != std::string::npos), line);
   const double found = value_of(result.finding->point.figures, request.objective);
   const double best = best_of_dense_scan(result, side);
   BOOST_TEST(found <= best * (1 + optimum_tolerance), found << ", the dense scan has " << best);
@@ -236,6 +238,8 @@ BOOST_AUTO_TEST_CASE(a_damper_without_friction_never_rests) {
   const RecordDesign result = design::design(request);
   BOOST_TEST(!result.finding.has_value());
   BOOST_TEST(!result.nearest.figures.settled);
+  BOOST_TEST(summary(result) ==
+             "no damper: the nearest, p = 1, f = 0, delta = 0, does not come to rest");
 }
 
 BOOST_AUTO_TEST_CASE(each_suggested_limit_suffices) {

@@ -133,6 +133,8 @@ BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing) {
   request.hold = 0.1;
   request.threads = 1;
   const Spectrum one = spectrum(request);
+  const std::string line = summary(one);
+  BOOST_TEST(line.starts_with("Largest of 2 records: the notch lowers the residual at "), line);
   for (const int threads : {2, 3}) {
     request.threads = threads;
     const Spectrum other = spectrum(request);

@@ -292,4 +292,18 @@ SuiteMap suite_map(const RecordDesignRequest& request, double p, int side) {
   return map;
 }
 
+std::string summary(const RecordDesign& result) {
+  const auto& [damper, figures] = result.finding ? result.finding->point : result.nearest;
+  const std::string point =
+      fmt::format("p = {:.6g}, f = {:.6g}, delta = {:.6g}", damper.p, damper.f, damper.delta);
+  const std::string does =
+      figures.settled
+          ? fmt::format("transmits {:.4g} g, moves up to |x| = {:.4g} and rests within {:.4g}",
+                        figures.acceleration, figures.peak, figures.residual)
+          : "does not come to rest";
+  return result.finding ? fmt::format("{} {}{}", point, does,
+                                      result.finding->check.passed ? "" : "; the check failed")
+                        : fmt::format("no damper: the nearest, {}, {}", point, does);
+}
+
 }  // namespace stillpoint::design

@@ -7,10 +7,13 @@
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <mutex>
 #include <numbers>
+#include <string_view>
 #include <utility>
 
 namespace stillpoint::design {
@@ -117,6 +120,31 @@ Spectrum spectrum(const SpectrumRequest& request, const std::function<bool(doubl
     }
   }
   return result;
+}
+
+std::string summary(const Spectrum& spectrum) {
+  const std::vector<SpectrumPoint>& points = spectrum.combined;
+  if (spectrum.request.delta == 0) {
+    return "Delta is 0, so there is no notch to compare with.";
+  }
+  std::string text;
+  const auto add = [&](std::string_view name, const auto& value) {
+    const auto count_less = [&](SpectrumFigures SpectrumPoint::*first,
+                                SpectrumFigures SpectrumPoint::*second) {
+      return std::ranges::count_if(points, [&](const SpectrumPoint& point) {
+        return value(point.*first) < value(point.*second);
+      });
+    };
+    const auto raised = count_less(&SpectrumPoint::without, &SpectrumPoint::with_notch);
+    text +=
+        fmt::format("{} the {} at {} of {} periods{}", text.empty() ? ": the notch lowers" : ",",
+                    name, count_less(&SpectrumPoint::with_notch, &SpectrumPoint::without),
+                    points.size(), raised > 0 ? fmt::format(" (raises it at {})", raised) : "");
+  };
+  add("residual", [](const SpectrumFigures& one) { return one.residual.value_or(HUGE_VAL); });
+  add("transmitted acceleration", [](const SpectrumFigures& one) { return one.acceleration; });
+  add("peak", [](const SpectrumFigures& one) { return one.peak; });
+  return suite_words(*spectrum.request.combine, spectrum.records.size()) + text + ".";
 }
 
 }  // namespace stillpoint::design

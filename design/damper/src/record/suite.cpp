@@ -5,6 +5,8 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/names.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -43,6 +45,12 @@ double peak_load(const std::vector<SuiteRecord>& records) {
     most = std::max(most, peak_load(record));
   }
   return most;
+}
+
+std::string suite_words(Combine combine, std::size_t count) {
+  return count == 1
+             ? "Under the record"
+             : fmt::format("{} of {} records", combine == Combine::max ? "Largest" : "Mean", count);
 }
 
 Record scaled(const SuiteRecord& record) {

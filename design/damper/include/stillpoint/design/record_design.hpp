@@ -73,6 +73,9 @@ struct RecordDesign {
   SuiteSearch search;
 };
 
+/// One line.
+[[nodiscard]] std::string summary(const RecordDesign& result);
+
 /// Scan, NLopt, check. Finding no damper is a result. Throws InputError.
 [[nodiscard]] RecordDesign design(const RecordDesignRequest& request,
                                   const RecordWatch& go_on = {});

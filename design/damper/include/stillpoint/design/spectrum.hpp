@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace stillpoint::design {
@@ -49,5 +50,8 @@ struct Spectrum {
 /// if it returns false the rest is skipped and the spectrum is unusable. Throws InputError.
 [[nodiscard]] Spectrum spectrum(const SpectrumRequest& request,
                                 const std::function<bool(double)>& go_on = {});
+
+/// In one line: at how many periods the notch lowers and raises each combined figure.
+[[nodiscard]] std::string summary(const Spectrum& spectrum);
 
 }  // namespace stillpoint::design

@@ -13,6 +13,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,9 @@ using records::SuiteRecord;
 [[nodiscard]] Record scaled(const SuiteRecord& record);
 [[nodiscard]] double peak_load(const SuiteRecord& record);  ///< the largest |W|
 [[nodiscard]] double peak_load(const std::vector<SuiteRecord>& records);
+
+/// "Largest of 2 records", "Under the record".
+[[nodiscard]] std::string suite_words(Combine combine, std::size_t count);
 
 /// On the combined figures; empty: no limit.
 struct SuiteLimits {
