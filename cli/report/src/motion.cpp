@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <span>
 #include <string_view>
 #include <variant>
 #include <vector>

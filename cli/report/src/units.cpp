@@ -10,6 +10,10 @@
 
 namespace stillpoint::report {
 
+std::string with_blank(const std::string& unit) {
+  return unit.empty() ? "" : " " + unit;
+}
+
 std::string length_shown(const Physical& physical, double length) {
   return physical && length != 0 ? with_unit(length * physical->scales.length_m, "m")
                                  : digits(length);

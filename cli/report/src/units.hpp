@@ -27,6 +27,9 @@ using Physical = std::optional<design::PhysicalInput>;
 /// "peak, mm"; the name alone without a unit.
 [[nodiscard]] std::string in(const std::string& name, const std::string& unit);
 
+/// " mm" behind a number; nothing without a unit.
+[[nodiscard]] std::string with_blank(const std::string& unit);
+
 /// The factors that figures apply to dimensionless numbers, and the labels of their axes.
 struct FigureUnits {
   double length{1};

@@ -49,41 +49,47 @@ const Look& look_of(HitEnd end) {
   return *std::ranges::find(looks, end, &Look::end);
 }
 
-/// "; weaker ones are held at the start, stronger ones go too far"
-std::string other_hits(const design::ServedInterval& works, const std::vector<design::Hits>& hits) {
-  constexpr double beside = 1e-6;  // an edge of both may differ by rounding
-  const double weaker = works.low * (1 - beside);
-  const double stronger = works.high.value_or(HUGE_VAL) * (1 + beside);
-  std::string text;
-  for (const design::Hits& now : hits) {
-    const bool below = now.from < weaker && weaker <= now.to;
-    const bool above = now.from <= stronger && stronger < now.to;
-    const std::string_view fate = look_of(now.end).fate;
-    if ((below || above) && !fate.empty()) {
-      const bool last = below ? now.from == 0 : now.to == hits.back().to;
-      text += fmt::format("{} {}{} ones {}", text.empty() ? ";" : ",", last ? "" : "slightly ",
-                          below ? "weaker" : "stronger", fate);
-    }
-  }
-  return text;
-}
-
 /// The hits whose peak is within beta, but whose acceleration outside the notch is not within its
 /// limit: sqrt(f^2 + (v0 p)^2) is above it, with the stiffest spring.
-void add_acceleration(Figure& figure, const design::Problem& problem, const design::Limits& limits,
-                      double f, const std::vector<design::Hits>& hits, double unit) {
+std::optional<Interval> above_limit(const design::Problem& problem, const design::Limits& limits,
+                                    double f, const std::vector<design::Hits>& hits) {
   if (!limits.acceleration_max) {
-    return;
+    return std::nullopt;
   }
   const double limit = *limits.acceleration_max;
   const double from =
       limit > f ? std::sqrt((limit - f) * (limit + f)) / problem.p_high.value_or(problem.p) : 0;
   const auto far = std::ranges::find(hits, HitEnd::too_far, &design::Hits::end);
   const double to = far == hits.end() ? hits.back().to : far->from;
-  if (from < to) {
-    figure.areas.push_back({fmt::format("above {:.4g} g", limit),
-                            strip(from * unit, to * unit, 0, 1), Ink::purple, AreaLook::hatched});
+  return from < to ? std::optional(Interval{from, to}) : std::nullopt;
+}
+
+/// "; weaker ones are held at the start, stronger ones go too far"
+std::string other_hits(const design::ServedInterval& works, const std::vector<design::Hits>& hits,
+                       const std::optional<double>& acceleration_max) {
+  constexpr double beside = 1e-6;  // an edge of both may differ by rounding
+  const double weaker = works.low * (1 - beside);
+  const double stronger = works.high.value_or(HUGE_VAL) * (1 + beside);
+  std::string text;
+  const auto add = [&text](const std::string& fate) {
+    text += (text.empty() ? "; " : ", ") + fate;
+  };
+  bool says_above = false;
+  for (const design::Hits& now : hits) {
+    const bool below = now.from < weaker && weaker <= now.to;
+    const bool above = now.from <= stronger && stronger < now.to;
+    const std::string_view fate = look_of(now.end).fate;
+    if ((below || above) && !fate.empty()) {
+      const bool last = below ? now.from == 0 : now.to == hits.back().to;
+      add(fmt::format("{}{} ones {}", last ? "" : "slightly ", below ? "weaker" : "stronger",
+                      fate));
+      says_above = says_above || above;
+    }
   }
+  if (acceleration_max && !says_above) {
+    add(fmt::format("stronger ones feel more than {:.4g} g", *acceleration_max));
+  }
+  return text;
 }
 
 }  // namespace
@@ -94,6 +100,7 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
   constexpr double narrowest = 0.005;  // of the figure, to be seen
   const double unit = units.velocity;
   const auto hits = design::shown_hits(problem, f, delta);
+  const auto felt = above_limit(problem, limits, f, hits);
   Figure figure;
   figure.id = "hits";
   figure.title = "Where the mass stops after a hit";
@@ -103,12 +110,13 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
               0, hits.back().to * unit};
   if (works_for) {  // the first to be named
     const auto& [low, high] = works_for->v0;
-    const std::string range = interval_text({low * unit, *high * unit}) +
-                              (units.velocity_unit.empty() ? "" : " ") + units.velocity_unit;
+    const std::string range =
+        interval_text({low * unit, *high * unit}) + with_blank(units.velocity_unit);
     figure.areas.push_back({"works for " + range, strip(low * unit, *high * unit, 0.05, 0.3),
                             Ink::blue, AreaLook::box});
     figure.caption =
-        fmt::format("The damper works for hits of {}{}.", range, other_hits(works_for->v0, hits));
+        fmt::format("The damper works for hits of {}{}.", range,
+                    other_hits(works_for->v0, hits, felt ? limits.acceleration_max : std::nullopt));
   } else {
     figure.caption = "The damper does not work for the hit that was asked for.";
   }
@@ -122,13 +130,10 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
         fmt::format("{} {} from {} to {}", &now == hits.data() ? "" : ",", look.name,
                     units.velocity_words(now.from), units.velocity_words(now.to));
   }
-  const std::size_t ends = figure.areas.size();
-  add_acceleration(figure, problem, limits, f, hits, unit);
-  if (works_for && figure.areas.size() > ends &&
-      figure.caption.find("stronger") == std::string::npos) {
-    figure.caption.back() = figure.caption.find(';') == std::string::npos ? ';' : ',';
-    figure.caption +=
-        fmt::format(" stronger ones feel more than {:.4g} g.", *limits.acceleration_max);
+  if (felt) {
+    figure.areas.push_back({fmt::format("above {:.4g} g", *limits.acceleration_max),
+                            strip(felt->low * unit, felt->high * unit, 0, 1), Ink::purple,
+                            AreaLook::hatched});
   }
   figure.description += ". " + figure.caption;
   for (const double asked : {problem.v0_low.value_or(0), problem.v0}) {

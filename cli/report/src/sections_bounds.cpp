@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "format.hpp"
+#include "sections.hpp"
+
+#include <stillpoint/report/digits.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace stillpoint::report {
+
+std::string in_words(std::string_view name) {
+  if (const std::size_t at = name.find("_max"); at != std::string_view::npos) {
+    return format("largest {}", name.substr(0, at));  // delta_max_m is delta_max in metres
+  }
+  std::string text(name);
+  std::ranges::replace(text, '_', ' ');
+  return text;
+}
+
+bool stops_by_delta1(std::span<const design::Constraint> constraints) {
+  return std::ranges::any_of(constraints, [](const design::Constraint& now) {
+    return now.name == "stop" && now.variable == "delta";
+  });
+}
+
+namespace {
+
+std::pair<double, std::string> unit_of(std::string_view variable, const FigureUnits& units) {
+  return variable == "delta" || variable == "peak" ? std::pair(units.length, units.length_unit)
+         : variable == "v0"                        ? std::pair(units.velocity, units.velocity_unit)
+         : variable == "acceleration"              ? std::pair(1.0, std::string("g"))
+                                                   : std::pair(1.0, std::string());
+}
+
+/// "delta <= 8.1577 mm", rounded so that what is as printed meets it.
+std::string requirement(const design::Constraint& now, const FigureUnits& units) {
+  constexpr int shown = 6;
+  constexpr double conversion = 1e-12;  // the rounding of 150 mm to dimensionless and back
+  const auto [unit, unit_name] = unit_of(now.variable, units);
+  const bool upwards = now.relation.front() == '>';
+  if (upwards && now.limit < 0) {
+    return format("any {}", now.variable);
+  }
+  const double limit = now.limit * unit * (upwards ? 1 - conversion : 1 + conversion);
+  return format("{} {} {}{}", now.variable, now.relation,
+                limit > 0 ? limit_digits(limit, upwards, shown) : digits(limit),
+                with_blank(unit_name));
+}
+
+/// Of a limit that a damper is compared with.
+void add_bound(Section& section, const FigureUnits& units, std::string_view name,
+               std::string_view variable, std::string_view relation, double limit,
+               std::string_view note = "") {
+  const auto bound = design::Constraint::compared(name, variable, relation, 0, limit);
+  section.row(in_words(name), format("{}{}", requirement(bound, units), note));
+}
+
+}  // namespace
+
+void add_feasible(Section& section, const design::RegionVerdict& verdict,
+                  const design::Limits& limits, const Physical& physical) {
+  const design::Region& region = verdict.region;
+  section.row(physical ? "max displacement" : "beta",
+              region.beta_min == 0
+                  ? "as small as you like: with f just below the peak load it hardly moves"
+                  : format("at least {}{}", length_limit(physical, region.beta_min, true),
+                           limits.f_max || limits.delta_max || limits.acceleration_max ||
+                                   limits.tolerance > 0
+                               ? ", without the limits and the tolerance asked for"
+                               : ""));
+  const std::string feasible =
+      region.feasible ? range_digits(*region.f_lower, *region.f_upper) : "";
+  for (const auto& [low, high] : verdict.intervals.value_or(std::vector<Interval>())) {
+    if (const std::string all = range_digits(low, high); all != feasible) {
+      section.row("admissible f", all);  // without the tolerance, or of other islands
+    }
+  }
+  if (region.feasible) {
+    section.row("feasible f",
+                feasible + (limits.tolerance > 0 ? ", with the tolerance asked for" : ""));
+  }
+}
+
+Section& add_region(Document& document, const design::RegionVerdict& verdict,
+                    const design::Limits& limits, const Physical& physical) {
+  const design::Region& region = verdict.region;
+  const bool pulsed = verdict.intervals.has_value();
+  const FigureUnits units(physical);
+  Section& section = document.detail("Bounds");
+  if (!pulsed || region.feasible) {
+    add_bound(section, units, "amplitude", "f", ">=", std::max(region.f2, 0.0),
+              region.f2 <= 0 ? "  (does not bind)" : "");
+  }
+  if (pulsed && region.beta_min == 0) {
+    section.row("return", "with every f that starts");
+  } else {
+    add_bound(section, units, "return", "f", "<=", region.f3,
+              !pulsed && region.feasible && *region.f_upper > region.f3
+                  ? "  (the residual allows more)"
+                  : "");
+  }
+  if (region.f4) {
+    add_bound(section, units, "acceleration", "f", "<=", *region.f4,
+              *region.f4 < 0 ? "  (no f is small enough)" : "");
+  }
+  if (region.delta2) {
+    add_bound(section, units, "dead_zone", "f", "<", region.f1);
+    add_bound(section, units, "start", "delta", "<=", *region.delta2);
+  } else {
+    section.row("start",
+                "f below the peak load; nothing bounds delta, since the mass starts from rest");
+  }
+  for (const design::LimitKind& kind : design::limit_kinds()) {
+    if (const auto& most = limits.*kind.value; most && !kind.figure) {
+      add_bound(section, units, kind.constraint, kind.bounds_f() ? "f" : "delta", "<=", *most);
+    }
+  }
+  add_feasible(section, verdict, limits, physical);
+  return section;
+}
+
+Section& add_constraints(Document& document, std::span<const design::Constraint> constraints,
+                         const design::Limits& limits, const Physical& physical) {
+  const FigureUnits units(physical);
+  const bool all_met = std::ranges::all_of(constraints, &design::Constraint::satisfied);
+  const bool returns = std::ranges::none_of(constraints, [](const design::Constraint& now) {
+    return now.name == "return" && !now.satisfied;
+  });
+  Table table{{"", "requirement", "slack", ""}, {}};
+  for (const design::Constraint& now : constraints) {
+    if (!returns && now.name == "stop") {
+      table.rows.push_back({{"stop", "-", "-", "not reached"}});
+      continue;
+    }
+    const auto [unit, unit_name] = unit_of(now.variable, units);
+    table.rows.push_back({{in_words(now.name), requirement(now, units),
+                           format("{:.4g}{}", now.slack * unit, with_blank(unit_name)),
+                           now.satisfied ? "met" : "violated"},
+                          now.satisfied ? Tone::good : Tone::bad});
+  }
+  Section& section = all_met ? document.detail("Constraints") : document.section("Constraints");
+  section.parts.emplace_back(std::move(table));
+  if (limits.tolerance > 0) {
+    section.row("tolerance", "at least " + box_text(limits, limits.tolerance));
+  }
+  return section;
+}
+
+}  // namespace stillpoint::report
