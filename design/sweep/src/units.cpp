@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -17,69 +16,50 @@ namespace {
 
 using records::Dimension;
 
-/// The names of quantities in metres and seconds; quantities not listed have no unit.
-struct PhysicalForm {
-  Quantity quantity;
+/// What a quantity is called, and its dimension.
+struct Label {
   std::string_view name;
   Dimension dimension;
 };
 
-constexpr std::array physical_forms{
-    PhysicalForm{Quantity::v0, "velocity", Dimension::velocity},
-    PhysicalForm{Quantity::v0_low, "velocity_low", Dimension::velocity},
-    PhysicalForm{Quantity::x0, "x0_m", Dimension::length},
-    PhysicalForm{Quantity::beta, "max_displacement", Dimension::length},
-    PhysicalForm{Quantity::residual, "residual_m", Dimension::length},
-    PhysicalForm{Quantity::delta, "delta_m", Dimension::length},
-    PhysicalForm{Quantity::notch_width, "notch_width_m", Dimension::length},
-    PhysicalForm{Quantity::peak_amplitude, "peak_m", Dimension::length},
-    PhysicalForm{Quantity::stop_position, "stop_position_m", Dimension::length},
-    PhysicalForm{Quantity::stop_time, "stop_time_s", Dimension::time},
-    PhysicalForm{Quantity::end_time, "end_time_s", Dimension::time},
-    PhysicalForm{Quantity::final_position, "final_position_m", Dimension::length},
-    PhysicalForm{Quantity::final_velocity, "final_velocity_m_per_s", Dimension::velocity},
-    PhysicalForm{Quantity::stick_time, "stick_time_s", Dimension::time},
-    PhysicalForm{Quantity::locked_from, "locked_from_s", Dimension::time},
-};
-
 /// Of p or p_high.
-PhysicalForm restoring_form(Quantity quantity, Restoring restoring) {
-  const bool range = quantity == Quantity::p_high;
+Label restoring_label(bool high, Restoring restoring) {
   switch (restoring) {
     case Restoring::period:
-      return {quantity, range ? "period_low" : "period", Dimension::time};
+      return {high ? "period_low" : "period", Dimension::time};
     case Restoring::natural_frequency:
-      return {quantity, range ? "natural_frequency_high" : "natural_frequency",
-              Dimension::frequency};
+      return {high ? "natural_frequency_high" : "natural_frequency", Dimension::frequency};
     case Restoring::stiffness:
-      return {quantity, range ? "stiffness_high" : "stiffness", Dimension::stiffness};
+      return {high ? "stiffness_high" : "stiffness", Dimension::stiffness};
   }
   assert(false && "a Restoring outside its enumeration");
   return {};
 }
 
 /// Of lambda or lambda_high.
-PhysicalForm pulse_form(Quantity quantity, PulseClock clock) {
-  const bool range = quantity == Quantity::lambda_high;
+Label pulse_label(bool high, PulseClock clock) {
   return clock == PulseClock::duration
-             ? PhysicalForm{quantity, range ? "pulse_duration_low" : "pulse_duration",
-                            Dimension::time}
-             : PhysicalForm{quantity, range ? "excitation_frequency_high" : "excitation_frequency",
-                            Dimension::frequency};
+             ? Label{high ? "pulse_duration_low" : "pulse_duration", Dimension::time}
+             : Label{high ? "excitation_frequency_high" : "excitation_frequency",
+                     Dimension::frequency};
 }
 
 /// Dimensionless if there are no units.
-PhysicalForm form_of(Quantity quantity, const std::optional<SweepUnits>& units) {
-  if (units && (quantity == Quantity::p || quantity == Quantity::p_high)) {
-    return restoring_form(quantity, units->restoring);
+Label label_of(Quantity quantity, const std::optional<SweepUnits>& units) {
+  const QuantityForm& form = quantity_forms[index(quantity)];
+  if (!units) {
+    return {form.name, Dimension::none};
   }
-  if (units && (quantity == Quantity::lambda || quantity == Quantity::lambda_high)) {
-    return pulse_form(quantity, units->pulse_clock);
+  switch (quantity) {
+    case Quantity::p:
+    case Quantity::p_high:
+      return restoring_label(quantity == Quantity::p_high, units->restoring);
+    case Quantity::lambda:
+    case Quantity::lambda_high:
+      return pulse_label(quantity == Quantity::lambda_high, units->pulse_clock);
+    default:
+      return {form.physical.empty() ? form.name : form.physical, form.dimension};
   }
-  const auto* const found = std::ranges::find(physical_forms, quantity, &PhysicalForm::quantity);
-  return units && found != physical_forms.end()
-             ? *found
-             : PhysicalForm{quantity, name(quantity), Dimension::none};
 }
 
 double omega(Restoring restoring, double value, double mass_kg) {
@@ -130,7 +110,7 @@ double SweepUnits::plain(Quantity input, double value) const {
 }
 
 double SweepUnits::unit(Quantity result) const {
-  switch (form_of(result, *this).dimension) {
+  switch (label_of(result, *this).dimension) {
     case Dimension::time:
       return time_s();
     case Dimension::velocity:
@@ -141,11 +121,11 @@ double SweepUnits::unit(Quantity result) const {
 }
 
 std::string_view name(Quantity quantity, const std::optional<SweepUnits>& units) {
-  return form_of(quantity, units).name;
+  return label_of(quantity, units).name;
 }
 
 records::Dimension dimension(Quantity quantity, const std::optional<SweepUnits>& units) {
-  return form_of(quantity, units).dimension;
+  return label_of(quantity, units).dimension;
 }
 
 std::optional<Quantity> find_named(std::span<const Quantity> quantities, std::string_view written,

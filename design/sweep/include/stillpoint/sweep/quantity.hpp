@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stillpoint/core/state.hpp>
+#include <stillpoint/records/units.hpp>
 
 #include <algorithm>
 #include <array>
@@ -60,45 +61,50 @@ enum class Form : std::uint8_t {
 
 struct QuantityForm {
   Quantity quantity;
-  std::string_view name;  ///< as in the reports and as an option
+  std::string_view name;           ///< as in the reports and as an option
+  std::string_view physical{};     ///< in metres and seconds; empty: the same
+  records::Dimension dimension{};  ///< which it has then
   Form form{Form::number};
 };
 
-inline constexpr std::array quantity_forms{
-    QuantityForm{Quantity::v0, "v0"},
-    QuantityForm{Quantity::v0_low, "v0_low"},
-    QuantityForm{Quantity::p, "p"},
-    QuantityForm{Quantity::p_high, "p_high"},
-    QuantityForm{Quantity::x0, "x0"},
-    QuantityForm{Quantity::k, "k"},
-    QuantityForm{Quantity::k_low, "k_low"},
-    QuantityForm{Quantity::lambda, "lambda"},
-    QuantityForm{Quantity::lambda_high, "lambda_high"},
-    QuantityForm{Quantity::beta, "beta"},
-    QuantityForm{Quantity::residual, "residual"},
-    QuantityForm{Quantity::arrivals, "arrivals"},
-    QuantityForm{Quantity::trade_off, "trade_off"},
-    QuantityForm{Quantity::feasible, "feasible", Form::truth},
-    QuantityForm{Quantity::f, "f"},
-    QuantityForm{Quantity::delta, "delta"},
-    QuantityForm{Quantity::hold, "hold"},
-    QuantityForm{Quantity::notch_width, "notch_width"},
-    QuantityForm{Quantity::tolerance, "tolerance"},
-    QuantityForm{Quantity::arrival, "arrival"},
-    QuantityForm{Quantity::peak_amplitude, "peak_amplitude"},
-    QuantityForm{Quantity::half_cycles, "half_cycles"},
-    QuantityForm{Quantity::outcome, "outcome", Form::outcome},
-    QuantityForm{Quantity::stop_position, "stop_position"},
-    QuantityForm{Quantity::stop_time, "stop_time"},
-    QuantityForm{Quantity::end_time, "end_time"},
-    QuantityForm{Quantity::final_position, "final_position"},
-    QuantityForm{Quantity::final_velocity, "final_velocity"},
-    QuantityForm{Quantity::sticks, "sticks"},
-    QuantityForm{Quantity::stick_time, "stick_time"},
-    QuantityForm{Quantity::peak_absolute_acceleration, "peak_absolute_acceleration"},
-    QuantityForm{Quantity::locked_from, "locked_from"},
-    QuantityForm{Quantity::largest_load_while_locked, "largest_load_while_locked"},
-};
+inline constexpr auto quantity_forms = [] {
+  using records::Dimension;
+  return std::to_array<QuantityForm>({
+      {Quantity::v0, "v0", "velocity", Dimension::velocity},
+      {Quantity::v0_low, "v0_low", "velocity_low", Dimension::velocity},
+      {Quantity::p, "p"},
+      {Quantity::p_high, "p_high"},
+      {Quantity::x0, "x0", "x0_m", Dimension::length},
+      {Quantity::k, "k"},
+      {Quantity::k_low, "k_low"},
+      {Quantity::lambda, "lambda"},
+      {Quantity::lambda_high, "lambda_high"},
+      {Quantity::beta, "beta", "max_displacement", Dimension::length},
+      {Quantity::residual, "residual", "residual_m", Dimension::length},
+      {Quantity::arrivals, "arrivals"},
+      {Quantity::trade_off, "trade_off"},
+      {Quantity::feasible, "feasible", "", Dimension::none, Form::truth},
+      {Quantity::f, "f"},
+      {Quantity::delta, "delta", "delta_m", Dimension::length},
+      {Quantity::hold, "hold"},
+      {Quantity::notch_width, "notch_width", "notch_width_m", Dimension::length},
+      {Quantity::tolerance, "tolerance"},
+      {Quantity::arrival, "arrival"},
+      {Quantity::peak_amplitude, "peak_amplitude", "peak_m", Dimension::length},
+      {Quantity::half_cycles, "half_cycles"},
+      {Quantity::outcome, "outcome", "", Dimension::none, Form::outcome},
+      {Quantity::stop_position, "stop_position", "stop_position_m", Dimension::length},
+      {Quantity::stop_time, "stop_time", "stop_time_s", Dimension::time},
+      {Quantity::end_time, "end_time", "end_time_s", Dimension::time},
+      {Quantity::final_position, "final_position", "final_position_m", Dimension::length},
+      {Quantity::final_velocity, "final_velocity", "final_velocity_m_per_s", Dimension::velocity},
+      {Quantity::sticks, "sticks"},
+      {Quantity::stick_time, "stick_time", "stick_time_s", Dimension::time},
+      {Quantity::peak_absolute_acceleration, "peak_absolute_acceleration"},
+      {Quantity::locked_from, "locked_from", "locked_from_s", Dimension::time},
+      {Quantity::largest_load_while_locked, "largest_load_while_locked"},
+  });
+}();
 
 inline constexpr std::size_t quantity_count = quantity_forms.size();
 
