@@ -85,13 +85,10 @@ std::vector<FigurePoint> thinned(const std::vector<FigurePoint>& points) {
 Figure excitation_figure(const Excitation& excitation, const DrawnMotion& motion,
                          const FigureUnits& units) {
   std::vector<FigurePoint> points = thinned(wave(excitation, motion.shown_to));
-  double least = 0;
-  double most = 0;
   for (FigurePoint& at : points) {
     at.x *= units.time;
-    least = std::min(least, at.y);
-    most = std::max(most, at.y);
   }
+  const auto [least, most] = extent(points, &FigurePoint::y);
   Figure figure;
   figure.id = "excitation";
   figure.title = "Excitation" + beginning(motion);

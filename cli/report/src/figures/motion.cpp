@@ -97,12 +97,7 @@ std::string words_of_rest(const DrawnMotion& motion, const FigureUnits& units) {
 
 /// Up to the motion and the limit, and to the motion without friction if that is not much larger.
 figures::FigureAxis displacement_axis(const DrawnMotion& motion, const FigureUnits& units) {
-  double least = 0;
-  double most = 0;
-  for (const State& state : motion.states) {
-    least = std::min(least, state.x);
-    most = std::max(most, state.x);
-  }
+  auto [least, most] = extent(motion.states, &State::x);
   if (least == most) {  // it never moves
     const double shown = motion.beta.value_or(1);
     return axis_around(units.x_label, -shown * units.length, shown * units.length);

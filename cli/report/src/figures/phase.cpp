@@ -20,17 +20,6 @@ using figures::Ink;
 
 namespace {
 
-template <class Value>
-std::pair<double, double> ends(const std::vector<State>& states, const Value& value) {
-  double least = 0;
-  double most = 0;
-  for (const State& state : states) {
-    least = std::min(least, value(state));
-    most = std::max(most, value(state));
-  }
-  return {least, most};
-}
-
 bool is_at_edge(const Surface& surface, double x) {
   return surface.notch_width == 2 * std::abs(x) ||
          std::ranges::find(surface.zones, std::abs(x), &FrictionZone::to) != surface.zones.end();
@@ -47,8 +36,8 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
       long_one ? motion.turns[most_single_half_cycles - 1].tau : motion.states.back().tau;
   std::vector<State> states = motion.states;
   std::erase_if(states, [last](const State& state) { return state.tau > last; });
-  const auto [x_least, x_most] = ends(states, [](const State& state) { return state.x; });
-  const auto [v_least, v_most] = ends(states, [](const State& state) { return state.v; });
+  const auto [x_least, x_most] = extent(states, &State::x);
+  const auto [v_least, v_most] = extent(states, &State::v);
   FigureCurve arcs{
       .name = "motion", .strokes = {{}}, .ink = Ink::blue, .smooth = true, .directed = !long_one};
   FigureCurve jumps{"jump at x = 0", {}, Ink::orange, Dash::dotted, false};

@@ -14,6 +14,7 @@
 #include <stillpoint/figures/figure.hpp>
 #include <stillpoint/sweep/map.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -34,6 +35,16 @@ std::vector<figures::FigurePoint> places(const std::vector<State>& states, const
     points.push_back(place(state));
   }
   return points;
+}
+
+/// From the least value to the largest, 0 included.
+template <class Item>
+Interval extent(const std::vector<Item>& items, double Item::*value) {
+  Interval seen{0, 0};
+  for (const Item& item : items) {
+    seen = {std::min(seen.low, item.*value), std::max(seen.high, item.*value)};
+  }
+  return seen;
 }
 
 /// The least and the largest of each column and both ends, if there are more points than columns.
