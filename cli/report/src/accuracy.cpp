@@ -36,23 +36,19 @@ std::string setting(const peers::MethodRow& now) {
 }
 
 ordered_json method_json(const peers::MethodRow& now, bool used) {
-  ordered_json json{
-      {"name", now.name},         {"setting", setting(now)},   {"used_by_simulate", used},
-      {"wall_time_s", nullptr},   {"peak_error", nullptr},     {"end_error", nullptr},
-      {"zero_passages", nullptr}, {"turning_points", nullptr}, {"sticks", nullptr},
-      {"counts_right", nullptr},  {"not_run", nullptr}};
-  if (now.run != peers::Run::done) {
-    json["not_run"] = not_run(now.run);
-  } else {
-    json["wall_time_s"] = now.time.median;
-    json["peak_error"] = now.peak_error;
-    json["end_error"] = now.end_error;
-    json["zero_passages"] = now.result.passages;
-    json["turning_points"] = now.result.turns;
-    json["sticks"] = now.result.sticks;
-    json["counts_right"] = now.counts_right;
-  }
-  return json;
+  const bool done = now.run == peers::Run::done;
+  const auto found = [done](auto value) { return done ? ordered_json(value) : nullptr; };
+  return {{"name", now.name},
+          {"setting", setting(now)},
+          {"used_by_simulate", used},
+          {"wall_time_s", found(now.time.median)},
+          {"peak_error", found(now.peak_error)},
+          {"end_error", found(now.end_error)},
+          {"zero_passages", found(now.result.passages)},
+          {"turning_points", found(now.result.turns)},
+          {"sticks", found(now.result.sticks)},
+          {"counts_right", found(now.counts_right)},
+          {"not_run", done ? ordered_json(nullptr) : not_run(now.run)}};
 }
 
 /// Why simulate uses the first method.

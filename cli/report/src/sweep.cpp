@@ -91,8 +91,7 @@ ordered_json json(const SweepReport& report) {
       {"schema", "stillpoint/sweep-report/1"},
       {"program", program_json()},
       {"kind", name(spec.kind)},
-      {"output",
-       {{"file", or_null(spec.output)}, {"format", name(spec.format)}, {"columns", columns}}},
+      {"output", {{"file", spec.output}, {"format", name(spec.format)}, {"columns", columns}}},
       {"part", spec.part ? ordered_json{{"number", spec.part->number}, {"count", spec.part->count}}
                          : ordered_json(nullptr)},
       {"rows", state.rows},

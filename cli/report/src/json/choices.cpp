@@ -11,27 +11,27 @@ ordered_json catalogue_json(const Catalogue& catalogue, const ShownTask& task) {
     const auto& [name, f, delta] = rated.part;
     return {
         {"name", name},
-        {"f", number(f)},
-        {"delta", number(delta)},
+        {"f", f},
+        {"delta", delta},
         {"delta_m", metres(task.physical, delta)},
         {"admissible", rated.admissible},
-        {"tolerance", number(rated.tolerance)},
+        {"tolerance", rated.tolerance},
         {"why", rated.admissible ? ordered_json(nullptr) : ordered_json(judgement(rated, task))},
-        {"violates", constraints_json(rated.violated)}};
+        {"violates", list_json(rated.violated, constraint_json)}};
   });
 }
 
 ordered_json trade_off_json(const std::vector<design::TradeOff>& front, const Physical& physical) {
   return list_json(front, [&](const design::TradeOff& now) -> ordered_json {
     const auto& [damper, peak, acceleration, stop_time] = now;
-    return {{"f", number(damper.f)},
-            {"delta", number(damper.delta)},
+    return {{"f", damper.f},
+            {"delta", damper.delta},
             {"delta_m", metres(physical, damper.delta)},
-            {"tolerance", number(damper.tolerance)},
-            {"peak_amplitude", number(peak)},
+            {"tolerance", damper.tolerance},
+            {"peak_amplitude", peak},
             {"peak_m", metres(physical, peak)},
-            {"peak_absolute_acceleration", number(acceleration)},
-            {"stop_time", number(stop_time)},
+            {"peak_absolute_acceleration", acceleration},
+            {"stop_time", stop_time},
             {"stop_time_s", seconds(physical, stop_time)}};
   });
 }

@@ -13,17 +13,19 @@ using nlohmann::ordered_json;
 void add_pulse(ordered_json& task, const std::optional<design::Pulse>& pulse,
                const design::PulseRanges& ranges) {
   const auto& [k_low, lambda_high] = ranges;
-  task["pulse"] = or_null(pulse, [](const auto& given) { return design::name(given); });
-  task["k"] = or_null(pulse, [](const auto& given) { return number(design::peak_load(given)); });
-  task["k_range"] = nullptr;
-  if (k_low) {
-    task["k_range"] = {number(*k_low), task["k"]};
+  for (const char* const field : {"pulse", "k", "k_range", "lambda", "lambda_range"}) {
+    task[field] = nullptr;
   }
-  task["lambda"] =
-      or_null(pulse, [](const auto& given) { return number(design::angular_frequency(given)); });
-  task["lambda_range"] = nullptr;
+  if (pulse) {
+    task["pulse"] = design::name(*pulse);
+    task["k"] = design::peak_load(*pulse);
+    task["lambda"] = design::angular_frequency(*pulse);
+  }
+  if (k_low) {
+    task["k_range"] = {*k_low, task["k"]};
+  }
   if (lambda_high) {
-    task["lambda_range"] = {task["lambda"], number(*lambda_high)};
+    task["lambda_range"] = {task["lambda"], *lambda_high};
   }
 }
 
@@ -35,24 +37,22 @@ ordered_json design_point_json(const DesignReport& report) {
   const auto& [f, delta, tolerance] = finding.point;
   return {{"name", or_null(report.catalogue,
                            [](const Catalogue& given) { return given.parts.front().part.name; })},
-          {"f", number(f)},
-          {"delta", number(delta)},
-          {"tolerance", number(design::even_tolerance(result))},
+          {"f", f},
+          {"delta", delta},
+          {"tolerance", design::even_tolerance(result)},
           {"tolerance_f", side_json(shape, tolerance, shape.f_low, shape.f_high)},
           {"tolerance_delta", side_json(shape, tolerance, shape.delta_low, shape.delta_high)},
-          {"arrival", or_null(finding.arrival)},
-          {"delta1_published", number(needs.published)},
-          {"delta1_exact", number(needs.exact)}};
+          {"arrival", finding.arrival},
+          {"delta1_published", needs.published},
+          {"delta1_exact", needs.exact}};
 }
 
-ordered_json strips_json(const std::vector<design::Strip>& strips) {
-  return list_json(strips, [](const design::Strip& strip) -> ordered_json {
-    return {{"arrival", strip.arrival},
-            {"beta_min", number(strip.beta_min)},
-            {"f_lower", number(strip.f_lower)},
-            {"f_upper", number(strip.f_upper)},
-            {"tolerance", number(strip.tolerance)}};
-  });
+ordered_json strip_json(const design::Strip& strip) {
+  return {{"arrival", strip.arrival},
+          {"beta_min", strip.beta_min},
+          {"f_lower", strip.f_lower},
+          {"f_upper", strip.f_upper},
+          {"tolerance", strip.tolerance}};
 }
 
 ordered_json search_json(const design::SearchRecord& search, const design::DesignResult& result) {
@@ -62,50 +62,45 @@ ordered_json search_json(const design::SearchRecord& search, const design::Desig
           {"algorithm", search.algorithm},
           {"status", search.status},
           {"evaluations", search.evaluations},
-          {"wall_time_s", number(search.wall_time_s)},
-          {"optimum", number(optimum.found)},
-          {"optimum_along_f", number(optimum.along_f)}};
+          {"wall_time_s", search.wall_time_s},
+          {"optimum", optimum.found},
+          {"optimum_along_f", optimum.along_f}};
 }
 
-ordered_json cross_check_json(const design::CrossCheck& check) {
-  const auto method_json = [](const design::CheckMethod& method) -> ordered_json {
-    return {{"name", method.name},
-            {"tolerance", number(method.tolerance)},
-            {"peak_amplitude", number(method.peak_amplitude)},
-            {"peak_acceleration", number(method.peak_acceleration)},
-            {"stop_time", number(method.stop_time)},
-            {"arrival_speed", number(method.arrival_speed)},
-            {"half_cycles", count(method.half_cycles)},
-            {"stop_position", number(method.stop_position)},
-            {"relative_error", number(method.relative_error)},
-            {"wall_time_s", number(method.wall_time_s)},
-            {"decided", method.decided},
-            {"passed", method.passed}};
-  };
-  return {{"passed", check.passed}, {"methods", list_json(check.methods, method_json)}};
+ordered_json method_json(const design::CheckMethod& method) {
+  return {{"name", method.name},
+          {"tolerance", method.tolerance},
+          {"peak_amplitude", method.peak_amplitude},
+          {"peak_acceleration", method.peak_acceleration},
+          {"stop_time", method.stop_time},
+          {"arrival_speed", method.arrival_speed},
+          {"half_cycles", count(method.half_cycles)},
+          {"stop_position", method.stop_position},
+          {"relative_error", method.relative_error},
+          {"wall_time_s", method.wall_time_s},
+          {"decided", method.decided},
+          {"passed", method.passed}};
 }
 
 /// The design under its pulse.
 ordered_json pulse_check_json(const design::PulseCheck& check) {
   const auto worst = [](const auto& figures) -> ordered_json {
-    return {{"peak_amplitude", number(figures.peak)},
-            {"peak_absolute_acceleration", number(figures.acceleration)},
-            {"stop_time", number(figures.stop_time)}};
+    return {{"peak_amplitude", figures.peak},
+            {"peak_absolute_acceleration", figures.acceleration},
+            {"stop_time", figures.stop_time}};
   };
-  return {{"lambda", number(design::angular_frequency(check.pulse))},
-          {"p", number(check.p)},
+  return {{"lambda", design::angular_frequency(check.pulse)},
+          {"p", check.p},
           {"worst", or_null(check.worst, worst)},
-          {"shortness", number(check.shortness)},
-          {"friction_ratio", number(check.friction_ratio)},
-          {"equivalent_v0",
-           or_null(check.start, [](const auto& start) { return number(start.speed); })},
-          {"equivalent_start",
-           or_null(check.start, [](const auto& start) { return number(start.tau); })},
-          {"peak_error", number(check.peak_error)},
-          {"stop_time_error", number(check.stop_time_error)},
+          {"shortness", check.shortness},
+          {"friction_ratio", check.friction_ratio},
+          {"equivalent_v0", or_null(check.start, [](const auto& start) { return start.speed; })},
+          {"equivalent_start", or_null(check.start, [](const auto& start) { return start.tau; })},
+          {"peak_error", check.peak_error},
+          {"stop_time_error", check.stop_time_error},
           {"warnings", list_json(check.warnings, [](auto warning) { return name(warning); })},
-          {"searched", number(check.searched)},
-          {"bracketed", number(check.bracketed)},
+          {"searched", check.searched},
+          {"bracketed", check.bracketed},
           {"response", forced_json(check.response)}};
 }
 
@@ -115,18 +110,46 @@ ordered_json file_of(const std::optional<Catalogue>& catalogue) {
 
 ordered_json built_notch_json(const design::BuiltNotch& built, const Physical& physical) {
   const auto& [shape, friction, response, changes_nothing] = built;
-  return {{"width", number(shape.width)},
+  return {{"width", shape.width},
           {"width_m", metres(physical, shape.width)},
-          {"friction", number(friction)},
-          {"hold", number(shape.hold)},
+          {"friction", friction},
+          {"hold", shape.hold},
           {"changes_nothing", changes_nothing},
           {"outcome", name(response.outcome)},
           {"zero_passages", count(response.zero_passages)},
-          {"stop_time", number(response.stop_time)},
-          {"stop_position", number(response.stop_position)},
+          {"stop_time", response.stop_time},
+          {"stop_position", response.stop_position},
           {"stop_position_m", metres(physical, response.stop_position)},
-          {"peak_amplitude", number(response.peak_amplitude)},
-          {"peak_absolute_acceleration", number(response.peak_absolute_acceleration)}};
+          {"peak_amplitude", response.peak_amplitude},
+          {"peak_absolute_acceleration", response.peak_absolute_acceleration}};
+}
+
+/// For the reports of a design and of a region.
+template <class Report>
+ordered_json parts_json(const Report& report) {
+  return or_null(report.catalogue,
+                 [&](const Catalogue& given) { return catalogue_json(given, task_of(report)); });
+}
+
+void add_finding(ordered_json& json, const DesignReport& report) {
+  const design::DesignResult& result = report.result;
+  const design::Finding& now = *result.finding;
+  json["design"] = design_point_json(report);
+  json["constraints"] = list_json(now.constraints, constraint_json);
+  json["works_for"] = or_null(now.works_for, works_for_json);
+  json["practice"] = or_null(now.practice, practice_json);
+  if (now.pulse) {
+    json["response"] = forced_json(now.pulse->response);
+    json["pulse"] = pulse_check_json(*now.pulse);
+  } else {
+    json["response"] = response_json(now.response);
+    json["hits"] = hits_json(result.request.problem, now.point.f, now.point.delta);
+  }
+  if (now.search) {
+    json["search"] = search_json(*now.search, result);
+  }
+  json["cross_check"] = {{"passed", now.cross_check.passed},
+                         {"methods", list_json(now.cross_check.methods, method_json)}};
 }
 
 }  // namespace
@@ -137,50 +160,32 @@ ordered_json json(const DesignReport& report) {
   ordered_json task = task_json(problem, limits);
   add_pulse(task, pulse, ranges);
   if (pulse) {
-    task["v0"] = number(result.reduced_v0);
+    task["v0"] = result.reduced_v0;
   }
   task["objective"] = name(search.objective);
-  task["algorithm"] = or_null(search.algorithm);
+  task["algorithm"] = search.algorithm;
   task["catalogue"] = file_of(report.catalogue);
-  task["trade_off"] = or_null(report.trade_offs);
-  const auto found = [&](const auto& make) { return or_null(result.finding, make); };
-  using design::Finding;
-  return {
-      {"schema", "stillpoint/design-report/1"},
-      {"program", program_json()},
-      {"input", task},
-      {"region", region_fields(result)},
-      {"design", found([&](const Finding&) { return design_point_json(report); })},
-      {"constraints", constraints_json(result.finding ? result.finding->constraints
-                                                      : std::vector<design::Constraint>())},
-      {"works_for",
-       found([](const Finding& now) { return or_null(now.works_for, works_for_json); })},
-      {"hits", found([&](const Finding& now) {
-         return now.pulse
-                    ? ordered_json(nullptr)
-                    : hits_json(shown_hits(result.request.problem, now.point.f, now.point.delta));
-       })},
-      {"practice", found([](const Finding& now) { return or_null(now.practice, practice_json); })},
-      {"response", found([](const Finding& now) {
-         return now.pulse ? forced_json(now.pulse->response) : response_json(now.response);
-       })},
-      {"search", found([&](const Finding& now) {
-         return or_null(now.search, [&](const design::SearchRecord& record) {
-           return search_json(record, result);
-         });
-       })},
-      {"cross_check", found([](const Finding& now) { return cross_check_json(now.cross_check); })},
-      {"pulse", found([](const Finding& now) { return or_null(now.pulse, pulse_check_json); })},
-      {"built_notch",
-       or_null(report.built_notch,
-               [&](const auto& built) { return built_notch_json(built, report.physical); })},
-      {"catalogue",
-       or_null(report.catalogue,
-               [&](const Catalogue& given) { return catalogue_json(given, task_of(report)); })},
-      {"trade_off",
-       or_null(report.trade_off,
-               [&](const auto& front) { return trade_off_json(front, report.physical); })},
-      {"physical", physical_json(report)}};
+  task["trade_off"] = report.trade_offs;
+  ordered_json json{{"schema", "stillpoint/design-report/1"},
+                    {"program", program_json()},
+                    {"input", task},
+                    {"region", region_fields(result)}};
+  for (const char* const field : {"design", "constraints", "works_for", "hits", "practice",
+                                  "response", "search", "cross_check", "pulse"}) {
+    json[field] = nullptr;
+  }
+  json["constraints"] = ordered_json::array();
+  if (result.finding) {
+    add_finding(json, report);
+  }
+  json["built_notch"] = or_null(report.built_notch, [&](const design::BuiltNotch& built) {
+    return built_notch_json(built, report.physical);
+  });
+  json["catalogue"] = parts_json(report);
+  json["trade_off"] = or_null(
+      report.trade_off, [&](const auto& front) { return trade_off_json(front, report.physical); });
+  json["physical"] = physical_json(report);
+  return json;
 }
 
 ordered_json json(const RegionReport& report) {
@@ -191,27 +196,25 @@ ordered_json json(const RegionReport& report) {
   if (pulse) {
     task["v0"] = nullptr;
   }
-  task["f"] = number(f);
-  task["delta"] = number(delta);
+  task["f"] = f;
+  task["delta"] = delta;
   task["catalogue"] = file_of(report.catalogue);
   const bool hit_by = f && delta && !pulse;
   return {{"schema", "stillpoint/region-report/1"},
           {"program", program_json()},
           {"input", task},
           {"region", region_fields(answer)},
-          {"strips", strips_json(answer.strips)},
-          {"delta1_published", number(answer.delta1_published)},
-          {"delta1_exact", number(answer.delta1_exact)},
-          {"admissible", or_null(answer.admissible)},
-          {"tolerance", number(answer.tolerance)},
-          {"arrival", or_null(answer.arrival)},
-          {"constraints", constraints_json(answer.constraints)},
+          {"strips", list_json(answer.strips, strip_json)},
+          {"delta1_published", answer.delta1_published},
+          {"delta1_exact", answer.delta1_exact},
+          {"admissible", answer.admissible},
+          {"tolerance", answer.tolerance},
+          {"arrival", answer.arrival},
+          {"constraints", list_json(answer.constraints, constraint_json)},
           {"works_for", or_null(answer.works_for, works_for_json)},
-          {"hits", hit_by ? hits_json(shown_hits(problem, *f, *delta)) : ordered_json(nullptr)},
+          {"hits", hit_by ? hits_json(problem, *f, *delta) : nullptr},
           {"practice", or_null(answer.practice, practice_json)},
-          {"catalogue",
-           or_null(report.catalogue,
-                   [&](const Catalogue& given) { return catalogue_json(given, task_of(report)); })},
+          {"catalogue", parts_json(report)},
           {"physical", physical_json(report)}};
 }
 

@@ -23,15 +23,15 @@ ordered_json excitation_json(const Excitation& excitation,
                     {"k", nullptr},
                     {"lambda", nullptr},
                     {"phase", nullptr},
-                    {"duration", number(duration(excitation))},
+                    {"duration", duration(excitation)},
                     {"record", or_null(record, [](const RecordOrigin& from) { return from.file; })},
                     {"samples", nullptr},
-                    {"record_units", or_null(origin.units)},
-                    {"record_step", number(origin.step)},
-                    {"record_scale", number(origin.scale)},
-                    {"record_peak", number(origin.peak)},
-                    {"record_spectrum", number(origin.spectrum)},
-                    {"record_spectrum_period", number(origin.spectrum_period)},
+                    {"record_units", origin.units},
+                    {"record_step", origin.step},
+                    {"record_scale", origin.scale},
+                    {"record_peak", origin.peak},
+                    {"record_spectrum", origin.spectrum},
+                    {"record_spectrum_period", origin.spectrum_period},
                     {"record_units_read",
                      or_null(record, [](const RecordOrigin& from) { return from.units_read; })},
                     {"record_factor", nullptr},
@@ -39,56 +39,54 @@ ordered_json excitation_json(const Excitation& excitation,
   std::visit(
       [&]<class Kind>(const Kind& kind) {
         if constexpr (requires { kind.lambda; }) {
-          json["k"] = number(kind.k);
-          json["lambda"] = number(kind.lambda);
+          json["k"] = kind.k;
+          json["lambda"] = kind.lambda;
         } else if constexpr (requires { kind.values; }) {
           json["samples"] = kind.values.size();
-          json["record_factor"] = number(origin.factor);
-          json["pga"] = number(records::peak_acceleration(kind));
+          json["record_factor"] = origin.factor;
+          json["pga"] = records::peak_acceleration(kind);
         }
         if constexpr (IsSine<Kind> && !IsPulse<Kind>) {
-          json["phase"] = number(kind.phase);
+          json["phase"] = kind.phase;
         }
       },
       excitation);
   return json;
 }
 
-ordered_json half_cycles_json(const std::vector<HalfCycle>& half_cycles) {
-  return list_json(half_cycles, [](const HalfCycle& now) -> ordered_json {
-    return {{"index", now.index},
-            {"side", now.side},
-            {"start_time", number(now.start_time)},
-            {"departure_speed", number(now.departure_speed)},
-            {"peak_time", number(now.peak_time)},
-            {"peak", number(now.peak)},
-            {"end_time", number(now.end_time)},
-            {"end_position", number(now.end_position)},
-            {"arrival_speed", number(now.arrival_speed)},
-            {"impulse", number(now.impulse)}};
-  });
+ordered_json half_cycle_json(const HalfCycle& now) {
+  return {{"index", now.index},
+          {"side", now.side},
+          {"start_time", now.start_time},
+          {"departure_speed", now.departure_speed},
+          {"peak_time", now.peak_time},
+          {"peak", now.peak},
+          {"end_time", now.end_time},
+          {"end_position", now.end_position},
+          {"arrival_speed", now.arrival_speed},
+          {"impulse", now.impulse}};
 }
 
 ordered_json zones_json(const std::vector<FrictionZone>& zones) {
-  ordered_json list = list_json(zones, [](const FrictionZone& zone) -> ordered_json {
-    return {{"to", number(zone.to)}, {"f", number(zone.f)}};
-  });
-  return list.empty() ? ordered_json() : list;
+  const auto zone_json = [](const FrictionZone& zone) -> ordered_json {
+    return {{"to", zone.to}, {"f", zone.f}};
+  };
+  return zones.empty() ? ordered_json() : list_json(zones, zone_json);
 }
 
 }  // namespace
 
 ordered_json motion_input_json(const SimulationRequest& request,
                                const std::optional<RecordOrigin>& record) {
-  return {{"v0", number(request.start.v0)},
-          {"p", number(request.oscillator.p)},
-          {"f", number(request.oscillator.f)},
-          {"delta", number(request.oscillator.delta)},
-          {"x0", number(request.start.x0)},
-          {"t_end", number(request.t_end)},
+  return {{"v0", request.start.v0},
+          {"p", request.oscillator.p},
+          {"f", request.oscillator.f},
+          {"delta", request.oscillator.delta},
+          {"x0", request.start.x0},
+          {"t_end", request.t_end},
           {"excitation", excitation_json(request.excitation, record)},
-          {"hold", number(request.oscillator.hold)},
-          {"notch_width", number(request.surface.notch_width)},
+          {"hold", request.oscillator.hold},
+          {"notch_width", request.surface.notch_width},
           {"friction_zones", zones_json(request.surface.zones)}};
 }
 
@@ -99,8 +97,8 @@ ordered_json json(const MotionReport& report) {
       {"program", program_json()},
       {"input", motion_input_json(report.request, report.record)},
       {"response", answer.forced ? forced_json(*answer.forced) : response_json(answer.response)},
-      {"caught_impulse", number(caught_impulse(report))},
-      {"half_cycles", half_cycles_json(answer.half_cycles)},
+      {"caught_impulse", caught_impulse(report)},
+      {"half_cycles", list_json(answer.half_cycles, half_cycle_json)},
       {"half_cycles_listed", answer.half_cycles.size()},
       {"physical", physical_json(report)}};
 }

@@ -14,15 +14,19 @@
 #include <nlohmann/json.hpp>
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
+/// Null where it does not exist.
+template <class Value>
+struct nlohmann::adl_serializer<std::optional<Value>> {
+  static void to_json(nlohmann::ordered_json& json, const std::optional<Value>& value) {
+    json = value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+  }
+};
+
 namespace stillpoint::report {
 
-/// Null where it does not exist; a number that is not finite is an assertion.
-[[nodiscard]] nlohmann::ordered_json number(double value);
-[[nodiscard]] nlohmann::ordered_json number(const std::optional<double>& value);
 /// A count: an integer, if a double holds it exactly.
 [[nodiscard]] nlohmann::ordered_json count(const std::optional<double>& value);
 /// A length and a tau in SI units; null without physical input as well.
@@ -36,10 +40,6 @@ template <class Value, class Make>
 [[nodiscard]] nlohmann::ordered_json or_null(const std::optional<Value>& value, const Make& make) {
   return value ? nlohmann::ordered_json(make(*value)) : nlohmann::ordered_json(nullptr);
 }
-template <class Value>
-[[nodiscard]] nlohmann::ordered_json or_null(const std::optional<Value>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
-}
 
 /// An array of what `make` makes of each item.
 template <class Items, class Make>
@@ -51,16 +51,23 @@ template <class Items, class Make>
   return list;
 }
 
+/// From the low end to the high one, which may not exist.
+template <class Range>
+[[nodiscard]] nlohmann::ordered_json interval_json(const Range& range) {
+  return nlohmann::ordered_json::array({range.low, range.high});
+}
+
 /// The factors of one side of a tolerance box; null if the box has the usual shape.
 [[nodiscard]] nlohmann::ordered_json side_json(const design::BoxShape& shape, double tolerance,
                                                double below, double above);
 /// The part of `input` that design and region share.
 [[nodiscard]] nlohmann::ordered_json task_json(const design::Problem& problem,
                                                const design::Limits& limits);
-[[nodiscard]] nlohmann::ordered_json constraints_json(
-    std::span<const design::Constraint> constraints);
+[[nodiscard]] nlohmann::ordered_json constraint_json(const design::Constraint& constraint);
 [[nodiscard]] nlohmann::ordered_json works_for_json(const design::WorksFor& served);
-[[nodiscard]] nlohmann::ordered_json hits_json(const std::vector<design::Hits>& hits);
+/// Of a point that is hit, not pushed by a pulse.
+[[nodiscard]] nlohmann::ordered_json hits_json(const design::Problem& problem, double f,
+                                               double delta);
 [[nodiscard]] nlohmann::ordered_json practice_json(const design::Practice& lines);
 [[nodiscard]] nlohmann::ordered_json response_json(const Response& response);
 [[nodiscard]] nlohmann::ordered_json forced_json(const ForcedResponse& forced);

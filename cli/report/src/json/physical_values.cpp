@@ -23,7 +23,7 @@ class Values {
   void operator()(const char* name, const std::optional<double>& value,
                   const std::optional<double>& unit = 1) {
     const bool finite = value && unit && std::isfinite(*value * *unit);
-    json[name] = finite ? number(*value * *unit) : ordered_json(nullptr);
+    json[name] = finite ? ordered_json(*value * *unit) : nullptr;
   }
   void length(const char* name, const std::optional<double>& value) {
     (*this)(name, value, scales().length_m);
@@ -39,16 +39,16 @@ class Values {
   }
 
   void add_scales(const std::optional<double>& velocity_m_per_s) {
-    json["length_unit_m"] = number(scales().length_m);
-    json["time_unit_s"] = number(scales().time_s);
-    json["velocity_unit_m_per_s"] = number(scales().velocity_m_per_s);
-    json["gravity_m_per_s2"] = number(scales().gravity_m_per_s2);
-    json["omega_rad_per_s"] = number(scales().omega_rad_per_s);
-    json["period_s"] = number(physical_.period_s);
-    json["natural_frequency_hz"] = number(scales().omega_rad_per_s / (2 * std::numbers::pi));
-    json["mass_kg"] = number(scales().mass_kg);
-    json["stiffness_n_per_m"] = number(scales().stiffness_n_per_m());
-    json["velocity_m_per_s"] = number(velocity_m_per_s);
+    json["length_unit_m"] = scales().length_m;
+    json["time_unit_s"] = scales().time_s;
+    json["velocity_unit_m_per_s"] = scales().velocity_m_per_s;
+    json["gravity_m_per_s2"] = scales().gravity_m_per_s2;
+    json["omega_rad_per_s"] = scales().omega_rad_per_s;
+    json["period_s"] = physical_.period_s;
+    json["natural_frequency_hz"] = scales().omega_rad_per_s / (2 * std::numbers::pi);
+    json["mass_kg"] = scales().mass_kg;
+    json["stiffness_n_per_m"] = scales().stiffness_n_per_m();
+    json["velocity_m_per_s"] = velocity_m_per_s;
   }
 
   /// The bounds, and what would mend an empty region: null if that input alone cannot.
@@ -83,8 +83,8 @@ class Values {
     json["works_for_period_s"] = nullptr;
     if (served) {
       const auto [velocity, period] = physical_works_for(scales(), *served);
-      json["works_for_velocity_m_per_s"] = {number(velocity.low), number(velocity.high)};
-      json["works_for_period_s"] = {number(period.low), number(period.high)};
+      json["works_for_velocity_m_per_s"] = interval_json(velocity);
+      json["works_for_period_s"] = interval_json(period);
     }
   }
 
@@ -97,8 +97,8 @@ class Values {
     }
     const double speed = scales().velocity_m_per_s;
     json["hits"] = list_json(shown_hits(problem, *f, *delta), [&](const design::Hits& now) {
-      return ordered_json{{"from_m_per_s", number(now.from * speed)},
-                          {"to_m_per_s", number(now.to * speed)},
+      return ordered_json{{"from_m_per_s", now.from * speed},
+                          {"to_m_per_s", now.to * speed},
                           {"rest_m", metres(physical_, now.rest)}};
     });
   }

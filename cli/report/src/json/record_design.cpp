@@ -18,33 +18,29 @@ ordered_json period_json(const Physical& physical, double p) {
   return seconds(physical, 2 * std::numbers::pi / p);
 }
 
-ordered_json range_json(const Interval& range) {
-  return ordered_json::array({number(range.low), number(range.high)});
-}
-
 ordered_json task_json(const design::RecordDesignRequest& task, const Physical& physical) {
   return {{"records", task.records.size()},
-          {"p_range", range_json(task.p)},
-          {"f_range", range_json(task.f.value())},
-          {"delta_range", range_json(task.delta.value())},
+          {"p_range", interval_json(task.p)},
+          {"f_range", interval_json(task.f.value())},
+          {"delta_range", interval_json(task.delta.value())},
           {"objective", name(task.objective)},
           {"combine", name(task.combine.value())},
-          {"beta", number(task.limits.peak)},
+          {"beta", task.limits.peak},
           {"max_displacement_m", metres(physical, task.limits.peak)},
-          {"residual", number(task.limits.residual)},
+          {"residual", task.limits.residual},
           {"residual_m", metres(physical, task.limits.residual)},
-          {"acceleration_max", number(task.limits.acceleration)},
-          {"hold", number(task.hold)},
-          {"notch_width", number(task.notch_width)},
+          {"acceleration_max", task.limits.acceleration},
+          {"hold", task.hold},
+          {"notch_width", task.notch_width},
           {"notch_width_m", metres(physical, task.notch_width)},
-          {"tolerance", number(task.tolerance)}};
+          {"tolerance", task.tolerance}};
 }
 
 ordered_json damper_json(const design::SuiteDamper& damper, const Physical& physical) {
-  return {{"f", number(damper.f)},
-          {"delta", number(damper.delta)},
+  return {{"f", damper.f},
+          {"delta", damper.delta},
           {"delta_m", metres(physical, damper.delta)},
-          {"p", number(damper.p)},
+          {"p", damper.p},
           {"period_s", period_json(physical, damper.p)}};
 }
 
@@ -53,10 +49,10 @@ ordered_json figures_json(const design::SuiteFigures& figures, const Physical& p
   if (!figures.settled) {
     return nullptr;
   }
-  return {{"peak_amplitude", number(figures.peak)},
+  return {{"peak_amplitude", figures.peak},
           {"peak_m", metres(physical, figures.peak)},
-          {"peak_absolute_acceleration", number(figures.acceleration)},
-          {"residual", number(figures.residual)},
+          {"peak_absolute_acceleration", figures.acceleration},
+          {"residual", figures.residual},
           {"residual_m", metres(physical, figures.residual)}};
 }
 
@@ -65,16 +61,14 @@ ordered_json records_json(const design::RecordDesign& result, const Physical& ph
   for (std::size_t i = 0; i < result.finding->responses.size(); ++i) {
     const design::SuiteRecord& record = result.request.records[i];
     const ForcedResponse& response = result.finding->responses[i];
-    ordered_json& json =
-        list.emplace_back(ordered_json{{"file", record.name},
-                                       {"scale", number(record.scale)},
-                                       {"pga", number(design::peak_load(record))}});
+    ordered_json& json = list.emplace_back(ordered_json{
+        {"file", record.name}, {"scale", record.scale}, {"pga", design::peak_load(record)}});
     json.update(figures_json(design::suite_figures(response), physical));
     json["outcome"] = name(response.outcome);
-    json["locked_from"] = number(response.locked_from);
+    json["locked_from"] = response.locked_from;
     json["locked_from_s"] = seconds(physical, response.locked_from);
-    json["largest_load_while_locked"] = number(response.largest_load_while_locked);
-    json["decision_margin"] = number(response.decision_margin);
+    json["largest_load_while_locked"] = response.largest_load_while_locked;
+    json["decision_margin"] = response.decision_margin;
   }
   return list;
 }
@@ -85,13 +79,13 @@ ordered_json search_json(const design::SuiteSearch& search) {
           {"algorithm", search.algorithm},
           {"status", search.status},
           {"evaluations", search.evaluations},
-          {"wall_time_s", number(search.wall_time_s)},
+          {"wall_time_s", search.wall_time_s},
           {"scan", {{"points", search.scan_points}, {"feasible", search.scan_feasible}}},
           {"interrupted", search.interrupted}};
 }
 
 ordered_json sensitivity_json(const design::Sensitivity& sensitivity, const Physical& physical) {
-  return {{"tolerance", number(sensitivity.tolerance)},
+  return {{"tolerance", sensitivity.tolerance},
           {"samples", sensitivity.samples},
           {"admissible", sensitivity.admissible},
           {"worst_within", figures_json(sensitivity.worst, physical)}};
@@ -100,17 +94,17 @@ ordered_json sensitivity_json(const design::Sensitivity& sensitivity, const Phys
 ordered_json check_json(const design::SuiteCheck& check) {
   ordered_json records =
       list_json(check.records, [](const design::SuiteCheckRow& row) -> ordered_json {
-        return {{"peak_amplitude", number(row.peak)},
-                {"peak_absolute_acceleration", number(row.acceleration)},
-                {"residual", number(row.residual)},
-                {"relative_error", number(row.relative_error)}};
+        return {{"peak_amplitude", row.peak},
+                {"peak_absolute_acceleration", row.acceleration},
+                {"residual", row.residual},
+                {"relative_error", row.relative_error}};
       });
   return {{"passed", check.passed},
           {"methods",
            {{{"name", "runge_kutta"},
-             {"tolerance", number(check.tolerance)},
-             {"relative_error", number(check.relative_error)},
-             {"wall_time_s", number(check.wall_time_s)},
+             {"tolerance", check.tolerance},
+             {"relative_error", check.relative_error},
+             {"wall_time_s", check.wall_time_s},
              {"records", records}}}}};
 }
 
@@ -132,12 +126,9 @@ ordered_json shortfalls_json(const design::RecordDesign& result, const Physical&
     const auto nearest = result.nearest.figures.settled ? std::optional(figure) : std::nullopt;
     const Physical of_length =
         which == design::SuiteObjective::acceleration ? std::nullopt : physical;
-    return {{"limit", limit_name(which)},
-            {"value", number(limit)},
-            {"value_m", metres(of_length, limit)},
-            {"nearest", number(nearest)},
-            {"nearest_m", metres(of_length, nearest)},
-            {"relaxed", number(relaxed)},
+    return {{"limit", limit_name(which)},     {"value", limit},
+            {"value_m", metres(of_length, limit)},     {"nearest", nearest},
+            {"nearest_m", metres(of_length, nearest)}, {"relaxed", relaxed},
             {"relaxed_m", metres(of_length, relaxed)}};
   });
 }

@@ -61,7 +61,7 @@ ordered_json json(const RecordScan& scan) {
   for (const auto& [column, member] : scan_columns) {
     ordered_json& values = columns[column] = ordered_json::array();
     for (const SuiteFigures& figures : scan.figures) {
-      values.push_back(figures.settled ? number(figures.*member) : ordered_json(nullptr));
+      values.push_back(figures.settled ? ordered_json(figures.*member) : nullptr);
     }
   }
   const auto& [path, part, task, whole] = scan.label;

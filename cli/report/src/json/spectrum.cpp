@@ -64,11 +64,11 @@ ordered_json points_json(const SpectrumReport& report,
     const SpectrumRow row = row_of(report, 0, i, points[i]);
     ordered_json& json = list.emplace_back();
     for (std::size_t column = 1; column < first_without; ++column) {
-      json[spectrum_columns.at(column)] = number(row.at(column));
+      json[spectrum_columns.at(column)] = row.at(column);
     }
     ordered_json& without = json["without_notch"];
     for (std::size_t column = first_without; column < row.size(); ++column) {
-      without[spectrum_columns.at(column - first_without + first_figure)] = number(row.at(column));
+      without[spectrum_columns.at(column - first_without + first_figure)] = row.at(column);
     }
   }
   return list;
@@ -124,18 +124,18 @@ ordered_json json(const SpectrumReport& report) {
   ordered_json records = ordered_json::array();
   for (std::size_t i = 0; i < task.records.size(); ++i) {
     records.push_back({{"file", task.records[i].name},
-                       {"scale", number(task.records[i].scale)},
+                       {"scale", task.records[i].scale},
                        {"points", points_json(report, report.result.records[i])}});
   }
   return {{"schema", "stillpoint/spectrum-report/1"},
           {"program", program_json()},
           {"input",
-           {{"f", number(task.f)},
+           {{"f", task.f},
             {"delta_m", metres(report.physical, task.delta)},
-            {"hold", number(task.hold)},
+            {"hold", task.hold},
             {"notch_width_m", metres(report.physical, task.notch_width)},
             {"combine", name(task.combine.value())},
-            {"gravity_m_per_s2", number(report.physical.scales.gravity_m_per_s2)}}},
+            {"gravity_m_per_s2", report.physical.scales.gravity_m_per_s2}}},
           {"combined", points_json(report, report.result.combined)},
           {"records", std::move(records)}};
 }

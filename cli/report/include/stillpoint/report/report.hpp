@@ -97,12 +97,13 @@ struct AccuracyReport {
 [[nodiscard]] std::optional<double> caught_impulse(const MotionReport& report);
 
 /// As docs/reports.md describes them. Numbers carry a double's full precision; a value that does
-/// not exist is null; a number that is not finite is an assertion.
+/// not exist is null.
 [[nodiscard]] nlohmann::ordered_json json(const DesignReport& report);
 [[nodiscard]] nlohmann::ordered_json json(const RegionReport& report);
 [[nodiscard]] nlohmann::ordered_json json(const MotionReport& report);
 [[nodiscard]] nlohmann::ordered_json json(const AccuracyReport& report);
-/// As the program writes it: indented, with a final newline.
+/// As the program writes it: indented, with a final newline. A number that is not finite is an
+/// assertion.
 [[nodiscard]] std::string json_text(const nlohmann::ordered_json& json);
 /// The field `region` of a report.
 [[nodiscard]] nlohmann::ordered_json region_fields(const design::RegionVerdict& verdict);
