@@ -263,7 +263,7 @@ void add_task(Document& document, const RecordDesignReport& report) {
   Section& section = document.detail("Task");
   section.row("objective", format("minimise the {} {} of the records",
                                   combined(task.combine.value()), quantity(task.objective)));
-  for (const auto& [which, member] : design::limit_of) {
+  for (const auto& [which, figure, member, field, words] : design::suite_figure_kinds) {
     if (const std::optional<double>& limit = task.limits.*member) {
       section.row(row_name(which), "at most " + shown(physical, which, *limit));
     }
@@ -320,18 +320,6 @@ std::size_t worst_record(const design::RecordDesign& result) {
     return value_of(design::suite_figures(response), result.request.objective);
   };
   return static_cast<std::size_t>(std::ranges::max_element(all, {}, value) - all.begin());
-}
-
-std::string_view quantity(design::SuiteObjective objective) {
-  switch (objective) {
-    case design::SuiteObjective::amplitude:
-      return "stroke";
-    case design::SuiteObjective::residual:
-      return "residual";
-    case design::SuiteObjective::acceleration:
-      break;
-  }
-  return "transmitted acceleration";
 }
 
 std::string lock_sentence(const RecordDesignReport& report) {

@@ -31,16 +31,17 @@ constexpr std::array broken{"#ef8a2b", "#fbd3a4", "#f7b267", "#8a7a68"};
 constexpr std::array broken_names{"stroke too large", "transmits too much", "residual too large",
                                   "never rests, or may stop elsewhere"};
 
-/// The first of broken_names, in the order of design::limit_of, that is true; their number where
-/// the limits are met.
+/// The first of broken_names, in the order of design::suite_figure_kinds, that is true; their
+/// number where the limits are met.
 std::size_t broken_index(const SuiteFigures& figures, const SuiteLimits& limits) {
-  const auto* const violated = std::ranges::find_if(design::limit_of, [&](const auto& each) {
-    const std::optional<double>& limit = limits.*each.second;
-    return figures.settled && limit && value_of(figures, each.first) > *limit;
-  });
-  return admissible(figures, limits)
-             ? broken.size()
-             : static_cast<std::size_t>(violated - design::limit_of.begin());
+  const auto& kinds = design::suite_figure_kinds;
+  const auto* const violated =
+      std::ranges::find_if(kinds, [&](const design::SuiteFigureKind& kind) {
+        const std::optional<double>& limit = limits.*kind.limit;
+        return figures.settled && limit && figures.*kind.value > *limit;
+      });
+  return admissible(figures, limits) ? broken.size()
+                                     : static_cast<std::size_t>(violated - kinds.begin());
 }
 
 /// About the damper, but not beyond the range.

@@ -108,25 +108,13 @@ ordered_json check_json(const design::SuiteCheck& check) {
              {"records", records}}}}};
 }
 
-std::string_view limit_name(design::SuiteObjective which) {
-  switch (which) {
-    case design::SuiteObjective::amplitude:
-      return "max_displacement";
-    case design::SuiteObjective::residual:
-      return "residual";
-    case design::SuiteObjective::acceleration:
-      break;
-  }
-  return "acceleration_max";
-}
-
 ordered_json shortfalls_json(const design::RecordDesign& result, const Physical& physical) {
   return list_json(result.shortfalls, [&](const design::SuiteShortfall& now) -> ordered_json {
     const auto& [which, limit, figure, relaxed] = now;
     const auto nearest = result.nearest.figures.settled ? std::optional(figure) : std::nullopt;
     const Physical of_length =
         which == design::SuiteObjective::acceleration ? std::nullopt : physical;
-    return {{"limit", limit_name(which)},     {"value", limit},
+    return {{"limit", kind_of(which).limit_field},     {"value", limit},
             {"value_m", metres(of_length, limit)},     {"nearest", nearest},
             {"nearest_m", metres(of_length, nearest)}, {"relaxed", relaxed},
             {"relaxed_m", metres(of_length, relaxed)}};

@@ -166,21 +166,23 @@ std::vector<SuiteShortfall> shortfalls(const Suite& suite, const SuiteBox& box,
                                        const SuiteScan& scan, const RecordDesignRequest& request,
                                        const SuiteFigures& nearest, std::int64_t& evaluations,
                                        SuiteWatch& watch) {
-  watch.expect(usual_evaluations(box) * std::ranges::count_if(limit_of, [&](const auto& each) {
-                 return (request.limits.*each.second).has_value();
+  watch.expect(usual_evaluations(box) *
+               std::ranges::count_if(suite_figure_kinds, [&](const auto& kind) {
+                 return (request.limits.*kind.limit).has_value();
                }));
   std::vector<SuiteShortfall> list;
-  for (const auto& [which, member] : limit_of) {
+  for (const SuiteFigureKind& kind : suite_figure_kinds) {
     SuiteLimits limits = request.limits;
-    const std::optional<double> limit = std::exchange(limits.*member, std::nullopt);
+    const std::optional<double> limit = std::exchange(limits.*kind.limit, std::nullopt);
     if (!limit) {
       continue;
     }
-    const SuiteOptimum least = optimum(suite, box, scan, which, limits, request.threads, watch);
+    const SuiteOptimum least =
+        optimum(suite, box, scan, kind.objective, limits, request.threads, watch);
     evaluations += least.evaluations;
-    SuiteShortfall shortfall{which, *limit, value_of(nearest, which), {}};
+    SuiteShortfall shortfall{kind.objective, *limit, nearest.*kind.value, {}};
     if (!watch.stopped() && admissible(least.point.figures, limits)) {
-      shortfall.relaxed = value_of(least.point.figures, which) * (1 + relaxed_by);
+      shortfall.relaxed = least.point.figures.*kind.value * (1 + relaxed_by);
     }
     list.push_back(shortfall);
   }

@@ -66,18 +66,6 @@ SuiteFigures suite_figures(const ForcedResponse& response) {
           std::abs(response.stop_position.value()), response.decision_margin.value_or(1)};
 }
 
-double value_of(const SuiteFigures& figures, SuiteObjective which) {
-  switch (which) {
-    case SuiteObjective::amplitude:
-      return figures.peak;
-    case SuiteObjective::residual:
-      return figures.residual;
-    case SuiteObjective::acceleration:
-      break;
-  }
-  return figures.acceleration;
-}
-
 void require_valid(const std::vector<SuiteRecord>& records) {
   if (records.empty()) {
     throw InputError::missing("records", "give at least one");
@@ -195,9 +183,9 @@ SuiteRank rank(const SuiteFigures& figures, SuiteObjective objective, const Suit
     return {never_rests, 0, 0};
   }
   double off = figures.margin < least_suite_margin ? least_suite_margin - figures.margin : 0;
-  for (const auto& [which, member] : limit_of) {
-    const std::optional<double>& limit = limits.*member;
-    const double value = value_of(figures, which);
+  for (const SuiteFigureKind& kind : suite_figure_kinds) {
+    const std::optional<double>& limit = limits.*kind.limit;
+    const double value = figures.*kind.value;
     if (limit && value > *limit) {
       // Relative to the limit, or if no residual is allowed, to the peak.
       off += (value - *limit) / (*limit > 0 ? *limit : figures.peak);

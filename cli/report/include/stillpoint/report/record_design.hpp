@@ -28,9 +28,6 @@ struct RecordDesignReport {
   std::optional<design::PhysicalInput> physical{};
 };
 
-/// "stroke", "transmitted acceleration" or "residual".
-[[nodiscard]] std::string_view quantity(design::SuiteObjective objective);
-
 /// Of a design with a damper: the record with the largest figure of the objective.
 [[nodiscard]] std::size_t worst_record(const design::RecordDesign& result);
 

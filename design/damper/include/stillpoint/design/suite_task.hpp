@@ -8,13 +8,14 @@
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/records/record_suite.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 namespace stillpoint::design {
@@ -47,14 +48,6 @@ struct SuiteLimits {
   std::optional<double> acceleration{};  ///< transmitted, in g; > 0
   std::optional<double> residual{};      ///< >= 0
 };
-
-/// The limit of each figure.
-inline constexpr std::array<std::pair<SuiteObjective, std::optional<double> SuiteLimits::*>, 3>
-    limit_of{{
-        {SuiteObjective::amplitude, &SuiteLimits::peak},
-        {SuiteObjective::acceleration, &SuiteLimits::acceleration},
-        {SuiteObjective::residual, &SuiteLimits::residual},
-    }};
 
 struct RecordDesignRequest {
   std::vector<SuiteRecord> records;
@@ -98,8 +91,33 @@ struct SuiteFigures {
 /// Of one motion that comes to rest.
 [[nodiscard]] SuiteFigures suite_figures(const ForcedResponse& response);
 
-/// The figure that the objective minimises.
-[[nodiscard]] double value_of(const SuiteFigures& figures, SuiteObjective which);
+/// A figure that an objective minimises, and its limit.
+struct SuiteFigureKind {
+  SuiteObjective objective;
+  double SuiteFigures::*value;
+  std::optional<double> SuiteLimits::*limit;
+  std::string_view limit_field;  ///< in reports
+  std::string_view words;
+};
+
+inline constexpr auto suite_figure_kinds = std::to_array<SuiteFigureKind>(
+    {{SuiteObjective::amplitude, &SuiteFigures::peak, &SuiteLimits::peak, "max_displacement",
+      "stroke"},
+     {SuiteObjective::acceleration, &SuiteFigures::acceleration, &SuiteLimits::acceleration,
+      "acceleration_max", "transmitted acceleration"},
+     {SuiteObjective::residual, &SuiteFigures::residual, &SuiteLimits::residual, "residual",
+      "residual"}});
+
+[[nodiscard]] constexpr const SuiteFigureKind& kind_of(SuiteObjective which) {
+  return *std::ranges::find(suite_figure_kinds, which, &SuiteFigureKind::objective);
+}
+/// The figure that the objective minimises, and its name.
+[[nodiscard]] constexpr double value_of(const SuiteFigures& figures, SuiteObjective which) {
+  return figures.*kind_of(which).value;
+}
+[[nodiscard]] constexpr std::string_view quantity(SuiteObjective which) {
+  return kind_of(which).words;
+}
 
 /// A damper is rejected if a decision of a motion is closer than this to the other outcome: neither
 /// the check nor a real damper could tell which of the two it is.
