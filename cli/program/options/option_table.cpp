@@ -264,7 +264,7 @@ std::vector<Option> rows() {
           "with physical input: the frequency in Hz; for a pulse, that of its sine", of_waves,
           of(Load::wave, axis_in_si(Rivals::frequency, Dimension::frequency, RangeEnd::low))),
       row("pulse-duration", number, "S", shaking,
-          "with physical input: how long half-sine, full-sine or rectangle last, in s", of_waves,
+          "with physical input: how long the pulse lasts, in s", of_waves,
           of(Load::pulse, axis_in_si(Rivals::frequency, Dimension::time, RangeEnd::high))),
       row("lambda", number, "L", shaking,
           "dimensionless angular frequency, L/p times the natural one; half-sine and rectangle "

@@ -21,11 +21,11 @@ namespace stillpoint::records {
 namespace {
 
 // In upper case. K-NET's .UD, the vertical component, is left out: the mass moves sideways.
-constexpr std::array<std::string_view, 11> record_endings{
-    ".AT2", ".ASC", ".EW", ".NS", ".EW1", ".NS1", ".EW2", ".NS2", ".V2", ".V2C", ".SMC"};
+constexpr auto record_endings = std::to_array<std::string_view>(
+    {".AT2", ".ASC", ".EW", ".NS", ".EW1", ".NS1", ".EW2", ".NS2", ".V2", ".V2C", ".SMC"});
 /// The endings of columns, but also of notes and of the tables that databases put beside their
 /// records.
-constexpr std::array<std::string_view, 3> text_endings{".TXT", ".CSV", ".DAT"};
+constexpr auto text_endings = std::to_array<std::string_view>({".TXT", ".CSV", ".DAT"});
 
 template <std::size_t Count>
 bool has_one_of(const std::array<std::string_view, Count>& endings, const std::string& path) {

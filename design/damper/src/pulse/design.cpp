@@ -2,34 +2,12 @@
 #include <stillpoint/design/design.hpp>
 
 #include "pulse/answer.hpp"
+#include "search/objectives.hpp"
 
 #include <cmath>
 #include <optional>
 
 namespace stillpoint::design {
-
-namespace {
-
-/// An objective's value in the units of the request.
-std::optional<double> in_units(const PulseRegion& region, Objective objective, double p,
-                               double value) {
-  if (std::isinf(value)) {
-    return std::nullopt;
-  }
-  switch (objective) {
-    case Objective::robust:
-      return -value;
-    case Objective::amplitude:
-      return value * region.length_unit();
-    case Objective::time:
-      return value / p;
-    case Objective::acceleration:
-      break;
-  }
-  return value * region.f_unit();
-}
-
-}  // namespace
 
 DesignResult design(const PulseRequest& request) {
   const auto& [problem, limits, options] = request;
@@ -45,10 +23,13 @@ DesignResult design(const PulseRequest& request) {
   const DesignPoint point{f * region.f_unit(), delta * region.delta_unit(), tolerance};
   add_finding(result, request, region, point, f);
   result.finding->search = optimum->found.record;
-  result.finding->pulse->searched =
-      in_units(region, options.objective, problem.p, optimum->searched);
-  result.finding->pulse->bracketed =
-      in_units(region, options.objective, problem.p, optimum->bracketed);
+  const auto in_units = [&](double value) {
+    return std::isinf(value) ? std::nullopt
+                             : std::optional(in_pulse_units(options.objective, value,
+                                                            region.f_unit(), problem.p));
+  };
+  result.finding->pulse->searched = in_units(optimum->searched);
+  result.finding->pulse->bracketed = in_units(optimum->bracketed);
   return result;
 }
 

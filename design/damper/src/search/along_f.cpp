@@ -81,12 +81,11 @@ double soonest(const Way& way, const Interval& f) {
   return least;
 }
 
-/// The peak falls with f and the acceleration grows. The time grows with f at the first arrival,
-/// and at later ones first falls and then grows; with Delta it grows.
+/// The time grows with f at the first arrival, and at later ones first falls and then grows; with
+/// Delta it grows. The other objectives depend on f alone.
 double least_cost(const Way& way, Objective objective, const Interval& f) {
   if (objective != Objective::time) {
-    return objective_value(objective,
-                           way.scaled(objective == Objective::amplitude ? f.high : f.low));
+    return objective_value(objective, way.scaled(falls_with_f(objective) ? f.high : f.low));
   }
   if (way.q > 0) {
     return soonest(way, f);

@@ -25,6 +25,7 @@ struct Row {
   double (*unit)(const Problem& problem);
   std::optional<double> (*of)(const Response& motion);
   double FirstReturn::*under_pulse;
+  double (*pulse_units)(double value, double k, double p);
 };
 
 /// f3 divided by p and V0 may be an ulp above a3.
@@ -41,18 +42,20 @@ constexpr ClosedForm acceleration_form{&unit::radius, [](double a) { return a / 
 
 constexpr std::array rows{
     Row{Objective::robust, "robust", no_form, [](const Problem&) { return -1.0; },
-        [](const Response&) { return std::optional<double>(); }, nullptr},
+        [](const Response&) { return std::optional<double>(); }, nullptr,
+        [](double value, double /*k*/, double /*p*/) { return -value; }},
     Row{Objective::amplitude, "amplitude", peak_form,
         [](const Problem& problem) { return problem.v0 / problem.p; },
         [](const Response& motion) { return std::optional(motion.peak_amplitude); },
-        &FirstReturn::peak},
+        &FirstReturn::peak, [](double value, double k, double p) { return value * (k / p / p); }},
     Row{Objective::time, "time", time_form,
         [](const Problem& problem) { return std::numbers::pi / problem.p; },
-        [](const Response& motion) { return motion.stop_time; }, &FirstReturn::time},
+        [](const Response& motion) { return motion.stop_time; }, &FirstReturn::time,
+        [](double value, double /*k*/, double p) { return value / p; }},
     Row{Objective::acceleration, "acceleration", acceleration_form,
         [](const Problem& problem) { return problem.v0 * problem.p; },
         [](const Response& motion) { return std::optional(motion.peak_absolute_acceleration); },
-        &FirstReturn::acceleration},
+        &FirstReturn::acceleration, [](double value, double k, double /*p*/) { return value * k; }},
 };
 
 const Row& row_of(Objective objective) {
@@ -82,8 +85,16 @@ double objective_slope(Objective objective, double given) {
   return row_of(objective).form.slope(given);
 }
 
+bool falls_with_f(Objective objective) {
+  return objective_slope(objective, unit::a3 / 2) < 0;
+}
+
 double objective_unit(Objective objective, const Problem& problem) {
   return row_of(objective).unit(problem);
+}
+
+double in_pulse_units(Objective objective, double value, double k, double p) {
+  return row_of(objective).pulse_units(value, k, p);
 }
 
 double objective_of(Objective objective, const FirstReturn& motion) {

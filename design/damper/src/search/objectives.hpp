@@ -15,9 +15,13 @@ namespace stillpoint::design {
 /// its variable is the tolerance of the box. `time` is that of a stop at the first arrival.
 [[nodiscard]] double objective_value(Objective objective, double given);
 [[nodiscard]] double objective_slope(Objective objective, double given);
+/// Each grows or falls over all f, except `time` where it is not that of the first arrival.
+[[nodiscard]] bool falls_with_f(Objective objective);
 /// The value of one in tau and g; -1 for `robust`, since a search minimises.
 [[nodiscard]] double objective_unit(Objective objective, const Problem& problem);
 /// The objective of a motion under a pulse; not for `robust`.
 [[nodiscard]] double objective_of(Objective objective, const FirstReturn& motion);
+/// Such a value, which is in units of k and p as first_return.hpp says, in tau and g.
+[[nodiscard]] double in_pulse_units(Objective objective, double value, double k, double p);
 
 }  // namespace stillpoint::design

@@ -45,20 +45,16 @@ double first_half_turn(double low, double high) {
 double bound_of(const Way& way, Objective objective) {
   const double t = way.limits.tolerance;
   const auto& [f_low, f_high, delta_low, delta_high] = way.limits.shape;
-  switch (objective) {
-    case Objective::robust:
-      // (51), which a range only makes smaller.
-      return way.q == 0 && way.limits.shape == BoxShape{} ? -1.0 / (2 * way.n - 1) : -1;
-    case Objective::amplitude:
-      return objective_value(objective, way.a_cap / (1 + t * f_high));
-    case Objective::acceleration:
-      return objective_value(objective, std::max(0.0, way.a2) / (1 - t * f_low));
-    case Objective::time:
-      // The n-th half-cycle turns or stops at x = 0, which takes pi at least, (52).
-      return std::max<double>(way.n, first_half_turn(std::max(0.0, way.a2) / (1 - t * f_low),
-                                                     way.a_cap / (1 + t * f_high)));
+  if (objective == Objective::robust) {  // (51), which a range only makes smaller
+    return way.q == 0 && way.limits.shape == BoxShape{} ? -1.0 / (2 * way.n - 1) : -1;
   }
-  return 0;
+  const double low = std::max(0.0, way.a2) / (1 - t * f_low);
+  const double high = way.a_cap / (1 + t * f_high);
+  if (objective == Objective::time) {
+    // The n-th half-cycle turns or stops at x = 0, which takes pi at least, (52).
+    return std::max<double>(way.n, first_half_turn(low, high));
+  }
+  return objective_value(objective, falls_with_f(objective) ? high : low);
 }
 
 /// The Delta to try with an f. The peak and the acceleration do not depend on it, nor does the time
