@@ -52,6 +52,15 @@ std::vector<HeaderWord> header_words(std::string_view line) {
   return words;
 }
 
+/// "0,01" would be two words, of which only the first would count.
+void refuse_commas_in_numbers(const RecordReader& reader) {
+  for (const std::string_view word : words_of(reader.line(), " \t;:=()")) {
+    if (!comma_note(word).empty()) {
+      reader.refuse_number(word.substr(0, word.find_last_not_of(',') + 1), NumberFault::no_number);
+    }
+  }
+}
+
 /// The words NPTS and DT of a line with their numbers, one after each word ("NPTS= 2000, DT= .02
 /// SEC") or both in front ("2000 0.02 NPTS, DT").
 class CountLine {
@@ -134,6 +143,7 @@ bool has_npts(std::string_view line) {
 }
 
 At2Counts read_at2_counts(const RecordReader& reader) {
+  refuse_commas_in_numbers(reader);
   const CountLine line(reader);
   return {line.count(), line.step()};
 }

@@ -47,24 +47,12 @@ std::string_view without_comment(std::string_view line, std::string& description
   return trimmed(line.substr(0, at));
 }
 
-/// What a spreadsheet may have written: "0,01" for 0.01 makes two columns of one.
-std::string_view decimal_comma(const RecordReader& reader) {
-  const std::string_view line = reader.line();
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
-    if (line[i] == ',' && is_digit(line[i - 1]) && is_digit(line[i + 1])) {
-      return "; a decimal comma must be a point";
-    }
-  }
-  return "";
-}
-
 /// Text before the values is most likely a heading.
 void check_heading(std::string_view first, const RecordReader& reader) {
   if (first.find(';') != std::string_view::npos) {
     reader.refuse_word(first, fmt::format("is not a number; between columns there must be "
                                           "blanks, tabs or a comma, no semicolon{}",
-                                          decimal_comma(reader)));
+                                          comma_note(reader.line())));
   }
   if (scan_fortran_number(first).fault == NumberFault::no_number) {
     reader.refuse_word(first,
@@ -77,7 +65,7 @@ void check_heading(std::string_view first, const RecordReader& reader) {
 void check_count(std::size_t count, std::size_t expected, std::size_t first_line,
                  const RecordReader& reader) {
   if (count > most_columns) {
-    const std::string_view comma = decimal_comma(reader);
+    const std::string_view comma = comma_note(reader.line());
     reader.refuse(
         fmt::format("{} columns: must be time and value, or value alone{}", count,
                     comma.empty() ? "; many values a line need a header with NPTS and DT" : comma));
@@ -130,7 +118,7 @@ class TimeColumn {
     }
     if (!(time > before_)) {
       reader.refuse(fmt::format("time {}: must be more than the previous time, {}{}", time, before_,
-                                decimal_comma(reader)));
+                                comma_note(reader.line())));
     }
     if (!clock.tells_apart(before_, time)) {
       reader.refuse(fmt::format("time {} {}: is too close to the previous time, {}", time,

@@ -35,7 +35,7 @@ struct CsmipLine {
 
 /// "... at .02 sec, in cm/sec2. (8f10.3)", or "... at .02 sec. (UNITS: CM/SEC/SEC)".
 CsmipLine csmip_line(const RecordReader& reader) {
-  const auto words = words_of(reader.line(), " \t,()");
+  const auto words = words_of(reader.line(), " \t()");
   CsmipLine line{words[0], {}, {}};
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {
     const std::string word = upper_case(words[i]);
@@ -45,7 +45,7 @@ CsmipLine csmip_line(const RecordReader& reader) {
       line.units = words[i + 1];
     }
   }
-  while (line.units.ends_with('.')) {
+  while (line.units.ends_with('.') || line.units.ends_with(',')) {
     line.units.remove_suffix(1);
   }
   constexpr std::string_view example =

@@ -32,8 +32,8 @@ double positive(const RecordReader& reader, std::string_view key, std::string_vi
       trimmed(text.ends_with(unit) ? text.substr(0, text.size() - unit.size()) : text);
   const ScannedNumber scanned = scan_fortran_number(digits);
   if (scanned.fault != NumberFault::none || !(scanned.value > 0)) {
-    reader.refuse(fmt::format("{} is {}: must be a number, more than 0{}{}", key, quoted(text),
-                              unit.empty() ? "" : ", in ", unit));
+    reader.refuse(fmt::format("{} is {}: must be a number, more than 0{}{}{}", key, quoted(text),
+                              unit.empty() ? "" : ", in ", unit, comma_note(text)));
   }
   return scanned.value;
 }

@@ -82,6 +82,17 @@ std::string_view explanation(NumberFault fault) noexcept {
   return "";
 }
 
+std::string_view comma_note(std::string_view text) noexcept {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const auto ends_word = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); };
+  for (std::size_t at = 0; at + 1 < text.size(); ++at) {
+    if (text[at] == ',' && is_digit(text[at + 1]) && !(at > 0 && ends_word(text[at - 1]))) {
+      return "; a decimal comma must be a point, and thousands must have no comma";
+    }
+  }
+  return "";
+}
+
 namespace {
 
 /// "; 10 % is 0.1" for "10%" or "10 %"; "" for any other text.

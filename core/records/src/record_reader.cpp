@@ -66,6 +66,10 @@ void RecordReader::refuse_word(std::string_view word, std::string_view message) 
   throw FileError({"record", *path_, number_, column}, fmt::format("{} {}", quoted(word), message));
 }
 
+void RecordReader::refuse_number(std::string_view word, NumberFault fault) const {
+  refuse_word(word, fmt::format("{}{}", explanation(fault), comma_note(word)));
+}
+
 void RecordReader::refuse(std::size_t number, std::string_view message) const {
   throw FileError({"record", *path_, number}, message);
 }
@@ -90,7 +94,7 @@ double RecordReader::file_step(std::size_t line, std::string_view name, double s
 double RecordReader::parse_number(std::string_view word) const {
   const ScannedNumber scanned = scan_fortran_number(word);
   if (scanned.fault != NumberFault::none) {
-    refuse_word(word, explanation(scanned.fault));
+    refuse_number(word, scanned.fault);
   }
   return scanned.value;
 }
@@ -126,7 +130,7 @@ double RecordReader::parse_acceleration(std::string_view word) const {
   if (given.fault == NumberFault::out_of_range) {
     given.value = HUGE_VAL;
   } else if (given.fault != NumberFault::none) {
-    refuse_word(word, explanation(given.fault));
+    refuse_number(word, given.fault);
   }
   const auto value = in_g(given.value);
   if (!value) {

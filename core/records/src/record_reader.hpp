@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/records/number.hpp>
 #include <stillpoint/records/record_file.hpp>
 
 #include <cstddef>
@@ -30,6 +31,7 @@ class RecordReader {
   /// Each throws FileError: for this line, for the place of `word` in it, for line `number`.
   [[noreturn]] void refuse(std::string_view message) const { refuse(number_, message); }
   [[noreturn]] void refuse_word(std::string_view word, std::string_view message) const;
+  [[noreturn]] void refuse_number(std::string_view word, NumberFault fault) const;
   [[noreturn]] void refuse(std::size_t number, std::string_view message) const;
   /// If the options have a step, for a file that has its own: `line` is where, `what` is which.
   void refuse_step(std::size_t line, std::string_view what) const;

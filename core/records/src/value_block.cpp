@@ -128,8 +128,8 @@ std::vector<double> read_block(RecordReader& reader, const ValueBlock& block,
         // The first columns of a line of text carry no information.
         const bool is_cut = block.width > 0 && field.data() == fields.front().data();
         reader.refuse_word(is_cut ? trimmed(reader.line()) : field,
-                           fmt::format("is not a number; value {} of {} is expected here",
-                                       values.size() + 1, block.count));
+                           fmt::format("is not a number; value {} of {} is expected here{}",
+                                       values.size() + 1, block.count, comma_note(field)));
       }
       values.push_back(parse(reader, field));
     }

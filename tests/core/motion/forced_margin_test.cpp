@@ -12,7 +12,7 @@ namespace {
 
 /// The motion before a decision amplifies a change of the inputs, most at resonance. docs/forced.md
 /// section 9 has what more scenes show.
-constexpr double enlarged = 1000;
+constexpr double enlarged = 10;
 
 bool same_counts(const ForcedState<double>& a, const ForcedState<double>& b) {
   return a.passages == b.passages && a.turning_points == b.turning_points && a.sticks == b.sticks &&
@@ -174,6 +174,19 @@ BOOST_AUTO_TEST_CASE(turn_just_before_a_jump_that_changes_nothing_is_far_from_ti
     BOOST_TEST(state.turning_points == 1);
     BOOST_TEST(margin_of(state) > 0.05);
   }
+}
+
+BOOST_AUTO_TEST_CASE(turn_of_a_motion_whose_load_balances_friction_is_near_tipping) {
+  // p = f = W = 1, from x0 = gap: x'' = -x, so that x = 0 at pi/2 with the speed gap. There W ends,
+  // and friction stops the mass gap^2 / 2 beyond. With k smaller by 2e it would be at 2e instead.
+  constexpr double gap = 1e-4;
+  constexpr double e = gap * gap / 2;
+  const auto after = [](double k) {
+    return run_forced(ForcedScene<>{{gap, 0, 1, 1, 0}, Rectangle{k, 2}, 20}).state;
+  };
+  BOOST_TEST(after(1 - 2 * e).passages == 0);
+  BOOST_TEST(after(1).passages == 1);
+  BOOST_TEST(margin_of(after(1)) <= e);
 }
 
 BOOST_AUTO_TEST_CASE(load_that_comes_near_friction_while_it_holds_is_in_it) {

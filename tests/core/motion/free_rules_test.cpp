@@ -62,6 +62,8 @@ const std::vector<Motion> motions{
     // Towards x = 0, R^2 = v0^2 + (x0 - f)^2: f = 6, x0 = 2, v0 = -3: R = 5 turns at x = 1.
     {{2, -3, 1, 6, 0.5}, {in_dead_zone, 1, 1, 0}, {2, 5, atan2(3.0, 4.0), 1}},
     {{-4, 4, 1, 1, 12}, {at_zero, 1, 0, 0}, {4, 3, inward_to_zero, 0}, sqrt(24.0)},
+    // x0 = f = 6 begins without acceleration and has f at its end: v-^2 = 64 - 36 where sin = 6/8.
+    {{6, -8, 1, 6, 14}, {at_zero, 1, 0, 0}, {6, 6, std::asin(0.75), 0}, sqrt(28.0)},
     // Delta = 10.5: v+^2 = 3, S' = 2 = 2f, B' = 1 = f: on the edge of the dead zone.
     {{4, -4, 1, 1, 10.5}, {in_dead_zone, 2, 1, 1}, {4, 3, inward_to_zero + pi / 3, -1}, sqrt(24.0)},
     // f = 0, x0 = 3, v0 = -4: v-^2 = 25 after atan2(3, 4); Delta = 8: 25 - 16 = 9, then 9 < 16.

@@ -194,7 +194,10 @@ class ForcedRun {
     }
     const Real distance = magnitude(s_.u);
     s_.farthest = std::max(s_.farthest, distance);
-    s_.margin.decide(law_.from_edge(distance), s_.farthest);
+    // How far friction alone would have moved the mass: docs/forced.md section 7.
+    const Real slid = std::min(Real(s_.now.value() - s_.slide_begin), Real(2));
+    const Real pushed = law_.phi_ahead(Real(s_.direction) * s_.u) * slid * slid / 2;
+    s_.margin.decide(law_.from_edge(distance), s_.farthest + pushed);
     event(EventKind::turn);
   }
 

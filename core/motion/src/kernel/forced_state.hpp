@@ -39,6 +39,7 @@ struct ForcedState {
   bool fresh{true};                        ///< at rest since this very instant
   ExactSum<Real> now;
   ExactSum<Real> rest_begin;
+  Real slide_begin{0};  ///< of the last slide, rounded
 
   bool moved{false};
   bool caught{false};  ///< at the start, by the notch

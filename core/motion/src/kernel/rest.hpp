@@ -32,6 +32,7 @@ void set_off(Run& run, int direction, const Real& acceleration) {
   ForcedState<Real>& s = run.state();
   const Real waited = s.fresh ? Real(0) : s.now.minus(s.rest_begin);
   s.mode = ForcedMode::sliding;
+  s.slide_begin = s.now.value();
   s.direction = direction;
   if (!s.moved) {
     slides(s, run.law());

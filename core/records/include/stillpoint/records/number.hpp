@@ -29,6 +29,10 @@ struct ScannedNumber {
 /// What is wrong, to follow the text in a message: "is not a number". For `none`, "".
 [[nodiscard]] std::string_view explanation(NumberFault fault) noexcept;
 
+/// What to say as well if a comma in `text` may belong to a number, as in 0,01 and 4,000, and does
+/// not follow a word, as in NPTS,4000. Else "".
+[[nodiscard]] std::string_view comma_note(std::string_view text) noexcept;
+
 /// A whole number up to 1e18, "1000" or "1e3"; empty for any other text.
 [[nodiscard]] std::optional<std::int64_t> scan_integer(std::string_view text);
 
