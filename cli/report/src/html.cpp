@@ -29,7 +29,7 @@ bool in_name(char c) {
 /// the name of a file.
 std::string lettered(std::string_view text) {
   static constexpr auto letters = std::to_array<std::pair<std::string_view, std::string_view>>(
-      {{"Delta1", "Δ₁"}, {"delta", "Δ"}, {"tau", "τ"}, {"v0", "V₀"}});
+      {{"Delta1", "Δ₁"}, {"delta", "Δ"}, {"tau", "τ"}, {"v0", "V₀"}, {"x0", "x₀"}});
   std::string shown;
   for (std::size_t at = 0; at < text.size();) {
     const std::string_view rest = text.substr(at);

@@ -5,6 +5,8 @@
 
 #include "sections.hpp"
 
+#include <stillpoint/report/record_design.hpp>
+
 #include <cstddef>
 #include <string>
 
