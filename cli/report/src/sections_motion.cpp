@@ -2,6 +2,8 @@
 #include "format.hpp"
 #include "sections.hpp"
 
+#include <stillpoint/report/digits.hpp>
+
 #include <algorithm>
 
 namespace stillpoint::report {
