@@ -59,14 +59,10 @@ void add_choices(Document& document, const DesignReport& report, const Physical&
 /// Of the motion with the paper's notch. Its peak, acceleration and rest are in the answer.
 void add_motion(Document& document, const DesignReport& report, const Physical& physical) {
   const design::Finding& finding = *report.result.finding;
-  std::string which = !finding.pulse         ? shown_words(report.result.request.problem)
-                      : finding.pulse->worst ? "largest peak"
-                                             : "";
-  if (report.built_notch) {
-    which += format("{}with a notch that {}", which.empty() ? "" : ", ",
-                    ideal_words(*report.built_notch));
-  }
-  const std::string of_it = which.empty() ? "" : ": " + which;
+  const std::string which = !finding.pulse         ? shown_words(report.result.request.problem)
+                            : finding.pulse->worst ? "largest peak"
+                                                   : "";
+  const std::string of_it = (which.empty() ? "" : ": " + which) + with_ideal(report);
   add_counts(document.detail((finding.pulse ? "Under the pulse itself" : "Motion") + of_it),
              finding.response, physical, !finding.pulse);
   add_practice(document.detail("In practice" + of_it), finding.practice, physical);
@@ -140,18 +136,21 @@ Document document(const DesignReport& report) {
   const design::Finding& finding = *result.finding;
   document.verdict = verdict(report, physical);
   const bool sound = finding.cross_check.passed && built_notch_fault(report, physical).empty();
-  document.tone = sound ? Tone::good : Tone::bad;
+  document.tone = !sound                                    ? Tone::bad
+                  : example_fault(report, physical).empty() ? Tone::good
+                                                            : Tone::plain;
   add_answer(document.answer, report, physical);
   add_choices(document, report, physical);
   if (report.built_notch) {
     add_built_notch(document, *report.built_notch, finding, physical);
   }
   add_task(document, result.request, physical);
-  add_damper(document.detail("Damper"), finding.point,
+  add_damper(document.detail("Damper" + with_ideal(report)), finding.point,
              stops_by_delta1(finding.constraints) ? delta_needs(result) : DeltaNeeds(),
              finding.practice, physical);
-  add_feasible(add_constraints(document, finding.constraints, limits, physical), result, limits,
-               physical);
+  Section& constraints = add_constraints(document, finding.constraints, limits, physical);
+  constraints.heading += with_ideal(report);
+  add_feasible(constraints, result, limits, physical);
   add_motion(document, report, physical);
   add_checks(document, finding.cross_check, physical);
   if (finding.search) {

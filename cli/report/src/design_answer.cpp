@@ -85,16 +85,9 @@ std::string felt(const DesignReport& report, const Physical& physical) {
                   least ? "at any width more than" : "no width is known to keep it within",
                   acceleration_shown(*limits.acceleration_max));
   }
-  if (pulse) {  // from rest: whether a notch of that width lets the mass go is not for a formula
-    const double width = example_width(physical, response.peak_amplitude);
-    const std::string fault =
-        notch_fault(with_notch(report.result, {width}), report.result.request, physical);
-    if (!fault.empty()) {
-      return format("{}, f + delta/w inside one of width w; but with w = {}, {}", outside,
-                    length_shown(physical, width), fault);
-    }
-  }
-  return format("{}, {}", outside, inside_words(physical, f, delta, response.peak_amplitude));
+  return example_fault(report, physical).empty()
+             ? format("{}, {}", outside, inside_words(physical, f, delta, response.peak_amplitude))
+             : outside;
 }
 
 void add_rest(Section& answer, const DesignReport& report, const Physical& physical) {
@@ -144,7 +137,7 @@ void add_start(Section& answer, const design::DesignResult& result, const Physic
   const double weakest =
       result.request.pulse_ranges.k_low.value_or(design::peak_load(*result.request.pulse));
   add_start(answer, {f, delta, weakest, result.finding->response.peak_amplitude}, "delta/(k - f)",
-            "go", physical);
+            physical);
 }
 
 /// Under a pulse, where only the tolerance asks for a strong notch.
@@ -201,11 +194,12 @@ std::string verdict(const DesignReport& report, const Physical& physical) {
   }
   text += unbounded_words(report, physical);
   if (const std::string fault = built_notch_fault(report, physical); !fault.empty()) {
-    text += format(" But {}.", fault);
+    text += format(" But with this notch {}.", fault);
   } else if (std::string locked = lock_sentence(report); !locked.empty()) {
     locked.front() = 'L';
     text += format(" {}.", locked);
   }
+  text += example_fault(report, physical);
   if (!finding.cross_check.passed) {
     text += " But the cross-check DISAGREES: do not rely on this design.";
   }

@@ -2,8 +2,13 @@
 #include "design_parts.hpp"
 #include "format.hpp"
 
+#include <cmath>
+
 namespace stillpoint::report {
 
+namespace {
+
+/// "the peak exceeds 150 mm": what a notch spoils; empty if nothing.
 std::string notch_fault(const design::BuiltNotch& built, const design::DesignRequest& request,
                         const Physical& physical) {
   const auto& [problem, limits, search, pulse, ranges] = request;
@@ -11,29 +16,35 @@ std::string notch_fault(const design::BuiltNotch& built, const design::DesignReq
   const double peak = response.peak_amplitude;
   constexpr double rounding = 1 + 1e-9;
   if (response.half_cycles == 0) {
-    return "this notch holds the mass throughout the pulse";
+    return "the mass is held throughout the pulse";
   }
   if (built.shape.width && *built.shape.width / 2 >= peak) {
-    return "the mass never leaves this notch" +
+    return "the mass never leaves it" +
            (response.stop_position
-                ? format(": it stops at x = {}", length_shown(physical, *response.stop_position))
+                ? format(" and stops at x = {}", length_shown(physical, *response.stop_position))
                 : "");
   }
   if (peak > problem.beta * rounding) {
-    return format("with this notch the peak exceeds {}", length_shown(physical, problem.beta));
+    return format("the peak exceeds {}", length_shown(physical, problem.beta));
   }
-  const Outcome outcome = response.outcome;
-  if (outcome != Outcome::stopped_at_zero && outcome != Outcome::stopped_in_notch) {
-    return "with this notch the mass " + outcome_phrase(response);
+  const bool kept = problem.residual
+                        ? response.stop_position &&
+                              std::abs(*response.stop_position) <= *problem.residual * rounding
+                        : response.outcome == Outcome::stopped_at_zero ||
+                              response.outcome == Outcome::stopped_in_notch;
+  if (!kept) {
+    return "the mass " + outcome_phrase(response);
   }
   if (limits.acceleration_max &&
       response.peak_absolute_acceleration > *limits.acceleration_max * rounding) {
-    return format("inside this notch the structure feels {}, more than the limit of {}",
+    return format("the structure feels {} inside it, more than the limit of {}",
                   acceleration_shown(response.peak_absolute_acceleration),
                   acceleration_shown(*limits.acceleration_max));
   }
   return {};
 }
+
+}  // namespace
 
 design::BuiltNotch with_notch(const design::DesignResult& result, const design::NotchShape& shape) {
   design::DesignRequest shown = result.request;
@@ -59,19 +70,12 @@ std::optional<std::string> felt_in_built_notch(const DesignReport& report) {
   }
   const design::Finding& finding = *report.result.finding;
   const double p = finding.pulse ? finding.pulse->p : report.result.request.problem.p;
-  // It slides at the largest acceleration outside, f + p^2 |x|, where it is farthest.
-  const double outside = finding.point.f + p * p * built.peak_amplitude;
-  constexpr double rounding = 1 + 1e-9;
-  const bool more = built.peak_absolute_acceleration > rounding * outside;
-  if (!shape.width) {
-    return more ? std::optional(format("{} while the notch holds it, {} outside it", most,
-                                       acceleration_shown(outside)))
-                : std::nullopt;
-  }
-  const bool leaves = *shape.width / 2 < built.peak_amplitude;
-  return more && leaves
-             ? format("{} inside the notch, {} outside it", most, acceleration_shown(outside))
-             : most;
+  const auto outside = felt_outside(built, p, finding.point.f, shape.width);
+  return outside       ? format("{} {}, {} outside it", most,
+                          shape.width ? "inside the notch" : "while the notch holds it",
+                                acceleration_shown(*outside))
+         : shape.width ? std::optional(most)
+                       : std::nullopt;
 }
 
 std::string built_notch_fault(const DesignReport& report, const Physical& physical) {
@@ -79,8 +83,25 @@ std::string built_notch_fault(const DesignReport& report, const Physical& physic
                             : "";
 }
 
+std::string example_fault(const DesignReport& report, const Physical& physical) {
+  const design::Finding& finding = *report.result.finding;
+  if (report.built_notch || finding.point.delta == 0) {
+    return {};
+  }
+  design::DesignRequest promised = report.result.request;
+  promised.limits.acceleration_max.reset();  // kept outside the notch: see the row of that name
+  const double width = example_width(physical, finding.response.peak_amplitude);
+  const std::string fault = notch_fault(with_notch(report.result, {width}), promised, physical);
+  return fault.empty() ? "" : example_sentence(width, fault, physical);
+}
+
 std::string_view ideal_words(const design::BuiltNotch& built) {
   return built.shape.width ? "has no width" : "holds any load";
+}
+
+std::string with_ideal(const DesignReport& report) {
+  return report.built_notch ? format(", with a notch that {}", ideal_words(*report.built_notch))
+                            : "";
 }
 
 void add_built_notch(Document& document, const design::BuiltNotch& built,

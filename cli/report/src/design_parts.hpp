@@ -33,14 +33,14 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
 [[nodiscard]] const Response& told_motion(const DesignReport& report);
 /// What the structure feels with a built notch that has a width or holds the mass throughout.
 [[nodiscard]] std::optional<std::string> felt_in_built_notch(const DesignReport& report);
-/// "with this notch the peak exceeds 150 mm": what a built notch spoils; empty if nothing.
-[[nodiscard]] std::string notch_fault(const design::BuiltNotch& built,
-                                      const design::DesignRequest& request,
-                                      const Physical& physical);
-/// The same of the notch that was asked for, if any.
+/// "the peak exceeds 150 mm": what the notch that was asked for spoils; empty if nothing.
 [[nodiscard]] std::string built_notch_fault(const DesignReport& report, const Physical& physical);
+/// If none was asked for: what one of the example width spoils, in a sentence; empty if nothing.
+[[nodiscard]] std::string example_fault(const DesignReport& report, const Physical& physical);
 /// What a notch as built is compared with: "has no width", "holds any load".
 [[nodiscard]] std::string_view ideal_words(const design::BuiltNotch& built);
+/// ", with a notch that has no width" behind what is not of the notch as built; empty without one.
+[[nodiscard]] std::string with_ideal(const DesignReport& report);
 /// How the notch as built compares with the paper's.
 void add_built_notch(Document& document, const design::BuiltNotch& built,
                      const design::Finding& finding, const Physical& physical);

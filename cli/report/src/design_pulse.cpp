@@ -9,12 +9,14 @@ namespace stillpoint::report {
 
 std::string lock_sentence(const DesignReport& report) {
   const auto& finding = report.result.finding;
-  if (!finding || !finding->pulse || !finding->pulse->response.locked_from) {
+  if (!finding || !finding->pulse) {
     return {};
   }
   const design::PulseCheck& check = *finding->pulse;
-  return locked_words(check.response, duration(design::excitation(check.pulse)).value(),
-                      report.physical);
+  const ForcedResponse& told = report.built_notch ? report.built_notch->response : check.response;
+  return told.locked_from ? locked_words(told, duration(design::excitation(check.pulse)).value(),
+                                         report.physical)
+                          : "";
 }
 
 void add_pulse(Section& task, const design::Pulse& pulse, const design::PulseRanges& ranges,

@@ -5,9 +5,12 @@
 #include "format.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::report {
@@ -15,7 +18,39 @@ namespace stillpoint::report {
 namespace {
 
 using figures::escaped;
-using figures::prose;
+
+bool in_name(char c) {
+  constexpr std::string_view others = "_-";
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+         others.find(c) != std::string_view::npos;
+}
+
+/// With the letters of the figures in place of "delta" and so on, but not in "--delta-max" or in
+/// the name of a file.
+std::string lettered(std::string_view text) {
+  static constexpr auto letters = std::to_array<std::pair<std::string_view, std::string_view>>(
+      {{"Delta1", "Δ₁"}, {"delta", "Δ"}, {"tau", "τ"}, {"v0", "V₀"}, {"x0", "x₀"}});
+  std::string shown;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::string_view rest = text.substr(at);
+    const auto length =
+        static_cast<std::size_t>(std::ranges::find_if_not(rest, in_name) - rest.begin());
+    const std::size_t end = at + length;
+    const std::string_view word = rest.substr(0, length);
+    const bool path = (at > 0 && text[at - 1] == '/') ||
+                      (end + 1 < text.size() && text[end] == '.' && in_name(text[end + 1]));
+    const auto* const letter =
+        std::ranges::find(letters, word, &std::pair<std::string_view, std::string_view>::first);
+    shown += letter == letters.end() || path ? word : letter->second;
+    shown += text.substr(end, 1);
+    at = end + 1;
+  }
+  return shown;
+}
+
+std::string prose(std::string_view text) {
+  return figures::prose(lettered(text));
+}
 
 /// The class that the page's style knows.
 std::string_view look_of(Tone tone) {
@@ -39,7 +74,7 @@ std::string_view look_of(Tone tone) {
 std::string around(const std::string& head, const std::string& cell) {
   const std::size_t comma = std::min(head.find(", "), head.size());
   std::string text =
-      head.empty() ? "" : format(" data-head=\"{}\"", escaped(head.substr(0, comma)));
+      head.empty() ? "" : format(" data-head=\"{}\"", escaped(lettered(head.substr(0, comma))));
   if (comma < head.size() && cell.find_first_of("0123456789") != std::string::npos) {
     text += format(" data-unit=\"{}\"", escaped(head.substr(comma + 2)));
   }
@@ -91,8 +126,8 @@ class Parts {
       text_ += "<div class=\"wide\"><table class=\"rows\">\n";
       in_rows_ = true;
     }
-    text_ += format("<tr><th>{}</th><td{}>{}</td></tr>\n", escaped(row.label), look_of(row.tone),
-                    prose(row.text));
+    text_ += format("<tr><th>{}</th><td{}>{}</td></tr>\n", escaped(lettered(row.label)),
+                    look_of(row.tone), prose(row.text));
   }
 
   void operator()(const Line& line) {
@@ -104,7 +139,7 @@ class Parts {
     end_rows();
     text_ += "<div class=\"wide\"><table class=\"columns\">\n<thead><tr>";
     for (const std::string& name : table.head) {
-      text_ += format("<th>{}</th>", escaped(name));
+      text_ += format("<th>{}</th>", escaped(lettered(name)));
     }
     text_ += "</tr></thead>\n";
     for (const TableRow& row : table.rows) {
@@ -150,7 +185,7 @@ std::string html(const Document& document) {
 
 figures::HtmlPage page_of(const Document& document) {
   return {.title = document.title,
-          .verdict = document.verdict,
+          .verdict = lettered(document.verdict),
           .alarming = document.tone == Tone::bad,
           .answer = html(document.answer),
           .figures = {},

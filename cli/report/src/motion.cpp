@@ -122,7 +122,7 @@ std::string verdict(const MotionReport& report) {
 
 /// Where the largest transmitted acceleration is felt, if there is a notch. While the mass slides
 /// it is at most that of the peak: docs/theory.md section 11.
-std::string_view felt_where(const MotionReport& report) {
+std::string felt_where(const MotionReport& report) {
   const auto& [p, f, delta, hold] = report.request.oscillator;
   const Response& response = report.answer.response;
   const auto& forced = report.answer.forced;
@@ -135,14 +135,15 @@ std::string_view felt_where(const MotionReport& report) {
   if (!acts) {
     return "";
   }
+  const auto& [notch_width, zones] = report.request.surface;
+  const auto outside = zones.empty() ? felt_outside(response, p, f, notch_width) : std::nullopt;
   if (wide) {
-    return ", the notch included";
+    return outside && report.request.start.x0 == 0
+               ? format(" inside the notch, {} outside it", acceleration_shown(*outside))
+               : ", the notch included";
   }
-  constexpr double rounding = 1 + 1e-9;
-  const bool while_held =
-      hold && report.request.surface.zones.empty() &&
-      response.peak_absolute_acceleration > rounding * (f + p * p * response.peak_amplitude);
-  return while_held ? " while the notch holds it; its impulses come on top" : ", outside the notch";
+  return hold && outside ? " while the notch holds it; its impulses come on top"
+                         : ", outside the notch";
 }
 
 void add_answer(Section& answer, const MotionReport& report) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
+#include "design_parts.hpp"
 #include "figures/report_figures.hpp"
+#include "format.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/report/report.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
@@ -136,18 +136,25 @@ HtmlPage page(const DesignReport& report) {
   const design::DesignRequest& request = report.result.request;
   const FigureUnits units(report.physical);
   HtmlPage page = page_of(document(report));
+  const auto& found = report.result.finding;
   std::optional<DrawnDamper> damper;
-  std::vector<Figure> others;
-  if (const auto& found = report.result.finding) {
+  if (found) {
     const auto& [f, delta, tolerance] = found->point;
     damper = DrawnDamper{"design", f, delta, tolerance};
-    if (!request.pulse) {
-      others = hit_figures(report, units);
-    }
-    std::ranges::move(told_figures(report, units), std::back_inserter(others));
   }
   page.figures = {region_of(request, report.result, damper, report.catalogue, report.physical)};
-  std::ranges::move(others, std::back_inserter(page.figures));
+  if (!found) {
+    return page;
+  }
+  if (!request.pulse) {
+    std::ranges::move(hit_figures(report, units), std::back_inserter(page.figures));
+  }
+  if (report.built_notch) {
+    for (Figure& figure : page.figures) {
+      figure.caption += format(" This is for a notch that {}.", ideal_words(*report.built_notch));
+    }
+  }
+  std::ranges::move(told_figures(report, units), std::back_inserter(page.figures));
   return page;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/report/record_design.hpp>
 #include "format.hpp"
+#include "record_design_parts.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/report/digits.hpp>
@@ -15,11 +16,6 @@ namespace stillpoint::report {
 namespace {
 
 using design::SuiteObjective;
-
-std::string shown(const Physical& physical, SuiteObjective which, double value) {
-  return which == SuiteObjective::acceleration ? acceleration_shown(value)
-                                               : length_shown(physical, value);
-}
 
 std::string row_name(SuiteObjective which) {
   return which == SuiteObjective::acceleration ? "transmitted" : std::string(quantity(which));
@@ -42,13 +38,6 @@ std::string end_words(const Interval& searched, double p, bool of_period) {
     return of_period ? ", the shortest that was searched" : ", the largest that was searched";
   }
   return {};
-}
-
-/// "the record", "every record", "1 of 2 records"
-std::string of_records(std::size_t count, std::size_t all) {
-  return all == 1       ? "the record"
-         : count == all ? "every record"
-                        : format("{} of {} records", count, all);
 }
 
 /// Which records lock the mass; empty if none.
@@ -145,30 +134,8 @@ std::string verdict(const RecordDesignReport& report) {
                 design::suite_words(*result.request.combine, result.request.records.size()),
                 figures_words(figures, physical, felt_where(result))) +
          (is_mean(result.request) ? worst_of_mean(result, physical) : "") +
-         (result.finding->sensitivity.tolerance > 0 ? tolerance_sentence(result, physical) : "");
-}
-
-/// Where the weakest record must set the mass off.
-void add_start(Section& answer, const design::RecordDesign& result, const Physical& physical) {
-  double weakest = HUGE_VAL;
-  for (const design::SuiteRecord& record : result.request.records) {
-    weakest = std::min(weakest, design::peak_load(record));
-  }
-  if (!result.request.notch_width && !result.request.hold) {
-    const design::SuiteDamper& damper = result.finding->point.damper;
-    add_start(answer, {damper.f, damper.delta, weakest, result.finding->point.figures.peak},
-              "delta/(load - f)", "go under every record", physical);
-  }
-}
-
-/// Of the notch at a passage or a stop, which the figures leave out if it has no width.
-void add_passages(Section& answer, const design::RecordDesign& result, const Physical& physical) {
-  const auto& [damper, figures] = result.finding->point;
-  if (damper.delta == 0 || figures.peak == 0 || result.request.notch_width || result.request.hold) {
-    return;
-  }
-  answer.row("in the notch", inside_words(physical, damper.f, damper.delta, figures.peak,
-                                          design::peak_load(result.request.records)));
+         (result.finding->sensitivity.tolerance > 0 ? tolerance_sentence(result, physical) : "") +
+         example_sentence(result, physical);
 }
 
 void add_answer(Section& answer, const design::RecordDesign& result, const Physical& physical) {
@@ -179,8 +146,7 @@ void add_answer(Section& answer, const design::RecordDesign& result, const Physi
   if (lock_words(result).empty()) {
     answer.row("locked", "never while a record goes on");
   }
-  add_passages(answer, result, physical);
-  add_start(answer, result, physical);
+  add_example(answer, result, physical);
   const design::Sensitivity& near = result.finding->sensitivity;
   answer.row("tolerance",
              format("{}; {}",
@@ -243,13 +209,13 @@ void add_shortfalls(Document& document, const RecordDesignReport& report) {
               format("f = {}, delta = {}, {}", digits(damper.f),
                      length_shown(physical, damper.delta), spring_words(physical, damper.p)));
   for (const auto& [which, limit, nearest, relaxed] : report.result.shortfalls) {
-    section.row(
-        row_name(which),
-        format("{}; {} is allowed", shown(physical, which, nearest), shown(physical, which, limit)),
-        nearest > limit ? Tone::bad : Tone::plain);
+    section.row(row_name(which),
+                format("{}; {} is allowed", figure_shown(physical, which, nearest),
+                       figure_shown(physical, which, limit)),
+                nearest > limit ? Tone::bad : Tone::plain);
     section.row(
         "", relaxed ? format("with {} allowed and the other limits unchanged, there is a damper",
-                             shown(physical, which, *relaxed))
+                             figure_shown(physical, which, *relaxed))
             : report.result.search.interrupted
                 ? "interrupted before it was known whether changing this limit alone is enough"
             : nearest > limit ? "changing this limit alone would not be enough"
@@ -265,7 +231,7 @@ void add_task(Document& document, const RecordDesignReport& report) {
                                   combined(task.combine.value()), quantity(task.objective)));
   for (const auto& [which, figure, member, field, words] : design::suite_figure_kinds) {
     if (const std::optional<double>& limit = task.limits.*member) {
-      section.row(row_name(which), "at most " + shown(physical, which, *limit));
+      section.row(row_name(which), "at most " + figure_shown(physical, which, *limit));
     }
   }
   add_real_notch(section, task.hold, task.notch_width, physical);
@@ -298,6 +264,17 @@ void add_search(Document& document, const design::SuiteSearch& search) {
 }
 
 }  // namespace
+
+std::string of_records(std::size_t count, std::size_t all) {
+  return all == 1       ? "the record"
+         : count == all ? "every record"
+                        : format("{} of {} records", count, all);
+}
+
+std::string figure_shown(const Physical& physical, design::SuiteObjective which, double value) {
+  return which == design::SuiteObjective::acceleration ? acceleration_shown(value)
+                                                       : length_shown(physical, value);
+}
 
 std::string record_label(const design::SuiteRecord& record) {
   return (record.scale == 1 ? "" : format("{:.4g} x ", record.scale)) +
@@ -342,9 +319,9 @@ std::string shortfall_sentence(const RecordDesignReport& report) {
   std::string broken;
   for (const auto& [which, limit, nearest, relaxed] : result.shortfalls) {
     if (nearest > limit) {
-      broken +=
-          format("{}a {} of {} where {} is allowed", broken.empty() ? "" : " and ", quantity(which),
-                 shown(report.physical, which, nearest), shown(report.physical, which, limit));
+      broken += format("{}a {} of {} where {} is allowed", broken.empty() ? "" : " and ",
+                       quantity(which), figure_shown(report.physical, which, nearest),
+                       figure_shown(report.physical, which, limit));
     }
   }
   return format("No damper was found that meets the limits. The nearest has {}.", broken);

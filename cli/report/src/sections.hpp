@@ -42,6 +42,9 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
 /// cannot move the mass out of it.
 [[nodiscard]] std::string inside_words(const Physical& physical, double f, double delta,
                                        double peak, double load = HUGE_VAL);
+/// What a notch of that width spoils, behind a headline for one that has no width.
+[[nodiscard]] std::string example_sentence(double width, std::string_view fault,
+                                           const Physical& physical);
 struct StartUnderLoad {
   double f;
   double delta;
@@ -49,9 +52,9 @@ struct StartUnderLoad {
   double peak;  ///< a notch that must be wider is none
 };
 /// From rest, a notch of width w holds the mass while the load is at most f + delta/w: how wide it
-/// must be so that the mass may `go`, as `formula` says.
+/// must be so that the mass may go, as `formula` says.
 void add_start(Section& section, const StartUnderLoad& start, std::string_view formula,
-               std::string_view go, const Physical& physical);
+               const Physical& physical);
 /// "480 kN s" for a speed; "0.4 N s per kg" if the mass is not known.
 [[nodiscard]] std::string impulse_shown(const Physical& physical, double impulse);
 void add_practice(Section& section, const std::optional<design::Practice>& lines,
@@ -159,6 +162,10 @@ void add_response(Section& section, const Simulation& answer, const Physical& ph
 /// is locked under a load that lasts until `load_end`.
 [[nodiscard]] std::string locked_words(const ForcedResponse& locked, double load_end,
                                        const Physical& physical);
+
+/// What the mass feels outside the notch, from x = 0 on, if it feels more in it.
+[[nodiscard]] std::optional<double> felt_outside(const Response& response, double p, double f,
+                                                 const std::optional<double>& notch_width);
 
 /// Not if friction or the notch holds the mass from the start.
 [[nodiscard]] bool moves(const Response& response);

@@ -2,12 +2,24 @@
 #include "format.hpp"
 #include "sections.hpp"
 
+#include <stillpoint/report/digits.hpp>
+
 #include <algorithm>
 
 namespace stillpoint::report {
 
 bool moves(const Response& response) {
   return response.stop_time != 0.0;
+}
+
+std::optional<double> felt_outside(const Response& response, double p, double f,
+                                   const std::optional<double>& notch_width) {
+  // It slides at the largest acceleration outside, f + p^2 |x|, where it is farthest.
+  const double outside = f + p * p * response.peak_amplitude;
+  constexpr double rounding = 1 + 1e-9;
+  const bool leaves = notch_width.value_or(0) / 2 < response.peak_amplitude;
+  return leaves && response.peak_absolute_acceleration > rounding * outside ? std::optional(outside)
+                                                                            : std::nullopt;
 }
 
 std::string outcome_phrase(Outcome outcome) {
@@ -19,7 +31,7 @@ std::string outcome_phrase(Outcome outcome) {
     case Outcome::stopped_in_notch:
       return "stops off x = 0, in the notch";
     case Outcome::never_stops:
-      return "never stops: there is no friction";
+      return "never stops: there is no friction where it moves";
     case Outcome::caught_at_start:
       return "never starts: the hit is too weak to leave the notch";
     case Outcome::running:
@@ -52,9 +64,12 @@ void add_counts(Section& section, const Response& response, const Physical& phys
                        FigureUnits(physical).velocity_words(*response.arrival_speed)));
   }
   if (moves(response) && response.half_cycles) {
-    section.row("counts", format("{}, {}, {}", plural(response.half_cycles, "half-cycle"),
-                                 plural(response.zero_passages, "passage"),
-                                 plural(response.turning_points, "turning point")));
+    // A mass that passes x = 0 may still stop in a notch with a width.
+    const bool wide = response.outcome == Outcome::stopped_in_notch;
+    section.row("counts",
+                format("{}, {}{}, {}", plural(response.half_cycles, "half-cycle"),
+                       plural(response.zero_passages, wide ? "crossing" : "passage"),
+                       wide ? " of x = 0" : "", plural(response.turning_points, "turning point")));
   }
   if (response.decision_margin) {
     section.row("decision margin",

@@ -67,15 +67,21 @@ std::string inside_words(const Physical& physical, double f, double delta, doubl
                 physical ? length_shown(physical, width) : "a fifth of the peak");
 }
 
+std::string example_sentence(double width, std::string_view fault, const Physical& physical) {
+  return format(
+      " That is for a notch with next to no width: with one {} wide, {}. Try others with "
+      "--notch-width{}.",
+      length_shown(physical, width), fault, physical ? "-m" : "");
+}
+
 void add_start(Section& section, const StartUnderLoad& start, std::string_view formula,
-               std::string_view go, const Physical& physical) {
+               const Physical& physical) {
   const auto& [f, delta, load, peak] = start;
   if (delta > 0 && load > f) {
-    section.row(
-        "start",
-        format("a notch narrower than {}, {}, does not let the mass {}: see --notch-width{}",
-               length_limit(physical, delta / (load - f), true), formula, go, physical ? "-m" : ""),
-        delta / (load - f) > peak ? Tone::bad : Tone::plain);
+    section.row("start",
+                format("needs a notch wider than {}, {}",
+                       length_limit(physical, delta / (load - f), true), formula),
+                delta / (load - f) > peak ? Tone::bad : Tone::plain);
   }
 }
 
@@ -135,14 +141,14 @@ void add_practice(Section& section, const std::optional<design::Practice>& lines
                   : "none");
   section.row("equiv. damping",
               lines->equivalent_damping
-                  ? format("{:.3g} % of critical, for a full cycle at this peak",
+                  ? format("{:.3g} % of critical with the notch, in a cycle at this peak",
                            100 * *lines->equivalent_damping)
                   : "none: a full cycle at this peak would be damped beyond critical");
   if (lines->energy_ratio && lines->residual_ratio) {
     constexpr double asked = 0.25;  // EN 15129
     const bool enough = *lines->energy_ratio >= asked;
     section.row("re-centring",
-                format("E_s/E_h {} (EN 15129{})", ratio(*lines->energy_ratio),
+                format("E_s/E_h {} without the notch (EN 15129{})", ratio(*lines->energy_ratio),
                        enough ? "" : " asks for 0.25"),
                 enough ? Tone::plain : Tone::bad);
     section.row("", format("d/d_rm {} (EN 1998-2)", ratio(*lines->residual_ratio)));

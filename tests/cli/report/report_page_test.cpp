@@ -77,6 +77,17 @@ BOOST_AUTO_TEST_CASE(an_empty_region_says_why_and_what_would_help) {
   }
 }
 
+/// As on the axes; options and files keep their names.
+BOOST_AUTO_TEST_CASE(a_page_has_the_letters_of_its_figures) {
+  Section section;
+  section.row("Delta1(f)", "tau = 1, v0 = 2, delta/w, see --delta-max, data/delta.txt.");
+  const std::string shown = html(section);
+  BOOST_TEST(contains(shown, "<th>Δ₁(f)</th>"), shown);
+  BOOST_TEST(
+      contains(shown, figures::prose("τ = 1, V₀ = 2, Δ/w, see --delta-max, data/delta.txt.")),
+      shown);
+}
+
 BOOST_AUTO_TEST_CASE(a_mass_at_rest_has_no_figures) {
   SimulationRequest request;
   request.oscillator = {1, 0.1, 1};

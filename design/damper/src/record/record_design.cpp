@@ -269,6 +269,14 @@ std::vector<SuiteFigures> scan_part(const RecordDesignRequest& request, std::int
   return grid_figures(Suite(task), box, size.side, first, count, task.threads, watch);
 }
 
+SuiteFigures figures_with_width(RecordDesignRequest request, std::vector<SuiteRecord> records,
+                                const SuiteDamper& damper, double width) {
+  request.records = std::move(records);
+  request.notch_width = width;
+  request.hold.reset();
+  return Suite(request).figures(damper);
+}
+
 SuiteMap suite_map(const RecordDesignRequest& request, double p, int side) {
   require_valid(request);
   require_within("side", side, 1, 10'000);

@@ -93,6 +93,12 @@ struct RecordDesign {
                                   const std::vector<SuiteFigures>& scanned,
                                   const RecordWatch& go_on = {});
 
+/// The figures of a damper with a notch of that width under these records, for `request` as in a
+/// RecordDesign. Throws InputError.
+[[nodiscard]] SuiteFigures figures_with_width(RecordDesignRequest request,
+                                              std::vector<SuiteRecord> records,
+                                              const SuiteDamper& damper, double width);
+
 /// The figures over f and delta for one p, in the middles of even cells: delta runs faster.
 struct SuiteMap {
   std::vector<double> f;

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// What a notch with a width does to a design under records with the paper's notch.
+#include "format.hpp"
+#include "record_design_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace stillpoint::report {
+
+namespace {
+
+/// The paper's notch, for which another stands in the answer.
+bool has_ideal_notch(const design::RecordDesign& result) {
+  const auto& [damper, figures] = result.finding->point;
+  return damper.delta > 0 && figures.peak > 0 && !result.request.notch_width &&
+         !result.request.hold;
+}
+
+/// What a notch of the example width spoils; empty if nothing. Accelerations apart: those of this
+/// design are those between passages.
+std::string example_fault(const design::RecordDesign& result, double width,
+                          const Physical& physical) {
+  const design::RecordFinding& finding = *result.finding;
+  const auto wide = [&](std::vector<design::SuiteRecord> records) {
+    return design::figures_with_width(result.request, std::move(records), finding.point.damper,
+                                      width);
+  };
+  const std::vector<design::SuiteRecord>& records = result.request.records;
+  std::size_t inside = 0;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const bool leaves = finding.responses[i].peak_amplitude > width / 2;
+    if (leaves && wide({records[i]}).peak <= width / 2) {
+      ++inside;
+    }
+  }
+  if (inside > 0) {
+    return format("the mass never leaves it under {}", of_records(inside, records.size()));
+  }
+  const design::SuiteFigures all = wide(records);
+  if (!all.settled) {
+    return "the mass may never rest";
+  }
+  for (const auto& [which, member] : design::limit_of) {
+    const std::optional<double>& limit = result.request.limits.*member;
+    if (limit && which != design::SuiteObjective::acceleration && value_of(all, which) > *limit) {
+      return format("the {} is {}, where {} is allowed", quantity(which),
+                    figure_shown(physical, which, value_of(all, which)),
+                    figure_shown(physical, which, *limit));
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string example_sentence(const design::RecordDesign& result, const Physical& physical) {
+  if (!has_ideal_notch(result)) {
+    return {};
+  }
+  const double width = example_width(physical, result.finding->point.figures.peak);
+  const std::string fault = example_fault(result, width, physical);
+  return fault.empty() ? "" : example_sentence(width, fault, physical);
+}
+
+void add_example(Section& answer, const design::RecordDesign& result, const Physical& physical) {
+  if (!has_ideal_notch(result)) {
+    return;
+  }
+  const auto& [damper, figures] = result.finding->point;
+  if (example_sentence(result, physical).empty()) {
+    answer.row("in the notch", inside_words(physical, damper.f, damper.delta, figures.peak));
+  }
+  double weakest = HUGE_VAL;
+  for (const design::SuiteRecord& record : result.request.records) {
+    weakest = std::min(weakest, design::peak_load(record));
+  }
+  add_start(answer, {damper.f, damper.delta, weakest, figures.peak},
+            "delta/(load - f), under the weakest record", physical);
+}
+
+}  // namespace stillpoint::report
