@@ -330,7 +330,9 @@ class Places {
         return map.cells[static_cast<std::size_t>(row * map.columns + column)] == entry;
       });
       found_.named.erase(map.labels[entry]);  // the same number may appear in two colours
-      within(map.labels[entry], inside);
+      if (!map.labels[entry].empty() && within(map.labels[entry], inside)) {
+        found_.named.insert(map.names[entry]);
+      }
     }
   }
 

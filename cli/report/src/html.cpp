@@ -176,9 +176,12 @@ std::string html(const Section& section) {
 std::string html(const Document& document) {
   std::string text;
   for (const Section& section : document.sections) {
-    text += format("<section{}><h2>{}</h2>\n{}</section>\n",
-                   is_wide(section) ? " class=\"across\"" : "", escaped(section.heading),
-                   html(section));
+    const std::string look = is_wide(section) ? " class=\"across\"" : "";
+    const std::string title = escaped(section.heading);
+    text +=
+        section.folded
+            ? format("<details{}><summary>{}</summary>\n{}</details>\n", look, title, html(section))
+            : format("<section{}><h2>{}</h2>\n{}</section>\n", look, title, html(section));
   }
   return text;
 }

@@ -16,7 +16,9 @@ namespace stillpoint::report {
 void add_frame(figures::HtmlPage& page, const PageFrame& frame) {
   constexpr std::size_t longest_title = 400;
   if (!frame.title.empty()) {
-    page.title += ": " + records::printable(frame.title, longest_title);
+    const std::string title = ": " + records::printable(frame.title, longest_title);
+    page.report.insert(page.title.size(), title);  // its first line is the title as well
+    page.title += title;
   }
   page.body += fmt::format(
       "<section class=\"input\"><h2>Input</h2>\n<p>Save this as <code>scene.json</code>; then "

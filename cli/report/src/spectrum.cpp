@@ -6,6 +6,7 @@
 #include <stillpoint/report/digits.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -43,39 +44,72 @@ std::string lock_words(const SpectrumReport& report) {
   if (count == 0) {
     return "";
   }
-  const std::string where = count == points.size()
-                                ? "at every period"
-                                : format("at {} of {} periods", count, points.size());
-  return format("{} the notch holds the mass to the end of {} record, and transmits up to {}",
-                where, report.result.records.size() == 1 ? "the" : "a", acceleration_shown(most));
+  const std::string where = points.size() == 1 ? ""
+                            : count == points.size()
+                                ? "at every period "
+                                : format("at {} of {} periods ", count, points.size());
+  return format("{}the notch holds the mass to the end of {} record, and transmits up to {}", where,
+                report.result.records.size() == 1 ? "the" : "a", acceleration_shown(most));
+}
+
+std::string period_words(const SpectrumReport& report, std::size_t i) {
+  const FigureUnits units(report.physical);
+  return format("a period of {:.4g}{}",
+                2 * std::numbers::pi / report.result.request.p[i] * units.time,
+                units.time_unit.empty() ? "" : " s");
+}
+
+/// "Friction alone ...", or of a suite "Largest of 2 records: friction alone ...".
+std::string of_all_records(const SpectrumReport& report, std::string words) {
+  const std::size_t count = report.result.records.size();
+  if (count > 1) {
+    return format("{}: {}", design::suite_words(*report.result.request.combine, count), words);
+  }
+  words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words;
+}
+
+/// The figures at the only period, with the notch and without it.
+std::string words_of_one(const SpectrumReport& report) {
+  const FigureUnits units(report.physical);
+  const auto words = [&](const SpectrumFigures& one) {
+    return format("transmits {}; the peak is {}, {}", acceleration_shown(one.acceleration),
+                  units.length_words(one.peak),
+                  one.residual ? "the residual " + units.length_words(*one.residual)
+                               : "and the mass never comes to rest");
+  };
+  const SpectrumPoint& point = report.result.combined.front();
+  const std::string friction = format("friction alone {}.", words(point.without));
+  const std::string at = "at " + period_words(report, 0);
+  return of_all_records(report, report.result.request.delta == 0
+                                    ? format("{} {}", at, friction)
+                                    : format("{} the damper {}. Without the notch, {}", at,
+                                             words(point.with_notch), friction));
 }
 
 /// The largest of each figure of friction alone, and the period at which it occurs.
 std::string friction_words(const SpectrumReport& report) {
-  const design::SpectrumRequest& task = report.result.request;
   const std::vector<SpectrumPoint>& points = report.result.combined;
   const FigureUnits units(report.physical);
   const auto largest = [&](const auto& value, const auto& words) {
     const auto most = std::ranges::max_element(
         points, {}, [&](const SpectrumPoint& point) { return value(point.without); });
-    const double p = task.p[static_cast<std::size_t>(most - points.begin())];
-    return format("{} at a period of {:.4g}{}", words(value(most->without)),
-                  2 * std::numbers::pi / p * units.time, units.time_unit.empty() ? "" : " s");
+    return format("{} at {}", words(value(most->without)),
+                  period_words(report, static_cast<std::size_t>(most - points.begin())));
   };
   const auto length = [&](double value) { return units.length_words(value); };
   const bool settles = std::ranges::all_of(
       points, [](const SpectrumPoint& point) { return point.without.residual.has_value(); });
   const std::string rest =
-      settles ? "the largest residual " +
+      settles ? "its largest residual " +
                     largest([](const SpectrumFigures& one) { return *one.residual; }, length)
               : "and at some period the mass never comes to rest";
-  const std::size_t count = report.result.records.size();
-  return format(
-      "{} transmits at most {}; the largest peak is {}, {}.",
-      count == 1 ? "Friction alone"
-                 : design::suite_words(*task.combine, count) + ": friction alone",
-      largest([](const SpectrumFigures& one) { return one.acceleration; }, acceleration_shown),
-      largest([](const SpectrumFigures& one) { return one.peak; }, length), rest);
+  return of_all_records(
+      report, format("{}friction alone transmits at most {}; its largest peak is {}, {}.",
+                     report.result.request.delta > 0 ? "without the notch, " : "",
+                     largest([](const SpectrumFigures& one) { return one.acceleration; },
+                             acceleration_shown),
+                     largest([](const SpectrumFigures& one) { return one.peak; }, length), rest));
 }
 
 /// In the units of the figures. Without a notch there is nothing to compare with.
@@ -171,13 +205,17 @@ Document document(const SpectrumReport& report) {
   const bool alone = result.request.delta == 0;
   const bool held = only_locked(report);
   document.verdict = (locked.empty() ? "" : format("Locked: {}. ", locked)) +
-                     (held || alone ? friction_words(report) : design::summary(report.result));
+                     (result.combined.size() == 1 ? words_of_one(report)
+                      : held || alone             ? friction_words(report)
+                                                  : design::summary(result));
   document.tone = locked.empty() ? Tone::plain : Tone::bad;
   add_damper(document.answer, report);
   const std::size_t count = result.records.size();
   add_points(document.section(heading(report)), report, result.combined);
   for (std::size_t i = 0; i < count && count > 1; ++i) {
-    add_points(document.detail(record_label(result.request.records[i])), report, result.records[i]);
+    Section& record = document.detail(record_label(result.request.records[i]));
+    record.folded = true;
+    add_points(record, report, result.records[i]);
   }
   return document;
 }

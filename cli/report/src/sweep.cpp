@@ -34,7 +34,8 @@ double rate(const SweepSummary& summary) {
 }
 
 /// What is fixed, and what varies from where to where, apart from the columns of a list.
-void add_scene(Section& scene, const sweep::SweepSpec& spec) {
+void add_scene(Section& scene, const SweepReport& report) {
+  const sweep::SweepSpec& spec = report.spec;
   for (const auto& [quantity, axis] : spec.axes) {
     const auto names = records::units_of(sweep::dimension(quantity, spec.units));
     const auto words = [&](double value) {
@@ -47,8 +48,14 @@ void add_scene(Section& scene, const sweep::SweepSpec& spec) {
     scene.row(in_words(label),
               axis.has_ranges()  ? in(axis.text(), names.empty() ? "" : std::string(names[0].name))
                : axis.size() == 1 ? words(axis[0])
-                                 : fmt::format("{} to {}, {} values", words(axis.ends().low),
-                                               words(axis.ends().high), axis.size()));
+                                 : fmt::format("{} to {}, {} values{}", words(axis.ends().low),
+                                               words(axis.ends().high), axis.size(),
+                                               axis.spacing() == sweep::Axis::Spacing::logarithmic
+                                                   ? " in equal ratios"
+                                                   : ""));
+  }
+  if (report.record) {
+    scene.row("record", spelled_out(*report.record));
   }
   if (spec.kind == SweepKind::forced) {
     add_excitation(scene, spec.excitation, std::nullopt,
@@ -105,7 +112,7 @@ ordered_json json(const SweepReport& report) {
 }
 
 Document document(const SweepReport& report) {
-  const auto& [spec, summary, map] = report;
+  const auto& [spec, summary, map, record] = report;
   Document document = document_of("Sweep", summary.state, spec.kind == SweepKind::design);
   Section& rows = document.answer;
   if (spec.output) {
@@ -119,7 +126,7 @@ Document document(const SweepReport& report) {
   }
   rows.row("time", fmt::format("{:.2g} s on {} thread{}", summary.wall_time_s, spec.threads,
                                spec.threads == 1 ? "" : "s"));
-  add_scene(document.detail("Scene"), spec);
+  add_scene(document.detail("Scene"), report);
   return document;
 }
 

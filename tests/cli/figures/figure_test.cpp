@@ -286,6 +286,17 @@ BOOST_AUTO_TEST_CASE(a_number_in_a_map_is_read_level) {
   BOOST_TEST(contains(svg(figure, Frame::in_page), ">3</text>"));
 }
 
+BOOST_AUTO_TEST_CASE(the_key_of_a_map_explains_what_no_label_does) {
+  Figure figure = one_of_everything();
+  figure.map = {1,          22,        std::vector<std::uint8_t>(22, 0),    {"#000000", "#ffffff"},
+                {"a", "b"}, {"", "3"}, {{"a", "#000000"}, {"b", "#ffffff"}}};
+  figure.map.cells[4] = 1;
+  BOOST_TEST(contains(svg(figure, Frame::in_page), ">b</text>"));
+  figure.map.cells[5] = 1;  // room for the 3
+  BOOST_TEST(!contains(svg(figure, Frame::in_page), ">b</text>"));
+  BOOST_TEST(contains(svg(figure, Frame::in_page), ">a</text>"));
+}
+
 BOOST_AUTO_TEST_CASE(points_to_marks_beyond_the_axes) {
   Figure figure = one_of_everything();
   figure.marks = {{"far off", {{1000, 2.5}}, Shape::disc, Ink::blue}};

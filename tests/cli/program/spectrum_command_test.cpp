@@ -119,7 +119,7 @@ BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_reported, Recorded) {
   const ProgramRun answer = run(locked);
   // What it lowers is beside the point.
   check_contains(answer.out, {"\n  Locked: at every period the notch holds the mass",
-                              "Friction alone transmits at most "});
+                              "Without the notch, friction alone"});
   BOOST_TEST(!contains(answer.out, "the notch lowers"), answer.out);
   BOOST_TEST(
       answer.err ==
@@ -129,6 +129,26 @@ BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_reported, Recorded) {
   const ProgramRun friction = run(but("--delta-m", "0"));
   BOOST_TEST(friction.err.empty());
   BOOST_TEST(contains(friction.out, "\n  Friction alone transmits at most "), friction.out);
+}
+
+/// The headline says which motion each figure belongs to; simulate has the same figures.
+BOOST_FIXTURE_TEST_CASE(one_period_is_told_with_the_notch_and_without_it, Recorded) {
+  const std::string out = run(but("--period", "2s")).out;
+  const json alone = reported("simulate --record a.txt --period 2s --f 0.02 --delta-m 0");
+  BOOST_TEST(contains(out, "\n  At a period of 2 s the damper transmits "), out);
+  const std::string peak =
+      fmt::format("{:.4g} mm", 1e3 * alone["physical"]["peak_m"].get<double>());
+  const std::size_t without = out.find("Without the");
+  BOOST_TEST_REQUIRE(without != std::string::npos);
+  BOOST_TEST(out.find(peak) > without, out);
+  BOOST_TEST(!contains(out, "1 periods"), out);
+}
+
+/// On a page the tables of the single records are folded; without them the answer is short.
+BOOST_FIXTURE_TEST_CASE(each_record_is_folded_away, Recorded) {
+  write("list.csv", "file,scale\na.txt,-3\n");
+  succeed(asked + "--records-list list.csv --html p.html");
+  BOOST_TEST(contains(read("p.html"), "<details class=\"across\"><summary>a.txt"));
 }
 
 BOOST_FIXTURE_TEST_CASE(missing_values_are_left_out, Recorded) {

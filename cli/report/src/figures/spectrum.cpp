@@ -115,8 +115,8 @@ struct Kind {
 };
 
 /// What it comes to: its largest value, or the largest about the period of a design.
-std::string caption(const Kind& kind, const Figure& figure, bool compared, const FigureUnits& units,
-                    const std::optional<double>& chosen) {
+std::string caption(const Kind& kind, const Figure& figure, const design::Spectrum& spectrum,
+                    const FigureUnits& units, const std::optional<double>& chosen) {
   const auto value = [&](double y) {
     return format("{:.4g}{}{}", y, kind.unit_name.empty() ? "" : " ", kind.unit_name);
   };
@@ -132,12 +132,14 @@ std::string caption(const Kind& kind, const Figure& figure, bool compared, const
       return std::ranges::all_of(
           stroke, [&](const FigurePoint& now) { return value(now.y) == value(most.y); });
     });
-    return same ? value(most.y) + " at every period"
+    return same ? value(most.y) + (spectrum.request.p.size() == 1 ? "" : " at every period")
                 : format("largest at a period of {:.4g}{}, {}", most.x,
                          units.time_unit.empty() ? "" : " s", value(most.y));
   };
   return format("The {} is {}{}.", kind.name, words(shown),
-                compared ? "; without the notch " + words(*std::prev(figure.curves.end(), 2)) : "");
+                spectrum.request.delta > 0
+                    ? "; without the notch " + words(*std::prev(figure.curves.end(), 2))
+                    : "");
 }
 
 }  // namespace
@@ -169,7 +171,7 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
                                     longest);
     figure.x.least = std::max(figure.x.least, 0.0);
     add_curves(figure, spectrum, {kind.drawn, kind.unit, periods});
-    figure.caption = caption(kind, figure, spectrum.request.delta > 0, units,
+    figure.caption = caption(kind, figure, spectrum, units,
                              chosen ? std::optional(period(*chosen)) : std::nullopt);
     add_points(figure, periods.size());
     double most = 0;

@@ -65,7 +65,7 @@ bool any_rests(const ClassCounts& counts, std::size_t from) {
                      [](std::int64_t count) { return count > 0; });
 }
 
-/// The key has two colours, and those of motions that are neither.
+/// The key has two colours, and the shades and other colours that no label in an area explains.
 figures::FigureMap drawn(const sweep::SweepMap& map, const ClassCounts& counts, bool from_rest,
                          const std::string& place) {
   constexpr std::size_t ranges = SweepClass::ranges;
@@ -77,24 +77,24 @@ figures::FigureMap drawn(const sweep::SweepMap& map, const ClassCounts& counts, 
     drawn.key.push_back({"stops off centre", palette[ranges + 2], true});
   }
   for (std::size_t i = 0; i < SweepClass::count; ++i) {
-    const bool rests = i < 2 * ranges;
     drawn.palette.emplace_back(palette.at(i));
     drawn.names.push_back(class_name(i, from_rest));
-    drawn.labels.push_back(rests ? count_label(i) : drawn.names.back());
-    if (!rests && counts.at(i) > 0) {
-      drawn.key.push_back({drawn.names.back(), palette.at(i)});
+    drawn.labels.push_back(i < 2 * ranges ? count_label(i) : drawn.names.back());
+    if (counts.at(i) > 0) {
+      drawn.key.push_back({drawn.names.back(), palette.at(i), ranges <= i && i < 2 * ranges});
     }
   }
   return drawn;
 }
 
 /// From the edge of the first cell to that of the last, times a unit.
-FigureAxis figure_axis(std::string label, const MapAxis& swept, double unit = 1) {
+FigureAxis figure_axis(const std::string& label, const MapAxis& swept, double unit = 1) {
   const bool linear = swept.spacing() == Axis::Spacing::linear;
   const FigureAxis middles{label, unit * swept.value(0), unit * swept.value(swept.cells() - 1),
                            linear ? Scale::linear : Scale::logarithmic};
   const double half = 0.5 / static_cast<double>(swept.cells() - 1);
-  return {std::move(label), middles.value(-half), middles.value(1 + half), middles.scale};
+  return {label + (linear ? "" : " (log scale)"), middles.value(-half), middles.value(1 + half),
+          middles.scale};
 }
 
 bool under_load(const sweep::SweepSpec& spec) {
@@ -116,6 +116,24 @@ std::string caption(const ClassCounts& counts, bool loaded, const std::string& p
   }
   return words + ", the darker the fewer half-cycles it takes" +
          (centred && loaded ? format("; a rest {} while the load goes on is a lock", place) : "");
+}
+
+/// What the lines are; if only one formula of Delta1 is within the axes, where the other is.
+std::string bounds_clause(const Figure& figure) {
+  if (figure.curves.empty()) {
+    return "";
+  }
+  const auto drawn = [&](std::string_view formula) {
+    return std::ranges::any_of(figure.curves, [&](const figures::FigureCurve& curve) {
+      return curve.name.find(formula) != std::string::npos;
+    });
+  };
+  const bool published = drawn("published");
+  return format("; {} from theory of a stop on the first return{}",
+                figure.curves.size() == 1 ? "the line is a bound" : "the lines are bounds",
+                published == drawn("exact") ? ""
+                : published                 ? "; Δ₁ exact lies below the figure"
+                                            : "; Δ₁ published lies above the figure");
 }
 
 /// Without its unit.
@@ -155,11 +173,9 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
   const double p = only_value(spec, Quantity::p);
   if (spec.kind == SweepKind::free && from_zero(spec) && plain_surface(spec) && v0 > 0 && p > 0) {
     add_boundaries(figure, {.v0 = v0, .p = p, .beta = v0 / p}, units);
-    figure.caption += figure.curves.empty()
-                          ? ""
-                          : "; the lines are bounds from theory of a stop on the first return";
+    figure.caption += bounds_clause(figure);
   }
-  figure.caption += '.';
+  figure.caption += map.delta().value(0) == 0 ? "; the lowest row is Δ = 0, without a notch." : ".";
   return figure;
 }
 

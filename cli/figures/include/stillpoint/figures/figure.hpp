@@ -73,7 +73,7 @@ struct FigureNote {
   FigurePoint at;
 };
 
-/// An entry of the legend of a map.
+/// An entry of the legend of a map, unless an area that is labelled has that name.
 struct MapKey {
   std::string name;
   std::string colour;  ///< "#rrggbb"

@@ -40,6 +40,7 @@ struct Section {
   std::string heading;
   std::vector<std::variant<Row, Line, Table>> parts;
   bool detail{false};  ///< for those who want to know more than the answer
+  bool folded{false};  ///< on a page, until it is opened
 
   void row(std::string label, std::string text, Tone tone = Tone::plain);
   void line(std::string text, Tone tone = Tone::plain);
