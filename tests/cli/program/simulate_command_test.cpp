@@ -123,6 +123,8 @@ BOOST_AUTO_TEST_CASE(the_answer_of_a_design_is_with_the_notch_that_will_be_built
   says("--notch-width-m 0.02 --acceleration-max 0.095",
        {"But inside this notch the structure feels 0.3145 g, more than the limit of 0.095 g."});
   says("--notch-width-m 2", {"But the mass never leaves this notch: it stops at x ="});
+  // Half of it is less than the peak.
+  BOOST_TEST(!contains(run(design + "--notch-width-m 0.2").out, "never leaves"));
   BOOST_TEST(!contains(run(design + "--notch-width-m 0.02").out, "But "));
   BOOST_TEST(!contains(run(design + "--hold 0").out, "But "));
 }
