@@ -175,6 +175,10 @@ BOOST_AUTO_TEST_CASE(without_a_part_that_fits_ends_with_3_and_says_why_for_each)
   const ProgramRun text = ending(3, design("--catalogue few.csv --tolerance 0.5"));
   check_contains(text.out, {"No part has a tolerance of 50 %; the best, good, has", "good ",
                             "fair ", "strong ", "weak "});
+  // By hand: f3 = 1/sqrt(8).
+  write("far.csv", "name,f,delta\nfar,0.8,0.4\n");
+  check_contains(run("design --v0 1 --p 1 --beta 0.9 --catalogue far.csv").out,
+                 {"rests off centre: f is 2.26 times the limit"});
 }
 
 BOOST_AUTO_TEST_CASE(in_metres_may_carry_units) {
@@ -261,6 +265,12 @@ BOOST_AUTO_TEST_CASE(has_the_fields_of_the_contract_and_metres) {
   BOOST_TEST(near(report["trade_off"][0]["peak_m"], 0.15, 1e-8));
   BOOST_TEST(near(last, 0.4 / std::sqrt(2) * 2.8 / (2 * 3.141592653589793), 1e-8));
   BOOST_TEST(reported(isolator())["trade_off"].is_null());
+}
+
+// f3 = 1/sqrt(8) has the peak 1/sqrt(2) and S = 3/sqrt(8).
+BOOST_AUTO_TEST_CASE(a_long_front_is_shown_up_to_its_end) {
+  const std::string text = run("design --v0 1 --p 1 --beta 0.9 --trade-off 26").out;
+  check_contains(text, {"\n  0.707107           1.06066 ", "14 of 26 dampers"});
 }
 
 BOOST_AUTO_TEST_CASE(is_drawn_with_the_design_on_it) {

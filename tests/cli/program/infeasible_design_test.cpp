@@ -31,7 +31,14 @@ BOOST_AUTO_TEST_CASE(says_why_and_what_would_help) {
   const ProgramRun text = ending(3, design(0.6));
   BOOST_TEST(text.err.empty(), text.err);
   check_contains(text.out, {"No admissible design: a peak within beta needs f >= f2 = ",
-                            "at most 0.84852\n", "at least 1.1786\n", "at least 0.70711\n"});
+                            "One way out: a beta of at least", "at most 0.84852\n",
+                            "at least 1.1786\n", "at least 0.70711\n"});
+  // Where beta does not help, what a designer can choose, not the hit.
+  BOOST_TEST(
+      contains(ending(3, design(0.9, "--delta-max 0.01")).out, "One way out: delta allowed"));
+  // The period of the softest spring, whose peak is the largest.
+  BOOST_TEST(contains(ending(3, "region --velocity 0.4 --period 2:4 --max-displacement 0.15").out,
+                      "  highest period    at most "));
 }
 
 // (f3 - f2)/(f3 + f2) = 22.22 % with f2 = 0.225, f3 = 1/sqrt(8), at their middle.

@@ -45,6 +45,48 @@ BOOST_FIXTURE_TEST_CASE(damper_is_the_dimensionless_one_in_units, Sandbox) {
   BOOST_TEST(quantities["peak_m"].get<double>() <= 0.16);
 }
 
+// After the turn at A the spring gives omega^2 A^2 and friction takes 2 g f A of the square of the
+// speed; what is left is the arrival's.
+BOOST_FIXTURE_TEST_CASE(values_of_practice_are_those_of_the_motion_in_units, Sandbox) {
+  constexpr double digits = 1e-12;
+  const json report = reported(isolator + "--period 3 --mass 2e5 --acceleration-max 0.2");
+  const json& quantities = report["physical"];
+  const double peak = quantities["peak_m"];
+  const double force = quantities["friction_force_n"];
+  const double square = omega * omega * peak * peak - 2 * force / mass * peak;
+  check_near(quantities,
+             {{"arrival_speed_m_per_s", std::sqrt(square)},
+              {"impulse_at_stop_n_s", mass * std::sqrt(square)},
+              {"energy_at_stop_j", mass * square / 2},
+              {"secant_stiffness_n_per_m", mass * omega * omega + force / peak},
+              {"notch_width_min_m", number(report, "practice", "notch_width_min") * length}},
+             digits);
+  // The first passage takes the most from a damper that stops the mass at the second.
+  const json second = reported(
+      "region --velocity 0.4 --max-displacement 0.19 --period 3 --mass 2e5 --arrivals 2 "
+      "--f 0.01 --delta-m 0.0035");
+  BOOST_TEST(second["arrival"] == 2);
+  const double impulse = second["physical"]["impulse_largest_n_s"];
+  BOOST_TEST(near(impulse / mass / std::sqrt(gravity * length),
+                  number(second, "practice", "impulse_largest"), digits));
+  int rests = 0;
+  for (std::size_t i = 0; i < second["hits"].size(); ++i) {
+    const json& rest = second["hits"][i]["rest"];
+    if (!rest.is_null()) {
+      ++rests;
+      BOOST_TEST(
+          near(second["physical"]["hits"][i]["rest_m"], rest.get<double>() * length, digits));
+    }
+  }
+  BOOST_TEST(rests > 0);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_load_on_a_locked_mass_is_in_metres_per_second_squared, Recorded) {
+  const json report =
+      reported("simulate --velocity 0.4 --period 3 --f 0.05 --delta-m 0.01 --record a.txt");
+  BOOST_TEST(near(report["physical"]["largest_load_while_locked_m_per_s2"], 0.4 * gravity, 1e-15));
+}
+
 BOOST_FIXTURE_TEST_CASE(limits_may_be_in_metres, Sandbox) {
   const json report = reported(isolator + "--period 3 --delta-max-m 0.004");
   BOOST_TEST(near(number(report, "input", "delta_max"), 0.004 / length, 1e-15));

@@ -149,6 +149,7 @@ BOOST_FIXTURE_TEST_CASE(the_report_matches_simulate, Recorded) {
   BOOST_TEST(report["worst"]["peak_m"].get<double>() <= 0.3);
   BOOST_TEST(report["worst"]["residual_m"].get<double>() <= 0.005);
   BOOST_TEST(report["sensitivity"]["samples"] == 64);
+  BOOST_TEST(near(report["input"]["residual_m"], 0.005, hand_tolerance));
 }
 
 BOOST_FIXTURE_TEST_CASE(the_period_is_a_third_variable, Recorded) {
@@ -175,6 +176,8 @@ BOOST_FIXTURE_TEST_CASE(without_a_damper_it_says_which_limit_is_in_the_way, Reco
   BOOST_TEST(report["limits"][0]["relaxed"] == nullptr);
   BOOST_TEST(report["limits"][1]["limit"] == "acceleration_max");
   BOOST_TEST(near(report["limits"][1]["nearest"], 0.4, hand_tolerance));
+  BOOST_TEST(near(report["limits"][0]["value_m"], 0.01, hand_tolerance));
+  check_null(report["limits"][1], {"value_m", "nearest_m", "relaxed_m"});
   const std::string relaxed = in_full(report["limits"][1]["relaxed"]);
   succeed(held + Arguments{"--max-displacement", "10mm", "--acceleration-max", relaxed});
   const std::string text = run(held + "--max-displacement 10mm --acceleration-max 0.1").out;

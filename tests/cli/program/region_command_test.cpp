@@ -157,6 +157,9 @@ BOOST_AUTO_TEST_CASE(text_shows_bounds_and_judgement) {
   const ProgramRun text = succeed(region("--f 0.36 --delta 0.4"));
   check_contains(text.out, {"Admissible region", "0.225", "0.353553", "0.707107", "not admissible",
                             "violated", "does not return"});
+  // f3 = 1/sqrt(8) and Delta1(0.26) = (sqrt(1.0676) - 0.52)^2/2 = 0.1317114, rounded inwards.
+  check_contains(succeed(region("--f 0.26 --delta 0.37 --verbose")).out,
+                 {"f <= 0.353553 ", "delta > 0.131712 "});
 }
 
 /// Between the two Delta1 the mass stops: only the published criterion is violated.

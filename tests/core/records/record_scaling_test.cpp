@@ -125,6 +125,7 @@ BOOST_AUTO_TEST_CASE(period_must_be_resolved) {
   BOOST_TEST(spectral_acceleration(record, 2 * pi / 0.5) > 0);
   check_says(refusal_of<InputError>([&] { return spectral_acceleration(record, 2 * pi / 0.49); }),
              {"record-spectrum-period = 0.49", "at least 0.5, the mean time between two values"});
+  BOOST_TEST(*records::mean_interval({{0, 1, 0}, 0, {0, 1, 3}}) == 1.5);
 }
 
 BOOST_AUTO_TEST_CASE(folder_is_its_records) {

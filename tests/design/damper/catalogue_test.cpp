@@ -134,15 +134,14 @@ BOOST_AUTO_TEST_CASE(the_order_is_that_of_the_objective) {
 
 BOOST_AUTO_TEST_CASE(equals_keep_their_order_and_the_nearest_miss_is_first_of_those_that_fail) {
   // At beta = 0.9, f2 = 0.10556; f3 = 0.35355, Delta2 = 0.5.
-  const std::vector<Part> parts{{"far", 0.01, 0.45},
-                                {"near", 0.1, 0.45},
-                                {"twin 1", 0.2, 0.45},
-                                {"twin 2", 0.2, 0.45},
-                                {"too strong", 0.36, 0.45}};
+  const std::vector<Part> parts{{"far in f", 0.02, 0.501}, {"far", 0.01, 0.45},
+                                {"near", 0.1, 0.45},       {"twin 1", 0.2, 0.45},
+                                {"twin 2", 0.2, 0.45},     {"too strong", 0.36, 0.45}};
   const auto all = ranked({1, 1, 0.9}, {}, Objective::acceleration, parts);
   const std::vector<std::string> names = names_of(all);
-  // f2/f - 1: 10.6 and 0.056; f/f3 - 1: 0.018.
-  const std::vector<std::string> expected{"twin 1", "twin 2", "too strong", "near", "far"};
+  // f2/f - 1: 10.6, 4.28 and 0.056, which is worse than delta/Delta2 - 1 = 0.002; f/f3 - 1: 0.018.
+  const std::vector<std::string> expected{"twin 1", "twin 2",   "too strong",
+                                          "near",   "far in f", "far"};
   BOOST_TEST(names == expected, tt::per_element());
   BOOST_TEST_REQUIRE(all[2].violated.size() == 1U);
   BOOST_TEST(all[2].violated[0].name == "return");

@@ -169,6 +169,7 @@ BOOST_AUTO_TEST_CASE(the_first_centred_segment_is_what_works_for_says) {
     if (const auto served = works_for(problem, {}, f, delta)) {
       ++met;
       const auto list = shown_hits(problem, f, delta);
+      BOOST_TEST(list.back().to == 2 * problem.v0);
       const auto hit = std::ranges::find_if(
           list, [](const Hits& now) { return now.end == HitEnd::centred && now.arrivals == 1.0; });
       BOOST_TEST_REQUIRE((hit != list.end()));

@@ -144,6 +144,26 @@ BOOST_AUTO_TEST_CASE(a_design_in_metres_does_not_depend_on_the_unit_of_length) {
   }
 }
 
+/// What is served in metres and seconds is served when it is converted back.
+BOOST_AUTO_TEST_CASE(served_intervals_are_rounded_inwards) {
+  RandomSource random(1204);
+  for (int i = 0; i < 1000; ++i) {
+    const Scales scales =
+        physical_scales(with_period(random.log_uniform(0.1, 10)), random.log_uniform(0.1, 1));
+    const double v0 = random.log_uniform(0.1, 10);
+    const double p = random.log_uniform(0.1, 10);
+    const WorksFor served{{v0, v0 * 1.5}, {p, p * 1.5}};
+    const auto [velocity, period] = physical_works_for(scales, served);
+    BOOST_TEST(velocity.low / scales.velocity_m_per_s >= served.v0.low);
+    BOOST_TEST(*velocity.high / scales.velocity_m_per_s <= *served.v0.high);
+    const double turn = 2 * std::numbers::pi * scales.time_s;
+    BOOST_TEST(turn / *period.high >= served.p.low);
+    BOOST_TEST(turn / period.low <= *served.p.high);
+    check_close(turn / *period.high, served.p.low, 1e-13);
+    check_close(turn / period.low, *served.p.high, 1e-13);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(wrong_physical_input_is_refused_with_the_name_of_its_field) {
   for (const double wrong : {0.0, -1.0, 1e-31, 1e31, std::nan(""), double(HUGE_VAL)}) {
     check_refused("period", with_period(wrong), 0.4);

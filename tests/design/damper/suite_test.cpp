@@ -43,6 +43,25 @@ BOOST_AUTO_TEST_CASE(many_dampers_at_once_have_the_figures_of_each_alone) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_mean_is_that_of_the_records_alone) {
+  RecordDesignRequest request = two_records();
+  request.combine = Combine::mean;
+  const SuiteDamper damper{1, 0.05, 0};
+  const SuiteFigures mean = Suite(request).figures(damper);
+  SuiteFigures sum;
+  for (const SuiteRecord& record : two_records().records) {
+    request.records = {record};
+    const SuiteFigures alone = Suite(request).figures(damper);
+    sum.peak += alone.peak;
+    sum.acceleration += alone.acceleration;
+    sum.residual += alone.residual;
+  }
+  BOOST_TEST(sum.residual > 0);
+  BOOST_TEST(mean.peak == sum.peak / 2);
+  BOOST_TEST(mean.acceleration == sum.acceleration / 2);
+  BOOST_TEST(mean.residual == sum.residual / 2);
+}
+
 // After the record a single friction has a closed form, which the kernel computes for any length.
 BOOST_AUTO_TEST_CASE(a_rest_after_more_than_ten_thousand_half_cycles_does_not_count) {
   const Suite suite(design::design(three_samples()).request);

@@ -114,6 +114,15 @@ BOOST_AUTO_TEST_CASE(has_the_largest_tolerance_of_each_f) {
   BOOST_TEST(points > 200);
 }
 
+/// At the last f the return leaves a tolerance of next to nothing, and all of Delta1 to Delta2 has
+/// it.
+BOOST_AUTO_TEST_CASE(of_equally_tolerant_delta_it_has_the_middle) {
+  const Problem problem{1, 1, 0.9};
+  const DesignPoint last = trade_off_at(problem, {}, count, count).value();
+  const double middle = (delta1_published(problem, last.f) + 0.5) / 2;
+  BOOST_TEST(near(last.delta, middle, 1e-5));
+}
+
 /// Peak and S depend on f alone, so that another f cannot dominate; a random Delta at the same f
 /// could.
 BOOST_AUTO_TEST_CASE(is_dominated_by_no_admissible_damper) {

@@ -187,6 +187,13 @@ BOOST_AUTO_TEST_CASE(parts_under_a_known_pulse_fail_as_they_must) {
   BOOST_TEST(violates("passes") == "stop");
   BOOST_TEST(of("passes").violated.at(0).limit == 2 * 0.3 * 0.1, tt::tolerance(1e-9));
   BOOST_CHECK_THROW((void)choose(request, {}), InputError);
+  // f = 0.175 needs 0.65 * 0.3 / 2 = 0.0975, by the published criterion f^2/2 = 0.0153 more.
+  request.problem.criterion = Criterion::published;
+  const std::vector<Part> between{{"between", 0.175, 0.1}};
+  const Choice refused = choose(request, between);
+  BOOST_TEST(!refused.parts.front().admissible);
+  BOOST_TEST(refused.parts.front().violated.at(0).by_criterion_alone);
+  BOOST_TEST((refused.result.criterion_mend == Criterion::exact));
 }
 
 // One that returns under every pulse of the range; the weakest is k = 0.35.

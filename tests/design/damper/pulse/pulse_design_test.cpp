@@ -218,6 +218,7 @@ BOOST_AUTO_TEST_CASE(a_full_sine_leaves_no_velocity_and_has_designs_all_the_same
   BOOST_TEST(!check.peak_error.has_value());
   BOOST_TEST(!check.stop_time_error.has_value());
   BOOST_TEST(!result.reduced_v0.has_value());
+  BOOST_TEST((result.region.beta_min == 0.0));  // it returns for every f < k
   BOOST_TEST(result.finding->cross_check.passed);
 }
 
