@@ -35,7 +35,9 @@ function broken_words(constraint, report) {
     case "start":
       return ["The notch holds the mass at the start.", ...need];
     case "stop":
-      return ["The notch is too weak: the mass passes x = 0 and goes on.", ...need];
+      return constraint.value > (report.delta1_exact ?? Infinity)
+        ? ["The mass stops, but not by the published criterion.", ...need]
+        : ["The notch is too weak: the mass passes x = 0 and goes on.", ...need];
     case "residual":
       return ["The mass may rest farther off centre than the residual allows.", ...need];
     case "f_max":

@@ -123,7 +123,8 @@ std::string map(const Figure& figure, const Layout& layout) {
       "20 0 -20 0 -1 0 0 0 0 1\"/></filter>\n<mask id=\"{0}-mask\"><use href=\"#{0}-map\" "
       "filter=\"url(#{0}-red)\"/></mask>\n<pattern id=\"{0}-over\" width=\"8\" height=\"8\" "
       "patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><path class=\"over\" "
-      "d=\"M4 0V8\"/></pattern>\n<rect {1} fill=\"url(#{0}-over)\" mask=\"url(#{0}-mask)\"/>\n",
+      "d=\"M4 0V8\"/><path class=\"over light\" d=\"M5 0V8\"/></pattern>\n<rect {1} "
+      "fill=\"url(#{0}-over)\" mask=\"url(#{0}-mask)\"/>\n",
       id, size);
   return text;
 }

@@ -53,21 +53,26 @@ void FigureLegend::add(const Figure& figure, const std::set<std::string>& named)
   for (const MapKey& key : figure.map.key) {
     enter_unless_named(
         key.name,
-        fmt::format(R"(<path class="cell" fill="{}" d="M2-10h20v12h-20Z"/>{})", key.colour,
-                    key.hatched ? R"(<path class="over" d="M2 2L14-10M10 2L22-10"/>)" : ""));
+        fmt::format(
+            R"(<path class="cell" fill="{}" d="M2-10h20v12h-20Z"/>{})", key.colour,
+            key.hatched
+                ? R"(<path class="over" d="M2 2L14-10M10 2L22-10"/><path class="over light" d="M3 2L15-10M11 2L22-9"/>)"
+                : ""));
   }
   const Plane plane{figure.x, figure.y, figure_width, figure.height};
   for (const FigureArea& area : figure.areas) {
     if (!area.in_legend || !is_seen(area, plane)) {
       continue;
     }
+    const bool box = area.look == AreaLook::box;
     enter_unless_named(
         area.name,
         area.look == AreaLook::hatched
             ? fmt::format(R"x(<path fill="url(#{0})" d="{1}"/><path class="hatch {2}" d="{1}"/>)x",
                           hatch_id(figure, area.name), "M2-10h20v12h-20Z", word(area.ink))
-            : fmt::format(R"(<path class="{} {}" d="M2-10h20v12h-20Z"/>)",
-                          area.look == AreaLook::box ? "box" : "area", word(area.ink)));
+            : fmt::format(R"({}<path class="{} {}" d="M2-10h20v12h-20Z"/>)",
+                          box ? R"(<path class="area sky" d="M2-10h20v12h-20Z"/>)" : "",
+                          box ? "box" : "area", word(area.ink)));
   }
   for (const FigureBand& band : figure.bands) {
     if (is_seen(band.name, figure, plane)) {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -63,26 +64,83 @@ std::string feasible_f(const design::RegionVerdict& verdict, const design::Limit
                     : "");
 }
 
-/// "At f = 0.024, delta from 2.1 mm to 8.2 mm is admissible. ", or what suits every feasible f; if
-/// one interval of delta does. Delta1 falls with f.
+/// The ranges of Delta that are feasible with an f, in rising order.
+std::vector<Interval> feasible_at(const RegionReport& report, double f) {
+  const design::RegionRequest& request = report.request;
+  std::vector<Interval> all;
+  const auto add = [&all](const std::optional<Interval>& delta) {
+    if (delta) {
+      all.push_back(*delta);
+    }
+  };
+  if (request.pulse) {
+    add(design::feasible_delta(design::pulse_request(request).problem, request.limits)(f));
+  }
+  for (const design::Strip& strip : report.answer.strips) {
+    add(design::feasible_delta(request.problem, request.limits, strip.arrival, f));
+  }
+  std::ranges::sort(all, {}, &Interval::low);
+  std::vector<Interval> apart;
+  for (const Interval& delta : all) {
+    if (!apart.empty() && delta.low <= apart.back().high) {
+      apart.back().high = std::max(apart.back().high, delta.high);
+    } else {
+      apart.push_back(delta);
+    }
+  }
+  return apart;
+}
+
+/// "delta from 2.1 mm to 8.2 mm or in 2 lower ranges"
+std::string delta_words(const std::vector<Interval>& all, const Physical& physical) {
+  constexpr std::size_t most_listed = 3;
+  constexpr double conversion = 1 + 1e-12;  // the rounding of 3 mm to dimensionless and back
+  const std::size_t lower = all.size() - std::min(all.size(), most_listed);
+  std::string text;
+  for (const auto& [low, high] : std::span(all).subspan(lower)) {
+    const std::string least = length_limit(physical, low, true);
+    text += format(
+        "{}{}", text.empty() ? "delta " : " or ",
+        std::isinf(high) ? format("of at least {}", least)
+        : low > 0 ? format("from {} to {}", least, length_limit(physical, high * conversion, false))
+                  : format("up to {}", length_limit(physical, high * conversion, false)));
+  }
+  return text + (lower > 0 ? format(" or in {} lower ranges", lower) : "");
+}
+
+/// "At f = 0.024, delta from 2.1 mm to 8.2 mm is admissible.", or what suits every feasible f; if
+/// next to none does, what suits one of them.
 std::string feasible_delta(const RegionReport& report) {
   const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
   const design::Region& region = report.answer.region;
-  if (pulse || problem.arrivals > 1 || !is_plain(problem, limits) || limits.tolerance > 0) {
-    return "";
+  const std::string_view fits = limits.tolerance == 0 ? "is admissible"
+                                : f                   ? "keeps the tolerance asked for"
+                                                      : "keeps it";
+  const auto at = [&](double some_f, const std::vector<Interval>& all) {
+    return format("At f = {}, {} {}.", digits(some_f), delta_words(all, report.physical), fits);
+  };
+  if (f) {
+    const auto all = feasible_at(report, *f);
+    return all.empty() ? format("At f = {} no delta {}.", digits(*f), fits) : at(*f, all);
   }
-  const double low = design::delta1(problem, f.value_or(*region.f_lower)).value_or(HUGE_VAL);
-  const double high = std::min(problem.v0 * problem.v0 / 2, limits.delta_max.value_or(HUGE_VAL));
-  if (f && (*f < *region.f_lower || *f > *region.f_upper || low >= high)) {
-    return format("At f = {} no delta is admissible.", digits(*f));
+  const auto hardly_any = [](const std::vector<Interval>& all) {
+    constexpr double narrow = 1e-4;  // of five digits the last
+    return all.empty() || all.back().low >= all.back().high * (1 - narrow);
+  };
+  // With a single arrival the least Delta falls with f.
+  const bool falls = !pulse && problem.arrivals == 1 && !problem.residual && problem.v0_low != 0.0;
+  const auto with_any = falls ? feasible_at(report, *region.f_lower) : std::vector<Interval>();
+  if (!hardly_any(with_any)) {
+    return format("With any of them, {} {}.", delta_words(with_any, report.physical), fits);
   }
-  constexpr double hardly_any = 1e-6;  // where f may be next to nothing, only delta2 stops it
-  return low >= high * (1 - hardly_any) && !f
-             ? ""
-             : format("{} delta from {} to {} is admissible.",
-                      f ? format("At f = {},", digits(*f)) : "With any of them,",
-                      length_limit(report.physical, low, true),
-                      length_limit(report.physical, high, false));
+  const auto strip = std::ranges::find_if(
+      report.answer.strips, [](const design::Strip& now) { return now.f_lower.has_value(); });
+  const Interval of_f = strip == report.answer.strips.end()
+                            ? Interval{*region.f_lower, *region.f_upper}
+                            : Interval{*strip->f_lower, *strip->f_upper};
+  const double middle = std::stod(digits_within(of_f.low, std::midpoint(of_f.low, of_f.high)));
+  const auto all = feasible_at(report, middle);
+  return hardly_any(all) ? "" : at(middle, all);
 }
 
 /// Of several arrivals.

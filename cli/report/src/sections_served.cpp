@@ -89,7 +89,8 @@ void add_damper(Section& section, const design::DesignPoint& damper, const Delta
                 const std::optional<design::Practice>& lines, const Physical& physical) {
   if (needs.published) {
     section.row("Delta1(f)",
-                format("{} published, {} exact", length_limit(physical, *needs.published, true),
+                format("{} published (the paper's), {} exact (the motion's own)",
+                       length_limit(physical, *needs.published, true),
                        needs.exact ? length_limit(physical, *needs.exact, true) : "none"));
   }
   add_damper_physics(section, physical, damper.f, damper.delta);

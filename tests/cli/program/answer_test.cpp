@@ -228,19 +228,45 @@ BOOST_FIXTURE_TEST_CASE(of_a_point_says_what_it_violates, Sandbox) {
   BOOST_TEST(contains(text, "violated"));
 }
 
+using stillpoint::report::limit_digits;
+
 /// Delta1 = (S - 2f)^2/2 = 0.0986, Delta2 = 1/2; and f3 = 0.354.
 BOOST_FIXTURE_TEST_CASE(of_an_f_alone_says_which_delta_goes_with_it, Sandbox) {
   const Arguments region("region --v0 1 --p 1 --beta 0.9");
   const auto answer = [&](const char* more) { return lines_of(run(region + more).out).at(1); };
   const double radius = std::hypot(1, 0.3);
   BOOST_TEST(answer("--f 0.3").starts_with(
-      "  At f = 0.3, delta from " +
-      stillpoint::report::limit_digits((radius - 0.6) * (radius - 0.6) / 2, true, 6) +
+      "  At f = 0.3, delta from " + limit_digits((radius - 0.6) * (radius - 0.6) / 2, true, 6) +
       " to 0.5 is admissible."));
   BOOST_TEST(answer("--f 0.4").starts_with("  At f = 0.4 no delta is admissible. "));
   BOOST_TEST(answer("--f 0.2 --delta-max 0.15").starts_with("  At f = 0.2 no delta"));
-  BOOST_TEST(
-      answer("--f 0.3 --tolerance 0.1").starts_with("  Feasible f with the tolerance asked for: "));
+  const double worst = std::hypot(1, 0.27);  // of the box
+  BOOST_TEST(answer("--f 0.3 --tolerance 0.1")
+                 .starts_with("  At f = 0.3, delta from " +
+                              limit_digits((worst - 0.54) * (worst - 0.54) / 2 / 0.9, true, 6) +
+                              " to 0.454545 keeps the tolerance"));
+}
+
+/// With hardly any friction only Delta = 1/2 stops it: an f in the middle says more. By the exact
+/// criterion the arrival speed v is the limit; the second arrival comes if v^2 - 2 Delta >= 8 f^2.
+BOOST_FIXTURE_TEST_CASE(of_a_region_says_which_delta_goes_with_some_f, Sandbox) {
+  const auto answer = [&](const char* more) {
+    const std::string all = run(Arguments("region --v0 1 --p 1 --criterion exact ") + more).out;
+    return all.substr(0, all.find("\n\n"));
+  };
+  const auto half_square = [](double f) {
+    const double radius = std::hypot(1, f) - 2 * f;
+    return (radius - f) * (radius + f) / 2;
+  };
+  const std::string one = answer("--beta 2");
+  BOOST_TEST(contains(one, "Feasible f: up to 0.353553. At f = 0.176776, delta from " +
+                               limit_digits(half_square(0.176776), true, 6)),
+             one);
+  const std::string two = answer("--beta 2 --arrivals 2 --f 0.1");
+  BOOST_TEST(contains(two, " to " + limit_digits(half_square(0.1) - 0.04, false, 6)), two);
+  BOOST_TEST(contains(two, "from " + limit_digits(half_square(0.1), true, 6) + " to 0.5"), two);
+  const std::string many = answer("--beta 2 --arrivals 9 --f 0.01");
+  BOOST_TEST(contains(many, "or in 6 lower ranges is admissible."), many);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The plane of f and Delta for a mass that a pulse moves from rest.
+#include "figures/region_column.hpp"
 #include "figures/report_figures.hpp"
 #include "format.hpp"
 
@@ -64,6 +65,9 @@ std::vector<FigurePoint> rectangle(double left, double right, double low, double
 /// The admissible islands, and beside each why its neighbours are not.
 void add_pulse_areas(Figure& figure, const DrawnPulseRegion& drawn, const LeastDelta& least_delta,
                      const FigureUnits& units) {
+  design::PulseProblem problem = drawn.problem;  // what the motion does
+  problem.criterion = design::Criterion::exact;
+  const LeastDelta exact = design::least_delta(problem);
   const double right = figure.x.most;
   const double top = figure.y.most;
   const double cap = std::min(top, design::largest_delta_allowed(drawn.limits) * units.length);
@@ -74,8 +78,17 @@ void add_pulse_areas(Figure& figure, const DrawnPulseRegion& drawn, const LeastD
         {drawn.limits.tolerance > 0 ? "admissible without a tolerance" : "admissible",
          beside_the_curve(least_delta, interval, cap, cap, units.length), Ink::sky});
     figure.areas.push_back({"notch too weak",
-                            beside_the_curve(least_delta, interval, cap, 0, units.length),
-                            Ink::grey, AreaLook::hatched});
+                            beside_the_curve(exact, interval, cap, 0, units.length), Ink::grey,
+                            AreaLook::hatched});
+    if (drawn.problem.criterion == design::Criterion::published) {
+      const auto between = [&](double f) {
+        const double low = exact(f).value_or(0) * units.length;
+        const double high = std::min(least_delta(f).value_or(0) * units.length, cap);
+        return low < high ? std::optional(Interval{low, high}) : std::nullopt;
+      };
+      figure.areas.push_back({std::string(by_criterion_alone), outline_over(interval, 1, between),
+                              Ink::amber, AreaLook::hatched});
+    }
     constexpr double seen = 1e-3;  // of the axis
     if (interval.low - from > seen * right) {
       figure.areas.push_back({from == 0 ? "too weak: " + exceeds : "does not meet the limits",
@@ -100,6 +113,25 @@ void add_pulse_areas(Figure& figure, const DrawnPulseRegion& drawn, const LeastD
         {up_to_the_load ? "too strong: never starts" : "too strong: does not return",
          rectangle(returns, right, 0, top), Ink::grey, AreaLook::hatched});
   }
+}
+
+/// The areas of the dampers that keep the tolerance asked for, up to `top`.
+std::vector<std::vector<FigurePoint>> tolerant_areas(const DrawnPulseRegion& drawn, double top,
+                                                     double unit) {
+  std::vector<std::vector<FigurePoint>> areas;
+  if (drawn.limits.tolerance > 0 && drawn.region.feasible) {
+    const auto feasible = design::feasible_delta(drawn.problem, drawn.limits);
+    for (const Interval& interval : drawn.intervals) {
+      areas.push_back(outline_over(interval, unit, [&](double f) {
+        auto delta = feasible(f);
+        if (delta) {
+          delta->high = std::min(delta->high, top / unit);
+        }
+        return delta && delta->low <= delta->high ? delta : std::nullopt;
+      }));
+    }
+  }
+  return areas;
 }
 
 /// The far corner of what is shown of f and Delta.
@@ -140,21 +172,25 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
       "above the curve stops it there. ",
       drawn.region.f3);
   const bool bounded = std::isfinite(design::largest_delta_allowed(drawn.limits));
-  const std::string box =
+  std::string clause =
       drawn.damper ? box_clause(*drawn.damper, drawn.region.f_upper.value_or(0), units) : "";
+  if (clause.empty() && drawn.limits.tolerance == 0) {
+    clause = "A damper in the area without hatching is admissible; ";
+  } else if (clause.empty() && !drawn.region.feasible) {
+    clause = "A damper in the area without hatching is admissible without a tolerance; ";
+  }
+  clause += tolerant_clause(drawn.region, drawn.limits, clause.empty());
   figure.caption =
       drawn.intervals.empty()
           ? "At no f does the mass return to x = 0 and meet the limits."
-          : format("{}each hatched side says what goes wrong there{}.",
-                   !box.empty() ? box
-                   : drawn.limits.tolerance > 0
-                       ? "A damper in the area without hatching is admissible without a tolerance; "
-                       : "A damper in the area without hatching is admissible; ",
+          : format("{}each hatched side says what goes wrong there{}.", clause,
                    bounded
                        ? ""
                        : ", and nothing bounds Δ from above, because the mass starts from rest");
   add_pulse_areas(figure, drawn, least_delta, units);
+  figure.caption += criterion_sentence(figure);
   figure.curves.push_back(std::move(curve));
+  add_tolerant(figure, drawn.limits, tolerant_areas(drawn, figure.y.most, units.length));
   if (drawn.damper) {
     add_damper(figure, *drawn.damper, drawn.limits.shape, units);
   }

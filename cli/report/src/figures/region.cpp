@@ -107,12 +107,12 @@ std::string caption_of(const DrawnRegion& drawn, const FigureUnits& units) {
   if (!is_one_strip(problem)) {
     text += format("{} damper in a strip {} at that arrival; ", text.empty() ? "A" : "a",
                    problem.residual ? "rests within the residual" : "stops at x = 0");
-  } else if (text.empty()) {
-    text = drawn.region.feasible && drawn.limits.tolerance == 0
-               ? "A damper in the area without hatching is admissible; "
-               : "Without the tolerance asked for, a damper in the area without hatching is "
-                 "admissible; ";
+  } else if (text.empty() && drawn.limits.tolerance == 0) {
+    text = "A damper in the area without hatching is admissible; ";
+  } else if (text.empty() && !drawn.region.feasible) {
+    text = "Without the tolerance asked for, a damper in the area without hatching is admissible; ";
   }
+  text += tolerant_clause(drawn.region, drawn.limits, text.empty());
   const std::string_view some = problem.v0_low && problem.p_high
                                     ? " for some hits or springs of the ranges"
                                 : problem.v0_low ? " for some hits of the range"
@@ -177,6 +177,35 @@ std::string box_clause(const DrawnDamper& damper, double f_upper, const FigureUn
                                        none ? "" : format("f = {:.4g} and ", damper.f),
                                        units.length_words(damper.delta), none ? "" : "both ")
                               : "";
+}
+
+std::string_view criterion_sentence(const Figure& figure) {
+  const bool any =
+      std::ranges::find(figure.areas, by_criterion_alone, &FigureArea::name) != figure.areas.end();
+  return any ? " The exact criterion also admits what stops, but not by the published one." : "";
+}
+
+void add_tolerant(Figure& figure, const design::Limits& limits,
+                  std::vector<std::vector<FigurePoint>> areas) {
+  std::erase_if(areas, [](const auto& area) { return area.empty(); });
+  if (limits.tolerance == 0 || areas.empty()) {
+    return;
+  }
+  for (std::vector<FigurePoint>& area : areas) {
+    area.push_back(area.front());
+  }
+  figure.curves.push_back({.name = tolerance_words(limits.shape, limits.tolerance) + " asked for",
+                           .strokes = std::move(areas),
+                           .ink = Ink::blue,
+                           .dash = Dash::dotted,
+                           .hover = false});
+}
+
+std::string tolerant_clause(const Region& region, const design::Limits& limits, bool begins) {
+  return region.feasible && limits.tolerance > 0
+             ? format("{} damper inside the dotted line keeps the tolerance asked for; ",
+                      begins ? "A" : "a")
+             : "";
 }
 
 void add_damper(Figure& figure, const DrawnDamper& damper, const design::BoxShape& shape,
@@ -247,9 +276,11 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   const bool any = !figure.areas.empty();
   add_sides(figure, drawn, units);
   figure.caption = any ? caption_of(drawn, units) : empty_caption(figure);
+  figure.caption += criterion_sentence(figure);
   if (!several) {
     add_delta1(figure, drawn.problem, region.f3, unit);
   }
+  add_tolerant(figure, drawn.limits, tolerant_areas(drawn, unit));
   if (damper) {
     add_damper(figure, *damper, shape, units);
   }

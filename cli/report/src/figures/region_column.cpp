@@ -10,8 +10,6 @@
 
 namespace stillpoint::report {
 
-namespace {
-
 RegionColumn region_column(const design::Problem& problem, double f) {
   RegionColumn column{f, design::least_stopping_delta(problem, f), {}};
   const std::int64_t last = std::min(problem.arrivals, most_drawn_strips + 1);
@@ -26,6 +24,8 @@ RegionColumn region_column(const design::Problem& problem, double f) {
   }
   return column;
 }
+
+namespace {
 
 bool has_same_strips(const RegionColumn& a, const RegionColumn& b) {
   return std::ranges::equal(

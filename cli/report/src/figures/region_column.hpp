@@ -3,6 +3,7 @@
 
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/strips.hpp>
+#include <stillpoint/figures/figure.hpp>
 
 #include <cstddef>
 #include <numeric>
@@ -20,6 +21,8 @@ struct RegionColumn {
   std::vector<std::optional<Interval>> strips;
 };
 
+[[nodiscard]] RegionColumn region_column(const design::Problem& problem, double f);
+
 /// The f closest to `outside` at which something still holds that holds at `inside`.
 template <class Holds>
 double last_inside(double inside, double outside, const Holds& holds) {
@@ -29,6 +32,40 @@ double last_inside(double inside, double outside, const Holds& holds) {
     (holds(middle) ? inside : outside) = middle;
   }
   return inside;
+}
+
+/// The polygon of the ranges of Delta over f, times a unit, of those f that have one.
+template <class RangeOf>
+std::vector<figures::FigurePoint> outline_over(const Interval& f, double unit,
+                                               const RangeOf& range_of) {
+  constexpr int steps = 200;
+  std::vector<figures::FigurePoint> lower;
+  std::vector<figures::FigurePoint> upper;
+  const auto has = [&](double at) { return range_of(at).has_value(); };
+  const auto add = [&](double at) {
+    const std::optional<Interval> range = range_of(at);
+    lower.push_back({at, range->low * unit});
+    upper.push_back({at, range->high * unit});
+  };
+  double last = f.low;
+  bool had = false;
+  for (int i = 0; f.low <= f.high && i <= steps; ++i) {
+    const double at = f.low + (f.high - f.low) * i / steps;
+    const bool now = has(at);
+    if (i > 0 && had != now) {  // it begins or ends between them
+      add(had ? last_inside(last, at, has) : last_inside(at, last, has));
+    }
+    if (now) {
+      add(at);
+    }
+    had = now;
+    last = at;
+  }
+  if (lower.size() < 2) {
+    return {};
+  }
+  lower.insert(lower.end(), upper.rbegin(), upper.rend());
+  return lower;
 }
 
 /// Columns at these f, in rising order, and on both sides of each f between them where a strip

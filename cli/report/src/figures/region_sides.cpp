@@ -5,11 +5,13 @@
 //   f below first                         the peak exceeds beta
 //   f above strong                        the weakest hit does not come back, whatever Delta is
 //   Delta below stop                      the strongest hit passes the last arrival allowed
+//   above it, below the strip             the published criterion asks for more Delta
 //   the rest between and above strips     some hit rests off centre, or beyond the residual
 #include "figures/region_column.hpp"
 #include "figures/report_figures.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -125,6 +127,30 @@ class Sides {
     finish();
   }
 
+  /// Where the motion does what the published criterion does not admit, up to `top`.
+  void add_by_criterion_alone(const std::vector<RegionColumn>& exact, double top) {
+    if (drawn_.problem.criterion == design::Criterion::exact) {
+      return;
+    }
+    std::vector<RegionColumn> published;
+    for (const RegionColumn& at : exact) {
+      published.push_back(region_column(drawn_.problem, at.f));
+    }
+    for (std::size_t n = 0; n < exact.front().strips.size(); ++n) {
+      spans(
+          std::string(by_criterion_alone), exact,
+          [&](const RegionColumn& at) {
+            const auto& asked = published[static_cast<std::size_t>(&at - exact.data())].strips[n];
+            auto span = n > 0 && at.strips[0] ? std::nullopt : at.strips[n];
+            if (span) {
+              span->high = std::min({span->high, asked ? asked->low : HUGE_VAL, top});
+            }
+            return span;
+          },
+          Ink::amber);
+    }
+  }
+
   /// Where only Delta decides.
   void between(double from, double to) {
     if (!(from < to)) {
@@ -134,12 +160,15 @@ class Sides {
     for (int i = 0; i <= edge_steps; ++i) {
       grid[static_cast<std::size_t>(i)] = from + (to - from) * i / edge_steps;
     }
-    const std::vector<RegionColumn> over_f = region_columns(drawn_.problem, grid);
+    design::Problem exact = drawn_.problem;  // what the motion does
+    exact.criterion = design::Criterion::exact;
+    const std::vector<RegionColumn> over_f = region_columns(exact, grid);
     const double start = drawn_.region.delta2.value();
     const double top = std::min(start, design::largest_delta_allowed(drawn_.limits));
     spans("notch too weak", over_f, [&](const RegionColumn& at) {
       return std::optional(Interval{0, std::min(at.stop, top)});
     });
+    add_by_criterion_alone(over_f, top);
     spans(
         "above the largest Δ", over_f,
         [&](const RegionColumn& at) {

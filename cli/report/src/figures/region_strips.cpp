@@ -23,8 +23,6 @@ using figures::Ink;
 
 namespace {
 
-constexpr int strip_steps = 200;  // of an edge over f
-
 /// One arrival, or those from `first` to the last one allowed; 0: any rest within the residual.
 struct DrawnStrip {
   std::int64_t first{0};
@@ -51,37 +49,7 @@ class Strips {
       return {};
     }
     const double from = strip.first > 0 ? std::max(f->low, rest_end_) : f->low;
-    const double most = design::largest_delta_allowed(drawn_.limits);
-    std::vector<FigurePoint> lower;
-    std::vector<FigurePoint> upper;
-    const auto has = [&](double at) {
-      const auto range = range_at(strip, at);
-      return range && range->low <= most;
-    };
-    const auto add = [&](double at) {
-      const auto range = range_at(strip, at);
-      lower.push_back({at, range->low * unit_});
-      upper.push_back({at, std::min(range->high, most) * unit_});
-    };
-    double last = from;
-    bool had = false;
-    for (int i = 0; from <= f->high && i <= strip_steps; ++i) {
-      const double at = from + (f->high - from) * i / strip_steps;
-      const bool now = has(at);
-      if (i > 0 && had != now) {  // it begins or ends between them
-        add(had ? last_inside(last, at, has) : last_inside(at, last, has));
-      }
-      if (now) {
-        add(at);
-      }
-      had = now;
-      last = at;
-    }
-    if (lower.size() < 2) {
-      return {};
-    }
-    lower.insert(lower.end(), upper.rbegin(), upper.rend());
-    return lower;
+    return outline_over({from, f->high}, unit_, [&](double at) { return range_at(strip, at); });
   }
 
   /// That of the damper: 0 for any rest within the residual, -1 for none.
@@ -104,7 +72,10 @@ class Strips {
     if (range && strip.with_later) {
       range->low = design::least_stopping_delta(drawn_.problem, f);
     }
-    return range;
+    if (range) {
+      range->high = std::min(range->high, design::largest_delta_allowed(drawn_.limits));
+    }
+    return range && range->low <= range->high ? range : std::nullopt;
   }
 
   /// Of f.
@@ -185,6 +156,23 @@ std::vector<FigureArea> admissible_areas(const DrawnRegion& drawn, const FigureU
   }
   if (own > 0) {
     add({own});
+  }
+  return areas;
+}
+
+std::vector<std::vector<FigurePoint>> tolerant_areas(const DrawnRegion& drawn, double unit) {
+  std::vector<std::vector<FigurePoint>> areas;
+  const auto strips = design::strips(drawn.problem, drawn.limits);
+  // Up to this f any rest is within the residual, whatever the arrival.
+  const auto rest = std::ranges::find(strips, 0, &design::Strip::arrival);
+  const double rest_end = rest == strips.end() ? 0 : rest->f_upper.value_or(0);
+  for (const design::Strip& strip : strips) {
+    if (strip.f_lower && strip.arrival <= most_drawn_strips) {
+      const double from = strip.arrival > 0 ? std::max(*strip.f_lower, rest_end) : *strip.f_lower;
+      areas.push_back(outline_over({from, *strip.f_upper}, unit, [&](double f) {
+        return design::feasible_delta(drawn.problem, drawn.limits, strip.arrival, f);
+      }));
+    }
   }
   return areas;
 }

@@ -21,6 +21,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -180,10 +181,24 @@ struct DrawnRegion {
 /// of each, the damper's own in front.
 [[nodiscard]] std::vector<figures::FigureArea> admissible_areas(const DrawnRegion& drawn,
                                                                 const FigureUnits& units);
+/// Of those that keep the tolerance asked for.
+[[nodiscard]] std::vector<std::vector<figures::FigurePoint>> tolerant_areas(
+    const DrawnRegion& drawn, double unit);
+/// A line around each, if a tolerance was asked for.
+void add_tolerant(figures::Figure& figure, const design::Limits& limits,
+                  std::vector<std::vector<figures::FigurePoint>> areas);
+/// What the line means, for a caption that begins with it or goes on; empty without one.
+[[nodiscard]] std::string tolerant_clause(const design::Region& region,
+                                          const design::Limits& limits, bool begins);
 /// Only one arrival and no residual: one area, and no strips to tell apart.
 [[nodiscard]] bool is_one_strip(const design::Problem& problem);
 /// Strips that can be told apart; those of later arrivals are drawn as one.
 inline constexpr std::int64_t most_drawn_strips = 12;
+
+/// Where the exact criterion admits a damper that the published one does not.
+inline constexpr std::string_view by_criterion_alone = "stops, but not by the published criterion";
+/// A sentence about that, if the figure has any.
+[[nodiscard]] std::string_view criterion_sentence(const figures::Figure& figure);
 
 /// What forbids the rest of the figure, each side in words, and the gap where nothing is left.
 void add_sides(figures::Figure& figure, const DrawnRegion& drawn, const FigureUnits& units);

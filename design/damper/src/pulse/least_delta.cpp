@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "pulse/worst_return.hpp"
+#include "pulse/region.hpp"
 
 #include <stillpoint/design/pulse.hpp>
 
+#include <algorithm>
 #include <memory>
 
 namespace stillpoint::design {
@@ -20,6 +21,29 @@ std::function<std::optional<double>(double)> least_delta(const PulseProblem& pro
     return motion.returns
                ? std::optional(motion.need(problem.criterion) * (k / problem.p) * (k / problem.p))
                : std::nullopt;
+  };
+}
+
+std::function<std::optional<Interval>(double)> feasible_delta(const PulseProblem& problem,
+                                                              const Limits& limits) {
+  require_valid(problem, limits);
+  const auto region = std::make_shared<const PulseRegion>(problem, limits);
+  return [region](double f) -> std::optional<Interval> {
+    const double tolerance = region->asked();
+    const double low = region->low_of(f / region->f_unit(), tolerance);
+    const double high = region->high_of(f / region->f_unit(), tolerance);
+    if (std::ranges::none_of(region->islands(), [&](const Island& island) {
+          return island.low <= low && high <= island.high;
+        })) {
+      return std::nullopt;
+    }
+    KnownMotions known(*region->profile());
+    const Interval delta{known.need_between(low, high, region->criterion()) /
+                             (1 - region->shape().delta_low * tolerance),
+                         region->delta_max() / (1 + region->shape().delta_high * tolerance)};
+    const double unit = region->delta_unit();
+    return delta.low <= delta.high ? std::optional(Interval{delta.low * unit, delta.high * unit})
+                                   : std::nullopt;
   };
 }
 

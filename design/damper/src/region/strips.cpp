@@ -13,18 +13,26 @@ namespace stillpoint::design {
 std::optional<Interval> delta_range(const Problem& problem, std::int64_t arrival, double f) {
   require_valid(problem);
   require_within("f", f, 0, largest_square);
-  const double square = problem.v0 * problem.v0;
   const bool plain = is_plain(problem, {});
   if (plain && arrival == 1) {
     return f <= edges(problem, {}).f3
-               ? std::optional(Interval{unchecked_delta1(problem, f), square / 2})
+               ? std::optional(Interval{unchecked_delta1(problem, f), problem.v0 * problem.v0 / 2})
                : std::nullopt;
   }
   Problem any = problem;
   if (plain) {
     any.beta = 2 * problem.v0 / problem.p;  // f2 < 0
   }
-  const auto range = centre_range(Way(any, {}, static_cast<int>(arrival)), f, 0);
+  return feasible_delta(any, {}, arrival, f);
+}
+
+std::optional<Interval> feasible_delta(const Problem& problem, const Limits& limits,
+                                       std::int64_t arrival, double f) {
+  require_valid(problem, limits);
+  require_within("f", f, 0, largest_square);
+  const Way way(problem, limits, static_cast<int>(arrival));
+  const auto range = centre_range(way, f, limits.tolerance);
+  const double square = way.square();
   return range ? std::optional(Interval{range->low * square, range->high * square}) : std::nullopt;
 }
 

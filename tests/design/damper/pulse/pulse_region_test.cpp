@@ -195,6 +195,40 @@ BOOST_AUTO_TEST_CASE(is_that_of_the_design_which_is_admissible_in_it) {
   BOOST_TEST(empty > 20);
 }
 
+BOOST_AUTO_TEST_CASE(the_delta_that_keep_a_tolerance_are_those_that_are_admissible_with_it) {
+  RandomSource random(20261125);
+  constexpr double beside = 1e-6;
+  int some = 0;
+  int none = 0;
+  for (int i = 0; i < 80; ++i) {
+    PulseRequest request = random_request(random);
+    request.limits.tolerance = random.uniform(0.01, 0.2);
+    const RegionRequest task = region_of(request);
+    const auto admits = [&](double f, double delta) {
+      return at(task, f, delta).admissible.value();
+    };
+    const auto feasible = feasible_delta(request.problem, request.limits);
+    const double f = answer(task).region.f3 * random.uniform(0.05, 1.1);
+    const auto delta = feasible(f);
+    BOOST_TEST_CONTEXT("request " << i << ", f = " << f) {
+      if (!delta || delta->low * (1 + 2 * beside) >= delta->high) {
+        const double need = least_delta(request.problem, f).value_or(1);
+        BOOST_TEST(!admits(f, need * random.uniform(1, 3)));
+        ++none;
+        continue;
+      }
+      BOOST_TEST(admits(f, delta->low * (1 + beside)));
+      BOOST_TEST(!admits(f, delta->low * (1 - beside)));
+      const double high = std::isinf(delta->high) ? 10 * delta->low : delta->high;
+      BOOST_TEST(admits(f, high * (1 - beside)));
+      BOOST_TEST((std::isinf(delta->high) || !admits(f, high * (1 + beside))));
+      ++some;
+    }
+  }
+  BOOST_TEST(some > 15, some);
+  BOOST_TEST(none > 15, none);
+}
+
 BOOST_AUTO_TEST_CASE(random_dampers_stand_as_their_own_motion_says) {
   RandomSource random(20261124);
   int inside = 0;

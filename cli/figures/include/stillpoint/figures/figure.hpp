@@ -34,7 +34,8 @@ struct FigureCurve {
   bool labelled{false};  ///< named beside its line
 };
 
-/// A box lies on top of curves, and has an edge.
+/// A box lies on top of curves and of an area of sky, which its sample in the legend shows too, and
+/// has an edge.
 enum class AreaLook { filled, hatched, box };
 
 /// A polygon. It is named inside if there is room, else in the legend if it may be.

@@ -62,6 +62,11 @@ void require_valid(const PulseProblem& problem, const Limits& limits = {});
 /// The same as a function of f, for many f.
 [[nodiscard]] std::function<std::optional<double>(double)> least_delta(const PulseProblem& problem);
 
+/// The Delta with which a damper of that f keeps all limits over the box of their tolerance, up to
+/// infinity without a largest Delta; empty if there is none. As a function of f, for many f.
+[[nodiscard]] std::function<std::optional<Interval>(double)> feasible_delta(
+    const PulseProblem& problem, const Limits& limits);
+
 /// Why a pulse does not act like an initial velocity.
 enum class PulseWarning {
   pulse_not_short,     ///< p / lambda > 0.2

@@ -28,6 +28,12 @@ struct Strip {
 [[nodiscard]] std::optional<Interval> delta_range(const Problem& problem, std::int64_t arrival,
                                                   double f);
 
+/// The Delta with which a damper of that f stops the mass at the n-th arrival, or for n = 0 rests
+/// within the residual whatever the arrival, and keeps all limits over the box of their tolerance;
+/// empty if there is none. The lower edge as above. Throws InputError.
+[[nodiscard]] std::optional<Interval> feasible_delta(const Problem& problem, const Limits& limits,
+                                                     std::int64_t arrival, double f);
+
 /// The f beyond which no Delta lets the mass stop or rest as it must. Throws InputError.
 [[nodiscard]] double largest_stopping_f(const Problem& problem);
 
