@@ -59,9 +59,7 @@ void add_choices(Document& document, const DesignReport& report, const Physical&
 /// Of the motion with the paper's notch. Its peak, acceleration and rest are in the answer.
 void add_motion(Document& document, const DesignReport& report, const Physical& physical) {
   const design::Finding& finding = *report.result.finding;
-  std::string which = !finding.pulse         ? shown_words(report.result.request.problem)
-                      : finding.pulse->worst ? "largest peak"
-                                             : "";
+  std::string which = shown_words(report.result.request);
   if (report.built_notch) {
     which += format("{}with a notch that {}", which.empty() ? "" : ", ",
                     ideal_words(*report.built_notch));
@@ -149,7 +147,7 @@ Document document(const DesignReport& report) {
   add_task(document, result.request, physical);
   add_damper(document.detail("Damper"), finding.point,
              stops_by_delta1(finding.constraints) ? delta_needs(result) : DeltaNeeds(),
-             finding.practice, physical);
+             finding.practice, shown_words(result.request), physical);
   add_feasible(add_constraints(document, finding.constraints, limits, physical), result, limits,
                physical);
   add_motion(document, report, physical);

@@ -26,18 +26,22 @@ std::string interval_text(const design::ServedInterval& interval) {
 }
 
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
-                   const Physical& physical) {
+                   const design::Problem& problem, const Physical& physical) {
   if (!served) {
     return;
   }
+  const std::string_view springs = problem.p_high ? " with every spring of the range" : "";
+  const std::string_view hits = problem.v0_low ? "every hit of the range"
+                                : physical     ? "the hit as given"
+                                               : "v0 as given";
   if (!physical) {
-    section.row("works for", "v0 of " + interval_text(served->v0));
-    section.row("", format("p of {} with v0 as given", interval_text(served->p)));
+    section.row("works for", format("v0 of {}{}", interval_text(served->v0), springs));
+    section.row("", format("p of {} with {}", interval_text(served->p), hits));
     return;
   }
   const auto [velocity, period] = physical_works_for(physical->scales, *served);
-  section.row("works for", format("hits of {} m/s", interval_text(velocity)));
-  section.row("", format("periods of {} s with the hit as given", interval_text(period)));
+  section.row("works for", format("hits of {} m/s{}", interval_text(velocity), springs));
+  section.row("", format("periods of {} s with {}", interval_text(period), hits));
 }
 
 double example_width(const Physical& physical, double peak) {
@@ -80,7 +84,8 @@ void add_start(Section& section, const StartUnderLoad& start, std::string_view f
 }
 
 void add_damper(Section& section, const design::DesignPoint& damper, const DeltaNeeds& needs,
-                const std::optional<design::Practice>& lines, const Physical& physical) {
+                const std::optional<design::Practice>& lines, std::string_view which,
+                const Physical& physical) {
   if (needs.published) {
     section.row("Delta1(f)",
                 format("{} published, {} exact", length_limit(physical, *needs.published, true),
@@ -91,9 +96,9 @@ void add_damper(Section& section, const design::DesignPoint& damper, const Delta
     const double energy = *lines->notch_used * lines->notch_capacity;
     const auto joules = physical ? physical->scales.energy_per_passage_j(energy) : std::nullopt;
     section.row("used at the stop",
-                format("{}, {:.3g} % of the notch's capacity",
+                format("{}, {:.3g} % of the notch's capacity{}",
                        joules ? with_unit(*joules, "J") : length_shown(physical, energy),
-                       100 * *lines->notch_used));
+                       100 * *lines->notch_used, which.empty() ? "" : format(" ({})", which)));
   }
   if (lines && lines->notch_width_min) {
     section.row("notch width",

@@ -6,6 +6,8 @@
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/report/report.hpp>
 
+#include <fmt/format.h>
+
 #include <regex>
 
 // What a reader must see in the figures of a page.
@@ -106,6 +108,43 @@ BOOST_AUTO_TEST_CASE(the_hits_are_those_of_the_design_with_the_range_that_it_wor
     reached = drawn.areas[i].outline[1].x;
   }
   BOOST_TEST(reached == drawn.x.most);
+}
+
+/// Without a notch the mass rests off centre wherever it turns within the dead zone, f/p^2.
+BOOST_AUTO_TEST_CASE(a_damper_that_fails_says_how_the_hit_ends) {
+  const std::string fails = "The damper does not work for the hit that was asked for";
+  const auto caption = [](double f, double delta) {
+    return figure(region(2, f, delta), "hits").caption;
+  };
+  BOOST_TEST(caption(0.2, 0.7) == fails + ": such hits are held at the start.");  // V0^2 < 2 delta
+  BOOST_TEST(caption(0.9, 0) == fails + ": such hits rest off centre.");
+  BOOST_TEST(caption(0, 0.5) == fails + ".");  // on the edge between held and centred
+}
+
+/// With V0 = 1.1 and p = 1.05, the largest of both, sqrt(f^2 + (V0 p)^2) is felt; the motion shown
+/// is that of the least p, and what it serves holds for both ends.
+BOOST_AUTO_TEST_CASE(what_is_said_of_ranges_names_the_hit_and_the_spring) {
+  design::DesignRequest request;
+  request.problem = {.v0 = 1.1, .p = 0.95, .beta = 2, .v0_low = 0.9, .p_high = 1.05};
+  request.problem.criterion = design::Criterion::exact;
+  const DesignReport report{design::design(request), {}};
+  const HtmlPage drawn = page(report);
+  const std::string& caption = figure(drawn, "motion").caption;
+  BOOST_TEST(caption.starts_with("With the strongest hit, v0 = 1.1, and the softest spring, "
+                                 "p = 0.95, the mass reaches its peak of "),
+             caption);
+  BOOST_TEST(has(figure(drawn, "hits").curves, "V₀ = 0.9 to 1.1"));
+  const std::string written = std::regex_replace(drawn.report, std::regex("\\s+"), " ");
+  const double felt = std::hypot(report.result.finding->point.f, 1.1 * 1.05);
+  for (const std::string& said :
+       {std::string("both with the strongest hit, v0 = 1.1, and the softest spring, p = 0.95 "),
+        fmt::format("{:.4g} g outside the notch (strongest hit, stiffest spring)", felt),
+        std::string(" with every spring of the range p of "),
+        std::string(" with every hit of the range checks "),
+        std::string(" of the notch's capacity (strongest hit, softest spring) "),
+        std::string("In practice: strongest hit, softest spring ")}) {
+    BOOST_TEST(contains(written, said), said << " in " << written);
+  }
 }
 
 /// beta = 0.9 is exceeded from V0 = 1.136 on, and sqrt(f^2 + V0^2) = 1.08 from there to V0 =
