@@ -52,7 +52,7 @@ void add_choices(Document& document, const DesignReport& report, const Physical&
   }
   if (report.trade_off && !report.trade_off->empty()) {
     document.answer.row("trade-off", trade_off_words(*report.trade_off, physical));
-    add_trade_off(document, *report.trade_off, physical);
+    add_trade_off(document, *report.trade_off, task_of(report));
   }
 }
 

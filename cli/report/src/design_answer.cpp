@@ -58,6 +58,12 @@ std::string checks_agree(const design::CrossCheck& check) {
   return text;
 }
 
+/// " (strongest hit, softest spring)"; empty without ranges of them.
+std::string of_extreme(const design::DesignRequest& request, std::string_view spring) {
+  const std::string which = request.pulse ? "" : extreme_words(request.problem, spring);
+  return which.empty() ? "" : format(" ({})", which);
+}
+
 /// What the structure feels: outside the notch, at most over the ranges, and inside one that has a
 /// width.
 std::string felt(const DesignReport& report, const Physical& physical) {
@@ -65,12 +71,11 @@ std::string felt(const DesignReport& report, const Physical& physical) {
   const auto& [problem, limits, search, pulse, ranges] = report.result.request;
   const auto& [f, delta, tolerance] = finding.point;
   const Response& response = finding.response;
-  const std::string which = pulse ? "" : extreme_words(problem, "stiffest");
   const double most = !pulse                 ? std::hypot(f, problem.stiffest_p() * problem.v0)
                       : finding.pulse->worst ? finding.pulse->worst->acceleration
                                              : response.peak_absolute_acceleration;
   const std::string outside = format("{} outside the notch{}", acceleration_shown(most),
-                                     which.empty() ? "" : format(" ({})", which));
+                                     of_extreme(report.result.request, "stiffest"));
   if (finding.practice && finding.practice->notch_width_min) {
     const double width = *finding.practice->notch_width_min;
     return format(
@@ -112,14 +117,12 @@ void add_rest(Section& answer, const DesignReport& report, const Physical& physi
   const auto arrival = report.result.finding->arrival;
   const bool counted = !report.built_notch && arrival && report.result.request.problem.arrivals > 1;
   answer.row("rest",
-             format("at x = {}{} {} {}{}", length_shown(physical, *response.stop_position),
+             format("at x = {}{} {} {}{}{}", length_shown(physical, *response.stop_position),
                     response.outcome == Outcome::stopped_in_notch ? ", inside the notch," : "",
                     worst ? "within" : "after",
                     time_shown(physical, worst ? check->worst->stop_time : *response.stop_time),
-                    counted ? format(", on return {} to x = 0", *arrival) : ""));
-  if (const std::string which = shown_motion(report, physical); !check && !which.empty()) {
-    answer.row("", format("both with {}", which));
-  }
+                    counted ? format(", on return {}", *arrival) : "",
+                    of_extreme(report.result.request, "softest")));
 }
 
 /// For the ranges of a pulse: how far what is above holds, and which of them is shown.
@@ -208,12 +211,11 @@ std::string verdict(const DesignReport& report, const Physical& physical) {
   const design::Finding& finding = *report.result.finding;
   const auto& [f, delta, tolerance] = finding.point;
   const auto width = report.built_notch ? report.built_notch->shape.width : std::nullopt;
-  std::string text =
-      format("Build {}.", damper_words(physical,
-                                       wants_no_friction(report)
-                                           ? std::nullopt
-                                           : std::optional(std::stod(f_digits(report.result))),
-                                       delta, width));
+  std::optional<double> friction;
+  if (!wants_no_friction(report)) {
+    friction = physical && physical->scales.mass_kg ? f : std::stod(f_digits(report.result));
+  }
+  std::string text = format("Build {}.", damper_words(physical, friction, delta, width));
   if (report.catalogue) {
     text = format("Order part {}: f = {}, delta = {}.", report.catalogue->parts.front().part.name,
                   digits(f), length_shown(physical, delta));
@@ -247,7 +249,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
       "peak",
       format("{}, {:.4g} % of the {} allowed{}", length_shown(physical, response.peak_amplitude),
              100 * response.peak_amplitude / problem.beta, length_shown(physical, problem.beta),
-             pulse ? ", under the pulse" : ""));
+             pulse ? ", under the pulse" : of_extreme(result.request, "softest")));
   add_rest(answer, report, physical);
   const auto built = felt_in_built_notch(report);
   answer.row("acceleration",

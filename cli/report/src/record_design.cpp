@@ -21,6 +21,23 @@ std::string shown(const Physical& physical, SuiteObjective which, double value) 
                                                : length_shown(physical, value);
 }
 
+/// Both in enough digits to be told apart.
+std::pair<std::string, std::string> told_apart(const Physical& physical, SuiteObjective which,
+                                               double one, double other) {
+  constexpr int every = 17;  // that a double has
+  const FigureUnits units(physical);
+  const bool felt = which == SuiteObjective::acceleration;
+  std::pair both{shown(physical, which, one), shown(physical, which, other)};
+  for (int digits = 6; one != other && both.first == both.second && digits <= every; ++digits) {
+    const auto more = [&](double value) {
+      return format("{:.{}g}{}", value * (felt ? 1 : units.length), digits,
+                    felt ? " g" : with_blank(units.length_unit));
+    };
+    both = {more(one), more(other)};
+  }
+  return both;
+}
+
 std::string row_name(SuiteObjective which) {
   return which == SuiteObjective::acceleration ? "transmitted" : std::string(quantity(which));
 }
@@ -243,13 +260,12 @@ void add_shortfalls(Document& document, const RecordDesignReport& report) {
               format("f = {}, delta = {}, {}", digits(damper.f),
                      length_shown(physical, damper.delta), spring_words(physical, damper.p)));
   for (const auto& [which, limit, nearest, relaxed] : report.result.shortfalls) {
-    section.row(
-        row_name(which),
-        format("{}; {} is allowed", shown(physical, which, nearest), shown(physical, which, limit)),
-        nearest > limit ? Tone::bad : Tone::plain);
+    const auto [near, allowed] = told_apart(physical, which, nearest, limit);
+    section.row(row_name(which), format("{}; {} is allowed", near, allowed),
+                nearest > limit ? Tone::bad : Tone::plain);
     section.row(
         "", relaxed ? format("with {} allowed and the other limits unchanged, there is a damper",
-                             shown(physical, which, *relaxed))
+                             told_apart(physical, which, *relaxed, limit).first)
             : report.result.search.interrupted
                 ? "interrupted before it was known whether changing this limit alone is enough"
             : nearest > limit ? "changing this limit alone would not be enough"
@@ -354,9 +370,9 @@ std::string shortfall_sentence(const RecordDesignReport& report) {
   std::string broken;
   for (const auto& [which, limit, nearest, relaxed] : result.shortfalls) {
     if (nearest > limit) {
-      broken +=
-          format("{}a {} of {} where {} is allowed", broken.empty() ? "" : " and ", quantity(which),
-                 shown(report.physical, which, nearest), shown(report.physical, which, limit));
+      const auto [near, allowed] = told_apart(report.physical, which, nearest, limit);
+      broken += format("{}a {} of {} where {} is allowed", broken.empty() ? "" : " and ",
+                       quantity(which), near, allowed);
     }
   }
   return format("No damper was found that meets the limits. The nearest has {}.", broken);

@@ -18,6 +18,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace stillpoint::report {
 
@@ -78,6 +79,10 @@ inline constexpr int usual_digits = 4;
 /// "a tolerance of 34.18 %", likewise.
 [[nodiscard]] std::string tolerance_shown(const design::Limits& limits, double tolerance,
                                           int shown = usual_digits);
+/// The heads and the cells of a table for the tolerance: one, or one of f and one of delta.
+[[nodiscard]] std::vector<std::string> tolerance_heads(const design::Limits& limits);
+[[nodiscard]] std::vector<std::string> tolerance_cells(const design::Limits& limits,
+                                                       const std::optional<double>& tolerance);
 /// "f and delta may both be off by +-34.18 %", likewise.
 [[nodiscard]] std::string tolerance_words(const design::Limits& limits, double tolerance);
 

@@ -25,6 +25,23 @@ std::string interval_text(const design::ServedInterval& interval) {
              : ends;
 }
 
+namespace {
+
+/// " (the upper end is the program's own limit)", if an end is not the damper's.
+std::string own_limit(const design::ServedInterval& served, const Interval& valid, bool turned) {
+  constexpr double rounding = 1e-12;
+  const bool least = served.low <= valid.low * (1 + rounding) && served.low > 0 &&
+                     !(served.high && begins_at_nothing(served.low, *served.high));
+  const bool most = served.high && *served.high >= valid.high * (1 - rounding);
+  return !least && !most
+             ? ""
+             : format(" ({} the program's own limit)", least && most    ? "both ends are"
+                                                       : most == turned ? "the lower end is"
+                                                                        : "the upper end is");
+}
+
+}  // namespace
+
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
                    const design::Problem& problem, const Physical& physical) {
   if (!served) {
@@ -34,14 +51,16 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
   const std::string_view hits = problem.v0_low ? "every hit of the range"
                                 : physical     ? "the hit as given"
                                                : "v0 as given";
+  const std::string of_v0 = own_limit(served->v0, design::valid_v0(problem), false);
+  const std::string of_p = own_limit(served->p, design::valid_p(problem), physical.has_value());
   if (!physical) {
-    section.row("works for", format("v0 of {}{}", interval_text(served->v0), springs));
-    section.row("", format("p of {} with {}", interval_text(served->p), hits));
+    section.row("works for", format("v0 of {}{}{}", interval_text(served->v0), springs, of_v0));
+    section.row("", format("p of {} with {}{}", interval_text(served->p), hits, of_p));
     return;
   }
   const auto [velocity, period] = physical_works_for(physical->scales, *served);
-  section.row("works for", format("hits of {} m/s{}", interval_text(velocity), springs));
-  section.row("", format("periods of {} s with {}", interval_text(period), hits));
+  section.row("works for", format("hits of {} m/s{}{}", interval_text(velocity), springs, of_v0));
+  section.row("", format("periods of {} s with {}{}", interval_text(period), hits, of_p));
 }
 
 double example_width(const Physical& physical, double peak) {
