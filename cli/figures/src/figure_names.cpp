@@ -62,8 +62,10 @@ class Places {
       inside.fill(pixels(area.outline));
       // Words from edge to edge of a box would hide that it is one.
       const double least = area.look == AreaLook::box ? 3 : 0;
-      if (!within(area.name, outside_boxes(area, inside), least)) {
-        within(area.name, inside, least);
+      const std::string name =
+          area.again || !found_.named.contains(area.name) ? area.name : std::string();
+      if (!within(name, outside_boxes(area, inside), least)) {
+        within(name, inside, least);
       }
     }
     for (auto band = figure_.bands.begin(); band != figure_.bands.end(); ++band) {
@@ -72,7 +74,9 @@ class Places {
       for (auto above = std::next(band); above != figure_.bands.end(); ++above) {
         inside.clear(strip(*above));
       }
-      within(band->name, inside);
+      if (!found_.named.contains(band->name)) {
+        within(band->name, inside);
+      }
     }
     map_labels();
     for (const FigureCurve& curve : figure_.curves) {
@@ -237,7 +241,7 @@ class Places {
   bool within(const std::string& text, const Raster& inside, double least = 0) {
     constexpr double tight = 0.1;   // of a cell covered, a pixel that a margin lacks
     constexpr double turned = 4.5;  // cells: rather upright than close to a line
-    if (text.empty() || found_.named.contains(text)) {
+    if (text.empty()) {
       return true;
     }
     const double width = text_width(text);
@@ -329,7 +333,6 @@ class Places {
             static_cast<std::int64_t>(at.y / plane_.height * static_cast<double>(map.rows));
         return map.cells[static_cast<std::size_t>(row * map.columns + column)] == entry;
       });
-      found_.named.erase(map.labels[entry]);  // the same number may appear in two colours
       if (!map.labels[entry].empty() && within(map.labels[entry], inside)) {
         found_.named.insert(map.names[entry]);
       }

@@ -35,7 +35,7 @@ void add_parts(figures::Figure& figure, const Catalogue& catalogue, const Figure
 [[nodiscard]] std::string trade_off_words(const std::vector<design::TradeOff>& front,
                                           const Physical& physical);
 void add_trade_off(Document& document, const std::vector<design::TradeOff>& front,
-                   const Physical& physical);
+                   const ShownTask& task);
 /// Acceleration over stroke, and tolerance below it.
 [[nodiscard]] std::vector<figures::Figure> trade_off_figures(
     const std::vector<design::TradeOff>& front, const design::Finding& chosen,

@@ -52,16 +52,14 @@ void add_choices(Document& document, const DesignReport& report, const Physical&
   }
   if (report.trade_off && !report.trade_off->empty()) {
     document.answer.row("trade-off", trade_off_words(*report.trade_off, physical));
-    add_trade_off(document, *report.trade_off, physical);
+    add_trade_off(document, *report.trade_off, task_of(report));
   }
 }
 
 /// Of the motion with the paper's notch. Its peak, acceleration and rest are in the answer.
 void add_motion(Document& document, const DesignReport& report, const Physical& physical) {
   const design::Finding& finding = *report.result.finding;
-  const std::string which = !finding.pulse         ? shown_words(report.result.request.problem)
-                            : finding.pulse->worst ? "largest peak"
-                                                   : "";
+  const std::string which = shown_words(report.result.request);
   const std::string of_it = (which.empty() ? "" : ": " + which) + with_ideal(report);
   add_counts(document.detail((finding.pulse ? "Under the pulse itself" : "Motion") + of_it),
              finding.response, physical, !finding.pulse);
@@ -147,7 +145,7 @@ Document document(const DesignReport& report) {
   add_task(document, result.request, physical);
   add_damper(document.detail("Damper" + with_ideal(report)), finding.point,
              stops_by_delta1(finding.constraints) ? delta_needs(result) : DeltaNeeds(),
-             finding.practice, physical);
+             finding.practice, shown_words(result.request), physical);
   Section& constraints = add_constraints(document, finding.constraints, limits, physical);
   constraints.heading += with_ideal(report);
   add_feasible(constraints, result, limits, physical);

@@ -5,6 +5,7 @@
 #include <stillpoint/report/digits.hpp>
 
 #include <cmath>
+#include <numbers>
 
 namespace stillpoint::report {
 
@@ -57,6 +58,12 @@ std::string checks_agree(const design::CrossCheck& check) {
   return text;
 }
 
+/// " (strongest hit, softest spring)"; empty without ranges of them.
+std::string of_extreme(const design::DesignRequest& request, std::string_view spring) {
+  const std::string which = request.pulse ? "" : extreme_words(request.problem, spring);
+  return which.empty() ? "" : format(" ({})", which);
+}
+
 /// What the structure feels: outside the notch, at most over the ranges, and inside one that has a
 /// width.
 std::string felt(const DesignReport& report, const Physical& physical) {
@@ -64,12 +71,11 @@ std::string felt(const DesignReport& report, const Physical& physical) {
   const auto& [problem, limits, search, pulse, ranges] = report.result.request;
   const auto& [f, delta, tolerance] = finding.point;
   const Response& response = finding.response;
-  const bool springs = !pulse && problem.p_high;
-  const double most = pulse && finding.pulse->worst ? finding.pulse->worst->acceleration
-                      : springs                     ? std::hypot(f, *problem.p_high * problem.v0)
-                                                    : response.peak_absolute_acceleration;
+  const double most = !pulse                 ? std::hypot(f, problem.stiffest_p() * problem.v0)
+                      : finding.pulse->worst ? finding.pulse->worst->acceleration
+                                             : response.peak_absolute_acceleration;
   const std::string outside = format("{} outside the notch{}", acceleration_shown(most),
-                                     springs ? " (stiffest spring)" : "");
+                                     of_extreme(report.result.request, "stiffest"));
   if (finding.practice && finding.practice->notch_width_min) {
     const double width = *finding.practice->notch_width_min;
     return format(
@@ -104,16 +110,17 @@ void add_rest(Section& answer, const DesignReport& report, const Physical& physi
   const auto arrival = report.result.finding->arrival;
   const bool counted = !report.built_notch && arrival && report.result.request.problem.arrivals > 1;
   answer.row("rest",
-             format("at x = {}{} {} {}{}", length_shown(physical, *response.stop_position),
+             format("at x = {}{} {} {}{}{}", length_shown(physical, *response.stop_position),
                     response.outcome == Outcome::stopped_in_notch ? ", inside the notch," : "",
                     worst ? "within" : "after",
                     time_shown(physical, worst ? check->worst->stop_time : *response.stop_time),
-                    counted ? format(", on return {} to x = 0", *arrival) : ""));
+                    counted ? format(", on return {}", *arrival) : "",
+                    of_extreme(report.result.request, "softest")));
 }
 
 /// For the ranges of a pulse: how far what is above holds, and which of them is shown.
-void add_worst(Section& answer, const design::DesignRequest& request,
-               const design::PulseCheck& check, const Physical& physical) {
+void add_worst(Section& answer, const DesignReport& report, const Physical& physical) {
+  const design::DesignRequest& request = report.result.request;
   const bool springs = request.problem.p_high.has_value();
   const bool lengths = request.pulse_ranges.lambda_high.has_value();
   answer.row(
@@ -121,15 +128,8 @@ void add_worst(Section& answer, const design::DesignRequest& request,
       format(
           "all of this holds for every pulse{} of the ranges{}", springs ? " and spring" : "",
           springs || lengths ? "; durations and periods between those tried are estimated" : ""));
-  std::string shown = format("k = {:.6g} g", design::peak_load(check.pulse));
-  if (lengths) {
-    shown +=
-        ", a pulse of " + time_shown(physical, duration(design::excitation(check.pulse)).value());
-  }
-  if (springs) {
-    shown += " and " + spring_words(physical, check.p);
-  }
-  answer.row("", format("the motion shown has the largest peak, with {}", shown));
+  answer.row(
+      "", format("the motion shown has the largest peak, with {}", shown_motion(report, physical)));
 }
 
 void add_start(Section& answer, const design::DesignResult& result, const Physical& physical) {
@@ -167,10 +167,32 @@ std::string_view method_words(std::string_view name) {
                                   : name;
 }
 
-std::string shown_words(const design::Problem& problem) {
-  return format("{}{}{}", problem.v0_low ? "strongest hit" : "",
-                problem.v0_low && problem.p_high ? ", " : "",
-                problem.p_high ? "softest spring" : "");
+std::string shown_motion(const DesignReport& report, const Physical& physical) {
+  const auto& [problem, limits, search, pulse, ranges] = report.result.request;
+  const auto& check = report.result.finding->pulse;
+  const FigureUnits units(physical);
+  std::string shown;
+  if (check && check->worst) {
+    shown = format("k = {:.6g} g", design::peak_load(check->pulse));
+    if (ranges.lambda_high) {
+      shown += ", a pulse of " +
+               time_shown(physical, duration(design::excitation(check->pulse)).value());
+    }
+  } else if (problem.v0_low) {
+    shown = format("the strongest hit, {}{}",
+                   physical ? "" : "v0 = ", units.velocity_words(problem.v0));
+  }
+  if (problem.p_high) {
+    shown += format("{}{}",
+                    shown.empty() ? ""
+                    : check       ? " and "
+                                  : ", and ",
+                    check ? spring_words(physical, check->p)
+                          : "the softest spring, " +
+                                (physical ? units.time_words(2 * std::numbers::pi / problem.p)
+                                          : format("p = {:.4g}", problem.p)));
+  }
+  return shown;
 }
 
 bool wants_no_friction(const DesignReport& report) {
@@ -182,12 +204,11 @@ std::string verdict(const DesignReport& report, const Physical& physical) {
   const design::Finding& finding = *report.result.finding;
   const auto& [f, delta, tolerance] = finding.point;
   const auto width = report.built_notch ? report.built_notch->shape.width : std::nullopt;
-  std::string text =
-      format("Build {}.", damper_words(physical,
-                                       wants_no_friction(report)
-                                           ? std::nullopt
-                                           : std::optional(std::stod(f_digits(report.result))),
-                                       delta, width));
+  std::optional<double> friction;
+  if (!wants_no_friction(report)) {
+    friction = physical && physical->scales.mass_kg ? f : std::stod(f_digits(report.result));
+  }
+  std::string text = format("Build {}.", damper_words(physical, friction, delta, width));
   if (report.catalogue) {
     text = format("Order part {}: f = {}, delta = {}.", report.catalogue->parts.front().part.name,
                   digits(f), length_shown(physical, delta));
@@ -212,7 +233,6 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   const design::Finding& finding = *result.finding;
   const auto& [f, delta, tolerance] = finding.point;
   const Response& response = told_motion(report);
-  const std::string which = shown_words(problem);
   answer.row("damper",
              format("{}, delta = {}",
                     wants_no_friction(report) ? "f as small as you can make it"
@@ -223,9 +243,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
       "peak",
       format("{}, {:.4g} % of the {} allowed{}", length_shown(physical, response.peak_amplitude),
              100 * response.peak_amplitude / problem.beta, length_shown(physical, problem.beta),
-             pulse           ? ", under the pulse"
-             : which.empty() ? ""
-                             : ", " + which));
+             pulse ? ", under the pulse" : of_extreme(result.request, "softest")));
   add_rest(answer, report, physical);
   const auto built = felt_in_built_notch(report);
   answer.row("acceleration",
@@ -234,10 +252,10 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
     add_start(answer, result, physical);
   }
   if (pulse && finding.pulse->worst) {
-    add_worst(answer, result.request, *finding.pulse, physical);
+    add_worst(answer, report, physical);
   } else if (built && problem.p_high) {  // the motion shown is that of the softest spring
     const double stiffest = std::hypot(f, *problem.p_high * problem.v0);
-    answer.row("", format("{} with the stiffest spring", acceleration_shown(stiffest)));
+    answer.row("", format("{} outside it with the stiffest spring", acceleration_shown(stiffest)));
   }
   if (report.built_notch) {
     answer.row("note",
@@ -248,7 +266,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   answer.row("tolerance",
              tolerance_left(report) + (too_exact ? ", less than a real damper keeps" : ""),
              too_exact ? Tone::bad : Tone::plain);
-  add_works_for(answer, finding.works_for, physical);
+  add_works_for(answer, finding.works_for, problem, physical);
   // A weaker hit than this is caught at the start: rule 4 of docs/theory.md, section 2.
   if (const double caught = std::sqrt(2 * delta); problem.v0_low && *problem.v0_low < caught) {
     answer.row("weak hits", format("those below {} are felt in full, up to {}",

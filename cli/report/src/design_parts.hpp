@@ -17,8 +17,9 @@ namespace stillpoint::report {
 /// comes near and nobody builds.
 [[nodiscard]] bool wants_no_friction(const DesignReport& report);
 
-/// "strongest hit, softest spring": which motion of a task with ranges is shown; empty without.
-[[nodiscard]] std::string shown_words(const design::Problem& problem);
+/// "the strongest hit, 0.44 m/s, and the softest spring, 2.94 s" or "k = 0.5 g": which
+/// motion of a task with ranges is shown; empty without.
+[[nodiscard]] std::string shown_motion(const DesignReport& report, const Physical& physical);
 
 /// What to build.
 [[nodiscard]] std::string verdict(const DesignReport& report, const Physical& physical);

@@ -94,6 +94,9 @@ std::vector<Figure> hit_figures(const DesignReport& report, const FigureUnits& u
 /// What the design does after its hit, or under its pulse.
 std::vector<Figure> told_figures(const DesignReport& report, const FigureUnits& units) {
   DrawnMotion motion = told(report);
+  if (const std::string which = shown_motion(report, report.physical); !which.empty()) {
+    motion.with = fmt::format("With {}, ", which);
+  }
   motion.beta = report.result.request.problem.beta;
   Figure figure = motion_figure(motion, units);
   const auto& check = report.result.finding->pulse;

@@ -17,6 +17,23 @@ namespace {
 
 using design::SuiteObjective;
 
+/// Both in enough digits to be told apart.
+std::pair<std::string, std::string> told_apart(const Physical& physical, SuiteObjective which,
+                                               double one, double other) {
+  constexpr int every = 17;  // that a double has
+  const FigureUnits units(physical);
+  const bool felt = which == SuiteObjective::acceleration;
+  std::pair both{figure_shown(physical, which, one), figure_shown(physical, which, other)};
+  for (int digits = 6; one != other && both.first == both.second && digits <= every; ++digits) {
+    const auto more = [&](double value) {
+      return format("{:.{}g}{}", value * (felt ? 1 : units.length), digits,
+                    felt ? " g" : with_blank(units.length_unit));
+    };
+    both = {more(one), more(other)};
+  }
+  return both;
+}
+
 std::string row_name(SuiteObjective which) {
   return which == SuiteObjective::acceleration ? "transmitted" : std::string(quantity(which));
 }
@@ -209,13 +226,12 @@ void add_shortfalls(Document& document, const RecordDesignReport& report) {
               format("f = {}, delta = {}, {}", digits(damper.f),
                      length_shown(physical, damper.delta), spring_words(physical, damper.p)));
   for (const auto& [which, limit, nearest, relaxed] : report.result.shortfalls) {
-    section.row(row_name(which),
-                format("{}; {} is allowed", figure_shown(physical, which, nearest),
-                       figure_shown(physical, which, limit)),
+    const auto [near, allowed] = told_apart(physical, which, nearest, limit);
+    section.row(row_name(which), format("{}; {} is allowed", near, allowed),
                 nearest > limit ? Tone::bad : Tone::plain);
     section.row(
         "", relaxed ? format("with {} allowed and the other limits unchanged, there is a damper",
-                             figure_shown(physical, which, *relaxed))
+                             told_apart(physical, which, *relaxed, limit).first)
             : report.result.search.interrupted
                 ? "interrupted before it was known whether changing this limit alone is enough"
             : nearest > limit ? "changing this limit alone would not be enough"
@@ -319,9 +335,9 @@ std::string shortfall_sentence(const RecordDesignReport& report) {
   std::string broken;
   for (const auto& [which, limit, nearest, relaxed] : result.shortfalls) {
     if (nearest > limit) {
+      const auto [near, allowed] = told_apart(report.physical, which, nearest, limit);
       broken += format("{}a {} of {} where {} is allowed", broken.empty() ? "" : " and ",
-                       quantity(which), figure_shown(report.physical, which, nearest),
-                       figure_shown(report.physical, which, limit));
+                       quantity(which), near, allowed);
     }
   }
   return format("No damper was found that meets the limits. The nearest has {}.", broken);

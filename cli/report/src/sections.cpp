@@ -158,6 +158,12 @@ std::string range_words(const design::Problem& problem, const Physical& physical
   return words;
 }
 
+std::string extreme_words(const design::Problem& problem, std::string_view spring) {
+  return format("{}{}{}", problem.v0_low ? "strongest hit" : "",
+                problem.v0_low && problem.p_high ? ", " : "",
+                problem.p_high ? format("{} spring", spring) : "");
+}
+
 Section& add_problem(Document& document, const design::Problem& problem,
                      const design::Limits& limits, const Physical& physical, bool pulsed) {
   Section& section = document.detail("Task");

@@ -18,6 +18,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace stillpoint::report {
 
@@ -34,7 +35,7 @@ void add_damper_physics(Section& section, const Physical& physical, double f, do
 [[nodiscard]] std::string interval_text(const design::ServedInterval& interval);
 /// The hits and periods for which it works, if known.
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
-                   const Physical& physical);
+                   const design::Problem& problem, const Physical& physical);
 /// The width of a notch as an example: 20 mm, or 1, 2 or 5 times a power of ten if that is above a
 /// fifth of the peak; that fifth without physical input.
 [[nodiscard]] double example_width(const Physical& physical, double peak);
@@ -81,11 +82,24 @@ inline constexpr int usual_digits = 4;
 /// "a tolerance of 34.18 %", likewise.
 [[nodiscard]] std::string tolerance_shown(const design::Limits& limits, double tolerance,
                                           int shown = usual_digits);
+/// The heads and the cells of a table for the tolerance: one, or one of f and one of delta.
+[[nodiscard]] std::vector<std::string> tolerance_heads(const design::Limits& limits);
+[[nodiscard]] std::vector<std::string> tolerance_cells(const design::Limits& limits,
+                                                       const std::optional<double>& tolerance);
 /// "f and delta may both be off by +-34.18 %", likewise.
 [[nodiscard]] std::string tolerance_words(const design::Limits& limits, double tolerance);
 
 /// "hits of 0.36 to 0.44 m/s and periods of 2.66 to 2.94 s"; empty without ranges.
 [[nodiscard]] std::string range_words(const design::Problem& problem, const Physical& physical);
+/// "strongest hit, softest spring", or stiffest: an end of the ranges; empty without ranges.
+[[nodiscard]] std::string extreme_words(const design::Problem& problem, std::string_view spring);
+/// Which motion of a task with ranges is shown, shortly; empty without ranges.
+template <class Request>
+[[nodiscard]] std::string shown_words(const Request& request) {
+  return !request.pulse ? extreme_words(request.problem, "softest")
+         : design::pulse_request(request).problem.has_ranges() ? "largest peak"
+                                                               : "";
+}
 /// The section of the task; `pulsed` if a pulse takes the place of v0.
 Section& add_problem(Document& document, const design::Problem& problem,
                      const design::Limits& limits, const Physical& physical, bool pulsed);
@@ -104,9 +118,10 @@ struct DeltaNeeds {
   std::optional<double> published;
   std::optional<double> exact;
 };
-/// What the damper takes: force, energy and how much of its notch the stop uses.
+/// What the damper takes: force, energy and how much of its notch the stop uses in `which` motion.
 void add_damper(Section& section, const design::DesignPoint& damper, const DeltaNeeds& needs,
-                const std::optional<design::Practice>& lines, const Physical& physical);
+                const std::optional<design::Practice>& lines, std::string_view which,
+                const Physical& physical);
 /// Of a finding.
 [[nodiscard]] DeltaNeeds delta_needs(const design::DesignResult& result);
 

@@ -54,8 +54,13 @@ std::string by_how_much(const design::Constraint& violated) {
              : format("{} is {:.3g} times the limit", variable, value / limit);
 }
 
-std::string percent(const std::optional<double>& tolerance) {
-  return !tolerance ? "none" : leaves_any(*tolerance) ? "+-" + percent_digits(*tolerance) : "0 %";
+/// What fills the columns of the tolerance, with what stands before and behind it.
+std::vector<std::string> around(std::vector<std::string> cells,
+                                const std::vector<std::string>& tolerance,
+                                const std::vector<std::string>& behind) {
+  cells.insert(cells.end(), tolerance.begin(), tolerance.end());
+  cells.insert(cells.end(), behind.begin(), behind.end());
+  return cells;
 }
 
 }  // namespace
@@ -84,13 +89,16 @@ std::string how_many_fit(const std::vector<design::RatedPart>& parts) {
 void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& task) {
   const FigureUnits units(task.physical);
   const auto& parts = catalogue.parts;
-  Table table{{"part", "f", in("delta", units.length_unit), "tolerance", ""}, {}};
+  Table table{
+      around({"part", "f", in("delta", units.length_unit)}, tolerance_heads(task.limits), {""}),
+      {}};
   const std::size_t shown = std::min(parts.size(), most_rows);
   for (const design::RatedPart& rated : std::span(parts).first(shown)) {
     const auto& [name, f, delta] = rated.part;
-    table.rows.push_back({{name, digits(f), digits(delta * units.length), percent(rated.tolerance),
-                           judgement(rated, task)},
-                          rated.admissible ? Tone::good : Tone::bad});
+    table.rows.push_back(
+        {around({name, digits(f), digits(delta * units.length)},
+                tolerance_cells(task.limits, rated.tolerance), {judgement(rated, task)}),
+         rated.admissible ? Tone::good : Tone::bad});
   }
   Section& section = document.section("Parts, best first");
   section.parts.emplace_back(std::move(table));
@@ -123,18 +131,20 @@ std::string trade_off_words(const std::vector<design::TradeOff>& front, const Ph
 }
 
 void add_trade_off(Document& document, const std::vector<design::TradeOff>& front,
-                   const Physical& physical) {
-  const FigureUnits units(physical);
-  Table table{{in("stroke", units.length_unit), "acceleration, g", "tolerance",
-               in("stop time", units.time_unit), "f", in("delta", units.length_unit)},
-              {}};
+                   const ShownTask& task) {
+  const FigureUnits units(task.physical);
+  Table table{
+      around({in("stroke", units.length_unit), "acceleration, g"}, tolerance_heads(task.limits),
+             {in("stop time", units.time_unit), "f", in("delta", units.length_unit)}),
+      {}};
   const std::size_t step = (front.size() + most_rows - 1) / most_rows;
   // Every so many, and the end of the front.
   for (std::size_t i = 0; i < front.size() + step - 1; i += step) {
     const auto& [damper, peak, acceleration, stop_time] = front[std::min(i, front.size() - 1)];
-    table.rows.push_back(
-        {{digits(peak * units.length), digits(acceleration), percent(damper.tolerance),
-          digits(stop_time * units.time), digits(damper.f), digits(damper.delta * units.length)}});
+    table.rows.push_back({around(
+        {digits(peak * units.length), digits(acceleration)},
+        tolerance_cells(task.limits, damper.tolerance),
+        {digits(stop_time * units.time), digits(damper.f), digits(damper.delta * units.length)})});
   }
   const std::size_t shown = table.rows.size();
   Section& section = document.section("Trade-off of stroke, acceleration and tolerance");

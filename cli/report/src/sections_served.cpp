@@ -25,19 +25,42 @@ std::string interval_text(const design::ServedInterval& interval) {
              : ends;
 }
 
+namespace {
+
+/// " (the upper end is the program's own limit)", if an end is not the damper's.
+std::string own_limit(const design::ServedInterval& served, const Interval& valid, bool turned) {
+  constexpr double rounding = 1e-12;
+  const bool least = served.low <= valid.low * (1 + rounding) && served.low > 0 &&
+                     !(served.high && begins_at_nothing(served.low, *served.high));
+  const bool most = served.high && *served.high >= valid.high * (1 - rounding);
+  return !least && !most
+             ? ""
+             : format(" ({} the program's own limit)", least && most    ? "both ends are"
+                                                       : most == turned ? "the lower end is"
+                                                                        : "the upper end is");
+}
+
+}  // namespace
+
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
-                   const Physical& physical) {
+                   const design::Problem& problem, const Physical& physical) {
   if (!served) {
     return;
   }
+  const std::string_view springs = problem.p_high ? " with every spring of the range" : "";
+  const std::string_view hits = problem.v0_low ? "every hit of the range"
+                                : physical     ? "the hit as given"
+                                               : "v0 as given";
+  const std::string of_v0 = own_limit(served->v0, design::valid_v0(problem), false);
+  const std::string of_p = own_limit(served->p, design::valid_p(problem), physical.has_value());
   if (!physical) {
-    section.row("works for", "v0 of " + interval_text(served->v0));
-    section.row("", format("p of {} with v0 as given", interval_text(served->p)));
+    section.row("works for", format("v0 of {}{}{}", interval_text(served->v0), springs, of_v0));
+    section.row("", format("p of {} with {}{}", interval_text(served->p), hits, of_p));
     return;
   }
   const auto [velocity, period] = physical_works_for(physical->scales, *served);
-  section.row("works for", format("hits of {} m/s", interval_text(velocity)));
-  section.row("", format("periods of {} s with the hit as given", interval_text(period)));
+  section.row("works for", format("hits of {} m/s{}{}", interval_text(velocity), springs, of_v0));
+  section.row("", format("periods of {} s with {}{}", interval_text(period), hits, of_p));
 }
 
 double example_width(const Physical& physical, double peak) {
@@ -86,7 +109,8 @@ void add_start(Section& section, const StartUnderLoad& start, std::string_view f
 }
 
 void add_damper(Section& section, const design::DesignPoint& damper, const DeltaNeeds& needs,
-                const std::optional<design::Practice>& lines, const Physical& physical) {
+                const std::optional<design::Practice>& lines, std::string_view which,
+                const Physical& physical) {
   if (needs.published) {
     section.row("Delta1(f)",
                 format("{} published (the paper's), {} exact (the motion's own)",
@@ -98,9 +122,9 @@ void add_damper(Section& section, const design::DesignPoint& damper, const Delta
     const double energy = *lines->notch_used * lines->notch_capacity;
     const auto joules = physical ? physical->scales.energy_per_passage_j(energy) : std::nullopt;
     section.row("used at the stop",
-                format("{}, {:.3g} % of the notch's capacity",
+                format("{}, {:.3g} % of the notch's capacity{}",
                        joules ? with_unit(*joules, "J") : length_shown(physical, energy),
-                       100 * *lines->notch_used));
+                       100 * *lines->notch_used, which.empty() ? "" : format(" ({})", which)));
   }
   if (lines && lines->notch_width_min) {
     section.row("notch width",

@@ -24,7 +24,34 @@ std::string side(std::string_view name, double below, double above, int shown) {
                 limit_digits((1 + above) * (1 + rounding), false, shown), name);
 }
 
+/// "+-8.63 %", or "-20 +8.63 %"; "none" without a tolerance.
+std::string cell(const std::optional<double>& tolerance, double below, double above, int shown) {
+  if (!tolerance || !leaves_any(*tolerance * std::max(below, above))) {
+    return tolerance ? "0 %" : "none";
+  }
+  const std::string least = percent_digits(*tolerance * below, shown);
+  const std::string most = percent_digits(*tolerance * above, shown);
+  return least == most ? "+-" + most : format("-{} +{}", least.substr(0, least.find(' ')), most);
+}
+
 }  // namespace
+
+std::vector<std::string> tolerance_heads(const design::Limits& limits) {
+  return limits.shape == design::BoxShape{} ? std::vector<std::string>{"tolerance"}
+                                            : std::vector<std::string>{"f off by", "delta off by"};
+}
+
+std::vector<std::string> tolerance_cells(const design::Limits& limits,
+                                         const std::optional<double>& tolerance) {
+  const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
+  const bool even = limits.shape == design::BoxShape{};
+  const int shown = even ? usual_digits : 3;  // a table has 80 columns
+  std::vector<std::string> cells{cell(tolerance, f_low, f_high, shown)};
+  if (!even) {
+    cells.push_back(cell(tolerance, delta_low, delta_high, shown));
+  }
+  return cells;
+}
 
 std::string percent_digits(double tolerance, int shown) {
   return limit_digits(100 * tolerance * (1 + rounding), false, shown) + " %";

@@ -3,6 +3,8 @@
 
 #include <stillpoint/report/document.hpp>
 
+#include <regex>
+
 BOOST_AUTO_TEST_SUITE(document_test)
 
 using namespace stillpoint::report;
@@ -68,6 +70,26 @@ BOOST_AUTO_TEST_CASE(a_wide_table_has_its_units_below) {
   BOOST_TEST(contains(written.substr(heads, next - heads), "peak\n"));
   BOOST_TEST(contains(written.substr(next, written.find('\n', next) + 1 - next), " s "));
   BOOST_TEST(!contains(written, "starts, s"));
+}
+
+BOOST_AUTO_TEST_CASE(a_table_of_very_large_numbers_has_fewer_digits_but_the_width_of_the_page) {
+  Document document;
+  Table table{{"", "name"}, {{{"1", "seven"}}}};
+  for (int i = 0; i < 5; ++i) {
+    table.head.emplace_back("peak");
+    table.rows[0].cells.emplace_back("-8.19804e+149");
+  }
+  table.head.emplace_back("stop");
+  table.rows[0].cells.emplace_back("3.27276");
+  document.section("Wide").parts.emplace_back(table);
+  const std::string written = text(document, {});
+  BOOST_TEST(contains(written, "-8.2e+149"), written);
+  BOOST_TEST(contains(written, "3.27276"), written);
+  BOOST_TEST(!std::regex_search(written, std::regex("[^\\n]{81}")), written);
+  table.head.resize(4);
+  table.rows[0].cells.resize(4);
+  document.sections.front().parts = {table};
+  BOOST_TEST(contains(text(document, {}), "-8.19804e+149"));
 }
 
 /// If that is too narrow for their units, the words of heads stand in two lines.

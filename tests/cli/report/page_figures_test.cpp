@@ -4,7 +4,10 @@
 
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/design.hpp>
+#include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/report.hpp>
+
+#include <fmt/format.h>
 
 #include <regex>
 
@@ -106,6 +109,95 @@ BOOST_AUTO_TEST_CASE(the_hits_are_those_of_the_design_with_the_range_that_it_wor
     reached = drawn.areas[i].outline[1].x;
   }
   BOOST_TEST(reached == drawn.x.most);
+}
+
+/// Without a notch the mass rests off centre wherever it turns within the dead zone, f/p^2.
+BOOST_AUTO_TEST_CASE(a_damper_that_fails_says_how_the_hit_ends) {
+  const std::string fails = "The damper does not work for the hit that was asked for";
+  const auto caption = [](double f, double delta) {
+    return figure(region(2, f, delta), "hits").caption;
+  };
+  BOOST_TEST(caption(0.2, 0.7) == fails + ": such hits are held at the start.");  // V0^2 < 2 delta
+  BOOST_TEST(caption(0.9, 0) == fails + ": such hits rest off centre.");
+  BOOST_TEST(caption(0, 0.5) == fails + ".");  // on the edge between held and centred
+}
+
+/// With V0 = 1.1 and p = 1.05, the largest of both, sqrt(f^2 + (V0 p)^2) is felt; the motion shown
+/// is that of the least p, and what it serves holds for both ends.
+BOOST_AUTO_TEST_CASE(what_is_said_of_ranges_names_the_hit_and_the_spring) {
+  design::DesignRequest request;
+  request.problem = {.v0 = 1.1, .p = 0.95, .beta = 2, .v0_low = 0.9, .p_high = 1.05};
+  request.problem.criterion = design::Criterion::exact;
+  const DesignReport report{design::design(request), {}};
+  const HtmlPage drawn = page(report);
+  const std::string& caption = figure(drawn, "motion").caption;
+  BOOST_TEST(caption.starts_with("With the strongest hit, v0 = 1.1, and the softest spring, "
+                                 "p = 0.95, the mass reaches its peak of "),
+             caption);
+  BOOST_TEST(has(figure(drawn, "hits").curves, "V₀ = 0.9 to 1.1"));
+  const std::string written = std::regex_replace(drawn.report, std::regex("\\s+"), " ");
+  const double felt = std::hypot(report.result.finding->point.f, 1.1 * 1.05);
+  for (const std::string& said :
+       {std::string(" of the 2 allowed (strongest hit, softest spring) rest "),
+        std::string(" (strongest hit, softest spring) acceleration "),
+        fmt::format("{:.4g} g outside the notch (strongest hit, stiffest spring)", felt),
+        std::string(" with every spring of the range p of "),
+        std::string(" with every hit of the range checks "),
+        std::string(" of the notch's capacity (strongest hit, softest spring) "),
+        std::string("In practice: strongest hit, softest spring ")}) {
+    BOOST_TEST(contains(written, said), said << " in " << written);
+  }
+}
+
+/// v0 may be up to 1e150, whatever the damper is.
+BOOST_AUTO_TEST_CASE(an_interval_that_ends_with_the_inputs_allowed_says_so) {
+  const auto written = [](double v0) {
+    design::DesignRequest request;
+    request.problem = {.v0 = v0, .p = 1, .beta = v0};
+    return std::regex_replace(page(DesignReport{design::design(request), {}}).report,
+                              std::regex("\\s+"), " ");
+  };
+  BOOST_TEST(contains(written(1e150), "to 1.00e+150 (the upper end is the program's own limit)"));
+  BOOST_TEST(contains(written(1e-150), "v0 of 1.00e-150 to 1.23e-150 (the lower end is the "));
+  BOOST_TEST(!contains(written(1), "own limit"));
+}
+
+/// A factor of 0.5 below and 0.25 above for f, of 0.1 on both sides for delta.
+BOOST_AUTO_TEST_CASE(a_table_of_a_tolerance_with_sides_of_its_own_has_them_all) {
+  design::DesignRequest request;
+  request.problem = {.v0 = 1, .p = 1, .beta = 1};
+  request.limits.shape = {.f_low = 1, .f_high = 0.5, .delta_low = 0.2, .delta_high = 0.2};
+  DesignReport report{design::design(request), {}};
+  report.trade_off = {{{0.2, 0.4, 0.5}, 0.8, 1, 3}, {{0.3, 0.4, 0.5}, 0.7, 1.1, 3}};
+  const std::string drawn = page(report).report;
+  BOOST_TEST(std::regex_search(drawn, std::regex(R"(0\.8 +1 +-50 \+25 % +\+-10 % +3 +0\.2)")),
+             drawn);
+}
+
+/// A nearest damper just above a limit has more digits than the limit: six would not tell.
+BOOST_AUTO_TEST_CASE(a_limit_exceeded_by_little_is_told_from_what_exceeds_it) {
+  RecordDesignReport report;
+  report.result.nearest.figures.settled = true;
+  report.result.shortfalls = {
+      {design::SuiteObjective::acceleration, 0.32, 0.32000004, std::nullopt}};
+  const std::string sentence = shortfall_sentence(report);
+  BOOST_TEST(contains(sentence, "of 0.32000004 g where 0.32 g is allowed"), sentence);
+}
+
+/// The force of f = 0.02350064 is 276.556 kN, that of 0.0235006 is 276.553 kN.
+BOOST_AUTO_TEST_CASE(a_force_is_that_of_the_design_wherever_it_stands) {
+  design::PhysicalIsolator isolator;
+  isolator.period_s = 2.8;
+  isolator.mass_kg = 1.2e6;
+  const design::PhysicalInput physical = design::physical_input(isolator, 0.4, 0);
+  const double p = physical.scales.p;
+  const double length = physical.scales.length_m;
+  design::DesignRequest request;
+  request.problem = {.v0 = p, .p = p, .beta = 0.16 / length};
+  request.limits = {.f_max = 0.03, .delta_max = 0.006 / length, .tolerance = 0.1};
+  const HtmlPage drawn = page(DesignReport{design::design(request), physical});
+  BOOST_TEST(contains(drawn.verdict, "276.56 kN"), drawn.verdict);
+  BOOST_TEST(contains(drawn.report, "friction force    276.56 kN"), drawn.report);
 }
 
 /// beta = 0.9 is exceeded from V0 = 1.136 on, and sqrt(f^2 + V0^2) = 1.08 from there to V0 =

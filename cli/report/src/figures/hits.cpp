@@ -92,6 +92,37 @@ std::string other_hits(const design::ServedInterval& works, const std::vector<de
   return text;
 }
 
+std::string where_it_fails(const design::Problem& problem, const std::vector<design::Hits>& hits) {
+  if (problem.v0_low) {
+    return "The damper does not work for every hit of the range.";
+  }
+  const auto now = std::ranges::find_if(hits, [&](const design::Hits& each) {
+    return each.from < problem.v0 && problem.v0 < each.to;
+  });
+  const std::string_view fate = now == hits.end() ? "" : look_of(now->end).fate;
+  return fmt::format("The damper does not work for the hit that was asked for{}{}.",
+                     fate.empty() ? "" : ": such hits ", fate);
+}
+
+/// The hits of the task as lines.
+figures::FigureCurve asked(const design::Problem& problem, const FigureUnits& units) {
+  figures::FigureCurve curve;
+  curve.name = problem.v0_low == 0.0 ? "V₀ up to " : "V₀ = ";
+  curve.ink = Ink::blue;
+  curve.dash = figures::Dash::dashed;
+  curve.hover = false;
+  const auto add = [&](double v0) {
+    curve.name += units.velocity_words(v0);
+    curve.strokes.push_back({{v0 * units.velocity, 0}, {v0 * units.velocity, 1}});
+  };
+  if (const double low = problem.v0_low.value_or(0); low > 0) {
+    add(low);
+    curve.name += " to ";
+  }
+  add(problem.v0);
+  return curve;
+}
+
 }  // namespace
 
 Figure hits_figure(const design::Problem& problem, const design::Limits& limits, double f,
@@ -118,14 +149,17 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
         fmt::format("The damper works for hits of {}{}.", range,
                     other_hits(works_for->v0, hits, felt ? limits.acceleration_max : std::nullopt));
   } else {
-    figure.caption = "The damper does not work for the hit that was asked for.";
+    figure.caption = where_it_fails(problem, hits);
   }
   figure.description = "Ends of the motion by the velocity of the hit:";
   for (const design::Hits& now : hits) {
     const Look& look = look_of(now.end);
     const bool seen = now.to - now.from >= narrowest * hits.back().to;
-    figure.areas.push_back(
-        {seen ? look.name : "", strip(now.from * unit, now.to * unit, 0, 1), look.ink, look.look});
+    figure.areas.push_back({.name = seen ? look.name : "",
+                            .outline = strip(now.from * unit, now.to * unit, 0, 1),
+                            .ink = look.ink,
+                            .look = look.look,
+                            .again = true});
     figure.description +=
         fmt::format("{} {} from {} to {}", &now == hits.data() ? "" : ",", look.name,
                     units.velocity_words(now.from), units.velocity_words(now.to));
@@ -136,17 +170,7 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
                             AreaLook::hatched});
   }
   figure.description += ". " + figure.caption;
-  for (const double asked : {problem.v0_low.value_or(0), problem.v0}) {
-    if (asked > 0) {
-      const double at = asked * unit;
-      figure.curves.push_back({.name = "V₀ = " + units.velocity_words(asked),
-                               .strokes = {{{at, 0}, {at, 1}}},
-                               .ink = Ink::blue,
-                               .dash = figures::Dash::dashed,
-                               .hover = false,
-                               .labelled = true});
-    }
-  }
+  figure.curves.push_back(asked(problem, units));
   return figure;
 }
 

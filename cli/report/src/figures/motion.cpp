@@ -208,9 +208,10 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
              count_of(motion.turns, "turn"), count_of(motion.passages, "passage"), rest_words);
   const bool moves = is_moving(motion);
   const bool stays = motion.rest && motion.rest->tau <= peak.tau;
-  figure.caption = !moves  ? "The mass does not move."
-                   : stays ? format("The mass {} and stays there.", reached(peak, units))
-                           : format("The mass {} and is {}.", reached(peak, units), rest_words);
+  const std::string mass = motion.with.empty() ? "The mass" : motion.with + "the mass";
+  figure.caption = !moves  ? mass + " does not move."
+                   : stays ? format("{} {} and stays there.", mass, reached(peak, units))
+                           : format("{} {} and is {}.", mass, reached(peak, units), rest_words);
   add_zones(figure, motion, units.length, Along::x);
   add_lock(figure, motion, units);
   constexpr double narrowest = 0.005;  // of the figure, to be seen

@@ -74,6 +74,7 @@ struct DrawnMotion {
   double shown_to{0};                 ///< the end of the time axis
   std::optional<double> beta;
   bool whole{true};  ///< else only its beginning
+  std::string with;  ///< "With the strongest hit, ", if it is one of several
 };
 
 /// For a longer motion only the beginning is drawn: this many half-cycles, and periods of the

@@ -45,6 +45,7 @@ struct FigureArea {
   Ink ink{Ink::blue};
   AreaLook look{AreaLook::filled};
   bool in_legend{true};
+  bool again{false};  ///< named if there is room, though another area has its name
 };
 
 /// A shaded span of the horizontal axis, named like an area.
