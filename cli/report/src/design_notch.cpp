@@ -2,6 +2,7 @@
 #include "design_parts.hpp"
 #include "format.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stillpoint::report {
@@ -91,6 +92,11 @@ std::string example_fault(const DesignReport& report, const Physical& physical) 
   design::DesignRequest promised = report.result.request;
   promised.limits.acceleration_max.reset();  // kept outside the notch: see the row of that name
   const double width = example_width(physical, finding.response.peak_amplitude);
+  const double p = report.result.request.problem.p;
+  if (std::min(width, p * width) < smallest_speed ||
+      finding.point.delta / width / p > largest_speed) {
+    return {};  // the kernel takes no such notch
+  }
   const std::string fault = notch_fault(with_notch(report.result, {width}), promised, physical);
   return fault.empty() ? "" : example_sentence(width, fault, physical);
 }

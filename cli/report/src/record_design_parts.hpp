@@ -5,7 +5,7 @@
 
 #include "sections.hpp"
 
-#include <stillpoint/report/record_design.hpp>
+#include <stillpoint/design/record_design.hpp>
 
 #include <cstddef>
 #include <string>

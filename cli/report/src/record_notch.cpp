@@ -44,12 +44,13 @@ std::string example_fault(const design::RecordDesign& result, double width,
   if (!all.settled) {
     return "the mass may never rest";
   }
-  for (const auto& [which, member] : design::limit_of) {
-    const std::optional<double>& limit = result.request.limits.*member;
-    if (limit && which != design::SuiteObjective::acceleration && value_of(all, which) > *limit) {
-      return format("the {} is {}, where {} is allowed", quantity(which),
-                    figure_shown(physical, which, value_of(all, which)),
-                    figure_shown(physical, which, *limit));
+  for (const design::SuiteFigureKind& kind : design::suite_figure_kinds) {
+    const std::optional<double>& limit = result.request.limits.*kind.limit;
+    const double value = all.*kind.value;
+    if (limit && kind.objective != design::SuiteObjective::acceleration && value > *limit) {
+      return format("the {} is {}, where {} is allowed", kind.words,
+                    figure_shown(physical, kind.objective, value),
+                    figure_shown(physical, kind.objective, *limit));
     }
   }
   return {};

@@ -334,8 +334,8 @@ BOOST_AUTO_TEST_CASE(the_caption_says_what_a_clear_area_and_a_strip_mean) {
   };
   BOOST_TEST(caption({.v0 = 1, .p = 1, .beta = 0.95, .arrivals = 4}) ==
              "A damper in a strip stops at x = 0 at that arrival; "
-             "each hatched side says what goes wrong there. "
-             "The exact criterion also admits what stops, but not by the published one.");
+             "each hatched side says what goes wrong there; "
+             "the exact criterion also admits what stops, but not by the published one.");
   BOOST_TEST(contains(caption({.v0 = 1, .p = 1, .beta = 0.95, .residual = 0.05}),
                       "A damper in a strip rests within the residual at that arrival; each"));
   const design::RegionRequest only{

@@ -188,7 +188,7 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
                        ? ""
                        : ", and nothing bounds Δ from above, because the mass starts from rest");
   add_pulse_areas(figure, drawn, least_delta, units);
-  figure.caption += criterion_sentence(figure);
+  figure.caption.insert(figure.caption.size() - 1, criterion_sentence(figure));  // before the stop
   figure.curves.push_back(std::move(curve));
   add_tolerant(figure, drawn.limits, tolerant_areas(drawn, figure.y.most, units.length));
   if (drawn.damper) {

@@ -182,7 +182,7 @@ std::string box_clause(const DrawnDamper& damper, double f_upper, const FigureUn
 std::string_view criterion_sentence(const Figure& figure) {
   const bool any =
       std::ranges::find(figure.areas, by_criterion_alone, &FigureArea::name) != figure.areas.end();
-  return any ? " The exact criterion also admits what stops, but not by the published one." : "";
+  return any ? "; the exact criterion also admits what stops, but not by the published one" : "";
 }
 
 void add_tolerant(Figure& figure, const design::Limits& limits,
@@ -276,7 +276,7 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   const bool any = !figure.areas.empty();
   add_sides(figure, drawn, units);
   figure.caption = any ? caption_of(drawn, units) : empty_caption(figure);
-  figure.caption += criterion_sentence(figure);
+  figure.caption.insert(figure.caption.size() - 1, criterion_sentence(figure));  // before the stop
   if (!several) {
     add_delta1(figure, drawn.problem, region.f3, unit);
   }
