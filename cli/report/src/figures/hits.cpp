@@ -18,7 +18,6 @@ namespace stillpoint::report {
 using design::HitEnd;
 using figures::AreaLook;
 using figures::Figure;
-using figures::FigureArea;
 using figures::FigurePoint;
 using figures::Ink;
 

@@ -18,7 +18,6 @@ using figures::Figure;
 using figures::FigureCurve;
 using figures::FigurePoint;
 using figures::Ink;
-using figures::Shape;
 
 namespace {
 

@@ -3,6 +3,8 @@
 #include "format.hpp"
 #include "sections.hpp"
 
+#include <stillpoint/report/digits.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <string_view>

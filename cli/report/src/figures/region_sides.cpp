@@ -133,6 +133,7 @@ class Sides {
       return;
     }
     std::vector<RegionColumn> published;
+    published.reserve(exact.size());
     for (const RegionColumn& at : exact) {
       published.push_back(region_column(drawn_.problem, at.f));
     }

@@ -25,8 +25,8 @@ DesignResult design(const PulseRequest& request) {
   result.finding->search = optimum->found.record;
   const auto in_units = [&](double value) {
     return std::isinf(value) ? std::nullopt
-                             : std::optional(in_pulse_units(options.objective, value,
-                                                            region.f_unit(), problem.p));
+                             : std::optional(in_pulse_units(request.search.objective, value,
+                                                            region.f_unit(), request.problem.p));
   };
   result.finding->pulse->searched = in_units(optimum->searched);
   result.finding->pulse->bracketed = in_units(optimum->bracketed);
