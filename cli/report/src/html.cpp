@@ -33,8 +33,8 @@ std::string lettered(std::string_view text) {
   std::string shown;
   for (std::size_t at = 0; at < text.size();) {
     const std::string_view rest = text.substr(at);
-    const auto length =
-        static_cast<std::size_t>(std::ranges::find_if_not(rest, in_name) - rest.begin());
+    const auto length = static_cast<std::size_t>(
+        std::find_if_not(rest.begin(), rest.end(), in_name) - rest.begin());
     const std::size_t end = at + length;
     const std::string_view word = rest.substr(0, length);
     const bool path = (at > 0 && text[at - 1] == '/') ||
