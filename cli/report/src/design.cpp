@@ -27,7 +27,8 @@ std::string judgement(const design::CheckMethod& method) {
   return method.decided ? "agrees" : "agrees in the peak; too close to a tie to compare more";
 }
 
-void add_checks(Document& document, const design::CrossCheck& check, const Physical& physical) {
+void add_checks(Document& document, const design::CrossCheck& check, std::string_view with,
+                const Physical& physical) {
   const FigureUnits units(physical);
   Table table{{"", in("peak", units.length_unit), in("stop time", units.time_unit),
                "relative error", "allowed", ""},
@@ -39,8 +40,9 @@ void add_checks(Document& document, const design::CrossCheck& check, const Physi
           format("{:.1e}", method.tolerance), judgement(method)},
          method.passed ? Tone::good : Tone::bad});
   }
-  Section& section = check.passed ? document.detail("Cross-check: agrees")
-                                  : document.section("Cross-check: DISAGREES");
+  const std::string heading =
+      format("Cross-check{}: {}", with, check.passed ? "agrees" : "DISAGREES");
+  Section& section = check.passed ? document.detail(heading) : document.section(heading);
   section.parts.emplace_back(std::move(table));
 }
 
@@ -150,7 +152,7 @@ Document document(const DesignReport& report) {
   constraints.heading += with_ideal(report);
   add_feasible(constraints, result, limits, physical);
   add_motion(document, report, physical);
-  add_checks(document, finding.cross_check, physical);
+  add_checks(document, finding.cross_check, with_ideal(report), physical);
   if (finding.search) {
     add_search(document, *finding.search, result);
   }

@@ -70,9 +70,14 @@ std::string count_of(const std::vector<State>& events, std::string_view one) {
   return plural(static_cast<double>(events.size()), one);
 }
 
+constexpr double rounding = 1 - 1e-12;
+
+/// The first of the farthest: what rests there may be drawn a last digit farther out later on.
 const State& farthest(const DrawnMotion& motion) {
-  return *std::ranges::max_element(motion.states, {},
-                                   [](const State& state) { return std::abs(state.x); });
+  const auto distance = [](const State& state) { return std::abs(state.x); };
+  const double most = distance(*std::ranges::max_element(motion.states, {}, distance));
+  return *std::ranges::find_if(
+      motion.states, [&](const State& state) { return distance(state) >= most * rounding; });
 }
 
 /// "starts at its peak of 0.5" or "reaches its peak of 137 mm after 0.585 s".
@@ -207,7 +212,7 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
       format("Displacement over time: {}, {}, {} of x = 0, {}.", peak_words,
              count_of(motion.turns, "turn"), count_of(motion.passages, "passage"), rest_words);
   const bool moves = is_moving(motion);
-  const bool stays = motion.rest && motion.rest->tau <= peak.tau;
+  const bool stays = motion.rest && std::abs(motion.rest->x) >= std::abs(peak.x) * rounding;
   const std::string mass = motion.with.empty() ? "The mass" : motion.with + "the mass";
   figure.caption = !moves  ? mass + " does not move."
                    : stays ? format("{} {} and stays there.", mass, reached(peak, units))
