@@ -58,14 +58,52 @@ void add_choices(Document& document, const DesignReport& report, const Physical&
   }
 }
 
+/// The least of the ends of the ranges, and what a damper of so little margin still serves.
+void add_margin(Section& section, const design::DesignResult& result, const Physical& physical) {
+  const design::Finding& finding = *result.finding;
+  const auto& [f, delta, tolerance] = finding.point;
+  std::optional<double> least;
+  const auto ends = design::ends_of_ranges(result.request.problem);
+  for (const design::Problem& end : ends) {
+    const auto margin = free_response({end.p, f, delta}, {0, end.v0}).decision_margin;
+    least = least && margin ? std::min(least, margin) : std::max(least, margin);
+  }
+  if (!least) {
+    return;
+  }
+  std::string serves;
+  if (const auto& works = finding.works_for) {
+    const FigureUnits units(physical);
+    serves =
+        format("; it works for hits of {}{} only",
+               interval_text({works->v0.low * units.velocity, *works->v0.high * units.velocity}),
+               with_blank(units.velocity_unit));
+  }
+  section.row(
+      "decision margin",
+      format("{:.2g} %{}: it may stop elsewhere if all inputs shift by about this much{}",
+             100 * *least, ends.size() > 1 ? " at the worst end of the ranges" : "", serves));
+}
+
 /// Of the motion with the paper's notch. Its peak, acceleration and rest are in the answer.
 void add_motion(Document& document, const DesignReport& report, const Physical& physical) {
   const design::Finding& finding = *report.result.finding;
-  const std::string which = shown_words(report.result.request);
-  const std::string of_it = (which.empty() ? "" : ": " + which) + with_ideal(report);
-  add_counts(document.detail((finding.pulse ? "Under the pulse itself" : "Motion") + of_it),
-             finding.response, physical, !finding.pulse);
-  add_practice(document.detail("In practice" + of_it), finding.practice, physical);
+  const auto heading = [&report](std::string_view title, const std::string& which) {
+    return format("{}{}{}{}", title, which.empty() ? "" : ": ", which, with_ideal(report));
+  };
+  Section& motion = document.detail(heading(finding.pulse ? "Under the pulse itself" : "Motion",
+                                            shown_words(report.result.request)));
+  Response response = finding.response;
+  if (!finding.pulse) {
+    response.decision_margin = {};
+  }
+  add_counts(motion, response, physical, !finding.pulse);
+  if (!finding.pulse) {
+    add_margin(motion, report.result, physical);
+  }
+  const auto [lines, which] =
+      told_practice(report.result.request, finding.practice, finding.point.f, finding.point.delta);
+  add_practice(document.detail(heading("In practice", which)), lines, physical);
 }
 
 void add_search(Document& document, const design::SearchRecord& search,
@@ -145,9 +183,11 @@ Document document(const DesignReport& report) {
     add_built_notch(document, *report.built_notch, finding, physical);
   }
   add_task(document, result.request, physical);
+  const auto [lines, which] =
+      told_practice(result.request, finding.practice, finding.point.f, finding.point.delta);
   add_damper(document.detail("Damper" + with_ideal(report)), finding.point,
-             stops_by_delta1(finding.constraints) ? delta_needs(result) : DeltaNeeds(),
-             finding.practice, shown_words(result.request), physical);
+             stops_by_delta1(finding.constraints) ? delta_needs(result) : DeltaNeeds(), lines,
+             which, physical);
   Section& constraints = add_constraints(document, finding.constraints, limits, physical);
   constraints.heading += with_ideal(report);
   add_feasible(constraints, result, limits, physical);

@@ -76,8 +76,9 @@ std::string felt(const DesignReport& report, const Physical& physical) {
                                              : response.peak_absolute_acceleration;
   const std::string outside = format("{} outside the notch{}", acceleration_shown(most),
                                      of_extreme(report.result.request, "stiffest"));
-  if (finding.practice && finding.practice->notch_width_min) {
-    const double width = *finding.practice->notch_width_min;
+  const auto lines = told_practice(report.result.request, finding.practice, f, delta).lines;
+  if (lines && lines->notch_width_min) {
+    const double width = *lines->notch_width_min;
     return format(
         "{}; {} at most inside one at least {} wide, with f and delta as given, where it may rest "
         "up to {} off centre",

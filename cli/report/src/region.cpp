@@ -199,7 +199,7 @@ Document document(const RegionReport& report) {
     return document;
   }
   Section& section = document.section(format("At f = {:.6g}", *f));
-  const std::string which = shown_words(report.request);
+  const auto [lines, which] = told_practice(report.request, answer.practice, *f, delta.value_or(0));
   const bool by_delta1 = !delta || stops_by_delta1(answer.constraints);
   if (by_delta1 && !answer.delta1_exact) {
     section.row("Delta1(f)", "none: the motion does not return");
@@ -208,14 +208,14 @@ Document document(const RegionReport& report) {
              by_delta1 && answer.delta1_exact
                  ? DeltaNeeds{answer.delta1_published, answer.delta1_exact}
                  : DeltaNeeds(),
-             answer.practice, which, report.physical);
+             lines, which, report.physical);
   if (delta) {
     section.row("delta", length_shown(report.physical, *delta));
     document.verdict = format("{} {}", judgement(report), document.verdict);
     add_works_for(document.answer, answer.works_for, problem, report.physical);
-    if (answer.practice) {
-      add_practice(document.detail("In practice" + (which.empty() ? "" : ": " + which)),
-                   answer.practice, report.physical);
+    if (lines) {
+      add_practice(document.detail("In practice" + (which.empty() ? "" : ": " + which)), lines,
+                   report.physical);
     }
     add_constraints(document, answer.constraints, limits, report.physical);
   }

@@ -14,16 +14,23 @@
 
 namespace stillpoint::report {
 
-void add_physical_input(Section& section, const design::PhysicalInput& physical) {
+void add_physical_input(Section& section, const design::PhysicalInput& physical, double stiffest) {
   const design::Scales& scales = physical.scales;
-  std::string isolator = format("period {}", with_unit(physical.period_s, "s"));
+  const auto to_stiffest = [stiffest](double value, double factor, std::string_view unit) {
+    return stiffest == 1
+               ? with_unit(value, unit)
+               : format("{} to {}", with_unit(value, unit), with_unit(value * factor, unit));
+  };
+  std::string isolator = format("period {}", to_stiffest(physical.period_s, 1 / stiffest, "s"));
   if (physical.by_frequency) {
-    isolator += format(" ({:.5g} Hz)", scales.omega_rad_per_s / (2 * std::numbers::pi));
+    isolator += format(
+        " ({})", to_stiffest(scales.omega_rad_per_s / (2 * std::numbers::pi), stiffest, "Hz"));
   }
   if (scales.mass_kg) {
     const bool heavy = *scales.mass_kg >= 1e3;
     isolator += format(", mass {:.6g} {}, stiffness {}", *scales.mass_kg * (heavy ? 1e-3 : 1),
-                       heavy ? "t" : "kg", with_unit(*scales.stiffness_n_per_m(), "N/m"));
+                       heavy ? "t" : "kg",
+                       to_stiffest(*scales.stiffness_n_per_m(), stiffest * stiffest, "N/m"));
   }
   section.row("isolator", isolator);
   if (physical.velocity_m_per_s != 0) {  // a pulse moves the mass from rest
@@ -168,7 +175,11 @@ Section& add_problem(Document& document, const design::Problem& problem,
                      const design::Limits& limits, const Physical& physical, bool pulsed) {
   Section& section = document.detail("Task");
   if (physical) {
-    add_physical_input(section, *physical);
+    design::PhysicalInput shown = *physical;
+    if (problem.v0_low) {  // which the ranges say
+      shown.velocity_m_per_s = 0;
+    }
+    add_physical_input(section, shown, problem.stiffest_p() / problem.p);
   }
   section.row("dimensionless",
               format("{}p = {:.6g}, beta = {:.6g}",

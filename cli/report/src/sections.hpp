@@ -22,7 +22,9 @@
 
 namespace stillpoint::report {
 
-void add_physical_input(Section& section, const design::PhysicalInput& physical);
+/// With springs up to p times `stiffest`.
+void add_physical_input(Section& section, const design::PhysicalInput& physical,
+                        double stiffest = 1);
 /// "a friction force of 283.81 kN and a notch that takes 69.423 kJ at a passage" if the mass is
 /// known, else "f = 0.26 and delta = 0.37"; as little friction as possible without an `f`.
 [[nodiscard]] std::string damper_words(const Physical& physical, const std::optional<double>& f,
@@ -99,6 +101,22 @@ template <class Request>
   return !request.pulse ? extreme_words(request.problem, "softest")
          : design::pulse_request(request).problem.has_ranges() ? "largest peak"
                                                                : "";
+}
+/// Of a free motion with ranges the practice at their ends, else `own`; and of which motions.
+struct ToldPractice {
+  std::optional<design::Practice> lines;
+  std::string which;
+};
+template <class Request>
+[[nodiscard]] ToldPractice told_practice(const Request& request,
+                                         const std::optional<design::Practice>& own, double f,
+                                         double delta) {
+  const design::Problem& problem = request.problem;
+  return !own || request.pulse || (!problem.p_high && problem.v0_low.value_or(0) == 0)
+             ? ToldPractice{own, shown_words(request)}
+             : ToldPractice{design::worst_practice(problem, request.limits, f, delta),
+                            problem.v0_low == 0.0 ? "strongest hit, worst end of the springs"
+                                                  : "worst end of the ranges"};
 }
 /// The section of the task; `pulsed` if a pulse takes the place of v0.
 Section& add_problem(Document& document, const design::Problem& problem,

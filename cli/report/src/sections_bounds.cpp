@@ -33,13 +33,18 @@ std::pair<double, std::string> unit_of(std::string_view variable, const FigureUn
                                                    : std::pair(1.0, std::string());
 }
 
+/// Then its slack is the distance to what no damper has.
+bool bounds_nothing(const design::Constraint& now) {
+  return now.relation.front() == '>' && now.limit <= 0;
+}
+
 /// "delta <= 8.1577 mm", rounded so that what is as printed meets it.
 std::string requirement(const design::Constraint& now, const FigureUnits& units) {
   constexpr int shown = 6;
   constexpr double conversion = 1e-12;  // the rounding of 150 mm to dimensionless and back
   const auto [unit, unit_name] = unit_of(now.variable, units);
   const bool upwards = now.relation.front() == '>';
-  if (upwards && now.limit < 0) {
+  if (bounds_nothing(now)) {
     return format("any {}", now.variable);
   }
   const double limit = now.limit * unit * (upwards ? 1 - conversion : 1 + conversion);
@@ -61,14 +66,16 @@ void add_bound(Section& section, const FigureUnits& units, std::string_view name
 void add_feasible(Section& section, const design::RegionVerdict& verdict,
                   const design::Limits& limits, const Physical& physical) {
   const design::Region& region = verdict.region;
-  section.row(physical ? "max displacement" : "beta",
-              region.beta_min == 0
-                  ? "as small as you like: with f just below the peak load it hardly moves"
-                  : format("at least {}{}", length_limit(physical, region.beta_min, true),
-                           limits.f_max || limits.delta_max || limits.acceleration_max ||
-                                   limits.tolerance > 0
-                               ? ", without the limits and the tolerance asked for"
-                               : ""));
+  const bool others =
+      limits.f_max || limits.delta_max || limits.acceleration_max || limits.tolerance > 0;
+  if (region.beta_min == 0) {
+    section.row("least stroke",
+                "as small as you like: with f just below the peak load it hardly moves");
+  } else if (region.conflict != design::Conflict::no_arrival) {  // where no stroke helps
+    section.row(physical ? "least stroke" : "least beta",
+                format("{}{}", length_limit(physical, region.beta_min, true),
+                       others ? ", if only the stroke were limited" : ""));
+  }
   const std::string feasible =
       region.feasible ? range_digits(*region.f_lower, *region.f_upper) : "";
   for (const auto& [low, high] : verdict.intervals.value_or(std::vector<Interval>())) {
@@ -134,10 +141,11 @@ Section& add_constraints(Document& document, std::span<const design::Constraint>
       continue;
     }
     const auto [unit, unit_name] = unit_of(now.variable, units);
-    table.rows.push_back({{in_words(now.name), requirement(now, units),
-                           format("{:.4g}{}", now.slack * unit, with_blank(unit_name)),
-                           now.satisfied ? "met" : "violated"},
-                          now.satisfied ? Tone::good : Tone::bad});
+    table.rows.push_back(
+        {{in_words(now.name), requirement(now, units),
+          bounds_nothing(now) ? "-" : format("{:.4g}{}", now.slack * unit, with_blank(unit_name)),
+          now.satisfied ? "met" : "violated"},
+         now.satisfied ? Tone::good : Tone::bad});
   }
   Section& section = all_met ? document.detail("Constraints") : document.section("Constraints");
   section.parts.emplace_back(std::move(table));

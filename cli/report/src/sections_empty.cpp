@@ -104,9 +104,10 @@ std::string reason_in_words(const design::RegionVerdict& empty, const ShownTask&
   if (task.pulse && region.conflict == design::Conflict::amplitude_against_return &&
       region.beta_min > task.problem.beta) {
     return format(
-        "coming back to x = 0 needs f <= {:.6g}, and then the peak is at least {}, where {} is "
+        "coming back to x = 0 needs f <= {}, and then the peak is at least {}, where {} is "
         "allowed",
-        region.f3, length_limit(task.physical, region.beta_min, true), allowed);
+        limit_digits(region.f3, false, 6), length_limit(task.physical, region.beta_min, true),
+        allowed);
   }
   // A catalogue that misses the region has a reason of its own.
   std::string text =
@@ -120,7 +121,11 @@ std::string reason_in_words(const design::RegionVerdict& empty, const ShownTask&
     text.erase(0, at + conflict.size());
   }
   for (const auto& [name, words] :
-       {std::pair<std::string_view, std::string>{"f_max is", "f may be at most"},
+       {std::pair<std::string_view, std::string>{"f2 = ", ""},
+        {"f3 = ", ""},
+        {"f4 = ", ""},
+        {"delta2 = ", ""},
+        {"f_max is", "f may be at most"},
         {"delta_max is", "delta may be at most"},
         {"within delta_max", "with the largest delta allowed"},
         {"within beta", "within " + (task.physical ? allowed : "beta")}}) {
@@ -190,13 +195,16 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty, const
 
 std::string mend_title(const design::RegionVerdict& empty, const ShownTask& task,
                        std::string_view what) {
-  if (!empty.mends.empty()) {
+  const bool ranges = task.problem.v0_low || task.problem.p_high;
+  if (!empty.mends.empty() && !(ranges && is_given(named_mend(empty.mends)))) {
     const Way way = way_of(named_mend(empty.mends), task);
     return format("No {} with a {} {} {}", what, way.name, way.upwards ? "below" : "above",
                   way.bound);
   }
   return empty.criterion_mend ? format("No {} by the published criterion", what)
-                              : format("No {} is admissible", what);
+         : ranges && !task.pulse
+             ? format("No {} for {}", what, range_words(task.problem, task.physical))
+             : format("No {} is admissible", what);
 }
 
 }  // namespace stillpoint::report

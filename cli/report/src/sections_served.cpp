@@ -51,7 +51,12 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
   const std::string_view hits = problem.v0_low ? "every hit of the range"
                                 : physical     ? "the hit as given"
                                                : "v0 as given";
-  const std::string of_v0 = own_limit(served->v0, design::valid_v0(problem), false);
+  std::string of_v0 = own_limit(served->v0, design::valid_v0(problem), false);
+  constexpr double rounding = 1e-6;
+  if (of_v0.empty() && served->v0.low < problem.v0 * (1 - rounding) &&
+      *served->v0.high <= problem.v0 * (1 + rounding)) {
+    of_v0 = ", none stronger than asked for";
+  }
   const std::string of_p = own_limit(served->p, design::valid_p(problem), physical.has_value());
   if (!physical) {
     section.row("works for", format("v0 of {}{}{}", interval_text(served->v0), springs, of_v0));

@@ -79,6 +79,24 @@ void add_motions(Listing& now, const Damper& damper) {
   }
 }
 
+/// Every edge moves one way as p grows. So springs between two that end alike do too, and between
+/// two stops at different arrivals some spring lets the mass rest in the dead zone.
+Hits of_both(const Hits& softest, const Hits& stiffest) {
+  Hits both = softest;
+  both.rest = {};
+  if (softest.end != stiffest.end) {
+    const bool far = softest.end == HitEnd::too_far || stiffest.end == HitEnd::too_far;
+    both.end = far ? HitEnd::too_far : HitEnd::off_centre;
+    both.arrivals = {};
+    both.every_spring = false;
+  } else if (softest.arrivals != stiffest.arrivals) {
+    both.arrivals = {};
+    both.every_spring = softest.end == HitEnd::alternating;
+    both.end = both.every_spring ? softest.end : HitEnd::off_centre;
+  }
+  return both;
+}
+
 }  // namespace
 
 std::span<const Named<HitEnd>> enumerators(HitEnd) noexcept {
@@ -119,6 +137,35 @@ std::vector<Hits> hits(const Oscillator& oscillator, double beta, double v0_most
 
 std::vector<Hits> shown_hits(const Problem& problem, double f, double delta) {
   return hits({problem.p, f, delta}, problem.beta, std::min(2 * problem.v0, largest_speed));
+}
+
+std::vector<Hits> shown_hits_of_springs(const Problem& problem, double f, double delta) {
+  const auto softest = shown_hits(problem, f, delta);
+  if (!problem.p_high) {
+    return softest;
+  }
+  Problem with_stiffest = problem;
+  with_stiffest.p = *problem.p_high;
+  const auto stiffest = shown_hits(with_stiffest, f, delta);
+  std::vector<Hits> list;
+  double from = 0;
+  auto soft = softest.begin();
+  auto stiff = stiffest.begin();
+  while (soft != softest.end() && stiff != stiffest.end()) {
+    Hits now = of_both(*soft, *stiff);
+    now.from = from;
+    now.to = from = std::min(soft->to, stiff->to);
+    soft += soft->to == from ? 1 : 0;
+    stiff += stiff->to == from ? 1 : 0;
+    Hits* const last = list.empty() ? nullptr : &list.back();
+    if (last != nullptr && last->end == now.end && last->every_spring == now.every_spring &&
+        last->arrivals == now.arrivals) {
+      last->to = now.to;
+    } else if (now.from < now.to) {
+      list.push_back(now);
+    }
+  }
+  return list;
 }
 
 }  // namespace stillpoint::design

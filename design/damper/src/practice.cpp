@@ -53,6 +53,28 @@ std::optional<double> width_of_the_stop(const Oscillator& oscillator, double w, 
   return excess > 0 ? finite(delta * (std::sqrt(square) + f) / excess) : std::nullopt;
 }
 
+/// Where what does not exist is the better.
+std::optional<double> lesser(const std::optional<double>& a, const std::optional<double>& b) {
+  return a && b ? std::min(a, b) : std::max(a, b);
+}
+
+void worsen(Practice& worst, const Practice& now) {
+  if (now.base_shear > worst.base_shear) {
+    worst.base_shear = now.base_shear;
+    worst.restoring = now.restoring;
+    worst.secant_stiffness = now.secant_stiffness;
+  }
+  worst.equivalent_damping = lesser(worst.equivalent_damping, now.equivalent_damping);
+  worst.energy_ratio = lesser(worst.energy_ratio, now.energy_ratio);
+  worst.residual_ratio = lesser(worst.residual_ratio, now.residual_ratio);
+  worst.impulse_at_stop = std::max(worst.impulse_at_stop, now.impulse_at_stop);
+  worst.impulse_largest = std::max(worst.impulse_largest, now.impulse_largest);
+  worst.notch_used = std::max(worst.notch_used, now.notch_used);
+  worst.notch_width_min = worst.notch_width_min && now.notch_width_min
+                              ? std::max(worst.notch_width_min, now.notch_width_min)
+                              : std::nullopt;  // no width is enough for all
+}
+
 }  // namespace
 
 double notch_acceleration(double f, double delta, double width, double p) {
@@ -108,6 +130,22 @@ std::optional<Practice> practice(const Oscillator& oscillator, const Response& r
                     : least_notch_width(f, delta, *acceleration_max, p);
   }
   return lines;
+}
+
+std::optional<Practice> worst_practice(const Problem& problem, const Limits& limits, double f,
+                                       double delta) {
+  std::optional<Practice> worst;
+  for (const Problem& end : ends_of_ranges(problem)) {
+    const Oscillator oscillator{end.p, f, delta};
+    const auto now =
+        practice(oscillator, free_response(oscillator, {0, end.v0}), limits.acceleration_max);
+    if (worst && now) {
+      worsen(*worst, *now);
+    } else if (now) {
+      worst = now;
+    }
+  }
+  return worst;
 }
 
 }  // namespace stillpoint::design

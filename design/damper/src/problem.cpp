@@ -79,4 +79,21 @@ std::span<const Named<Criterion>> enumerators(Criterion) noexcept {
   return rows;
 }
 
+std::vector<Problem> ends_of_ranges(const Problem& problem) {
+  Problem one = problem;
+  one.v0_low = one.p_high = {};
+  std::vector<Problem> ends{one};
+  if (problem.p_high) {
+    ends.push_back(one);
+    ends.back().p = *problem.p_high;
+  }
+  if (problem.v0_low.value_or(0) > 0) {
+    for (std::size_t i = 0, strongest = ends.size(); i < strongest; ++i) {
+      ends.push_back(ends[i]);
+      ends.back().v0 = *problem.v0_low;
+    }
+  }
+  return ends;
+}
+
 }  // namespace stillpoint::design

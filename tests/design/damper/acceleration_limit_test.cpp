@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(amplitude_and_acceleration_may_conflict) {
   BOOST_TEST(
       (reason(region, problem, at_most(24.5))
            ->find("needs f >= f2 = 7, but a transmitted acceleration within 24.5 g needs f <= f4 = "
-                  "4.92443") != std::string::npos));
+                  "4.92442") != std::string::npos));
   BOOST_TEST(admissible_region(problem, at_most(25)).feasible);  // 7-24-25
   BOOST_TEST(!admissible_region(problem, at_most(25, 1e-9)).feasible);
   const auto list = mends(problem, at_most(24.5));

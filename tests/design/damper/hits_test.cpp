@@ -180,6 +180,36 @@ BOOST_AUTO_TEST_CASE(the_first_centred_segment_is_what_works_for_says) {
   BOOST_TEST(met > 100);
 }
 
+BOOST_AUTO_TEST_CASE(the_worst_of_a_range_of_springs_is_that_of_some_spring) {
+  const auto end_at = [](const std::vector<Hits>& list, double v0) {
+    return *std::ranges::find_if(list, [v0](const Hits& now) { return v0 < now.to; });
+  };
+  RandomSource random(2404);
+  constexpr int springs = 50;
+  int mixed = 0;
+  for (int i = 0; i < 200; ++i) {
+    Problem problem = random_feasible_problem(random);
+    problem.p_high = problem.p * random.uniform(1.01, 1.3);
+    const double f = admissible_region(problem).f3 * random.uniform(0.1, 1);
+    const double delta = problem.v0 * problem.v0 / 2 * random.uniform(0, 1);
+    for (const Hits& now : shown_hits_of_springs(problem, f, delta)) {
+      const double v0 = now.from + (now.to - now.from) * random.uniform(0.01, 0.99);
+      int like_it = 0;
+      for (int k = 0; k <= springs; ++k) {
+        Problem one = problem;
+        one.p += (*problem.p_high - problem.p) * k / springs;
+        const Hits its = end_at(shown_hits(one, f, delta), v0);
+        like_it += its.end == now.end ? 1 : 0;
+      }
+      BOOST_TEST((like_it == springs + 1 || !now.every_spring));
+      const auto last = end_at(shown_hits(problem, f, delta), v0);
+      BOOST_TEST((now.end == last.end || now.end == HitEnd::off_centre));
+      mixed += now.every_spring ? 0 : 1;
+    }
+  }
+  BOOST_TEST(mixed > 100);
+}
+
 BOOST_AUTO_TEST_CASE(names_are_read_back_and_wrong_input_is_refused) {
   for (const HitEnd end : {HitEnd::held, HitEnd::centred, HitEnd::off_centre, HitEnd::alternating,
                            HitEnd::too_far, HitEnd::never_stops}) {

@@ -40,6 +40,29 @@ BOOST_AUTO_TEST_CASE(by_hand) {
   check_close(lines.equivalent_damping, 0.9 / std::numbers::pi);
 }
 
+BOOST_AUTO_TEST_CASE(nothing_within_ranges_is_worse_than_at_their_ends) {
+  const Problem problem{.v0 = 0.31, .p = 0.31, .beta = 0.83, .v0_low = 0.25, .p_high = 0.34};
+  const double f = 0.0231;
+  const double delta = 0.0258;
+  const Practice worst = worst_practice(problem, {.acceleration_max = 0.4}, f, delta).value();
+  check_close(worst.base_shear, std::hypot(f, 0.31 * 0.34));
+  check_close(worst.energy_ratio, (std::hypot(f, 0.25 * 0.31) - f) / (2 * f));
+  check_close(worst.impulse_at_stop, *of({0.34, f, delta}, 0.31)->impulse_at_stop);
+  constexpr int steps = 20;
+  constexpr double rounding = 1 + 1e-12;
+  for (int i = 0; i <= steps * steps; ++i) {
+    const double v0 = 0.25 + 0.06 * (i % steps) / (steps - 1);
+    const double p = 0.31 + 0.03 * (i / steps) / steps;
+    const Practice now = of({p, f, delta}, v0, 0.4).value();
+    BOOST_TEST(now.base_shear <= worst.base_shear * rounding);
+    BOOST_TEST(*now.impulse_at_stop <= *worst.impulse_at_stop * rounding);
+    BOOST_TEST(*now.notch_used <= *worst.notch_used * rounding);
+    BOOST_TEST(*now.notch_width_min <= *worst.notch_width_min * rounding);
+    BOOST_TEST(*now.energy_ratio * rounding >= *worst.energy_ratio);
+    BOOST_TEST(*now.equivalent_damping * rounding >= *worst.equivalent_damping);
+  }
+}
+
 /// The energy of the definition, from the force along a cycle of amplitude A by the midpoint rule.
 BOOST_AUTO_TEST_CASE(the_equivalent_damping_is_that_of_the_cycle) {
   RandomSource random(2601);

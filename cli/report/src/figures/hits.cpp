@@ -48,6 +48,26 @@ const Look& look_of(HitEnd end) {
   return *std::ranges::find(looks, end, &Look::end);
 }
 
+/// "off centre with some spring", "centred on return 2"
+std::string named(const design::Hits& now) {
+  const bool later = now.end == HitEnd::centred && now.arrivals.value_or(1) > 1;
+  return fmt::format("{}{}{}", look_of(now.end).name,
+                     later ? fmt::format(" on return {}", *now.arrivals) : "",
+                     now.every_spring ? "" : " with some spring");
+}
+
+/// Whether hits above those that the damper works for stop by the exact criterion.
+bool exact_works_above(design::Problem problem, const design::Limits& limits, double f,
+                       double delta, double highest) {
+  if (problem.criterion == design::Criterion::exact) {
+    return false;
+  }
+  constexpr double above = 1 + 1e-6;
+  problem.criterion = design::Criterion::exact;
+  const auto exact = design::works_for(problem, limits, f, delta);
+  return exact && exact->v0.high > above * highest;
+}
+
 /// The hits whose peak is within beta, but whose acceleration outside the notch is not within its
 /// limit: sqrt(f^2 + (v0 p)^2) is above it, with the stiffest spring.
 std::optional<Interval> above_limit(const design::Problem& problem, const design::Limits& limits,
@@ -65,7 +85,7 @@ std::optional<Interval> above_limit(const design::Problem& problem, const design
 
 /// "; weaker ones are held at the start, stronger ones go too far"
 std::string other_hits(const design::ServedInterval& works, const std::vector<design::Hits>& hits,
-                       const std::optional<double>& acceleration_max) {
+                       const std::optional<double>& acceleration_max, bool by_criterion) {
   constexpr double beside = 1e-6;  // an edge of both may differ by rounding
   const double weaker = works.low * (1 - beside);
   const double stronger = works.high.value_or(HUGE_VAL) * (1 + beside);
@@ -80,10 +100,14 @@ std::string other_hits(const design::ServedInterval& works, const std::vector<de
     const std::string_view fate = look_of(now.end).fate;
     if ((below || above) && !fate.empty()) {
       const bool last = below ? now.from == 0 : now.to == hits.back().to;
-      add(fmt::format("{}{} ones {}", last ? "" : "slightly ", below ? "weaker" : "stronger",
-                      fate));
+      add(fmt::format("{}{} ones {}{}", last ? "" : "slightly ", below ? "weaker" : "stronger",
+                      fate, now.every_spring ? "" : " with some spring"));
       says_above = says_above || above;
     }
+  }
+  if (by_criterion) {
+    add("slightly stronger ones stop too, but not by the published criterion");
+    says_above = true;
   }
   if (acceleration_max && !says_above) {
     add(fmt::format("stronger ones feel more than {:.4g} g", *acceleration_max));
@@ -129,11 +153,12 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
                    const FigureUnits& units) {
   constexpr double narrowest = 0.005;  // of the figure, to be seen
   const double unit = units.velocity;
-  const auto hits = design::shown_hits(problem, f, delta);
+  const auto hits = design::shown_hits_of_springs(problem, f, delta);
   const auto felt = above_limit(problem, limits, f, hits);
   Figure figure;
   figure.id = "hits";
-  figure.title = "Where the mass stops after a hit";
+  figure.title = problem.p_high ? "Where the mass stops with the worst spring"
+                                : "Where the mass stops after a hit";
   figure.height = 150;
   figure.x = {units.velocity_unit.empty() ? "velocity of the hit, V₀"
                                           : "velocity of the hit V₀, " + units.velocity_unit,
@@ -146,7 +171,8 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
                             Ink::blue, AreaLook::box});
     figure.caption =
         fmt::format("The damper works for hits of {}{}.", range,
-                    other_hits(works_for->v0, hits, felt ? limits.acceleration_max : std::nullopt));
+                    other_hits(works_for->v0, hits, felt ? limits.acceleration_max : std::nullopt,
+                               exact_works_above(problem, limits, f, delta, *high)));
   } else {
     figure.caption = where_it_fails(problem, hits);
   }
@@ -154,13 +180,13 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
   for (const design::Hits& now : hits) {
     const Look& look = look_of(now.end);
     const bool seen = now.to - now.from >= narrowest * hits.back().to;
-    figure.areas.push_back({.name = seen ? look.name : "",
+    figure.areas.push_back({.name = seen ? named(now) : "",
                             .outline = strip(now.from * unit, now.to * unit, 0, 1),
                             .ink = look.ink,
                             .look = look.look,
                             .again = true});
     figure.description +=
-        fmt::format("{} {} from {} to {}", &now == hits.data() ? "" : ",", look.name,
+        fmt::format("{} {} from {} to {}", &now == hits.data() ? "" : ",", named(now),
                     units.velocity_words(now.from), units.velocity_words(now.to));
   }
   if (felt) {

@@ -218,9 +218,13 @@ void add_damper(Figure& figure, const DrawnDamper& damper, const design::BoxShap
   figure.description += damper.name + " at " + values;
   if (damper.tolerance > 0) {
     const std::string words = tolerance_words(shape, damper.tolerance);
-    const auto box = tolerance_box(damper, shape, units.length);
-    figure.areas.push_back({words, box, Ink::blue, AreaLook::box});
+    auto box = tolerance_box(damper, shape, units.length);
     add_inset(figure, box);
+    if (begins_at_nothing(box[2].x, figure.x.most)) {  // a line along the axis would not be seen
+      constexpr double visible = 0.012;                // of the axis
+      box[1].x = box[2].x = visible * figure.x.most;
+    }
+    figure.areas.push_back({words, box, Ink::blue, AreaLook::box});
     figure.description += ", " + words;
   }
   figure.description += ".";

@@ -31,6 +31,21 @@ void explain(Region& region, Conflict conflict, const LimitKind* limit = nullptr
   region.limit = limit;
 }
 
+/// Ranges may be too wide for any damper. One hit and one spring never are.
+bool stroke_helps(Problem problem, const Limits& limits) {
+  if (!problem.v0_low && !problem.p_high) {
+    return true;
+  }
+  problem.beta = std::max(problem.beta, 2 * problem.v0 / problem.p);  // f2 <= 0
+  bool found = false;
+  for_each_way(problem, {.tolerance = limits.tolerance, .shape = limits.shape},
+               [&](const Way& way) {
+                 found = feasible_f(way).has_value();
+                 return !found;
+               });
+  return found;
+}
+
 /// Why no way has a point, the paper's or any.
 void explain(Region& region, const Problem& problem, const Limits& limits, const Edges& edge) {
   const auto fits = [&](double cap) {
@@ -38,7 +53,8 @@ void explain(Region& region, const Problem& problem, const Limits& limits, const
            highest_centre(cap, limits.tolerance * limits.shape.f_high);
   };
   if (!fits(largest_f(problem))) {
-    return explain(region, Conflict::amplitude_against_return);
+    return explain(region, stroke_helps(problem, limits) ? Conflict::amplitude_against_return
+                                                         : Conflict::no_arrival);
   }
   const auto given = limit_edges(problem, limits);
   for (const auto& [kind, limit, most] : given) {

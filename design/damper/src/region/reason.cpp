@@ -22,10 +22,22 @@ std::string no_way(const Problem& problem, const std::string& box) {
       ranges ? ", for every hit and spring of the ranges" : "", box);
 }
 
-/// Two numbers with six digits, or with all if six do not distinguish them.
+/// With six digits, rounded up or down: a number as printed is enough.
+std::string six_digits(double value, bool upwards) {
+  constexpr double conversion = 1e-12;  // the rounding of 150 mm to dimensionless and back
+  const double edge = value * (upwards ? 1 - conversion : 1 + conversion);
+  std::string text = fmt::format("{:.6g}", value);
+  for (double part = 0x1p-52; upwards ? std::stod(text) < edge : std::stod(text) > edge;
+       part *= 2) {
+    text = fmt::format("{:.6g}", value * (upwards ? 1 + part : 1 - part));
+  }
+  return text;
+}
+
+/// What is needed and what is allowed, which is less, or all digits if six do not distinguish them.
 std::pair<std::string, std::string> told_apart(double a, double b, const std::string& unit = {}) {
   const std::string behind = unit.empty() ? "" : " " + unit;
-  std::pair six{fmt::format("{:.6g}{}", a, behind), fmt::format("{:.6g}{}", b, behind)};
+  std::pair six{six_digits(a, true) + behind, six_digits(b, false) + behind};
   return six.first != six.second
              ? six
              : std::pair{fmt::format("{}{}", a, behind), fmt::format("{}{}", b, behind)};

@@ -36,6 +36,7 @@ struct Hits {
   std::optional<double> arrivals;
   /// For `off_centre`, the position of rest that is farthest from x = 0, with its sign for V0 > 0.
   std::optional<double> rest;
+  bool every_spring{true};  ///< of a range of springs; else some end like this, the others better
 };
 
 /// Every V0 from 0 to `v0_most`, in order and without gaps, for a start at x = 0. With little
@@ -50,5 +51,8 @@ inline constexpr int most_hit_segments = 100;
 
 /// Those that reports show: up to twice the problem's v0.
 [[nodiscard]] std::vector<Hits> shown_hits(const Problem& problem, double f, double delta);
+/// The same for the worst of the springs of the problem, without `rest` where it has a range.
+[[nodiscard]] std::vector<Hits> shown_hits_of_springs(const Problem& problem, double f,
+                                                      double delta);
 
 }  // namespace stillpoint::design

@@ -3,6 +3,7 @@
 
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/design/problem.hpp>
 
 #include <optional>
 
@@ -37,6 +38,11 @@ enum class SetOff { hit, load };
                                                const Response& response,
                                                const std::optional<double>& acceleration_max,
                                                SetOff set_off = SetOff::hit);
+
+/// Each line as the worst of the hits and springs at the ends of the ranges; the secant stiffness
+/// is that of the largest base shear.
+[[nodiscard]] std::optional<Practice> worst_practice(const Problem& problem, const Limits& limits,
+                                                     double f, double delta);
 
 /// f + Delta/w + p^2 w/2, the most that the mass feels inside a notch of width w > 0: friction and,
 /// at the edge by which it leaves, the spring; p = 0 leaves the spring out.

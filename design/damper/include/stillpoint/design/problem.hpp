@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace stillpoint::design {
 
@@ -45,6 +46,10 @@ struct Problem {
   [[nodiscard]] double starting_v0() const { return v0_low.value_or(0) > 0 ? *v0_low : v0; }
   [[nodiscard]] double stiffest_p() const { return p_high.value_or(p); }
 };
+
+/// The strongest and the weakest hit with the softest and the stiffest spring, without the ranges,
+/// the largest peak first; the weakest of every hit up to v0 is none.
+[[nodiscard]] std::vector<Problem> ends_of_ranges(const Problem& problem);
 
 /// The sides of the tolerance box as parts of the tolerance, each in [0, 1]: f may be anything from
 /// f (1 - f_low R) to f (1 + f_high R), and Delta likewise.
