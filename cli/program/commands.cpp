@@ -80,6 +80,7 @@ ExitCode run_design(const Settings& settings, Output& output) {
     return run_record_design(settings, output);
   }
   const report::DesignReport report = answers::answer(design_input(settings));
+  remark(report::notch_sentence(report));
   remark(report::lock_sentence(report));
   return finish(report, Command::design, settings, output);
 }

@@ -20,8 +20,12 @@ report::DesignReport answer(DesignTask task) {
   if (task.trade_offs) {
     report.trade_off = design::trade_off(request.problem, request.limits, *task.trade_offs);
   }
-  if (task.notch && report.result.finding) {
-    report.built_notch = report::with_notch(report.result, *task.notch);
+  if (report.result.finding) {
+    if (task.notch) {
+      report.built_notch = report::with_notch(report.result, *task.notch);
+    } else {
+      report.example = report::example_notch(report);
+    }
   }
   return report;
 }

@@ -173,10 +173,10 @@ Document document(const DesignReport& report) {
   }
   const design::Finding& finding = *result.finding;
   document.verdict = verdict(report, physical);
-  const bool sound = finding.cross_check.passed && built_notch_fault(report, physical).empty();
-  document.tone = !sound                                    ? Tone::bad
-                  : example_fault(report, physical).empty() ? Tone::good
-                                                            : Tone::plain;
+  const bool sound = finding.cross_check.passed && notch_sentence(report).empty();
+  document.tone = !sound                                             ? Tone::bad
+                  : pulse || example_words(report, physical).empty() ? Tone::good
+                                                                     : Tone::plain;
   add_answer(document.answer, report, physical);
   add_choices(document, report, physical);
   if (report.built_notch) {

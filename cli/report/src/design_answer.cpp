@@ -85,16 +85,17 @@ std::string felt(const DesignReport& report, const Physical& physical) {
         outside, acceleration_shown(limits.acceleration_max.value()),
         length_limit(physical, width, true), length_limit(physical, width / 2, true));
   }
-  if (limits.acceleration_max) {
-    // The least width is known only for a stop at x = 0 after a hit.
-    const bool least = !finding.pulse && finding.arrival;
-    return format("{}; inside it, {} {}", outside,
-                  least ? "at any width more than" : "no width is known to keep it within",
-                  acceleration_shown(*limits.acceleration_max));
+  if (finding.pulse) {
+    return delta > 0 ? format("{}; {}", outside, inside_example(report, physical)) : outside;
   }
-  return example_fault(report, physical).empty()
-             ? format("{}, {}", outside, inside_words(physical, f, delta, response.peak_amplitude))
-             : outside;
+  if (limits.acceleration_max) {
+    // The least width is known only for a stop at x = 0.
+    return format(
+        "{}; inside it, {} {}", outside,
+        finding.arrival ? "at any width more than" : "no width is known to keep it within",
+        acceleration_shown(*limits.acceleration_max));
+  }
+  return format("{}, {}", outside, inside_words(physical, f, delta, response.peak_amplitude));
 }
 
 void add_rest(Section& answer, const DesignReport& report, const Physical& physical) {
@@ -133,14 +134,6 @@ void add_worst(Section& answer, const DesignReport& report, const Physical& phys
       "", format("the motion shown has the largest peak, with {}", shown_motion(report, physical)));
 }
 
-void add_start(Section& answer, const design::DesignResult& result, const Physical& physical) {
-  const auto& [f, delta, tolerance] = result.finding->point;
-  const double weakest =
-      result.request.pulse_ranges.k_low.value_or(design::peak_load(*result.request.pulse));
-  add_start(answer, {f, delta, weakest, result.finding->response.peak_amplitude}, "delta/(k - f)",
-            physical);
-}
-
 /// Under a pulse, where only the tolerance asks for a strong notch.
 std::string unbounded_words(const DesignReport& report, const Physical& physical) {
   const design::DesignResult& result = report.result;
@@ -154,8 +147,9 @@ std::string unbounded_words(const DesignReport& report, const Physical& physical
   return result.finding->point.delta > far_beyond * least
              ? format(
                    " Nothing bounds delta: it could be anything above {}, and is this large only "
-                   "for the tolerance. Give --delta-max{} to keep the notch small.",
-                   length_shown(physical, least), physical ? "-m" : "")
+                   "for the tolerance. Give --delta-max{}, say {}, to keep the notch small.",
+                   length_shown(physical, least), physical ? "-m" : "",
+                   length_shown(physical, of_two_digits(physical, far_beyond * least)))
              : "";
 }
 
@@ -214,14 +208,20 @@ std::string verdict(const DesignReport& report, const Physical& physical) {
     text = format("Order part {}: f = {}, delta = {}.", report.catalogue->parts.front().part.name,
                   digits(f), length_shown(physical, delta));
   }
+  std::string fault = notch_sentence(report);
+  if (!fault.empty() && !report.built_notch) {
+    fault.front() = 'N';
+    text.front() = report.catalogue ? 'o' : 'b';
+    text = format("{}. With a notch that {}, {}", fault, acts_late, text);
+  }
   text += unbounded_words(report, physical);
-  if (const std::string fault = built_notch_fault(report, physical); !fault.empty()) {
-    text += format(" But with this notch {}.", fault);
+  if (!fault.empty() && report.built_notch) {
+    text += format(" But {}.", fault);
   } else if (std::string locked = lock_sentence(report); !locked.empty()) {
     locked.front() = 'L';
     text += format(" {}.", locked);
   }
-  text += example_fault(report, physical);
+  text += example_words(report, physical);
   if (!finding.cross_check.passed) {
     text += " But the cross-check DISAGREES: do not rely on this design.";
   }
@@ -240,6 +240,10 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
                                               : "f = " + f_digits(result),
                     length_shown(physical, delta)),
              Tone::heading);
+  const bool failing = !notch_sentence(report).empty();
+  if (failing && !report.built_notch) {
+    answer.row("note", format("what follows is for a notch that {}", acts_late));
+  }
   answer.row(
       "peak",
       format("{}, {:.4g} % of the {} allowed{}", length_shown(physical, response.peak_amplitude),
@@ -250,7 +254,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   answer.row("acceleration",
              built ? *built + ", with f and delta as given" : felt(report, physical));
   if (pulse && !built) {
-    add_start(answer, result, physical);
+    add_start(answer, start_under_pulse(result), "delta/(k - f)", failing, physical);
   }
   if (pulse && finding.pulse->worst) {
     add_worst(answer, report, physical);

@@ -7,9 +7,6 @@
 
 namespace stillpoint::report {
 
-namespace {
-
-/// "the peak exceeds 150 mm": what a notch spoils; empty if nothing.
 std::string notch_fault(const design::BuiltNotch& built, const design::DesignRequest& request,
                         const Physical& physical) {
   const auto& [problem, limits, search, pulse, ranges] = request;
@@ -42,10 +39,14 @@ std::string notch_fault(const design::BuiltNotch& built, const design::DesignReq
                   acceleration_shown(response.peak_absolute_acceleration),
                   acceleration_shown(*limits.acceleration_max));
   }
+  // A notch of the example width, at most a fifth of the peak, cannot do that.
+  constexpr double centred = 0.1;
+  if (!problem.residual && std::abs(*response.stop_position) > centred * peak * rounding) {
+    return format("the mass rests {} off centre, inside it",
+                  length_shown(physical, std::abs(*response.stop_position)));
+  }
   return {};
 }
-
-}  // namespace
 
 design::BuiltNotch with_notch(const design::DesignResult& result, const design::NotchShape& shape) {
   design::DesignRequest shown = result.request;
@@ -84,30 +85,15 @@ std::string built_notch_fault(const DesignReport& report, const Physical& physic
                             : "";
 }
 
-std::string example_fault(const DesignReport& report, const Physical& physical) {
-  const design::Finding& finding = *report.result.finding;
-  if (report.built_notch || finding.point.delta == 0) {
-    return {};
-  }
-  design::DesignRequest promised = report.result.request;
-  promised.limits.acceleration_max.reset();  // kept outside the notch: see the row of that name
-  const double width = example_width(physical, finding.response.peak_amplitude);
-  const double p = report.result.request.problem.p;
-  if (std::min(width, p * width) < smallest_speed ||
-      finding.point.delta / width / p > largest_speed) {
-    return {};  // the kernel takes no such notch
-  }
-  const std::string fault = notch_fault(with_notch(report.result, {width}), promised, physical);
-  return fault.empty() ? "" : example_sentence(width, fault, physical);
-}
-
 std::string_view ideal_words(const design::BuiltNotch& built) {
   return built.shape.width ? "has no width" : "holds any load";
 }
 
 std::string with_ideal(const DesignReport& report) {
-  return report.built_notch ? format(", with a notch that {}", ideal_words(*report.built_notch))
-                            : "";
+  const auto ideal = report.built_notch ? std::optional(ideal_words(*report.built_notch))
+                     : notch_sentence(report).empty() ? std::nullopt
+                                                      : std::optional(acts_late);
+  return ideal ? format(", with a notch that {}", *ideal) : "";
 }
 
 void add_built_notch(Document& document, const design::BuiltNotch& built,

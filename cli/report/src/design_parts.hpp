@@ -36,8 +36,20 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
 [[nodiscard]] std::optional<std::string> felt_in_built_notch(const DesignReport& report);
 /// "the peak exceeds 150 mm": what the notch that was asked for spoils; empty if nothing.
 [[nodiscard]] std::string built_notch_fault(const DesignReport& report, const Physical& physical);
-/// If none was asked for: what one of the example width spoils, in a sentence; empty if nothing.
-[[nodiscard]] std::string example_fault(const DesignReport& report, const Physical& physical);
+/// What a notch spoils, likewise.
+[[nodiscard]] std::string notch_fault(const design::BuiltNotch& built,
+                                      const design::DesignRequest& request,
+                                      const Physical& physical);
+/// If none was asked for, what the example does, in a sentence; empty if a hit needs none.
+[[nodiscard]] std::string example_words(const DesignReport& report, const Physical& physical);
+/// What the mass feels in a notch after the start from rest, likewise.
+[[nodiscard]] std::string inside_example(const DesignReport& report, const Physical& physical);
+/// As it would be ordered: 29 mm.
+[[nodiscard]] double of_two_digits(const Physical& physical, double length);
+/// From rest under the weakest pulse.
+[[nodiscard]] StartUnderLoad start_under_pulse(const design::DesignResult& result);
+/// The paper's notch under a pulse, of which the motion starts in it.
+inline constexpr std::string_view acts_late = "acts only after the start";
 /// What a notch as built is compared with: "has no width", "holds any load".
 [[nodiscard]] std::string_view ideal_words(const design::BuiltNotch& built);
 /// ", with a notch that has no width" behind what is not of the notch as built; empty without one.

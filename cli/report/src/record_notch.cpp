@@ -62,9 +62,12 @@ std::string example_sentence(const design::RecordDesign& result, const Physical&
   if (!has_ideal_notch(result)) {
     return {};
   }
-  const double width = example_width(physical, result.finding->point.figures.peak);
-  const std::string fault = example_fault(result, width, physical);
-  return fault.empty() ? "" : example_sentence(width, fault, physical);
+  const auto& [damper, figures] = result.finding->point;
+  const double width = example_width(physical, figures.peak);
+  const std::string fault =
+      can_be_followed(width, damper.delta, damper.p) ? example_fault(result, width, physical) : "";
+  return fault.empty() ? ""
+                       : example_sentence("that acts only after the start", width, fault, physical);
 }
 
 void add_example(Section& answer, const design::RecordDesign& result, const Physical& physical) {
@@ -72,15 +75,17 @@ void add_example(Section& answer, const design::RecordDesign& result, const Phys
     return;
   }
   const auto& [damper, figures] = result.finding->point;
-  if (example_sentence(result, physical).empty()) {
-    answer.row("in the notch", inside_words(physical, damper.f, damper.delta, figures.peak));
-  }
   double weakest = HUGE_VAL;
+  double strongest = 0;
   for (const design::SuiteRecord& record : result.request.records) {
     weakest = std::min(weakest, design::peak_load(record));
+    strongest = std::max(strongest, design::peak_load(record));
   }
-  add_start(answer, {damper.f, damper.delta, weakest, figures.peak},
-            "delta/(load - f), under the weakest record", physical);
+  answer.row("in the notch",
+             inside_words(physical, damper.f, damper.delta, figures.peak, strongest));
+  const StartUnderLoad start{damper.f, damper.delta, weakest};
+  add_start(answer, start, "delta/(load - f), under the weakest record",
+            start.width() > figures.peak, physical);
 }
 
 }  // namespace stillpoint::report

@@ -45,18 +45,22 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
 /// cannot move the mass out of it.
 [[nodiscard]] std::string inside_words(const Physical& physical, double f, double delta,
                                        double peak, double load = HUGE_VAL);
-/// What a notch of that width spoils, behind a headline for one that has no width.
-[[nodiscard]] std::string example_sentence(double width, std::string_view fault,
-                                           const Physical& physical);
+/// Whether the kernel follows a motion through it.
+[[nodiscard]] bool can_be_followed(double width, double delta, double p);
+/// What a notch of that width spoils, behind a headline for one that does not do what `without`
+/// says.
+[[nodiscard]] std::string example_sentence(std::string_view without, double width,
+                                           std::string_view fault, const Physical& physical);
 struct StartUnderLoad {
   double f;
   double delta;
   double load;  ///< the largest
-  double peak;  ///< a notch that must be wider is none
+
+  /// From rest, a notch that is not wider holds the mass: the load is at most f + delta/w.
+  [[nodiscard]] double width() const { return load > f ? delta / (load - f) : HUGE_VAL; }
 };
-/// From rest, a notch of width w holds the mass while the load is at most f + delta/w: how wide it
-/// must be so that the mass may go, as `formula` says.
-void add_start(Section& section, const StartUnderLoad& start, std::string_view formula,
+/// How wide the notch must be so that the mass may go, as `formula` says; bad if none is.
+void add_start(Section& section, const StartUnderLoad& start, std::string_view formula, bool bad,
                const Physical& physical);
 /// "480 kN s" for a speed; "0.4 N s per kg" if the mass is not known.
 [[nodiscard]] std::string impulse_shown(const Physical& physical, double impulse);

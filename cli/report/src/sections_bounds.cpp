@@ -48,8 +48,8 @@ std::string requirement(const design::Constraint& now, const FigureUnits& units)
     return format("any {}", now.variable);
   }
   const double limit = now.limit * unit * (upwards ? 1 - conversion : 1 + conversion);
-  return format("{} {} {}{}", now.variable, now.relation,
-                limit > 0 ? limit_digits(limit, upwards, shown) : digits(limit),
+  return format("{} {} {}{}", now.variable == "acceleration" ? "outside the notch" : now.variable,
+                now.relation, limit > 0 ? limit_digits(limit, upwards, shown) : digits(limit),
                 with_blank(unit_name));
 }
 

@@ -95,21 +95,23 @@ std::string inside_words(const Physical& physical, double f, double delta, doubl
                 physical ? length_shown(physical, width) : "a fifth of the peak");
 }
 
-std::string example_sentence(double width, std::string_view fault, const Physical& physical) {
-  return format(
-      " That is for a notch with next to no width: with one {} wide, {}. Try others with "
-      "--notch-width{}.",
-      length_shown(physical, width), fault, physical ? "-m" : "");
+bool can_be_followed(double width, double delta, double p) {
+  return std::min(width, p * width) >= smallest_speed && delta / width / p <= largest_speed;
 }
 
-void add_start(Section& section, const StartUnderLoad& start, std::string_view formula,
+std::string example_sentence(std::string_view without, double width, std::string_view fault,
+                             const Physical& physical) {
+  return format(" That is for a notch {}: with one {} wide, {}. Try others with --notch-width{}.",
+                without, length_shown(physical, width), fault, physical ? "-m" : "");
+}
+
+void add_start(Section& section, const StartUnderLoad& start, std::string_view formula, bool bad,
                const Physical& physical) {
-  const auto& [f, delta, load, peak] = start;
-  if (delta > 0 && load > f) {
+  if (start.delta > 0 && start.load > start.f) {
     section.row("start",
                 format("needs a notch wider than {}, {}",
-                       length_limit(physical, delta / (load - f), true), formula),
-                delta / (load - f) > peak ? Tone::bad : Tone::plain);
+                       length_limit(physical, start.width(), true), formula),
+                bad ? Tone::bad : Tone::plain);
   }
 }
 

@@ -12,16 +12,16 @@ namespace stillpoint::report {
 
 namespace {
 
-constexpr double rounding = 1e-8;  // of what is as large as was asked for, or as can be
+constexpr double as_large = 1e-8;  // of what is as large as was asked for, or as can be
 
 /// One side of a box: "+-8.63 % of f", "0.8 to 1.2 times f"; empty if it may not be off.
 std::string side(std::string_view name, double below, double above, int shown) {
-  if (std::abs(below - above) <= rounding * above) {
+  if (std::abs(below - above) <= as_large * above) {
     return above > 0 ? format("+-{} of {}", percent_digits(std::min(below, above), shown), name)
                      : "";
   }
-  return format("{} to {} times {}", limit_digits((1 - below) * (1 - rounding), true, shown),
-                limit_digits((1 + above) * (1 + rounding), false, shown), name);
+  return format("{} to {} times {}", limit_digits((1 - below) * (1 - as_large), true, shown),
+                limit_digits((1 + above) * (1 + as_large), false, shown), name);
 }
 
 /// "+-8.63 %", or "-20 +8.63 %"; "none" without a tolerance.
@@ -54,7 +54,7 @@ std::vector<std::string> tolerance_cells(const design::Limits& limits,
 }
 
 std::string percent_digits(double tolerance, int shown) {
-  return limit_digits(100 * tolerance * (1 + rounding), false, shown) + " %";
+  return limit_digits(100 * tolerance * (1 + as_large), false, shown) + " %";
 }
 
 bool leaves_any(double tolerance) {

@@ -37,6 +37,7 @@ struct DesignReport {
   design::DesignResult result;
   std::optional<design::PhysicalInput> physical{};
   std::optional<design::BuiltNotch> built_notch{};  ///< of the finding, if a width was given
+  std::optional<design::BuiltNotch> example{};      ///< see example_notch
   std::optional<Catalogue> catalogue{};             ///< of which the finding is the best
   std::optional<std::int64_t> trade_offs{};         ///< how many were asked for
   std::optional<std::vector<design::TradeOff>> trade_off{};
@@ -45,6 +46,9 @@ struct DesignReport {
 /// The motion of a design, which exists, with that notch; of ranges under a pulse the motion shown.
 [[nodiscard]] design::BuiltNotch with_notch(const design::DesignResult& result,
                                             const design::NotchShape& shape);
+/// The same design, which has the paper's notch, with one of an ordinary width; under a pulse,
+/// which begins in the notch, with the best of several widths. Empty if there is none to try.
+[[nodiscard]] std::optional<design::BuiltNotch> example_notch(const DesignReport& report);
 
 struct RegionReport {
   design::RegionRequest request;
@@ -92,6 +96,9 @@ struct AccuracyReport {
 [[nodiscard]] std::string lock_sentence(const MotionReport& report);
 /// The same of a damper that stops the mass before its pulse is over; else empty.
 [[nodiscard]] std::string lock_sentence(const DesignReport& report);
+/// "with this notch the peak exceeds 150 mm", if a notch was asked for; else, under a pulse, "no
+/// notch width that was tried brings the mass back to x = 0". Empty if all is well.
+[[nodiscard]] std::string notch_sentence(const DesignReport& report);
 
 /// The impulse per mass, |v0|, of a hit that the notch catches at the start; empty if it does not.
 [[nodiscard]] std::optional<double> caught_impulse(const MotionReport& report);
