@@ -140,7 +140,7 @@ std::vector<Hits> shown_hits(const Problem& problem, double f, double delta) {
 }
 
 std::vector<Hits> shown_hits_of_springs(const Problem& problem, double f, double delta) {
-  const auto softest = shown_hits(problem, f, delta);
+  auto softest = shown_hits(problem, f, delta);
   if (!problem.p_high) {
     return softest;
   }

@@ -51,8 +51,9 @@ BOOST_AUTO_TEST_CASE(nothing_within_ranges_is_worse_than_at_their_ends) {
   constexpr int steps = 20;
   constexpr double rounding = 1 + 1e-12;
   for (int i = 0; i <= steps * steps; ++i) {
+    const int springs = i / steps;
     const double v0 = 0.25 + 0.06 * (i % steps) / (steps - 1);
-    const double p = 0.31 + 0.03 * (i / steps) / steps;
+    const double p = 0.31 + 0.03 * springs / steps;
     const Practice now = of({p, f, delta}, v0, 0.4).value();
     BOOST_TEST(now.base_shear <= worst.base_shear * rounding);
     BOOST_TEST(*now.impulse_at_stop <= *worst.impulse_at_stop * rounding);
