@@ -39,7 +39,7 @@ std::vector<Wanted> wanted() {
       {"region",
        {"region", "--v0", "1", "--p", "1", "--beta", "0.9", "--f", "0.26", "--delta", "0.37"},
        0},
-      {"pulse", {"design", data + "/scenes/pulse.json"}, 0},
+      {"pulse", {"design", data + "/scenes/pulse.json", "--notch-width-m", "0.03"}, 0},
       {"sweep",
        {"sweep", "--v0", "1", "--p", "1", "--f", "0.001:0.35:40:log", "--delta", "0:0.5:30",
         "--output", "map.csv"},

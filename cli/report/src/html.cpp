@@ -28,8 +28,17 @@ bool in_name(char c) {
 /// With the letters of the figures in place of "delta" and so on, but not in "--delta-max" or in
 /// the name of a file.
 std::string lettered(std::string_view text) {
-  static constexpr auto letters = std::to_array<std::pair<std::string_view, std::string_view>>(
-      {{"Delta1", "Δ₁"}, {"delta", "Δ"}, {"tau", "τ"}, {"v0", "V₀"}, {"x0", "x₀"}});
+  static constexpr auto letters =
+      std::to_array<std::pair<std::string_view, std::string_view>>({{"Delta1", "Δ₁"},
+                                                                    {"delta", "Δ"},
+                                                                                                                                 {"tau", "τ"},
+                                                                    {"v0", "V₀"},
+                                                                    {"x0", "x₀"},
+                                                                    {"f2", "f₂"},
+                                                                    {"f3", "f₃"},
+                                                                    {"E_s", "Eₛ"},
+                                                                    {"E_h", "Eₕ"},
+                                                                    {"d_rm", "dᵣₘ"}});
   std::string shown;
   for (std::size_t at = 0; at < text.size();) {
     const std::string_view rest = text.substr(at);

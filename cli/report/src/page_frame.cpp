@@ -21,9 +21,9 @@ void add_frame(figures::HtmlPage& page, const PageFrame& frame) {
     page.title += title;
   }
   page.body += fmt::format(
-      "<section class=\"input\"><h2>Input</h2>\n<p>Save this as <code>scene.json</code>; then "
-      "<code>stillpoint {} "
-      "scene.json{} <span class=\"number\">--html</span> page.html</code> makes this page "
+      "<section class=\"input\"><h2>Input</h2>\n<p>Save this as <code>scene.json</code> in the "
+      "folder where this page was made; then <code>stillpoint {} "
+      "scene.json{} <span class=\"number\">--html</span> page.html</code> makes it "
       "again.</p>\n<pre>{}</pre></section>\n",
       frame.command, frame.command == "sweep" ? " --output rows.csv" : "",
       figures::escaped(frame.scene));

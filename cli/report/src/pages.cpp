@@ -152,9 +152,9 @@ HtmlPage page(const DesignReport& report) {
   if (!request.pulse) {
     std::ranges::move(hit_figures(report, units), std::back_inserter(page.figures));
   }
-  if (report.built_notch) {
-    for (Figure& figure : page.figures) {
-      figure.caption += format(" This is for a notch that {}.", ideal_words(*report.built_notch));
+  for (Figure& figure : page.figures) {
+    if (std::string& caption = figure.caption; !caption.empty()) {  // it ends with a full stop
+      caption.insert(std::min(caption.find(';'), caption.size() - 1), with_ideal(report));
     }
   }
   std::ranges::move(told_figures(report, units), std::back_inserter(page.figures));

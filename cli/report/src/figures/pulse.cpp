@@ -171,23 +171,13 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
       "above the curve stops it there. ",
       drawn.region.f3);
   const bool bounded = std::isfinite(design::largest_delta_allowed(drawn.limits));
-  std::string clause =
-      drawn.damper ? box_clause(*drawn.damper, drawn.region.f_upper.value_or(0), units) : "";
-  if (clause.empty() && drawn.limits.tolerance == 0) {
-    clause = "A damper in the area without hatching is admissible; ";
-  } else if (clause.empty() && !drawn.region.feasible) {
-    clause = "A damper in the area without hatching is admissible without a tolerance; ";
-  }
-  clause += tolerant_clause(drawn.region, drawn.limits, clause.empty());
   figure.caption =
       drawn.intervals.empty()
           ? "At no f does the mass return to x = 0 and meet the limits."
-          : format("{}each hatched side says what goes wrong there{}.", clause,
-                   bounded
-                       ? ""
-                       : ", and nothing bounds Δ from above, because the mass starts from rest");
+          : format(
+                "{}{}.", region_clause(drawn.damper, drawn.region, drawn.limits, units),
+                bounded ? "" : "; nothing bounds Δ from above, because the mass starts from rest");
   add_pulse_areas(figure, drawn, least_delta, units);
-  figure.caption.insert(figure.caption.size() - 1, criterion_sentence(figure));  // before the stop
   figure.curves.push_back(std::move(curve));
   add_tolerant(figure, drawn.limits, tolerant_areas(drawn, figure.y.most, units.length));
   if (drawn.damper) {

@@ -104,23 +104,17 @@ void add_edge(Figure& figure, std::string name, FigurePoint from, FigurePoint to
 /// The strips of later arrivals lie below those of earlier ones.
 std::string caption_of(const DrawnRegion& drawn, const FigureUnits& units) {
   const Problem& problem = drawn.problem;
-  std::string text =
-      drawn.damper ? box_clause(*drawn.damper, drawn.region.f_upper.value_or(0), units) : "";
-  if (!is_one_strip(problem)) {
-    text += format("{} damper in a strip {} at that arrival; ", text.empty() ? "A" : "a",
-                   problem.residual ? "rests within the residual" : "stops at x = 0");
-  } else if (text.empty() && drawn.limits.tolerance == 0) {
-    text = "A damper in the area without hatching is admissible; ";
-  } else if (text.empty() && !drawn.region.feasible) {
-    text = "Without the tolerance asked for, a damper in the area without hatching is admissible; ";
-  }
-  text += tolerant_clause(drawn.region, drawn.limits, text.empty());
-  const std::string_view some = problem.v0_low && problem.p_high
-                                    ? " for some hits or springs of the ranges"
-                                : problem.v0_low ? " for some hits of the range"
-                                : problem.p_high ? " for some springs of the range"
-                                                 : "";
-  return format("{}each hatched side says what goes wrong there{}.", text, some);
+  const std::string_view strips =
+      is_one_strip(problem) ? ""
+      : problem.residual    ? "; in each strip the mass rests within the residual at that arrival"
+                            : "; in each strip the mass stops at x = 0 at that arrival";
+  const std::string_view ranges = problem.v0_low && problem.p_high
+                                      ? " for every hit and spring of the ranges"
+                                  : problem.v0_low ? " for every hit of the range"
+                                  : problem.p_high ? " for every spring of the range"
+                                                   : "";
+  return format("{}{}{}.", region_clause(drawn.damper, drawn.region, drawn.limits, units), ranges,
+                strips);
 }
 
 /// Without any admissible damper.
@@ -173,18 +167,20 @@ std::string tolerance_words(const design::BoxShape& shape, double tolerance) {
                       percent(tolerance * shape.delta_low, tolerance * shape.delta_high));
 }
 
-std::string box_clause(const DrawnDamper& damper, double f_upper, const FigureUnits& units) {
-  const bool none = begins_at_nothing(damper.f, f_upper);
-  return damper.tolerance > 0 ? format("The box shows how far {}Δ = {} may {}be off; ",
-                                       none ? "" : format("f = {:.4g} and ", damper.f),
-                                       units.length_words(damper.delta), none ? "" : "both ")
-                              : "";
-}
-
-std::string_view criterion_sentence(const Figure& figure) {
-  const bool any =
-      std::ranges::find(figure.areas, by_criterion_alone, &FigureArea::name) != figure.areas.end();
-  return any ? "; the exact criterion also admits what stops, but not by the published one" : "";
+std::string region_clause(const std::optional<DrawnDamper>& damper, const Region& region,
+                          const design::Limits& limits, const FigureUnits& units) {
+  if (damper && damper->tolerance > 0) {
+    const std::string delta = "Δ = " + units.length_words(damper->delta);
+    return begins_at_nothing(damper->f, region.f_upper.value_or(0))
+               ? format("The box shows how far {} may be off", delta)
+               : format("The box shows how far f = {:.4g} and {} may both be off", damper->f,
+                        delta);
+  }
+  if (limits.tolerance > 0 && region.feasible) {
+    return "A damper inside the dotted line keeps the tolerance asked for";
+  }
+  return format("A damper in the area without hatching is admissible{}",
+                limits.tolerance > 0 ? " without the tolerance asked for" : "");
 }
 
 void add_tolerant(Figure& figure, const design::Limits& limits,
@@ -201,13 +197,6 @@ void add_tolerant(Figure& figure, const design::Limits& limits,
                            .ink = Ink::blue,
                            .dash = Dash::dotted,
                            .hover = false});
-}
-
-std::string tolerant_clause(const Region& region, const design::Limits& limits, bool begins) {
-  return region.feasible && limits.tolerance > 0
-             ? format("{} damper inside the dotted line keeps the tolerance asked for; ",
-                      begins ? "A" : "a")
-             : "";
 }
 
 void add_damper(Figure& figure, const DrawnDamper& damper, const design::BoxShape& shape,
@@ -282,7 +271,6 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   const bool any = !figure.areas.empty();
   add_sides(figure, drawn, units);
   figure.caption = any ? caption_of(drawn, units) : empty_caption(figure);
-  figure.caption.insert(figure.caption.size() - 1, criterion_sentence(figure));  // before the stop
   if (!several) {
     add_delta1(figure, drawn.problem, region.f3, unit);
   }

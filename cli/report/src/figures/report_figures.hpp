@@ -165,9 +165,10 @@ struct DrawnDamper {
 /// The damper with its box, enlarged if it is small.
 void add_damper(figures::Figure& figure, const DrawnDamper& damper, const design::BoxShape& shape,
                 const FigureUnits& units);
-/// What the box means, for a caption; empty without one.
-[[nodiscard]] std::string box_clause(const DrawnDamper& damper, double f_upper,
-                                     const FigureUnits& units);
+/// What the box means, or without one the area that is left, for a caption to go on.
+[[nodiscard]] std::string region_clause(const std::optional<DrawnDamper>& damper,
+                                        const design::Region& region, const design::Limits& limits,
+                                        const FigureUnits& units);
 
 /// What to draw for a region.
 struct DrawnRegion {
@@ -188,9 +189,6 @@ struct DrawnRegion {
 /// A line around each, if a tolerance was asked for.
 void add_tolerant(figures::Figure& figure, const design::Limits& limits,
                   std::vector<std::vector<figures::FigurePoint>> areas);
-/// What the line means, for a caption that begins with it or goes on; empty without one.
-[[nodiscard]] std::string tolerant_clause(const design::Region& region,
-                                          const design::Limits& limits, bool begins);
 /// Only one arrival and no residual: one area, and no strips to tell apart.
 [[nodiscard]] bool is_one_strip(const design::Problem& problem);
 /// Strips that can be told apart; those of later arrivals are drawn as one.
@@ -198,8 +196,6 @@ inline constexpr std::int64_t most_drawn_strips = 12;
 
 /// Where the exact criterion admits a damper that the published one does not.
 inline constexpr std::string_view by_criterion_alone = "stops, but not by the published criterion";
-/// A sentence about that, if the figure has any.
-[[nodiscard]] std::string_view criterion_sentence(const figures::Figure& figure);
 
 /// What forbids the rest of the figure, each side in words, and the gap where nothing is left.
 void add_sides(figures::Figure& figure, const DrawnRegion& drawn, const FigureUnits& units);
