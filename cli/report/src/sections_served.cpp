@@ -180,10 +180,10 @@ void add_practice(Section& section, const std::optional<design::Practice>& lines
     constexpr double asked = 0.25;  // EN 15129
     const bool enough = *lines->energy_ratio >= asked;
     section.row("re-centring",
-                format("E_s/E_h {} without the notch (EN 15129{})", ratio(*lines->energy_ratio),
+                format("E_s / E_h {} without the notch (EN 15129{})", ratio(*lines->energy_ratio),
                        enough ? "" : " asks for 0.25"),
                 enough ? Tone::plain : Tone::bad);
-    section.row("", format("d/d_rm {} (EN 1998-2)", ratio(*lines->residual_ratio)));
+    section.row("", format("d / d_rm {} (EN 1998-2)", ratio(*lines->residual_ratio)));
   }
   if (lines->impulse_at_stop) {
     section.row("impulse at stop", impulse_shown(physical, *lines->impulse_at_stop));

@@ -36,7 +36,7 @@ BOOST_AUTO_TEST_CASE(next_to_no_friction_is_said_in_words) {
                   "delta may be off by +-33.33 % with next to no f", "with any f up to 0.00621"});
   BOOST_TEST(shown.find("e-09") == std::string::npos, shown);
   BOOST_TEST(contains(run(design(1.1, task) + "--verbose").out,
-                      "E_s/E_h > 1000 without the notch (EN 15129)"));
+                      "E_s / E_h > 1000 without the notch (EN 15129)"));
   // Delta must be V0^2/2 where there is no friction: Delta1 = Delta2.
   check_contains(
       run(design(1.1, "--objective time")).out,
