@@ -31,7 +31,7 @@ std::string lettered(std::string_view text) {
   static constexpr auto letters =
       std::to_array<std::pair<std::string_view, std::string_view>>({{"Delta1", "Δ₁"},
                                                                     {"delta", "Δ"},
-                                                                                                                                 {"tau", "τ"},
+                                                                    {"tau", "τ"},
                                                                     {"v0", "V₀"},
                                                                     {"x0", "x₀"},
                                                                     {"f2", "f₂"},

@@ -301,8 +301,9 @@ BOOST_AUTO_TEST_CASE(a_figure_without_any_damper_says_why) {
              "No damper is admissible: in the gap even the largest Δ is too weak.");
   BOOST_TEST(caption(0.9, {.f_max = 0.05}) ==
              "No damper is admissible: in the gap f is too weak and already beyond a limit.");
-  BOOST_TEST(caption(0.9, {.tolerance = 0.5}) ==
-             "A damper in the area without hatching is admissible without the tolerance asked for.");
+  BOOST_TEST(
+      caption(0.9, {.tolerance = 0.5}) ==
+      "A damper in the area without hatching is admissible without the tolerance asked for.");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

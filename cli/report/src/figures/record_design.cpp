@@ -123,6 +123,7 @@ void add_shades(figures::FigureMap& drawn, const ShownValues& shown,
   for (std::size_t i = 0; i < shades.size(); ++i) {
     drawn.palette.emplace_back(shades.at(i));
     const double from = least + shown.width() * static_cast<double>(i);
+    drawn.labels.push_back(least < most ? "≈ " + words(from + shown.width() / 2) : "");
     drawn.names.push_back(least < most
                               ? format("{} to {}", words(from), words(from + shown.width()))
                           : least == most && i == 0 ? words(least)
@@ -134,7 +135,6 @@ void add_shades(figures::FigureMap& drawn, const ShownValues& shown,
   } else if (least == most) {
     drawn.key.push_back({words(least), shades.front()});
   }
-  drawn.labels.resize(shades.size());  // what is good has its shades
 }
 
 /// Whether there are any.
