@@ -67,9 +67,9 @@ std::optional<design::BuiltNotch> example_notch(const DesignReport& report) {
   std::optional<design::BuiltNotch> best;
   for (const double width : widths_to_try(report)) {
     if (can_be_followed(width, result.finding->point.delta, result.request.problem.p)) {
-      design::BuiltNotch tried = with_notch(result, {width});
+      const design::BuiltNotch tried = with_notch(result, {width});
       if (!best || badness(tried) < badness(*best)) {
-        best = std::move(tried);
+        best = tried;
       }
     }
   }

@@ -235,6 +235,26 @@ BOOST_FIXTURE_TEST_CASE(text_and_page_show_each_record, Recorded) {
                         "The transmitted acceleration over f and Δ", "<th>peak, mm</th>"});
 }
 
+BOOST_FIXTURE_TEST_CASE(the_areas_of_the_map_bear_values_between_those_of_the_key, Sandbox) {
+  succeed(Arguments{"design", "--record", STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt"} +
+          "--period 2.8 --max-displacement 0.4 --scan-points 400 --html p.html");
+  const std::string page = read("p.html");
+  const auto values = [&page](const char* before) {
+    const std::regex number(before + std::string("([0-9.]+) g<"));
+    std::vector<double> found;
+    for (std::sregex_iterator at(page.begin(), page.end(), number), end; at != end; ++at) {
+      found.push_back(std::stod((*at)[1]));
+    }
+    return found;
+  };
+  const std::vector<double> areas = values(">≈ ");
+  BOOST_TEST(areas.size() > 1);
+  for (const double value : areas) {
+    BOOST_TEST(values(">from ").at(0) < value);
+    BOOST_TEST(value < values(">to ").at(0));
+  }
+}
+
 // f + delta/w is 1 g with the example of 20 mm, and the record has at most 0.29 g.
 BOOST_FIXTURE_TEST_CASE(the_headline_says_that_an_ordinary_notch_would_hold_the_mass, Sandbox) {
   const Arguments asked{"design", "--record", STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt"};
