@@ -181,12 +181,18 @@ void add_practice(Section& section, const std::optional<design::Practice>& lines
     const bool enough = *lines->energy_ratio >= asked;
     section.row("re-centring",
                 format("E_s / E_h {} without the notch (EN 15129{})", ratio(*lines->energy_ratio),
-                       enough ? "" : " asks for 0.25"),
+                       enough ? "" : " wants 0.25"),
                 enough ? Tone::plain : Tone::bad);
     section.row("", format("d / d_rm {} (EN 1998-2)", ratio(*lines->residual_ratio)));
   }
+  const bool passes = lines->impulse_largest > lines->impulse_at_stop;
+  if (passes) {
+    section.row("impulse",
+                impulse_shown(physical, *lines->impulse_largest) + " at the last passage");
+  }
   if (lines->impulse_at_stop) {
-    section.row("impulse at stop", impulse_shown(physical, *lines->impulse_at_stop));
+    section.row(passes ? "" : "impulse",
+                impulse_shown(physical, *lines->impulse_at_stop) + " at the stop");
   }
 }
 
