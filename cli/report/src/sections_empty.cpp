@@ -75,11 +75,11 @@ bool is_given(const design::Mend& mend) {
          field.starts_with("lambda");
 }
 
-/// Of several mends that of beta, which is the stroke, or else of what a designer can choose.
+/// Of several mends the first of what a designer can choose: that of beta, which is the stroke, if
+/// there is one.
 const design::Mend& named_mend(const std::vector<design::Mend>& mends) {
-  const auto of_beta = std::ranges::find(mends, "beta", &design::Mend::field);
   const auto chosen = std::ranges::find(mends, false, is_given);
-  return of_beta != mends.end() ? *of_beta : chosen != mends.end() ? *chosen : mends.front();
+  return chosen != mends.end() ? *chosen : mends.front();
 }
 
 /// " No damper has a tolerance of 40 %; the largest is 22.22 %, at f = 0.275, delta = 0.4."

@@ -2,6 +2,8 @@
 #include "motion.hpp"
 
 #include <atomic>
+#include <chrono>
+#include <thread>
 
 namespace stillpoint::test {
 
@@ -34,6 +36,24 @@ BOOST_AUTO_TEST_CASE(the_first_entry_that_throws_is_named_whatever_the_threads) 
       return error.entry() == 400 && std::string(error.what()) == "the four hundredth";
     });
   }
+}
+
+BOOST_AUTO_TEST_CASE(an_entry_that_throws_after_a_later_one_is_named) {
+  std::atomic<bool> last_threw = false;
+  const auto run = [&] {
+    for_each_entry(2, 2, {}, [&](std::ptrdiff_t i) {
+      if (i == 0) {
+        last_threw.wait(false);
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));  // until that one is kept
+      } else {
+        last_threw = true;
+        last_threw.notify_one();
+      }
+      throw std::out_of_range(i == 0 ? "the first" : "the last");
+    });
+  };
+  BOOST_CHECK_EXCEPTION(run(), EntryError,
+                        [](const EntryError& error) { return error.entry() == 0; });
 }
 
 BOOST_AUTO_TEST_CASE(a_run_that_is_stopped_skips_the_rest) {

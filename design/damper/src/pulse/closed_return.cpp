@@ -6,6 +6,7 @@
 #include <stillpoint/core/elementary.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -203,6 +204,7 @@ std::optional<FirstReturn> closed_return(const Pulse& pulse, double f) {
     return under_rectangle(lambda, f);
   }
   const bool full = std::holds_alternative<FullSine>(pulse);
+  assert((full || std::holds_alternative<HalfSine>(pulse)) && "a pulse without a closed form");
   // A short full sine leaves a velocity that is the difference of its two halves.
   constexpr double short_sine = 1e3;
   if (full && lambda > short_sine) {

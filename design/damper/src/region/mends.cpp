@@ -10,7 +10,6 @@
 #include <stillpoint/core/oscillator.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace stillpoint::design {
 
@@ -31,7 +30,7 @@ bool amplitude_fits(const Case& now) {
 /// The same of f4, which falls with p: a larger p may help or harm.
 bool figures_fit(const Case& now) {
   const Edges edge = edges(now.problem, now.limits);
-  return std::isinf(edge.f4) || (edge.f4 >= 0 && box_fits(edge.f2, edge.f4, now.limits.tolerance));
+  return box_fits(edge.f2, edge.f4, now.limits.tolerance);
 }
 
 bool strip_fits(const Case& now) {

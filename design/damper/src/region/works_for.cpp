@@ -45,7 +45,7 @@ Wide highest_v0(const HitDamper& damper, Wide p) {
 Wide lowest_p(const HitDamper& damper, Wide v0) {
   const auto& [f, d, beta, criterion] = damper;
   const Wide square = (v0 / beta) * (v0 / beta) - 2 * f / beta;
-  return std::max({root(f / beta), root(std::max(Wide(0), square)), root(Wide(8)) * f / v0});
+  return std::max(root(std::max(Wide(0), square)), root(Wide(8)) * f / v0);
 }
 
 /// Infinite where nothing bounds it.
