@@ -32,9 +32,13 @@ MotionInput physical_motion(const Settings& settings, bool from_rest) {
   isolator.mass_kg = settings.number("mass");
   isolator.gravity_m_per_s2 = settings.number("gravity").value_or(isolator.gravity_m_per_s2);
   const double x0_m = settings.number("x0-m").value_or(0);
-  const double velocity = x0_m != 0 || from_rest
-                              ? settings.number("velocity").value_or(0)
-                              : settings.required("velocity", "give the initial velocity in m/s");
+  const double velocity =
+      x0_m != 0 || from_rest
+          ? settings.number("velocity").value_or(0)
+          : settings.required("velocity",
+                              settings.has("record")
+                                  ? "only design, simulate, spectrum and sweep take records"
+                                  : "give the initial velocity in m/s");
   const design::PhysicalInput physical = design::physical_input(isolator, velocity, x0_m);
   const design::Scales& scales = physical.scales;
   MotionInput motion;

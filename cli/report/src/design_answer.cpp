@@ -272,12 +272,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
              tolerance_left(report) + (too_exact ? ", less than a real damper keeps" : ""),
              too_exact ? Tone::bad : Tone::plain);
   add_works_for(answer, finding.works_for, problem, physical);
-  // A weaker hit than this is caught at the start: rule 4 of docs/theory.md, section 2.
-  if (const double caught = std::sqrt(2 * delta); problem.v0_low && *problem.v0_low < caught) {
-    answer.row("weak hits", format("those below {} are felt in full, up to {}",
-                                   FigureUnits(physical).velocity_words(caught),
-                                   impulse_shown(physical, caught)));
-  }
+  add_weak_hits(answer, problem, delta, physical);
   if (finding.cross_check.passed) {
     answer.row("checks", checks_agree(finding.cross_check), Tone::good);
   }

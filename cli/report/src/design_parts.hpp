@@ -48,8 +48,6 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
 [[nodiscard]] double of_two_digits(const Physical& physical, double length);
 /// From rest under the weakest pulse.
 [[nodiscard]] StartUnderLoad start_under_pulse(const design::DesignResult& result);
-/// The paper's notch under a pulse, of which the motion starts in it.
-inline constexpr std::string_view acts_late = "acts only after the start";
 /// What a notch as built is compared with: "has no width", "holds any load".
 [[nodiscard]] std::string_view ideal_words(const design::BuiltNotch& built);
 /// ", with a notch that has no width" behind what is not of the notch as built; empty without one.

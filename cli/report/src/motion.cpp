@@ -2,6 +2,7 @@
 #include "format.hpp"
 #include "sections.hpp"
 
+#include <stillpoint/records/record_scaling.hpp>
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/report.hpp>
 
@@ -146,6 +147,21 @@ std::string felt_where(const MotionReport& report) {
                          : ", outside the notch";
 }
 
+/// No |W| is larger.
+double peak_load(const Excitation& excitation) {
+  return std::visit(
+      []<class Kind>(const Kind& kind) {
+        if constexpr (requires { kind.k; }) {
+          return std::abs(kind.k);
+        } else if constexpr (requires { kind.values; }) {
+          return records::peak_acceleration(kind);
+        } else {
+          return 0.0;
+        }
+      },
+      excitation);
+}
+
 void add_answer(Section& answer, const MotionReport& report) {
   const auto& [p, f, delta, hold] = report.request.oscillator;
   const Response& response = report.answer.response;
@@ -160,6 +176,10 @@ void add_answer(Section& answer, const MotionReport& report) {
     answer.row("acceleration",
                format("{} transmitted{}", acceleration_shown(response.peak_absolute_acceleration),
                       felt_where(report)));
+  }
+  if (report.answer.forced && report.answer.forced->left_notch_from_rest) {
+    add_start(answer, {f, delta, peak_load(report.request.excitation)}, "delta/(load - f)", false,
+              physical);
   }
   if (caught) {
     answer.row("impulse", format("{}: the notch passes the hit on in full, like any below {}",

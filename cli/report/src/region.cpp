@@ -29,28 +29,36 @@ std::string violations(const RegionReport& report) {
   }
   const bool starts = violated.front().name != "start";
   std::string text;
-  std::string others;
+  std::vector<std::string> others;
   for (const design::Constraint& now : violated) {
     if (starts || text.empty()) {
       text += format(" It {}{} ({}).", text.empty() ? "" : "also ", violation(now, task_of(report)),
                      in_words(now.name));
     } else {
-      others += format("{}{}", others.empty() ? "" : " and ", in_words(now.name));
+      others.push_back(in_words(now.name));
     }
   }
-  return text + (others.empty() ? "" : format(" It also violates {}.", others));
+  if (others.empty()) {
+    return text;
+  }
+  const std::string last = others.back();
+  others.pop_back();
+  return text + format(" It also violates {}{}{}.", fmt::join(others, ", "),
+                       others.empty() ? "" : " and ", last);
 }
 
 /// "The damper is admissible: f and delta may both be off by +-33.86 %.", or what is wrong.
 std::string judgement(const RegionReport& report) {
   const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
   const design::RegionAnswer& answer = report.answer;
+  const std::string damper =
+      pulse ? format("With a notch that {}, the damper", acts_late) : "The damper";
   if (!answer.tolerance) {
-    return "The damper is not admissible." + violations(report);
+    return damper + " is not admissible." + violations(report);
   }
   const std::string tolerance = tolerance_words(design::Limits{}, *answer.tolerance);
-  return *answer.admissible ? format("The damper is admissible: {}.", tolerance)
-                            : format("The damper is not admissible with {}: {}.",
+  return *answer.admissible ? format("{} is admissible: {}.", damper, tolerance)
+                            : format("{} is not admissible with {}: {}.", damper,
                                      tolerance_shown(limits, limits.tolerance), tolerance);
 }
 
@@ -185,6 +193,9 @@ Document document(const RegionReport& report) {
     document.verdict =
         format("{}{}{}", f ? of_delta : of_f, of_delta.empty() ? "" : " ", f ? of_f : of_delta);
     document.tone = Tone::good;
+    if (pulse && !delta) {
+      document.verdict += format(" This is for a notch that {}.", acts_late);
+    }
   } else {
     add_emptiness(document, answer, task_of(report));
   }
@@ -212,7 +223,13 @@ Document document(const RegionReport& report) {
   if (delta) {
     section.row("delta", length_shown(report.physical, *delta));
     document.verdict = format("{} {}", judgement(report), document.verdict);
+    document.tone = answer.admissible == true ? Tone::good : Tone::bad;
+    if (pulse) {
+      add_start(document.answer, {*f, *delta, ranges.k_low.value_or(design::peak_load(*pulse))},
+                "delta/(k - f)", false, report.physical);
+    }
     add_works_for(document.answer, answer.works_for, problem, report.physical);
+    add_weak_hits(document.answer, problem, *delta, report.physical);
     if (lines) {
       add_practice(document.detail("In practice" + (which.empty() ? "" : ": " + which)), lines,
                    report.physical);

@@ -51,6 +51,8 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
 /// says.
 [[nodiscard]] std::string example_sentence(std::string_view without, double width,
                                            std::string_view fault, const Physical& physical);
+/// The paper's notch under a pulse, of which the motion starts in it.
+inline constexpr std::string_view acts_late = "acts only after the start";
 struct StartUnderLoad {
   double f;
   double delta;
@@ -59,6 +61,9 @@ struct StartUnderLoad {
   /// From rest, a notch that is not wider holds the mass: the load is at most f + delta/w.
   [[nodiscard]] double width() const { return load > f ? delta / (load - f) : HUGE_VAL; }
 };
+/// Which hits of a range the notch of the damper passes on in full.
+void add_weak_hits(Section& section, const design::Problem& problem, double delta,
+                   const Physical& physical);
 /// How wide the notch must be so that the mass may go, as `formula` says; bad if none is.
 void add_start(Section& section, const StartUnderLoad& start, std::string_view formula, bool bad,
                const Physical& physical);

@@ -116,7 +116,7 @@ Section& add_region(Document& document, const design::RegionVerdict& verdict,
     add_bound(section, units, "start", "delta", "<=", *region.delta2);
   } else {
     section.row("start",
-                "f below the peak load; nothing bounds delta, since the mass starts from rest");
+                "f below the peak load k; a notch no wider than delta/(k - f) holds the mass");
   }
   for (const design::LimitKind& kind : design::limit_kinds()) {
     if (const auto& most = limits.*kind.value; most && !kind.figure) {

@@ -49,6 +49,10 @@ std::string by_how_much(const design::Constraint& violated) {
   if (!std::isfinite(off)) {
     return format("{} is too {}", variable, too_large ? "large" : "small");
   }
+  constexpr double next_to_all = 0.995;  // which two digits would call all of it
+  if (!too_large && off >= next_to_all) {
+    return format("{} is far too small", variable);
+  }
   return off <= in_percent_up_to
              ? format("{} is {:.2g} % too {}", variable, 100 * off, too_large ? "large" : "small")
              : format("{} is {:.3g} times the limit", variable, value / limit);

@@ -121,10 +121,6 @@ void add_response(Section& section, const Simulation& answer, const Physical& ph
                        length_shown(physical, *forced->final_position),
                        FigureUnits(physical).velocity_words(*forced->final_velocity)));
   }
-  if (forced->left_notch_from_rest) {
-    section.row("note",
-                "it started from rest at x = 0, so the notch acts from the first return on");
-  }
 }
 
 }  // namespace stillpoint::report

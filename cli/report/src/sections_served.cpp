@@ -68,6 +68,16 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
   section.row("", format("periods of {} s with {}{}", interval_text(period), hits, of_p));
 }
 
+void add_weak_hits(Section& section, const design::Problem& problem, double delta,
+                   const Physical& physical) {
+  // A weaker hit than this is caught at the start: rule 4 of docs/theory.md, section 2.
+  if (const double caught = std::sqrt(2 * delta); problem.v0_low && *problem.v0_low < caught) {
+    section.row("weak hits", format("those below {} are felt in full, up to {}",
+                                    FigureUnits(physical).velocity_words(caught),
+                                    impulse_shown(physical, caught)));
+  }
+}
+
 double example_width(const Physical& physical, double peak) {
   const double most = peak / 5;
   if (!physical) {

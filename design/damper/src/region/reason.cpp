@@ -14,12 +14,15 @@ namespace {
 
 /// The requirement that no damper meets.
 std::string no_way(const Problem& problem, const std::string& box) {
-  const bool ranges = problem.v0_low || problem.p_high;
+  const std::string_view every = problem.v0_low && problem.p_high
+                                     ? ", for every hit and spring of the ranges"
+                                 : problem.v0_low ? ", for every hit of the range"
+                                 : problem.p_high ? ", for every spring of the range"
+                                                  : "";
   return fmt::format(
       "no damper {} within {} half-cycle{}{}{}",
       problem.residual ? "brings the mass to rest within the residual" : "stops the mass at x = 0",
-      problem.arrivals, problem.arrivals > 1 ? "s" : "",
-      ranges ? ", for every hit and spring of the ranges" : "", box);
+      problem.arrivals, problem.arrivals > 1 ? "s" : "", every, box);
 }
 
 /// With six digits, rounded up or down: a number as printed is enough.
