@@ -16,7 +16,8 @@ constexpr double hundredth_of_a_unit = 1e-3;  // two decimals of about 300 units
 
 /// "centred after 7–15" for instance, of 15 half-cycles and a rest at x = 0.
 bool is_named(const MapRow& row, const std::string& name) {
-  static const std::regex form(R"((centred|off centre) after (\d+)(–(\d+)| or more)?)");
+  static const std::regex form(
+      R"((centred|off centre) after (\d+)(–(\d+)| or more)? half-cycles?)");
   std::smatch parts;
   if (!std::regex_match(name, parts, form)) {
     return false;

@@ -48,8 +48,10 @@ std::string lock_words(const SpectrumReport& report) {
                             : count == points.size()
                                 ? "at every period "
                                 : format("at {} of {} periods ", count, points.size());
-  return format("{}the notch holds the mass to the end of {} record, and transmits up to {}", where,
-                report.result.records.size() == 1 ? "the" : "a", acceleration_shown(most));
+  return format(
+      "{}the notch holds the mass to the end of {} record; while it is locked the structure feels "
+      "up to {}",
+      where, report.result.records.size() == 1 ? "the" : "a", acceleration_shown(most));
 }
 
 std::string period_words(const SpectrumReport& report, std::size_t i) {
@@ -175,7 +177,7 @@ void add_damper(Section& answer, const SpectrumReport& report) {
   answer.row("damper", format("f = {}, delta = {}, the same at every period", digits(task.f),
                               length_shown(report.physical, task.delta)));
   add_real_notch(answer, task.hold, task.notch_width, report.physical);
-  if (task.delta > 0 && !task.notch_width && !task.hold) {
+  if (task.delta > 0 && !task.notch_width) {
     const double peak = std::ranges::max(report.result.combined, {}, [](const SpectrumPoint& now) {
                           return now.with_notch.peak;
                         }).with_notch.peak;

@@ -114,7 +114,8 @@ ordered_json json(const SweepReport& report) {
 Document document(const SweepReport& report) {
   const auto& [spec, summary, map, record] = report;
   Document document = document_of("Sweep", summary.state, spec.kind == SweepKind::design);
-  Section& rows = document.answer;
+  add_scene(document.detail("Scene"), report);
+  Section& rows = document.section("Run");
   if (spec.output) {
     rows.row("file", *spec.output);
   }
@@ -126,7 +127,6 @@ Document document(const SweepReport& report) {
   }
   rows.row("time", fmt::format("{:.2g} s on {} thread{}", summary.wall_time_s, spec.threads,
                                spec.threads == 1 ? "" : "s"));
-  add_scene(document.detail("Scene"), report);
   return document;
 }
 

@@ -166,7 +166,7 @@ BOOST_AUTO_TEST_CASE(of_a_large_sweep_stay_small) {
       "page.html --svg figures");
   const std::string page = checked(read("page.html"));
   BOOST_TEST(page.size() < 1'000'000U);
-  check_contains(page, {"Δ₁ exact", "no return past f₃ →", "held above Δ₂ ↑", "centred after 1",
+  check_contains(page, {"Δ₁ exact", "does not return →", "held ↑", "centred after 1 half-cycle",
                         "off centre after 2", "never starts", "1000000"});
   BOOST_TEST(read("figures/map.svg").size() < 1'000'000U);
 }
@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(of_a_forced_sweep_have_no_boundaries) {
       "sweep --p 1 --f 0.01:0.3:20 --delta 0:0.03:20 --excitation harmonic --k 0.2 --lambda "
       "0.35 --t-end 100 --html page.html");
   const std::string page = checked(read("page.html"));
-  check_contains(page, {"not known to have stopped", "while the load goes on is a lock;"});
+  check_contains(page, {"not known to have stopped", "while the load goes on is a lock."});
   BOOST_TEST(!contains(page, "Δ₁ exact"));
   BOOST_TEST(!contains(page, "the theory's edges"));
 }

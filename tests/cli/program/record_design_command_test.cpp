@@ -17,10 +17,6 @@ constexpr double hand_tolerance = 1e-12;
 /// A damper that does not move, so every figure is known: it transmits the load.
 const Arguments held("design --record a.txt --period 2.8s --search-f 2:2 --search-delta-m 0:0");
 
-std::string one_line(const std::string& text) {
-  return std::regex_replace(text, std::regex("\\s+"), " ");
-}
-
 /// A search under it takes seconds.
 const Arguments long_search("design --record long.txt --record-step 0.01 --period 2.8 --hold 0.1");
 std::string long_record() {

@@ -138,6 +138,8 @@ BOOST_AUTO_TEST_CASE(a_damper_that_only_weaker_hits_spoil_is_told_so) {
       run("region --velocity 0:0.4 --period 2.8 --max-displacement 0.2 "
           "--arrivals 3 --residual-m 0.01 --f 0.006 --delta-m 0.002");
   BOOST_TEST(contains(text.out, "The damper is not admissible. Some hits of the range"), text.out);
+  // sqrt(2 * 2 mm * 1 g)
+  BOOST_TEST(contains(text.out, "  weak hits         those below 0.1981 m/s"), text.out);
 }
 
 /// Delta1(f2) = (2 f2 - S)^2/2 with f2 = 0.225, the largest of all feasible f, rounded up.

@@ -67,6 +67,18 @@ BOOST_AUTO_TEST_CASE(the_answer_says_where_the_acceleration_is_felt) {
   BOOST_TEST(contains(freed.out, "g transmitted while the notch holds it; its"), freed.out);
 }
 
+/// Friction and notch hold up to f + delta/w.
+BOOST_AUTO_TEST_CASE(from_rest_the_answer_says_which_notch_would_hold_the_start) {
+  const Arguments motion("simulate --p 1 --f 0.1 --delta 0.01 --t-end 9 --lambda 0.5 --excitation");
+  const std::string start = "  start             needs a notch wider than 0.05, delta/(load - f)\n";
+  for (const char* const load : {"half-sine --k 0.3", "harmonic --k=-0.3"}) {
+    BOOST_TEST(contains(run(motion + load).out, start), load);
+  }
+  write("load.csv", "0 0\n1 -0.3\n2 0.2\n");
+  BOOST_TEST(contains(run("simulate --p 1 --f 0.1 --delta 0.01 --record load.csv").out, start));
+  BOOST_TEST(!contains(run(motion + "half-sine --k 0.3 --v0 1").out, "  start  "));
+}
+
 BOOST_AUTO_TEST_CASE(the_answer_names_zones_and_the_notch_that_was_given) {
   const auto says = [&](const Arguments& more, const std::string& what) {
     const ProgramRun answer = run(simulate("0.1", "0.1") + more);

@@ -118,13 +118,13 @@ BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_reported, Recorded) {
   }
   const ProgramRun answer = run(locked);
   // What it lowers is beside the point.
-  check_contains(answer.out, {"\n  Locked: at every period the notch holds the mass",
-                              "Without the notch, friction alone"});
+  check_contains(one_line(answer.out), {" Locked: at every period the notch holds the mass",
+                                        "Without the notch, friction alone"});
   BOOST_TEST(!contains(answer.out, "the notch lowers"), answer.out);
   BOOST_TEST(
       answer.err ==
-      "stillpoint: locked: at every period the notch holds the mass to the end of the record, "
-      "and transmits up to 0.4 g\n");
+      "stillpoint: locked: at every period the notch holds the mass to the end of the record; "
+      "while it is locked the structure feels up to 0.4 g\n");
   BOOST_TEST(run(locked + "--quiet").err.empty());
   const ProgramRun friction = run(but("--delta-m", "0"));
   BOOST_TEST(friction.err.empty());
@@ -162,10 +162,14 @@ BOOST_FIXTURE_TEST_CASE(missing_values_are_left_out, Recorded) {
 
 BOOST_FIXTURE_TEST_CASE(text_and_page_show_it, Recorded) {
   const ProgramRun answer = succeed(asked + "--html p.html --svg figures");
-  BOOST_TEST(contains(answer.out, "Under the record: the notch lowers the "), answer.out);
+  check_contains(one_line(answer.out), {"Under the record: the notch lowers the ",
+                                        "the transmitted acceleration outside the notch at "});
+  BOOST_TEST(!contains(one_line(run(asked + "--notch-width-m 20mm").out), "outside the notch"));
   check_contains(answer.out, {"\n  damper            f = 0.02, delta = 20 mm, the same",
-                              "\n  record            a.txt, peak 0.4 g, "});
+                              "\n  in the notch  ", "\n  record            a.txt, peak 0.4 g, "});
   BOOST_TEST(contains(answer.out, "\n  1.5 "), answer.out);
+  succeed("spectrum --record a.txt --period 2s --f 0.02 --delta-m 20mm --html one.html");
+  BOOST_TEST(!contains(read("one.html"), "<figure"));  // two dots say nothing
   const std::string page = read("p.html");
   for (const char* const head :
        {"period, s", "transmitted, g", "transmitted without, g", "peak, mm", "peak without, mm",

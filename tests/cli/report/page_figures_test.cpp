@@ -61,6 +61,13 @@ BOOST_AUTO_TEST_CASE(the_answer_about_a_damper_comes_before_that_about_all) {
   BOOST_TEST(region(0.9, 0.26, 0.37).verdict.starts_with("The damper is admissible"));
   BOOST_TEST(region(0.9, 2, 1.5).verdict.starts_with("The damper is not admissible"));
   BOOST_TEST(region(0.6, 0.4, 0.3).verdict.starts_with("The damper is not admissible"));
+  const auto tone = [](double f, double delta) {
+    const design::RegionRequest request{
+        .problem = {.v0 = 1, .p = 1, .beta = 0.9}, .f = f, .delta = delta};
+    return document(RegionReport{request, design::answer(request)}).tone;
+  };
+  BOOST_TEST((tone(0.26, 0.37) == Tone::good));
+  BOOST_TEST((tone(2, 1.5) == Tone::bad));
 }
 
 /// beta = 0.6: f2 = 0.5333 above f3 = 0.35355; condition (10) asks for 1/sqrt(2) = 0.70711.

@@ -6,7 +6,9 @@
 #include <stillpoint/sweep/run.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
+#include <algorithm>
 #include <set>
+#include <string>
 
 BOOST_AUTO_TEST_SUITE(sweep_figure_test)
 
@@ -57,8 +59,8 @@ BOOST_AUTO_TEST_CASE(has_the_values_in_the_middle_of_their_cells) {
   BOOST_TEST(figure.map.labels.at(sweep::SweepClass::ranges * 2) == "never starts");
   BOOST_TEST(figure.caption ==
              "The mass stops at x = 0 in blue areas and off centre in hatched ones, the darker the "
-             "fewer half-cycles it takes; the lines are bounds from theory of a stop on the first "
-             "return.");
+             "fewer half-cycles it takes; above the line of Δ₁ it stops on the first return if it "
+             "returns at all.");
   // The boundaries of the first return are those of the paper's notch.
   BOOST_TEST(!figure.curves.empty());
   report.spec.axes.push_back({Quantity::notch_width, sweep::Axis({0.1})});
@@ -67,16 +69,27 @@ BOOST_AUTO_TEST_CASE(has_the_values_in_the_middle_of_their_cells) {
   BOOST_TEST(built.map.key[0].name == "stops in the notch");
 }
 
-// At f = 0.1 Delta1 is 0.324 published and 0.319 exact, by (26) and (27) of docs/theory.md.
-BOOST_AUTO_TEST_CASE(says_where_the_bound_is_that_it_does_not_show) {
-  const auto caption = [](std::string_view delta) {
-    return page(swept("0.0999:0.1001:3", delta)).figures.at(0).caption;
-  };
-  BOOST_TEST(contains(caption("0.3235:0.3245:3"), "the line is a bound"));
-  BOOST_TEST(contains(caption("0.3235:0.3245:3"), "; Δ₁ exact lies below the figure."));
-  BOOST_TEST(contains(caption("0.3185:0.3195:3"), "; Δ₁ published lies above the figure."));
-  BOOST_TEST(!contains(caption("0.318:0.325:3"), "the figure"));
-  BOOST_TEST(contains(caption("0:0.5:3"), "; the lowest row is Δ = 0, without a notch."));
+/// Delta2 is 0.5; the middle of the last row is at 0.49 or 0.52, its edge beyond 0.5.
+BOOST_AUTO_TEST_CASE(draws_no_edge_in_the_last_half_of_a_cell) {
+  for (const bool beyond : {false, true}) {
+    const figures::Figure drawn =
+        page(swept("0.1:0.4:4", beyond ? "0.1:0.52:4" : "0.1:0.49:4")).figures.at(0);
+    BOOST_TEST(drawn.y.most > 0.5);
+    BOOST_TEST(std::ranges::count(drawn.curves, "held ↑", &figures::FigureCurve::name) == beyond);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(has_no_swatch_twice_in_its_key_and_no_shade_of_a_few_cells) {
+  const figures::FigureMap map = page(swept("0.01:0.6:40", "0:0.6:40")).figures.at(0).map;
+  std::set<std::string> swatches;
+  for (const auto& entry : map.key) {
+    BOOST_TEST(swatches.insert(entry.colour).second, entry.name);
+    const auto index = std::ranges::find(map.names, entry.name) - map.names.begin();
+    const auto cells = std::ranges::count(map.cells, index);
+    BOOST_TEST((entry.name.starts_with("stops ") || cells > 32), entry.name);
+  }
+  BOOST_TEST(map.names.at(0) == "centred after 1 half-cycle");
+  BOOST_TEST(contains(map.names.at(4), " half-cycles"));
 }
 
 BOOST_AUTO_TEST_CASE(names_the_record) {

@@ -19,6 +19,7 @@ namespace stillpoint::cli_test {
 
 using test::check_contains;
 using test::contains;
+using test::one_line;
 
 /// The words behind the name of the program.
 struct Arguments : std::vector<std::string> {

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::report {
@@ -83,16 +84,14 @@ std::optional<Interval> above_limit(const design::Problem& problem, const design
   return from < to ? std::optional(Interval{from, to}) : std::nullopt;
 }
 
-/// "; weaker ones are held at the start, stronger ones go too far"
+/// "; weaker ones are held at the start and stronger ones go too far"
 std::string other_hits(const design::ServedInterval& works, const std::vector<design::Hits>& hits,
                        const std::optional<double>& acceleration_max, bool by_criterion) {
   constexpr double beside = 1e-6;  // an edge of both may differ by rounding
   const double weaker = works.low * (1 - beside);
   const double stronger = works.high.value_or(HUGE_VAL) * (1 + beside);
-  std::string text;
-  const auto add = [&text](const std::string& fate) {
-    text += (text.empty() ? "; " : ", ") + fate;
-  };
+  std::vector<std::string> fates;
+  const auto add = [&fates](std::string fate) { fates.push_back(std::move(fate)); };
   bool says_above = false;
   for (const design::Hits& now : hits) {
     const bool below = now.from < weaker && weaker <= now.to;
@@ -111,6 +110,10 @@ std::string other_hits(const design::ServedInterval& works, const std::vector<de
   }
   if (acceleration_max && !says_above) {
     add(fmt::format("stronger ones feel more than {:.4g} g", *acceleration_max));
+  }
+  std::string text;
+  for (const std::string& fate : fates) {
+    text += (&fate == &fates.front() ? "; " : &fate == &fates.back() ? " and " : ", ") + fate;
   }
   return text;
 }

@@ -55,9 +55,9 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
   }
   Figure figure;
   figure.id = "phase";
-  figure.title = "Phase portrait" +
-                 (long_one ? fmt::format(" (the first {} half-cycles)", most_single_half_cycles)
-                           : beginning(motion));
+  figure.title =
+      "Phase portrait" + (long_one ? fmt::format(" (the first {} turns)", most_single_half_cycles)
+                                   : beginning(motion));
   figure.x = axis_around(units.x_label, x_least * units.length, x_most * units.length);
   figure.y = axis_around(units.velocity_label, v_least * units.velocity, v_most * units.velocity);
   figure.description = fmt::format(
@@ -76,7 +76,7 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
                     start.x == 0 && start.v != 0 ? ", but none as the hit leaves it" : "");
   } else {
     figure.caption = !motion.surface.zones.empty() ? "The curve bends where the friction changes."
-                     : motion.rest                 ? "The curve ends where friction holds the mass."
+                     : motion.rest && !long_one    ? "The curve ends where friction holds the mass."
                      : motion.oscillator.f > 0     ? "Friction takes energy along the whole curve."
                                                    : "Nothing takes energy from the mass.";
   }

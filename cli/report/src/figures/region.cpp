@@ -225,16 +225,16 @@ void add_damper(Figure& figure, const DrawnDamper& damper, const design::BoxShap
   }
 }
 
-void add_boundaries(Figure& figure, const Problem& problem, const FigureUnits& units) {
+void add_boundaries(Figure& figure, const Problem& problem, const FigureUnits& units,
+                    const FigurePoint& last) {
   const Region region = design::admissible_region(problem);
   add_delta1(figure, problem, region.f3, units.length);
   const double top = region.delta2.value() * units.length;
-  if (region.f3 > figure.x.least && region.f3 < figure.x.most) {
-    add_edge(figure, "no return past f₃ →", {region.f3, figure.y.least},
-             {region.f3, figure.y.most});
+  if (region.f3 > figure.x.least && region.f3 < last.x) {
+    add_edge(figure, "does not return →", {region.f3, figure.y.least}, {region.f3, figure.y.most});
   }
-  if (top > figure.y.least && top < figure.y.most) {
-    add_edge(figure, "held above Δ₂ ↑", {figure.x.least, top}, {figure.x.most, top});
+  if (top > figure.y.least && top < last.y) {
+    add_edge(figure, "held ↑", {figure.x.least, top}, {figure.x.most, top});
   }
 }
 

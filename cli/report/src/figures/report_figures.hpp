@@ -223,7 +223,7 @@ struct DrawnPulseRegion {
 
 /// The analytic boundaries alone, within the axes of the figure.
 void add_boundaries(figures::Figure& figure, const design::Problem& problem,
-                    const FigureUnits& units);
+                    const FigureUnits& units, const figures::FigurePoint& last);
 
 /// The plane of f and Delta, coloured by how the motions end and after how many half-cycles; of
 /// free motions from x = 0 with the analytic boundaries on top.

@@ -208,7 +208,9 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
 
 figures::HtmlPage page(const SpectrumReport& report) {
   figures::HtmlPage page = page_of(document(report));
-  page.figures = spectrum_figures(report.result, FigureUnits(report.physical));
+  if (report.result.combined.size() > 1) {  // the table says more than two dots
+    page.figures = spectrum_figures(report.result, FigureUnits(report.physical));
+  }
   return page;
 }
 

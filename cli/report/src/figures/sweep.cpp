@@ -53,7 +53,8 @@ std::string class_name(std::size_t index, bool from_rest) {
                                             "too many half-cycles"};
     return others.at(index - 2 * ranges);
   }
-  return format("{} after {}", index < ranges ? "centred" : "off centre", count_label(index));
+  return format("{} after {} half-cycle{}", index < ranges ? "centred" : "off centre",
+                count_label(index), index % ranges == 0 ? "" : "s");
 }
 
 using ClassCounts = std::array<std::int64_t, SweepClass::count>;
@@ -65,22 +66,24 @@ bool any_rests(const ClassCounts& counts, std::size_t from) {
                      [](std::int64_t count) { return count > 0; });
 }
 
-/// The key has two colours, and the shades and other colours that no label in an area explains.
+/// The key has two colours that no cell has, the shades of more than a few cells and every other
+/// colour.
 figures::FigureMap drawn(const sweep::SweepMap& map, const ClassCounts& counts, bool from_rest,
                          const std::string& place) {
   constexpr std::size_t ranges = SweepClass::ranges;
+  const auto few = static_cast<std::int64_t>(map.cells().size() / 50);
   figures::FigureMap drawn{map.f().cells(), map.delta().cells(), map.cells(), {}, {}, {}, {}};
   if (any_rests(counts, 0)) {
-    drawn.key.push_back({"stops " + place, palette[2]});
+    drawn.key.push_back({"stops " + place, "#4c96cf"});
   }
   if (any_rests(counts, ranges)) {
-    drawn.key.push_back({"stops off centre", palette[ranges + 2], true});
+    drawn.key.push_back({"stops off centre", "#dc7515", true});
   }
   for (std::size_t i = 0; i < SweepClass::count; ++i) {
     drawn.palette.emplace_back(palette.at(i));
     drawn.names.push_back(class_name(i, from_rest));
     drawn.labels.push_back(i < 2 * ranges ? count_label(i) : drawn.names.back());
-    if (counts.at(i) > 0) {
+    if (counts.at(i) > (i < 2 * ranges ? few : 0)) {
       drawn.key.push_back({drawn.names.back(), palette.at(i), ranges <= i && i < 2 * ranges});
     }
   }
@@ -118,22 +121,14 @@ std::string caption(const ClassCounts& counts, bool loaded, const std::string& p
          (centred && loaded ? format("; a rest {} while the load goes on is a lock", place) : "");
 }
 
-/// What the lines are; if only one formula of Delta1 is within the axes, where the other is.
+/// What the lines of Delta1 are.
 std::string bounds_clause(const Figure& figure) {
-  if (figure.curves.empty()) {
-    return "";
-  }
-  const auto drawn = [&](std::string_view formula) {
-    return std::ranges::any_of(figure.curves, [&](const figures::FigureCurve& curve) {
-      return curve.name.find(formula) != std::string::npos;
-    });
-  };
-  const bool published = drawn("published");
-  return format("; {} from theory of a stop on the first return{}",
-                figure.curves.size() == 1 ? "the line is a bound" : "the lines are bounds",
-                published == drawn("exact") ? ""
-                : published                 ? "; Δ₁ exact lies below the figure"
-                                            : "; Δ₁ published lies above the figure");
+  return std::ranges::any_of(figure.curves,
+                             [](const figures::FigureCurve& curve) {
+                               return curve.name.find("Δ₁") != std::string::npos;
+                             })
+             ? "; above the line of Δ₁ it stops on the first return if it returns at all"
+             : "";
 }
 
 /// Without its unit.
@@ -172,10 +167,12 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
   figure.caption = caption(counts, under_load(spec), place);
   const double p = only_value(spec, Quantity::p);
   if (spec.kind == SweepKind::free && from_zero(spec) && plain_surface(spec) && v0 > 0 && p > 0) {
-    add_boundaries(figure, {.v0 = v0, .p = p, .beta = v0 / p}, units);
+    add_boundaries(figure, {.v0 = v0, .p = p, .beta = v0 / p}, units,
+                   {map.f().value(map.f().cells() - 1),
+                    map.delta().value(map.delta().cells() - 1) * units.length});
     figure.caption += bounds_clause(figure);
   }
-  figure.caption += map.delta().value(0) == 0 ? "; the lowest row is Δ = 0, without a notch." : ".";
+  figure.caption += '.';
   return figure;
 }
 

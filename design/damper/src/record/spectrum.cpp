@@ -142,7 +142,9 @@ std::string summary(const Spectrum& spectrum) {
                     points.size(), raised > 0 ? fmt::format(" (raises it at {})", raised) : "");
   };
   add("residual", [](const SpectrumFigures& one) { return one.residual.value_or(HUGE_VAL); });
-  add("transmitted acceleration", [](const SpectrumFigures& one) { return one.acceleration; });
+  add(spectrum.request.notch_width ? "transmitted acceleration"
+                                   : "transmitted acceleration outside the notch",
+      [](const SpectrumFigures& one) { return one.acceleration; });
   add("peak", [](const SpectrumFigures& one) { return one.peak; });
   return suite_words(*spectrum.request.combine, spectrum.records.size()) + text + ".";
 }
