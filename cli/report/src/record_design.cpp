@@ -124,14 +124,28 @@ std::string samples_words(const design::Sensitivity& near) {
                       near.samples - near.admissible, near.samples);
 }
 
+/// Within the tolerance, more than a quarter of the dampers fail, or one is much worse than the
+/// design in what it minimises; a residual that stays below a hundredth of the stroke does not
+/// count.
+bool is_delicate(const design::RecordDesign& result) {
+  constexpr double much = 1.5;
+  const design::Sensitivity& near = result.finding->sensitivity;
+  const design::SuiteFigures& built = result.finding->point.figures;
+  const design::SuiteObjective objective = result.request.objective;
+  const double nothing = objective == design::SuiteObjective::residual ? built.peak / 100 : 0;
+  return 4 * near.admissible < 3 * near.samples || !near.worst.settled ||
+         value_of(near.worst, objective) > std::max(much * value_of(built, objective), nothing);
+}
+
 /// What a damper that is not built exactly may do.
 std::string tolerance_sentence(const design::RecordDesign& result, const Physical& physical) {
   const design::Sensitivity& near = result.finding->sensitivity;
   return format(" With f and delta off by up to {:.3g} %, {}{}.", 100 * near.tolerance,
-                near.worst.settled ? format("{}up to {} and a stroke of {}",
+                near.worst.settled ? format("{}up to {}, a stroke of {} and a residual of {}",
                                             is_mean(result.request) ? "a mean of " : "",
                                             acceleration_shown(near.worst.acceleration),
-                                            length_shown(physical, near.worst.peak))
+                                            length_shown(physical, near.worst.peak),
+                                            length_shown(physical, near.worst.residual))
                                    : "the mass may never rest",
                 near.admissible < near.samples ? "; " + samples_words(near) : "");
 }
@@ -170,7 +184,7 @@ void add_answer(Section& answer, const design::RecordDesign& result, const Physi
                     near.worst.settled ? "at worst " + figures_words(near.worst, physical)
                                        : "the mass may never rest",
                     samples_words(near)),
-             near.admissible < near.samples ? Tone::bad : Tone::plain);
+             near.admissible < near.samples || is_delicate(result) ? Tone::bad : Tone::plain);
   const design::SuiteCheck& check = result.finding->check;
   answer.row("check",
              check.passed
@@ -361,9 +375,9 @@ Document document(const RecordDesignReport& report) {
   document.verdict = verdict(report);
   if (result.finding) {
     const bool still = result.finding->point.figures.peak == 0;
-    document.tone = still || !result.finding->check.passed ? Tone::bad
-                    : result.search.interrupted            ? Tone::plain
-                                                           : Tone::good;
+    document.tone = still || is_delicate(result) || !result.finding->check.passed ? Tone::bad
+                    : result.search.interrupted                                   ? Tone::plain
+                                                                                  : Tone::good;
     add_answer(document.answer, result, report.physical);
     add_records(document, report);
     add_damper(document, report);

@@ -16,7 +16,7 @@ std::string ending(const Response& response) {
       return fmt::format("{} at x = {:.6g}", response.half_cycles == 0 ? "stays at rest" : "stops",
                          response.stop_position.value_or(0));
     case Outcome::never_stops:
-      return "never stops (no friction)";
+      return "never stops (no friction where it moves)";
     case Outcome::caught_at_start:
       return "never leaves x = 0 (held by the point friction)";
     case Outcome::running:

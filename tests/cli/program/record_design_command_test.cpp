@@ -95,8 +95,21 @@ BOOST_FIXTURE_TEST_CASE(a_damper_that_does_not_move_transmits_the_load, Recorded
 BOOST_FIXTURE_TEST_CASE(samples_beyond_a_limit_are_in_the_first_lines, Recorded) {
   const std::string text = one_line(
       run("design --record a.txt --period 2.8s --search-delta-m 0:0 --max-displacement 10mm").out);
-  const std::regex beyond("a stroke of [0-9.]+ mm; [0-9]+ of 64 samples violate a limit or ");
+  const std::regex beyond(
+      "a stroke of [0-9.]+ mm and a residual of [0-9.]+ mm; "
+      "[0-9]+ of 64 samples violate a limit or ");
   BOOST_TEST(std::regex_search(text, beyond), text);
+}
+
+/// Half of the dampers near a limit violate it; without a limit all of them serve as well.
+BOOST_FIXTURE_TEST_CASE(a_delicate_damper_is_red, Recorded) {
+  succeed(
+      "design --record a.txt --period 2.8s --search-delta-m 0:0 --max-displacement 10mm "
+      "--html p.html");
+  BOOST_TEST(contains(read("p.html"), "answer bad"));
+  succeed(
+      "design --record a.txt --period 2.8s --search-delta-m 0:0 --search-f 0.3:0.3 --html p.html");
+  BOOST_TEST(!contains(read("p.html"), "answer bad"));
 }
 
 BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_reported, Recorded) {

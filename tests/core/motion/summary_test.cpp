@@ -40,7 +40,8 @@ BOOST_AUTO_TEST_CASE(a_free_motion_in_one_line) {
              "stops at x = 0 at tau = 6.28319 after 2 half-cycles, peak 1");
   BOOST_TEST(summary(free_response({1, 0, 0.4}, {0, 1}, {.times = false})) ==
              "stops at x = 0 after 2 half-cycles, peak 1");
-  BOOST_TEST(summary(free_response({2, 0, 0}, {0, 3})) == "never stops (no friction), peak 1.5");
+  BOOST_TEST(summary(free_response({2, 0, 0}, {0, 3})) ==
+             "never stops (no friction where it moves), peak 1.5");
   BOOST_TEST(summary(free_response({1, 0, 1}, {0, 1})) ==
              "never leaves x = 0 (held by the point friction)");
   BOOST_TEST(summary(free_response({1, 1, 0}, {0.5, 0})) == "stays at rest at x = 0.5");

@@ -123,8 +123,9 @@ std::string caption(const Kind& kind, const Figure& figure, const design::Spectr
   const FigureCurve& shown = figure.curves.back();
   if (chosen) {
     constexpr double about = 0.05;
-    return format("Within {} % of the period of the design, the {} is at most {}.", 100 * about,
-                  kind.name, value(highest(shown, (1 - about) * *chosen, (1 + about) * *chosen).y));
+    const double most = highest(shown, (1 - about) * *chosen, (1 + about) * *chosen).y;
+    return format("Within {} % of the period of the design, the {} is {}.", 100 * about, kind.name,
+                  most == 0 ? "zero" : "at most " + value(most));
   }
   const auto words = [&](const FigureCurve& curve) {
     const FigurePoint most = highest(curve);
