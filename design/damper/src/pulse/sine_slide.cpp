@@ -157,8 +157,8 @@ Slid slid(const SineSlide& slide, bool outwards, double last) {
   };
   double from = 0;
   double step = pi;
-  SlideMoment now;
-  SlideMoment known{-HUGE_VAL, {}};
+  SlideMoment now{-HUGE_VAL, {}};
+  SlideMoment known = now;
   for (const double quarter : {pi / 2, LoadPhase::second_crest, 2 * pi}) {
     const double end = slide.time_to(std::min(quarter, last));
     const bool driven = (quarter == LoadPhase::second_crest) != outwards;

@@ -74,6 +74,19 @@ BOOST_AUTO_TEST_CASE(a_rectangle_of_half_a_natural_period_is_known_by_hand) {
   BOOST_TEST(found->time == std::acos(-1.0) + std::acos(-0.25 / 1.25), close);
 }
 
+// Under a half-sine with lambda = p, y = (sin t - t cos t)/2 - f (1 - cos t) but for f^3: the mass
+// turns f^2/pi before the load ends, at A = pi/2 - 2 f, and comes back with w^2 = A (A - 2 f).
+BOOST_AUTO_TEST_CASE(a_half_sine_of_half_a_natural_period_ends_where_the_mass_turns) {
+  for (const double f : {1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-12}) {
+    const FirstReturn found = closed_return(HalfSine{1, 1}, f).value();
+    const double peak = std::numbers::pi / 2 - 2 * f;
+    const auto close = tt::tolerance(1e-14);
+    BOOST_TEST(found.returns);
+    BOOST_TEST(found.peak == peak, close);
+    BOOST_TEST(found.speed == std::sqrt(peak * (peak - 2 * f)), close);
+  }
+}
+
 // Without friction it comes back after a whole swing about 1, which ends at x = 0 without speed;
 // with the least friction it turns 4 f short of it and returns only with the energy that the load
 // leaves it, w^2/2 = 1 - cos(pi/lambda).
