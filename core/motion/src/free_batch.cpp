@@ -4,7 +4,6 @@
 #include "kernel/first_leg.hpp"
 
 #include <stillpoint/core/batch.hpp>
-#include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 
@@ -32,15 +31,11 @@ class FreeBatchSource final : public FreeLanesSource {
  public:
   FreeBatchSource(const BatchEntries& entries, const BatchOptions& options, BatchResult& result,
                   EntryThreads& work)
-      : entries_(entries),
-        options_(options),
-        result_(result),
-        work_(work),
-        from_first_leg_(options.acceleration && options.surface.plain()) {}
+      : entries_(entries), options_(options), result_(result), work_(work) {}
 
   EntryRange next() override {
     const EntryRange range = work_.next();
-    for (Index i = range.begin; from_first_leg_ && i < range.end; ++i) {
+    for (Index i = range.begin; options_.acceleration && i < range.end; ++i) {
       result_.peak_absolute_acceleration[i] = acceleration(i);
     }
     return range;
@@ -52,14 +47,9 @@ class FreeBatchSource final : public FreeLanesSource {
 
  private:
   [[nodiscard]] Response response(Index i) const {
-    const Oscillator oscillator{.p = entries_.p[i], .f = entries_.f[i], .delta = entries_.delta[i]};
-    const Start start{.x0 = 0, .v0 = entries_.v0[i]};
-    if (!options_.surface.plain()) {
-      return forced_response(oscillator, start, NoExcitation{},
-                             {.half_cycle_limit = options_.half_cycle_limit}, options_.surface);
-    }
     return free_response(
-        oscillator, start,
+        {.p = entries_.p[i], .f = entries_.f[i], .delta = entries_.delta[i]},
+        {.x0 = 0, .v0 = entries_.v0[i]},
         {.times = options_.times, .margin = false, .half_cycle_limit = options_.half_cycle_limit});
   }
 
@@ -88,16 +78,7 @@ class FreeBatchSource final : public FreeLanesSource {
   const BatchOptions& options_;
   BatchResult& result_;
   EntryThreads& work_;
-  bool from_first_leg_;  ///< the acceleration
 };
-
-void run_one_by_one(FreeBatchSource& source) {
-  for (EntryRange range = source.next(); range.begin < range.end; range = source.next()) {
-    for (Index i = range.begin; i < range.end; ++i) {
-      source.run_alone(i);
-    }
-  }
-}
 
 void run(const BatchEntries& entries, const BatchOptions& options, BatchResult& result) {
   require_within("half_cycle_limit", options.half_cycle_limit, 1, 1e15);
@@ -107,11 +88,7 @@ void run(const BatchEntries& entries, const BatchOptions& options, BatchResult& 
                                options.times ? result.stop_time.data() : nullptr};
   run_batch(entries, block, options.threads, [&](EntryThreads& work) {
     FreeBatchSource source(entries, options, result, work);
-    if (options.surface.plain()) {
-      run_free_lanes(entries, options.half_cycle_limit, output, source);
-    } else {
-      run_one_by_one(source);
-    }
+    run_free_lanes(entries, options.half_cycle_limit, output, source);
   });
 }
 

@@ -127,30 +127,6 @@ double HalfCycleSteps::time() const {
   return (std::numbers::pi * half_turns_ + small_) / map_.p;
 }
 
-HalfCycleWalk::HalfCycleWalk(const Oscillator& oscillator, const Start& start)
-    : steps_(std::make_unique<HalfCycleSteps>(oscillator, start)) {}
-
-HalfCycleWalk::HalfCycleWalk(const HalfCycleWalk& other)
-    : steps_(std::make_unique<HalfCycleSteps>(*other.steps_)) {}
-
-HalfCycleWalk::HalfCycleWalk(HalfCycleWalk&& other) noexcept = default;
-
-HalfCycleWalk& HalfCycleWalk::operator=(const HalfCycleWalk& other) {
-  return *this = HalfCycleWalk(other);
-}
-
-HalfCycleWalk& HalfCycleWalk::operator=(HalfCycleWalk&& other) noexcept = default;
-
-HalfCycleWalk::~HalfCycleWalk() = default;
-
-std::optional<HalfCycle> HalfCycleWalk::next() {
-  return steps_->next();
-}
-
-double HalfCycleWalk::next_departure_speed() const {
-  return steps_->next_departure_speed();
-}
-
 std::vector<HalfCycle> first_half_cycles(const Oscillator& oscillator, const Start& start,
                                          std::int64_t most) {
   HalfCycleSteps walk(oscillator, start);

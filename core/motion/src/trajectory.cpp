@@ -104,15 +104,6 @@ State Trajectory::at(double tau) const {
           arc.v * cosine - p_ * arc.lever * sine};
 }
 
-Eigen::ArrayX3d Trajectory::at(const Eigen::ArrayXd& tau) const {
-  Eigen::ArrayX3d rows(tau.size(), 3);
-  for (Eigen::Index i = 0; i < tau.size(); ++i) {
-    const State state = at(tau[i]);
-    rows.row(i) << state.tau, state.x, state.v;
-  }
-  return rows;
-}
-
 std::vector<State> Trajectory::sampled(std::int64_t samples) const {
   return sampled_states(*this, samples);
 }

@@ -24,38 +24,6 @@ bool too_many_half_cycles(const Action& action) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(on_a_surface_the_entries_are_those_of_one_motion) {
-  Dice dice(4401);
-  Eigen::ArrayXd f(300);
-  Eigen::ArrayXd delta(300);
-  for (Eigen::Index i = 0; i < f.size(); ++i) {
-    f[i] = dice.once_in(10) ? 0 : dice.power_of_ten(-2, -0.5);
-    delta[i] = dice.once_in(10) ? 0 : dice.power_of_ten(-2, -0.5);
-  }
-  for (const Surface& surface :
-       {Surface{0.05, {}}, Surface{{}, {{0.2, 0.3}}}, Surface{0.1, {{0.04, 0.1}, {0.3, 0.02}}}}) {
-    for (const int threads : {1, 3}) {
-      const BatchResult batch =
-          free_batch(1, 1.3, f, delta,
-                     {.times = true, .acceleration = true, .threads = threads, .surface = surface});
-      for (Eigen::Index i = 0; i < f.size(); ++i) {
-        const Response alone =
-            forced_response({1.3, f[i], delta[i]}, {0, 1}, NoExcitation{}, {}, surface);
-        constexpr double never = std::numeric_limits<double>::infinity();
-        BOOST_TEST(name(batch.outcome[i]) == name(alone.outcome));
-        BOOST_TEST(batch.peak_amplitude[i] == alone.peak_amplitude);
-        BOOST_TEST(batch.half_cycles[i] == alone.half_cycles.value_or(never));
-        BOOST_TEST(batch.stop_position[i] == alone.stop_position.value_or(0));
-        BOOST_TEST(batch.stop_time[i] == alone.stop_time.value_or(never));
-        BOOST_TEST(batch.peak_absolute_acceleration[i] == alone.peak_absolute_acceleration);
-      }
-    }
-  }
-  BOOST_TEST(refusal_of<InputError>([&] {
-               static_cast<void>(free_batch(1, 1, f, delta, {.surface = {-1, {}}}));
-             }).starts_with("notch-width = -1: must be a number from"));
-}
-
 BOOST_AUTO_TEST_CASE(an_error_names_the_first_entry_at_fault) {
   // Whatever the number of threads: blocks of some thousand entries are run at once.
   Eigen::ArrayXd f = Eigen::ArrayXd::Constant(40000, 0.1);

@@ -34,7 +34,8 @@ BOOST_AUTO_TEST_CASE(every_wrong_input_is_named) {
         scene.*field.input = value;
         check_refused(field.name, [&] { (void)response(scene); });
         check_refused(field.name, [&] { (void)free_peak(scene.oscillator(), scene.start()); });
-        check_refused(field.name, [&] { HalfCycleWalk(scene.oscillator(), scene.start()); });
+        check_refused(field.name,
+                      [&] { (void)first_half_cycles(scene.oscillator(), scene.start(), 1); });
         check_refused(field.name,
                       [&] { Trajectory(scene.oscillator(), scene.start(), {.horizon = 1}); });
       }

@@ -226,17 +226,6 @@ BOOST_AUTO_TEST_CASE(samples_hold_every_event_and_both_ends_in_order) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(an_array_of_instants_gives_a_row_each) {
-  const Trajectory path = trajectory({0, 24, 1, 7, 20}, 10);
-  const Eigen::ArrayXd tau = Eigen::ArrayXd::LinSpaced(7, 0, 10);
-  const Eigen::ArrayX3d rows = path.at(tau);
-  BOOST_REQUIRE(rows.rows() == 7);
-  for (Eigen::Index i = 0; i < 7; ++i) {
-    const State state = path.at(tau[i]);
-    BOOST_TEST((rows(i, 0) == tau[i] && rows(i, 1) == state.x && rows(i, 2) == state.v));
-  }
-}
-
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The steps of HalfCycleWalk, with the state of the motion that Trajectory needs.
+// Walks through a free motion half-cycle by half-cycle, times included, with the state that
+// Trajectory needs.
 
 #include "kernel/ending.hpp"
 #include "kernel/first_leg.hpp"

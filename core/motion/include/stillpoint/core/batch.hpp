@@ -3,7 +3,6 @@
 
 #include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/state.hpp>
-#include <stillpoint/core/surface.hpp>
 
 #include <Eigen/Core>
 
@@ -18,11 +17,9 @@ struct BatchOptions {
   /// As in FreeOptions: if a single entry may take more half-cycles, the batch is refused.
   double half_cycle_limit{1e8};
   Threads threads{};
-  Surface surface{};  ///< for every entry; any but the paper's runs without lanes, much slower
 };
 
-/// The metrics of entry i are the i-th of each array, and they are those of free_response,
-/// or on a surface those of forced_response without an excitation.
+/// The metrics of entry i are the i-th of each array, and they are those of free_response.
 ///
 /// An array cannot hold an empty value, so the outcome says which values exist: where outcome[i] is
 /// never_stops, half_cycles[i] and stop_time[i] are infinite and stop_position[i] is 0, and these

@@ -7,13 +7,10 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <vector>
 
 namespace stillpoint {
-
-class HalfCycleSteps;
 
 /// One half-cycle: from x = 0 (or the start) out to a peak and back to x = 0 (or to rest).
 struct HalfCycle {
@@ -34,29 +31,9 @@ struct HalfCycle {
   [[nodiscard]] bool operator==(const HalfCycle&) const = default;
 };
 
-/// Walks through a free motion half-cycle by half-cycle, in constant memory, times included. With
-/// only one friction each half-cycle comes from the closed form, rounded once, so the walk ends
-/// where free_response says. Throws InputError like free_response.
-class HalfCycleWalk {
- public:
-  HalfCycleWalk(const Oscillator& oscillator, const Start& start);
-  HalfCycleWalk(const HalfCycleWalk& other);
-  HalfCycleWalk(HalfCycleWalk&& other) noexcept;
-  HalfCycleWalk& operator=(const HalfCycleWalk& other);
-  HalfCycleWalk& operator=(HalfCycleWalk&& other) noexcept;
-  ~HalfCycleWalk();
-
-  /// The next half-cycle; empty after the last one. A motion without friction goes on for ever.
-  [[nodiscard]] std::optional<HalfCycle> next();
-
-  /// |x'| with which the next half-cycle leaves x = 0.
-  [[nodiscard]] double next_departure_speed() const;
-
- private:
-  std::unique_ptr<HalfCycleSteps> steps_;
-};
-
-/// The first `most` half-cycles.
+/// The first `most` half-cycles of a free motion. With only one friction each comes from the closed
+/// form, rounded once, so the last is where free_response says. Throws InputError like
+/// free_response.
 [[nodiscard]] std::vector<HalfCycle> first_half_cycles(const Oscillator& oscillator,
                                                        const Start& start, std::int64_t most);
 

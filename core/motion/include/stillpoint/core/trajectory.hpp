@@ -6,8 +6,6 @@
 #include <stillpoint/core/state.hpp>
 #include <stillpoint/core/surface.hpp>
 
-#include <Eigen/Core>
-
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -37,9 +35,6 @@ class Trajectory {
   /// The state at tau; at an instant with two velocities the later one. Throws InputError outside
   /// [0, horizon].
   [[nodiscard]] State at(double tau) const;
-
-  /// Rows (tau, x, v), one for each entry of `tau`.
-  [[nodiscard]] Eigen::ArrayX3d at(const Eigen::ArrayXd& tau) const;
 
   /// `samples` >= 2 evenly spaced instants of [0, horizon] and every event, in order of time.
   [[nodiscard]] std::vector<State> sampled(std::int64_t samples) const;
