@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "comparison.hpp"
 
-#include <stillpoint/core/forced_batch.hpp>
 #include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/record_batch.hpp>
 #include <stillpoint/peers/methods.hpp>
 
 #include <algorithm>

@@ -9,7 +9,8 @@
 // Each round measures everything once, and the shortest time of each counts, since other work of
 // the machine can only add to it.
 
-#include <stillpoint/core/forced_batch.hpp>
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/record_batch.hpp>
 #include <stillpoint/records/record_file.hpp>
 #include <stillpoint/records/record_scaling.hpp>
 

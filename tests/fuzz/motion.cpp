@@ -2,9 +2,9 @@
 #include "fuzz.hpp"
 
 #include <stillpoint/core/batch.hpp>
-#include <stillpoint/core/forced_batch.hpp>
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/record_batch.hpp>
 #include <stillpoint/core/trajectory.hpp>
 
 #include <algorithm>

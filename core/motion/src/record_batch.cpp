@@ -4,8 +4,8 @@
 #include "record_lanes.hpp"
 #include "record_motion.hpp"
 
-#include <stillpoint/core/forced_batch.hpp>
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/record_batch.hpp>
 
 #include <algorithm>
 #include <array>
@@ -113,6 +113,29 @@ class RecordBlock final : public RecordEvents {
   std::size_t count_{0};
 };
 
+/// Checks scene after scene under one record, which is long: its check depends on the oscillator
+/// only through p, which it allows between two bounds. So every p between two allowed ones is
+/// allowed.
+class SceneCheck {
+ public:
+  explicit SceneCheck(const Excitation& record) : record_(record) {}
+
+  void require(const Oscillator& oscillator, const Start& start) {
+    if (least_p_ <= oscillator.p && oscillator.p <= most_p_) {
+      require_valid(oscillator, start);
+      return;
+    }
+    require_valid(oscillator, start, record_, std::nullopt);
+    least_p_ = std::min(least_p_, oscillator.p);
+    most_p_ = std::max(most_p_, oscillator.p);
+  }
+
+ private:
+  const Excitation& record_;
+  double least_p_{std::numeric_limits<double>::infinity()};
+  double most_p_{0};
+};
+
 /// One by one: other surfaces, and records with times of their own.
 std::optional<ForcedResponse> alone(const Oscillator& oscillator, const Start& start,
                                     const Excitation& excitation, const ForcedOptions& options,
@@ -138,7 +161,7 @@ void record_batch(double v0, const BatchValues& p, const BatchValues& f, const B
   const Excitation excitation = record;
   const bool in_lanes = options.surface.plain() && record.times.empty();
   run_batch(entries, record_lanes, options.threads, [&](EntryThreads& work) {
-    SceneCheck check(excitation, scene.t_end);
+    SceneCheck check(excitation);
     const auto block = std::make_unique<RecordBlock>(excitation, scene);
     const Start start{0, v0};
     for (EntryRange range = work.next(); range.begin < range.end; range = work.next()) {

@@ -3,7 +3,6 @@
 
 #include <stillpoint/core/cancellation.hpp>
 #include <stillpoint/core/for_each_entry.hpp>
-#include <stillpoint/core/forced_batch.hpp>
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/design.hpp>
@@ -279,18 +278,6 @@ void SweepStep::run_free_one_by_one(SweepBlock& block) const {
 void SweepStep::run_forced(SweepBlock& block) const {
   make_room(block, results(spec_.kind));
   const ForcedOptions options = forced_options();
-  if (in_batches_) {
-    try {
-      const auto responses = forced_batch(block[v0], block[p], block[f], block[delta],
-                                          spec_.excitation, {options, spec_.threads});
-      for (Index i = 0; i < block.size; ++i) {
-        set_forced(block, i, responses[static_cast<std::size_t>(i)]);
-      }
-      return;
-    } catch (const InputError&) {  // repeated below for the entry alone
-    } catch (const TooManyHalfCycles&) {
-    }
-  }
   for_each_motion(block, [&](Index i) {
     const auto [oscillator, start, surface] = motion(block, i);
     set_forced(block, i, forced_response(oscillator, start, spec_.excitation, options, surface));

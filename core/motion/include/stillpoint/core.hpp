@@ -8,7 +8,6 @@
 #include <stillpoint/core/elementary.hpp>
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/for_each_entry.hpp>
-#include <stillpoint/core/forced_batch.hpp>
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/half_cycles.hpp>
@@ -16,6 +15,7 @@
 #include <stillpoint/core/interval.hpp>
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/core/record_batch.hpp>
 #include <stillpoint/core/seconds.hpp>
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/core/state.hpp>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "record/suite.hpp"
 
-#include <stillpoint/core/forced_batch.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/names.hpp>
+#include <stillpoint/core/record_batch.hpp>
 
 #include <fmt/format.h>
 
