@@ -194,6 +194,20 @@ BOOST_AUTO_TEST_CASE(at_delta2_the_hit_may_not_be_weaker_and_no_spring_is_too_st
   BOOST_TEST(now.with_p(1e6).holds());
 }
 
+BOOST_AUTO_TEST_CASE(a_range_of_one_value_is_that_value) {
+  for (const auto& [f, delta] : {std::pair(0.26, 0.37), std::pair(0.06, 0.2)}) {
+    const Problem one{1, 1, 0.95, Criterion::exact, 3};
+    Problem range = one;
+    range.v0_low = range.p_high = 1;
+    const WorksFor expected = works_for(one, {}, f, delta).value();
+    const WorksFor found = works_for(range, {}, f, delta).value();
+    BOOST_TEST(found.v0.low == expected.v0.low);
+    BOOST_TEST(*found.v0.high == *expected.v0.high);
+    BOOST_TEST(found.p.low == expected.p.low);
+    BOOST_TEST(*found.p.high == *expected.p.high);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_ends_of_the_valid_inputs_are_no_error) {
   int met = 0;
   for (const double v0 : {1e-150, 1e150}) {
