@@ -52,47 +52,40 @@ RatedPart rated(const Problem& problem, const Limits& limits, const Part& part) 
   return rated;
 }
 
-/// An input whose change in one direction loosens the task for every part, and a value that no
-/// longer binds.
-struct Loosened {
-  std::string_view field;
-  double now;
-  double loosest;
-  double& input;  ///< of the task that `admissible` checks
-};
+bool admits(const HitCase& now, const Part& part) {
+  cancellation_point();
+  return admissible(now.problem, now.limits, part.f, part.delta);
+}
 
-/// The inputs of `task` and `allowed`, which are as given.
-std::vector<Loosened> loosened(const Problem& problem, const Limits& limits, Problem& task,
-                               Limits& allowed) {
-  // No friction has a larger peak than V0/p.
-  std::vector<Loosened> inputs{
-      {"beta", problem.beta, std::max(problem.beta, 2 * problem.v0 / problem.p), task.beta}};
+bool admits_any(const HitCase& now, std::span<const Part> parts) {
+  return std::ranges::any_of(parts, [&](const Part& part) { return admits(now, part); });
+}
+
+/// Those whose change in one direction loosens the task for every part.
+std::vector<Input<HitCase>> inputs_of(const HitCase& base) {
+  const auto& [problem, limits] = base;
+  std::vector<Input<HitCase>> list = limit_inputs<HitCase>(limits);
   if (limits.tolerance > 0) {
-    inputs.push_back({"tolerance", limits.tolerance, 0, allowed.tolerance});
+    std::rotate(list.begin(), list.end() - 1, list.end());
   }
-  for (const LimitKind& kind : limit_kinds()) {
-    if (auto& limit = allowed.*kind.value) {
-      inputs.push_back({kind.field, *limit, largest_square, *limit});
-    }
-  }
-  return inputs;
+  // No friction has a larger peak than V0/p.
+  list.insert(list.begin(),
+              {"beta", problem.beta, std::max(problem.beta, 2 * problem.v0 / problem.p),
+               [](HitCase& now, double value) { now.problem.beta = value; }});
+  return list;
 }
 
 /// The value nearest to the one given with which some part fits; empty if none does even with the
 /// loosest.
-template <class Fits>
-std::optional<double> least_change(const Loosened& loosened, std::span<const Part> parts,
-                                   const Fits& fits) {
+std::optional<double> least_change(const HitCase& base, const Input<HitCase>& input,
+                                   std::span<const Part> parts) {
   std::optional<double> best;
   for (const Part& part : parts) {
-    const auto nearest =
-        nearest_fit(loosened.now, best.value_or(loosened.loosest), [&](double value) {
-          loosened.input = value;
-          return fits(part);
-        });
+    const auto nearest = nearest_fit(input.from, best.value_or(input.to), [&](double value) {
+      return admits(input.in(base, value), part);
+    });
     best = nearest ? nearest : best;
   }
-  loosened.input = loosened.now;
   return best;
 }
 
@@ -112,24 +105,20 @@ std::vector<RatedPart> ranked(const Problem& problem, const Limits& limits, Obje
 
 std::vector<Mend> part_mends(const Problem& problem, const Limits& limits,
                              std::span<const Part> parts) {
-  Problem task = problem;
-  Limits allowed = limits;
-  const auto any_fits = [&](const Part& part) {
-    cancellation_point();
-    return admissible(task, allowed, part.f, part.delta);
-  };
-  if (std::ranges::any_of(parts, any_fits)) {
+  const HitCase base{problem, limits};
+  if (admits_any(base, parts)) {
     return {};
   }
   std::vector<Mend> mends;
-  for (const Loosened& input : loosened(problem, limits, task, allowed)) {
-    if (const auto value = least_change(input, parts, any_fits)) {
-      mends.push_back({input.field, *value, *value > input.now});
+  for (const Input<HitCase>& input : inputs_of(base)) {
+    if (const auto value = least_change(base, input, parts)) {
+      mends.push_back(input.mend(*value));
     }
   }
   const auto with_arrivals = [&](std::int64_t n) {
-    task.arrivals = n;
-    return std::ranges::any_of(parts, any_fits);
+    HitCase more = base;
+    more.problem.arrivals = n;
+    return admits_any(more, parts);
   };
   if (const auto mend = arrivals_mend(problem, with_arrivals)) {
     mends.push_back(*mend);
@@ -159,12 +148,9 @@ Choice choose(const DesignRequest& request, std::span<const Part> parts) {
   result.reason = result.region.feasible ? none_admissible(parts.size())
                                          : design::reason(result.region, problem, limits);
   result.mends = part_mends(problem, limits, parts);
-  Problem exact = problem;
-  exact.criterion = Criterion::exact;
-  const auto fits = [&](const Part& part) {
-    return admissible(exact, request.limits, part.f, part.delta);
-  };
-  if (problem.criterion != Criterion::exact && std::ranges::any_of(parts, fits)) {
+  HitCase exact{problem, limits};
+  exact.problem.criterion = Criterion::exact;
+  if (problem.criterion != Criterion::exact && admits_any(exact, parts)) {
     result.criterion_mend = Criterion::exact;
   }
   return choice;

@@ -20,6 +20,11 @@
 
 namespace stillpoint::design {
 
+struct HitCase {
+  Problem problem;
+  Limits limits;
+};
+
 /// An input that helps more the closer it is to `to`.
 template <class Case>
 struct Input {

@@ -15,35 +15,30 @@ namespace stillpoint::design {
 
 namespace {
 
-struct Case {
-  Problem problem;
-  Limits limits;
-};
-
 /// There is an f between f2 and f3, or f2 and f_max. A larger beta or p, or a smaller v0, only
 /// helps.
-bool amplitude_fits(const Case& now) {
+bool amplitude_fits(const HitCase& now) {
   const Edges edge = edges(now.problem, now.limits);
   return box_fits(edge.f2, std::min(edge.f3, edge.f_max), now.limits.tolerance);
 }
 
 /// The same of f4, which falls with p: a larger p may help or harm.
-bool figures_fit(const Case& now) {
+bool figures_fit(const HitCase& now) {
   const Edges edge = edges(now.problem, now.limits);
   return box_fits(edge.f2, edge.f4, now.limits.tolerance);
 }
 
-bool strip_fits(const Case& now) {
+bool strip_fits(const HitCase& now) {
   const Edges edge = edges(now.problem, now.limits);
   return edge.f4 >= 0 && stop_fits(now.problem, edge, now.limits);
 }
 
 /// At the first arrival.
-bool first_fits(const Case& now) {
+bool first_fits(const HitCase& now) {
   return amplitude_fits(now) && figures_fit(now) && strip_fits(now);
 }
 
-bool has_damper(const Case& now) {
+bool has_damper(const HitCase& now) {
   const bool plain = is_plain(now.problem, now.limits);
   bool fits = plain && first_fits(now);
   if (!fits && !(plain && now.problem.arrivals == 1)) {
@@ -55,24 +50,24 @@ bool has_damper(const Case& now) {
   return fits;
 }
 
-Input<Case> v0_of(const Problem& problem) {
+Input<HitCase> v0_of(const Problem& problem) {
   return {"v0", problem.v0, valid_v0(problem).low,
-          [](Case& now, double value) { now.problem.v0 = value; }};
+          [](HitCase& now, double value) { now.problem.v0 = value; }};
 }
 
-Input<Case> beta_of(const Problem& problem) {
+Input<HitCase> beta_of(const Problem& problem) {
   return {"beta", problem.beta,
           std::min({largest_square, largest_speed / problem.p, problem.v0 / problem.p * far_ratio}),
-          [](Case& now, double value) { now.problem.beta = value; }};
+          [](HitCase& now, double value) { now.problem.beta = value; }};
 }
 
-Case with_p(Case now, double p) {
+HitCase with_p(HitCase now, double p) {
   now.problem.p = p;
   return now;
 }
 
 /// The limit of a figure that leaves the least; empty without one. Its edge falls with p.
-std::optional<LimitEdge> limited_figure(const Case& now) {
+std::optional<LimitEdge> limited_figure(const HitCase& now) {
   std::optional<LimitEdge> least;
   for (const LimitEdge& one : limit_edges(now.problem, now.limits)) {
     if (one.kind->figure && (!least || one.edge < least->edge)) {
@@ -84,7 +79,7 @@ std::optional<LimitEdge> limited_figure(const Case& now) {
 
 /// The conditions that need more p, those that need less, and both.
 template <class Amplitude, class Strip, class All>
-std::optional<double> mended_p(const Case& base, const Amplitude& amplitude, const Strip& strip,
+std::optional<double> mended_p(const HitCase& base, const Amplitude& amplitude, const Strip& strip,
                                const All& all) {
   const auto [least, most] = valid_p(base.problem);
   const auto with = [&](double p) { return with_p(base, p); };
@@ -113,11 +108,11 @@ std::optional<double> mended_p(const Case& base, const Amplitude& amplitude, con
 
 /// The same for a later arrival, whose strip in a = f/(V0 p) does not depend on p. That is a root,
 /// so the last bits are decided by the points themselves.
-std::optional<double> mended_p(const Case& base, int n) {
+std::optional<double> mended_p(const HitCase& base, int n) {
   const double tolerance = base.limits.tolerance;
-  const auto in_strip = [&](const Case& now) { return Way(now.problem, now.limits, n); };
+  const auto in_strip = [&](const HitCase& now) { return Way(now.problem, now.limits, n); };
   // Of the centres, over V0 p, whatever beta and the other limits are.
-  Case free = base;
+  HitCase free = base;
   free.problem.beta = 2 * base.problem.v0 / base.problem.p;
   for (const LimitKind& kind : limit_table) {
     if (kind.bounds_f()) {
@@ -130,17 +125,17 @@ std::optional<double> mended_p(const Case& base, int n) {
   }
   const double part = (1 + tolerance) / (base.problem.v0 * base.problem.p);
   const Interval corners{centres->low * part, centres->high * part};
-  const auto amplitude = [&](const Case& now) {
+  const auto amplitude = [&](const HitCase& now) {
     const Way strip = in_strip(now);
     const double cap = std::min(strip.f_of(corners.high), least_limit(Bounded::f, now.limits));
     return lowest_centre(strip.f2, tolerance) <= highest_centre(cap, tolerance);
   };
-  const auto low_end = [&](const Case& now) {
+  const auto low_end = [&](const HitCase& now) {
     const Way strip = in_strip(now);
     return strip.f_cap >= 0 && strip.f_cap >= strip.f_of(corners.low);
   };
-  const auto all = [&](const Case& now) { return any_point(in_strip(now)).has_value(); };
-  const auto nearly = [&](const Case& /*now*/) { return true; };
+  const auto all = [&](const HitCase& now) { return any_point(in_strip(now)).has_value(); };
+  const auto nearly = [&](const HitCase& /*now*/) { return true; };
   if (limited_figure(base)) {
     return mended_p(base, amplitude, low_end, all);
   }
@@ -154,7 +149,7 @@ std::optional<double> mended_p(const Case& base, int n) {
 }
 
 /// More p helps the peak and the return and harms the stop.
-std::optional<double> stepped_p(const Case& base) {
+std::optional<double> stepped_p(const HitCase& base) {
   constexpr double far = 1e6;
   const double p = base.problem.p;
   const auto [least, most] = valid_p(base.problem);
@@ -163,38 +158,38 @@ std::optional<double> stepped_p(const Case& base) {
 }
 
 /// For ranges, each end by itself, as far as the other end.
-std::vector<Mend> mends_of_ranges(const Case& base) {
+std::vector<Mend> mends_of_ranges(const HitCase& base) {
   const Problem& problem = base.problem;
   std::vector<Mend> list;
-  const auto add = [&](const Input<Case>& input) { add_mend(list, base, has_damper, input); };
+  const auto add = [&](const Input<HitCase>& input) { add_mend(list, base, has_damper, input); };
   if (problem.v0_low) {
     if (*problem.v0_low > 0) {
       add({"v0_low", *problem.v0_low, problem.v0,
-           [](Case& now, double value) { now.problem.v0_low = value; }});
+           [](HitCase& now, double value) { now.problem.v0_low = value; }});
     }
     add({"v0_high", problem.v0, std::max(*problem.v0_low, valid_v0(problem).low),
-         [](Case& now, double value) { now.problem.v0 = value; }});
+         [](HitCase& now, double value) { now.problem.v0 = value; }});
   } else {
     add(v0_of(problem));
   }
   if (problem.p_high) {
     add({"p_low", problem.p, *problem.p_high,
-         [](Case& now, double value) { now.problem.p = value; }});
+         [](HitCase& now, double value) { now.problem.p = value; }});
     add({"p_high", *problem.p_high, problem.p,
-         [](Case& now, double value) { now.problem.p_high = value; }});
+         [](HitCase& now, double value) { now.problem.p_high = value; }});
   } else if (const auto p = stepped_p(base)) {
     list.push_back({"p", *p, *p > problem.p});
   }
   add(beta_of(problem));
   if (problem.residual) {
     add({"residual", *problem.residual, problem.beta,
-         [](Case& now, double value) { now.problem.residual = value; }});
+         [](HitCase& now, double value) { now.problem.residual = value; }});
   }
   return list;
 }
 
 /// The nearest p for any arrival.
-std::optional<double> mended_p(const Case& base) {
+std::optional<double> mended_p(const HitCase& base) {
   std::optional<double> nearest = mended_p(base, amplitude_fits, strip_fits, first_fits);
   const auto change = [&](double p) { return std::max(p / base.problem.p, base.problem.p / p); };
   for (int n = 2; n <= base.problem.arrivals; ++n) {
@@ -209,8 +204,8 @@ std::optional<double> mended_p(const Case& base) {
   return nearest;
 }
 
-std::optional<Mend> more_arrivals(const Case& base) {
-  Case more = base;
+std::optional<Mend> more_arrivals(const HitCase& base) {
+  HitCase more = base;
   if (base.problem.residual.value_or(0) > 0) {
     return arrivals_mend(base.problem, [&](std::int64_t n) {
       more.problem.arrivals = n;
@@ -230,24 +225,25 @@ std::optional<Mend> more_arrivals(const Case& base) {
 
 /// The JointMend of a case without a single one. `inputs` are those that bring the peak below beta,
 /// the likeliest to be changed first; the tolerance is the last of the limits.
-std::optional<JointMend> joint_mend_of(const Case& base, const std::vector<Input<Case>>& inputs) {
+std::optional<JointMend> joint_mend_of(const HitCase& base,
+                                       const std::vector<Input<HitCase>>& inputs) {
   constexpr double far = 1e99;     // to the end of every input
   constexpr double nearer = 1e-9;  // is the same
-  const auto limits = limit_inputs<Case>(base.limits);
+  const auto limits = limit_inputs<HitCase>(base.limits);
   if (!(base.limits.tolerance > 0)) {
     return std::nullopt;
   }
-  const Input<Case>& tolerance = limits.back();
-  Case wide = inputs.front().in(base, inputs.front().to);
+  const Input<HitCase>& tolerance = limits.back();
+  HitCase wide = inputs.front().in(base, inputs.front().to);
   wide.limits = {};
   const auto largest = nearest_fit(tolerance.from, tolerance.to, [&](double value) {
     return has_damper(tolerance.in(wide, value));
   });
-  std::vector<Input<Case>> others = inputs;
+  std::vector<Input<HitCase>> others = inputs;
   others.insert(others.end(), limits.begin(), limits.end() - 1);
   std::optional<double> least;
   JointMend joint{largest.value_or(0), {}};
-  for (const Input<Case>& other : others) {
+  for (const Input<HitCase>& other : others) {
     const auto with = [&](double value, double its_tolerance) {
       return has_damper(tolerance.in(other.in(base, value), its_tolerance));
     };
@@ -273,7 +269,7 @@ std::optional<JointMend> joint_mend_of(const Case& base, const std::vector<Input
 
 std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
   require_valid(problem, limits);
-  const Case base{problem, limits};
+  const HitCase base{problem, limits};
   std::vector<Mend> list;
   if (has_damper(base)) {
     return list;
@@ -287,7 +283,7 @@ std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
     }
     add_mend(list, base, has_damper, beta_of(problem));
   }
-  for (const Input<Case>& limit : limit_inputs<Case>(limits)) {
+  for (const Input<HitCase>& limit : limit_inputs<HitCase>(limits)) {
     add_mend(list, base, has_damper, limit);
   }
   if (const auto mend = more_arrivals(base)) {
@@ -297,7 +293,7 @@ std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
 }
 
 std::optional<Criterion> criterion_mend(const Problem& problem, const Limits& limits) {
-  Case exact{problem, limits};
+  HitCase exact{problem, limits};
   if (problem.criterion == Criterion::exact || has_damper(exact)) {
     return std::nullopt;
   }
@@ -306,7 +302,7 @@ std::optional<Criterion> criterion_mend(const Problem& problem, const Limits& li
 }
 
 std::optional<JointMend> joint_mend(const Problem& problem, const Limits& limits) {
-  const Case base{problem, limits};
+  const HitCase base{problem, limits};
   if (has_damper(base) || !mends(problem, limits).empty()) {
     return std::nullopt;
   }
