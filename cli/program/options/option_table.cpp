@@ -284,9 +284,9 @@ std::vector<Option> rows() {
           of(Load::harmonic,
              {.rivals = Rivals::duration, .instead = "--lambda gives the length of a pulse"})),
       row("record", text, "FILE", shaking,
-          "accelerations: PEER, ESM, K-NET, CSMIP, COSMOS, SMC or columns; times in s with "
-          "physical input, else in tau; FILE#2 is channel 2; design and spectrum take one or more, "
-          "or folders",
+          "accelerations: " + listed(records::record_format_names()) +
+              "; times in s with physical input, else in tau; FILE#2 is channel 2; design and "
+              "spectrum take one or more, or folders",
           in_records, of(Load::record, {.file = FileUse::read, .repeats = true})),
       row("records-list", text, "FILE", shaking,
           "CSV with the header file,scale: more records; file,peak and file,spectrum give targets",

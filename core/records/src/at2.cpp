@@ -105,6 +105,6 @@ RecordFile read_at2(RecordReader& reader) {
 
 }  // namespace
 
-constinit const RecordFormat at2_format{is_at2, read_at2};
+constinit const RecordFormat at2_format{"PEER", ".AT2", is_at2, read_at2};
 
 }  // namespace stillpoint::records

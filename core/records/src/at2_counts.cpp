@@ -42,9 +42,7 @@ std::vector<HeaderWord> header_words(std::string_view line) {
       words.push_back({std::string(digits), scan_fortran_number(digits).value});
       word.remove_prefix(length);
     }
-    while (word.ends_with('.')) {
-      word.remove_suffix(1);
-    }
+    word = word.substr(0, word.find_last_not_of('.') + 1);
     if (!word.empty()) {
       words.push_back({upper_case(word), std::nullopt});
     }

@@ -21,10 +21,7 @@ bool contains(string_view text, string_view part) {
 
 /// A word without the full stop of its sentence.
 string_view without_stop(string_view word) {
-  while (word.ends_with('.')) {
-    word.remove_suffix(1);
-  }
-  return word;
+  return word.substr(0, word.find_last_not_of('.') + 1);
 }
 
 /// The word for the units: the one after UNITS, or one that can only mean units.

@@ -189,6 +189,6 @@ RecordFile read_columns(RecordReader& reader) {
 
 }  // namespace
 
-constinit const RecordFormat columns_format{is_columns, read_columns};
+constinit const RecordFormat columns_format{"columns", ".TXT .CSV .DAT", is_columns, read_columns};
 
 }  // namespace stillpoint::records

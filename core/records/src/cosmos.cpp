@@ -124,6 +124,6 @@ RecordFile read_cosmos(RecordReader& reader) {
 
 }  // namespace
 
-constinit const RecordFormat cosmos_format{is_cosmos, read_cosmos, true};
+constinit const RecordFormat cosmos_format{"COSMOS", ".V2C", is_cosmos, read_cosmos, true};
 
 }  // namespace stillpoint::records

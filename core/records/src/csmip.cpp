@@ -45,9 +45,7 @@ CsmipLine csmip_line(const RecordReader& reader) {
       line.units = words[i + 1];
     }
   }
-  while (line.units.ends_with('.') || line.units.ends_with(',')) {
-    line.units.remove_suffix(1);
-  }
+  line.units = line.units.substr(0, line.units.find_last_not_of(".,") + 1);
   constexpr std::string_view example =
       "as in 100 points of accel data equally spaced at .02 sec, in cm/sec2";
   if (line.step.empty()) {
@@ -71,6 +69,6 @@ RecordFile read_csmip(RecordReader& reader) {
 
 }  // namespace
 
-constinit const RecordFormat csmip_format{is_csmip, read_csmip, true};
+constinit const RecordFormat csmip_format{"CSMIP", ".V2", is_csmip, read_csmip, true};
 
 }  // namespace stillpoint::records

@@ -49,6 +49,6 @@ RecordFile read_esm(RecordReader& reader) {
 
 }  // namespace
 
-constinit const RecordFormat esm_format{is_esm, read_esm};
+constinit const RecordFormat esm_format{"ESM", ".ASC", is_esm, read_esm};
 
 }  // namespace stillpoint::records

@@ -114,6 +114,8 @@ RecordFile read_knet(RecordReader& reader) {
 
 }  // namespace
 
-constinit const RecordFormat knet_format{is_knet, read_knet};
+// .UD, the vertical component, is left out: the mass moves sideways.
+constinit const RecordFormat knet_format{"K-NET", ".EW .NS .EW1 .NS1 .EW2 .NS2", is_knet,
+                                         read_knet};
 
 }  // namespace stillpoint::records

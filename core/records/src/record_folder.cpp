@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/records/record_suite.hpp>
 
+#include "record_reader.hpp"
+
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/record_file.hpp>
 #include <stillpoint/records/text.hpp>
@@ -10,27 +12,24 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <filesystem>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace stillpoint::records {
 
 namespace {
 
-// In upper case. K-NET's .UD, the vertical component, is left out: the mass moves sideways.
-constexpr auto record_endings = std::to_array<std::string_view>(
-    {".AT2", ".ASC", ".EW", ".NS", ".EW1", ".NS1", ".EW2", ".NS2", ".V2", ".V2C", ".SMC"});
-/// The endings of columns, but also of notes and of the tables that databases put beside their
-/// records.
-constexpr auto text_endings = std::to_array<std::string_view>({".TXT", ".CSV", ".DAT"});
-
-template <std::size_t Count>
-bool has_one_of(const std::array<std::string_view, Count>& endings, const std::string& path) {
+/// By the ending of the name; null if no format has it.
+const RecordFormat* format_by_ending(const std::string& path) {
   const std::string ending = upper_case(std::filesystem::path(path).extension().string());
-  return std::ranges::find(endings, ending) != endings.end();
+  for (const RecordFormat* each : record_formats()) {
+    if (std::ranges::count(words_of(each->endings, " "), ending) > 0) {
+      return each;
+    }
+  }
+  return nullptr;
 }
 
 bool is_visible_file(const std::filesystem::directory_entry& entry) {
@@ -64,10 +63,10 @@ bool is_folder(const std::string& path) {
 FolderFiles folder_files(const std::string& path) {
   FolderFiles found;
   for (std::string& file : is_folder(path) ? files_in(path) : std::vector<std::string>()) {
-    if (has_one_of(record_endings, file)) {
-      found.records.push_back(std::move(file));
-    } else if (has_one_of(text_endings, file)) {
+    if (const RecordFormat* const format = format_by_ending(file)) {
+      // Notes, and the tables that databases put beside their records, end like columns.
       const bool is_text =
+          format == &columns_format &&
           is_plain_text(read_text_file("record", file, largest_record_bytes), file);
       (is_text ? found.plain_text : found.records).push_back(std::move(file));
     }
@@ -81,10 +80,13 @@ std::vector<std::string> record_files(const std::string& path) {
   }
   FolderFiles found = folder_files(path);
   if (found.records.empty()) {
+    std::vector<std::string_view> endings(record_formats().size());
+    std::ranges::transform(record_formats(), endings.begin(),
+                           [](const RecordFormat* each) { return each->endings; });
     throw FileError({"record", path},
                     found.plain_text.empty()
-                        ? fmt::format("this folder has no record: no file name ends in {} {}",
-                                      fmt::join(record_endings, " "), fmt::join(text_endings, " "))
+                        ? fmt::format("this folder has no record: no file name ends in {}",
+                                      fmt::join(endings, " "))
                         : fmt::format("this folder has no record: {} begins with text",
                                       shortened(found.plain_text.front(), longest_path)));
   }

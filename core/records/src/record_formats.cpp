@@ -17,22 +17,26 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <vector>
 
 namespace stillpoint::records {
 
 namespace {
 
-/// A file is read in the first format that recognises it. The columns, last, take any file.
-constexpr std::array formats{&esm_format, &knet_format, &csmip_format,  &cosmos_format,
-                             &smc_format, &at2_format,  &columns_format};
+constexpr std::array formats{&at2_format,    &esm_format, &knet_format,   &csmip_format,
+                             &cosmos_format, &smc_format, &columns_format};
 
 /// A scale beyond these is a mistake; products would lose digits or leave the range of a double.
 constexpr double smallest_scale = 1e-100;
 constexpr double largest_scale = 1e100;
 
+/// The first that recognises the file. PEER, which may do so late in a header, is asked after the
+/// others but the columns, which take any file.
 const RecordFormat& format_of(const RecordReader& reader) {
-  return **std::ranges::find_if(
-      formats, [&reader](const RecordFormat* each) { return each->recognises(reader); });
+  const auto recognises = [&](const RecordFormat* each) { return each->recognises(reader); };
+  const auto* const columns = formats.end() - 1;
+  const auto* const found = std::find_if(formats.begin() + 1, columns, recognises);
+  return **(found == columns && recognises(formats.front()) ? formats.begin() : found);
 }
 
 void check(const RecordOptions& options) {
@@ -62,6 +66,17 @@ std::string without_channel(const std::string& path, std::optional<std::size_t>&
 }
 
 }  // namespace
+
+std::span<const RecordFormat* const> record_formats() {
+  return formats;
+}
+
+std::vector<std::string_view> record_format_names() {
+  std::vector<std::string_view> names(formats.size());
+  std::ranges::transform(formats, names.begin(),
+                         [](const RecordFormat* each) { return each->name; });
+  return names;
+}
 
 void require_scale(double scale) {
   if (!(std::abs(scale) >= smallest_scale && std::abs(scale) <= largest_scale)) {

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -67,6 +68,8 @@ class RecordReader {
 
 /// A format of record files: one source file defines it, one row in record_formats.cpp lists it.
 struct RecordFormat {
+  std::string_view name;     ///< in the help
+  std::string_view endings;  ///< of its files, in upper case, blanks between
   bool (*recognises)(RecordReader reader){nullptr};  ///< may read ahead in its copy
   RecordFile (*read)(RecordReader& reader){nullptr};
   bool has_channels{false};  ///< so that a file may hold several records
@@ -74,6 +77,9 @@ struct RecordFormat {
 
 /// The longest description of a record; the rest is cut off.
 inline constexpr std::size_t longest_description = 200;
+
+/// All of them in the order of the help, the columns last.
+[[nodiscard]] std::span<const RecordFormat* const> record_formats();
 
 extern const RecordFormat at2_format;
 extern const RecordFormat esm_format;

@@ -108,6 +108,6 @@ RecordFile read_smc(RecordReader& reader) {
 
 }  // namespace
 
-constinit const RecordFormat smc_format{is_smc, read_smc};
+constinit const RecordFormat smc_format{"SMC", ".SMC", is_smc, read_smc};
 
 }  // namespace stillpoint::records

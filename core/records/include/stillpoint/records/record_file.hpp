@@ -14,6 +14,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace stillpoint::records {
 
@@ -67,6 +68,9 @@ struct RecordFile {
   bool assumed_g{false};   ///< neither the file nor the options give the units
   bool takes_step{false};  ///< that of the options, which must have one
 };
+
+/// "PEER", "ESM" and so on, "columns" last.
+[[nodiscard]] std::vector<std::string_view> record_format_names();
 
 /// Throws InputError, "record-scale", unless 1e-100 <= |scale| <= 1e100.
 void require_scale(double scale);
