@@ -81,8 +81,6 @@ std::vector<Part> thousand_parts() {
   return parts;
 }
 
-constexpr std::array objectives{Objective::robust, Objective::amplitude, Objective::time,
-                                Objective::acceleration};
 constexpr Limits within_10_percent{.tolerance = 0.1};
 
 /// A task, and with ranges and a residual.
@@ -99,16 +97,15 @@ void add_searches(std::vector<Case>& all) {
        }}};
   for (const std::int64_t arrivals : {1, 4}) {
     for (const auto& variation : variations) {
-      for (const Objective objective : objectives) {
+      for (const auto& [objective, name] : enumerators(Objective())) {
         const SearchOptions options{.objective = objective};
         const Limits limits{.tolerance = objective == Objective::robust ? 0 : 0.02};
-        all.push_back(
-            {fmt::format("search, {}, {}arrivals {}", name(objective), variation.first, arrivals),
-             [=](double beta) {
-               Problem task = problem(beta, arrivals);
-               variation.second(task);
-               (void)design::search(task, limits, options);
-             }});
+        all.push_back({fmt::format("search, {}, {}arrivals {}", name, variation.first, arrivals),
+                       [=](double beta) {
+                         Problem task = problem(beta, arrivals);
+                         variation.second(task);
+                         (void)design::search(task, limits, options);
+                       }});
       }
     }
   }
@@ -144,10 +141,10 @@ void add_pulse(std::vector<Case>& all, const char* what, const design::Pulse& pu
                    task.p_high = 1;
                    (void)design::search(design::PulseRegion(task, {}), {});
                  }});
-  for (const Objective objective : objectives) {
+  for (const auto& [objective, name] : enumerators(Objective())) {
     const SearchOptions options{.objective = objective};
     const Limits limits = objective == Objective::robust ? Limits() : within_10_percent;
-    all.push_back({fmt::format("search, {}, {}", name(objective), what), [=](double beta) {
+    all.push_back({fmt::format("search, {}, {}", name, what), [=](double beta) {
                      const design::PulseProblem task{pulse, 1, most_of_free * beta};
                      (void)design::search(design::PulseRegion(task, limits), options);
                    }});
@@ -190,7 +187,8 @@ RandomTask random_task(int kind, std::mt19937_64& engine) {
   if (engine() % 4 == 0) {
     task.limits.delta_max = uniform(0.2, 1.5) * free.exact_need;
   }
-  task.options.objective = objectives[engine() % objectives.size()];
+  const auto objectives = enumerators(Objective());
+  task.options.objective = objectives[engine() % objectives.size()].first;
   return task;
 }
 

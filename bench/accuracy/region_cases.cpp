@@ -11,6 +11,19 @@ namespace stillpoint::accuracy {
 
 namespace {
 
+template <class Real>
+Real delta1(const Inputs<Real>& in) {
+  using std::sqrt;
+  const Real s = sqrt(Real(in[2] * in[2] + in[0] * in[1] * in[0] * in[1]));
+  return (s - in[2]) * (s - 3 * in[2]) / (2 * in[1] * in[1]);
+}
+
+template <class Real>
+Real f2(const Inputs<Real>& in) {
+  const Real speed = in[2] * in[1];
+  return (in[0] * in[0] - speed * speed) / (2 * in[2]);
+}
+
 HardCase exact_delta1() {
   HardCase now;
   now.metric = "delta1_exact";
@@ -27,14 +40,8 @@ HardCase exact_delta1() {
     return design::delta1_exact({in[0], in[1], in[0] / in[1], design::Criterion::exact}, in[2])
         .value();
   };
-  now.by_naive = [](const Inputs<double>& in) {
-    const double s = std::sqrt(in[2] * in[2] + in[0] * in[1] * in[0] * in[1]);
-    return (s - in[2]) * (s - 3 * in[2]) / (2 * in[1] * in[1]);
-  };
-  now.exact = [](const Inputs<Exact>& in) {
-    const Exact s = sqrt(Exact(in[2] * in[2] + in[0] * in[1] * in[0] * in[1]));
-    return Exact((s - in[2]) * (s - 3 * in[2]) / (2 * in[1] * in[1]));
-  };
+  now.by_naive = delta1<double>;
+  now.exact = delta1<Exact>;
   return now;
 }
 
@@ -53,14 +60,8 @@ HardCase amplitude_edge() {
   now.kernel = [](const Inputs<double>& in) {
     return design::admissible_region({in[0], in[1], in[2], design::Criterion::published}).f2;
   };
-  now.by_naive = [](const Inputs<double>& in) {
-    const double speed = in[2] * in[1];
-    return (in[0] * in[0] - speed * speed) / (2 * in[2]);
-  };
-  now.exact = [](const Inputs<Exact>& in) {
-    const Exact speed = in[2] * in[1];
-    return Exact((in[0] - speed) * (in[0] + speed) / (2 * in[2]));
-  };
+  now.by_naive = f2<double>;
+  now.exact = f2<Exact>;
   return now;
 }
 

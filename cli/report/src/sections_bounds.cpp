@@ -10,12 +10,10 @@
 namespace stillpoint::report {
 
 std::string in_words(std::string_view name) {
-  if (const std::size_t at = name.find("_max"); at != std::string_view::npos) {
-    return format("largest {}", name.substr(0, at));  // delta_max_m is delta_max in metres
-  }
-  std::string text(name);
+  const std::size_t at = name.find("_max");  // delta_max_m is delta_max in metres
+  std::string text(name.substr(0, at));
   std::ranges::replace(text, '_', ' ');
-  return text;
+  return at == std::string_view::npos ? text : "largest " + text;
 }
 
 bool stops_by_delta1(std::span<const design::Constraint> constraints) {
@@ -67,7 +65,10 @@ void add_feasible(Section& section, const design::RegionVerdict& verdict,
                   const design::Limits& limits, const Physical& physical) {
   const design::Region& region = verdict.region;
   const bool others =
-      limits.f_max || limits.delta_max || limits.acceleration_max || limits.tolerance > 0;
+      limits.tolerance > 0 ||
+      std::ranges::any_of(design::limit_kinds(), [&](const design::LimitKind& kind) {
+        return (limits.*kind.value).has_value();
+      });
   if (region.beta_min == 0) {
     section.row("least stroke",
                 "as small as you like: with f just below the peak load it hardly moves");

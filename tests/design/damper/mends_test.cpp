@@ -43,14 +43,10 @@ Task random_task(RandomSource& random) {
 
 std::vector<std::string> fields_of(const Task& now) {
   std::vector<std::string> list{"v0", "p", "beta"};
-  if (now.limits.f_max) {
-    list.emplace_back("f_max");
-  }
-  if (now.limits.delta_max) {
-    list.emplace_back("delta_max");
-  }
-  if (now.limits.acceleration_max) {
-    list.emplace_back("acceleration_max");
+  for (const LimitKind& kind : limit_kinds()) {
+    if (now.limits.*kind.value) {
+      list.emplace_back(kind.field);
+    }
   }
   if (now.limits.tolerance > 0) {
     list.emplace_back("tolerance");

@@ -7,16 +7,21 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <random>
+#include <vector>
 
 namespace stillpoint::design_test {
 
-inline constexpr std::array objectives{design::Objective::robust, design::Objective::amplitude,
-                                       design::Objective::time, design::Objective::acceleration};
+inline const std::vector<design::Objective> objectives = [] {
+  std::vector<design::Objective> list;
+  for (const auto& [objective, name] : enumerators(design::Objective())) {
+    list.push_back(objective);
+  }
+  return list;
+}();
 
 class RandomSource {
  public:
@@ -58,7 +63,7 @@ class RandomSource {
 };
 
 inline design::Objective random_objective(RandomSource& random) {
-  return objectives[static_cast<std::size_t>(random.pick(4))];
+  return objectives[static_cast<std::size_t>(random.pick(static_cast<int>(objectives.size())))];
 }
 
 /// V0 and p over nine decades each, and with them beta over eighteen; p beta / V0 from `least` to

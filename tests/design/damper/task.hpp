@@ -7,6 +7,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <sstream>
 #include <string>
@@ -37,12 +38,12 @@ struct Task {
     if (name == "tolerance") {
       return limits.tolerance;
     }
-    return (name == "v0_low"      ? problem.v0_low
-            : name == "p_high"    ? problem.p_high
-            : name == "residual"  ? problem.residual
-            : name == "f_max"     ? limits.f_max
-            : name == "delta_max" ? limits.delta_max
-                                  : limits.acceleration_max)
+    const auto kinds = design::limit_kinds();
+    return (name == "v0_low"   ? problem.v0_low
+            : name == "p_high" ? problem.p_high
+            : name == "residual"
+                ? problem.residual
+                : limits.*std::ranges::find(kinds, name, &design::LimitKind::field)->value)
         .value();
   }
 

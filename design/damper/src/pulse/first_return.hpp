@@ -51,9 +51,9 @@ inline constexpr double unpassable = 1e250;
 [[nodiscard]] FirstReturn first_return(const Pulse& pulse, double p, double f);
 
 /// The same without a search for events, docs/theory.md section 16, of the pulse in units of k and
-/// p with friction f < 1; empty for a full sine that is very short,
-/// whose speed is a small difference. Accurate to a few roundings, except for what an f barely
-/// below 1 amplifies.
+/// p with friction f < 1; empty for a kind without a closed form, and for a full sine that is very
+/// short, whose speed is a small difference. Accurate to a few roundings, except for what an f
+/// barely below 1 amplifies.
 [[nodiscard]] std::optional<FirstReturn> closed_return(const Pulse& pulse, double f);
 
 }  // namespace stillpoint::design

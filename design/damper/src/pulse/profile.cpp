@@ -17,12 +17,18 @@ namespace stillpoint::design {
 
 namespace {
 
-/// The integral of |W|.
+/// The integral of |W|; a line does not change its sign.
 double impulse(const Pulse& pulse) {
-  const double lambda = angular_frequency(pulse);
-  return std::holds_alternative<HalfSine>(pulse)    ? 2 / lambda
-         : std::holds_alternative<Rectangle>(pulse) ? std::numbers::pi / lambda
-                                                    : 4 / lambda;
+  return std::visit(
+      []<class Kind>(const Kind& kind) {
+        if constexpr (IsLine<Kind>) {
+          const auto& [begin, end] = Kind::line;
+          return (begin + end) * Kind::turns * std::numbers::pi / kind.lambda;
+        } else {
+          return 4 * Kind::turns / kind.lambda;
+        }
+      },
+      pulse);
 }
 
 /// The first f to try. The spring of a mass that the pulse has given the speed I reaches

@@ -2,6 +2,7 @@
 #include <stillpoint/design/admissible_region.hpp>
 
 #include "region/edges.hpp"
+#include "region/limit_table.hpp"
 #include "unit_problem.hpp"
 #include "way/extent.hpp"
 #include "wide.hpp"
@@ -16,11 +17,12 @@ namespace stillpoint::design {
 
 namespace {
 
-Region region_of(const Edges& edge, const Limits& limits) {
+Region region_of(const Problem& problem, const Edges& edge, const Limits& limits) {
+  const auto& most = limits.acceleration_max;
   return {.f1 = edge.f1,
           .f2 = edge.f2,
           .f3 = edge.f3,
-          .f4 = limits.acceleration_max ? std::optional(edge.f4) : std::nullopt,
+          .f4 = most ? std::optional(acceleration_edge(problem, *most)) : std::nullopt,
           .delta2 = edge.delta2,
           .f_lower = {},
           .f_upper = {}};
@@ -99,7 +101,7 @@ Region admissible_region(const Problem& problem, const Limits& limits) {
   require_valid(problem, limits);
   const bool plain = is_plain(problem, limits);
   const Edges edge = edges(problem, limits);
-  Region region = region_of(edge, limits);
+  Region region = region_of(problem, edge, limits);
   region.beta_min =
       plain ? least_beta(problem)
             : unit::peak(largest_f(problem) / problem.p / problem.v0) * problem.v0 / problem.p;
