@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/design/trade_off.hpp>
 
-#include "golden_sections.hpp"
-#include "region/limit_table.hpp"
+#include "way/room.hpp"
 
-#include <stillpoint/core/cancellation.hpp>
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/region.hpp>
@@ -22,77 +20,24 @@ namespace stillpoint::design {
 
 namespace {
 
-/// The task at one f, as a function of Delta.
-struct AtF {
-  const Problem& problem;
-  const Limits& limits;
-  double f;
-
-  /// The tolerance of the damper, or minus the factor by which it misses a constraint. Within a
-  /// strip it rises up to where it is largest and falls from there.
-  [[nodiscard]] double worth(double delta) const {
-    if (const auto tolerance = largest_tolerance(problem, limits, f, delta)) {
-      return *tolerance;
-    }
-    double miss = 0;
-    for (const Constraint& now : constraints(problem, limits, f, delta)) {
-      if (!now.satisfied) {
-        miss = std::max(miss, std::abs(now.slack) / std::max(now.value, now.limit));
-      }
-    }
-    return -miss;
-  }
-
-  /// The best Delta of the span; if only f binds, the middle of those that are equally good.
-  [[nodiscard]] double best_in(const Interval& span) const {
-    const auto [low, high] = span;
-    int rounds = 75;  // phi^-75 = 2e-16
-    const double best = golden_sections(
-        span, [this](double delta) { return worth(delta); },
-        [&rounds](const Interval&, double, double) { return rounds-- == 0; });
-    const double most = worth(best);
-    // Far above the rounding of a tolerance, far below what can be built.
-    constexpr double equal = 1e-12;
-    constexpr int bisections = 20;  // which of several equal Delta is taken need not be exact
-    const auto end_towards = [&](double out) {
-      double in = best;
-      for (int i = 0; i < bisections; ++i) {
-        const double now = std::midpoint(in, out);
-        (worth(now) >= most - equal ? in : out) = now;
-      }
-      return in;
-    };
-    const double middle = std::midpoint(end_towards(low), end_towards(high));
-    return worth(middle) >= most - equal ? middle : best;
-  }
-};
-
-/// The best damper with that f; empty if none is admissible with the tolerance asked for.
-std::optional<DesignPoint> best_with(const AtF& task) {
-  const Problem& problem = task.problem;
+/// The damper with that f and the most tolerance, or the middle of those; empty if none is
+/// admissible with the tolerance asked for.
+std::optional<DesignPoint> best_with(const Problem& problem, const Limits& limits, double f) {
   std::optional<DesignPoint> best;
-  const auto consider = [&](double low, double high) {
-    cancellation_point();
-    high = std::min(high, least_limit(Bounded::delta, task.limits));
-    const double delta = low < high ? task.best_in({low, high}) : high;
-    if (admissible(task.problem, task.limits, task.f, delta)) {
-      const double tolerance =
-          largest_tolerance(task.problem, task.limits, task.f, delta).value_or(0);
-      if (!best || tolerance > best->tolerance) {
-        best = {task.f, delta, tolerance};
-      }
-    }
-  };
-  consider(0, problem.v0 * problem.v0 / 2);
-  for (std::int64_t n = 1; problem.arrivals > 1 && n <= problem.arrivals; ++n) {
+  for_each_way(problem, limits, [&](const Way& way) {
     // No damper of the n-th arrival, and so none of a later one, has a tolerance of 1/(2n - 1).
-    if (best && n > 1 && best->tolerance * static_cast<double>(2 * n - 1) >= 1) {
-      break;
+    if (best && way.plain && best->tolerance * (2 * way.n - 1) >= 1) {
+      return false;
     }
-    if (const auto range = delta_range(problem, n, task.f)) {
-      consider(range->low, range->high);
+    Limits largest = limits;
+    largest.tolerance = std::max(0.0, tolerance_at(way, way.scaled(f)));
+    const double delta = best_delta(Way(problem, largest, way.n), f, BestDelta::middle);
+    const double tolerance = largest_tolerance(way, f, delta).value_or(0);
+    if (admissible(way, f, delta) && (!best || tolerance > best->tolerance)) {
+      best = {f, delta, tolerance};
     }
-  }
+    return true;
+  });
   return best;
 }
 
@@ -170,7 +115,7 @@ std::optional<DesignPoint> trade_off_at(const Problem& problem, const Limits& li
     return std::nullopt;
   }
   const double f = f_at(feasible_spans(problem, limits, region), place, count);
-  return best_with({problem, limits, f});
+  return best_with(problem, limits, f);
 }
 
 std::vector<TradeOff> trade_off(const Problem& problem, const Limits& limits, std::int64_t count) {
@@ -184,7 +129,7 @@ std::vector<TradeOff> trade_off(const Problem& problem, const Limits& limits, st
   for (std::int64_t place = 1; place <= count; ++place) {
     const double f = f_at(spans, place, count);
     const bool again = !front.empty() && front.back().damper.f >= f;
-    const auto damper = again ? std::nullopt : best_with({problem, limits, f});
+    const auto damper = again ? std::nullopt : best_with(problem, limits, f);
     if (damper) {
       const Response motion = free_response({problem.p, f, damper->delta}, {0, problem.v0});
       front.push_back({*damper, motion.peak_amplitude, motion.peak_absolute_acceleration,
