@@ -79,19 +79,7 @@ std::optional<DesignPoint> most_tolerant(const Problem& problem, const Limits& l
   if (!(limits.tolerance > 0)) {
     return std::nullopt;
   }
-  Limits any = limits;
-  any.tolerance = 0;
-  DesignPoint best;
-  for_each_way(problem, any, [&](const Way& way) {
-    // (51): no later strip has more.
-    if (way.plain && best.tolerance * (2 * way.n - 1) >= 1) {
-      return false;
-    }
-    if (const DesignPoint its = most_tolerant(way); its.tolerance > best.tolerance) {
-      best = its;
-    }
-    return true;
-  });
+  const DesignPoint best = most_tolerant_of_all(problem, limits, 0);
   return best.tolerance > 0 && best.tolerance < limits.tolerance ? std::optional(best)
                                                                  : std::nullopt;
 }

@@ -16,18 +16,6 @@ namespace stillpoint::design {
 
 namespace {
 
-/// The largest tolerance of a way is at least what was asked for and more than `found`, or 0.
-double tolerance_above(const Way& way, double found) {
-  Limits limits = way.limits;
-  limits.tolerance = std::max(found, limits.tolerance);
-  if (clearly_empty(Way(way.problem, limits, way.n))) {
-    return 0;
-  }
-  limits.tolerance = 0;
-  const double largest = most_tolerant(Way(way.problem, limits, way.n)).tolerance;
-  return largest >= way.limits.tolerance ? largest : 0;
-}
-
 /// The least stop time with that f where rests off centre are allowed. From some Delta on the mass
 /// stops an arrival earlier: both sides of each such jump are tried, and the ends.
 double soonest_at(const Way& way, double f) {
@@ -101,25 +89,20 @@ double least_cost(const Way& way, Objective objective, const Interval& f) {
 std::optional<double> optimum_along_f(const Problem& problem, const Limits& limits,
                                       Objective objective) {
   require_valid(problem, limits);
-  const bool robust = objective == Objective::robust;
-  double least = robust ? 0 : HUGE_VAL;
-  if (robust && problem.residual.value_or(0) > 0) {  // usually the best: it saves the others
-    least = -tolerance_above(Way(problem, limits, 0), 0);
+  double least = HUGE_VAL;
+  if (objective == Objective::robust) {
+    const double most = most_tolerant_of_all(problem, limits, limits.tolerance).tolerance;
+    least = most > 0 ? -most : least;
+  } else {
+    for_each_way(problem, limits, [&](const Way& way) {
+      if (const auto range = design_range(way)) {
+        least = std::min(least, least_cost(way, objective, range->f));
+      }
+      return true;
+    });
   }
-  for_each_way(problem, limits, [&](const Way& way) {
-    if (robust && way.plain && -least * (2 * way.n - 1) >= 1) {
-      return false;  // no later strip has more, (51)
-    }
-    if (robust) {
-      least = std::min(least, -tolerance_above(way, -least));
-    } else if (const auto range = design_range(way)) {
-      least = std::min(least, least_cost(way, objective, range->f));
-    }
-    return true;
-  });
-  return least == (robust ? 0 : HUGE_VAL)
-             ? std::nullopt
-             : std::optional(least * objective_unit(objective, problem));
+  return least < HUGE_VAL ? std::optional(least * objective_unit(objective, problem))
+                          : std::nullopt;
 }
 
 }  // namespace stillpoint::design

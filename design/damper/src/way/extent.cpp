@@ -186,4 +186,26 @@ DesignPoint most_tolerant(const Way& way) {
   return largest;
 }
 
+DesignPoint most_tolerant_of_all(const Problem& problem, Limits limits, double least) {
+  limits.tolerance = least;
+  DesignPoint best;
+  const auto visit = [&](Way way) {
+    if (way.plain && best.tolerance * (2 * way.n - 1) >= 1) {
+      return false;  // no later strip has more, (51)
+    }
+    way.limits.tolerance = std::max(best.tolerance, least);
+    if (!clearly_empty(way)) {
+      way.limits.tolerance = 0;
+      const DesignPoint its = most_tolerant(way);
+      best = its.tolerance > best.tolerance ? its : best;
+    }
+    return true;
+  };
+  if (problem.residual.value_or(0) > 0) {  // usually the best: it saves the others
+    visit(Way(problem, limits, 0));
+  }
+  for_each_way(problem, limits, visit);
+  return best.tolerance >= least ? best : DesignPoint();
+}
+
 }  // namespace stillpoint::design

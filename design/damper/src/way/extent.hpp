@@ -34,5 +34,7 @@ struct DesignRange {
 
 /// The point of the way with the largest tolerance, which is 0 if none has any.
 [[nodiscard]] DesignPoint most_tolerant(const Way& way);
+/// The same of all ways, if it has that tolerance at least.
+[[nodiscard]] DesignPoint most_tolerant_of_all(const Problem& problem, Limits limits, double least);
 
 }  // namespace stillpoint::design
