@@ -28,19 +28,15 @@ CrossCheck cross_check(const Prediction& prediction, const Problem& problem, dou
   const Oscillator oscillator{problem.p, f, delta};
   double margin = 0;
 
-  CheckMethod map;
-  map.wall_time_s = timed([&] {
+  CheckMethod map = measured([&] {
     const Response response = free_response(oscillator, {0, problem.v0});
-    static_cast<MotionFigures&>(map) = figures_of(response);
     margin = response.decision_margin.value_or(0);
+    return figures_of(response);
   });
   judge(map, map_quality, prediction, problem, f, delta, margin);
 
-  CheckMethod integrated;
-  integrated.wall_time_s = timed([&] {
-    static_cast<MotionFigures&>(integrated) =
-        integrate_free_motion(oscillator, problem.v0, integrator_tolerance);
-  });
+  CheckMethod integrated =
+      measured([&] { return integrate_free_motion(oscillator, problem.v0, integrator_tolerance); });
   judge(integrated, runge_kutta_quality, prediction, problem, f, delta, margin);
 
   return {map.passed && integrated.passed, {map, integrated}};

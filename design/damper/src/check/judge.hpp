@@ -33,12 +33,14 @@ void conclude(CheckMethod& method, bool same_end, double error_of_peak,
 /// The figures of a motion.
 [[nodiscard]] MotionFigures figures_of(const Response& response);
 
-/// Runs it and returns how long that took, in seconds.
+/// A method with the figures that `run` gives, and how long that took.
 template <class Run>
-double timed(const Run& run) {
+CheckMethod measured(const Run& run) {
+  CheckMethod method;
   const double started = seconds_now();
-  run();
-  return seconds_now() - started;
+  static_cast<MotionFigures&>(method) = run();
+  method.wall_time_s = seconds_now() - started;
+  return method;
 }
 
 }  // namespace stillpoint::design

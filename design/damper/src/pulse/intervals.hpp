@@ -22,11 +22,6 @@ using Island = Interval;
 /// More than the rounding of a motion in other units, and less than any manufacturing accuracy.
 inline constexpr double edge_rounding = 1e-13;
 
-inline void insert(std::vector<FirstReturn>& points, const std::vector<FirstReturn>& more) {
-  points.insert(points.end(), more.begin(), more.end());
-  std::ranges::sort(points, {}, &FirstReturn::f);
-}
-
 /// Where `room` is >= 0, a little inside of the edges; `edge` finds one between two motions.
 template <class Room, class Edge>
 std::vector<Island> intervals(const std::vector<FirstReturn>& points, const Room& room,

@@ -11,8 +11,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace stillpoint::design {
+
+/// In the order of f.
+inline void insert(std::vector<FirstReturn>& motions, const std::vector<FirstReturn>& more) {
+  motions.insert(motions.end(), more.begin(), more.end());
+  std::ranges::sort(motions, {}, &FirstReturn::f);
+}
 
 /// What a box asks for.
 [[nodiscard]] Rated need_of(const FirstReturn& motion, Criterion criterion);

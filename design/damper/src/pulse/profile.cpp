@@ -162,8 +162,7 @@ void PulseProfile::add_maxima_over_square() {
           a, b, [this](double f) { return at(f); }, figure));
     }
   }
-  samples_.insert(samples_.end(), found.begin(), found.end());
-  std::ranges::sort(samples_, {}, &FirstReturn::f);
+  insert(samples_, found);
 }
 
 /// Between three samples of which the middle one returns last.
@@ -183,8 +182,7 @@ void PulseProfile::add_slowest() {
       found.push_back(at(golden_sections({a.f, b.f}, time, done)));
     }
   }
-  samples_.insert(samples_.end(), found.begin(), found.end());
-  std::ranges::sort(samples_, {}, &FirstReturn::f);
+  insert(samples_, found);
 }
 
 }  // namespace stillpoint::design

@@ -49,10 +49,7 @@ void PulseRegion::find_islands() {
   std::vector<FirstReturn> points = profile_->samples();
   if (f_max_ <= points.back().f) {
     // Below every sample there is one more decade to examine.
-    for (const double f : {f_max_ / 8, f_max_}) {
-      points.push_back(at(f));
-    }
-    std::ranges::sort(points, {}, &FirstReturn::f);
+    insert(points, {at(f_max_ / 8), at(f_max_)});
   }
   for (std::size_t i = 0; i < figure_count; ++i) {
     if (std::isfinite(figures_max_[i])) {

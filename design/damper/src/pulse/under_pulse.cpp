@@ -89,24 +89,23 @@ Finding finding_under_pulse(const PulseProblem& problem, const Limits& limits,
   check.shortness = problem.p / angular_frequency(problem.pulse);
   check.friction_ratio = f / peak_load(problem.pulse);
 
-  CheckMethod forced;
-  forced.name = "forced_pulse";
-  forced.wall_time_s =
-      timed([&] { check.response = forced_response(oscillator, {}, excitation(problem.pulse)); });
   const ForcedResponse& response = check.response;
+  CheckMethod forced = measured([&] {
+    check.response = forced_response(oscillator, {}, excitation(problem.pulse));
+    return figures_of(response);
+  });
+  forced.name = "forced_pulse";
   const double margin = response.decision_margin.value_or(0);
-  static_cast<MotionFigures&>(forced) = figures_of(response);
   compare(forced, map_tolerance, 0, expected, problem, margin);
   // What was asked for, whatever the margin.
   forced.passed = forced.passed && response.stops_at_zero && response.half_cycles == 1.0 &&
                   response.peak_amplitude <= problem.beta;
 
-  CheckMethod integrated;
-  integrated.name = "runge_kutta";
-  integrated.wall_time_s = timed([&] {
-    static_cast<MotionFigures&>(integrated) =
-        integrate_under_pulse(oscillator, problem.pulse, response.peak_amplitude, kutta_tolerance);
+  CheckMethod integrated = measured([&] {
+    return integrate_under_pulse(oscillator, problem.pulse, response.peak_amplitude,
+                                 kutta_tolerance);
   });
+  integrated.name = "runge_kutta";
   compare(integrated, runge_kutta_tolerance, runge_kutta_resolution, expected, problem, margin);
 
   add_reduction(check, problem, f);
