@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The hits and the springs that a damper serves, docs/theory.md (35) to (38). In speeds:
+// phi = f/p, d = 2 Delta.
+
 #include <stillpoint/design/works_for.hpp>
 
 #include "nearest_fit.hpp"
@@ -16,6 +19,122 @@
 
 namespace stillpoint::design {
 
+namespace {
+
+struct HitDamper {
+  Wide f{0};
+  Wide d{0};
+  Wide beta{0};
+  Criterion criterion{};
+};
+
+Wide lowest_v0(const HitDamper& damper, Wide p) {
+  return std::max(root(damper.d), root(Wide(8)) * damper.f / p);
+}
+
+Wide highest_v0(const HitDamper& damper, Wide p) {
+  const auto& [f, d, beta, criterion] = damper;
+  const Wide phi = f / p;
+  const Wide amplitude = root(p * beta) * root(p * beta + 2 * phi);
+  const bool exact = criterion == Criterion::exact;
+  const Wide notch = root(exact ? d + phi * phi : d);
+  const Wide stop = root((exact ? 4 : 3) * phi * phi + 4 * phi * notch + d);
+  return std::min(amplitude, stop);
+}
+
+Wide lowest_p(const HitDamper& damper, Wide v0) {
+  const auto& [f, d, beta, criterion] = damper;
+  const Wide square = (v0 / beta) * (v0 / beta) - 2 * f / beta;
+  return std::max(root(std::max(Wide(0), square)), root(Wide(8)) * f / v0);
+}
+
+/// Infinite where nothing bounds it.
+Wide highest_p(const HitDamper& damper, Wide v0) {
+  const auto& [f, d, beta, criterion] = damper;
+  const Wide lost = v0 * v0 - d;
+  const Wide root_d = root(d);
+  const Wide per_phi =
+      criterion == Criterion::exact ? root(8 * (v0 * v0 + d)) : 2 * root_d + root(d + 3 * v0 * v0);
+  return lost > 0 ? f * per_phi / lost : Wide(HUGE_VAL);
+}
+
+/// The edge as the last double that fits, seen from `nominal`, which does. The edge is accurate to
+/// an ulp; what fits is decided by edges in f and Delta that are rounded inwards, a few
+/// ulps of it.
+template <class Fits>
+double last_fit(double edge, double nominal, const Fits& fits) {
+  constexpr double few_ulps = 4e-15;
+  const bool upwards = edge > nominal;
+  const double inner = edge * (upwards ? 1 - few_ulps : 1 + few_ulps);
+  const double outer =
+      std::clamp(edge * (upwards ? 1 + few_ulps : 1 - few_ulps), smallest_speed, largest_speed);
+  const bool passed = upwards ? inner <= nominal : inner >= nominal;
+  return *nearest_fit(fits(outer) ? edge : outer, passed || !fits(inner) ? nominal : inner, fits);
+}
+
+/// For a damper that stops at a later arrival: only the intervals of its way. Between the strips
+/// the mass rests off centre, so no interval continues into another one.
+WorksFor works_for(const Way& way, double f, double delta) {
+  const auto holds = [&](double v0, double p) {
+    Problem changed = way.problem;
+    changed.v0 = v0;
+    changed.p = p;
+    return admissible(Way(changed, way.limits, way.n), f, delta);
+  };
+  const double v0 = way.problem.v0;
+  const double p = way.problem.p;
+  const auto with_v0 = [&](double value) { return holds(value, p); };
+  const auto with_p = [&](double value) { return holds(v0, value); };
+  const auto end = [](double from, double nominal, const auto& fits) {
+    return *nearest_fit(from, nominal, fits);
+  };
+  const Interval of_v0 = valid_v0(way.problem);
+  const Interval of_p = valid_p(way.problem);
+  WorksFor served;
+  served.v0 = {end(std::min(v0, of_v0.low), v0, with_v0),
+               end(std::max(v0, of_v0.high), v0, with_v0)};
+  served.p.low = end(std::min(p, of_p.low), p, with_p);
+  if (const double most = std::max(p, of_p.high); !with_p(most)) {
+    served.p.high = end(most, p, with_p);
+  }
+  return served;
+}
+
+/// The ranges, extended as far as the damper serves them, one end after the other.
+WorksFor served_ranges(const Problem& problem, const Limits& limits, double f, double delta) {
+  const auto grown = [&](double from, double to, const auto& set) {
+    return *nearest_fit(from, to, [&](double value) {
+      Problem changed = problem;
+      set(changed, value);
+      return admissible(changed, limits, f, delta);
+    });
+  };
+  const double low = problem.v0_low.value_or(problem.v0);
+  const double stiffest = problem.stiffest_p();
+  const Interval of_v0 = valid_v0(problem);
+  const Interval of_p = valid_p(problem);
+  WorksFor served;
+  served.v0 = {low == 0 ? 0
+                        : grown(std::min(low, of_v0.low), low,
+                                [](Problem& now, double value) { now.v0_low = value; }),
+               grown(std::max(problem.v0, of_v0.high), problem.v0, [&](Problem& now, double value) {
+                 now.v0 = value;
+                 now.v0_low = low;
+               })};
+  served.p.low = grown(std::min(problem.p, of_p.low), problem.p, [&](Problem& now, double value) {
+    now.p = value;
+    now.p_high = stiffest;
+  });
+  const auto raise = [](Problem& now, double value) { now.p_high = value; };
+  const double most = std::max(stiffest, of_p.high);
+  if (const double high = grown(most, stiffest, raise); high < most) {
+    served.p.high = high;
+  }
+  return served;
+}
+
+}  // namespace
+
 std::optional<WorksFor> works_for(const Problem& problem, const Limits& limits, double f,
                                   double delta) {
   Limits of_the_point = limits;
@@ -23,41 +142,40 @@ std::optional<WorksFor> works_for(const Problem& problem, const Limits& limits, 
   if (!admissible(problem, of_the_point, f, delta)) {
     return std::nullopt;
   }
-  // One hit and one spring are each changed alone, as the way of the damper allows: between the
-  // strips the mass rests off centre, so no interval continues into another one. Without constant
-  // friction the strips touch, and way 0 covers all. A range is extended, one end after the other.
-  const bool plain = is_plain(problem, limits);
-  const int n = !plain || f == 0 ? 0 : static_cast<int>(arrival_of(problem, f, delta).value());
-  Problem base = problem;
-  base.v0_low = plain ? std::nullopt : std::optional(problem.v0_low.value_or(problem.v0));
-  base.p_high = plain ? std::nullopt : std::optional(problem.stiffest_p());
-  const auto v0_low = [](Problem& now) -> double& { return now.v0_low ? *now.v0_low : now.v0; };
-  const auto v0_high = [](Problem& now) -> double& { return now.v0; };
-  const auto p_low = [](Problem& now) -> double& { return now.p; };
-  const auto p_high = [](Problem& now) -> double& { return now.p_high ? *now.p_high : now.p; };
-  const auto holds = [&](const auto& input, double value) {
-    Problem now = base;
-    input(now) = value;
-    return plain ? admissible(Way(now, of_the_point, n), f, delta)
-                 : admissible(now, of_the_point, f, delta);
+  if (!is_plain(problem, limits)) {
+    return served_ranges(problem, of_the_point, f, delta);
+  }
+  const double v0 = problem.v0;
+  const double p = problem.p;
+  const auto holds = [&](double speed, double stiffness) {
+    return admissible({speed, stiffness, problem.beta, problem.criterion}, of_the_point, f, delta);
   };
-  const auto end = [&](const auto& input, double farthest) {
-    return *nearest_fit(farthest, input(base), [&](double value) { return holds(input, value); });
-  };
+  const auto with_v0 = [&](double value) { return holds(value, p); };
+  const auto with_p = [&](double value) { return holds(v0, value); };
+  if (const auto arrival = arrival_of(problem, f, delta).value(); arrival > 1) {
+    Problem one = problem;  // a range of one value is that value
+    one.v0_low = one.p_high = {};
+    // Without constant friction the strips touch, and way 0 covers all.
+    return works_for(Way(one, of_the_point, f == 0 ? 0 : static_cast<int>(arrival)), f, delta);
+  }
+  const HitDamper damper{f, 2 * Wide(delta), problem.beta, problem.criterion};
   const Interval of_v0 = valid_v0(problem);
   const Interval of_p = valid_p(problem);
-  const double weakest = v0_low(base);
-  WorksFor served;
-  served.v0 = {weakest == 0 ? 0 : end(v0_low, std::min(weakest, of_v0.low)),
-               end(v0_high, std::max(problem.v0, of_v0.high))};
-  served.p.low = end(p_low, std::min(problem.p, of_p.low));
-  // At delta = v0^2/2 the stop of one hit allows any p, which rounding hides at the largest.
-  const bool bounded = !plain || 2 * Wide(delta) < Wide(problem.v0) * problem.v0 ||
-                       figures_edge(problem, limits) < HUGE_VAL;
-  if (const double most = std::max(p_high(base), of_p.high); bounded && !holds(p_high, most)) {
-    served.p.high = end(p_high, most);
-  }
-  return served;
+  // At the largest p rounding decides what nothing bounds.
+  const bool limited = figures_edge(problem, limits) < HUGE_VAL;
+  const auto ends = [limited](Wide low, Wide high, double nominal, const Interval& valid,
+                              const auto& fits) {
+    ServedInterval interval;
+    interval.low =
+        last_fit(std::max(static_cast<double>(low), std::min(nominal, valid.low)), nominal, fits);
+    const double most = std::max(nominal, valid.high);
+    if (high < HUGE_VAL || (limited && !fits(most))) {
+      interval.high = last_fit(std::min(static_cast<double>(high), most), nominal, fits);
+    }
+    return interval;
+  };
+  return WorksFor{ends(lowest_v0(damper, p), highest_v0(damper, p), v0, of_v0, with_v0),
+                  ends(lowest_p(damper, v0), highest_p(damper, v0), p, of_p, with_p)};
 }
 
 }  // namespace stillpoint::design
