@@ -6,7 +6,7 @@
 #include <iostream>
 
 int main() {
-    // A period of 2.8 s, a hit of 0.4 m/s, room for 150 mm; f and delta may be off by 5 %.
+  // A period of 2.8 s, a hit of 0.4 m/s, room for 150 mm; f and delta may be off by 5 %.
   const double velocity = 0.4;
   stillpoint::design::PhysicalIsolator isolator;
   isolator.period_s = 2.8;
@@ -21,7 +21,7 @@ int main() {
 
   const stillpoint::design::DesignResult result = stillpoint::design::design(request);
   if (!result.finding) {
-        std::cout << "no damper works: " << *result.reason << '\n';
+    std::cout << "no damper works: " << *result.reason << '\n';
     return 1;
   }
   const stillpoint::design::Finding& found = *result.finding;
