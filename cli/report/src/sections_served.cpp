@@ -191,7 +191,7 @@ void add_practice(Section& section, const std::optional<design::Practice>& lines
     const bool enough = *lines->energy_ratio >= asked;
     section.row("re-centring",
                 format("E_s / E_h {} without the notch (EN 15129{})", ratio(*lines->energy_ratio),
-                       enough ? "" : " requires 0.25"),
+                       enough ? "" : " needs 0.25"),
                 enough ? Tone::plain : Tone::bad);
     section.row("", format("d / d_rm {} (EN 1998-2)", ratio(*lines->residual_ratio)));
   }
