@@ -139,10 +139,9 @@ BOOST_AUTO_TEST_CASE(the_answer_of_a_design_is_with_the_notch_that_will_be_built
   says("--notch-width-m 0.02 --acceleration-max 0.095",
        {"But with this notch the structure feels 0.3145 g inside it, more than the limit of 0.095 "
         "g."});
-  says("--notch-width-m 2",
-       {"But with this notch the mass never leaves the notch and stops at x ="});
+  says("--notch-width-m 2", {"But with this notch the mass stays inside and stops at x ="});
   // Half of it is less than the peak.
-  BOOST_TEST(!contains(run(design + "--notch-width-m 0.2").out, "never leaves"));
+  BOOST_TEST(!contains(run(design + "--notch-width-m 0.2").out, "stays inside"));
   BOOST_TEST(!contains(run(design + "--notch-width-m 0.02").out, "But "));
   BOOST_TEST(!contains(run(design + "--hold 0").out, "But "));
 }
