@@ -185,9 +185,8 @@ BOOST_AUTO_TEST_CASE(page_for_people_says_it_in_words) {
 
 BOOST_AUTO_TEST_CASE(says_that_it_hardly_re_centres_and_the_unit_of_a_limit) {
   const Arguments soft("design --pulse full-sine --k 0.08 --lambda 0.8 --p 1 --beta 0.077");
-  check_contains(
-      run(soft + "--delta-max 0.005 --acceleration-max 0.12 --verbose").out,
-      {" (EN 15129 needs 0.25)\n", " (EN 1998-2)\n", "outside the notch <= 0.12 g  "});
+  check_contains(run(soft + "--delta-max 0.005 --acceleration-max 0.12 --verbose").out,
+                 {" (EN 15129 needs 0.25)\n", " (EN 1998-2)\n", "outside the notch <= 0.12 g  "});
 }
 
 BOOST_AUTO_TEST_CASE(says_what_makes_the_reduction_poor) {
