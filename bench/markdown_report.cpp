@@ -41,7 +41,8 @@ void heading(Text& text, const Comparison& comparison) {
   const Machine& machine = comparison.machine;
   add(text,
       "# Speed against error\n\n"
-      "How long one motion takes with stillpoint, and with other integrators for the same error. "
+      "This page compares the time of one motion in stillpoint and in other integrators, for the "
+      "same error. "
       "`./dev bench --update-docs` writes this page; [performance.json](performance.json) has "
       "every setting of every method, with its errors, counts and quartiles, and what each method "
       "is. [performance.html](performance.html) shows the values under the pointer.\n\n"

@@ -69,9 +69,8 @@ std::string page(const std::vector<Section>& sections) {
   const bench::Machine machine = bench::this_machine();
   std::string text = fmt::format(
       "# Accuracy of the hard cases\n\n"
-      "How many digits are right where a formula is most likely to lose them. `./dev accuracy` "
-      "made "
-      "this page; `./dev accuracy --update-docs` updates it. {}, `{}`.\n\n"
+      "This page shows how many digits are right where a formula is most likely to lose them. "
+      "`./dev accuracy --update-docs` writes it. {}, `{}`.\n\n"
       "Each quantity is computed by the program in double precision, by the obvious (naive) "
       "formula where there is one, and in 50 digits from the same doubles. Errors are in units in "
       "the last place (ulp) of the expected value. *Worst* is the largest error of the given "

@@ -25,7 +25,7 @@ namespace stillpoint::cli {
 
 namespace {
 
-/// A scene may serve several commands; a note names the keys that this one does not use.
+/// A scene may be for several commands; a note names the keys that this one does not use.
 void note_unused(const Settings& scene, const Settings& settings, Command command) {
   for (const auto& [option, entry] : scene.entries()) {
     if (!find_option(option)->serves(command) || !settings.has(option)) {

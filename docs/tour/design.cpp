@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A design: an isolator in metres and seconds in, a checked damper out.
+// A design: from an isolator in metres and seconds to a checked damper.
 
 #include <stillpoint/design.hpp>
 
 #include <iostream>
 
 int main() {
-  // A period of 2.8 s, set off with 0.4 m/s, 150 mm of room; 5 % off in f and delta must do.
+  // A period of 2.8 s, a hit of 0.4 m/s, room for 150 mm; f and delta may be off by 5 %.
   const double velocity = 0.4;
   stillpoint::design::PhysicalIsolator isolator;
   isolator.period_s = 2.8;
@@ -21,7 +21,7 @@ int main() {
 
   const stillpoint::design::DesignResult result = stillpoint::design::design(request);
   if (!result.finding) {
-    std::cout << "no damper can do it: " << *result.reason << '\n';
+    std::cout << "no damper works: " << *result.reason << '\n';
     return 1;
   }
   const stillpoint::design::Finding& found = *result.finding;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One motion: what comes of a damper, and where the mass is at any instant.
+// One motion: how it ends, and where the mass is at any instant.
 
 #include <stillpoint/core.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A region: which dampers stop the mass on its first return, and how one of them stands.
+// A region: which dampers stop the mass on its first return, and whether a given one does.
 
 #include <stillpoint/design.hpp>
 
@@ -9,7 +9,7 @@ int main() {
   const stillpoint::design::Problem problem{.v0 = 1, .p = 1, .beta = 0.9};
   const stillpoint::design::Region region = admissible_region(problem);
   if (!region.feasible) {
-    std::cout << "no damper can do it: " << *reason(region, problem) << '\n';
+    std::cout << "no damper works: " << *reason(region, problem) << '\n';
     return 1;
   }
   std::cout << "f      " << region.f_lower.value() << " .. " << region.f_upper.value() << '\n'

@@ -78,7 +78,7 @@ function build_rows({ report, motion, tolerance, options }) {
         ? [options["notch-width-m"] ?? options["notch-width"]]
         : null,
     ],
-    ["notch holds", options.hold ? [`${options.hold.replace(/\s*g$/, "")} g besides f`] : null],
+    ["notch lets go", options.hold ? [`at ${options.hold.replace(/\s*g$/, "")} g above f`] : null],
     [
       "tolerance",
       tolerance === null

@@ -29,7 +29,7 @@ double stroke(const Settings& settings, MotionInput& motion) {
     return settings.required("beta", "give --beta, or --max-displacement in m");
   }
   const double displacement =
-      settings.required("max-displacement", "give the largest admissible displacement in m");
+      settings.required("max-displacement", "give --max-displacement in m, the largest admissible");
   records::require_physical("max-displacement", Dimension::length, displacement);
   motion.physical->max_displacement_m = displacement;
   return displacement / motion.physical->scales.length_m;

@@ -86,7 +86,7 @@ void require_followed(const Settings& settings, const ExcitationKind& kind,
   if (lasts ? given > bound : given < bound) {
     const std::string_view unit = records::units_of(clock->traits.dimension).front().name;
     throw InputError(std::string(clock->name), fmt::format("{} {}", given, unit),
-                     fmt::format("must be at {} {:.4g} {}: a longer pulse cannot be followed",
+                     fmt::format("must be at {} {:.4g} {}: a longer pulse cannot be computed",
                                  lasts ? "most" : "least", bound, unit));
   }
 }
@@ -156,8 +156,8 @@ std::optional<double> forced_end(const Settings& settings, const Excitation& exc
   const auto t_end = end_of_run(settings, physical);
   if (!t_end && !duration(excitation)) {
     throw InputError::missing(physical ? "end-time" : "t-end",
-                              physical ? "give --end-time in s: the excitation never ends"
-                                       : "give --t-end: the excitation never ends");
+                              physical ? "give --end-time in s, because the excitation never ends"
+                                       : "give --t-end, because the excitation never ends");
   }
   return t_end;
 }
@@ -165,7 +165,7 @@ std::optional<double> forced_end(const Settings& settings, const Excitation& exc
 void require_no_pulse_options(const Settings& settings) {
   const Option* const wrong =
       settings.first([](const Option& option) { return option.shapes(Load::pulse); });
-  // A scene's excitation serves simulate, and these are its options.
+  // A scene's excitation is for simulate, and these are its options.
   if (wrong != nullptr && !settings.has("excitation")) {
     throw UsageError(fmt::format("{} needs a pulse: give --pulse as well", wrong->name));
   }

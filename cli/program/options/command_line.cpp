@@ -36,16 +36,14 @@ CommandHelp command_row(Command command, std::string_view summary,
 
 const std::array command_helps{
     command_row(Command::design, "find the damper for a hit, a pulse or a suite of records"),
-    command_row(Command::region,
-                "the admissible f and delta, and whether a given damper is among them"),
-    command_row(Command::simulate, "one motion, free or forced: metrics, half-cycles, trajectory"),
-    command_row(Command::spectrum, "one damper under records over a range of periods"),
-    command_row(Command::sweep, "many motions, or many designs: a grid or a list, as CSV or .npy"),
+    command_row(Command::region, "find the admissible f and delta, or judge a given damper"),
+    command_row(Command::simulate, "compute one motion, free or under a load"),
+    command_row(Command::spectrum, "compute one damper under records for many periods"),
+    command_row(Command::sweep, "compute many motions or designs, from a grid or a list"),
     command_row(Command::accuracy,
-                "time and error of each method on one motion, against 50 digits"),
+                "compare methods on one motion: time, and error against 50 digits"),
     command_row(Command::init, "print a commented scene to start from", texts::starter_names()),
-    command_row(Command::explore, "open the page with the program in it: sliders, figures, motion",
-                {"open", "path"}),
+    command_row(Command::explore, "open the page with the program in it", {"open", "path"}),
 };
 
 /// What CLI11 collects for one subcommand: strings, which are converted once the command is known.
@@ -245,9 +243,9 @@ std::span<const CommandHelp> all_commands() {
 }
 
 std::string_view program_about() {
-  return "Designs friction dampers for a mass on a spring. A hit sets it off with the velocity v0. "
-         "Constant friction f and a notch, point friction delta, must stop it where it was at "
-         "rest, and it must never move farther than beta.";
+  return "Designs friction dampers for a mass on a spring. A hit gives the mass the velocity v0. "
+         "Constant friction f and a notch with the point friction delta must stop it where it was "
+         "at rest, and it must never move farther than beta.";
 }
 
 std::string short_help() {
@@ -306,7 +304,7 @@ Invocation parse_command_line(int argc, const char* const* argv) {
   refuse_extras(chosen, invocation.command);
   invocation.flags = from_flags(chosen, given, invocation.command);
   if (chosen.get_option("scene")->count() > 0) {
-    // Of "--velocity 400 mm/s" the second word.
+    // The second word of "--velocity 400 mm/s".
     if (records::is_unit(given.scene) && !std::filesystem::exists(given.scene)) {
       throw UsageError(
           fmt::format("{0}: a unit must follow its number without a space: 1{0}", given.scene));

@@ -68,7 +68,7 @@ std::string axis_text(const Option& option, const nlohmann::json& value, Command
   }
   if (text.empty()) {
     throw InputError(std::string(option.name), value.dump(),
-                     "must be a number, a range \"first:last:count\" or an array of numbers");
+                     "must be a number, an axis \"first:last:count\" or an array of numbers");
   }
   return text;
 }

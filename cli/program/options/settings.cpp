@@ -67,7 +67,7 @@ std::optional<double> Settings::number(std::string_view name) const {
   }
   if (const Axis* const axis = find<Axis>(name)) {
     if (!axis->is_number()) {
-      throw InputError(std::string(name), axis->text(), "must be one number for motions");
+      throw InputError(std::string(name), axis->text(), "must be one number in a sweep of motions");
     }
     return (*axis)[0];
   }
@@ -119,7 +119,7 @@ void Settings::set_text(const Option& option, const std::string& text, Command c
 }
 
 std::optional<records::FilePlace> Settings::place_of(std::string_view field) const {
-  // Of "friction-zones 2: f" too.
+  // "friction-zones 2: f" belongs to friction-zones.
   std::string wanted = records::hyphened(field.substr(0, field.find_first_of("[ ")));
   for (const std::string_view end : {"-low", "-high"}) {
     if (wanted.ends_with(end)) {

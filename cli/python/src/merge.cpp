@@ -72,7 +72,7 @@ void add_merge(py::module_& module) {
 --
 
 Joins the parts that sweep(part=..., output=...) or design(part=..., output=...) under records made,
-here or elsewhere, into what one run would find. A design continues with the searches, which need
+on any machine, into the result of one run. A design continues with the searches, which need
 the whole scan; a reduced sweep gives the report of the whole; any other sweep has its rows as table.
 
 parts   paths of all the parts, in any order

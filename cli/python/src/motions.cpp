@@ -28,11 +28,11 @@ f, delta, v0, p   numbers or float64 arrays that broadcast together; arrays in C
 times             stop_time as well
 acceleration      peak_absolute_acceleration as well
 half_cycle_limit  refuse a motion that may have more half-cycles
-threads           0: one per hardware thread; no result depends on it
+threads           0: one per hardware thread; results do not depend on it
 
 Returns Fields of arrays of the common shape: peak_amplitude, half_cycles, outcome (the index in
-stillpoint.outcomes, uint8), stop_position. Where a motion never stops, half_cycles and stop_time
-are infinite and stop_position is 0. Raises InputError, which names a wrong entry.)";
+stillpoint.outcomes, uint8), stop_position. If a motion never stops, half_cycles and stop_time
+are infinite and stop_position is 0. Raises InputError, which names the wrong entry.)";
 
 using Block = Eigen::Map<const Eigen::ArrayXd>;
 

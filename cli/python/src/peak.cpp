@@ -22,9 +22,9 @@ constexpr const char* peak_doc = R"(peak(f, delta, v0, p, *, threads=0)
 The largest |x| of the free motion from x = 0, dimensionless, in constant time.
 
 f, delta, v0, p  numbers or float64 arrays that broadcast together; arrays in C order are not copied
-threads          of an array; 0: one per hardware thread
+threads          for arrays; 0: one per hardware thread
 
-Returns a float, or an array of the common shape. Raises InputError, which names a wrong entry.)";
+Returns a float, or an array of the common shape. Raises InputError, which names the wrong entry.)";
 
 bool is_number(py::handle value) {
   return PyFloat_Check(value.ptr()) || PyLong_Check(value.ptr());

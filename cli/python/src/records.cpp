@@ -69,7 +69,7 @@ An acceleration record from a file, in any format that the program reads.
 
 record        path of the file
 record_units  of its values, "g", "m/s2" or "cm/s2"; default: as the file says, else g
-record_step   step in s of values without a time column
+record_step   time between two values in s, for a file without times
 record_scale  factor on every value
 gravity       m/s2, one g
 

@@ -58,7 +58,7 @@ void add_choices(Document& document, const DesignReport& report, const Physical&
   }
 }
 
-/// The least of the ends of the ranges, and what a damper of so little margin still serves.
+/// The least margin at the ends of the ranges, and what a damper with so little still works for.
 void add_margin(Section& section, const design::DesignResult& result, const Physical& physical) {
   const design::Finding& finding = *result.finding;
   const auto& [f, delta, tolerance] = finding.point;
@@ -75,7 +75,7 @@ void add_margin(Section& section, const design::DesignResult& result, const Phys
   if (const auto& works = finding.works_for) {
     const FigureUnits units(physical);
     serves =
-        format("; it works for hits of {}{} only",
+        format("; it works only for hits of {}{}",
                interval_text({works->v0.low * units.velocity, *works->v0.high * units.velocity}),
                with_blank(units.velocity_unit));
   }

@@ -95,7 +95,7 @@ std::string felt(const DesignReport& report, const Physical& physical) {
         finding.arrival ? "at any width more than" : "no width is known to keep it within",
         acceleration_shown(*limits.acceleration_max));
   }
-  return format("{}, {}", outside, inside_words(physical, f, delta, response.peak_amplitude));
+  return format("{}; {}", outside, inside_words(physical, f, delta, response.peak_amplitude));
 }
 
 void add_rest(Section& answer, const DesignReport& report, const Physical& physical) {
@@ -269,7 +269,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   constexpr double buildable = 0.01;
   const bool too_exact = leaves_any(tolerance) && tolerance < buildable;
   answer.row("tolerance",
-             tolerance_left(report) + (too_exact ? ", less than a real damper keeps" : ""),
+             tolerance_left(report) + (too_exact ? ", too little for a real damper" : ""),
              too_exact ? Tone::bad : Tone::plain);
   add_works_for(answer, finding.works_for, problem, physical);
   add_weak_hits(answer, problem, delta, physical);

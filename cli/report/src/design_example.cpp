@@ -92,7 +92,7 @@ std::string notch_sentence(const DesignReport& report) {
   }
   if (const double width = start_under_pulse(result).width(); width >= 2 * peak) {
     return format(
-        "no notch serves: only one wider than {} would let this pulse move the mass, and the "
+        "no notch works: only one wider than {} would let this pulse move the mass, but the "
         "stroke is {}",
         length_limit(physical, width, true), length_shown(physical, peak));
   }

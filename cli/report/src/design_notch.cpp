@@ -17,7 +17,7 @@ std::string notch_fault(const design::BuiltNotch& built, const design::DesignReq
     return "the mass is held throughout the pulse";
   }
   if (built.shape.width && *built.shape.width / 2 >= peak) {
-    return "the mass never leaves it" +
+    return "the mass stays inside" +
            (response.stop_position
                 ? format(" and stops at x = {}", length_shown(physical, *response.stop_position))
                 : "");

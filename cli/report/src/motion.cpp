@@ -182,7 +182,7 @@ void add_answer(Section& answer, const MotionReport& report) {
               physical);
   }
   if (caught) {
-    answer.row("impulse", format("{}: the notch passes the hit on in full, like any below {}",
+    answer.row("impulse", format("{}: the notch transmits the hit in full, like any hit below {}",
                                  impulse_shown(physical, *caught),
                                  FigureUnits(physical).velocity_words(std::sqrt(2 * delta))));
   }
@@ -192,14 +192,14 @@ void add_answer(Section& answer, const MotionReport& report) {
   const double worth_saying = of_inputs ? 0.01 : 1e-9;
   if (response.decision_margin && *response.decision_margin < worth_saying) {
     const double percent = 100 * *response.decision_margin;
-    answer.row(
-        "note",
-        format("{} may change {}",
-               of_inputs && percent > 0 ? format("inputs {:.2g} % off", percent) : "rounding",
-               response.outcome == Outcome::caught_at_start
-                   ? "whether it starts"
-                   : "the number of half-cycles or where it stops"),
-        Tone::bad);
+    answer.row("note",
+               format("{} could change {}",
+                      response.outcome == Outcome::caught_at_start
+                          ? "whether it starts"
+                          : "the number of half-cycles or where it stops",
+                      of_inputs && percent > 0 ? format("if all inputs shift by {:.2g} %", percent)
+                                               : "by rounding"),
+               Tone::bad);
   }
   if (report.answer.forced && response.outcome == Outcome::running) {
     const ForcedResponse& forced = *report.answer.forced;
@@ -242,7 +242,7 @@ std::string lock_sentence(const MotionReport& report) {
 std::optional<double> caught_impulse(const MotionReport& report) {
   const Oscillator& oscillator = report.request.oscillator;
   const Start& start = report.request.start;
-  // A load can free the mass from a notch of limited capacity.
+  // A load can free the mass from a notch that lets go.
   const bool freed = report.answer.forced && oscillator.hold && start.x0 == 0 &&
                      !report.request.surface.notch_width &&
                      start.v0 * start.v0 < 2 * oscillator.delta;

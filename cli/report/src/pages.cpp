@@ -78,7 +78,7 @@ Figure region_of(const Request& request, const design::RegionVerdict& verdict,
   return figure;
 }
 
-/// Its trade-offs, and the hits that it serves.
+/// Its trade-offs, and the hits that it works for.
 std::vector<Figure> hit_figures(const DesignReport& report, const FigureUnits& units) {
   const auto& [problem, limits, search, pulse, ranges] = report.result.request;
   const design::Finding& found = *report.result.finding;

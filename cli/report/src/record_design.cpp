@@ -141,7 +141,7 @@ bool is_delicate(const design::RecordDesign& result) {
 std::string tolerance_sentence(const design::RecordDesign& result, const Physical& physical) {
   const design::Sensitivity& near = result.finding->sensitivity;
   return format(" With f and delta off by up to {:.3g} %, {}{}.", 100 * near.tolerance,
-                near.worst.settled ? format("{}up to {}, a stroke of {} and a residual of {}",
+                near.worst.settled ? format("it reaches {}{}, a stroke of {} and a residual of {}",
                                             is_mean(result.request) ? "a mean of " : "",
                                             acceleration_shown(near.worst.acceleration),
                                             length_shown(physical, near.worst.peak),
@@ -175,7 +175,7 @@ void add_answer(Section& answer, const design::RecordDesign& result, const Physi
              format("f = {}, delta = {}", digits(damper.f), length_shown(physical, damper.delta)),
              Tone::heading);
   if (lock_words(result).empty()) {
-    answer.row("locked", "never while a record goes on");
+    answer.row("locked", "never during a record");
   }
   add_example(answer, result, physical);
   const design::Sensitivity& near = result.finding->sensitivity;
@@ -190,7 +190,7 @@ void add_answer(Section& answer, const design::RecordDesign& result, const Physi
              check.passed
                  ? check.relative_error == 0
                        ? "passed: Runge-Kutta agrees exactly"
-                       : format("passed: Runge-Kutta agrees within {:.1e}", check.relative_error)
+                       : format("passed: Runge-Kutta agrees to {:.1e}", check.relative_error)
                  : format("FAILED: Runge-Kutta is off by {:.1e}; {:.0e} is allowed",
                           check.relative_error, check.tolerance),
              check.passed ? Tone::good : Tone::bad);
@@ -314,7 +314,7 @@ std::string record_label(const design::SuiteRecord& record) {
 void add_real_notch(Section& section, const std::optional<double>& hold,
                     const std::optional<double>& width, const Physical& physical) {
   if (hold) {
-    section.row("notch", format("holds {} besides f", acceleration_shown(*hold)));
+    section.row("notch", format("lets go at {} above f", acceleration_shown(*hold)));
   }
   if (width) {
     section.row("notch", format("{} wide", length_shown(physical, *width)));
@@ -344,7 +344,7 @@ std::string shortfall_sentence(const RecordDesignReport& report) {
   }
   if (std::ranges::none_of(result.shortfalls,
                            [](const auto& each) { return each.nearest > each.limit; })) {
-    return "No damper was found whose motions are safe from tipping into another outcome.";
+    return "No damper was found whose motions are far enough from another outcome.";
   }
   std::string broken;
   for (const auto& [which, limit, nearest, relaxed] : result.shortfalls) {

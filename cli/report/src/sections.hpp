@@ -41,14 +41,14 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
 /// The width of a notch as an example: 20 mm, or 1, 2 or 5 times a power of ten if that is above a
 /// fifth of the peak; that fifth without physical input.
 [[nodiscard]] double example_width(const Physical& physical, double peak);
-/// "f + delta/w inside one of width w: 0.319 g if w is 20 mm", unless from rest the largest load
-/// cannot move the mass out of it.
+/// "f + delta/w inside a notch of width w, 0.319 g if w is 20 mm", unless from rest the largest
+/// load cannot move the mass out of it.
 [[nodiscard]] std::string inside_words(const Physical& physical, double f, double delta,
                                        double peak, double load = HUGE_VAL);
 /// Whether the kernel follows a motion through it.
 [[nodiscard]] bool can_be_followed(double width, double delta, double p);
-/// What a notch of that width spoils, behind a headline for one that does not do what `without`
-/// says.
+/// Which requirement a notch of that width violates, behind a headline for one that does not do
+/// what `without` says.
 [[nodiscard]] std::string example_sentence(std::string_view without, double width,
                                            std::string_view fault, const Physical& physical);
 /// The paper's notch under a pulse, of which the motion starts in it.
@@ -213,7 +213,7 @@ void add_response(Section& section, const Simulation& answer, const Physical& ph
 [[nodiscard]] bool moves(const Response& response);
 /// "stops at x = 0" and so on.
 [[nodiscard]] std::string outcome_phrase(Outcome outcome);
-/// A motion that has not ended may be at rest all the same.
+/// A motion that is still running may be at rest.
 [[nodiscard]] std::string outcome_phrase(const ForcedResponse& response);
 
 }  // namespace stillpoint::report

@@ -71,7 +71,7 @@ void add_feasible(Section& section, const design::RegionVerdict& verdict,
       });
   if (region.beta_min == 0) {
     section.row("least stroke",
-                "as small as you like: with f just below the peak load it hardly moves");
+                "as small as you like: with f just below the peak load the mass hardly moves");
   } else if (region.conflict != design::Conflict::no_arrival) {  // where no stroke helps
     section.row(physical ? "least stroke" : "least beta",
                 format("{}{}", length_limit(physical, region.beta_min, true),
@@ -101,7 +101,7 @@ Section& add_region(Document& document, const design::RegionVerdict& verdict,
               region.f2 <= 0 ? "  (does not bind)" : "");
   }
   if (pulsed && region.beta_min == 0) {
-    section.row("return", "with every f that starts");
+    section.row("return", "for every f with which it starts");
   } else {
     add_bound(section, units, "return", "f", "<=", region.f3,
               !pulsed && region.feasible && *region.f_upper > region.f3

@@ -142,7 +142,7 @@ void add_trade_off(Document& document, const std::vector<design::TradeOff>& fron
              {in("stop time", units.time_unit), "f", in("delta", units.length_unit)}),
       {}};
   const std::size_t step = (front.size() + most_rows - 1) / most_rows;
-  // Every so many, and the end of the front.
+  // Every n-th damper, and the end of the front.
   for (std::size_t i = 0; i < front.size() + step - 1; i += step) {
     const auto& [damper, peak, acceleration, stop_time] = front[std::min(i, front.size() - 1)];
     table.rows.push_back({around(

@@ -189,7 +189,7 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty, const
                        mend.field == "arrivals" ? ": it may pass x = 0 before it stops" : ""));
   }
   if (exact) {
-    section.row("criterion", "exact: the published one asks for more delta than it takes");
+    section.row("criterion", "exact: the published one requires more delta than needed");
   }
 }
 

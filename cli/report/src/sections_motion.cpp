@@ -51,7 +51,7 @@ namespace {
 /// The margins of the two motions are different quantities: docs/theory.md section 6,
 /// docs/forced.md section 7.
 constexpr std::string_view closest_decision =
-    "how near the closest decision, to stick or to pass x = 0, was to going the other way; not a "
+    "how close a decision, to stick or to pass x = 0, came to going the other way; not a "
     "tolerance of the inputs";
 
 }  // namespace
@@ -78,7 +78,7 @@ void add_counts(Section& section, const Response& response, const Physical& phys
                        : response.outcome == Outcome::caught_at_start
                            ? "it may start if all inputs shift by about this much"
                            : "it may stop elsewhere if all inputs shift by about this much; a "
-                             "limit may be exceeded long before"));
+                             "limit may be exceeded much earlier"));
   }
 }
 

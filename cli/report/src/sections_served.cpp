@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a damper serves and what practice asks of it.
+// What a damper works for, and the figures used in practice.
 #include "format.hpp"
 #include "sections.hpp"
 
@@ -97,10 +97,10 @@ std::string inside_words(const Physical& physical, double f, double delta, doubl
                          double load) {
   const double width = example_width(physical, peak);
   if (design::notch_acceleration(f, delta, width) >= load) {
-    return format("f + delta/w holds the mass throughout if w is {}",
+    return format("f + delta/w would hold the mass throughout if w is {}",
                   physical ? length_shown(physical, width) : "a fifth of the peak");
   }
-  return format("f + delta/w inside one of width w: {:.3g} g if w is {}",
+  return format("f + delta/w inside a notch of width w, {:.3g} g if w is {}",
                 design::notch_acceleration(f, delta, width),
                 physical ? length_shown(physical, width) : "a fifth of the peak");
 }
@@ -191,7 +191,7 @@ void add_practice(Section& section, const std::optional<design::Practice>& lines
     const bool enough = *lines->energy_ratio >= asked;
     section.row("re-centring",
                 format("E_s / E_h {} without the notch (EN 15129{})", ratio(*lines->energy_ratio),
-                       enough ? "" : " wants 0.25"),
+                       enough ? "" : " needs 0.25"),
                 enough ? Tone::plain : Tone::bad);
     section.row("", format("d / d_rm {} (EN 1998-2)", ratio(*lines->residual_ratio)));
   }

@@ -40,9 +40,9 @@ void go_to_channel(RecordReader& reader, bool (*begins)(std::string_view line)) 
     reader.refuse("the file ends here without a line that says how many accelerations follow");
   }
   if (!wanted && channels.size() > 1) {
-    channels[1].refuse(fmt::format(
-        "a second channel begins here, of {} in all: choose one by its number, {}#1 to #{}",
-        channels.size(), shortened(reader.path(), longest_word), channels.size()));
+    channels[1].refuse(
+        fmt::format("the second of {} channels begins here: choose one by its number, {}#1 to #{}",
+                    channels.size(), shortened(reader.path(), longest_word), channels.size()));
   }
   if (wanted && *wanted > channels.size()) {
     channels.back().refuse(

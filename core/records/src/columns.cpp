@@ -66,9 +66,10 @@ void check_count(std::size_t count, std::size_t expected, std::size_t first_line
                  const RecordReader& reader) {
   if (count > most_columns) {
     const std::string_view comma = comma_note(reader.line());
-    reader.refuse(
-        fmt::format("{} columns: must be time and value, or value alone{}", count,
-                    comma.empty() ? "; many values a line need a header with NPTS and DT" : comma));
+    reader.refuse(fmt::format(
+        "{} columns: must be time and value, or value alone{}", count,
+        comma.empty() ? "; a file with many values per line needs a header with NPTS and DT"
+                      : comma));
   }
   if (count != expected) {
     reader.refuse(fmt::format("{} column{}, but {} on line {}", count, count == 1 ? "" : "s",
@@ -181,8 +182,9 @@ RecordFile read_columns(RecordReader& reader) {
     file.takes_step = true;
   } else {
     throw InputError::missing(
-        "record-step", fmt::format("record {}, line {}: values without times need their step in {}",
-                                   reader.path(), first_line, options.clock.unit));
+        "record-step",
+        fmt::format("record {}, line {}: the file has no times, so it needs a step in {}",
+                    reader.path(), first_line, options.clock.unit));
   }
   return file;
 }

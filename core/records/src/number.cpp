@@ -87,7 +87,7 @@ std::string_view comma_note(std::string_view text) noexcept {
   const auto ends_word = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); };
   for (std::size_t at = 0; at + 1 < text.size(); ++at) {
     if (text[at] == ',' && is_digit(text[at + 1]) && !(at > 0 && ends_word(text[at - 1]))) {
-      return "; a decimal comma must be a point, and thousands must have no comma";
+      return "; write a decimal comma as a point, and thousands without a comma";
     }
   }
   return "";

@@ -203,7 +203,7 @@ std::optional<Doubt> doubtful_width(const GivenValues& given, const Values& valu
     return std::nullopt;
   }
   return Doubt{std::string(name),
-               fmt::format("{} = {} m is wider than the motion, which reaches {:.3g} m to either "
+               fmt::format("{} = {} m is wider than the motion, which reaches {:.3g} m on either "
                            "side without friction",
                            name, *width, *reach),
                in_unit(given, name, *width, "mm", *width * 1e-3 <= *reach)};

@@ -24,11 +24,11 @@ double omega_of(const PhysicalIsolator& isolator) {
   }
   if (isolator.natural_frequency_hz && (isolator.period_s || isolator.stiffness_n_per_m)) {
     throw InputError("natural-frequency", *isolator.natural_frequency_hz,
-                     "give one of period, natural-frequency and stiffness");
+                     "give only one of period, natural frequency and stiffness");
   }
   if (isolator.period_s && isolator.stiffness_n_per_m) {
     throw InputError("stiffness", *isolator.stiffness_n_per_m,
-                     "give either period or stiffness, not both");
+                     "give only one of period and stiffness");
   }
   if (isolator.period_s) {
     require_physical("period", Dimension::time, *isolator.period_s);
@@ -39,7 +39,8 @@ double omega_of(const PhysicalIsolator& isolator) {
     return 2 * std::numbers::pi * *isolator.natural_frequency_hz;
   }
   if (!isolator.stiffness_n_per_m) {
-    throw InputError::missing("period", "give period, natural-frequency, or stiffness with mass");
+    throw InputError::missing(
+        "period", "give the period, the natural frequency, or the stiffness with the mass");
   }
   require_physical("stiffness", Dimension::stiffness, *isolator.stiffness_n_per_m);
   if (!isolator.mass_kg) {

@@ -152,9 +152,9 @@ Scene comparison_scene(const SimulationRequest& request) {
   if (!is_free(scene) && scene.t_end > longest(scene)) {
     throw InputError(
         "t-end", scene.t_end,
-        fmt::format("the motion up to there is too long for 50 digits, must be at most "
-                    "{:.3g} for this one",
-                    longest(scene)));
+        fmt::format(
+            "must be at most {:.3g} for this motion: up to there it is too long for 50 digits",
+            longest(scene)));
   }
   return scene;
 }

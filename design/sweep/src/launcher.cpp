@@ -42,7 +42,8 @@ class Launchers {
     if (words_.empty()) {
       refuse(
           job_ ? fmt::format(
-                     "GNU parallel says that this is job {}, but not of how many jobs: give auto/N",
+                     "GNU parallel says that this is job {}, but not how many jobs there are: give "
+                     "auto/N",
                      *job_)
                : "no launcher says which part this is: start it with Slurm, mpirun or GNU "
                  "parallel, or give I/N");

@@ -84,7 +84,7 @@ MapAxis::MapAxis(const SweepAxis& swept, const std::optional<SweepUnits>& units)
       falling_(axis_[0] > axis_[axis_.size() - 1]) {
   if (!axis_.spacing() || axis_.size() < 2 || axis_[0] == axis_[axis_.size() - 1]) {
     throw InputError(option_name(swept.quantity, units), axis_.text(),
-                     "must be a range first:last:count of 2 values or more if a map is drawn");
+                     "must be an axis first:last:count of 2 values or more if a map is drawn");
   }
 }
 

@@ -96,20 +96,20 @@ void require_inputs(const SweepSpec& spec) {
     const auto other =
         swept.axis.has_ranges() ? other_end(swept.quantity) : std::optional<Quantity>();
     if (other && !contains(inputs(spec.kind), *other)) {
-      refuse("must be first:last:count or numbers: a range LOW:HIGH needs a design");
+      refuse("must be an axis first:last:count or numbers: only designs take a range LOW:HIGH");
     }
     if (spec.list && (spec.list->has(swept.quantity) || (other && spec.list->has(*other)))) {
       refuse("is also a column of the list: give only one of them");
     }
     if (spec.list && swept.axis.size() > 1 && swept.quantity != Quantity::trade_off) {
-      refuse("must be one number beside a list");
+      refuse("must be one number if there is a list");
     }
   }
   for (const Quantity input : inputs(spec.kind)) {
     if (!may_be_left_out(spec, input) && !given(spec, input)) {
       throw InputError::missing(
           option_name(input, spec.units),
-          fmt::format("give a number, a range first:last:count, or numbers a,b,c{}",
+          fmt::format("give a number, an axis first:last:count, or numbers a,b,c{}",
                       spec.list ? ", or make it a column of the list" : ""));
     }
   }
@@ -223,7 +223,7 @@ void require_valid(const SweepSpec& spec) {
     require_within("half-cycle-limit", *spec.half_cycle_limit, 1, 1e15);
   }
   if (spec.part && spec.list && !spec.listed) {
-    throw InputError("part", text(*spec.part), "needs to know how many entries the list has");
+    throw InputError("part", text(*spec.part), "needs the number of entries of the list");
   }
   check_arrivals(spec);
   if (entries(spec)) {

@@ -63,10 +63,10 @@ BOOST_AUTO_TEST_CASE(of_a_command_lists_only_its_options) {
 
 BOOST_AUTO_TEST_CASE(lists_the_values_that_an_option_takes) {
   const auto help = [](const char* option) { return stillpoint::cli::find_option(option)->help; };
-  BOOST_TEST(
-      help("objective") ==
-      "robust (default), amplitude, time or acceleration; under records acceleration (default), "
-      "amplitude or residual");
+  BOOST_TEST(help("objective") ==
+             "what is best: robust (default), amplitude, time or acceleration; under records "
+             "acceleration (default), "
+             "amplitude or residual");
   BOOST_TEST(contains(help("excitation"), "harmonic, half-sine, full-sine, rectangle or record"));
   BOOST_TEST(contains(help("pulse"), "half-sine, full-sine or rectangle"));
   BOOST_TEST(contains(help("record-units"), "g (default), m/s2 or cm/s2"));

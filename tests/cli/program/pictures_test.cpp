@@ -186,9 +186,9 @@ BOOST_AUTO_TEST_CASE(of_a_sweep_that_has_no_such_plane_are_refused_before_it_run
   const Arguments sweep("sweep --v0 1 --p 1 --output rows.csv --html page.html");
   for (const auto& [more, word] : std::vector<std::pair<Arguments, std::string>>{
            {{"--f", "0.1,0.2", "--delta", "0:1:5"},
-            "f = 0.1,0.2: must be a range first:last:count"},
-           {{"--f", "0:0.3:5", "--delta", "0.1"}, "delta = 0.1: must be a range"},
-           {{"--f", "0:0.3:5", "--delta", "0.1:0.1:5"}, "delta = 0.1:0.1:5: must be a range"},
+            "f = 0.1,0.2: must be an axis first:last:count"},
+           {{"--f", "0:0.3:5", "--delta", "0.1"}, "delta = 0.1: must be an axis"},
+           {{"--f", "0:0.3:5", "--delta", "0.1:0.1:5"}, "delta = 0.1:0.1:5: must be an axis"},
            {{"--f", "0:0.3:5", "--delta", "0:1:5", "--x0", "0,1"}, "x0 = 0,1: must be one number"},
            {{"--beta", "0.75:0.95:5"}, "design problems"},
            {{"--list", "list.csv"}, "a list"}}) {

@@ -97,8 +97,8 @@ BOOST_AUTO_TEST_CASE(a_damper_that_locks_during_its_pulse_is_reported) {
   const ProgramRun answer = succeed(
       {"design", STILLPOINT_DATA_DIR "/scenes/near_fault_pulse.json", "--html", "page.html"});
   BOOST_TEST(answer.err ==
-             "stillpoint: no notch serves: only one wider than 440.88 mm would let this pulse move "
-             "the mass, and the stroke is 34.384 mm\n"
+             "stillpoint: no notch works: only one wider than 440.88 mm would let this pulse move "
+             "the mass, but the stroke is 34.384 mm\n"
              "stillpoint: locked at x = 0 from 2.717 s of 3.5 s; the structure then feels up to "
              "0.0789 g\n");
   const std::string page = read("page.html");
@@ -186,7 +186,7 @@ BOOST_AUTO_TEST_CASE(page_for_people_says_it_in_words) {
 BOOST_AUTO_TEST_CASE(says_that_it_hardly_re_centres_and_the_unit_of_a_limit) {
   const Arguments soft("design --pulse full-sine --k 0.08 --lambda 0.8 --p 1 --beta 0.077");
   check_contains(run(soft + "--delta-max 0.005 --acceleration-max 0.12 --verbose").out,
-                 {" (EN 15129 wants 0.25)\n", " (EN 1998-2)\n", "outside the notch <= 0.12 g  "});
+                 {" (EN 15129 needs 0.25)\n", " (EN 1998-2)\n", "outside the notch <= 0.12 g  "});
 }
 
 BOOST_AUTO_TEST_CASE(says_what_makes_the_reduction_poor) {
@@ -261,9 +261,9 @@ BOOST_AUTO_TEST_CASE(the_headline_says_which_notch_brings_the_mass_back) {
 BOOST_AUTO_TEST_CASE(the_headline_says_that_no_notch_lets_the_mass_go) {
   const ProgramRun answer = run({"design", STILLPOINT_DATA_DIR "/scenes/near_fault_pulse.json"});
   const std::string text = in_one_line(answer.out);
-  check_contains(text, {"No notch serves: only one wider than 440.88 mm would let this pulse move",
+  check_contains(text, {"No notch works: only one wider than 440.88 mm would let this pulse move",
                         "the stroke is 34.384 mm.", "; 0.08 g if it holds the mass"});
-  BOOST_TEST(contains(answer.err, ": no notch serves: only one wider than 440.88 mm"), answer.err);
+  BOOST_TEST(contains(answer.err, ": no notch works: only one wider than 440.88 mm"), answer.err);
 }
 
 // A hit leaves the notch freely, and what the paper's stops at x = 0, one with a width stops in it.
@@ -326,9 +326,9 @@ const std::vector<Wrong> wrong_pulses{
     {without(asked, "--k") + "--k 2:1", {"k = 2:1", "LOW <= HIGH"}},
     {without(asked, "--lambda") + "--lambda 2:1", {"lambda = 2:1", "LOW <= HIGH"}},
     {without(asked, "--lambda") + "--lambda 0.0099",
-     {"lambda = 0.0099", "from 0.01 p to", "a longer pulse cannot be followed"}},
+     {"lambda = 0.0099", "from 0.01 p to", "a longer pulse cannot be computed"}},
     {without(asked, "--lambda") + "--lambda 1e13",
-     {"lambda = 1", "to 1e+12 p", "a shorter pulse cannot be followed"}},
+     {"lambda = 1", "to 1e+12 p", "a shorter pulse cannot be computed"}},
     {without(asked, "--p"), {"p is missing"}},
     {without(asked, "--beta"), {"beta is missing"}},
     {asked + "--v0 1", {"v0 and pulse cannot be combined"}},

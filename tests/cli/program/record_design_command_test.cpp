@@ -272,7 +272,7 @@ BOOST_FIXTURE_TEST_CASE(the_headline_says_that_an_ordinary_notch_would_hold_the_
           .out);
   check_contains(text, {"acts only after the start: with one 20 mm wide, the mass never leaves it "
                         "under the record. Try others with --notch-width-m.",
-                        " in the notch f + delta/w holds the mass throughout if w is 20 mm",
+                        " in the notch f + delta/w would hold the mass throughout if w is 20 mm",
                         " start needs a notch wider than 95."});
 }
 

@@ -182,7 +182,8 @@ BOOST_AUTO_TEST_CASE(the_edges_of_a_notch_with_a_width_are_drawn) {
   BOOST_TEST(v * v / 2 == fallen, tt::tolerance(1e-9));
   BOOST_TEST(figure(drawn, "phase").curves.front().strokes.size() == 3U);
   BOOST_TEST(contains(figure(drawn, "motion").caption, ", inside the notch, after "));
-  BOOST_TEST(figure(drawn, "phase").caption.ends_with(", but none as the hit leaves it."));
+  BOOST_TEST(figure(drawn, "phase")
+                 .caption.ends_with(", but none when the hit moves the mass out of it."));
   request.surface.notch_width = 4;  // beyond the figure on both sides
   const HtmlPage all = page_of(request);
   BOOST_TEST(!has(figure(all, "motion").areas, "notch"));

@@ -57,10 +57,11 @@ BOOST_AUTO_TEST_CASE(has_the_values_in_the_middle_of_their_cells) {
   BOOST_TEST(figure.map.key[1].hatched);
   BOOST_TEST(figure.map.labels.at(0) == "1");
   BOOST_TEST(figure.map.labels.at(sweep::SweepClass::ranges * 2) == "never starts");
-  BOOST_TEST(figure.caption ==
-             "The mass stops at x = 0 in blue areas and off centre in hatched ones, the darker the "
-             "fewer half-cycles it takes; above the line of Δ₁ it stops on the first return if it "
-             "returns at all.");
+  BOOST_TEST(
+      figure.caption ==
+      "The mass stops at x = 0 in blue areas and off centre in hatched ones; the darker, the "
+      "fewer half-cycles it takes; above the line of Δ₁ it stops on the first return if it "
+      "returns at all.");
   // The boundaries of the first return are those of the paper's notch.
   BOOST_TEST(!figure.curves.empty());
   report.spec.axes.push_back({Quantity::notch_width, sweep::Axis({0.1})});

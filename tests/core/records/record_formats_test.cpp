@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(channels_are_told_by_number) {
   const auto refusal = [](const std::string& name) {
     return refusal_of<FileError>([&] { return records::read_record(path_of(name)); });
   };
-  check_says(refusal("V2"), {"line 134: a second channel begins here, of 2 in all", "#1 to "});
+  check_says(refusal("V2"), {"line 134: the second of 2 channels begins here", "#1 to "});
   check_says(refusal("V2#3"), {"line 134: there is no channel 3", "the last is number 2"});
   check_says(refusal("ASC#2"), {"holds one record", "no channel 2"});
   check_says(refusal("V2#0"), {"V2#0: cannot be read"});

@@ -71,9 +71,9 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
     figure.curves.push_back(std::move(jumps));
   } else if (motion.surface.notch_width) {
     const State& start = states.front();
-    figure.caption =
-        fmt::format("The notch takes energy over its width{}.",
-                    start.x == 0 && start.v != 0 ? ", but none as the hit leaves it" : "");
+    figure.caption = fmt::format(
+        "The notch takes energy over its width{}.",
+        start.x == 0 && start.v != 0 ? ", but none when the hit moves the mass out of it" : "");
   } else {
     figure.caption = !motion.surface.zones.empty() ? "The curve bends where the friction changes."
                      : motion.rest && !long_one    ? "The curve ends where friction holds the mass."

@@ -173,7 +173,7 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
   const bool bounded = std::isfinite(design::largest_delta_allowed(drawn.limits));
   figure.caption =
       drawn.intervals.empty()
-          ? "At no f does the mass return to x = 0 and meet the limits."
+          ? "With every f the mass misses x = 0 or violates a limit."
           : format(
                 "{}{}.", region_clause(drawn.damper, drawn.region, drawn.limits, units),
                 bounded ? "" : "; nothing bounds Δ from above, because the mass starts from rest");

@@ -115,9 +115,9 @@ std::string caption(const ClassCounts& counts, bool loaded, const std::string& p
       : off     ? "The mass stops off centre in every hatched area"
                 : "";
   if (words.empty()) {
-    return "No motion stops that has started";
+    return "No mass that moves comes to rest";
   }
-  return words + ", the darker the fewer half-cycles it takes" +
+  return words + "; the darker, the fewer half-cycles it takes" +
          (centred && loaded ? format("; a rest {} while the load goes on is a lock", place) : "");
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a damper serves and what practice asks of it, dimensionless.
+// What a damper works for, and the figures used in practice, dimensionless.
 #include "json/parts.hpp"
 
 namespace stillpoint::report {

@@ -48,7 +48,7 @@ class ConstantFriction {
     return {p_, f_, phi_, u};
   }
 
-  /// Whether the notch has a capacity, so that no rest there is final while the load goes on.
+  /// Whether the notch lets go at some load, so that no rest there is final while the load goes on.
   [[nodiscard]] bool lets_go() const { return lets_go_; }
   [[nodiscard]] bool at_notch(const Real& u) const { return lets_go_ && u == 0; }
   /// The load that it holds besides friction, h / p.

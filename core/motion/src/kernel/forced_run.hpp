@@ -225,7 +225,7 @@ class ForcedRun {
     watch_crossing(*last);
   }
 
-  /// Where the motion sets off or goes on, in its own direction.
+  /// Where the motion begins or continues, in its own direction.
   [[nodiscard]] Sliding<Real> own_direction(const Real& w) const {
     const Real sign(s_.direction);
     const Real y = sign * s_.u;

@@ -50,7 +50,7 @@ struct ForcedState {
   Real farthest{0};                   ///< largest |u| at events
   Real acceleration{0};               ///< largest |x''| / p
   std::optional<Real> arrival_speed;  ///< at the last arrival at x = 0
-  bool left_notch_from_rest{false};   ///< rule 4: set off from x = 0, v = 0 although Delta > 0
+  bool left_notch_from_rest{false};   ///< rule 4: left x = 0 from rest although Delta > 0
   Transmitted<Real> transmitted;
   TippingMargin<Real> margin;
 };

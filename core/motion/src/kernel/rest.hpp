@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The mass at rest under a load, and how it sets off: rule 2 of docs/forced.md section 1. Symbols
-// as in forced_run.hpp.
+// The mass at rest under a load, and how it begins to move: rule 2 of docs/forced.md section 1.
+// Symbols as in forced_run.hpp.
 
 #include "kernel/exact_sum.hpp"
 #include "kernel/forced_state.hpp"

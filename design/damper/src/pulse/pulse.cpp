@@ -17,7 +17,7 @@ void require_followed(double lambda, double p) {
     throw InputError(
         "lambda", lambda,
         fmt::format("must be from {:g} p to {:g} p (p = {}): a {} pulse cannot be "
-                    "followed",
+                    "computed",
                     1 / slowest_pulse, fastest_pulse, p, lambda < p ? "longer" : "shorter"));
   }
 }
@@ -33,7 +33,8 @@ void require_valid(const PulseProblem& problem, const Limits& limits) {
   require_within("k", k, smallest_speed, largest_speed);
   if (k_low == 0) {
     throw InputError(
-        "k", 0, "must be more than 0: a pulse hardly stronger than f leaves the mass off centre");
+        "k", 0,
+        "a range must begin above 0: a pulse hardly stronger than f leaves the mass off centre");
   }
   require_within("k", k_low, smallest_speed, k);
   require_within("p", problem.p, smallest_speed, largest_speed);

@@ -120,12 +120,12 @@ std::string reason_of(const Region& found, const PulseRegion& region, const Puls
           "back to x = 0 needs f <= {:.6g}{}",
           amplitude.islands().front().low * k, amplitude.islands().back().high * k, box);
     case Conflict::limit_alone:
-      return fmt::format("no f that returns keeps the {} within {:.6g}{}{}", kind->quantity, limit,
-                         kind->unit, box);
+      return fmt::format("no f brings the mass back and keeps the {} within {:.6g}{}{}",
+                         kind->quantity, limit, kind->unit, box);
     case Conflict::amplitude_against_limit:
       return kind->figure ? fmt::format(
-                                "amplitude and {} conflict: no f that returns keeps both the peak "
-                                "within beta and the {} within {:.6g}{}{}",
+                                "amplitude and {} conflict: no f brings the mass back and keeps "
+                                "the peak within beta and the {} within {:.6g}{}{}",
                                 kind->constraint, kind->quantity, limit, kind->unit, box)
                           : fmt::format(
                                 "amplitude and {} conflict: a peak within beta needs f >= {:.6g}, "

@@ -35,7 +35,7 @@ void require_range(const char* field, const Interval& range, double low, double 
   require_within(field, range.high, low, high);
   if (range.high < range.low) {
     throw InputError(field, fmt::format("{}:{}", range.low, range.high),
-                     "must have its low end first");
+                     "must have the lower end first");
   }
 }
 

@@ -35,7 +35,7 @@ void shape_box(Limits& limits, const std::optional<Spread>& of_f,
   const double most = std::max({f.below, f.above, delta.below, delta.above});
   if (!(most > 0)) {
     throw InputError(of_f ? "tolerance-f" : "tolerance-delta", 0.0,
-                     "must be above 0 where no other tolerance is");
+                     "must be above 0 if there is no other tolerance");
   }
   limits.tolerance = most;
   limits.shape = {f.below / most, f.above / most, delta.below / most, delta.above / most};

@@ -14,7 +14,7 @@ namespace stillpoint::design {
 RegionAnswer answer(const RegionRequest& request) {
   const auto& [problem, limits, f, delta, pulse, ranges] = request;
   if (delta && !f) {
-    throw InputError::missing("f", "delta alone is not a point of the region: give f as well");
+    throw InputError::missing("f", "delta alone is not a damper: give f as well");
   }
   if (pulse) {
     return answer_under_pulse(request);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The hits and the springs that a damper serves, docs/theory.md (35) to (38). In speeds:
+// The hits and the springs that a damper works for, docs/theory.md (35) to (38). In speeds:
 // phi = f/p, d = 2 Delta.
 
 #include <stillpoint/design/works_for.hpp>
@@ -100,7 +100,7 @@ WorksFor works_for(const Way& way, double f, double delta) {
   return served;
 }
 
-/// The ranges, extended as far as the damper serves them, one end after the other.
+/// The ranges, extended as far as the damper works for them, one end after the other.
 WorksFor served_ranges(const Problem& problem, const Limits& limits, double f, double delta) {
   const auto grown = [&](double from, double to, const auto& set) {
     return *nearest_fit(from, to, [&](double value) {

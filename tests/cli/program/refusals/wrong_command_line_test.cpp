@@ -32,7 +32,7 @@ const std::vector<Wrong> command_lines{
     {design("--json=maybe"), {"--json = maybe", "takes no value"}},
     {design("-v0 2"), {"-v0: an option begins with two dashes: --v0"}},
     {design("--stroke 2"), {"--stroke: unknown option; did you mean --max-displacement?"}},
-    {design("--f 0.2"), {"--f: is not an option of design", "region rates a given damper"}},
+    {design("--f 0.2"), {"--f: is not an option of design", "region judges a given damper"}},
     {simulate("--pulse half-sine"), {"--pulse", "simulate", "a motion takes --excitation"}},
     {"design --velocity 400 mm/s", {"mm/s: a unit must follow its number without a space: 1mm/s"}},
     {"design old.json old.json", {"old.json", "only one scene"}},

@@ -64,7 +64,7 @@ const std::vector<Wrong> values{
     {design("--acceleration-max 1m/s2"),
      {"acceleration-max = \"1m/s2\": must be a number in g, with or without the unit g"}},
     {"design --pulse half-sine --k 0.5 --pulse-duration 700 --period 2.8 --max-displacement 1",
-     {"pulse-duration = 700 s: must be at most 140 s: a longer pulse cannot be followed"}},
+     {"pulse-duration = 700 s: must be at most 140 s: a longer pulse cannot be computed"}},
     {"design --pulse full-sine --k 0.5 --excitation-frequency 0.001 --period 2.5"
      " --max-displacement 1",
      {"excitation-frequency = 0.001 Hz: must be at least 0.004 Hz: a longer pulse"}},

@@ -76,7 +76,7 @@ const std::vector<Wrong> scenes{
      {R"(record = ["a","b"]: must be one path)"},
      R"({"record": ["a", "b"], "period": 1, "f": 0.1, "delta_m": 0})"},
     {"region -",
-     {"velocity is missing: only design, simulate, spectrum and sweep take records"},
+     {"velocity is missing: only design, simulate, spectrum, sweep and accuracy take records"},
      R"({"record": ["a", "b"], "period": 1})"},
     {"simulate -",
      {"line 1, column 2: excitation = {}: must be a string, or an object with a \"type\""},

@@ -27,7 +27,7 @@ using Harmonic = BasicHarmonic<double>;
 // straight from one part of k to another. What computes with it follows from these; a load with
 // another law also needs its load_at here and its part of src/kernel.
 
-/// The parts of k at the begin and at the end.
+/// The load at the beginning and at the end, as parts of k.
 struct PulseLine {
   double begin;
   double end;

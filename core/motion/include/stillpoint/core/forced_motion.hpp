@@ -60,7 +60,7 @@ struct ForcedResponse : Response {
                                              const ForcedOptions& options = {},
                                              const Surface& surface = {});
 
-/// As for a Response; for a motion that has not ended it says where the mass is.
+/// As for a Response; for a motion that is still running it says where the mass is.
 [[nodiscard]] std::string summary(const ForcedResponse& response);
 
 /// The input of a forced run: what require_valid says of each part, and

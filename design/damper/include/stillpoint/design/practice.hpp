@@ -29,8 +29,8 @@ struct Practice {
   std::optional<double> notch_width_min;
 };
 
-/// What sets the mass off: a hit, which leaves the notch freely, or a load, which moves it from
-/// rest.
+/// What moves the mass: a hit, after which it leaves the notch freely, or a load, which moves it
+/// from rest.
 enum class SetOff { hit, load };
 
 /// For a motion with that response. Empty if nothing moves.

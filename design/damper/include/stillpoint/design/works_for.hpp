@@ -7,14 +7,14 @@
 
 namespace stillpoint::design {
 
-/// Both ends included: they are the last doubles for which the damper still serves. Without `high`
+/// Both ends included: they are the last doubles for which the damper still works. Without `high`
 /// there is no upper bound.
 struct ServedInterval {
   double low{0};
   std::optional<double> high;
 };
 
-/// What a damper as built serves.
+/// What a damper as built works for.
 struct WorksFor {
   ServedInterval v0;  ///< with p as given; always has a `high`
   ServedInterval p;   ///< with v0 as given

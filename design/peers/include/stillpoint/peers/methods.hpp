@@ -27,7 +27,7 @@ inline constexpr std::int64_t any_effort = std::numeric_limits<std::int64_t>::ma
 
 /// The model without events: sgn v becomes tanh(v / e), dirac(x) a bump, both `width` wide as a
 /// part of `size`, and dopri5 integrates it with the tolerance width / 1000. Below 3 e the mass
-/// counts as at rest. It knows no hold.
+/// counts as at rest. It has no hold.
 [[nodiscard]] Result regularised(const Scene& scene, double width, const Size& size = {},
                                  std::int64_t most = usual_effort);
 
