@@ -41,11 +41,11 @@ bool given(const Settings& settings, const SweepSpec& spec, Quantity quantity) {
 }
 
 /// Options made dimensionless by a length that a physical sweep does not have, with rivals in
-/// metres, seconds or hertz.
+/// metres, seconds or hertz. The factor on a record depends on no unit.
 void refuse_dimensionless(const Settings& settings) {
   const Option* const plain = settings.first([](const Option& option) {
     return option.kind == OptionKind::number && option.traits.dimension == Dimension::none &&
-           !physical_rivals(option).empty();
+           option.traits.rivals != Rivals::record_scale && !physical_rivals(option).empty();
   });
   if (plain != nullptr) {
     throw UsageError(fmt::format("{} is dimensionless: with physical input give --{}", plain->name,

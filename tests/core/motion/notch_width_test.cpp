@@ -115,6 +115,10 @@ BOOST_AUTO_TEST_CASE(a_zone_without_friction_about_zero_leaves_a_motion_that_nev
   // Each turn is beyond the edge by about half as much as the one before it: f = p^2 L/4.
   const Surface zone{{}, {{0.1, 0}}};
   BOOST_TEST(run({2, 0.1, 0}, zone, {0, 1}).outcome == Outcome::never_stops);
+  const ForcedResponse from_rest = run({2, 0.1, 0}, zone, {0.05, 0});
+  BOOST_TEST((from_rest.outcome == Outcome::never_stops));
+  BOOST_TEST(from_rest.peak_acceleration == 4 * 0.05);
+  BOOST_TEST(from_rest.peak_absolute_acceleration == 4 * 0.05);
 }
 
 BOOST_AUTO_TEST_CASE(friction_alone_does_not_lock) {

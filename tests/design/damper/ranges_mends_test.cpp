@@ -59,6 +59,25 @@ BOOST_AUTO_TEST_CASE(an_unattainable_tolerance_is_reported_with_the_largest_one)
   BOOST_TEST(std::abs(one_hit->f - (f3 + 0.225) / 2) < more);
 }
 
+// The tip of the first strip, where the mass rests r before x = 0, is where 8 f^2 = 1 + 6 r f - r^2
+// (V0 = p = 1). Its f over 1 + R and f2 over 1 - R leave a part of 1e-10 here: far more than
+// rounding.
+BOOST_AUTO_TEST_CASE(a_narrow_interval_of_f_below_a_tip_has_a_damper) {
+  constexpr double tolerance = 0.1;
+  constexpr double beyond = 1e-10;
+  for (int i = 0; i < 50; ++i) {
+    const double r = 0.01 + 1e-4 * i;
+    const double tip = (3 * r + std::sqrt(r * r + 8)) / 8;
+    const double f2 = tip * (1 - tolerance) / (1 + tolerance);
+    const double beta = std::hypot(f2, 1) - f2;
+    for (const double part : {-beyond, beyond}) {
+      Problem problem{1, 1, beta * (1 + part)};
+      problem.residual = r;
+      BOOST_TEST(admissible_region(problem, {.tolerance = tolerance}).feasible == (part > 0));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_mend_is_the_nearest_that_helps) {
   int mended = 0;
   for (int i = 0; i < 60 && mended < 60; ++i) {

@@ -127,8 +127,12 @@ void slide_to_rest(Run& run, Drive& drive) {
     run.slide_to_turn(drive);
     run.settle();
     if (!run.over() && run.law().frictionless_up_to(run.state().u)) {
-      run.state().mode = ForcedMode::over;
-      run.state().outcome = Outcome::never_stops;
+      auto& s = run.state();
+      s.mode = ForcedMode::over;
+      s.outcome = Outcome::never_stops;
+      // A mass that starts at rest has not felt yet what it will feel at every turn.
+      s.acceleration = std::max(s.acceleration, magnitude(s.u));
+      s.transmitted.slides(s.u, decltype(s.u)(0));
     }
     if (!run.over()) {
       require_few_passages(run);

@@ -57,9 +57,12 @@ bool PulseRegion::feasible() const {
 double PulseRegion::widest_by_edges(const Island& island, double f) const {
   // A side of the box that does not move allows any tolerance.
   const auto along = [](double room, double side) { return side > 0 ? room / side : HUGE_VAL; };
+  // The least f that is examined stands for all below it.
+  const double examined = profile_->samples().front().f * (1 + edge_rounding);
+  const double low = island.low > examined ? island.low : 0;
   return f < island.low || f > island.high
              ? 0
-             : std::min({most_tolerance(), along((f - island.low) / f, shape_.f_low),
+             : std::min({most_tolerance(), along((f - low) / f, shape_.f_low),
                          along((island.high - f) / f, shape_.f_high)});
 }
 

@@ -86,16 +86,21 @@ std::optional<WayPoint> any_point(const Way& way) {
   if (!all) {
     return std::nullopt;
   }
-  const double f = roomiest_f(way, scanned_f(way, *all));
-  const WayPoint roomiest{f, best_delta(way, f, BestDelta::middle)};
-  // If the tolerance is only just allowed, only the corner of the caps is left.
-  const WayPoint corner{all->high, highest_centre(way.delta_cap, t * way.limits.shape.delta_high)};
-  for (const WayPoint& point : {roomiest, corner}) {
-    if (admissible(way, point.f, point.delta)) {
-      return point;
-    }
+  const auto fits = [&](double f, double delta) {
+    return admissible(way, f, delta) ? std::optional(WayPoint{f, delta}) : std::nullopt;
+  };
+  const auto at = [&](double f) { return fits(f, best_delta(way, f, BestDelta::middle)); };
+  if (const auto roomiest = at(roomiest_f(way, scanned_f(way, *all)))) {
+    return roomiest;
   }
-  return std::nullopt;
+  // If the tolerance is only just allowed, only the corner of the caps is left, or, where the tip
+  // is a root, what is off its last digits.
+  constexpr double few_ulps = 4e-15;
+  const double delta = highest_centre(way.delta_cap, t * way.limits.shape.delta_high);
+  if (const auto corner = fits(all->high, delta)) {
+    return corner;
+  }
+  return at(std::max(std::midpoint(all->low, all->high), all->high * (1 - few_ulps)));
 }
 
 namespace {

@@ -163,6 +163,16 @@ BOOST_AUTO_TEST_CASE(the_tolerance_asked_for_decides) {
   BOOST_TEST(!at(task, 0.175, 0.49).admissible.value());
 }
 
+// With f -> 0 the mass arrives with w^2/2 = 2 k^2/p^2 = 0.5, and half of a Delta of 1 stops it. No
+// f is too small for that, so no box is too wide for f, however near to 0 it is.
+BOOST_AUTO_TEST_CASE(the_least_f_that_is_examined_bounds_no_box) {
+  for (const double f : {1e-12, 4e-10, 6e-10, 1e-9, 1e-8}) {
+    BOOST_TEST_CONTEXT("f = " << f) {
+      BOOST_TEST(at(half_period(1.1), f, 1).tolerance.value() == 0.5, tt::tolerance(1e-6));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(is_that_of_the_design_which_is_admissible_in_it) {
   RandomSource random(20261123);
   int feasible = 0;

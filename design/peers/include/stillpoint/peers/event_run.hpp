@@ -82,12 +82,13 @@ double bracketed_root(const Function& function, double from, double to) {
 }
 
 /// The same by Newton's method kept within the bracket, for methods whose states within a step cost
-/// as much as a step: `function` gives the value and its rate.
+/// as much as a step: `function` gives the value and its rate. Boost's method trusts the direction
+/// of the rate, so a value that moves away from 0 at first is left to bisection.
 template <class Function>
 double newton_root(const Function& function, double from, double to) {
   const auto [at_from, rate_from] = function(from);
   const auto [at_to, rate_to] = function(to);
-  if (!(at_from * at_to < 0)) {
+  if (!(at_from * at_to < 0 && at_from * rate_from < 0)) {
     return bracketed_root([&](double t) { return function(t).first; }, from, to);
   }
   std::uintmax_t most_evaluations = 50;
