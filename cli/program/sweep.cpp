@@ -76,7 +76,7 @@ report::ReductionReport reduction_report(const SweepSpec& spec) {
     return *std::move(found);
   }
   sweep::Reducer reducer(spec);
-  sweep::NoRows none;
+  sweep::RowSink none;
   const SweepSummary summary = run_watched(spec, none, nullptr, &reducer);
   require_complete(summary, none);
   return report::reduction_report(spec, summary, reducer.result());

@@ -138,7 +138,7 @@ bool is_small(const sweep::SweepSpec& spec) {
 
 void compute(report::SweepReport report, const Settings& settings) {
   const sweep::SweepSpec& spec = report.spec;
-  sweep::NoRows rows;
+  sweep::RowSink rows;
   if (spec.reduction) {
     sweep::Reducer reducer(spec);
     const auto summary = sweep::run(spec, rows, {{}, {}, nullptr, &reducer});

@@ -78,7 +78,7 @@ struct SweepSpec {
   std::string identity{"{}"};
 };
 
-/// The number of entries of a grid; empty for a list. Throws InputError above 1e15.
+/// The number of entries; empty for a list that was not counted. Throws InputError above 1e15.
 [[nodiscard]] std::optional<std::int64_t> entries(const SweepSpec& spec);
 
 /// The entries to compute: all, or those of the part. For a list that is not split the count is
