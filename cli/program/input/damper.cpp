@@ -57,15 +57,14 @@ Task read_task(const Settings& settings, Command command) {
       {.tolerance = settings.number("tolerance").value_or(0)},
       motion.physical};
   for (const design::LimitKind& kind : design::limit_kinds()) {
-    task.limits.*kind.value =
-        kind.in_metres.empty()
-            ? settings.number(records::hyphened(kind.field))
-            : point_friction(settings, records::hyphened(kind.field),
-                             records::hyphened(kind.in_metres), motion.physical, smallest_limit);
+    const std::string name = records::hyphened(kind.field);
+    task.limits.*kind.value = kind.in_metres.empty()
+                                  ? settings.number(name)
+                                  : point_friction(settings, name, motion.physical, smallest_limit);
   }
   task.problem.v0_low = motion.v0_low;
   task.problem.p_high = motion.p_high;
-  task.problem.residual = point_friction(settings, "residual", "residual-m", motion.physical);
+  task.problem.residual = point_friction(settings, "residual", motion.physical);
   shape_box(settings, task.limits);
   return task;
 }
@@ -129,8 +128,7 @@ answers::RegionTask region_input(const Settings& settings) {
   const Task given = read_task(settings, Command::region);
   const std::optional<design::Pulse> pulse = pulse_input(settings, given.physical);
   return {{given.problem, given.limits, settings.number("f"),
-           point_friction(settings, "delta", "delta-m", given.physical), pulse,
-           pulse_ranges(settings, pulse)},
+           point_friction(settings, "delta", given.physical), pulse, pulse_ranges(settings, pulse)},
           given.physical,
           catalogue(settings, given)};
 }

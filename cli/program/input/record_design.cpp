@@ -15,7 +15,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <numbers>
 #include <string_view>
 
 namespace stillpoint::cli {
@@ -40,7 +39,7 @@ std::optional<Interval> search_range(const Settings& settings, const char* name)
 MotionInput suite_motion(const Settings& settings, const std::optional<Interval>& periods) {
   Settings whole = settings;
   if (periods && settings.given(Rivals::stiffness) == nullptr) {
-    whole.set(*find_option("period"), periods->high);
+    whole.set("period", periods->high);
   }
   return motion_input(whole, Command::design, true);
 }
@@ -80,21 +79,20 @@ report::RecordDesignInput record_design_input(const Settings& settings) {
   request.p = {start.p, start.p};
   if (periods) {
     records::require_physical("search-period", Dimension::time, periods->low);
-    const double tau = start.physical->scales.time_s;
-    request.p = {2 * std::numbers::pi * tau / periods->high,
-                 2 * std::numbers::pi * tau / periods->low};
+    const design::Scales& scales = start.physical->scales;
+    request.p = {scales.p_of(periods->high), scales.p_of(periods->low)};
   }
   request.f = search_range(settings, "search-f");
   request.f_max = settings.number("f-max");
   if (const auto range = search_range(settings, "search-delta-m")) {
     request.delta = Interval{range->low / length, range->high / length};
   }
-  request.delta_max = point_friction(settings, "delta-max", "delta-max-m", start.physical);
+  request.delta_max = point_friction(settings, "delta-max", start.physical);
   request.objective = objective_of(settings, request.objective, " under records");
   request.combine = settings.named<design::Combine>("combine");
-  request.limits = {in_either(settings, "beta", "max-displacement", length, smallest_physical),
+  request.limits = {in_either(settings, "beta", length, smallest_physical),
                     settings.number("acceleration-max"),
-                    in_either(settings, "residual", "residual-m", length, 0)};
+                    in_either(settings, "residual", length, 0)};
   request.hold = settings.number("hold");
   request.notch_width = notch_width(settings, start.physical);
   request.tolerance = settings.number("tolerance").value_or(request.tolerance);

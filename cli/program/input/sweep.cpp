@@ -72,7 +72,7 @@ std::optional<SweepUnits> units(const Settings& settings) {
   if (const auto pulse = settings.known("pulse")) {
     units.pulse_angle = find_excitation_kind(*pulse)->angle;
     units.pulse_clock =
-        settings.has("pulse-duration") ? sweep::PulseClock::duration : sweep::PulseClock::frequency;
+        settings.has("pulse-duration") ? design::WaveClock::duration : design::WaveClock::frequency;
   }
   return units;
 }
@@ -207,9 +207,9 @@ void resolve_part(Settings& settings) {
   }
   const sweep::SweepPart part =
       sweep::asked_part(*asked, [](const char* name) { return std::getenv(name); });
-  settings.set(*find_option("part"), text(part));
+  settings.set("part", text(part));
   if (const auto output = settings.text("output")) {
-    settings.set(*find_option("output"), sweep::with_part(*output, part));
+    settings.set("output", sweep::with_part(*output, part));
   }
 }
 

@@ -81,7 +81,7 @@ Option row(std::string_view name, OptionKind kind, std::string_view placeholder,
 
 /// An input that a sweep varies, without a unit and with one, and a single number with a unit.
 OptionTraits plain_axis(Rivals rivals, RangeEnd range = RangeEnd::none) {
-  return {.sweeps = true, .rivals = rivals, .units = Units::dimensionless, .range = range};
+  return {.axis = sweep, .rivals = rivals, .units = Units::dimensionless, .range = range};
 }
 OptionTraits in_si(Dimension dimension, Rivals rivals = Rivals::none,
                    RangeEnd range = RangeEnd::none) {
@@ -89,7 +89,7 @@ OptionTraits in_si(Dimension dimension, Rivals rivals = Rivals::none,
 }
 OptionTraits axis_in_si(Rivals rivals, Dimension dimension, RangeEnd range = RangeEnd::none) {
   OptionTraits traits = in_si(dimension, rivals, range);
-  traits.sweeps = true;
+  traits.axis = sweep;
   return traits;
 }
 /// For only one of the two kinds of design: for a hit, or under records.
@@ -145,8 +145,7 @@ std::vector<Option> rows() {
       row("period", number, "S", physical,
           "natural period without friction in s; for spectrum, first:last:count",
           in_metres | spectrum,
-          {.sweeps = true,
-           .axis_of_spectrum = true,
+          {.axis = sweep | spectrum,
            .rivals = Rivals::stiffness,
            .units = Units::physical,
            .dimension = Dimension::time,
@@ -167,16 +166,16 @@ std::vector<Option> rows() {
 
       row("f", number, "F", damper, "constant friction coefficient",
           region | motions | sweep | spectrum,
-          {.sweeps = true, .instead = "region rates a given damper"}),
+          {.axis = sweep, .instead = "region rates a given damper"}),
       row("delta", number, "D", damper, "point friction", region | motions | sweep,
-          {.sweeps = true, .rivals = Rivals::point_friction}),
+          {.axis = sweep, .rivals = Rivals::point_friction}),
       row("delta-m", number, "M", damper, "point friction in m, with physical input",
           region | motions | sweep | spectrum,
           axis_in_si(Rivals::point_friction, Dimension::length)),
       row("hold", number, "H", damper,
           "load that the notch holds at x = 0 besides f, in g; default: any load",
           of_suites | of_excitations,
-          {.sweeps = true, .rivals = Rivals::notch, .dimension = Dimension::gravities}),
+          {.axis = sweep, .rivals = Rivals::notch, .dimension = Dimension::gravities}),
       row("notch-width", number, "W", damper,
           "width of the notch, friction f + delta/W for |x| < W/2; default: it acts only at x = 0",
           design | of_excitations, plain_axis(Rivals::notch)),
@@ -190,7 +189,7 @@ std::vector<Option> rows() {
           for_hits({.values = names<design::Criterion>(), .first_is_default = true})),
       row("arrivals", integer, "N", damper,
           "stop at x = 0 by the N-th arrival, from 1 to 1000; default 1", of_designs,
-          for_hits({.sweeps = true, .bounds = {1, design::most_arrivals}})),
+          for_hits({.axis = sweep, .bounds = {1, design::most_arrivals}})),
       row("residual", number, "R", damper, "a rest with |x| up to R is admissible too", of_designs,
           plain_axis(Rivals::residual)),
       row("residual-m", number, "M", damper, "the same in m, with physical input", of_designs,
@@ -259,7 +258,7 @@ std::vector<Option> rows() {
            .instead = "a design takes --pulse"}),
       row("k", number, "K", shaking, "peak of the excitation or pulse in g", of_waves,
           of(Load::wave,
-             {.sweeps = true, .dimension = Dimension::gravities, .range = RangeEnd::high})),
+             {.axis = sweep, .dimension = Dimension::gravities, .range = RangeEnd::high})),
       row("excitation-frequency", number, "HZ", shaking,
           "with physical input: the frequency in Hz; for a pulse, that of its sine", of_waves,
           of(Load::wave, axis_in_si(Rivals::frequency, Dimension::frequency, RangeEnd::low))),
@@ -270,7 +269,7 @@ std::vector<Option> rows() {
           "dimensionless angular frequency, L/p times the natural one; half-sine and rectangle "
           "last pi/L, full-sine 2 pi/L",
           of_waves,
-          of(Load::wave, {.sweeps = true, .rivals = Rivals::frequency, .range = RangeEnd::low})),
+          of(Load::wave, {.axis = sweep, .rivals = Rivals::frequency, .range = RangeEnd::low})),
       row("phase", number, "PHI", shaking, "for a harmonic, W = K sin(L tau + PHI); default 0",
           of_excitations, of(Load::harmonic, {.instead = "only a harmonic has a phase"})),
       row("excitation-duration", number, "S", shaking,

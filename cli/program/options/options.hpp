@@ -119,8 +119,7 @@ struct InPython {
 
 /// Traits that most options leave at their defaults.
 struct OptionTraits {
-  bool sweeps{false};            ///< a number, but in a sweep an axis
-  bool axis_of_spectrum{false};  ///< the same for a spectrum
+  CommandSet axis{};  ///< where a number is an axis
   Rivals rivals{Rivals::none};
   Units units{Units::any};
   Dimension dimension{Dimension::none};
@@ -155,18 +154,15 @@ struct Option {
 
   [[nodiscard]] bool serves(Command command) const { return commands.has(command); }
   [[nodiscard]] OptionKind kind_in(Command command) const {
-    return (traits.sweeps && command == Command::sweep) ||
-                   (traits.axis_of_spectrum && command == Command::spectrum)
-               ? OptionKind::axis
-               : kind;
+    return traits.axis.has(command) ? OptionKind::axis : kind;
   }
   [[nodiscard]] bool repeats_in(Command command) const {
-    const bool takes_suite = command == Command::design || command == Command::spectrum;
-    return traits.repeats && (takes_suite || traits.file == FileUse::none);
+    return traits.repeats &&
+           (traits.file == FileUse::none || (Command::design | Command::spectrum).has(command));
   }
   [[nodiscard]] bool takes_range_in(Command command) const {
     return traits.range != RangeEnd::none &&
-           (command == Command::design || command == Command::region || command == Command::sweep);
+           (Command::design | Command::region | Command::sweep).has(command);
   }
   [[nodiscard]] bool shapes(Load load) const {
     return traits.load != Load::none &&

@@ -174,7 +174,7 @@ std::unique_ptr<Sweep> run_sweep(const py::object& scene, const py::kwargs& opti
   Settings given = settings(Command::sweep, scene, options);
   const bool in_memory = !given.has("output");
   if (in_memory && !given.flag("reduce")) {
-    given.set(*cli::find_option("format"), std::string("npy"));
+    given.set("format", std::string("npy"));
   }
   std::unique_ptr<Sweep> found = with_places(given, [&] {
     cli::resolve_part(given);
