@@ -21,6 +21,8 @@ struct Task {
   design::Problem problem;
   design::Limits limits;
   std::optional<design::PhysicalInput> physical;
+  std::optional<design::Pulse> pulse{};
+  design::PulseRanges ranges{};
 };
 
 /// The stroke beta. Says in `motion` what it is in metres.
@@ -66,6 +68,8 @@ Task read_task(const Settings& settings, Command command) {
   task.problem.p_high = motion.p_high;
   task.problem.residual = point_friction(settings, "residual", motion.physical);
   shape_box(settings, task.limits);
+  task.pulse = pulse_input(settings, task.physical);
+  task.ranges = pulse_ranges(settings, task.pulse);
   return task;
 }
 
@@ -111,12 +115,11 @@ design::Objective objective(const Settings& settings) {
 answers::DesignTask design_input(const Settings& settings) {
   require_options_for(settings, DesignFor::hit);
   const Task given = read_task(settings, Command::design);
-  const std::optional<design::Pulse> pulse = pulse_input(settings, given.physical);
   answers::DesignTask task{{given.problem,
                             given.limits,
                             {objective(settings), settings.text("algorithm")},
-                            pulse,
-                            pulse_ranges(settings, pulse)},
+                            given.pulse,
+                            given.ranges},
                            given.physical};
   task.notch = notch_shape(settings, given);
   task.catalogue = catalogue(settings, given);
@@ -126,9 +129,8 @@ answers::DesignTask design_input(const Settings& settings) {
 
 answers::RegionTask region_input(const Settings& settings) {
   const Task given = read_task(settings, Command::region);
-  const std::optional<design::Pulse> pulse = pulse_input(settings, given.physical);
   return {{given.problem, given.limits, settings.number("f"),
-           point_friction(settings, "delta", given.physical), pulse, pulse_ranges(settings, pulse)},
+           point_friction(settings, "delta", given.physical), given.pulse, given.ranges},
           given.physical,
           catalogue(settings, given)};
 }

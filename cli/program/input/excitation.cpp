@@ -3,10 +3,10 @@
 
 #include "input/motion.hpp"
 #include "input/record.hpp"
-#include "options/excitation_kinds.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/design/excitation_kinds.hpp>
 #include <stillpoint/design/wave_clock.hpp>
 
 #include <fmt/format.h>
@@ -22,11 +22,15 @@ std::optional<double> time_unit(const Physical& physical) {
   return physical ? std::optional(physical->scales.time_s) : std::nullopt;
 }
 
+Load load_of(const design::ExcitationKind& kind) {
+  return kind.wave == nullptr ? Load::record : kind.angle == 0 ? Load::harmonic : Load::pulse;
+}
+
 /// Throws UsageError if an option of an excitation is set that `kind` does not take; null takes
 /// none.
-void refuse_others(const Settings& settings, const ExcitationKind* kind) {
+void refuse_others(const Settings& settings, const design::ExcitationKind* kind) {
   const Option* const wrong = settings.first([&](const Option& option) {
-    return option.traits.load != Load::none && (kind == nullptr || !option.shapes(kind->load));
+    return option.traits.load != Load::none && (kind == nullptr || !option.shapes(load_of(*kind)));
   });
   if (wrong != nullptr) {
     throw UsageError(
@@ -46,7 +50,7 @@ design::WaveClock wave_clock(const Option& clock) {
 }
 
 /// The angular frequency, however it was given. tau is the time over `time_s`.
-double lambda(const Settings& settings, const ExcitationKind& kind,
+double lambda(const Settings& settings, const design::ExcitationKind& kind,
               const std::optional<double>& time_s) {
   if (const Option* const clock = with_unit(settings, "lambda")) {
     const double given = *settings.number(clock->name);
@@ -62,7 +66,7 @@ double lambda(const Settings& settings, const ExcitationKind& kind,
 }
 
 /// `what` in messages: "excitation" or "pulse".
-Harmonic wave(const Settings& settings, std::string_view what, const ExcitationKind& kind,
+Harmonic wave(const Settings& settings, std::string_view what, const design::ExcitationKind& kind,
               const std::optional<double>& time_s) {
   Harmonic wave;
   wave.k = settings.required("k", fmt::format("give --k, the peak of the {} in g", what));
@@ -74,7 +78,7 @@ Harmonic wave(const Settings& settings, std::string_view what, const ExcitationK
 
 /// The largest length of a pulse, as the option that gives it has it: its bound in lambda would
 /// tell the user nothing.
-void require_followed(const Settings& settings, const ExcitationKind& kind,
+void require_followed(const Settings& settings, const design::ExcitationKind& kind,
                       const Physical& physical) {
   const Option* const clock = with_unit(settings, "lambda");
   if (clock == nullptr) {
@@ -126,7 +130,7 @@ std::optional<std::string> excitation_type(const Settings& settings) {
 std::optional<ExcitationInput> excitation_input(const Settings& settings, const Physical& physical,
                                                 std::optional<double> p) {
   const auto type = excitation_type(settings);
-  const ExcitationKind* const kind = type ? find_excitation_kind(*type) : nullptr;
+  const design::ExcitationKind* const kind = type ? design::find_excitation_kind(*type) : nullptr;
   refuse_others(settings, kind);
   if (kind == nullptr) {
     return std::nullopt;
@@ -173,7 +177,7 @@ void require_no_pulse_options(const Settings& settings) {
 
 std::optional<design::Pulse> pulse_input(const Settings& settings, const Physical& physical) {
   if (const auto type = settings.known("pulse")) {
-    const ExcitationKind& kind = *find_excitation_kind(*type);
+    const design::ExcitationKind& kind = *design::find_excitation_kind(*type);
     require_followed(settings, kind, physical);
     return kind.pulse(wave(settings, "pulse", kind, time_unit(physical)));
   }

@@ -6,11 +6,10 @@
 #include "options/scene.hpp"
 
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/record_file.hpp>
 #include <stillpoint/report/version.hpp>
+#include <stillpoint/sweep/identity.hpp>
 #include <stillpoint/sweep/part_label.hpp>
-#include <stillpoint/sweep/state.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -42,6 +41,11 @@ MotionInput suite_motion(const Settings& settings, const std::optional<Interval>
     whole.set("period", periods->high);
   }
   return motion_input(whole, Command::design, true);
+}
+
+std::string identity(const Settings& settings, const design::RecordDesignRequest& request) {
+  return sweep::identity_of(request, inputs(settings, Command::design).dump(),
+                            report::program_version());
 }
 
 }  // namespace
@@ -101,18 +105,6 @@ report::RecordDesignInput record_design_input(const Settings& settings) {
   return input;
 }
 
-std::string record_design_identity(const Settings& settings,
-                                   const design::RecordDesignRequest& request) {
-  sweep::Digest digest;
-  for (const design::SuiteRecord& record : request.records) {
-    digest.add(sweep::digest(Excitation(design::scaled(record))));
-  }
-  nlohmann::ordered_json result = inputs(settings, Command::design);
-  result["version"] = report::program_version();
-  result["record_digest"] = digest.value();
-  return result.dump();
-}
-
 Settings record_design_settings(const std::string& identity) {
   nlohmann::json scene = nlohmann::json::parse(identity);
   scene.erase("version");
@@ -124,19 +116,14 @@ sweep::PartLabel record_part_label(const Settings& settings,
                                    const design::RecordDesignRequest& request) {
   return {settings.text("output").value_or(""),
           sweep::parse_part(*settings.text("part")),
-          record_design_identity(settings, request),
+          identity(settings, request),
           {design::scan_size(request), 0}};
 }
 
 report::RecordDesignInput record_design_input(const Settings& settings,
                                               const report::RecordScan& scan) {
   report::RecordDesignInput input = record_design_input(settings);
-  sweep::PartLabel now = scan.label;
-  now.task = record_design_identity(settings, input.request);
-  if (const std::string differs = difference(scan.label, now); !differs.empty()) {
-    throw records::FileError({.kind = "part", .path = scan.label.path},
-                             "was made from other records, or by another version: " + differs);
-  }
+  sweep::require_made_for(identity(settings, input.request), scan.label);
   return input;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "options/excitation_kinds.hpp"
 #include "options/options.hpp"
 
 #include <stillpoint/core/names.hpp>
+#include <stillpoint/design/excitation_kinds.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/record_design.hpp>
 #include <stillpoint/design/search.hpp>
@@ -109,6 +109,10 @@ OptionTraits of(Load load, OptionTraits traits = {}) {
 OptionTraits goes(FileUse file = FileUse::none) {
   return {.role = output, .file = file};
 }
+OptionTraits also(std::vector<std::string_view> words, OptionTraits traits) {
+  traits.also = std::move(words);
+  return traits;
+}
 /// Of design merge too.
 OptionTraits merges(OptionTraits traits) {
   traits.merges = true;
@@ -130,7 +134,7 @@ std::vector<Option> rows() {
           "{}, with --k and --pulse-duration or --lambda: the hit instead of a velocity",
           of_designs,
           {.rivals = Rivals::hit,
-           .values = excitation_names(true),
+           .values = design::excitation_names(true),
            .excludes =
                {{of_designs, {"residual", "residual-m"}, "a design for a pulse stops at x = 0"}},
            .instead = "a motion takes --excitation",
@@ -139,9 +143,11 @@ std::vector<Option> rows() {
           plain_axis(Rivals::start)),
 
       row("velocity", number, "M/S", physical, "initial velocity, just after the hit, in m/s",
-          in_metres, axis_in_si(Rivals::hit, Dimension::velocity, RangeEnd::high)),
+          in_metres,
+          also({"pgv", "speed"}, axis_in_si(Rivals::hit, Dimension::velocity, RangeEnd::high))),
       row("max-displacement", number, "M", physical, "largest admissible displacement in m",
-          of_designs, axis_in_si(Rivals::stroke, Dimension::length)),
+          of_designs,
+          also({"stroke", "displacement"}, axis_in_si(Rivals::stroke, Dimension::length))),
       row("period", number, "S", physical,
           "natural period without friction in s; for spectrum, first:last:count",
           in_metres | spectrum,
@@ -152,7 +158,7 @@ std::vector<Option> rows() {
            .range = RangeEnd::high}),
       row("natural-frequency", number, "HZ", physical,
           "natural frequency in Hz, instead of the period", in_metres,
-          axis_in_si(Rivals::stiffness, Dimension::frequency, RangeEnd::low)),
+          also({"frequency"}, axis_in_si(Rivals::stiffness, Dimension::frequency, RangeEnd::low))),
       row("stiffness", number, "N/M", physical,
           "stiffness in N/m, instead of the period; needs --mass", in_metres,
           axis_in_si(Rivals::stiffness, Dimension::stiffness, RangeEnd::low)),
@@ -166,9 +172,9 @@ std::vector<Option> rows() {
 
       row("f", number, "F", damper, "constant friction coefficient",
           region | motions | sweep | spectrum,
-          {.axis = sweep, .instead = "region rates a given damper"}),
+          {.axis = sweep, .also = {"friction", "mu"}, .instead = "region rates a given damper"}),
       row("delta", number, "D", damper, "point friction", region | motions | sweep,
-          {.axis = sweep, .rivals = Rivals::point_friction}),
+          {.axis = sweep, .rivals = Rivals::point_friction, .also = {"notch"}}),
       row("delta-m", number, "M", damper, "point friction in m, with physical input",
           region | motions | sweep | spectrum,
           axis_in_si(Rivals::point_friction, Dimension::length)),
@@ -253,7 +259,7 @@ std::vector<Option> rows() {
           for_hits({.values = design::algorithm_names()})),
 
       row("excitation", text, "TYPE", shaking, "{}", of_excitations,
-          {.values = excitation_names(),
+          {.values = design::excitation_names(),
            .in_scene = InScene::group,
            .instead = "a design takes --pulse"}),
       row("k", number, "K", shaking, "peak of the excitation or pulse in g", of_waves,

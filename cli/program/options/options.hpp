@@ -136,6 +136,7 @@ struct OptionTraits {
   bool merges{false};  ///< design merge takes it, which has the task from the parts
   Beside needs{};
   std::vector<Beside> excludes{};
+  std::vector<std::string_view> also{};  ///< other words for it
   std::string_view instead{};        ///< what to give where it is refused: "a design takes --pulse"
   std::optional<InPython> python{};  ///< empty: what its role says
   bool explored{true};               ///< if the page with the program in it can take it

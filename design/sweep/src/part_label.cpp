@@ -49,6 +49,12 @@ std::string difference(const PartLabel& one, const PartLabel& other) {
   return one.whole.digest == other.whole.digest ? "" : "the list has changed";
 }
 
+void require_made_for(const std::string& task, const PartLabel& part) {
+  if (const std::string differs = difference(part.task, task); !differs.empty()) {
+    refuse_part(part, "was made from other records, or by another version: " + differs);
+  }
+}
+
 bool is_that_part(const PartLabel& found, const PartLabel& wanted, std::string_view whole) {
   if (found.part.count != wanted.part.count || !difference(found, wanted).empty()) {
     return false;

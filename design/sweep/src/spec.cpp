@@ -123,6 +123,16 @@ bool plain_surface(const SweepSpec& spec) {
   return spec.zones.empty() && !given(spec, notch_width);
 }
 
+void add_default_start(SweepSpec& spec) {
+  const bool may_rest = spec.kind == SweepKind::forced || given(spec, x0);
+  for (const Quantity start : {v0, x0}) {
+    if (spec.kind != SweepKind::design && !given(spec, start) && (start == x0 || may_rest)) {
+      spec.axes.push_back({start, Axis({0})});
+    }
+  }
+  std::ranges::sort(spec.axes, {}, &SweepAxis::quantity);
+}
+
 std::span<const Quantity> inputs(SweepKind kind) {
   return kind == SweepKind::design ? std::span<const Quantity>(design_inputs) : motion_inputs;
 }
