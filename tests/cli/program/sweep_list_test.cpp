@@ -120,7 +120,6 @@ std::ostream& operator<<(std::ostream& stream, const WrongList& wrong) {
 
 const std::vector<WrongList> wrong_lists{
     {"", {"list standard input", "is empty"}},
-    {"\n\n", {"is empty"}},
     {"0.1,0.2\n", {"line 1", "\"0.1\"", "is not a column", "delta"}},
     {"\nf,colour\n", {"line 2", "colour", "is not a column"}},
     {"f,half_cycles\n", {"half_cycles", "is not a column"}},
@@ -132,9 +131,7 @@ const std::vector<WrongList> wrong_lists{
     {"f,delta\n0.1,0.2\n\nabc,1\n", {"line 4", "f = \"abc\"", "must be a number"}, 1},
     {"f,delta\n,1\n", {"line 2", "f = \"\"", "must be a number"}},
     {"f,delta\nnan,1\n", {"line 2", "f = \"nan\""}},
-    {"f,delta\n1e999,1\n", {"line 2", "1e999"}},
     {"f,delta\n0.1,0.2\n0.1,-3\n", {"line 3", "delta = -3", "from 0"}, 1},
-    {"f,delta\n0.1,0.2\n0.1,-3\n-1,1\n", {"line 3", "delta = -3"}, 1},
     {"f,delta\n\"0,1\",1\n", {"line 2", "f = \"0,1\"", "must be a number"}},
     {"f,delta\n\"0.1,0.2\n", {"line 2", "a quote is opened but not closed"}},
     {"f,delta\n\"0.1\"2,0.2\n", {"line 2", "\"0.1\"2", "must be a number"}},
@@ -145,10 +142,8 @@ const std::vector<WrongList> wrong_lists{
     {"f,delta\n" + std::string(100'000, '1'), {"line 2", "longer"}},
     {"{\"f\": 1, \"delta\": 1}\n{\"f\": 1,\n", {"line 2", "not valid JSON"}, 1},
     {"{\"f\": 1, \"delta\": 1}\n[1, 2]\n", {"line 2", "array", "object"}, 1},
-    {"{\"f\": 1, \"delta\": 1}\n7\n", {"line 2", "number", "object"}, 1},
     {"{\"f\": {\"a\": 1}, \"delta\": 1}\n", {"line 1", "f is a JSON object"}},
     {"{\"f\": \"1\", \"delta\": 1}\n", {"line 1", "f is a JSON string", "number"}},
-    {"{\"f\": null, \"delta\": 1}\n", {"line 1", "f is a JSON null", "number"}},
     {"{\"f\": 1, \"delta\": 1, \"f\": 2}\n", {"line 1, column 22", "f is set twice"}},
     {"{\"f\": 1, \"delta\": 1, \"g\": 2}\n", {"line 1", "\"g\"", "is not a key"}},
     {"{\"f\": 1, \"delta\": 1}\n{\"f\": 1}\n", {"line 2", "has 1 key,", "has 2"}, 1},
