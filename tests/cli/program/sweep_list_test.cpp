@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "cli_test.hpp"
+#include "wrong_arguments.hpp"
 
 BOOST_FIXTURE_TEST_SUITE(sweep_list_test, stillpoint::cli_test::Sandbox)
 
 namespace {
 
 using namespace stillpoint::cli_test;
+using right::with_input;
 
 Arguments sweep(const Arguments& more = {}) {
   return "sweep --v0 1 --p 1 --list -" + more;
-}
-
-Surroundings with_input(const std::string& text) {
-  return {.input = text};
 }
 
 const std::string plain = "f,delta\n0.1,0.2\n0.02,0.03\n0,0\n";

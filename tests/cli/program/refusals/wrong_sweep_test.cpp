@@ -9,10 +9,6 @@ namespace {
 using namespace stillpoint::cli_test;
 using namespace stillpoint::cli_test::right;
 
-Arguments sweep(const Arguments& more) {
-  return "sweep --v0 1 --p 1" + more;
-}
-
 Arguments sweep_designs(const char* hits) {
   return {"sweep", "--v0", hits, "--p", "1", "--beta", "2"};
 }
