@@ -91,7 +91,7 @@ ExitCode run_region(const Settings& settings, Output& output) {
 
 /// The file that the option gives its rows, or "-" for them instead of the report; empty for none.
 std::optional<std::string> rows_to(std::string_view option, const Settings& settings) {
-  const auto path = settings.text(option);
+  auto path = settings.text(option);
   if (path == "-") {
     require_no_json(settings, option, option);
   }
