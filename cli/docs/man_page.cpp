@@ -53,7 +53,7 @@ std::string entry(const Option& option) {
       option.kind == OptionKind::flag ? "" : fmt::format(" \\fI{}\\fR", roff(option.placeholder));
   return fmt::format(".TP\n\\fB{}\\fR{}\n{} ({}{})\n", roff(fmt::format("--{}", option.name)),
                      value, roff(option.help), command_names(&option, ", "),
-                     option.traits.sweeps ? "*" : "");
+                     option.traits.axis.has(Command::sweep) ? "*" : "");
 }
 
 /// Every option under the heading of its group, with the commands that have it.

@@ -28,14 +28,18 @@ ordered_json number_type(Dimension dimension) {
            fmt::format("^[-+]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][-+]?[0-9]+)? *({})$", names)}};
 }
 
+bool sweeps(const Option& option) {
+  return option.traits.axis.has(Command::sweep);
+}
+
 ordered_json type_of(const Option& option) {
-  if (option.traits.range != RangeEnd::none && !option.traits.sweeps) {
+  const bool ranges = option.traits.range != RangeEnd::none;
+  if (ranges && !sweeps(option)) {
     return {
         {"type", {"number", "string", "array"}}, {"items", {{"type", "number"}}}, {"minItems", 2}};
   }
-  if (option.traits.sweeps) {
+  if (sweeps(option)) {
     const bool whole = option.kind == OptionKind::integer;
-    const bool ranges = option.traits.range != RangeEnd::none;
     return {{"type", {whole ? "integer" : "number", "string", "array"}},
             {"items", whole    ? ordered_json{{"type", "integer"}}
                       : ranges ? ordered_json{{"type", {"number", "string", "array"}}}
@@ -81,14 +85,13 @@ ordered_json described(const Option& option) {
   ordered_json entry = type_of(option);
   entry["description"] =
       std::string(option.help) + " (" + command_names(&option, ", ") + ")" +
-      (option.traits.axis_of_spectrum ? "; only a sweep and a spectrum take an axis"
-       : option.traits.sweeps         ? "; only a sweep takes an axis"
-                                      : "") +
+      (option.traits.axis.has(Command::spectrum) ? "; only a sweep and a spectrum take an axis"
+       : sweeps(option)                          ? "; only a sweep takes an axis"
+                                                 : "") +
       (option.traits.range == RangeEnd::none ? ""
-       : option.traits.sweeps
-           ? "; design and region also take a range [LOW, HIGH], a sweep over designs "
-             "[[LOW, HIGH], ...]"
-           : "; also takes a range [LOW, HIGH]") +
+       : sweeps(option) ? "; design and region also take a range [LOW, HIGH], a sweep over designs "
+                          "[[LOW, HIGH], ...]"
+                        : "; also takes a range [LOW, HIGH]") +
       units_text(option);
   return entry;
 }

@@ -89,36 +89,45 @@ ExitCode run_region(const Settings& settings, Output& output) {
   return finish(answers::answer(region_input(settings)), Command::region, settings, output);
 }
 
+/// The file that the option gives its rows, or "-" for them instead of the report; empty for none.
+std::optional<std::string> rows_to(std::string_view option, const Settings& settings) {
+  auto path = settings.text(option);
+  if (path == "-") {
+    require_no_json(settings, option, option);
+  }
+  return path;
+}
+
+void put_rows(std::string_view option, const std::string& path, const std::string& rows,
+              Output& output) {
+  if (path == "-") {
+    output.print(rows);
+  } else {
+    output.write_file(option, path, rows);
+  }
+}
+
 ExitCode run_simulate(const Settings& settings, Output& output) {
+  const auto trajectory = rows_to("trajectory", settings);
   report::MotionReport report = simulate_input(settings);
   report.answer = watched(report.request);
   remark(report::lock_sentence(report));
-  const auto trajectory = settings.text("trajectory");
   if (trajectory) {
-    const std::string rows = report::trajectory_csv(report.answer.trajectory, report.physical);
-    if (*trajectory == "-") {
-      output.print(rows);
-    } else {
-      output.write_file("trajectory", *trajectory, rows);
-    }
+    put_rows("trajectory", *trajectory,
+             report::trajectory_csv(report.answer.trajectory, report.physical), output);
   }
   return finish(report, Command::simulate, settings, output, trajectory != "-");
 }
 
 ExitCode run_spectrum(const Settings& settings, Output& output) {
-  const auto table = settings.text("table");
-  if (table == "-" && settings.flag("json")) {
-    throw UsageError("json and the table would both go to standard output: give --table FILE");
-  }
+  const auto table = rows_to("table", settings);
   report::SpectrumReport report = spectrum_input(settings);
   report.result = watched(report.result.request);
   remark(report::lock_sentence(report));
-  if (table == "-") {
-    output.print(report::spectrum_csv(report));
-  } else if (table) {
-    output.write_file(
-        "table", *table,
-        table->ends_with(".npy") ? report::spectrum_npy(report) : report::spectrum_csv(report));
+  if (table) {
+    put_rows("table", *table,
+             table->ends_with(".npy") ? report::spectrum_npy(report) : report::spectrum_csv(report),
+             output);
   }
   return finish(report, Command::spectrum, settings, output, table != "-");
 }

@@ -37,10 +37,7 @@ void note_unused(const Settings& scene, const Settings& settings, Command comman
 }
 
 /// Opens the page with the program in it, or prints where it is.
-void explore(const std::optional<std::string>& wanted, Output& output) {
-  if (wanted && wanted != "open" && wanted != "path") {
-    throw InputError("explore", *wanted, "must be open or path");
-  }
+void explore(const std::string& wanted, Output& output) {
   const std::string page = report::explorer();
   if (wanted == "path") {
     output.print(page + "\n");
@@ -75,7 +72,7 @@ ExitCode run_command(const Invocation& invocation, Output& output) {
   const std::vector<std::string> opener = opens ? report::browser() : std::vector<std::string>();
   std::optional<report::TemporaryPage> temporary;
   if (opens && !settings.has("html")) {
-    settings.set(*find_option("html"), temporary.emplace().path());
+    settings.set("html", temporary.emplace().path());
   }
   const ExitCode code = with_places(settings, [&] {
     resolve_part(settings);
@@ -101,9 +98,9 @@ ExitCode answer(const Invocation& invocation, Output& output) {
   } else if (invocation.merge) {
     code = merge(invocation, output);
   } else if (invocation.command == Command::init) {
-    output.print(texts::starter_scene(invocation.scene));
+    output.print(texts::embedded(fmt::format("starters/{}.json", *invocation.scene)));
   } else if (invocation.command == Command::explore) {
-    explore(invocation.scene, output);
+    explore(*invocation.scene, output);
   } else {
     return run_command(invocation, output);
   }

@@ -78,6 +78,13 @@ std::string shown(const report::Document& document, const Settings& settings) {
                                                                : report::Verbosity::normal});
 }
 
+void require_no_json(const Settings& settings, std::string_view rows, std::string_view option) {
+  if (settings.flag("json")) {
+    throw UsageError(fmt::format("json and the {} would both go to standard output: give --{} FILE",
+                                 rows, option));
+  }
+}
+
 std::span<const std::string_view> figure_names(Command command) {
   static const std::map<Command, std::span<const std::string_view>> names{
       {Command::design, report::all_design_figures()},

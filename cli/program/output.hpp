@@ -36,6 +36,10 @@ void print_report(const Report& report, const Settings& settings, Output& output
   }
 }
 
+/// Throws UsageError if the report is to be JSON, for the rows go to standard output already unless
+/// `option` gives a file.
+void require_no_json(const Settings& settings, std::string_view rows, std::string_view option);
+
 /// The figures that a command may draw; each is a file NAME.svg of --svg.
 [[nodiscard]] std::span<const std::string_view> figure_names(Command command);
 

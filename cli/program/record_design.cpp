@@ -79,7 +79,7 @@ ExitCode run_design_merge(const MergeFiles& files, const Settings& shown, Output
   const report::RecordScan scan = report::merged_record_scan(files.parts);
   Settings settings = record_design_settings(scan.label.task);
   settings.complete_with(shown);
-  settings.set(*find_option("output"), files.output);
+  settings.set("output", files.output);
   require_files_apart(Command::design, settings, std::nullopt);
   if (const auto page = settings.text("html")) {
     sweep::require_apart({"html", *page}, files.parts);

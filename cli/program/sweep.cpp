@@ -76,7 +76,7 @@ report::ReductionReport reduction_report(const SweepSpec& spec) {
     return *std::move(found);
   }
   sweep::Reducer reducer(spec);
-  sweep::NoRows none;
+  sweep::RowSink none;
   const SweepSummary summary = run_watched(spec, none, nullptr, &reducer);
   require_complete(summary, none);
   return report::reduction_report(spec, summary, reducer.result());
@@ -92,9 +92,8 @@ ExitCode run_sweep(const Settings& settings, Output& output) {
     return exit_done;
   }
   const bool rows_on_standard_output = sweep::goes_to_standard_output(spec);
-  const bool json = settings.flag("json");
-  if (rows_on_standard_output && json) {
-    throw UsageError("json and the rows would both go to standard output: give --output FILE");
+  if (rows_on_standard_output) {
+    require_no_json(settings, "rows", "output");
   }
   if (wants_page(settings)) {
     report.map.emplace(spec);
@@ -107,8 +106,8 @@ ExitCode run_sweep(const Settings& settings, Output& output) {
     write_page(settings, Command::sweep, page(report), output);
   }
   if (!rows_on_standard_output) {
-    output.print(json ? report::json_text(report::json(report))
-                      : shown(document(report), settings));
+    output.print(settings.flag("json") ? report::json_text(report::json(report))
+                                       : shown(document(report), settings));
   }
   return exit_done;
 }

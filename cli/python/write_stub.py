@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """write_stub.py DIR TEMPLATE OUT: the type stub of the package in DIR, from TEMPLATE and its options."""
 
+import re
 import sys
 from pathlib import Path
 
@@ -11,10 +12,7 @@ import stillpoint  # noqa: E402
 
 def keywords(command):
     return "".join(f"    {name}: {kind} | None = None,\n"
-                   for name, kind, _ in stillpoint.options(command))
+                   for name, kind, _ in stillpoint.options(command[1]))
 
 
-text = Path(template).read_text()
-for command in "design", "region", "simulate", "spectrum", "sweep":
-    text = text.replace(f"    @{command}@\n", keywords(command))
-Path(out).write_text(text)
+Path(out).write_text(re.sub(r"    @(\w+)@\n", keywords, Path(template).read_text()))

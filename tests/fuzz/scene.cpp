@@ -44,7 +44,7 @@ void name_files(Settings& settings) {
   for (const auto& [name, file] : {std::pair{"record", &record}, std::pair{"records-list", &list},
                                    std::pair{"catalogue", &parts}, std::pair{"list", &entries}}) {
     if (settings.has(name)) {
-      settings.set(*find_option(name), file->path());
+      settings.set(name, file->path());
     }
   }
 }
@@ -53,7 +53,7 @@ void name_files(Settings& settings) {
 void lower(Settings& settings, std::string_view name, std::int64_t most) {
   constexpr std::int64_t right = 1000;
   if (const auto count = settings.integer(name); count && *count > most && *count <= right) {
-    settings.set(*find_option(name), most);
+    settings.set(name, most);
   }
 }
 
@@ -138,7 +138,7 @@ bool is_small(const sweep::SweepSpec& spec) {
 
 void compute(report::SweepReport report, const Settings& settings) {
   const sweep::SweepSpec& spec = report.spec;
-  sweep::NoRows rows;
+  sweep::RowSink rows;
   if (spec.reduction) {
     sweep::Reducer reducer(spec);
     const auto summary = sweep::run(spec, rows, {{}, {}, nullptr, &reducer});

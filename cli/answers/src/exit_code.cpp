@@ -24,12 +24,4 @@ ExitCode exit_code(const report::RegionReport& report) {
   return report.answer.region.feasible ? exit_done : exit_infeasible;
 }
 
-ExitCode exit_code(const report::MotionReport& /*report*/) {
-  return exit_done;
-}
-
-ExitCode exit_code(const report::SpectrumReport& /*report*/) {
-  return exit_done;
-}
-
 }  // namespace stillpoint::answers

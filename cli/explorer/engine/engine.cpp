@@ -91,7 +91,7 @@ Settings within_limits(Settings settings) {
                                  most_arrivals, design::most_arrivals));
   }
   if (!settings.has("half-cycle-limit")) {
-    settings.set(*find_option("half-cycle-limit"), most_half_cycles);
+    settings.set("half-cycle-limit", most_half_cycles);
   }
   return settings;
 }
@@ -125,7 +125,7 @@ ordered_json run(const json& request) {
 
 void motion(const json& options, int points) {
   Settings settings = given(Command::simulate, options);
-  settings.set(*find_option("samples"), static_cast<std::int64_t>(points));
+  settings.set("samples", static_cast<std::int64_t>(points));
   const report::MotionReport report = motion_report(settings, always);
   const std::vector<State>& states = report.answer.trajectory;
   numbers.clear();

@@ -150,3 +150,13 @@ function number(value, unit = "", sign = "") {
 function fill(node, ...parts) {
   node.replaceChildren(...parts);
 }
+
+/** An entry of a legend. @param {string} ink @param {Part[]} parts */
+function key(ink, ...parts) {
+  return make("span", { class: `key ink-${ink}` }, make("span", {}, ...parts));
+}
+
+/** @param {string[]} ids of elements */
+function clear(...ids) {
+  for (const id of ids) el(id).replaceChildren();
+}

@@ -11,6 +11,7 @@
  * @property {boolean} [log]
  * @property {boolean} [two] a range
  * @property {boolean} [absent_at_least] the slider at its lower end removes the option
+ * @property {boolean} [stroke] below some value designs end
  * @property {string} unit what the slider writes behind the number
  * @property {(report: any) => Array<number | null | undefined>} read its value, or both ends
  */
@@ -61,7 +62,8 @@ const physical_fields = [
     most: 1,
     log: true,
     unit: "m",
-    read: (report) => [report.input.beta * report.physical?.length_unit_m],
+    stroke: true,
+    read: (report) => [limit_of(report)],
   },
   arrivals,
   {
@@ -93,7 +95,7 @@ const dimensionless_fields = [
     most: 5,
     two: true,
     unit: "",
-    read: (report) => ends(report, 1),
+    read: (report) => ends(report),
   },
   {
     name: "beta",
@@ -102,6 +104,7 @@ const dimensionless_fields = [
     most: 10,
     log: true,
     unit: "",
+    stroke: true,
     read: (report) => [report.input.beta],
   },
   arrivals,
@@ -115,12 +118,6 @@ const dimensionless_fields = [
     read: (report) => [report.input.residual ?? 0],
   },
 ];
-
-/** @param {any} report @param {number} unit */
-function ends(report, unit) {
-  const [low, high] = report.input.v0_range ?? [report.input.v0, report.input.v0];
-  return [low * unit, high * unit];
-}
 
 /** The kinds of notch, each with its own slider. @type {Record<string, (physical: boolean) => Field | null>} */
 const notch_fields = {

@@ -70,7 +70,7 @@ class Fields {
 
   /** @param {Field} field */
   build_field(field) {
-    const { name, label, two } = field;
+    const { name, label, two, stroke } = field;
     const text = make("input", {
       type: "text",
       id: `in-${name}`,
@@ -96,9 +96,7 @@ class Fields {
       slider.addEventListener("change", () => this.slid(field, end, true));
       slide.append(slider);
     }
-    if (name === "max-displacement" || name === "beta") {
-      slide.append(make("div", { class: "barred", id: "barred" }));
-    }
+    if (stroke) slide.append(make("div", { class: "barred", id: "barred" }));
     return make(
       "div",
       { class: "field" },
@@ -173,7 +171,7 @@ class Fields {
       }
       slider.setAttribute("aria-valuetext", words(value, field.unit, 4));
     }
-    if (name === "max-displacement" || name === "beta") return; // show_end has its hint
+    if (field.stroke) return; // show_end has its hint
     write(
       el(`hint-${name}`),
       own && own !== name
@@ -195,7 +193,7 @@ class Fields {
   /** Where designs end, on the slider of the stroke. @param {number | null} least */
   show_end(least) {
     const bar = document.getElementById("barred");
-    const field = this.list.find(({ name }) => name === "max-displacement" || name === "beta");
+    const field = this.list.find(({ stroke }) => stroke);
     if (!bar || !field) return;
     const at = least ? slider_place(field, least) : 0;
     bar.style.width = `${100 * at}%`;

@@ -13,7 +13,7 @@ function broken_words(constraint, report) {
   const physical = report.physical;
   const of_delta = variable === "delta" && physical;
   const bound = of_delta ? number(limit * physical.length_unit_m, "m") : number(limit);
-  const stroke = number(report.input.beta * (physical?.length_unit_m ?? 1), physical ? "m" : "");
+  const stroke = number(limit_of(report), units_of(physical).length);
   const symbol =
     /** @type {Record<string, string>} */ ({ delta: "Δ", f: "f", v0: "V₀" })[variable] ?? variable;
   const need = [
@@ -78,8 +78,7 @@ class RegionView {
       pin,
       at: (pin.getAttribute("transform") ?? "").match(/-?[\d.]+/g)?.map(Number) ?? [],
     }));
-    const unit = report.physical?.length_unit_m;
-    this.length = unit ? unit * (unit > 10 ? 1 : 1000) : 1;
+    this.length = plot_units(report.physical).length;
     this.cross = svg("path", { class: "cross" });
     this.box = svg("rect", { class: "allowance" });
     this.handle = svg(

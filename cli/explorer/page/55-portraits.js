@@ -121,24 +121,15 @@ function draw_energy({ t, most }, motion, { p, f }, units) {
   const by_notch = all - with_friction[count];
   const notch = by_notch > 1e-12 * all ? by_notch : 0;
   const took = all - left[count] - notch;
-  const key = (
-    /** @type {string} */ ink,
-    /** @type {string} */ name,
-    /** @type {number} */ value,
-  ) =>
-    make(
-      "span",
-      { class: `key ${ink}` },
-      make("span", {}, `${name} `, number(value * units.energy_si, units.energy_unit)),
-    );
+  const part = (/** @type {number} */ value) => number(value * units.energy_si, units.energy_unit);
   el("energy").replaceChildren(
     plot.node,
     make(
       "p",
       {},
-      key("ink-left", "kinetic and spring", left[count]),
-      key("ink-friction", "constant friction", took),
-      key("ink-notch", "notch", notch),
+      key("left", "kinetic and spring ", part(left[count])),
+      key("friction", "constant friction ", part(took)),
+      key("notch", "notch ", part(notch)),
     ),
   );
   return (time) => now.setAttribute("transform", `translate(${plot.across(time)} 0)`);

@@ -2,14 +2,6 @@
 // The strip of hits: how each ends for the damper as it is. Its slider tries one.
 "use strict";
 
-const ends_words = /** @type {Record<string, string>} */ ({
-  held: "held",
-  centred: "centred",
-  off_centre: "off centre",
-  alternating: "alternately centred and off centre",
-  too_far: "too far",
-  never_stops: "never stops",
-});
 const most_keys = 8; // there can be a hundred parts
 
 class HitsView {
@@ -40,14 +32,8 @@ class HitsView {
   /** @param {any} report with the damper's hits */
   draw(report) {
     const { physical } = report;
-    const listed = physical?.hits ?? report.hits ?? [];
-    const suffix = physical ? "_m_per_s" : "";
-    this.unit = physical ? "m/s" : "";
-    this.hits = (report.hits ?? []).map((/** @type {any} */ hit, /** @type {number} */ i) => ({
-      from: listed[i][`from${suffix}`],
-      to: listed[i][`to${suffix}`],
-      ends: hit.ends,
-    }));
+    this.unit = units_of(physical).velocity;
+    this.hits = hits_of(report);
     if (!this.hits.length) return;
     this.most = this.hits[this.hits.length - 1].to;
     const percent = (/** @type {number} */ value) => `${(100 * value) / this.most}%`;
@@ -62,32 +48,28 @@ class HitsView {
         return part;
       }),
     );
-    const [low, high] = (report.input.v0_range ?? [report.input.v0]).map(
-      (/** @type {number} */ v0) => v0 * (physical?.velocity_unit_m_per_s ?? 1),
-    );
-    for (const hit of high === undefined ? [low] : [low, high]) {
+    const designed = ends(report, physical?.velocity_unit_m_per_s);
+    for (const hit of new Set(designed)) {
       const mark = make("div", { class: "designed" });
       mark.style.left = percent(hit);
       lane.append(mark);
     }
-    this.designed = high ?? low;
+    this.designed = designed[1];
     fill(el("hit-ends"), number(0, this.unit), number(this.most, this.unit));
     fill(el("hit-key"), ...this.keys());
   }
 
   /** The parts in words, including those too narrow for their names; if there are many, a summary. */
   keys() {
-    const key = (/** @type {string} */ ends, /** @type {Part[]} */ ...limit) =>
-      make(
-        "span",
-        { class: `key ink-${ends}` },
-        make("span", {}, ends_words[ends] ?? ends, ...limit),
-      );
+    const named = (/** @type {string} */ ends, /** @type {Part[]} */ ...limit) =>
+      key(ends, ends_words[ends] ?? ends, ...limit);
     if (this.hits.length > most_keys)
-      return [...new Set(this.hits.map(({ ends }) => ends))].map((ends) => key(ends));
+      return [...new Set(this.hits.map(({ ends }) => ends))].map((ends) => named(ends));
     const last = this.hits.length - 1;
     return this.hits.map(({ to, ends }, i) =>
-      i < last ? key(ends, " up to ", number(to, this.unit)) : key(ends, i > 0 ? " beyond" : ""),
+      i < last
+        ? named(ends, " up to ", number(to, this.unit))
+        : named(ends, i > 0 ? " beyond" : ""),
     );
   }
 
@@ -101,10 +83,9 @@ class HitsView {
     write(slider, String(Math.round((2000 * value) / this.most)));
     /** @type {HTMLButtonElement} */ (el("design-hit")).disabled = hit === null;
     slider.setAttribute("aria-valuetext", words(value, this.unit, 4));
-    const { response, physical } = motion;
-    const length = physical ? "m" : "";
-    const peak = physical ? physical.peak_m : response.peak_amplitude;
-    const rest = physical ? physical.stop_position_m : response.stop_position;
+    const { response } = motion;
+    const { length } = units_of(motion.physical);
+    const { peak, rest } = motion_of(motion);
     const too_far = peak > limit * (1 + 1e-12);
     const moved = response.half_cycles > 0;
     fill(

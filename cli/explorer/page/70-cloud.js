@@ -32,7 +32,7 @@ function draw_cloud(engine, report, damper, motion) {
   const f = new Float64Array(dampers);
   const delta = new Float64Array(dampers);
   const v0 = new Float64Array(dampers);
-  const [low, high] = report.input.v0_range ?? [report.input.v0, report.input.v0];
+  const [low, high] = ends(report);
   for (let i = 0; i < dampers; i++) {
     f[i] = damper.f * (1 + off * (2 * spread_place(i, 2) - 1));
     delta[i] = damper.delta * (1 + off * (2 * spread_place(i, 3) - 1));
@@ -68,15 +68,7 @@ function draw_cloud(engine, report, damper, motion) {
   looks.forEach((look, kind) => plot.add(`dots ink-${look}`, paths[kind]));
   el("cloud").replaceChildren(plot.node);
   const keys = looks.flatMap((look, kind) =>
-    counts[kind]
-      ? [
-          make(
-            "span",
-            { class: `key ink-${look}` },
-            make("span", {}, `${ends_words[look]} `, number(counts[kind])),
-          ),
-        ]
-      : [],
+    counts[kind] ? [key(look, `${ends_words[look]} `, number(counts[kind]))] : [],
   );
   fill(el("cloud-words"), ...keys);
 }

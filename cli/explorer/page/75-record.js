@@ -53,7 +53,7 @@ class RecordView {
   /** @param {string} words */
   refuse(words) {
     fill(el("record-answer"), make("p", { class: "bad" }, words));
-    el("record-figures").replaceChildren();
+    clear("record-figures");
   }
 
   /**
@@ -63,9 +63,7 @@ class RecordView {
   draw(engine, damper) {
     el("record-away").hidden = this.record === null;
     if (!this.record) {
-      el("record-answer").replaceChildren();
-      el("record-figures").replaceChildren();
-      return;
+      return clear("record-answer", "record-figures");
     }
     const { name, bytes } = this.record;
     /** @type {Options} */
@@ -87,7 +85,8 @@ class RecordView {
   /** @param {string} name @param {Answer} answer */
   show(name, { report, figures }) {
     const { response, physical } = report;
-    const [length, time] = physical ? ["m", "s"] : ["", ""];
+    const { length, time } = units_of(physical);
+    const { peak, acceleration } = motion_of(report);
     const value = (/** @type {string} */ of_physical, /** @type {string} */ plain) =>
       physical ? physical[of_physical] : response[plain];
     const fact = (
@@ -104,12 +103,8 @@ class RecordView {
       make(
         "dl",
         { class: "facts" },
-        fact("peak", number(value("peak_m", "peak_amplitude"), length), "record-peak"),
-        fact(
-          "transmitted",
-          number(response.peak_absolute_acceleration, "g"),
-          "record-acceleration",
-        ),
+        fact("peak", number(peak, length), "record-peak"),
+        fact("transmitted", number(acceleration, "g"), "record-acceleration"),
         fact(
           locked !== null && locked !== undefined
             ? "locked from"

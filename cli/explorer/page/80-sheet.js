@@ -90,12 +90,10 @@ function build_rows({ report, motion, tolerance, options }) {
 
 /** @param {Sheet} sheet */
 function performance_rows({ report, motion }) {
-  const { response, physical } = motion;
   const { practice, works_for } = report;
-  const limit = report.input.beta * (physical?.length_unit_m ?? 1);
-  const peak = physical?.peak_m ?? response.peak_amplitude;
-  const [length, time] = physical ? ["m", "s"] : ["", ""];
-  const rest = physical ? physical.stop_position_m : response.stop_position;
+  const limit = limit_of(report);
+  const { peak, rest, stop_time, acceleration } = motion_of(motion);
+  const { length, time, velocity } = units_of(motion.physical);
   return sheet_table([
     [
       "peak",
@@ -111,24 +109,16 @@ function performance_rows({ report, motion }) {
       "at rest",
       rest === null
         ? ["never"]
-        : [
-            "at x = ",
-            number(rest, rest === 0 ? "" : length),
-            " after ",
-            number(physical?.stop_time_s ?? response.stop_time, time),
-          ],
+        : ["at x = ", number(rest, rest === 0 ? "" : length), " after ", number(stop_time, time)],
     ],
-    ["transmitted", [number(response.peak_absolute_acceleration, "g"), " outside the notch"]],
+    ["transmitted", [number(acceleration, "g"), " outside the notch"]],
     [
       "works for hits of",
-      range_parts(
-        report.physical?.works_for_velocity_m_per_s ?? works_for?.v0,
-        physical ? "m/s" : "",
-      ),
+      range_parts(report.physical?.works_for_velocity_m_per_s ?? works_for?.v0, velocity),
     ],
     [
-      physical ? "and periods of" : "and p of",
-      range_parts(report.physical?.works_for_period_s ?? works_for?.p, physical ? "s" : ""),
+      report.physical ? "and periods of" : "and p of",
+      range_parts(report.physical?.works_for_period_s ?? works_for?.p, time),
     ],
     ["base shear/weight", practice ? [number(practice.base_shear_over_weight)] : null],
     [
@@ -160,22 +150,18 @@ function performance_rows({ report, motion }) {
 
 /** How hits of each strength end; if that changes many times, the strengths between which it does. @param {Sheet} sheet */
 function hit_rows({ report }) {
-  const { physical, hits } = report;
-  const suffix = physical ? "_m_per_s" : "";
+  const hits = hits_of(report);
   /** @type {{ ends: string, from: number, to: number | null, count: number }[]} */
   const rows = [];
-  (hits ?? []).forEach((/** @type {any} */ hit, /** @type {number} */ i) => {
-    const limits = physical?.hits[i] ?? hit;
-    const from = limits[`from${suffix}`];
-    // The last one has no end but that of the figure.
-    const to = i + 1 < hits.length ? limits[`to${suffix}`] : null;
-    const same = hits.length > most_keys && rows.find(({ ends }) => ends === hit.ends);
-    if (!same) rows.push({ ends: hit.ends, from, to, count: 1 });
+  hits.forEach(({ ends, from, to: end }, i) => {
+    const to = i + 1 < hits.length ? end : null; // the last one has no end but that of the figure
+    const same = hits.length > most_keys && rows.find((row) => row.ends === ends);
+    if (!same) rows.push({ ends, from, to, count: 1 });
     else Object.assign(same, { to, count: same.count + 1 });
   });
   return sheet_table(
     rows.map(({ ends, from, to, count }) => {
-      const range = range_parts([from, to], physical ? "m/s" : "") ?? [];
+      const range = range_parts([from, to], units_of(report.physical).velocity) ?? [];
       const many = count > 1 ? [number(count), " ranges within "] : [];
       return [ends_words[ends] ?? ends, [...many, ...range]];
     }),

@@ -30,27 +30,28 @@ class AnswerView {
   /** @param {Answered} shown */
   show_numbers({ motion, damper, judged, tolerance, chosen }) {
     const { physical } = judged;
-    const [length, time] = physical ? ["m", "s"] : ["", ""];
+    const { length, time } = units_of(physical);
     // The design's own numbers are those of its report.
-    const { response, physical: of_motion } = (chosen ? motion : judged.design && judged) ?? {};
+    const shown = chosen ? motion : judged.design && judged;
+    const of_motion = shown && motion_of(shown);
     show(el("f"), damper?.f);
     show(el("delta"), physical ? physical.delta_m : damper?.delta, length);
     show(el("tolerance"), tolerance, "%", "±");
-    show(el("peak"), physical ? of_motion?.peak_m : response?.peak_amplitude, length);
-    show(el("stop-time"), physical ? of_motion?.stop_time_s : response?.stop_time, time);
-    show(el("acceleration"), response?.peak_absolute_acceleration, "g");
+    show(el("peak"), of_motion?.peak, length);
+    show(el("stop-time"), of_motion?.stop_time, time);
+    show(el("acceleration"), of_motion?.acceleration, "g");
     const force = physical?.friction_force_n;
     fill(el("f-sub"), ...(force ? [number(force, "N")] : []));
     fill(el("delta-sub"), ...(physical && damper ? ["dimensionless ", number(damper.delta)] : []));
-    const limit = judged.input.beta * (physical?.length_unit_m ?? 1);
-    const peak = response?.peak_amplitude;
+    const peak = shown?.response.peak_amplitude;
     fill(
       el("peak-sub"),
-      ...(response ? [number(peak / judged.input.beta, "%"), " of ", number(limit, length)] : []),
+      ...(shown
+        ? [number(peak / judged.input.beta, "%"), " of ", number(limit_of(judged), length)]
+        : []),
     );
-    const rest = physical ? of_motion?.stop_position_m : response?.stop_position;
-    const built = motion?.input.notch_width ? (physical ? motion.physical : motion.response) : null;
-    const built_rest = built && (physical ? built.stop_position_m : built.stop_position);
+    const rest = of_motion?.rest;
+    const built_rest = motion?.input.notch_width ? motion_of(motion).rest : null;
     const at =
       rest === 0 ? ["at x = 0"] : typeof rest === "number" ? ["at x = ", number(rest, length)] : [];
     const as_built =
@@ -95,7 +96,7 @@ class AnswerView {
   conflict_words({ region, physical, input }) {
     if (String(region.conflict) !== "amplitude,return")
       return [`No damper works: ${region.reason}.`];
-    const limit = number(input.beta * (physical?.length_unit_m ?? 1), physical ? "m" : "");
+    const limit = number(limit_of({ input, physical }), units_of(physical).length);
     return [
       "No damper works. To stay within ",
       limit,
@@ -156,7 +157,7 @@ class AnswerView {
       return fill(node, "No damper is admissible: at every f and Δ some requirement is violated.");
     if (admissible) {
       const served = judged.physical?.works_for_velocity_m_per_s ?? judged.works_for?.v0;
-      const range = range_parts(served, judged.physical ? "m/s" : "");
+      const range = range_parts(served, units_of(judged.physical).velocity);
       return fill(
         node,
         "Every condition is met.",

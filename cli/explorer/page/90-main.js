@@ -275,8 +275,7 @@ class Bench {
       this.hits.draw(this.judged);
       this.draw_later();
     }
-    const scale = this.judged.physical?.length_unit_m ?? 1;
-    this.hits.show(this.hit, this.motion, this.judged.input.beta * scale);
+    this.hits.show(this.hit, this.motion, limit_of(this.judged));
     if (level === Level.task) this.frames.put_off("motion", () => this.draw_motion());
     else this.draw_motion();
     if (level >= Level.damper) this.frames.put_off("cloud", () => this.draw_cloud());
@@ -284,8 +283,7 @@ class Bench {
 
   draw_cloud() {
     if (!this.motion || !this.damper) return;
-    if (this.motion.response.half_cycles > most_half_cycles)
-      return ["cloud", "cloud-words"].forEach((id) => el(id).replaceChildren());
+    if (this.motion.response.half_cycles > most_half_cycles) return clear("cloud", "cloud-words");
     draw_cloud(this.engine, this.judged, this.damper, this.plain_motion());
   }
 
@@ -310,8 +308,8 @@ class Bench {
   }
 
   show_nothing() {
-    const parts = ["cloud", "cloud-words", "hit-words", "hit-key", "lane"];
-    for (const id of [...parts, "record-figures", "record-answer"]) el(id).replaceChildren();
+    const views = ["cloud", "cloud-words", "hit-words", "hit-key", "lane"];
+    clear(...views, "record-figures", "record-answer");
     this.motion_view.draw_nothing();
   }
 
@@ -330,9 +328,7 @@ class Bench {
       p: run.p,
       f: run.f,
       width: run.notch_width ?? 0,
-      limit: physical
-        ? (this.judged.input.beta * this.judged.physical.length_unit_m) / physical.length_unit_m
-        : this.judged.input.beta,
+      limit: limit_of(this.judged) / (physical?.length_unit_m ?? 1),
       units: plot_units(physical),
     });
     this.frames.put_off("portraits", () => this.motion_view.draw_portraits());

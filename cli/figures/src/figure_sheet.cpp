@@ -24,12 +24,7 @@ std::string svg(const FigureSheet& sheet) {
   const double first_line = heading + legend.height() + 8;
   const int lines = (count + sheet.columns - 1) / sheet.columns;
   const double high = first_line + one_height * lines;
-  std::string text = fmt::format(
-      "<svg {}class=\"figure\" viewBox=\"0 0 {} {}\" role=\"img\" "
-      "aria-labelledby=\"{}-title {}-desc\">\n"
-      "<title id=\"{}-title\">{}</title>\n<desc id=\"{}-desc\">{}</desc>\n",
-      size_alone(wide, high), wide, high, sheet.id, sheet.id, sheet.id, escaped(sheet.title),
-      sheet.id, escaped(sheet.description));
+  std::string text = opening(sheet, size_alone(wide, high), wide, high);
   text += paper(fmt::format("{}@media (prefers-color-scheme:dark){{{}}}", figure_style(),
                             dark_figure_style()),
                 wide, high);

@@ -222,15 +222,11 @@ std::string FigureDrawing::drawn() const {
 }
 
 std::string FigureDrawing::opened(std::string_view place, double height) const {
-  return fmt::format(
-      "<svg {}class=\"figure\" viewBox=\"0 0 {} {}\" role=\"img\" "
-      "aria-labelledby=\"{}-title {}-desc\" data-x=\"{} {}\" data-y=\"{} {}\" "
-      "data-scales=\"{} {}\" data-plot=\"{} {} {} {}\">\n"
-      "<title id=\"{}-title\">{}</title>\n<desc id=\"{}-desc\">{}</desc>\n",
-      place, figure_width, height, figure_.id, figure_.id, figure_.x.least, figure_.x.most,
-      figure_.y.least, figure_.y.most, scale_name(figure_.x), scale_name(figure_.y), layout_.left,
-      layout_.upper, layout_.width, figure_.height, figure_.id, escaped(figure_.title), figure_.id,
-      escaped(figure_.description));
+  const std::string data = fmt::format(
+      R"( data-x="{} {}" data-y="{} {}" data-scales="{} {}" data-plot="{} {} {} {}")",
+      figure_.x.least, figure_.x.most, figure_.y.least, figure_.y.most, scale_name(figure_.x),
+      scale_name(figure_.y), layout_.left, layout_.upper, layout_.width, figure_.height);
+  return opening(figure_, place, figure_width, height, data);
 }
 
 std::string paper(std::string_view style, double wide, double high) {

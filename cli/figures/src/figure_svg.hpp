@@ -5,6 +5,8 @@
 #include "figure_legend.hpp"
 #include "figure_names.hpp"
 
+#include <fmt/format.h>
+
 #include <string>
 #include <string_view>
 
@@ -21,8 +23,7 @@ class FigureDrawing {
   [[nodiscard]] double height() const;
   /// Everything but the legend and the svg element around it.
   [[nodiscard]] std::string drawn() const;
-  /// The beginning of an svg element: the title and description that a screen reader needs, and the
-  /// data that the script of a page needs.
+  /// The beginning of its svg element, with the data that the script of a page needs.
   [[nodiscard]] std::string opened(std::string_view place, double height) const;
 
  private:
@@ -30,6 +31,18 @@ class FigureDrawing {
   Layout layout_;
   NamesInPlace names_;
 };
+
+/// The beginning of the svg element of a figure or a sheet, with the title and the description that
+/// a screen reader needs.
+template <class Drawn>
+[[nodiscard]] std::string opening(const Drawn& drawn, std::string_view place, double wide,
+                                  double high, std::string_view data = {}) {
+  return fmt::format(
+      "<svg {1}class=\"figure\" viewBox=\"0 0 {2} {3}\" role=\"img\" "
+      "aria-labelledby=\"{0}-title {0}-desc\"{4}>\n"
+      "<title id=\"{0}-title\">{5}</title>\n<desc id=\"{0}-desc\">{6}</desc>\n",
+      drawn.id, place, wide, high, data, escaped(drawn.title), escaped(drawn.description));
+}
 
 /// A style, and the background.
 [[nodiscard]] std::string paper(std::string_view style, double wide, double high);

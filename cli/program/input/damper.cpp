@@ -21,6 +21,8 @@ struct Task {
   design::Problem problem;
   design::Limits limits;
   std::optional<design::PhysicalInput> physical;
+  std::optional<design::Pulse> pulse{};
+  design::PulseRanges ranges{};
 };
 
 /// The stroke beta. Says in `motion` what it is in metres.
@@ -57,16 +59,17 @@ Task read_task(const Settings& settings, Command command) {
       {.tolerance = settings.number("tolerance").value_or(0)},
       motion.physical};
   for (const design::LimitKind& kind : design::limit_kinds()) {
-    task.limits.*kind.value =
-        kind.in_metres.empty()
-            ? settings.number(records::hyphened(kind.field))
-            : point_friction(settings, records::hyphened(kind.field),
-                             records::hyphened(kind.in_metres), motion.physical, smallest_limit);
+    const std::string name = records::hyphened(kind.field);
+    task.limits.*kind.value = kind.in_metres.empty()
+                                  ? settings.number(name)
+                                  : point_friction(settings, name, motion.physical, smallest_limit);
   }
   task.problem.v0_low = motion.v0_low;
   task.problem.p_high = motion.p_high;
-  task.problem.residual = point_friction(settings, "residual", "residual-m", motion.physical);
+  task.problem.residual = point_friction(settings, "residual", motion.physical);
   shape_box(settings, task.limits);
+  task.pulse = pulse_input(settings, task.physical);
+  task.ranges = pulse_ranges(settings, task.pulse);
   return task;
 }
 
@@ -112,12 +115,11 @@ design::Objective objective(const Settings& settings) {
 answers::DesignTask design_input(const Settings& settings) {
   require_options_for(settings, DesignFor::hit);
   const Task given = read_task(settings, Command::design);
-  const std::optional<design::Pulse> pulse = pulse_input(settings, given.physical);
   answers::DesignTask task{{given.problem,
                             given.limits,
                             {objective(settings), settings.text("algorithm")},
-                            pulse,
-                            pulse_ranges(settings, pulse)},
+                            given.pulse,
+                            given.ranges},
                            given.physical};
   task.notch = notch_shape(settings, given);
   task.catalogue = catalogue(settings, given);
@@ -127,10 +129,8 @@ answers::DesignTask design_input(const Settings& settings) {
 
 answers::RegionTask region_input(const Settings& settings) {
   const Task given = read_task(settings, Command::region);
-  const std::optional<design::Pulse> pulse = pulse_input(settings, given.physical);
   return {{given.problem, given.limits, settings.number("f"),
-           point_friction(settings, "delta", "delta-m", given.physical), pulse,
-           pulse_ranges(settings, pulse)},
+           point_friction(settings, "delta", given.physical), given.pulse, given.ranges},
           given.physical,
           catalogue(settings, given)};
 }

@@ -3,14 +3,14 @@
 
 #include "input/motion.hpp"
 #include "input/record.hpp"
-#include "options/excitation_kinds.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/design/excitation_kinds.hpp>
+#include <stillpoint/design/wave_clock.hpp>
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <utility>
 
 namespace stillpoint::cli {
@@ -22,11 +22,15 @@ std::optional<double> time_unit(const Physical& physical) {
   return physical ? std::optional(physical->scales.time_s) : std::nullopt;
 }
 
+Load load_of(const design::ExcitationKind& kind) {
+  return kind.wave == nullptr ? Load::record : kind.angle == 0 ? Load::harmonic : Load::pulse;
+}
+
 /// Throws UsageError if an option of an excitation is set that `kind` does not take; null takes
 /// none.
-void refuse_others(const Settings& settings, const ExcitationKind* kind) {
+void refuse_others(const Settings& settings, const design::ExcitationKind* kind) {
   const Option* const wrong = settings.first([&](const Option& option) {
-    return option.traits.load != Load::none && (kind == nullptr || !option.shapes(kind->load));
+    return option.traits.load != Load::none && (kind == nullptr || !option.shapes(load_of(*kind)));
   });
   if (wrong != nullptr) {
     throw UsageError(
@@ -40,16 +44,18 @@ void refuse_others(const Settings& settings, const ExcitationKind* kind) {
   }
 }
 
+design::WaveClock wave_clock(const Option& clock) {
+  return clock.traits.dimension == Dimension::time ? design::WaveClock::duration
+                                                   : design::WaveClock::frequency;
+}
+
 /// The angular frequency, however it was given. tau is the time over `time_s`.
-double lambda(const Settings& settings, const ExcitationKind& kind,
+double lambda(const Settings& settings, const design::ExcitationKind& kind,
               const std::optional<double>& time_s) {
-  if (const auto hertz = settings.number("excitation-frequency")) {
-    records::require_physical("excitation-frequency", Dimension::frequency, *hertz);
-    return 2 * std::numbers::pi * *hertz * *time_s;
-  }
-  if (const auto seconds = settings.number("pulse-duration")) {
-    records::require_physical("pulse-duration", Dimension::time, *seconds);
-    return kind.angle * *time_s / *seconds;
+  if (const Option* const clock = with_unit(settings, "lambda")) {
+    const double given = *settings.number(clock->name);
+    records::require_physical(clock->name, clock->traits.dimension, given);
+    return design::lambda_of(wave_clock(*clock), given, kind.angle, *time_s);
   }
   return settings.required(
       "lambda", time_s ? kind.angle != 0 ? "give --pulse-duration in s, --excitation-frequency in "
@@ -60,28 +66,28 @@ double lambda(const Settings& settings, const ExcitationKind& kind,
 }
 
 /// `what` in messages: "excitation" or "pulse".
-Harmonic wave(const Settings& settings, std::string_view what, const ExcitationKind& kind,
+Harmonic wave(const Settings& settings, std::string_view what, const design::ExcitationKind& kind,
               const std::optional<double>& time_s) {
   Harmonic wave;
   wave.k = settings.required("k", fmt::format("give --k, the peak of the {} in g", what));
   wave.lambda = lambda(settings, kind, time_s);
   wave.phase = settings.number("phase").value_or(wave.phase);
-  wave.duration = in_either(settings, "duration", "excitation-duration", time_s.value_or(1), 0);
+  wave.duration = in_either(settings, "duration", time_s.value_or(1), 0);
   return wave;
 }
 
 /// The largest length of a pulse, as the option that gives it has it: its bound in lambda would
 /// tell the user nothing.
-void require_followed(const Settings& settings, const ExcitationKind& kind,
+void require_followed(const Settings& settings, const design::ExcitationKind& kind,
                       const Physical& physical) {
-  const Option* const clock = settings.given(Rivals::frequency);
-  if (!physical || clock == nullptr || clock->traits.dimension == Dimension::none) {
+  const Option* const clock = with_unit(settings, "lambda");
+  if (clock == nullptr) {
     return;
   }
-  const double lowest_lambda = physical->scales.p / design::slowest_pulse;
-  const bool lasts = clock->traits.dimension == Dimension::time;
-  const double most = (lasts ? kind.angle : 2 * std::numbers::pi) * physical->scales.time_s;
-  const double bound = lasts ? most / lowest_lambda : lowest_lambda / most;
+  const design::Scales& scales = physical->scales;
+  const double bound = design::value_of(wave_clock(*clock), scales.p / design::slowest_pulse,
+                                        kind.angle, scales.time_s);
+  const bool lasts = wave_clock(*clock) == design::WaveClock::duration;
   const double given = *settings.number(clock->name);
   if (lasts ? given > bound : given < bound) {
     const std::string_view unit = records::units_of(clock->traits.dimension).front().name;
@@ -102,10 +108,8 @@ ExcitationInput record(const Settings& settings, const records::RecordClock& clo
   }
   records::RecordFile file = records::read_record(*path, options);
   const double factor = records::factor_to_target(scale, file.record, *path, clock);
-  if (scale.target.is_given()) {
-    for (double& value : file.record.values) {
-      value *= factor;
-    }
+  for (double& value : file.record.values) {
+    value *= factor;
   }
   const std::string units(name(file.units));
   return {std::move(file.record),
@@ -126,7 +130,7 @@ std::optional<std::string> excitation_type(const Settings& settings) {
 std::optional<ExcitationInput> excitation_input(const Settings& settings, const Physical& physical,
                                                 std::optional<double> p) {
   const auto type = excitation_type(settings);
-  const ExcitationKind* const kind = type ? find_excitation_kind(*type) : nullptr;
+  const design::ExcitationKind* const kind = type ? design::find_excitation_kind(*type) : nullptr;
   refuse_others(settings, kind);
   if (kind == nullptr) {
     return std::nullopt;
@@ -144,7 +148,7 @@ std::optional<ExcitationInput> excitation_input(const Settings& settings, const 
 
 std::optional<double> end_of_run(const Settings& settings, const Physical& physical) {
   const auto t_end =
-      in_either(settings, "t-end", "end-time", time_unit(physical).value_or(1), smallest_physical);
+      in_either(settings, "t-end", time_unit(physical).value_or(1), smallest_physical);
   if (t_end) {
     require_within("t-end", *t_end, smallest_speed, largest_speed);
   }
@@ -173,7 +177,7 @@ void require_no_pulse_options(const Settings& settings) {
 
 std::optional<design::Pulse> pulse_input(const Settings& settings, const Physical& physical) {
   if (const auto type = settings.known("pulse")) {
-    const ExcitationKind& kind = *find_excitation_kind(*type);
+    const design::ExcitationKind& kind = *design::find_excitation_kind(*type);
     require_followed(settings, kind, physical);
     return kind.pulse(wave(settings, "pulse", kind, time_unit(physical)));
   }

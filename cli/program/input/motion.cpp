@@ -51,15 +51,17 @@ MotionInput physical_motion(const Settings& settings, bool from_rest) {
   }
   const Option* const spring = settings.given(Rivals::stiffness);
   if (const auto range = spring != nullptr ? settings.range(spring->name) : std::nullopt) {
-    records::require_physical(spring->name, spring->traits.dimension, range->low);
-    const double ratio = range->high / range->low;
-    const bool is_stiffness = spring->traits.dimension == Dimension::stiffness;
-    motion.p_high = scales.p * (is_stiffness ? std::sqrt(ratio) : ratio);
+    motion.p_high = design::largest_p(physical, *range);
   }
   return motion;
 }
 
 }  // namespace
+
+const Option* with_unit(const Settings& settings, std::string_view plain) {
+  const Option* const given = settings.given(find_option(plain)->traits.rivals);
+  return given != nullptr && given->traits.dimension != Dimension::none ? given : nullptr;
+}
 
 bool is_physical(const Settings& settings, Command command) {
   require_together(settings, command);
@@ -95,7 +97,7 @@ MotionInput motion_input(const Settings& settings, Command command, bool from_re
 
 Oscillator oscillator_input(const Settings& settings, const MotionInput& motion) {
   const double f = settings.required("f", "give --f, the constant friction (0 for none)");
-  const auto delta = point_friction(settings, "delta", "delta-m", motion.physical);
+  const auto delta = point_friction(settings, "delta", motion.physical);
   if (!delta) {
     throw motion.physical
         ? InputError::missing("delta-m", "give --delta-m, the point friction in m (0 for none)")
@@ -104,30 +106,31 @@ Oscillator oscillator_input(const Settings& settings, const MotionInput& motion)
   return {motion.p, f, *delta, settings.number("hold")};
 }
 
-std::optional<double> in_either(const Settings& settings, std::string_view plain,
-                                std::string_view physical, double unit, double least) {
-  const auto value = settings.number(physical);
-  if (!value) {
+std::optional<double> in_either(const Settings& settings, std::string_view plain, double unit,
+                                double least) {
+  const Option* const physical = with_unit(settings, plain);
+  if (physical == nullptr) {
     return settings.number(plain);
   }
-  records::require_physical(physical, find_option(physical)->traits.dimension, *value, least);
-  return *value / unit;
+  const double value = *settings.number(physical->name);
+  records::require_physical(physical->name, physical->traits.dimension, value, least);
+  return value / unit;
 }
 
 std::optional<double> point_friction(const Settings& settings, std::string_view plain,
-                                     std::string_view metres, const Physical& physical,
-                                     double least) {
-  const auto value = settings.number(metres);
-  if (!value) {
+                                     const Physical& physical, double least) {
+  const Option* const metres = with_unit(settings, plain);
+  if (metres == nullptr) {
     return settings.number(plain);
   }
+  const double value = *settings.number(metres->name);
   const double unit = physical->scales.length_m;
   const double most = std::min(largest_square * unit, std::numeric_limits<double>::max());
-  if (!(*value >= least * unit && *value <= most)) {
-    throw InputError(std::string(metres), *value,
+  if (!(value >= least * unit && value <= most)) {
+    throw InputError(std::string(metres->name), value,
                      fmt::format("must be a number from {:.3g} to {:.3g}", least * unit, most));
   }
-  return *value / unit;
+  return value / unit;
 }
 
 }  // namespace stillpoint::cli

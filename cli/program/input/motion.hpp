@@ -37,17 +37,19 @@ struct MotionInput {
 /// UsageError for options that cannot be combined and InputError for a missing or wrong value.
 [[nodiscard]] MotionInput motion_input(const Settings& settings, Command command, bool from_rest);
 
-/// A value given dimensionless or, as the option `physical`, in its SI unit; then it must be from
-/// `least` to largest_physical, and is `unit` times as large. Empty if not given.
+/// The option with a unit that is given in place of `plain`; null if there is none.
+[[nodiscard]] const Option* with_unit(const Settings& settings, std::string_view plain);
+
+/// The option `plain`, or the one of its rivals that has a unit; then it must be from `least` to
+/// largest_physical, and is `unit` times as large. Empty if neither is given.
 [[nodiscard]] std::optional<double> in_either(const Settings& settings, std::string_view plain,
-                                              std::string_view physical, double unit, double least);
+                                              double unit, double least);
 
 /// What moves, with its damper. Throws InputError for a missing or wrong value.
 [[nodiscard]] Oscillator oscillator_input(const Settings& settings, const MotionInput& motion);
 
-/// A point friction, which may be given in metres, then at least `least`. Empty if not given.
+/// The same of a point friction or a residual, then at least `least` units.
 [[nodiscard]] std::optional<double> point_friction(const Settings& settings, std::string_view plain,
-                                                   std::string_view metres,
                                                    const Physical& physical, double least = 0);
 
 /// "x:f,x:f,...", as a scene's list of { "to": x, "f": f } reads in one text.

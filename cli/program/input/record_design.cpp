@@ -6,16 +6,14 @@
 #include "options/scene.hpp"
 
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/record_file.hpp>
 #include <stillpoint/report/version.hpp>
+#include <stillpoint/sweep/identity.hpp>
 #include <stillpoint/sweep/part_label.hpp>
-#include <stillpoint/sweep/state.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <numbers>
 #include <string_view>
 
 namespace stillpoint::cli {
@@ -40,9 +38,14 @@ std::optional<Interval> search_range(const Settings& settings, const char* name)
 MotionInput suite_motion(const Settings& settings, const std::optional<Interval>& periods) {
   Settings whole = settings;
   if (periods && settings.given(Rivals::stiffness) == nullptr) {
-    whole.set(*find_option("period"), periods->high);
+    whole.set("period", periods->high);
   }
   return motion_input(whole, Command::design, true);
+}
+
+std::string identity(const Settings& settings, const design::RecordDesignRequest& request) {
+  return sweep::identity_of(request, inputs(settings, Command::design).dump(),
+                            report::program_version());
 }
 
 }  // namespace
@@ -80,39 +83,26 @@ report::RecordDesignInput record_design_input(const Settings& settings) {
   request.p = {start.p, start.p};
   if (periods) {
     records::require_physical("search-period", Dimension::time, periods->low);
-    const double tau = start.physical->scales.time_s;
-    request.p = {2 * std::numbers::pi * tau / periods->high,
-                 2 * std::numbers::pi * tau / periods->low};
+    const design::Scales& scales = start.physical->scales;
+    request.p = {scales.p_of(periods->high), scales.p_of(periods->low)};
   }
   request.f = search_range(settings, "search-f");
   request.f_max = settings.number("f-max");
   if (const auto range = search_range(settings, "search-delta-m")) {
     request.delta = Interval{range->low / length, range->high / length};
   }
-  request.delta_max = point_friction(settings, "delta-max", "delta-max-m", start.physical);
+  request.delta_max = point_friction(settings, "delta-max", start.physical);
   request.objective = objective_of(settings, request.objective, " under records");
   request.combine = settings.named<design::Combine>("combine");
-  request.limits = {in_either(settings, "beta", "max-displacement", length, smallest_physical),
+  request.limits = {in_either(settings, "beta", length, smallest_physical),
                     settings.number("acceleration-max"),
-                    in_either(settings, "residual", "residual-m", length, 0)};
+                    in_either(settings, "residual", length, 0)};
   request.hold = settings.number("hold");
   request.notch_width = notch_width(settings, start.physical);
   request.tolerance = settings.number("tolerance").value_or(request.tolerance);
   request.scan_points = settings.integer("scan-points").value_or(request.scan_points);
   request.threads = threads(settings);
   return input;
-}
-
-std::string record_design_identity(const Settings& settings,
-                                   const design::RecordDesignRequest& request) {
-  sweep::Digest digest;
-  for (const design::SuiteRecord& record : request.records) {
-    digest.add(sweep::digest(Excitation(design::scaled(record))));
-  }
-  nlohmann::ordered_json result = inputs(settings, Command::design);
-  result["version"] = report::program_version();
-  result["record_digest"] = digest.value();
-  return result.dump();
 }
 
 Settings record_design_settings(const std::string& identity) {
@@ -126,19 +116,14 @@ sweep::PartLabel record_part_label(const Settings& settings,
                                    const design::RecordDesignRequest& request) {
   return {settings.text("output").value_or(""),
           sweep::parse_part(*settings.text("part")),
-          record_design_identity(settings, request),
+          identity(settings, request),
           {design::scan_size(request), 0}};
 }
 
 report::RecordDesignInput record_design_input(const Settings& settings,
                                               const report::RecordScan& scan) {
   report::RecordDesignInput input = record_design_input(settings);
-  sweep::PartLabel now = scan.label;
-  now.task = record_design_identity(settings, input.request);
-  if (const std::string differs = difference(scan.label, now); !differs.empty()) {
-    throw records::FileError({.kind = "part", .path = scan.label.path},
-                             "was made from other records, or by another version: " + differs);
-  }
+  sweep::require_made_for(identity(settings, input.request), scan.label);
   return input;
 }
 

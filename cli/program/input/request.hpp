@@ -52,10 +52,7 @@ namespace stillpoint::cli {
 /// The request, and what a report needs besides. Throws UsageError, InputError and FileError.
 [[nodiscard]] report::RecordDesignInput record_design_input(const Settings& settings);
 
-/// Everything that the design depends on, as a JSON object, and the settings that it came from.
-/// Parts are merged only if it is the same in all.
-[[nodiscard]] std::string record_design_identity(const Settings& settings,
-                                                 const design::RecordDesignRequest& request);
+/// The settings that its identity came from, see sweep/identity.hpp.
 [[nodiscard]] Settings record_design_settings(const std::string& identity);
 
 /// The part that --part asks for, which must be resolved.

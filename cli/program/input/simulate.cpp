@@ -14,18 +14,6 @@ namespace stillpoint::cli {
 
 namespace {
 
-void add_output(const Settings& settings, SimulationRequest& request) {
-  request.max_half_cycles = settings.integer("max-half-cycles").value_or(request.max_half_cycles);
-  const auto trajectory = settings.text("trajectory");
-  if (trajectory == "-" && settings.flag("json")) {
-    throw UsageError(
-        "json and the trajectory would both go to standard output: give --trajectory FILE");
-  }
-  if (trajectory) {
-    request.samples = settings.integer("samples").value_or(1000);
-  }
-}
-
 /// For a free motion the end is that of its trajectory.
 std::optional<double> free_end(const Settings& settings, const Physical& physical) {
   const auto t_end = end_of_run(settings, physical);
@@ -59,7 +47,10 @@ report::MotionReport simulate_input(const Settings& settings) {
   request.start = {motion.x0, motion.v0};
   request.oscillator = oscillator_input(settings, motion);
   request.half_cycle_limit = half_cycle_limit(settings);
-  add_output(settings, request);
+  request.max_half_cycles = settings.integer("max-half-cycles").value_or(request.max_half_cycles);
+  if (settings.has("trajectory")) {
+    request.samples = settings.integer("samples").value_or(1000);
+  }
   request.surface = surface_input(settings, motion.physical);
   require_valid(request.oscillator, request.start);
   require_valid(request.oscillator, request.surface);
@@ -79,7 +70,7 @@ report::MotionReport motion_report(const Settings& settings, const std::function
   Settings wanted = settings;
   const bool ends_free = !excitation_type(settings) && settings.given(Rivals::end) != nullptr;
   if (settings.has("samples") || ends_free) {
-    wanted.set(*find_option("trajectory"), std::string("-"));
+    wanted.set("trajectory", std::string("-"));
   }
   report::MotionReport report = simulate_input(wanted);
   report.answer = simulate(report.request, [&](double /*tau*/) { return go_on(); });

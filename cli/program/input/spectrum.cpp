@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <vector>
 
 namespace stillpoint::cli {
@@ -47,7 +46,7 @@ report::SpectrumReport spectrum_input(const Settings& settings) {
   const design::Scales& scales = report.physical.scales;
   design::SpectrumRequest& request = report.result.request;
   for (const double period : list) {
-    request.p.push_back(2 * std::numbers::pi * scales.time_s / period);
+    request.p.push_back(scales.p_of(period));
   }
   const Oscillator damper = oscillator_input(settings, {.physical = report.physical});
   request.f = damper.f;

@@ -2,11 +2,12 @@
 #include "input/excitation.hpp"
 #include "input/motion.hpp"
 #include "input/request.hpp"
-#include "options/excitation_kinds.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/excitation_kinds.hpp>
 #include <stillpoint/records/units.hpp>
 #include <stillpoint/report/version.hpp>
+#include <stillpoint/sweep/identity.hpp>
 #include <stillpoint/sweep/launcher.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
@@ -70,9 +71,9 @@ std::optional<SweepUnits> units(const Settings& settings) {
     units.restoring = sweep::Restoring::natural_frequency;
   }
   if (const auto pulse = settings.known("pulse")) {
-    units.pulse_angle = find_excitation_kind(*pulse)->angle;
+    units.pulse_angle = design::find_excitation_kind(*pulse)->angle;
     units.pulse_clock =
-        settings.has("pulse-duration") ? sweep::PulseClock::duration : sweep::PulseClock::frequency;
+        settings.has("pulse-duration") ? design::WaveClock::duration : design::WaveClock::frequency;
   }
   return units;
 }
@@ -120,22 +121,16 @@ void refuse_for_other_kinds(const Settings& settings, const SweepSpec& spec) {
   }
 }
 
-/// By default a motion starts from x = 0, and from rest if something else moves it.
 void add_axes(const Settings& settings, SweepSpec& spec) {
-  const bool may_rest = spec.kind == SweepKind::forced ||
-                        (spec.kind == SweepKind::free && given(settings, spec, Quantity::x0));
   for (const Quantity input : sweep::inputs(spec.kind)) {
-    const std::string option = option_name(input, spec.units);
     if (const auto front = settings.integer("trade-off"); front && input == Quantity::trade_off) {
       spec.axes.push_back(
           {input, Axis(1, static_cast<double>(*front), *front, Axis::Spacing::linear)});
-    } else if (const auto axis = settings.axis(option)) {
+    } else if (const auto axis = settings.axis(option_name(input, spec.units))) {
       spec.axes.push_back({input, *axis});
-    } else if (!given(settings, spec, input) &&
-               (input == Quantity::x0 || (input == Quantity::v0 && may_rest))) {
-      spec.axes.push_back({input, Axis({0})});
     }
   }
+  add_default_start(spec);
 }
 
 void add_motion(const Settings& settings, SweepSpec& spec) {
@@ -150,7 +145,7 @@ void add_motion(const Settings& settings, SweepSpec& spec) {
 
 void add_design(const Settings& settings, SweepSpec& spec) {
   if (const auto pulse = settings.known("pulse")) {
-    spec.pulse = find_excitation_kind(*pulse)->pulse({});
+    spec.pulse = design::find_excitation_kind(*pulse)->pulse({});
   } else {
     require_no_pulse_options(settings);
   }
@@ -207,9 +202,9 @@ void resolve_part(Settings& settings) {
   }
   const sweep::SweepPart part =
       sweep::asked_part(*asked, [](const char* name) { return std::getenv(name); });
-  settings.set(*find_option("part"), text(part));
+  settings.set("part", text(part));
   if (const auto output = settings.text("output")) {
-    settings.set(*find_option("output"), sweep::with_part(*output, part));
+    settings.set("output", sweep::with_part(*output, part));
   }
 }
 

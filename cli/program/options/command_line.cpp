@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "options/command_line.hpp"
 
+#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/report/terminal.hpp>
 #include <stillpoint/report/version.hpp>
@@ -42,7 +43,8 @@ const std::array command_helps{
     command_row(Command::sweep, "compute many motions or designs, from a grid or a list"),
     command_row(Command::accuracy,
                 "compare methods on one motion: time, and error against 50 digits"),
-    command_row(Command::init, "print a commented scene to start from", texts::starter_names()),
+    command_row(Command::init, "print a commented scene to start from",
+                {"building", "machine", "equipment"}),
     command_row(Command::explore, "open the page with the program in it", {"open", "path"}),
 };
 
@@ -310,6 +312,15 @@ Invocation parse_command_line(int argc, const char* const* argv) {
           fmt::format("{0}: a unit must follow its number without a space: 1{0}", given.scene));
     }
     invocation.scene = given.scene;
+  }
+  const auto& known =
+      std::ranges::find(command_helps, invocation.command, &CommandHelp::command)->words;
+  if (!known.empty()) {
+    const std::string word = invocation.scene.value_or(std::string(known.front()));
+    if (std::ranges::find(known, word) == known.end()) {
+      throw InputError(chosen.get_name(), word, must_be(word, known));
+    }
+    invocation.scene = word;
   }
   if (!chosen.get_subcommands().empty()) {
     refuse_beside_merge(invocation);

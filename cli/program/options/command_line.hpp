@@ -36,7 +36,7 @@ struct MergeFiles {
 struct Invocation {
   Command command{Command::design};
   Settings flags;
-  std::optional<std::string> scene;  ///< path or "-"; for init, the kind
+  std::optional<std::string> scene;  ///< path or "-"; of init and explore, one of their words
   std::optional<MergeFiles> merge;   ///< for sweep: join parts, and do nothing else
   std::optional<std::string> reply;  ///< --help or --version: print this, and do nothing else
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "options/excitation_kinds.hpp"
 #include "options/options.hpp"
 
 #include <stillpoint/core/names.hpp>
+#include <stillpoint/design/excitation_kinds.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/record_design.hpp>
 #include <stillpoint/design/search.hpp>
@@ -81,7 +81,7 @@ Option row(std::string_view name, OptionKind kind, std::string_view placeholder,
 
 /// An input that a sweep varies, without a unit and with one, and a single number with a unit.
 OptionTraits plain_axis(Rivals rivals, RangeEnd range = RangeEnd::none) {
-  return {.sweeps = true, .rivals = rivals, .units = Units::dimensionless, .range = range};
+  return {.axis = sweep, .rivals = rivals, .units = Units::dimensionless, .range = range};
 }
 OptionTraits in_si(Dimension dimension, Rivals rivals = Rivals::none,
                    RangeEnd range = RangeEnd::none) {
@@ -89,7 +89,7 @@ OptionTraits in_si(Dimension dimension, Rivals rivals = Rivals::none,
 }
 OptionTraits axis_in_si(Rivals rivals, Dimension dimension, RangeEnd range = RangeEnd::none) {
   OptionTraits traits = in_si(dimension, rivals, range);
-  traits.sweeps = true;
+  traits.axis = sweep;
   return traits;
 }
 /// For only one of the two kinds of design: for a hit, or under records.
@@ -108,6 +108,10 @@ OptionTraits of(Load load, OptionTraits traits = {}) {
 /// Where the numbers go.
 OptionTraits goes(FileUse file = FileUse::none) {
   return {.role = output, .file = file};
+}
+OptionTraits also(std::vector<std::string_view> words, OptionTraits traits) {
+  traits.also = std::move(words);
+  return traits;
 }
 /// Of design merge too.
 OptionTraits merges(OptionTraits traits) {
@@ -131,7 +135,7 @@ std::vector<Option> rows() {
           "--excitation-frequency or --lambda",
           of_designs,
           {.rivals = Rivals::hit,
-           .values = excitation_names(true),
+           .values = design::excitation_names(true),
            .excludes =
                {{of_designs, {"residual", "residual-m"}, "a design for a pulse stops at x = 0"}},
            .instead = "a motion takes --excitation",
@@ -140,21 +144,22 @@ std::vector<Option> rows() {
           plain_axis(Rivals::start)),
 
       row("velocity", number, "M/S", physical, "initial velocity, just after the hit, in m/s",
-          in_metres, axis_in_si(Rivals::hit, Dimension::velocity, RangeEnd::high)),
+          in_metres,
+          also({"pgv", "speed"}, axis_in_si(Rivals::hit, Dimension::velocity, RangeEnd::high))),
       row("max-displacement", number, "M", physical, "largest admissible displacement in m",
-          of_designs, axis_in_si(Rivals::stroke, Dimension::length)),
+          of_designs,
+          also({"stroke", "displacement"}, axis_in_si(Rivals::stroke, Dimension::length))),
       row("period", number, "S", physical,
           "natural period without friction in s; for spectrum, first:last:count",
           in_metres | spectrum,
-          {.sweeps = true,
-           .axis_of_spectrum = true,
+          {.axis = sweep | spectrum,
            .rivals = Rivals::stiffness,
            .units = Units::physical,
            .dimension = Dimension::time,
            .range = RangeEnd::high}),
       row("natural-frequency", number, "HZ", physical,
           "natural frequency in Hz, instead of the period", in_metres,
-          axis_in_si(Rivals::stiffness, Dimension::frequency, RangeEnd::low)),
+          also({"frequency"}, axis_in_si(Rivals::stiffness, Dimension::frequency, RangeEnd::low))),
       row("stiffness", number, "N/M", physical,
           "stiffness in N/m, instead of the period; needs --mass", in_metres,
           axis_in_si(Rivals::stiffness, Dimension::stiffness, RangeEnd::low)),
@@ -168,16 +173,16 @@ std::vector<Option> rows() {
 
       row("f", number, "F", damper, "constant friction coefficient",
           region | motions | sweep | spectrum,
-          {.sweeps = true, .instead = "region judges a given damper"}),
+          {.axis = sweep, .also = {"friction", "mu"}, .instead = "region judges a given damper"}),
       row("delta", number, "D", damper, "point friction", region | motions | sweep,
-          {.sweeps = true, .rivals = Rivals::point_friction}),
+          {.axis = sweep, .rivals = Rivals::point_friction, .also = {"notch"}}),
       row("delta-m", number, "M", damper, "point friction in m, with physical input",
           region | motions | sweep | spectrum,
           axis_in_si(Rivals::point_friction, Dimension::length)),
       row("hold", number, "H", damper,
           "the notch holds a load up to f + H at x = 0, in g; default: any load",
           of_suites | of_excitations,
-          {.sweeps = true, .rivals = Rivals::notch, .dimension = Dimension::gravities}),
+          {.axis = sweep, .rivals = Rivals::notch, .dimension = Dimension::gravities}),
       row("notch-width", number, "W", damper,
           "width of the notch: friction is f + delta/W for |x| < W/2; default: it acts only at x = "
           "0",
@@ -192,7 +197,7 @@ std::vector<Option> rows() {
           for_hits({.values = names<design::Criterion>(), .first_is_default = true})),
       row("arrivals", integer, "N", damper,
           "stop at x = 0 by the N-th arrival, from 1 to 1000; default 1", of_designs,
-          for_hits({.sweeps = true, .bounds = {1, design::most_arrivals}})),
+          for_hits({.axis = sweep, .bounds = {1, design::most_arrivals}})),
       row("residual", number, "R", damper, "also allow a rest with |x| up to R", of_designs,
           plain_axis(Rivals::residual)),
       row("residual-m", number, "M", damper, "the same in m, with physical input", of_designs,
@@ -256,12 +261,12 @@ std::vector<Option> rows() {
           for_hits({.values = design::algorithm_names()})),
 
       row("excitation", text, "TYPE", shaking, "the load: {}", of_excitations,
-          {.values = excitation_names(),
+          {.values = design::excitation_names(),
            .in_scene = InScene::group,
            .instead = "a design takes --pulse"}),
       row("k", number, "K", shaking, "peak of the excitation or pulse in g", of_waves,
           of(Load::wave,
-             {.sweeps = true, .dimension = Dimension::gravities, .range = RangeEnd::high})),
+             {.axis = sweep, .dimension = Dimension::gravities, .range = RangeEnd::high})),
       row("excitation-frequency", number, "HZ", shaking,
           "with physical input: the frequency in Hz; for a pulse, that of its sine", of_waves,
           of(Load::wave, axis_in_si(Rivals::frequency, Dimension::frequency, RangeEnd::low))),
@@ -272,7 +277,7 @@ std::vector<Option> rows() {
           "dimensionless angular frequency, L/p times the natural one; half-sine and rectangle "
           "last pi/L, full-sine 2 pi/L",
           of_waves,
-          of(Load::wave, {.sweeps = true, .rivals = Rivals::frequency, .range = RangeEnd::low})),
+          of(Load::wave, {.axis = sweep, .rivals = Rivals::frequency, .range = RangeEnd::low})),
       row("phase", number, "PHI", shaking, "of a harmonic, W = K sin(L tau + PHI); default 0",
           of_excitations, of(Load::harmonic, {.instead = "only a harmonic has a phase"})),
       row("excitation-duration", number, "S", shaking,

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 
 namespace stillpoint::cli {
 
@@ -27,17 +26,10 @@ std::vector<const Option*> physical_rivals(const Option& option) {
 
 std::string suggestion(std::string_view wrong, std::optional<Command> command,
                        std::string_view prefix) {
-  static const std::map<std::string_view, std::string_view> others{
-      {"stroke", "max-displacement"},
-      {"displacement", "max-displacement"},
-      {"pgv", "velocity"},
-      {"speed", "velocity"},
-      {"frequency", "natural-frequency"},
-      {"friction", "f"},
-      {"mu", "f"},
-      {"notch", "delta"}};
-  if (const auto meant = others.find(wrong); meant != others.end()) {
-    return fmt::format("; did you mean {}{}?", prefix, meant->second);
+  for (const Option& option : options()) {
+    if (std::ranges::find(option.traits.also, wrong) != option.traits.also.end()) {
+      return fmt::format("; did you mean {}{}?", prefix, option.name);
+    }
   }
   std::vector<std::string_view> known;
   for (const Option& option : options()) {

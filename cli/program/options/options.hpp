@@ -119,8 +119,7 @@ struct InPython {
 
 /// Traits that most options leave at their defaults.
 struct OptionTraits {
-  bool sweeps{false};            ///< a number, but in a sweep an axis
-  bool axis_of_spectrum{false};  ///< the same for a spectrum
+  CommandSet axis{};  ///< where a number is an axis
   Rivals rivals{Rivals::none};
   Units units{Units::any};
   Dimension dimension{Dimension::none};
@@ -137,6 +136,7 @@ struct OptionTraits {
   bool merges{false};  ///< design merge takes it, which has the task from the parts
   Beside needs{};
   std::vector<Beside> excludes{};
+  std::vector<std::string_view> also{};  ///< other words for it
   std::string_view instead{};        ///< what to give where it is refused: "a design takes --pulse"
   std::optional<InPython> python{};  ///< empty: what its role says
   bool explored{true};               ///< if the page with the program in it can take it
@@ -155,18 +155,15 @@ struct Option {
 
   [[nodiscard]] bool serves(Command command) const { return commands.has(command); }
   [[nodiscard]] OptionKind kind_in(Command command) const {
-    return (traits.sweeps && command == Command::sweep) ||
-                   (traits.axis_of_spectrum && command == Command::spectrum)
-               ? OptionKind::axis
-               : kind;
+    return traits.axis.has(command) ? OptionKind::axis : kind;
   }
   [[nodiscard]] bool repeats_in(Command command) const {
-    const bool takes_suite = command == Command::design || command == Command::spectrum;
-    return traits.repeats && (takes_suite || traits.file == FileUse::none);
+    return traits.repeats &&
+           (traits.file == FileUse::none || (Command::design | Command::spectrum).has(command));
   }
   [[nodiscard]] bool takes_range_in(Command command) const {
     return traits.range != RangeEnd::none &&
-           (command == Command::design || command == Command::region || command == Command::sweep);
+           (Command::design | Command::region | Command::sweep).has(command);
   }
   [[nodiscard]] bool shapes(Load load) const {
     return traits.load != Load::none &&

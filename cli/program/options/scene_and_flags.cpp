@@ -61,7 +61,7 @@ void follow_pulse(Settings& scene) {
   if (!scene.has("pulse") || scene.has("excitation") || scene.has("record")) {
     return;
   }
-  scene.set(*find_option("excitation"), *scene.known("pulse"));
+  scene.set("excitation", *scene.known("pulse"));
   scene.drop("pulse");
   if (const Option* const start = scene.given(Rivals::hit)) {
     throw UsageError(fmt::format("{} and pulse cannot be combined: give one of them", start->name));

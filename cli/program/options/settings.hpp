@@ -54,6 +54,7 @@ class Settings {
   };
 
   void set(const Option& option, Value value) { entries_[option.name].value = std::move(value); }
+  void set(std::string_view name, Value value) { set(*find_option(name), std::move(value)); }
   /// An option of any kind but a flag, as on the command line: numbers may have units. Throws
   /// InputError.
   void set_text(const Option& option, const std::string& text, Command command);

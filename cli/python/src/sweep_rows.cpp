@@ -61,7 +61,6 @@ class RowsInMemory final : public sweep::RowSink {
     }
   }
 
-  [[nodiscard]] const sweep::SweepState& found() const override { return nothing_; }
   void write(std::string_view bytes) override {
     if (header_.empty()) {
       header_ = bytes;
@@ -69,9 +68,6 @@ class RowsInMemory final : public sweep::RowSink {
       bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
     }
   }
-  void reached(const sweep::SweepState& /*state*/) override {}
-  void finish(const sweep::SweepState& /*state*/, std::string_view /*header*/) override {}
-  sweep::LeftRows leave() override { return {}; }
 
   [[nodiscard]] const std::string& header() const { return header_; }
 
@@ -84,7 +80,6 @@ class RowsInMemory final : public sweep::RowSink {
   }
 
  private:
-  sweep::SweepState nothing_;
   std::string header_;  ///< comes first
   std::vector<char> bytes_;
 };
@@ -144,7 +139,7 @@ std::unique_ptr<Sweep> reduced(const Settings& given, const SweepSpec& spec) {
       return *std::move(before);
     }
     sweep::Reducer reducer(spec);
-    sweep::NoRows none;
+    sweep::RowSink none;
     const sweep::SweepSummary summary = sweep::run(spec, none, {stop, {}, nullptr, &reducer});
     return report::reduction_report(spec, summary, reducer.result());
   });
@@ -179,7 +174,7 @@ std::unique_ptr<Sweep> run_sweep(const py::object& scene, const py::kwargs& opti
   Settings given = settings(Command::sweep, scene, options);
   const bool in_memory = !given.has("output");
   if (in_memory && !given.flag("reduce")) {
-    given.set(*cli::find_option("format"), std::string("npy"));
+    given.set("format", std::string("npy"));
   }
   std::unique_ptr<Sweep> found = with_places(given, [&] {
     cli::resolve_part(given);

@@ -27,24 +27,8 @@ class Fields(dict):
         return f"Fields({', '.join(f'{name}={value!r}' for name, value in self.items())})"
 
 
-from ._stillpoint import (  # noqa: E402
-    InputError,
-    Motion,
-    Result,
-    Sweep,
-    __version__,
-    design,
-    merge,
-    motions,
-    options,
-    outcomes,
-    peak,
-    read_record,
-    region,
-    simulate,
-    spectrum,
-    sweep,
-)
+from ._stillpoint import *  # noqa: E402, F403
+from ._stillpoint import __version__  # noqa: E402, F401
 
 __all__ = [
     "Fields",

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/records/text.hpp>
 #include <stillpoint/texts/embedded.hpp>
 
 #include <algorithm>
@@ -29,19 +27,6 @@ std::string embedded(std::string_view file, const std::map<std::string_view, std
     result += texts.at(rest.substr(at + 1, end - at - 1));
     rest.remove_prefix(end + 1);
   }
-}
-
-std::vector<std::string_view> starter_names() {
-  return {"building", "machine", "equipment"};
-}
-
-std::string starter_scene(const std::optional<std::string>& kind) {
-  const std::vector<std::string_view> names = starter_names();
-  const std::string wanted = kind.value_or(std::string(names.front()));
-  if (std::ranges::find(names, wanted) == names.end()) {
-    throw InputError("init", wanted, records::must_be(wanted, names));
-  }
-  return std::string(embedded("starters/" + wanted + ".json"));
 }
 
 }  // namespace stillpoint::texts

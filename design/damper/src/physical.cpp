@@ -75,6 +75,10 @@ Scales physical_scales(const PhysicalIsolator& isolator, double reference_veloci
   return scales;
 }
 
+double Scales::p_of(double period_s) const {
+  return 2 * std::numbers::pi * time_s / period_s;
+}
+
 std::optional<double> Scales::friction_force_n(double f) const {
   return mass_kg ? std::optional(*mass_kg * f * gravity_m_per_s2) : std::nullopt;
 }
@@ -100,6 +104,16 @@ PhysicalInput physical_input(const PhysicalIsolator& isolator, double velocity_m
           .period_s = 2 * std::numbers::pi / scales.omega_rad_per_s,
           .by_stiffness = isolator.stiffness_n_per_m.has_value(),
           .by_frequency = isolator.natural_frequency_hz.has_value()};
+}
+
+double largest_p(const PhysicalInput& physical, const Interval& range) {
+  const auto [name, dimension] =
+      physical.by_stiffness   ? std::pair{"stiffness", Dimension::stiffness}
+      : physical.by_frequency ? std::pair{"natural-frequency", Dimension::frequency}
+                              : std::pair{"period", Dimension::time};
+  require_physical(name, dimension, range.low);
+  const double ratio = range.high / range.low;
+  return physical.scales.p * (physical.by_stiffness ? std::sqrt(ratio) : ratio);
 }
 
 PhysicalWorksFor physical_works_for(const Scales& scales, const WorksFor& served) {

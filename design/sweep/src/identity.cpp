@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <stillpoint/sweep/identity.hpp>
 #include <stillpoint/sweep/spec.hpp>
 #include <stillpoint/sweep/state.hpp>
 
@@ -21,6 +22,18 @@ std::string identity_of(const SweepSpec& spec, const std::string& inputs,
   if (!spec.parts.empty()) {
     result["catalogue_digest"] = digest(spec.parts);
   }
+  return result.dump();
+}
+
+std::string identity_of(const design::RecordDesignRequest& request, const std::string& inputs,
+                        std::string_view version) {
+  Digest digest;
+  for (const design::SuiteRecord& record : request.records) {
+    digest.add(sweep::digest(Excitation(design::scaled(record))));
+  }
+  auto result = nlohmann::ordered_json::parse(inputs);
+  result["version"] = version;
+  result["record_digest"] = digest.value();
   return result.dump();
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "descriptor.hpp"
+
 #include <cstdint>
 #include <optional>
 #include <stop_token>
@@ -16,9 +18,6 @@ class LineReader {
  public:
   /// `path` "-" is standard input; `kind` says what the file is to the program, file_error.hpp.
   explicit LineReader(const std::string& path, std::string kind = "list");
-  LineReader(const LineReader&) = delete;
-  LineReader& operator=(const LineReader&) = delete;
-  ~LineReader();
 
   /// The next line without its end (LF or CR LF) or a byte order mark, valid until the next call.
   /// False at the end and after a stop, even while it waits for input. A line has at most 64 KiB.
@@ -37,7 +36,7 @@ class LineReader {
 
   std::string kind_;
   std::string source_;
-  int descriptor_;
+  Descriptor descriptor_;
   std::vector<char> buffer_;
   std::size_t begin_{0};
   std::size_t end_{0};

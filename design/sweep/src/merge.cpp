@@ -50,10 +50,42 @@ std::vector<Seal> read_seals(const std::vector<std::string>& paths) {
   return ordered;
 }
 
+/// The header of the whole sweep: that of the first part, but with all rows.
+std::string header_of(const Seal& first) {
+  if (first.format == RowFormat::npy) {
+    return npy_header(first.npy_fields, first.label.whole.entries);
+  }
+  std::ifstream file(first.label.path, std::ios::binary);
+  std::string header(static_cast<std::size_t>(first.header), '\0');
+  file.read(header.data(), first.header);
+  return header;
+}
+
 class Joiner {
  public:
   Joiner(RowSink& sink, const MergeWatch& watch) : sink_(sink), watch_(watch) {}
 
+  Merged join(const std::vector<Seal>& parts) {
+    const std::string header = header_of(parts.front());
+    try {
+      write(header);
+      merged_.stopped =
+          !std::ranges::all_of(parts, [this](const Seal& part) { return append(part); });
+    } catch (...) {
+      sink_.leave();
+      throw;
+    }
+    if (merged_.stopped) {
+      sink_.leave();
+    } else {
+      SweepState whole;
+      whole.rows = merged_.rows;
+      sink_.finish(whole, header);
+    }
+    return merged_;
+  }
+
+ private:
   void write(std::string_view bytes) {
     sink_.write(bytes);
     merged_.bytes += static_cast<std::int64_t>(bytes.size());
@@ -92,49 +124,11 @@ class Joiner {
     return true;
   }
 
-  [[nodiscard]] const Merged& merged() const { return merged_; }
-
- private:
   RowSink& sink_;
   const MergeWatch& watch_;
   Merged merged_;
   std::vector<char> buffer_ = std::vector<char>(std::size_t{1} << 20U);
 };
-
-/// The header of the whole sweep: that of the first part, but with all rows.
-std::string header_of(const Seal& first) {
-  if (first.format == RowFormat::npy) {
-    return npy_header(first.npy_fields, first.label.whole.entries);
-  }
-  std::ifstream file(first.label.path, std::ios::binary);
-  std::string header(static_cast<std::size_t>(first.header), '\0');
-  file.read(header.data(), first.header);
-  return header;
-}
-
-Merged join(RowSink& sink, const std::vector<Seal>& seals, const MergeWatch& watch) {
-  const std::string header = header_of(seals.front());
-  Joiner joiner(sink, watch);
-  Merged merged;
-  try {
-    joiner.write(header);
-    merged.stopped =
-        !std::ranges::all_of(seals, [&joiner](const Seal& part) { return joiner.append(part); });
-  } catch (...) {
-    sink.leave();
-    throw;
-  }
-  merged.rows = joiner.merged().rows;
-  merged.bytes = joiner.merged().bytes;
-  if (merged.stopped) {
-    sink.leave();
-    return merged;
-  }
-  SweepState whole;
-  whole.rows = merged.rows;
-  sink.finish(whole, header);
-  return merged;
-}
 
 }  // namespace
 
@@ -152,11 +146,11 @@ Merged merge(const std::string& output, const std::vector<std::string>& parts,
   const std::vector<Seal> seals = read_seals(parts);
   const std::unique_ptr<RowSink> sink =
       open_whole(output, fmt::format(R"({{"merge_of": {}}})", parts.size()));
-  return join(*sink, seals, watch);
+  return Joiner(*sink, watch).join(seals);
 }
 
 Merged merge(RowSink& sink, const std::vector<std::string>& parts, const MergeWatch& watch) {
-  return join(sink, read_seals(parts), watch);
+  return Joiner(sink, watch).join(read_seals(parts));
 }
 
 }  // namespace stillpoint::sweep

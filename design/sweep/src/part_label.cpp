@@ -32,11 +32,10 @@ bool PartLabel::is_whole(std::int64_t rows) const {
 }
 
 PartLabel label_of(const SweepSpec& spec) {
-  ListExtent whole = spec.listed.value_or(ListExtent{entries(spec).value_or(0), 0});
-  if (spec.listed) {
-    whole.entries *= dampers_of_each(spec);
-  }
-  return {spec.output.value_or(""), spec.part.value_or(SweepPart()), spec.identity, whole};
+  return {spec.output.value_or(""),
+          spec.part.value_or(SweepPart()),
+          spec.identity,
+          {entries(spec).value_or(0), spec.listed ? spec.listed->digest : 0}};
 }
 
 std::string difference(const PartLabel& one, const PartLabel& other) {
@@ -48,6 +47,12 @@ std::string difference(const PartLabel& one, const PartLabel& other) {
                        other.whole.entries);
   }
   return one.whole.digest == other.whole.digest ? "" : "the list has changed";
+}
+
+void require_made_for(const std::string& task, const PartLabel& part) {
+  if (const std::string differs = difference(part.task, task); !differs.empty()) {
+    refuse_part(part, "was made from other records, or by another version: " + differs);
+  }
 }
 
 bool is_that_part(const PartLabel& found, const PartLabel& wanted, std::string_view whole) {

@@ -67,7 +67,7 @@ std::span<const Named<RowFormat>> enumerators(RowFormat) noexcept {
 
 std::optional<std::int64_t> entries(const SweepSpec& spec) {
   if (spec.list) {
-    return std::nullopt;
+    return spec.listed ? std::optional(spec.listed->entries * dampers_of_each(spec)) : std::nullopt;
   }
   constexpr std::int64_t most = 1'000'000'000'000'000;  // below 2^53: a double counts them exactly
   std::int64_t count = 1;
@@ -85,9 +85,7 @@ OwnEntries own_entries(const SweepSpec& spec) {
   if (!spec.part) {
     return {0, entries(spec)};
   }
-  const EntryRange range =
-      range_of(*spec.part, spec.listed ? spec.listed->entries * dampers_of_each(spec)
-                                       : entries(spec).value_or(0));
+  const EntryRange range = range_of(*spec.part, entries(spec).value_or(0));
   return {range.first, range.count};
 }
 
@@ -123,6 +121,16 @@ bool from_zero(const SweepSpec& spec) {
 
 bool plain_surface(const SweepSpec& spec) {
   return spec.zones.empty() && !given(spec, notch_width);
+}
+
+void add_default_start(SweepSpec& spec) {
+  const bool may_rest = spec.kind == SweepKind::forced || given(spec, x0);
+  for (const Quantity start : {v0, x0}) {
+    if (spec.kind != SweepKind::design && !given(spec, start) && (start == x0 || may_rest)) {
+      spec.axes.push_back({start, Axis({0})});
+    }
+  }
+  std::ranges::sort(spec.axes, {}, &SweepAxis::quantity);
 }
 
 std::span<const Quantity> inputs(SweepKind kind) {

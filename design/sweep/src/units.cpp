@@ -37,8 +37,8 @@ Label restoring_label(bool high, Restoring restoring) {
 }
 
 /// Of lambda or lambda_high.
-Label pulse_label(bool high, PulseClock clock) {
-  return clock == PulseClock::duration
+Label pulse_label(bool high, design::WaveClock clock) {
+  return clock == design::WaveClock::duration
              ? Label{high ? "pulse_duration_low" : "pulse_duration", Dimension::time}
              : Label{high ? "excitation_frequency_high" : "excitation_frequency",
                      Dimension::frequency};
@@ -102,8 +102,7 @@ double SweepUnits::plain(Quantity input, double value) const {
       return omega(restoring, value, mass_kg) * time_s();
     case Quantity::lambda:
     case Quantity::lambda_high:
-      return pulse_clock == PulseClock::duration ? pulse_angle * time_s() / value
-                                                 : 2 * std::numbers::pi * value * time_s();
+      return design::lambda_of(pulse_clock, value, pulse_angle, time_s());
     default:
       return value;  // a length, or without a unit
   }

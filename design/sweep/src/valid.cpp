@@ -226,7 +226,7 @@ void require_valid(const SweepSpec& spec) {
     throw InputError("part", text(*spec.part), "needs the number of entries of the list");
   }
   check_arrivals(spec);
-  if (entries(spec)) {
+  if (entries(spec) && !spec.list) {
     Corner corner{};
     check_corners(spec, corner);
   }

@@ -127,8 +127,6 @@ const std::vector<Wrong> wrong_scenes{
     {"accuracy --v0 1 --p 1 --f 0 --delta 0", {"never stops"}},
     {"accuracy --v0 1 --p 1 --f 1e-9 --delta 1e-9", {"half-cycles"}},
     {Arguments(s4.begin(), s4.end() - 1) + "1e9", {"t-end = 1000000000", "too long for 50 digits"}},
-    {"accuracy --v0 1 --p 1 --delta 0", {"f is missing"}},
-    {s1 + "--trajectory t.csv", {"--trajectory", "not an option of"}},
 };
 
 }  // namespace

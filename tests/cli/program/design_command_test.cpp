@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli_test.hpp"
+#include "wrong_arguments.hpp"
 
 #include <stillpoint/answers/exit_code.hpp>
 #include <stillpoint/design/cross_check.hpp>
@@ -11,10 +12,7 @@ BOOST_FIXTURE_TEST_SUITE(design_command_test, stillpoint::cli_test::Sandbox)
 namespace {
 
 using namespace stillpoint::cli_test;
-
-Arguments design(double beta, const Arguments& more = {}) {
-  return Arguments{"design", "--v0", "1", "--p", "1", "--beta", in_full(beta)} + more;
-}
+using right::design;
 
 }  // namespace
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli_test.hpp"
+#include "wrong_arguments.hpp"
 
 #include <regex>
 
@@ -10,10 +11,7 @@ BOOST_FIXTURE_TEST_SUITE(infeasible_design_test, stillpoint::cli_test::Sandbox)
 namespace {
 
 using namespace stillpoint::cli_test;
-
-Arguments design(double beta, const Arguments& more = {}) {
-  return Arguments{"design", "--v0", "1", "--p", "1", "--beta", in_full(beta)} + more;
-}
+using right::design;
 
 }  // namespace
 
@@ -67,7 +65,7 @@ BOOST_AUTO_TEST_CASE(a_two_sided_tolerance_is_mended_on_each_side) {
   const Arguments too_much = design(0.75, "--tolerance-f 0.8:1.2 --tolerance-delta 0.05");
   const std::string out = run(too_much).out;
   const std::string box = "at most +-9.591 % of f and +-2.397 % of delta at once";
-  BOOST_TEST(contains(std::regex_replace(out, std::regex("\\s+"), " "), box), out);
+  BOOST_TEST(contains(one_line(out), box), out);
   succeed(design(0.75, "--tolerance-f 0.09591 --tolerance-delta 0.02397"));
   // Of one alone, with the option that gives it; and of factors.
   const std::string of_f = run(design(0.75, "--tolerance-f 0.245")).out;

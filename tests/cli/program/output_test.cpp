@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli_test.hpp"
+#include "wrong_arguments.hpp"
 
 #include <sys/stat.h>
 
@@ -8,10 +9,7 @@ BOOST_AUTO_TEST_SUITE(output_test)
 namespace {
 
 using namespace stillpoint::cli_test;
-
-Arguments design(const Arguments& more = {}) {
-  return "design --v0 1 --p 1 --beta 0.9" + more;
-}
+using right::design;
 
 bool is_report(const std::string& text) {
   const json report = json::parse(text, nullptr, false);

@@ -24,10 +24,6 @@ Arguments without(Arguments arguments, const std::string& option) {
   return arguments;
 }
 
-std::string in_one_line(const std::string& text) {
-  return std::regex_replace(text, std::regex("\\s+"), " ");
-}
-
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(report_says_how_the_design_stands_under_its_pulse) {
@@ -91,6 +87,7 @@ BOOST_AUTO_TEST_CASE(ranges_of_a_pulse_are_in_the_report) {
   BOOST_TEST(contains(run(of_lengths).out, "between those tried"));
 }
 
+// f + delta/w <= 0.08 g for w up to 441 mm, and the mass moves by 34 mm.
 // It stops after 2.7172 s of a pulse of 3.5 s: W = 0.08 sin(2 pi t/3.5) is then -0.0789 g, and
 // falls to 0 from there.
 BOOST_AUTO_TEST_CASE(a_damper_that_locks_during_its_pulse_is_reported) {
@@ -105,6 +102,9 @@ BOOST_AUTO_TEST_CASE(a_damper_that_locks_during_its_pulse_is_reported) {
   BOOST_TEST(contains(page, "locked from"));
   BOOST_TEST(contains(page, "too strong: never starts"));
   BOOST_TEST(contains(answer.out, " mm. Locked at x = 0 from 2.717 s"), answer.out);
+  check_contains(one_line(answer.out),
+                 {"No notch serves: only one wider than 440.88 mm would let this pulse move",
+                  "the stroke is 34.384 mm.", "; 0.08 g if it holds the mass"});
   BOOST_TEST(!contains(run(asked).err, "locked"));
 }
 
@@ -218,7 +218,7 @@ BOOST_AUTO_TEST_CASE(the_headline_says_that_no_notch_brings_the_mass_back) {
       "design --pulse half-sine --k 4g --pulse-duration 11ms --period 0.4s --max-displacement 15mm "
       "--delta-max-m 5mm --tolerance 0.05");
   const ProgramRun none = run(design);
-  const std::string text = in_one_line(none.out);
+  const std::string text = one_line(none.out);
   const std::regex best(
       "No notch width that was tried brings the mass back to x = 0: the best, ([.0-9]+ mm), leaves "
       "it ([.0-9]+ mm) off centre after a stroke of [.0-9]+ mm. With a notch that acts only after "
@@ -231,7 +231,7 @@ BOOST_AUTO_TEST_CASE(the_headline_says_that_no_notch_brings_the_mass_back) {
   std::erase(width, ' ');
   const ProgramRun built = run(design + Arguments{"--notch-width-m", width});
   const std::string fault = "ith this notch the mass rests " + found[2].str() + " off centre";
-  BOOST_TEST(contains(in_one_line(built.out), " But w" + fault), built.out);
+  BOOST_TEST(contains(one_line(built.out), " But w" + fault), built.out);
   BOOST_TEST(contains(built.err, ": w" + fault), built.err);
   for (const char* other : {"1mm", "2mm", "4mm", "8mm", "12mm", "20mm"}) {
     BOOST_TEST(contains(run(design + Arguments{"--notch-width-m", other}).out, " But with this"),
@@ -245,7 +245,7 @@ BOOST_AUTO_TEST_CASE(the_headline_says_which_notch_brings_the_mass_back) {
       "design --pulse half-sine --k 4g --pulse-duration 9ms --period 2.8s --max-displacement 97mm "
       "--delta-max-m 1mm");
   const ProgramRun answer = run(design);
-  const std::string text = in_one_line(answer.out);
+  const std::string text = one_line(answer.out);
   const std::regex example(
       "one ([.0-9]+) mm wide acts from the start, and leaves the mass ([.0-9]+) mm off centre");
   std::smatch found;
@@ -270,13 +270,11 @@ BOOST_AUTO_TEST_CASE(the_headline_says_that_no_notch_lets_the_mass_go) {
 BOOST_AUTO_TEST_CASE(an_ordinary_notch_keeps_what_a_design_for_a_hit_promises) {
   const ProgramRun text = run("design --velocity 0.4 --period 2.8 --max-displacement 0.15");
   BOOST_TEST(!contains(text.out, "next to no"), text.out);
-  BOOST_TEST(contains(text.out, "0.319 g if w is 20 mm"), text.out);
 }
 
 // Held while the load is at most f + delta/w = 0.0778 g; the paper's notch locks it later.
 BOOST_AUTO_TEST_CASE(the_warning_of_a_lock_is_about_the_notch_that_will_be_built) {
   const Arguments design{"design", STILLPOINT_DATA_DIR "/scenes/near_fault_pulse.json"};
-  check_contains(run(design).err, {"locked at x = 0 from 2.717 s of 3.5 s"});
   check_contains(run(design + "--notch-width-m 5mm").err,
                  {"locked at x = 0 throughout the load; the structure feels up to 0.08 g"});
   // This one lets it move, and holds it in the end.
@@ -329,16 +327,11 @@ const std::vector<Wrong> wrong_pulses{
      {"lambda = 0.0099", "from 0.01 p to", "a longer pulse cannot be computed"}},
     {without(asked, "--lambda") + "--lambda 1e13",
      {"lambda = 1", "to 1e+12 p", "a shorter pulse cannot be computed"}},
-    {without(asked, "--p"), {"p is missing"}},
-    {without(asked, "--beta"), {"beta is missing"}},
     {asked + "--v0 1", {"v0 and pulse cannot be combined"}},
     {"design --pulse half-sine --k 0.5 --lambda 20 --period 2 --max-displacement 0.05 --velocity 1",
      {"pulse and velocity cannot be combined"}},
     {"design --v0 1 --p 1 --beta 0.9 --k 1", {"k needs a pulse", "--pulse"}},
     {region + "--residual 0.1", {"pulse and residual cannot be combined"}},
-    {region + "--delta 1", {"f is missing", "give f as well"}},
-    {region + "--f nan", {"f = ", "finite number"}},
-    {region + "--objective time", {"--objective", "not an option of region"}},
 };
 
 }  // namespace

@@ -146,8 +146,7 @@ BOOST_AUTO_TEST_CASE(a_damper_that_only_weaker_hits_spoil_is_told_so) {
 BOOST_AUTO_TEST_CASE(says_which_delta_goes_with_every_feasible_f) {
   const double radius = std::hypot(1, 0.225);
   const double least = (radius - 0.45) * (radius - 0.45) / 2;
-  const std::string text =
-      std::regex_replace(run("region --v0 1 --p 1 --beta 0.8").out, std::regex("\\s+"), " ");
+  const std::string text = one_line(run("region --v0 1 --p 1 --beta 0.8").out);
   std::smatch found;
   BOOST_TEST_REQUIRE(std::regex_search(
       text, found, std::regex("With any of them, delta from ([0-9.]+) to 0.5 is admissible")));

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "cli_test.hpp"
+#include "wrong_arguments.hpp"
 
 BOOST_FIXTURE_TEST_SUITE(scene_test, stillpoint::cli_test::Sandbox)
 
 namespace {
 
 using namespace stillpoint::cli_test;
-
-Surroundings with_input(const std::string& text) {
-  return {.input = text};
-}
+using right::with_input;
 
 const std::string plain = R"({"v0": 1, "p": 1, "beta": 0.9, "tolerance": 0.1})";
 

@@ -2,8 +2,6 @@
 #include "cli_test.hpp"
 #include "forced_arguments.hpp"
 
-#include <regex>
-
 BOOST_FIXTURE_TEST_SUITE(simulate_command_test, stillpoint::cli_test::Sandbox)
 
 namespace {
@@ -50,7 +48,7 @@ BOOST_AUTO_TEST_CASE(a_real_notch_and_zones_come_from_flags_and_from_a_scene) {
 BOOST_AUTO_TEST_CASE(the_answer_says_where_the_acceleration_is_felt) {
   const auto says = [&](const Arguments& more, const std::string& where) {
     const ProgramRun answer = run(simulate("0.26", "0.37") + more);
-    const std::string text = std::regex_replace(answer.out, std::regex("\\s+"), " ");
+    const std::string text = one_line(answer.out);
     BOOST_TEST(contains(text, "g transmitted" + where + " Half-"), text);
   };
   says({}, ", outside the notch");
@@ -129,7 +127,7 @@ BOOST_AUTO_TEST_CASE(a_design_is_simulated_with_the_notch_that_will_be_built) {
 BOOST_AUTO_TEST_CASE(the_answer_of_a_design_is_with_the_notch_that_will_be_built) {
   const Arguments design("design --velocity 0.4 --period 2.8 --max-displacement 0.15");
   const auto says = [&](const Arguments& more, const std::vector<std::string>& words) {
-    check_contains(std::regex_replace(run(design + more).out, std::regex("\\s+"), " "), words);
+    check_contains(one_line(run(design + more).out), words);
   };
   says("--notch-width-m 0.02",
        {"a notch 20 mm wide.", "rest at x = 4.4596 mm, inside the notch, after 1.5327 s",

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "cli_test.hpp"
+#include "wrong_arguments.hpp"
 
 BOOST_FIXTURE_TEST_SUITE(sweep_command_test, stillpoint::cli_test::Sandbox)
 
 namespace {
 
 using namespace stillpoint::cli_test;
-
-Arguments sweep(const Arguments& more = {}) {
-  return "sweep --v0 1 --p 1" + more;
-}
+using right::sweep;
 
 SweepTable table_of(const ProgramRun& run) {
   BOOST_TEST_REQUIRE(run.exit_code == 0, run.err);

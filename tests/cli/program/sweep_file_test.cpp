@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "cli_test.hpp"
+#include "wrong_arguments.hpp"
 
 BOOST_AUTO_TEST_SUITE(sweep_file_test)
 
 namespace {
 
 using namespace stillpoint::cli_test;
-
-Arguments sweep(const Arguments& more = {}) {
-  return "sweep --v0 1 --p 1" + more;
-}
+using right::sweep;
+using right::with_input;
 
 const Arguments grid("--f 0,0.02,0.3 --delta 0,0.03,0.7 --times");
-
-Surroundings with_input(const std::string& text) {
-  return {.input = text};
-}
 
 /// The number in the file where the CSV is empty.
 double absent(const SweepTable& table, std::size_t row, const std::string& column) {

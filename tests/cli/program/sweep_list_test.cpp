@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "cli_test.hpp"
+#include "wrong_arguments.hpp"
 
 BOOST_FIXTURE_TEST_SUITE(sweep_list_test, stillpoint::cli_test::Sandbox)
 
 namespace {
 
 using namespace stillpoint::cli_test;
+using right::with_input;
 
 Arguments sweep(const Arguments& more = {}) {
   return "sweep --v0 1 --p 1 --list -" + more;
-}
-
-Surroundings with_input(const std::string& text) {
-  return {.input = text};
 }
 
 const std::string plain = "f,delta\n0.1,0.2\n0.02,0.03\n0,0\n";
@@ -120,7 +118,6 @@ std::ostream& operator<<(std::ostream& stream, const WrongList& wrong) {
 
 const std::vector<WrongList> wrong_lists{
     {"", {"list standard input", "is empty"}},
-    {"\n\n", {"is empty"}},
     {"0.1,0.2\n", {"line 1", "\"0.1\"", "is not a column", "delta"}},
     {"\nf,colour\n", {"line 2", "colour", "is not a column"}},
     {"f,half_cycles\n", {"half_cycles", "is not a column"}},
@@ -132,9 +129,7 @@ const std::vector<WrongList> wrong_lists{
     {"f,delta\n0.1,0.2\n\nabc,1\n", {"line 4", "f = \"abc\"", "must be a number"}, 1},
     {"f,delta\n,1\n", {"line 2", "f = \"\"", "must be a number"}},
     {"f,delta\nnan,1\n", {"line 2", "f = \"nan\""}},
-    {"f,delta\n1e999,1\n", {"line 2", "1e999"}},
     {"f,delta\n0.1,0.2\n0.1,-3\n", {"line 3", "delta = -3", "from 0"}, 1},
-    {"f,delta\n0.1,0.2\n0.1,-3\n-1,1\n", {"line 3", "delta = -3"}, 1},
     {"f,delta\n\"0,1\",1\n", {"line 2", "f = \"0,1\"", "must be a number"}},
     {"f,delta\n\"0.1,0.2\n", {"line 2", "a quote is opened but not closed"}},
     {"f,delta\n\"0.1\"2,0.2\n", {"line 2", "\"0.1\"2", "must be a number"}},
@@ -145,10 +140,8 @@ const std::vector<WrongList> wrong_lists{
     {"f,delta\n" + std::string(100'000, '1'), {"line 2", "longer"}},
     {"{\"f\": 1, \"delta\": 1}\n{\"f\": 1,\n", {"line 2", "not valid JSON"}, 1},
     {"{\"f\": 1, \"delta\": 1}\n[1, 2]\n", {"line 2", "array", "object"}, 1},
-    {"{\"f\": 1, \"delta\": 1}\n7\n", {"line 2", "number", "object"}, 1},
     {"{\"f\": {\"a\": 1}, \"delta\": 1}\n", {"line 1", "f is a JSON object"}},
     {"{\"f\": \"1\", \"delta\": 1}\n", {"line 1", "f is a JSON string", "number"}},
-    {"{\"f\": null, \"delta\": 1}\n", {"line 1", "f is a JSON null", "number"}},
     {"{\"f\": 1, \"delta\": 1, \"f\": 2}\n", {"line 1, column 22", "f is set twice"}},
     {"{\"f\": 1, \"delta\": 1, \"g\": 2}\n", {"line 1", "\"g\"", "is not a key"}},
     {"{\"f\": 1, \"delta\": 1}\n{\"f\": 1}\n", {"line 2", "has 1 key,", "has 2"}, 1},

@@ -252,7 +252,6 @@ const Wrong wrong_parts[] = {
     {grid + "--part 1/1000001", {"part", "1/1000001", "1000000"}},
     {grid + "--part auto", {"part = auto", "no launcher", "I/N"}},
     {grid + "--part auto/0", {"part", "auto/N"}},
-    {grid + "--part 1/2 --html a.html", {"part", "html"}},
     {"sweep --v0 1 --p 1 --part 1/2 --list -", {"part", "standard input"}, "f,delta\n0.1,0.2\n"},
     {grid + "merge a b", {"merge", "no options"}}};
 

@@ -238,10 +238,6 @@ BOOST_AUTO_TEST_CASE(continues_one_that_has_just_begun) {
   BOOST_TEST(answer.json()["rows"] == 3000);
 }
 
-BOOST_AUTO_TEST_CASE(needs_a_file) {
-  check_refusal(run(sweep("--resume")), {"output is missing: resume continues the file"});
-}
-
 BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

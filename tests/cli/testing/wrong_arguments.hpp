@@ -13,12 +13,24 @@ inline Arguments design(const Arguments& more = {}) {
   return "design --v0 1 --p 1 --beta 0.9" + more;
 }
 
+inline Arguments design(double beta, const Arguments& more = {}) {
+  return Arguments{"design", "--v0", "1", "--p", "1", "--beta", in_full(beta)} + more;
+}
+
 inline Arguments region(const Arguments& more = {}) {
   return "region --v0 1 --p 1 --beta 0.9" + more;
 }
 
 inline Arguments simulate(const Arguments& more = {}) {
   return "simulate --v0 1 --p 1 --f 0.02 --delta 0.02" + more;
+}
+
+inline Arguments sweep(const Arguments& more = {}) {
+  return "sweep --v0 1 --p 1" + more;
+}
+
+inline Surroundings with_input(const std::string& text) {
+  return {.input = text};
 }
 
 /// `arguments` with the value of `option` replaced.

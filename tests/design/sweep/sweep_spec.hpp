@@ -34,14 +34,15 @@ inline sweep::SweepSpec free_spec(Axis f, Axis delta) {
 /// Keeps what it is given, as if the first rows had been written before.
 class MemorySink : public sweep::RowSink {
  public:
-  explicit MemorySink(const sweep::SweepState& found = {}) : found_(found) {}
+  explicit MemorySink(const sweep::SweepState& found = {}) : RowSink(found, false) {}
 
-  [[nodiscard]] const sweep::SweepState& found() const override { return found_; }
   void write(std::string_view bytes) override { text += bytes; }
   void reached(const sweep::SweepState& state) override { rows = state.rows; }
   void finish(const sweep::SweepState& /*state*/, std::string_view header) override {
     finished = true;
-    text.replace(0, found_.rows == 0 ? header.size() : 0, found_.rows == 0 ? header : "");
+    if (found().rows == 0) {
+      text.replace(0, header.size(), header);
+    }
     if (at_finish) {
       at_finish();
     }
@@ -52,9 +53,6 @@ class MemorySink : public sweep::RowSink {
   std::int64_t rows{0};
   bool finished{false};
   std::function<void()> at_finish;
-
- private:
-  sweep::SweepState found_;
 };
 
 /// The fields of each line of CSV.

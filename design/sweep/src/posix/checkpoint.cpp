@@ -108,10 +108,7 @@ int write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
   if (descriptor < 0) {
     return errno;
   }
-  int error = write_all(descriptor, to_json(checkpoint).dump(2) + "\n");
-  if (::close(descriptor) != 0 && error == 0) {
-    error = errno;
-  }
+  int error = write_and_close(descriptor, to_json(checkpoint).dump(2) + "\n");
   if (error == 0 && std::rename(next.c_str(), path.c_str()) != 0) {
     error = errno;
   }

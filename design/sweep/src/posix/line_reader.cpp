@@ -43,14 +43,8 @@ LineReader::LineReader(const std::string& path, std::string kind)
       source_(path == "-" ? "standard input" : path),
       descriptor_(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)),
       buffer_(buffer_size) {
-  if (descriptor_ < 0) {
+  if (!descriptor_.is_open()) {
     refuse_unreadable(errno);
-  }
-}
-
-LineReader::~LineReader() {
-  if (descriptor_ > STDIN_FILENO) {
-    ::close(descriptor_);
   }
 }
 
@@ -73,8 +67,9 @@ bool LineReader::read_more(const std::stop_token& stop) {
     end_ -= begin_;
     begin_ = 0;
   }
-  while (ready(descriptor_, stop)) {
-    const ssize_t count = ::read(descriptor_, buffer_.data() + end_, buffer_.size() - end_);
+  while (ready(descriptor_.number(), stop)) {
+    const ssize_t count =
+        ::read(descriptor_.number(), buffer_.data() + end_, buffer_.size() - end_);
     if (count > 0) {
       end_ += static_cast<std::size_t>(count);
       return true;

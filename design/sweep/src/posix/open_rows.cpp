@@ -28,7 +28,6 @@ class StreamSink : public RowSink {
   StreamSink(Descriptor descriptor, std::string path)
       : descriptor_(std::move(descriptor)), path_(std::move(path)) {}
 
-  [[nodiscard]] const SweepState& found() const override { return nothing_; }
   void write(std::string_view bytes) override {
     if (const int error = write_all(descriptor_.number(), bytes); error != 0) {
       refuse_writing(path_.empty() ? "standard" : "output", path_.empty() ? "output" : path_,
@@ -36,14 +35,12 @@ class StreamSink : public RowSink {
     }
   }
   void reached(const SweepState& state) override { rows_ = state.rows; }
-  void finish(const SweepState& /*state*/, std::string_view /*header*/) override {}
   LeftRows leave() override { return {rows_}; }
 
  private:
   Descriptor descriptor_;
   std::string path_;  ///< empty: standard output
   std::int64_t rows_{0};
-  SweepState nothing_;
 };
 
 /// The identity of what FILE.part is to become.
@@ -110,7 +107,7 @@ std::unique_ptr<RowSink> open_rows(const SweepSpec& spec) {
   }
   if (spec.part) {
     if (const auto found = find_part(label_of(spec), "sweep", read_seal); found && spec.resume) {
-      return std::make_unique<NoRows>(found->state);
+      return std::make_unique<RowSink>(found->state, true);
     }
   }
   const std::string task = task_of(spec);

@@ -15,11 +15,6 @@ namespace stillpoint::sweep {
 
 namespace {
 
-int write_and_close(int descriptor, std::string_view text) {
-  const int error = write_all(descriptor, text);
-  return ::close(descriptor) != 0 && error == 0 ? errno : error;
-}
-
 /// The mode of a new file: mkstemp makes it readable only by its owner.
 mode_t permissions_for_new_files() {
   const mode_t mask = ::umask(0);

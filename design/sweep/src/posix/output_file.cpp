@@ -79,6 +79,11 @@ int write_all(int descriptor, std::string_view text) {
   return 0;
 }
 
+int write_and_close(int descriptor, std::string_view text) {
+  const int error = write_all(descriptor, text);
+  return ::close(descriptor) != 0 && error == 0 ? errno : error;
+}
+
 bool is_standard_output(const std::string& path) {
   struct stat file {};
   struct stat standard {};

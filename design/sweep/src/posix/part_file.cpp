@@ -27,9 +27,9 @@ bool exists(const std::string& path) {
 }  // namespace
 
 PartFile::PartFile(OpenPart files)
-    : files_(std::move(files)),
-      found_(files_.saved.state),
-      state_(found_),
+    : RowSink(files.saved.state, files.saved.complete),
+      files_(std::move(files)),
+      state_(files_.saved.state),
       bytes_(files_.saved.bytes),
       next_save_s_(seconds_now() + least_between_saves_s) {}
 

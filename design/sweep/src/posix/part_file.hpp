@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/sweep/sink.hpp>
+#include "../descriptor.hpp"
 
-#include <unistd.h>
+#include <stillpoint/sweep/sink.hpp>
 
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 
 namespace stillpoint::sweep {
 
@@ -32,30 +31,6 @@ void require_task(const std::string& task);
 
 /// The first difference of two tasks, "f was 0:1:10, is 0:1:20"; empty if they are the same.
 [[nodiscard]] std::string difference(const std::string& old_task, const std::string& new_task);
-
-/// An open file, closed with this object. Standard input and output stay open.
-class Descriptor {
- public:
-  explicit Descriptor(int number = -1) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(number_, other.number_);
-    return *this;
-  }
-  ~Descriptor() {
-    if (number_ > STDERR_FILENO) {
-      ::close(number_);
-    }
-  }
-
-  [[nodiscard]] bool is_open() const { return number_ >= 0; }
-  [[nodiscard]] int number() const { return number_; }
-
- private:
-  int number_;
-};
 
 /// The files of a sweep that is not complete: FILE.part has its rows, and FILE.part.json, the
 /// checkpoint, says how many bytes of that are whole rows.
@@ -86,8 +61,6 @@ class PartFile : public RowSink {
  public:
   explicit PartFile(OpenPart files);
 
-  [[nodiscard]] const SweepState& found() const override { return found_; }
-  [[nodiscard]] bool complete() const override { return files_.saved.complete; }
   void write(std::string_view bytes) override;
   void reached(const SweepState& state) override;
   void finish(const SweepState& state, std::string_view header) override;
@@ -98,7 +71,6 @@ class PartFile : public RowSink {
   void synchronize();
 
   OpenPart files_;
-  SweepState found_;
   SweepState state_;  ///< what is written
   std::int64_t bytes_;
   double next_save_s_;

@@ -3,7 +3,6 @@
 
 #include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/report.hpp>
-#include <stillpoint/report/spectrum.hpp>
 
 namespace stillpoint::answers {
 
@@ -21,7 +20,10 @@ enum ExitCode : int {
 /// The same; 130 for a search that was interrupted.
 [[nodiscard]] ExitCode exit_code(const report::RecordDesignReport& report);
 [[nodiscard]] ExitCode exit_code(const report::RegionReport& report);
-[[nodiscard]] ExitCode exit_code(const report::MotionReport& report);
-[[nodiscard]] ExitCode exit_code(const report::SpectrumReport& report);
+/// Of any other answer.
+template <class Report>
+[[nodiscard]] ExitCode exit_code(const Report& /*report*/) {
+  return exit_done;
+}
 
 }  // namespace stillpoint::answers

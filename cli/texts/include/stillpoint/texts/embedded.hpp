@@ -2,10 +2,8 @@
 #pragma once
 
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace stillpoint::texts {
 
@@ -16,11 +14,5 @@ namespace stillpoint::texts {
 /// The same with each @name@ replaced by a text.
 [[nodiscard]] std::string embedded(std::string_view file,
                                    const std::map<std::string_view, std::string>& texts);
-
-/// The kinds of scene that `stillpoint init` prints, the default first.
-[[nodiscard]] std::vector<std::string_view> starter_names();
-
-/// A commented scene for `stillpoint design`. Throws InputError for another kind.
-[[nodiscard]] std::string starter_scene(const std::optional<std::string>& kind);
 
 }  // namespace stillpoint::texts

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/core/interval.hpp>
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/records/units.hpp>
 
@@ -26,6 +27,8 @@ struct Scales {
   std::optional<double> mass_kg;  ///< needed for forces and energies only
 
   [[nodiscard]] double delta_m(double delta) const { return delta * length_m; }
+  /// The p of a spring with this period.
+  [[nodiscard]] double p_of(double period_s) const;
   /// m f g, the constant friction force.
   [[nodiscard]] std::optional<double> friction_force_n(double f) const;
   /// m g delta_m, the energy lost at each passage through x = 0.
@@ -64,6 +67,10 @@ struct PhysicalInput {
 /// InputError as physical_scales does.
 [[nodiscard]] PhysicalInput physical_input(const PhysicalIsolator& isolator,
                                            double velocity_m_per_s, double x0_m);
+
+/// The largest p of a range of the period, natural frequency or stiffness, whichever `physical` is
+/// given by; the end with the smallest is in there. Throws InputError.
+[[nodiscard]] double largest_p(const PhysicalInput& physical, const Interval& range);
 
 /// Intervals of velocity and period, the ends moved inwards by the rounding of the conversion.
 struct PhysicalWorksFor {

@@ -23,6 +23,7 @@ void require_directory_of(std::string_view field, const std::string& path);
 
 /// Writes everything; returns 0 or the errno.
 [[nodiscard]] int write_all(int descriptor, std::string_view text);
+[[nodiscard]] int write_and_close(int descriptor, std::string_view text);
 
 /// Whether the path leads to the same file as standard output.
 [[nodiscard]] bool is_standard_output(const std::string& path);

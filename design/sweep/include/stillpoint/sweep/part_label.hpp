@@ -35,6 +35,9 @@ struct PartLabel {
 /// Empty if both belong to the same sweep, else how they differ: "f was 0:1:10, is 0:1:20".
 [[nodiscard]] std::string difference(const PartLabel& one, const PartLabel& other);
 
+/// Throws FileError unless the part was made for this task.
+void require_made_for(const std::string& task, const PartLabel& part);
+
 /// Whether an existing file, `found`, holds the part `wanted` of a `whole`: "sweep" or whatever
 /// else is split. Throws LeftoverError for another part of the same whole.
 [[nodiscard]] bool is_that_part(const PartLabel& found, const PartLabel& wanted,

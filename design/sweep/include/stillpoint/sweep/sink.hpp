@@ -21,43 +21,29 @@ struct LeftRows {
 /// "149 rows are kept in rows.csv.part"
 [[nodiscard]] std::string description(const LeftRows& left);
 
-/// Where the rows of a sweep go.
+/// Where the rows of a sweep go: this one keeps none, those that derive from it do.
 class RowSink {
  public:
   RowSink() = default;
+  RowSink(const SweepState& found, bool complete) : found_(found), complete_(complete) {}
   RowSink(const RowSink&) = delete;
   RowSink& operator=(const RowSink&) = delete;
   virtual ~RowSink() = default;
 
   /// What an interrupted sweep had written.
-  [[nodiscard]] virtual const SweepState& found() const = 0;
-  /// Nothing is left to do but `finish`.
-  [[nodiscard]] virtual bool complete() const { return false; }
+  [[nodiscard]] const SweepState& found() const { return found_; }
+  /// Nothing was left to do but `finish`.
+  [[nodiscard]] bool complete() const { return complete_; }
 
   /// This and the next two throw records::FileError if the rows cannot be written.
-  virtual void write(std::string_view bytes) = 0;
+  virtual void write(std::string_view /*bytes*/) {}
   /// What was written makes up `state`, from where a sweep can be resumed.
-  virtual void reached(const SweepState& state) = 0;
+  virtual void reached(const SweepState& /*state*/) {}
   /// Everything is written. `header` replaces the beginning, and is as long as what is there.
-  virtual void finish(const SweepState& state, std::string_view header) = 0;
+  virtual void finish(const SweepState& /*state*/, std::string_view /*header*/) {}
 
   /// The sweep ends early: keeps what can be resumed. Further calls change nothing.
-  virtual LeftRows leave() = 0;
-};
-
-/// Where no rows go.
-class NoRows : public RowSink {
- public:
-  NoRows() = default;
-  /// They are there already.
-  explicit NoRows(const SweepState& whole) : found_(whole), complete_(true) {}
-
-  [[nodiscard]] const SweepState& found() const override { return found_; }
-  [[nodiscard]] bool complete() const override { return complete_; }
-  void write(std::string_view /*bytes*/) override {}
-  void reached(const SweepState& /*state*/) override {}
-  void finish(const SweepState& /*state*/, std::string_view /*header*/) override {}
-  LeftRows leave() override { return {}; }
+  virtual LeftRows leave() { return {}; }
 
  private:
   SweepState found_;

@@ -78,7 +78,7 @@ struct SweepSpec {
   std::string identity{"{}"};
 };
 
-/// The number of entries of a grid; empty for a list. Throws InputError above 1e15.
+/// The number of entries; empty for a list that was not counted. Throws InputError above 1e15.
 [[nodiscard]] std::optional<std::int64_t> entries(const SweepSpec& spec);
 
 /// The entries to compute: all, or those of the part. For a list that is not split the count is
@@ -133,10 +133,8 @@ void require_in_order(const SweepSpec& spec, Quantity input, double value, doubl
 [[nodiscard]] std::vector<Quantity> parse_columns(std::string_view text, SweepKind kind,
                                                   const std::optional<SweepUnits>& units = {});
 
-/// SweepSpec::identity of a spec that is otherwise complete. `inputs` is a JSON object with
-/// everything that decides the rows, as given, and `version` is that of the program that computes
-/// them.
-[[nodiscard]] std::string identity_of(const SweepSpec& spec, const std::string& inputs,
-                                      std::string_view version);
+/// Adds the start that a motion need not be given, x = 0, and v = 0 if something else moves it, and
+/// puts the axes in the order of the columns.
+void add_default_start(SweepSpec& spec);
 
 }  // namespace stillpoint::sweep

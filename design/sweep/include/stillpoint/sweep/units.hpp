@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stillpoint/design/physical.hpp>
+#include <stillpoint/design/wave_clock.hpp>
 #include <stillpoint/records/units.hpp>
 #include <stillpoint/sweep/quantity.hpp>
 
@@ -15,16 +16,13 @@ namespace stillpoint::sweep {
 /// The input that stands for p in metres and seconds.
 enum class Restoring { period, natural_frequency, stiffness };
 
-/// The input that stands for the lambda of a pulse.
-enum class PulseClock { frequency, duration };
-
 /// A sweep in metres, seconds and kilograms: what its quantities are then. The length unit is H =
 /// 1 m for all entries, so every input is converted by itself, and lengths are already in metres.
 struct SweepUnits {
   Restoring restoring{Restoring::period};
-  double mass_kg{1};  ///< for a stiffness
-  PulseClock pulse_clock{PulseClock::frequency};
-  double pulse_angle{0};  ///< lambda times the duration of the pulse
+  double mass_kg{1};                ///< for a stiffness
+  design::WaveClock pulse_clock{};  ///< for the lambda of a pulse
+  double pulse_angle{0};            ///< lambda times the duration of the pulse
   double gravity_m_per_s2{records::standard_gravity_m_per_s2};
 
   [[nodiscard]] double time_s() const;                   ///< of one tau

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "options/excitation_kinds.hpp"
+#include <stillpoint/design/excitation_kinds.hpp>
 
 #include <algorithm>
 #include <array>
@@ -8,24 +8,20 @@
 #include <utility>
 #include <variant>
 
-namespace stillpoint::cli {
+namespace stillpoint::design {
 
 namespace {
 
 template <class Kind>
 ExcitationKind kind_of() {
   ExcitationKind kind{.name = Kind::name};
-  if constexpr (std::is_same_v<Kind, Record>) {
-    kind.load = Load::record;
-  } else if constexpr (std::is_same_v<Kind, Harmonic>) {
-    kind.load = Load::harmonic;
+  if constexpr (std::is_same_v<Kind, Harmonic>) {
     kind.wave = [](const Harmonic& given) { return Excitation(given); };
-  } else {
-    kind.load = Load::pulse;
+  } else if constexpr (!std::is_same_v<Kind, Record>) {
     kind.angle = 2 * Kind::turns * std::numbers::pi;
     kind.wave = [](const Harmonic& given) { return Excitation(Kind{given.k, given.lambda}); };
-    if constexpr (std::is_constructible_v<design::Pulse, Kind>) {
-      kind.pulse = [](const Harmonic& given) { return design::Pulse(Kind{given.k, given.lambda}); };
+    if constexpr (std::is_constructible_v<Pulse, Kind>) {
+      kind.pulse = [](const Harmonic& given) { return Pulse(Kind{given.k, given.lambda}); };
     }
   }
   return kind;
@@ -61,4 +57,4 @@ std::vector<std::string_view> excitation_names(bool of_pulses) {
   return names;
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::design

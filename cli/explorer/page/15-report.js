@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// What a report says, in metres and seconds if the task has units.
+"use strict";
+
+const ends_words = /** @type {Record<string, string>} */ ({
+  held: "held",
+  centred: "centred",
+  off_centre: "off centre",
+  alternating: "alternately centred and off centre",
+  too_far: "too far",
+  never_stops: "never stops",
+});
+
+/** @param {any} physical of a report */
+function units_of(physical) {
+  return physical
+    ? { length: "m", time: "s", velocity: "m/s" }
+    : { length: "", time: "", velocity: "" };
+}
+
+/** The figures of a motion. @param {any} report of design or simulate */
+function motion_of({ response, physical }) {
+  return {
+    peak: physical ? physical.peak_m : response.peak_amplitude,
+    rest: physical ? physical.stop_position_m : response.stop_position,
+    stop_time: physical ? physical.stop_time_s : response.stop_time,
+    acceleration: response.peak_absolute_acceleration,
+  };
+}
+
+/** The largest displacement allowed. @param {any} report of design or region */
+function limit_of({ input, physical }) {
+  return input.beta * (physical?.length_unit_m ?? 1);
+}
+
+/** The weakest and the strongest hit of the task. @param {any} report @param {number} unit */
+function ends(report, unit = 1) {
+  const [low, high] = report.input.v0_range ?? [report.input.v0, report.input.v0];
+  return [low * unit, high * unit];
+}
+
+/** How hits of each strength end. @param {any} report @returns {{ ends: string, from: number, to: number }[]} */
+function hits_of({ hits, physical }) {
+  const suffix = physical ? "_m_per_s" : "";
+  return (hits ?? []).map((/** @type {any} */ hit, /** @type {number} */ i) => {
+    const limits = physical?.hits[i] ?? hit;
+    return { ends: hit.ends, from: limits[`from${suffix}`], to: limits[`to${suffix}`] };
+  });
+}
