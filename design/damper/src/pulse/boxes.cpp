@@ -54,12 +54,14 @@ bool PulseRegion::feasible() const {
   });
 }
 
+bool PulseRegion::reaches_down_to_0(const Island& island) const {
+  return island.low <= profile_->samples().front().f * (1 + edge_rounding);
+}
+
 double PulseRegion::widest_by_edges(const Island& island, double f) const {
   // A side of the box that does not move allows any tolerance.
   const auto along = [](double room, double side) { return side > 0 ? room / side : HUGE_VAL; };
-  // The least f that is examined stands for all below it.
-  const double examined = profile_->samples().front().f * (1 + edge_rounding);
-  const double low = island.low > examined ? island.low : 0;
+  const double low = reaches_down_to_0(island) ? 0 : island.low;
   return f < island.low || f > island.high
              ? 0
              : std::min({most_tolerance(), along((f - low) / f, shape_.f_low),
@@ -69,7 +71,7 @@ double PulseRegion::widest_by_edges(const Island& island, double f) const {
 double PulseRegion::widest(const Island& island, double f, double delta,
                            KnownMotions& known) const {
   const auto room = [&](double tolerance) {
-    const double low = std::max(island.low, low_of(f, tolerance));
+    const double low = std::max(reaches_down_to_0(island) ? 0 : island.low, low_of(f, tolerance));
     const double high = std::min(island.high, high_of(f, tolerance));
     if (std::isinf(delta)) {
       return 1 - use_of_delta(low, high, tolerance, known);

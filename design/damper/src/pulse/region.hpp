@@ -58,6 +58,8 @@ class PulseRegion {
   }
   [[nodiscard]] bool feasible() const;
 
+  /// The least f that is examined stands for all below it.
+  [[nodiscard]] bool reaches_down_to_0(const Island& island) const;
   /// The tolerance of f, as far as delta_max, or the given Delta where that is finite, allows.
   [[nodiscard]] double widest(const Island& island, double f, double delta,
                               KnownMotions& known) const;

@@ -99,7 +99,11 @@ std::optional<PulseOptimum> search(const PulseRegion& region, const SearchOption
     best->found.record = record;
     best->searched = searched_least;
     best->bracketed = bracketed_least;
-    best->found.point.tolerance = std::max(best->found.point.tolerance, region.asked());
+    auto& [f, delta, tolerance] = best->found.point;
+    tolerance = std::max(tolerance, region.asked());
+    if (region.reaches_down_to_0(best->island)) {  // the parts that are searched do not
+      tolerance = std::max(tolerance, region.tolerance_of(f, delta).value_or(0));
+    }
   }
   return best;
 }

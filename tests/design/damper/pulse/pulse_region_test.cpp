@@ -171,6 +171,12 @@ BOOST_AUTO_TEST_CASE(the_least_f_that_is_examined_bounds_no_box) {
       BOOST_TEST(at(half_period(1.1), f, 1).tolerance.value() == 0.5, tt::tolerance(1e-6));
     }
   }
+  // The least stop time is that of the least f.
+  PulseRequest fastest{{Rectangle{0.5, 1}, 1, 1.1, Criterion::exact}, {}, {}};
+  fastest.search.objective = Objective::time;
+  const DesignPoint point = design::design(fastest).finding.value().point;
+  BOOST_TEST(point.f < 1e-8);
+  BOOST_TEST(point.tolerance == 0.5, tt::tolerance(1e-6));
 }
 
 BOOST_AUTO_TEST_CASE(is_that_of_the_design_which_is_admissible_in_it) {
