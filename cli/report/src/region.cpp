@@ -218,14 +218,14 @@ Document document(const RegionReport& report) {
     section.row("delta", length_shown(report.physical, *delta));
     document.verdict = format("{} {}", judgement(report), document.verdict);
     document.tone = answer.admissible == true ? Tone::good : Tone::bad;
-    if (pulse) {
-      add_start(document.answer, {*f, *delta, ranges.k_low.value_or(design::peak_load(*pulse))},
-                "delta/(k - f)", false, report.physical);
-    }
     if (const auto& response = answer.response; response && moves(*response)) {
       const ToldMotion motion{*response, answer.arrival, answer.worst};
       add_motion(document.answer, task_of(report), motion,
                  felt(task_of(report), {*f, *delta, 0}, motion, told, ""));
+    }
+    if (pulse) {
+      add_start(document.answer, {*f, *delta, ranges.k_low.value_or(design::peak_load(*pulse))},
+                "delta/(k - f)", false, report.physical);
     }
     add_works_for(document.answer, answer.works_for, problem, report.physical);
     add_weak_hits(document.answer, problem, *delta, report.physical);

@@ -41,8 +41,8 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
 /// The width of a notch as an example: 20 mm, or 1, 2 or 5 times a power of ten if that is above a
 /// fifth of the peak; that fifth without physical input.
 [[nodiscard]] double example_width(const Physical& physical, double peak);
-/// "f + delta/w and the spring inside one of width w: at most 0.325 g if w is 20 mm", unless from
-/// rest the largest load cannot move the mass out of it.
+/// "at most 0.325 g inside one 20 mm wide: f + delta/w + spring", unless from rest the largest load
+/// cannot move the mass out of it.
 [[nodiscard]] std::string inside_words(const Physical& physical, const Oscillator& damper,
                                        double peak, double load = HUGE_VAL);
 /// Whether the kernel follows a motion through it.

@@ -101,7 +101,7 @@ std::string inside_words(const Physical& physical, const Oscillator& damper, dou
   constexpr int digits = 3;
   return f + delta / width >= load
              ? format("f + delta/w holds the mass throughout if w is {}", shown)
-             : format("f + delta/w and the spring inside one of width w: at most {} g if w is {}",
+             : format("at most {} g inside one {} wide: f + delta/w + spring",
                       limit_digits(design::notch_acceleration(f, delta, width, p), true, digits),
                       shown);
 }
