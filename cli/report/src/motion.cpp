@@ -166,7 +166,7 @@ double peak_load(const Excitation& excitation) {
 /// Where the mass is at rest in the end, and whether the notch holds it there under the load.
 struct End {
   std::optional<double> rest;
-  bool locked;
+  bool locked{false};
 };
 
 End end_of(const ForcedResponse& response) {
