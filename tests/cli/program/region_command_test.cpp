@@ -245,17 +245,16 @@ BOOST_AUTO_TEST_CASE(the_bound_of_the_notch_is_what_a_passage_feels) {
 /// The strongest hit with the stiffest spring has the largest base shear 0.1087, of which the
 /// spring's share is 0.08467: A = 0.08467 g (2.66 s/(2 pi))^2 = 148.8 mm, and m g 0.1087/A.
 BOOST_AUTO_TEST_CASE(the_secant_stiffness_of_ranges_says_of_which_end_it_is) {
-  const std::string text = run({"region", STILLPOINT_DATA_DIR "/scenes/varying_hits.json", "--f",
-                                "0.024", "--delta-m", "4mm", "--verbose"})
-                               .out;
+  const auto practice = [this](const std::string& scene, const char* delta) {
+    const std::string file = STILLPOINT_DATA_DIR "/scenes/" + scene;
+    return run({"region", file, "--f", "0.024", "--delta-m", delta, "--verbose"}).out;
+  };
+  const std::string text = practice("varying_hits.json", "4mm");
   std::smatch found;
   BOOST_TEST_REQUIRE(
       std::regex_search(text, found, std::regex("([0-9.]+) MN/m, at that base shear")), text);
   BOOST_TEST(std::stod(found[1]) == 1.2 * 9.80665 * 0.1087 / 0.1488, tt::tolerance(1e-3));
-  BOOST_TEST(!contains(run({"region", STILLPOINT_DATA_DIR "/scenes/isolator.json", "--f", "0.024",
-                            "--delta-m", "6mm", "--verbose"})
-                           .out,
-                       "at that base shear"));
+  BOOST_TEST(!contains(practice("isolator.json", "6mm"), "at that base shear"));
 }
 
 BOOST_AUTO_TEST_CASE(feasible_f_leaves_out_the_gap_between_strips) {

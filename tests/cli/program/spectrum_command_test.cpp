@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "cli_test.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 BOOST_AUTO_TEST_SUITE(spectrum_command_test)
 
 // stillpoint spectrum, from the flags to the report. The figures are in spectrum_test.
