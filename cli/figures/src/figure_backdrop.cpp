@@ -117,15 +117,19 @@ std::string map(const Figure& figure, const Layout& layout) {
       "<image id=\"{}-map\" {} preserveAspectRatio=\"none\" data-names=\"{}\" "
       "href=\"data:image/png;base64,{}\"/>\n",
       id, size, cell_names(figure.map), map_base64(figure.map));
-  add(text,
-      "<filter id=\"{0}-red\" x=\"0\" y=\"0\" width=\"1\" height=\"1\" "
-      "color-interpolation-filters=\"sRGB\"><feColorMatrix values=\"20 0 -20 0 -1 20 0 -20 0 -1 "
-      "20 0 -20 0 -1 0 0 0 0 1\"/></filter>\n<mask id=\"{0}-mask\"><use href=\"#{0}-map\" "
-      "filter=\"url(#{0}-red)\"/></mask>\n<pattern id=\"{0}-over\" width=\"8\" height=\"8\" "
-      "patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><path class=\"over\" "
-      "d=\"M4 0V8\"/><path class=\"over light\" d=\"M5 0V8\"/></pattern>\n<rect {1} "
-      "fill=\"url(#{0}-over)\" mask=\"url(#{0}-mask)\"/>\n",
-      id, size);
+  const auto hatch = [&](std::string_view colour, std::string_view channel, int angle) {
+    add(text,
+        "<filter id=\"{0}-{2}\" x=\"0\" y=\"0\" width=\"1\" height=\"1\" "
+        "color-interpolation-filters=\"sRGB\"><feColorMatrix values=\"{3} {3} {3} 0 0 0 0 "
+        "1\"/></filter>\n<mask id=\"{0}-{2}-mask\"><use href=\"#{0}-map\" "
+        "filter=\"url(#{0}-{2})\"/></mask>\n<pattern id=\"{0}-{2}-over\" width=\"8\" height=\"8\" "
+        "patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate({4})\"><path class=\"over\" "
+        "d=\"M4 0V8\"/><path class=\"over light\" d=\"M5 0V8\"/></pattern>\n<rect {1} "
+        "fill=\"url(#{0}-{2}-over)\" mask=\"url(#{0}-{2}-mask)\"/>\n",
+        id, size, colour, channel, angle);
+  };
+  hatch("red", "20 0 -20 0 -1", 45);       // from 5 % more red than blue on
+  hatch("yellow", "0 20 -20 0 -11", -45);  // from 55 % more green than blue on
   return text;
 }
 

@@ -15,21 +15,6 @@ namespace {
 
 constexpr double line_height = 20;
 
-/// Thick enough to be seen, on average: 2 A/P is the width of a long strip. A box may be small,
-/// since it is enlarged elsewhere.
-bool is_seen(const FigureArea& area, const Plane& plane) {
-  constexpr double thinnest = 0.5;  // pixels
-  double twice_area = 0;
-  double perimeter = 0;
-  for (std::size_t i = 0; i < area.outline.size(); ++i) {
-    const FigurePoint a = plane.pixel(area.outline[i]);
-    const FigurePoint b = plane.pixel(area.outline[(i + 1) % area.outline.size()]);
-    twice_area += a.x * b.y - b.x * a.y;
-    perimeter += std::hypot(b.x - a.x, b.y - a.y);
-  }
-  return area.look == AreaLook::box || std::abs(twice_area) > thinnest * perimeter;
-}
-
 /// Bands of the same name count together.
 bool is_seen(const std::string& band, const Figure& figure, const Plane& plane) {
   constexpr double narrowest = 1;  // pixel
@@ -42,7 +27,31 @@ bool is_seen(const std::string& band, const Figure& figure, const Plane& plane) 
   return wide >= narrowest;
 }
 
+/// Over the sample of an entry.
+std::string hatching(const MapKey& key) {
+  return !key.hatched
+             ? ""
+             : fmt::format(
+                   R"(<path class="over" d="M2 2L14-10M10 2L22-10{}"/><path class="over light" d="M3 2L15-10M11 2L22-9"/>)",
+                   key.crossed ? "M2-10L14 2M10-10L22 2" : "");
+}
+
 }  // namespace
+
+bool is_seen(const Figure& figure, const FigureArea& area) {
+  const Plane plane{figure.x, figure.y, figure_width, figure.height};
+  constexpr double thinnest = 0.5;  // pixels
+  double twice_area = 0;
+  double perimeter = 0;
+  for (std::size_t i = 0; i < area.outline.size(); ++i) {
+    const FigurePoint a = plane.pixel(area.outline[i]);
+    const FigurePoint b = plane.pixel(area.outline[(i + 1) % area.outline.size()]);
+    twice_area += a.x * b.y - b.x * a.y;
+    perimeter += std::hypot(b.x - a.x, b.y - a.y);
+  }
+  // 2 A/P is the width of a long strip.
+  return area.look == AreaLook::box || std::abs(twice_area) > thinnest * perimeter;
+}
 
 void FigureLegend::add(const Figure& figure, const std::set<std::string>& named) {
   const auto enter_unless_named = [&](const std::string& name, const std::string& sample) {
@@ -51,17 +60,13 @@ void FigureLegend::add(const Figure& figure, const std::set<std::string>& named)
     }
   };
   for (const MapKey& key : figure.map.key) {
-    enter_unless_named(
-        key.name,
-        fmt::format(
-            R"(<path class="cell" fill="{}" d="M2-10h20v12h-20Z"/>{})", key.colour,
-            key.hatched
-                ? R"(<path class="over" d="M2 2L14-10M10 2L22-10"/><path class="over light" d="M3 2L15-10M11 2L22-9"/>)"
-                : ""));
+    enter_unless_named(key.name,
+                       fmt::format(R"(<path class="cell" fill="{}" d="M2-10h20v12h-20Z"/>{})",
+                                   key.colour, hatching(key)));
   }
   const Plane plane{figure.x, figure.y, figure_width, figure.height};
   for (const FigureArea& area : figure.areas) {
-    if (!area.in_legend || !is_seen(area, plane)) {
+    if (!area.in_legend || !is_seen(figure, area)) {
       continue;
     }
     const bool box = area.look == AreaLook::box;

@@ -101,9 +101,9 @@ void add_motion(Document& document, const DesignReport& report, const Physical& 
   if (!finding.pulse) {
     add_margin(motion, report.result, physical);
   }
-  const auto [lines, which] =
+  const ToldPractice told =
       told_practice(report.result.request, finding.practice, finding.point.f, finding.point.delta);
-  add_practice(document.detail(heading("In practice", which)), lines, physical);
+  add_practice(document.detail(heading("In practice", told.which)), told, physical);
 }
 
 void add_search(Document& document, const design::SearchRecord& search,
@@ -168,7 +168,7 @@ Document document(const DesignReport& report) {
       add_parts(document, *report.catalogue, task_of(report));
     }
     add_task(document, result.request, physical);
-    add_region(document, result, limits, physical);
+    add_region(document, result, problem, limits, physical);
     return document;
   }
   const design::Finding& finding = *result.finding;
@@ -183,14 +183,13 @@ Document document(const DesignReport& report) {
     add_built_notch(document, *report.built_notch, finding, physical);
   }
   add_task(document, result.request, physical);
-  const auto [lines, which] =
-      told_practice(result.request, finding.practice, finding.point.f, finding.point.delta);
   add_damper(document.detail("Damper" + with_ideal(report)), finding.point,
-             stops_by_delta1(finding.constraints) ? delta_needs(result) : DeltaNeeds(), lines,
-             which, physical);
+             stops_by_delta1(finding.constraints) ? delta_needs(result) : DeltaNeeds(),
+             told_practice(result.request, finding.practice, finding.point.f, finding.point.delta),
+             physical);
   Section& constraints = add_constraints(document, finding.constraints, limits, physical);
   constraints.heading += with_ideal(report);
-  add_feasible(constraints, result, limits, physical);
+  add_feasible(constraints, result, problem, limits, physical);
   add_motion(document, report, physical);
   add_checks(document, finding.cross_check, with_ideal(report), physical);
   if (finding.search) {

@@ -58,68 +58,6 @@ std::string checks_agree(const design::CrossCheck& check) {
   return text;
 }
 
-/// " (strongest hit, softest spring)"; empty without ranges of them.
-std::string of_extreme(const design::DesignRequest& request, std::string_view spring) {
-  const std::string which = request.pulse ? "" : extreme_words(request.problem, spring);
-  return which.empty() ? "" : format(" ({})", which);
-}
-
-/// What the structure feels: outside the notch, at most over the ranges, and inside one that has a
-/// width.
-std::string felt(const DesignReport& report, const Physical& physical) {
-  const design::Finding& finding = *report.result.finding;
-  const auto& [problem, limits, search, pulse, ranges] = report.result.request;
-  const auto& [f, delta, tolerance] = finding.point;
-  const Response& response = finding.response;
-  const double most = !pulse                 ? std::hypot(f, problem.stiffest_p() * problem.v0)
-                      : finding.pulse->worst ? finding.pulse->worst->acceleration
-                                             : response.peak_absolute_acceleration;
-  const std::string outside = format("{} outside the notch{}", acceleration_shown(most),
-                                     of_extreme(report.result.request, "stiffest"));
-  const auto lines = told_practice(report.result.request, finding.practice, f, delta).lines;
-  if (lines && lines->notch_width_min) {
-    const double width = *lines->notch_width_min;
-    return format(
-        "{}; {} at most inside one at least {} wide, with f and delta as given, where it may rest "
-        "up to {} off centre",
-        outside, acceleration_shown(limits.acceleration_max.value()),
-        length_limit(physical, width, true), length_limit(physical, width / 2, true));
-  }
-  if (finding.pulse) {
-    return delta > 0 ? format("{}; {}", outside, inside_example(report, physical)) : outside;
-  }
-  if (limits.acceleration_max) {
-    // The least width is known only for a stop at x = 0.
-    return format(
-        "{}; inside it, {} {}", outside,
-        finding.arrival ? "at any width more than" : "no width is known to keep it within",
-        acceleration_shown(*limits.acceleration_max));
-  }
-  return format("{}; {}", outside, inside_words(physical, f, delta, response.peak_amplitude));
-}
-
-void add_rest(Section& answer, const DesignReport& report, const Physical& physical) {
-  const Response& response = told_motion(report);
-  if (!response.stop_time || response.half_cycles == 0) {
-    answer.row(
-        "rest",
-        response.stop_time ? "at x = 0 throughout" : "none: it " + outcome_phrase(response.outcome),
-        Tone::bad);
-    return;
-  }
-  const auto& check = report.result.finding->pulse;
-  const bool worst = check && check->worst && !report.built_notch;
-  const auto arrival = report.result.finding->arrival;
-  const bool counted = !report.built_notch && arrival && report.result.request.problem.arrivals > 1;
-  answer.row("rest",
-             format("at x = {}{} {} {}{}{}", length_shown(physical, *response.stop_position),
-                    response.outcome == Outcome::stopped_in_notch ? ", inside the notch," : "",
-                    worst ? "within" : "after",
-                    time_shown(physical, worst ? check->worst->stop_time : *response.stop_time),
-                    counted ? format(", on return {}", *arrival) : "",
-                    of_extreme(report.result.request, "softest")));
-}
-
 /// For the ranges of a pulse: how far what is above holds, and which of them is shown.
 void add_worst(Section& answer, const DesignReport& report, const Physical& physical) {
   const design::DesignRequest& request = report.result.request;
@@ -233,7 +171,6 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   const auto& [problem, limits, search, pulse, ranges] = result.request;
   const design::Finding& finding = *result.finding;
   const auto& [f, delta, tolerance] = finding.point;
-  const Response& response = told_motion(report);
   answer.row("damper",
              format("{}, delta = {}",
                     wants_no_friction(report) ? "f as small as you can make it"
@@ -244,15 +181,19 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   if (failing && !report.built_notch) {
     answer.row("note", format("what follows is for a notch that {}", acts_late));
   }
-  answer.row(
-      "peak",
-      format("{}, {:.4g} % of the {} allowed{}", length_shown(physical, response.peak_amplitude),
-             100 * response.peak_amplitude / problem.beta, length_shown(physical, problem.beta),
-             pulse ? ", under the pulse" : of_extreme(result.request, "softest")));
-  add_rest(answer, report, physical);
   const auto built = felt_in_built_notch(report);
-  answer.row("acceleration",
-             built ? *built + ", with f and delta as given" : felt(report, physical));
+  ToldMotion told{told_motion(report)};
+  if (!report.built_notch) {
+    told.arrival = finding.arrival;
+    told.worst = pulse ? finding.pulse->worst : std::nullopt;
+  }
+  add_motion(
+      answer, task_of(report), told,
+      built ? *built + ", with f and delta as given"
+            : felt(task_of(report), finding.point,
+                   {finding.response, finding.arrival, pulse ? finding.pulse->worst : std::nullopt},
+                   told_practice(result.request, finding.practice, f, delta),
+                   pulse && delta > 0 ? inside_example(report, physical) : ""));
   if (pulse && !built) {
     add_start(answer, start_under_pulse(result), "delta/(k - f)", failing, physical);
   }

@@ -82,7 +82,7 @@ void add_example(Section& answer, const design::RecordDesign& result, const Phys
     strongest = std::max(strongest, design::peak_load(record));
   }
   answer.row("in the notch",
-             inside_words(physical, damper.f, damper.delta, figures.peak, strongest));
+             inside_words(physical, {damper.p, damper.f, damper.delta}, figures.peak, strongest));
   const StartUnderLoad start{damper.f, damper.delta, weakest};
   add_start(answer, start, "delta/(load - f), under the weakest record",
             start.width() > figures.peak, physical);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::report {
@@ -63,10 +64,12 @@ std::string judgement(const RegionReport& report) {
 }
 
 /// "Feasible f: 0.1 to 0.25.", and whether there are others.
-std::string feasible_f(const design::RegionVerdict& verdict, const design::Limits& limits) {
-  const std::size_t intervals = verdict.intervals ? verdict.intervals->size() : 1;
+std::string feasible_f(const RegionReport& report) {
+  const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
+  const design::RegionAnswer& answer = report.answer;
+  const std::size_t intervals = answer.intervals ? answer.intervals->size() : 1;
   return format("Feasible f{}: {}{}.", limits.tolerance > 0 ? " with the tolerance asked for" : "",
-                range_digits(*verdict.region.f_lower, *verdict.region.f_upper),
+                feasible_words(answer, problem, limits),
                 intervals > 1
                     ? format(", of {} intervals that with the most tolerant damper", intervals)
                     : "");
@@ -87,16 +90,7 @@ std::vector<Interval> feasible_at(const RegionReport& report, double f) {
   for (const design::Strip& strip : report.answer.strips) {
     add(design::feasible_delta(request.problem, request.limits, strip.arrival, f));
   }
-  std::ranges::sort(all, {}, &Interval::low);
-  std::vector<Interval> apart;
-  for (const Interval& delta : all) {
-    if (!apart.empty() && delta.low <= apart.back().high) {
-      apart.back().high = std::max(apart.back().high, delta.high);
-    } else {
-      apart.push_back(delta);
-    }
-  }
-  return apart;
+  return merged(std::move(all));
 }
 
 /// "delta from 2.1 mm to 8.2 mm or in 2 lower ranges"
@@ -185,10 +179,10 @@ Document document(const RegionReport& report) {
   if (pulse) {
     add_pulse(task, *pulse, ranges, report.physical);
   }
-  add_region(document, answer, limits, report.physical).detail = false;
+  add_region(document, answer, problem, limits, report.physical).detail = false;
   add_strips(document, problem, answer.strips);
   if (answer.region.feasible) {
-    const std::string of_f = feasible_f(answer, limits);
+    const std::string of_f = feasible_f(report);
     const std::string of_delta = feasible_delta(report);
     document.verdict =
         format("{}{}{}", f ? of_delta : of_f, of_delta.empty() ? "" : " ", f ? of_f : of_delta);
@@ -210,7 +204,7 @@ Document document(const RegionReport& report) {
     return document;
   }
   Section& section = document.section(format("At f = {:.6g}", *f));
-  const auto [lines, which] = told_practice(report.request, answer.practice, *f, delta.value_or(0));
+  const ToldPractice told = told_practice(report.request, answer.practice, *f, delta.value_or(0));
   const bool by_delta1 = !delta || stops_by_delta1(answer.constraints);
   if (by_delta1 && !answer.delta1_exact) {
     section.row("Delta1(f)", "none: the motion does not return");
@@ -219,20 +213,25 @@ Document document(const RegionReport& report) {
              by_delta1 && answer.delta1_exact
                  ? DeltaNeeds{answer.delta1_published, answer.delta1_exact}
                  : DeltaNeeds(),
-             lines, which, report.physical);
+             told, report.physical);
   if (delta) {
     section.row("delta", length_shown(report.physical, *delta));
     document.verdict = format("{} {}", judgement(report), document.verdict);
     document.tone = answer.admissible == true ? Tone::good : Tone::bad;
+    if (const auto& response = answer.response; response && moves(*response)) {
+      const ToldMotion motion{*response, answer.arrival, answer.worst};
+      add_motion(document.answer, task_of(report), motion,
+                 felt(task_of(report), {*f, *delta, 0}, motion, told, ""));
+    }
     if (pulse) {
       add_start(document.answer, {*f, *delta, ranges.k_low.value_or(design::peak_load(*pulse))},
                 "delta/(k - f)", false, report.physical);
     }
     add_works_for(document.answer, answer.works_for, problem, report.physical);
     add_weak_hits(document.answer, problem, *delta, report.physical);
-    if (lines) {
-      add_practice(document.detail("In practice" + (which.empty() ? "" : ": " + which)), lines,
-                   report.physical);
+    if (told.lines) {
+      add_practice(document.detail("In practice" + (told.which.empty() ? "" : ": " + told.which)),
+                   told, report.physical);
     }
     add_constraints(document, answer.constraints, limits, report.physical);
   }

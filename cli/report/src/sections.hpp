@@ -41,9 +41,9 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
 /// The width of a notch as an example: 20 mm, or 1, 2 or 5 times a power of ten if that is above a
 /// fifth of the peak; that fifth without physical input.
 [[nodiscard]] double example_width(const Physical& physical, double peak);
-/// "f + delta/w inside a notch of width w, 0.319 g if w is 20 mm", unless from rest the largest
-/// load cannot move the mass out of it.
-[[nodiscard]] std::string inside_words(const Physical& physical, double f, double delta,
+/// "at most 0.325 g inside one 20 mm wide: f + delta/w + spring", unless from rest the largest load
+/// cannot move the mass out of it.
+[[nodiscard]] std::string inside_words(const Physical& physical, const Oscillator& damper,
                                        double peak, double load = HUGE_VAL);
 /// Whether the kernel follows a motion through it.
 [[nodiscard]] bool can_be_followed(double width, double delta, double p);
@@ -69,8 +69,6 @@ void add_start(Section& section, const StartUnderLoad& start, std::string_view f
                const Physical& physical);
 /// "480 kN s" for a speed; "0.4 N s per kg" if the mass is not known.
 [[nodiscard]] std::string impulse_shown(const Physical& physical, double impulse);
-void add_practice(Section& section, const std::optional<design::Practice>& lines,
-                  const Physical& physical);
 /// The differences from the paper's notch and friction.
 void add_surface(Section& section, const SimulationRequest& request, const Physical& physical);
 void add_excitation(Section& section, const Excitation& excitation,
@@ -115,6 +113,7 @@ template <class Request>
 struct ToldPractice {
   std::optional<design::Practice> lines;
   std::string which;
+  bool at_ends{false};  ///< each line is the worst of the ends
 };
 template <class Request>
 [[nodiscard]] ToldPractice told_practice(const Request& request,
@@ -125,17 +124,28 @@ template <class Request>
              ? ToldPractice{own, shown_words(request)}
              : ToldPractice{design::worst_practice(problem, request.limits, f, delta),
                             problem.v0_low == 0.0 ? "strongest hit, worst end of the springs"
-                                                  : "worst end of the ranges"};
+                                                  : "worst end of the ranges",
+                            true};
 }
+void add_practice(Section& section, const ToldPractice& told, const Physical& physical);
 /// The section of the task; `pulsed` if a pulse takes the place of v0.
 Section& add_problem(Document& document, const design::Problem& problem,
                      const design::Limits& limits, const Physical& physical, bool pulsed);
 /// What bounds the dampers of a task, with the limits that are given.
 Section& add_region(Document& document, const design::RegionVerdict& verdict,
-                    const design::Limits& limits, const Physical& physical);
+                    const design::Problem& problem, const design::Limits& limits,
+                    const Physical& physical);
+/// In rising order, without those that overlap.
+[[nodiscard]] std::vector<Interval> merged(std::vector<Interval> all);
+/// "up to 0.0043 or 0.0106 to 0.0236": the f of a region that is not empty, without the gaps
+/// between its strips.
+[[nodiscard]] std::string feasible_words(const design::RegionVerdict& verdict,
+                                         const design::Problem& problem,
+                                         const design::Limits& limits);
 /// The least stroke, and the f that are feasible.
 void add_feasible(Section& section, const design::RegionVerdict& verdict,
-                  const design::Limits& limits, const Physical& physical);
+                  const design::Problem& problem, const design::Limits& limits,
+                  const Physical& physical);
 /// The rows of a pulse in the section of the task.
 void add_pulse(Section& task, const design::Pulse& pulse, const design::PulseRanges& ranges,
                const Physical& physical);
@@ -145,10 +155,9 @@ struct DeltaNeeds {
   std::optional<double> published;
   std::optional<double> exact;
 };
-/// What the damper takes: force, energy and how much of its notch the stop uses in `which` motion.
+/// What the damper takes: force, energy and how much of its notch the stop uses.
 void add_damper(Section& section, const design::DesignPoint& damper, const DeltaNeeds& needs,
-                const std::optional<design::Practice>& lines, std::string_view which,
-                const Physical& physical);
+                const ToldPractice& told, const Physical& physical);
 /// Of a finding.
 [[nodiscard]] DeltaNeeds delta_needs(const design::DesignResult& result);
 
@@ -191,6 +200,21 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty, const
 /// Each with its slack: by how much a damper meets or misses it.
 Section& add_constraints(Document& document, std::span<const design::Constraint> constraints,
                          const design::Limits& limits, const Physical& physical);
+
+/// What a damper does, for an answer about it.
+struct ToldMotion {
+  const Response& response;
+  std::optional<std::int64_t> arrival{};      ///< at which it stops at x = 0
+  std::optional<design::PulseWorst> worst{};  ///< over the ranges of a pulse
+};
+/// What the structure feels: outside the notch, at most over the ranges, and inside one that has a
+/// width, as `inside` says if it is given.
+[[nodiscard]] std::string felt(const ShownTask& task, const design::DesignPoint& damper,
+                               const ToldMotion& motion, const ToldPractice& practice,
+                               const std::string& inside);
+/// Peak, rest and acceleration.
+void add_motion(Section& answer, const ShownTask& task, const ToldMotion& motion,
+                const std::string& acceleration);
 
 /// The last arrival, what was counted and the decision margin, which is one of the inputs only in
 /// free motion with the paper's notch.

@@ -61,8 +61,41 @@ void add_bound(Section& section, const FigureUnits& units, std::string_view name
 
 }  // namespace
 
+std::vector<Interval> merged(std::vector<Interval> all) {
+  std::ranges::sort(all, {}, &Interval::low);
+  std::vector<Interval> apart;
+  for (const Interval& now : all) {
+    if (!apart.empty() && now.low <= apart.back().high) {
+      apart.back().high = std::max(apart.back().high, now.high);
+    } else {
+      apart.push_back(now);
+    }
+  }
+  return apart;
+}
+
+std::string feasible_words(const design::RegionVerdict& verdict, const design::Problem& problem,
+                           const design::Limits& limits) {
+  std::vector<Interval> all;
+  if (!verdict.intervals && (problem.arrivals > 1 || problem.residual)) {
+    for (const design::Strip& strip : design::strips(problem, limits)) {
+      if (strip.f_lower) {
+        all.push_back({*strip.f_lower, *strip.f_upper});
+      }
+    }
+  } else {
+    all.push_back({*verdict.region.f_lower, *verdict.region.f_upper});
+  }
+  std::string words;
+  for (const auto& [low, high] : merged(std::move(all))) {
+    words += (words.empty() ? "" : " or ") + range_digits(low, high);
+  }
+  return words;
+}
+
 void add_feasible(Section& section, const design::RegionVerdict& verdict,
-                  const design::Limits& limits, const Physical& physical) {
+                  const design::Problem& problem, const design::Limits& limits,
+                  const Physical& physical) {
   const design::Region& region = verdict.region;
   const bool others =
       limits.tolerance > 0 ||
@@ -77,8 +110,7 @@ void add_feasible(Section& section, const design::RegionVerdict& verdict,
                 format("{}{}", length_limit(physical, region.beta_min, true),
                        others ? ", if only the stroke were limited" : ""));
   }
-  const std::string feasible =
-      region.feasible ? range_digits(*region.f_lower, *region.f_upper) : "";
+  const std::string feasible = region.feasible ? feasible_words(verdict, problem, limits) : "";
   for (const auto& [low, high] : verdict.intervals.value_or(std::vector<Interval>())) {
     if (const std::string all = range_digits(low, high); all != feasible) {
       section.row("admissible f", all);  // without the tolerance, or of other islands
@@ -91,7 +123,8 @@ void add_feasible(Section& section, const design::RegionVerdict& verdict,
 }
 
 Section& add_region(Document& document, const design::RegionVerdict& verdict,
-                    const design::Limits& limits, const Physical& physical) {
+                    const design::Problem& problem, const design::Limits& limits,
+                    const Physical& physical) {
   const design::Region& region = verdict.region;
   const bool pulsed = verdict.intervals.has_value();
   const FigureUnits units(physical);
@@ -124,7 +157,7 @@ Section& add_region(Document& document, const design::RegionVerdict& verdict,
       add_bound(section, units, kind.constraint, kind.bounds_f() ? "f" : "delta", "<=", *most);
     }
   }
-  add_feasible(section, verdict, limits, physical);
+  add_feasible(section, verdict, problem, limits, physical);
   return section;
 }
 

@@ -5,6 +5,7 @@
 #include <stillpoint/report/digits.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace stillpoint::report {
 
@@ -54,7 +55,75 @@ constexpr std::string_view closest_decision =
     "how close a decision, to stick or to pass x = 0, came to going the other way; not a "
     "tolerance of the inputs";
 
+/// " (strongest hit, softest spring)"; empty without ranges of them.
+std::string of_extreme(const ShownTask& task, std::string_view spring) {
+  const std::string which = task.pulse ? "" : extreme_words(task.problem, spring);
+  return which.empty() ? "" : format(" ({})", which);
+}
+
 }  // namespace
+
+std::string felt(const ShownTask& task, const design::DesignPoint& damper, const ToldMotion& motion,
+                 const ToldPractice& practice, const std::string& inside) {
+  const auto& [problem, limits, pulse, physical] = task;
+  const auto& [f, delta, tolerance] = damper;
+  const double most = !pulse         ? std::hypot(f, problem.stiffest_p() * problem.v0)
+                      : motion.worst ? motion.worst->acceleration
+                                     : motion.response.peak_absolute_acceleration;
+  const std::string outside =
+      format("{} outside the notch{}", acceleration_shown(most), of_extreme(task, "stiffest"));
+  const auto& lines = practice.lines;
+  if (lines && lines->notch_width_min) {
+    const double width = *lines->notch_width_min;
+    return format(
+        "{}; {} at most inside one at least {} wide, with f and delta as given, where it may rest "
+        "up to {} off centre",
+        outside, acceleration_shown(limits.acceleration_max.value()),
+        length_limit(physical, width, true), length_limit(physical, width / 2, true));
+  }
+  if (delta == 0) {
+    return acceleration_shown(most) + of_extreme(task, "stiffest");
+  }
+  if (pulse && !inside.empty()) {
+    return format("{}; {}", outside, inside);
+  }
+  if (lines && limits.acceleration_max && !pulse) {
+    // The least width is known only for a stop at x = 0.
+    return format("{}; inside it, {} {}", outside,
+                  motion.arrival ? "at any width more than" : "no width is known to keep it within",
+                  acceleration_shown(*limits.acceleration_max));
+  }
+  return format(
+      "{}, {}", outside,
+      inside_words(physical, {problem.stiffest_p(), f, delta}, motion.response.peak_amplitude,
+                   pulse ? design::peak_load(*pulse) : HUGE_VAL));
+}
+
+void add_motion(Section& answer, const ShownTask& task, const ToldMotion& motion,
+                const std::string& acceleration) {
+  const auto& [problem, limits, pulse, physical] = task;
+  const auto& [response, arrival, worst] = motion;
+  answer.row(
+      "peak",
+      format("{}, {:.4g} % of the {} allowed{}", length_shown(physical, response.peak_amplitude),
+             100 * response.peak_amplitude / problem.beta, length_shown(physical, problem.beta),
+             pulse ? ", under the pulse" : of_extreme(task, "softest")));
+  if (!response.stop_time || response.half_cycles == 0) {
+    answer.row(
+        "rest",
+        response.stop_time ? "at x = 0 throughout" : "none: it " + outcome_phrase(response.outcome),
+        Tone::bad);
+  } else {
+    answer.row("rest",
+               format("at x = {}{} {} {}{}{}", length_shown(physical, *response.stop_position),
+                      response.outcome == Outcome::stopped_in_notch ? ", inside the notch," : "",
+                      worst ? "within" : "after",
+                      time_shown(physical, worst ? worst->stop_time : *response.stop_time),
+                      arrival && problem.arrivals > 1 ? format(", on return {}", *arrival) : "",
+                      of_extreme(task, "softest")));
+  }
+  answer.row("acceleration", acceleration);
+}
 
 void add_counts(Section& section, const Response& response, const Physical& physical,
                 bool margin_of_inputs) {

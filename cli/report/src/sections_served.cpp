@@ -93,16 +93,17 @@ double example_width(const Physical& physical, double peak) {
          physical->scales.length_m;
 }
 
-std::string inside_words(const Physical& physical, double f, double delta, double peak,
+std::string inside_words(const Physical& physical, const Oscillator& damper, double peak,
                          double load) {
+  const auto& [p, f, delta, hold] = damper;
   const double width = example_width(physical, peak);
-  if (design::notch_acceleration(f, delta, width) >= load) {
-    return format("f + delta/w would hold the mass throughout if w is {}",
-                  physical ? length_shown(physical, width) : "a fifth of the peak");
-  }
-  return format("f + delta/w inside a notch of width w, {:.3g} g if w is {}",
-                design::notch_acceleration(f, delta, width),
-                physical ? length_shown(physical, width) : "a fifth of the peak");
+  const std::string shown = physical ? length_shown(physical, width) : "a fifth of the peak";
+  constexpr int digits = 3;
+  return f + delta / width >= load
+             ? format("f + delta/w would hold the mass throughout if w is {}", shown)
+             : format("at most {} g inside one {} wide: f + delta/w + spring",
+                      limit_digits(design::notch_acceleration(f, delta, width, p), true, digits),
+                      shown);
 }
 
 bool can_be_followed(double width, double delta, double p) {
@@ -126,8 +127,8 @@ void add_start(Section& section, const StartUnderLoad& start, std::string_view f
 }
 
 void add_damper(Section& section, const design::DesignPoint& damper, const DeltaNeeds& needs,
-                const std::optional<design::Practice>& lines, std::string_view which,
-                const Physical& physical) {
+                const ToldPractice& told, const Physical& physical) {
+  const auto& [lines, which, at_ends] = told;
   if (needs.published) {
     section.row("Delta1(f)",
                 format("{} published (the paper's), {} exact (the motion's own)",
@@ -167,20 +168,22 @@ std::string ratio(double value) {
 
 }  // namespace
 
-void add_practice(Section& section, const std::optional<design::Practice>& lines,
-                  const Physical& physical) {
+void add_practice(Section& section, const ToldPractice& told, const Physical& physical) {
+  const std::optional<design::Practice>& lines = told.lines;
   if (!lines) {
     return;
   }
   section.row("base shear/weight",
               format("{:.4g}, restoring {:.4g}", lines->base_shear, lines->restoring));
   const auto weight = physical ? physical->scales.friction_force_n(1) : std::nullopt;
-  section.row("secant stiffness",
-              weight && lines->secant_stiffness
-                  ? with_unit(*lines->secant_stiffness * *weight / physical->scales.length_m, "N/m")
-              : lines->secant_stiffness
-                  ? format("{:.4g} times the spring's", lines->base_shear / lines->restoring)
-                  : "none");
+  const std::string_view of_end = told.at_ends ? ", at that base shear" : "";
+  section.row(
+      "secant stiffness",
+      !lines->secant_stiffness ? "none"
+      : weight
+          ? with_unit(*lines->secant_stiffness * *weight / physical->scales.length_m, "N/m") +
+                std::string(of_end)
+          : format("{:.4g} times the spring's{}", lines->base_shear / lines->restoring, of_end));
   section.row("equiv. damping",
               lines->equivalent_damping
                   ? format("{:.3g} % of critical with the notch, in a cycle at this peak",

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <set>
 #include <utility>
 
 namespace stillpoint::report {
@@ -19,8 +20,28 @@ namespace {
 using design::SpectrumFigures;
 using design::SpectrumPoint;
 
-/// More do not fit a screen; a file has them all.
-constexpr std::size_t most_shown_periods = 20;
+/// At even steps; more do not fit a screen, and a file has them all.
+constexpr std::size_t most_even_periods = 20;
+
+/// Those, and the periods of the largest of each figure.
+std::set<std::size_t> shown_periods(const std::vector<SpectrumPoint>& points) {
+  std::set<std::size_t> shown;
+  const std::size_t even = std::min(points.size(), most_even_periods);
+  for (std::size_t row = 0; row < even; ++row) {
+    shown.insert(even > 1 ? row * (points.size() - 1) / (even - 1) : 0);
+  }
+  const auto add_largest = [&](auto SpectrumFigures::*figure) {
+    for (const auto of : {&SpectrumPoint::with_notch, &SpectrumPoint::without}) {
+      const auto most = std::ranges::max_element(
+          points, {}, [&](const SpectrumPoint& point) { return point.*of.*figure; });
+      shown.insert(static_cast<std::size_t>(most - points.begin()));
+    }
+  };
+  add_largest(&SpectrumFigures::acceleration);
+  add_largest(&SpectrumFigures::peak);
+  add_largest(&SpectrumFigures::residual);
+  return shown;
+}
 
 /// Whether the structure never feels more than what the notch passes on while it is locked, so that
 /// what it lowers is beside the point.
@@ -131,9 +152,7 @@ Table spectrum_table(const SpectrumReport& report, const std::vector<SpectrumPoi
   const auto residual = [&](const SpectrumFigures& one) {
     return one.residual ? number(*one.residual * units.length) : "none";
   };
-  const std::size_t shown = std::min(points.size(), most_shown_periods);
-  for (std::size_t row = 0; row < shown; ++row) {
-    const std::size_t i = shown > 1 ? row * (points.size() - 1) / (shown - 1) : 0;
+  for (const std::size_t i : shown_periods(points)) {
     const auto& [with_notch, without] = points[i];
     std::vector<std::string> cells{
         number(2 * std::numbers::pi / report.result.request.p[i] * units.time)};
@@ -164,11 +183,14 @@ std::string heading(const SpectrumReport& report) {
 
 void add_points(Section& section, const SpectrumReport& report,
                 const std::vector<SpectrumPoint>& points) {
-  section.parts.emplace_back(spectrum_table(report, points));
-  if (points.size() > most_shown_periods) {
-    section.line(
-        format("{} of {} periods; --table FILE has all.", most_shown_periods, points.size()),
-        Tone::faint);
+  Table table = spectrum_table(report, points);
+  const std::size_t shown = table.rows.size();
+  section.parts.emplace_back(std::move(table));
+  if (points.size() > shown) {
+    section.line(format("{} of {} periods, with those of the largest of each figure; --table FILE "
+                        "has all.",
+                        shown, points.size()),
+                 Tone::faint);
   }
 }
 
@@ -181,7 +203,8 @@ void add_damper(Section& answer, const SpectrumReport& report) {
     const double peak = std::ranges::max(report.result.combined, {}, [](const SpectrumPoint& now) {
                           return now.with_notch.peak;
                         }).with_notch.peak;
-    answer.row("in the notch", inside_words(report.physical, task.f, task.delta, peak,
+    const double stiffest = std::ranges::max(task.p);
+    answer.row("in the notch", inside_words(report.physical, {stiffest, task.f, task.delta}, peak,
                                             design::peak_load(task.records)));
   }
   for (const design::SuiteRecord& record : task.records) {

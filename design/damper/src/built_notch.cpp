@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/design/built_notch.hpp>
-#include <stillpoint/design/practice.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +36,7 @@ BuiltNotch built_notch(const DesignRequest& request, const DesignPoint& point,
   };
   BuiltNotch built{shape, {}, with(shape)};
   if (shape.width) {
-    built.friction = notch_acceleration(point.f, point.delta, *shape.width);
+    built.friction = point.f + point.delta / *shape.width;
   }
   built.changes_nothing = same_motion(built.response, with({}));
   return built;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace stillpoint::sweep {
 
@@ -50,6 +51,10 @@ std::size_t range_of(double half_cycles) {
 }
 
 std::uint8_t class_of(const SweepBlock& block, Index i) {
+  const auto& locked_from = block[Quantity::locked_from];
+  if (locked_from.size() == block.size && std::isfinite(locked_from[i])) {
+    return SweepClass::locked;
+  }
   const auto outcome = motion_outcome(static_cast<std::size_t>(block[Quantity::outcome][i]));
   return outcome ? SweepClass::of(*outcome, block[Quantity::half_cycles][i]) : SweepClass::too_many;
 }

@@ -200,4 +200,78 @@ BOOST_AUTO_TEST_CASE(delta1_is_shown_only_where_the_first_arrival_decides) {
   BOOST_TEST(shown(designed + "--beta 0.95"));
 }
 
+/// "peak ...", "rest ..." and "acceleration ..." of the answer.
+BOOST_AUTO_TEST_CASE(a_point_is_told_like_the_design_that_it_is) {
+  const auto told = [this](const Arguments& arguments) {
+    const std::string text = run(arguments).out;
+    const std::size_t begin = text.find("\n  peak  ");
+    BOOST_TEST_REQUIRE(begin != std::string::npos, text);
+    const std::size_t acceleration = text.find("\n  acceleration  ", begin);
+    return text.substr(begin, text.find("\n  ", text.find(" g", acceleration)) - begin);
+  };
+  for (const char* const scene : {"isolator", "varying_hits", "later_arrival", "residual"}) {
+    const std::string file = STILLPOINT_DATA_DIR "/scenes/" + std::string(scene) + ".json";
+    const json report = reported({"design", file});
+    const json& found = report["design"];
+    const Arguments where =
+        report["physical"].is_null()
+            ? Arguments{"--f", in_full(found["f"]), "--delta", in_full(found["delta"])}
+            : Arguments{"--f", in_full(found["f"]), "--delta-m",
+                        in_full(report["physical"]["delta_m"])};
+    BOOST_TEST(told(Arguments{"region", file} + where) == told({"design", file}), scene);
+  }
+  // A damper that is not admissible moves all the same: sqrt(0.01 + 1) - 0.1 = 0.905 of 0.8.
+  BOOST_TEST(contains(told(region("--f 0.1 --delta 0.4")), "0.904988, 113.1 % of the 0.8 allowed"));
+}
+
+/// What the mass feels where it crosses a whole notch, followed by simulate with its edges.
+BOOST_AUTO_TEST_CASE(the_bound_of_the_notch_is_what_a_passage_feels) {
+  const Arguments damper("--velocity 0.4 --period 2.8 --f 0.01 --delta-m 3mm");
+  const std::string text =
+      std::regex_replace(run(Arguments("region --max-displacement 0.2 --arrivals 2") + damper).out,
+                         std::regex("\\s+"), " ");
+  std::smatch found;
+  BOOST_TEST_REQUIRE(
+      std::regex_search(text, found, std::regex("at most ([0-9.]+) g inside one 20 mm wide")),
+      text);
+  const double stated = std::stod(found[1]);
+  const double felt = reported(Arguments("simulate --notch-width-m 20mm") +
+                               damper)["response"]["peak_absolute_acceleration"];
+  BOOST_TEST(felt <= stated);
+  BOOST_TEST(felt > stated - 0.001);
+}
+
+/// The strongest hit with the stiffest spring has the largest base shear 0.1087, of which the
+/// spring's share is 0.08467: A = 0.08467 g (2.66 s/(2 pi))^2 = 148.8 mm, and m g 0.1087/A.
+BOOST_AUTO_TEST_CASE(the_secant_stiffness_of_ranges_says_of_which_end_it_is) {
+  const auto practice = [this](const std::string& scene, const char* delta) {
+    const std::string file = STILLPOINT_DATA_DIR "/scenes/" + scene;
+    return run({"region", file, "--f", "0.024", "--delta-m", delta, "--verbose"}).out;
+  };
+  const std::string text = practice("varying_hits.json", "4mm");
+  std::smatch found;
+  BOOST_TEST_REQUIRE(
+      std::regex_search(text, found, std::regex("([0-9.]+) MN/m, at that base shear")), text);
+  BOOST_TEST(std::stod(found[1]) == 1.2 * 9.80665 * 0.1087 / 0.1488, tt::tolerance(1e-3));
+  BOOST_TEST(!contains(practice("isolator.json", "6mm"), "at that base shear"));
+}
+
+BOOST_AUTO_TEST_CASE(feasible_f_leaves_out_the_gap_between_strips) {
+  const Arguments task{"region", STILLPOINT_DATA_DIR "/scenes/residual.json", "--tolerance", "0.2"};
+  const std::string text = std::regex_replace(run(task).out, std::regex("\\s+"), " ");
+  std::smatch found;
+  BOOST_TEST_REQUIRE(
+      std::regex_search(text, found,
+                        std::regex("Feasible f with the tolerance asked for: up to ([0-9.]+) or "
+                                   "([0-9.]+) to ([0-9.]+)\\.")),
+      text);
+  const auto verdict = [&](double f) { return run(task + Arguments{"--f", in_full(f)}).out; };
+  const double low = std::stod(found[1]);
+  const double high = std::stod(found[2]);
+  BOOST_TEST(contains(verdict((low + high) / 2), "no delta keeps the tolerance asked for"));
+  for (const double f : {low * 0.999, high * 1.001}) {
+    BOOST_TEST(!contains(verdict(f), "no delta"), f);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -2,6 +2,11 @@
 #include "cli_test.hpp"
 #include "forced_arguments.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <regex>
+
 BOOST_FIXTURE_TEST_SUITE(simulate_command_test, stillpoint::cli_test::Sandbox)
 
 namespace {
@@ -300,6 +305,34 @@ BOOST_AUTO_TEST_CASE(text_lists_the_first_half_cycles) {
   const ProgramRun text = succeed(simulate("0.02", "0.02", "--verbose"));
   check_contains(text.out, {"Free motion", "stops at x = 0", "0.9802", "34.5989",
                             "11 half-cycles, 10 passages, 11 turning points", "Half-cycles"});
+}
+
+/// The four motions with f and delta 1 % off, one by one.
+BOOST_AUTO_TEST_CASE(a_forced_motion_says_where_it_rests_if_the_damper_is_slightly_off) {
+  const std::string record = STILLPOINT_DATA_DIR "/records/strong_motion.AT2";
+  const auto moved = [&record](double f, double delta_mm) {
+    return Arguments("simulate --period 2.8 --hold 0.1 --record") +
+           Arguments{record, "--f", in_full(f), "--delta-m", in_full(delta_mm) + "mm"};
+  };
+  double least = 0;
+  double most = 0;
+  int locked = 0;
+  for (const double f : {0.058 * 0.99, 0.058 * 1.01}) {
+    for (const double delta : {20 * 0.99, 20 * 1.01}) {
+      const json report = reported(moved(f, delta));
+      least = std::min(least, report["physical"]["stop_position_m"].get<double>());
+      most = std::max(most, report["physical"]["stop_position_m"].get<double>());
+      locked += report["response"]["locked_from"].is_null() ? 0 : 1;
+    }
+  }
+  BOOST_TEST(locked == 2);
+  BOOST_TEST(least == 0);
+  const std::string text = std::regex_replace(run(moved(0.058, 20)).out, std::regex("\\s+"), " ");
+  BOOST_TEST(contains(text, fmt::format("note with f and delta 1 % off either way it rests from "
+                                        "x = 0 to {:.5g} mm, and that may change whether it locks",
+                                        1e3 * most)),
+             text);
+  BOOST_TEST(!contains(run(moved(0.05, 20)).out, "1 % off"));  // it locks in all of them
 }
 
 BOOST_AUTO_TEST_SUITE_END()

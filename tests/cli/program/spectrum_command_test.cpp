@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "cli_test.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 BOOST_AUTO_TEST_SUITE(spectrum_command_test)
 
 // stillpoint spectrum, from the flags to the report. The figures are in spectrum_test.
@@ -149,6 +153,23 @@ BOOST_FIXTURE_TEST_CASE(each_record_is_folded_away, Recorded) {
   write("list.csv", "file,scale\na.txt,-3\n");
   succeed(asked + "--records-list list.csv --html p.html");
   BOOST_TEST(contains(read("p.html"), "<details class=\"across\"><summary>a.txt"));
+}
+
+/// The headline names these periods, so the table has them, whatever the steps of its rows.
+BOOST_FIXTURE_TEST_CASE(the_table_has_the_period_of_each_largest_figure, Sandbox) {
+  fs::create_directory_symlink(STILLPOINT_DATA_DIR, path("data"));
+  const Arguments scene{"spectrum", STILLPOINT_DATA_DIR "/scenes/spectrum.json"};
+  const json points = reported(scene)["combined"];
+  const std::string text = run(scene).out;
+  for (const char* const figure : {"peak_absolute_acceleration", "peak_m", "residual_m"}) {
+    for (const bool with : {true, false}) {
+      const auto most = std::ranges::max_element(points, {}, [&](const json& point) {
+        return (with ? point : point["without_notch"])[figure].get<double>();
+      });
+      const std::string period = fmt::format("\n  {:.5g} ", (*most)["period_s"].get<double>());
+      BOOST_TEST(contains(text, period), figure << period);
+    }
+  }
 }
 
 BOOST_FIXTURE_TEST_CASE(missing_values_are_left_out, Recorded) {

@@ -50,6 +50,23 @@ BOOST_AUTO_TEST_CASE(a_tolerance_too_small_to_see_is_enlarged) {
   BOOST_TEST(figure(region(0.9, 0.35355, 0.3), "region").inset.has_value());
 }
 
+/// With f <= 0.001 that of the first arrival lies between 0.5 - f and 0.5; without the limit it
+/// fills the figure.
+BOOST_AUTO_TEST_CASE(a_strip_too_thin_to_see_is_enlarged_and_named) {
+  design::RegionRequest request{.problem = {.v0 = 1, .p = 1, .beta = 1, .arrivals = 2}};
+  const Figure wide = figure(page(RegionReport{request, design::answer(request)}), "region");
+  BOOST_TEST(!wide.inset.has_value());
+  request.limits.f_max = 0.001;
+  const Figure thin = figure(page(RegionReport{request, design::answer(request)}), "region");
+  BOOST_TEST_REQUIRE(thin.inset.has_value());
+  BOOST_TEST(thin.inset->y.least > 0.49);
+  BOOST_TEST(thin.inset->y.least < 0.499);
+  BOOST_TEST(thin.inset->y.most > 0.5);
+  BOOST_TEST(thin.inset->x.least == 0);  // nothing is left of the axis
+  BOOST_TEST(thin.inset->x.most > 0.001);
+  BOOST_TEST(has_note(thin, "arrival 1"));
+}
+
 BOOST_AUTO_TEST_CASE(a_point_far_off_does_not_flatten_the_region) {
   const HtmlPage far = region(0.9, 50, 0.37);
   const HtmlPage near = region(0.9, 0.26, 0.37);
@@ -189,7 +206,7 @@ BOOST_AUTO_TEST_CASE(a_box_of_no_width_is_seen_and_any_f_has_no_slack) {
   const Figure& region = figure(drawn, "region");
   const auto& box = named(region.areas, "tolerance ±33.33 %").outline;
   BOOST_TEST(region.x.position(box[2].x) - region.x.position(box[0].x) > 0.01);
-  BOOST_TEST(!region.inset.has_value());
+  BOOST_TEST(has_note(region, "arrival 1"));  // which is enlarged, not the box
   BOOST_TEST(std::regex_search(drawn.report, std::regex("amplitude +any f +- +met")), drawn.report);
   BOOST_TEST(contains(drawn.report, "v0 of 0.867 to 1.00, none stronger than asked for"),
              drawn.report);
@@ -389,7 +406,7 @@ BOOST_AUTO_TEST_CASE(the_caption_says_what_a_clear_area_and_a_strip_mean) {
   const Figure one = figure(page(RegionReport{only, design::answer(only)}), "region");
   BOOST_TEST((named(one.areas, "admissible").ink == figures::Ink::sky));
   BOOST_TEST(one.caption ==
-             "A damper in the area without hatching is admissible for every hit of the range.");
+             "A damper in the area without hatching is admissible with every hit of the range.");
 }
 
 /// m V0^2/2 = 100 t (0.4 m/s)^2/2 = 8 kJ.

@@ -93,6 +93,25 @@ BOOST_AUTO_TEST_CASE(has_no_swatch_twice_in_its_key_and_no_shade_of_a_few_cells)
   BOOST_TEST(contains(map.names.at(4), " half-cycles"));
 }
 
+BOOST_AUTO_TEST_CASE(has_an_entry_of_its_own_where_the_notch_locks) {
+  sweep::SweepSpec spec = swept("0.02:0.4:20", "0:0.3:10").spec;
+  spec.kind = sweep::SweepKind::forced;
+  spec.axes[0].axis = sweep::Axis({0});
+  spec.excitation = Harmonic{.k = 0.3, .lambda = 1.3, .duration = 30};
+  spec.columns = sweep::default_columns(spec);
+  report::SweepReport report{spec};
+  report.map.emplace(spec);
+  report.summary = sweep::run(spec, *sweep::open_rows(spec), {.map = &*report.map});
+  const figures::Figure figure = page(report).figures.at(0);
+  const auto lock = std::ranges::find(figure.map.key, "locked at x = 0", &figures::MapKey::name);
+  BOOST_TEST_REQUIRE((lock != figure.map.key.end()));
+  BOOST_TEST(lock->crossed);
+  BOOST_TEST(contains(svg(figure, figures::Frame::in_page), ">locked at x = 0</text>"));
+  BOOST_TEST(std::ranges::count(figure.map.key, true, &figures::MapKey::crossed) == 1);
+  BOOST_TEST(contains(figure.caption, "here the hatching is crossed, the notch holds the mass"));
+  BOOST_TEST(!contains(page(swept("0.1:0.4:4", "0:1:3")).figures.at(0).caption, "crossed"));
+}
+
 BOOST_AUTO_TEST_CASE(names_the_record) {
   report::SweepReport report = swept("0.1:0.4:4", "0.01:1:3");
   report.spec.kind = sweep::SweepKind::forced;

@@ -173,17 +173,17 @@ BOOST_AUTO_TEST_CASE(every_design_recentres) {
 
 BOOST_AUTO_TEST_CASE(the_least_width_keeps_the_limit_and_the_isolator_feels_0_32_g) {
   // The isolator of data/scenes with a notch of 20 mm: f = 0.0241, Delta = 5.90 mm.
-  BOOST_TEST(std::abs(notch_acceleration(0.0241172, 5.8993e-3, 0.020) - 0.319) < 1e-3);
+  BOOST_TEST(std::abs(notch_acceleration(0.0241172, 5.8993e-3, 0.020, 0) - 0.319) < 1e-3);
   RandomSource random(2604);
   for (int i = 0; i < 1000; ++i) {
     const double f = random.log_uniform(1e-3, 1);
     const double delta = random.log_uniform(1e-6, 1);
     const double limit = f * (1 + random.log_uniform(1e-6, 100));
     const double width = least_notch_width(f, delta, limit, 0).value();
-    BOOST_TEST(notch_acceleration(f, delta, width) <= limit);
+    BOOST_TEST(notch_acceleration(f, delta, width, 0) <= limit);
     // An ulp of f + Delta/w is of the limit; the width is felt through Delta/w alone.
     const double coarse = 1e-15 * limit / (limit - f);
-    BOOST_TEST(notch_acceleration(f, delta, width * (1 - 2 * coarse)) > limit);
+    BOOST_TEST(notch_acceleration(f, delta, width * (1 - 2 * coarse), 0) > limit);
   }
   BOOST_TEST(!least_notch_width(0.3, 0.1, 0.3, 0));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "design/sweep/sweep_spec.hpp"
 
+#include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/sweep/map.hpp>
 
@@ -49,6 +50,28 @@ BOOST_AUTO_TEST_CASE(says_of_each_cell_what_one_motion_says) {
       }
     }
   }
+}
+
+/// Of 0.3 at most, so that more friction holds the mass from the start.
+BOOST_AUTO_TEST_CASE(tells_where_the_notch_locks_from_where_it_stops) {
+  SweepSpec spec = spec_of("0.02:0.4:20", "0:0.3:10");
+  spec.kind = SweepKind::forced;
+  spec.axes[0].axis = Axis({0});
+  spec.excitation = Harmonic{.k = 0.3, .lambda = 1.3, .duration = 30};
+  spec.columns = default_columns(spec);
+  const SweepMap map = map_of(spec);
+  int locked = 0;
+  for (std::int64_t row = 0; row < 10; ++row) {
+    for (std::int64_t column = 0; column < 20; ++column) {
+      const ForcedResponse alone = forced_response(
+          {1, map.f().value(column), map.delta().value(row)}, {0, 0}, spec.excitation);
+      const int cell = map.cells()[static_cast<std::size_t>(row * 20 + column)];
+      BOOST_TEST((cell == int{SweepClass::locked}) == alone.locked_from.has_value());
+      locked += alone.locked_from ? 1 : 0;
+    }
+  }
+  BOOST_TEST(locked > 20);
+  BOOST_TEST(locked < 180);
 }
 
 BOOST_AUTO_TEST_CASE(leaves_out_values_of_a_long_axis) {

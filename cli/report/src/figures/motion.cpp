@@ -125,6 +125,18 @@ figures::FigureAxis displacement_axis(const DrawnMotion& motion, const FigureUni
                      (most > 0 ? most + room : most) * units.length);
 }
 
+/// "without friction, beyond the frame to -158 mm", if the frame cuts it off.
+std::string name_of(const OtherMotion& other, const figures::FigureAxis& axis,
+                    const FigureUnits& units) {
+  const auto [least, most] = extent(other.states, &State::x);
+  const bool below = least * units.length < axis.least;
+  const bool above = most * units.length > axis.most;
+  return below || above
+             ? format("{}, beyond the frame to {}", other.name,
+                      units.place_words(above && (!below || most > -least) ? most : least))
+             : other.name;
+}
+
 void add_limits(Figure& figure, const DrawnMotion& motion, const FigureUnits& units) {
   std::string name = format("limit {}", units.length_words(*motion.beta));
   for (const double limit : {*motion.beta, -*motion.beta}) {
@@ -239,7 +251,7 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
         {"peak", {place(peak)}, figures::Shape::disc, Ink::blue, figures::Fill::hollow});
   } else {
     for (const OtherMotion& other : motion.others) {
-      figure.curves.push_back({.name = other.name,
+      figure.curves.push_back({.name = name_of(other, figure.y, units),
                                .strokes = {places(other.states, place)},
                                .ink = other.ink,
                                .dash = other.dash,

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -76,21 +77,49 @@ struct Extent {
   }
 };
 
-/// A box too small to see is enlarged in a corner, unless it is one of next to no f.
-void add_inset(Figure& figure, const std::vector<FigurePoint>& box) {
-  constexpr double visible = 0.05;          // of the plot
-  constexpr double least_numbers = 1e-9;    // below which rounding would be seen
-  constexpr double next_to_nothing = 1e-6;  // of the axis
-  constexpr double room = 0.6;              // on either side, in widths of the box
-  const double wide = box[2].x - box[0].x;
-  const double high = box[2].y - box[0].y;
-  const bool small = wide < visible * (figure.x.most - figure.x.least) ||
-                     high < visible * (figure.y.most - figure.y.least);
-  if (small && box[2].x > next_to_nothing * figure.x.most && wide > least_numbers * box[2].x &&
-      high > least_numbers * box[2].y) {
-    figure.inset = {{"", box[0].x - room * wide, box[2].x + room * wide},
-                    {"", box[0].y - room * high, box[2].y + room * high}};
+/// A part of the plane is enlarged in a corner, unless rounding would be seen.
+void add_inset(Figure& figure, const FigurePoint& low, const FigurePoint& high) {
+  constexpr double least_numbers = 1e-9;
+  constexpr double room = 0.6;  // on either side
+  const double wide = high.x - low.x;
+  const double tall = high.y - low.y;
+  if (wide > least_numbers * high.x && tall > least_numbers * high.y) {
+    figure.inset = {{"", std::max(figure.x.least, low.x - room * wide), high.x + room * wide},
+                    {"", std::max(figure.y.least, low.y - room * tall), high.y + room * tall}};
   }
+}
+
+/// If the box is too small to see, unless it is one of next to no f.
+void add_box_inset(Figure& figure, const std::vector<FigurePoint>& box) {
+  constexpr double visible = 0.05;          // of the plot
+  constexpr double next_to_nothing = 1e-6;  // of the axis
+  const bool small = box[2].x - box[0].x < visible * (figure.x.most - figure.x.least) ||
+                     box[2].y - box[0].y < visible * (figure.y.most - figure.y.least);
+  if (small && box[2].x > next_to_nothing * figure.x.most) {
+    add_inset(figure, box[0], box[2]);
+  }
+}
+
+/// Of a strip too thin to see, where it is thickest. Its name stands beside it.
+void add_strip_inset(Figure& figure, const FigureArea& strip) {
+  const std::vector<FigurePoint>& outline = strip.outline;
+  const std::size_t last = outline.size() - 1;  // the upper edge comes back above the lower one
+  std::size_t thickest = 0;
+  for (std::size_t i = 0; i <= last / 2; ++i) {
+    if (outline[last - i].y - outline[i].y > outline[last - thickest].y - outline[thickest].y) {
+      thickest = i;
+    }
+  }
+  FigurePoint low = outline[thickest];
+  FigurePoint high = outline[last - thickest];
+  for (const FigurePoint& at : outline) {
+    if (outline[thickest].y <= at.y && at.y <= outline[last - thickest].y) {
+      low.x = std::min(low.x, at.x);
+      high.x = std::max(high.x, at.x);
+    }
+  }
+  add_inset(figure, low, high);
+  figure.notes.push_back({strip.name, {(low.x + high.x) / 2, (low.y + high.y) / 2}});
 }
 
 void add_edge(Figure& figure, std::string name, FigurePoint from, FigurePoint to) {
@@ -109,9 +138,9 @@ std::string caption_of(const DrawnRegion& drawn, const FigureUnits& units) {
       : problem.residual    ? "; in each strip the mass rests within the residual at that arrival"
                             : "; in each strip the mass stops at x = 0 at that arrival";
   const std::string_view ranges = problem.v0_low && problem.p_high
-                                      ? " for every hit and spring of the ranges"
-                                  : problem.v0_low ? " for every hit of the range"
-                                  : problem.p_high ? " for every spring of the range"
+                                      ? " with every hit and spring of the ranges"
+                                  : problem.v0_low ? " with every hit of the range"
+                                  : problem.p_high ? " with every spring of the range"
                                                    : "";
   return format("{}{}{}.", region_clause(drawn.damper, drawn.region, drawn.limits, units), ranges,
                 strips);
@@ -208,7 +237,7 @@ void add_damper(Figure& figure, const DrawnDamper& damper, const design::BoxShap
   if (damper.tolerance > 0) {
     const std::string words = tolerance_words(shape, damper.tolerance);
     auto box = tolerance_box(damper, shape, units.length);
-    add_inset(figure, box);
+    add_box_inset(figure, box);
     if (begins_at_nothing(box[2].x, figure.x.most)) {  // a line along the axis would not be seen
       constexpr double visible = 0.012;                // of the axis
       box[1].x = box[2].x = visible * figure.x.most;
@@ -268,15 +297,20 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
       several ? "The plane of f and Δ with the strip of each arrival at which the mass may rest. "
               : plane_words(region, units);
   figure.areas = std::move(admissible);
-  const bool any = !figure.areas.empty();
+  const std::size_t strips = figure.areas.size();
   add_sides(figure, drawn, units);
-  figure.caption = any ? caption_of(drawn, units) : empty_caption(figure);
+  figure.caption = strips > 0 ? caption_of(drawn, units) : empty_caption(figure);
   if (!several) {
     add_delta1(figure, drawn.problem, region.f3, unit);
   }
   add_tolerant(figure, drawn.limits, tolerant_areas(drawn, unit));
   if (damper) {
     add_damper(figure, *damper, shape, units);
+  }
+  for (std::size_t i = 0; i < strips && !figure.inset; ++i) {
+    if (!is_seen(figure, figure.areas[i])) {
+      add_strip_inset(figure, figure.areas[i]);
+    }
   }
   return figure;
 }

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace stillpoint::report {
@@ -25,12 +24,13 @@ using sweep::SweepAxis;
 using sweep::SweepClass;
 using sweep::SweepKind;
 
-/// More red than blue, which is hatched, only off x = 0. Both scales have the same lightness. What
-/// never starts lies beside one half-cycle, which is dark.
+/// More red than blue, which is hatched, only off x = 0 and where it locks, which is yellow and so
+/// hatched crosswise. Both scales have the same lightness. What never starts lies beside one
+/// half-cycle, which is dark.
 constexpr std::array<const char*, SweepClass::count> palette{
     "#0b4f8a", "#2f7fc1", "#6aaede", "#9ecae9", "#c6dff2", "#e6f1fa",  // at x = 0
     "#8a3b00", "#c85a00", "#ef8a2b", "#f7b267", "#fbd3a4", "#fdebd5",  // off it
-    "#b8b8b8", "#000000", "#a779cc", "#009e73"};
+    "#b8b8b8", "#000000", "#a779cc", "#f0e020", "#009e73"};
 
 /// "3", "7–15", "16 or more".
 std::string count_label(std::size_t index) {
@@ -48,8 +48,8 @@ std::string count_label(std::size_t index) {
 std::string class_name(std::size_t index, bool from_rest) {
   constexpr std::size_t ranges = SweepClass::ranges;
   if (index >= 2 * ranges) {
-    const std::array<const char*, 4> others{from_rest ? "stays at rest" : "never starts",
-                                            "never stops", "not known to have stopped",
+    const std::array<const char*, 5> others{from_rest ? "stays at rest" : "never starts",
+                                            "never stops", "not known to have stopped", "locked",
                                             "too many half-cycles"};
     return others.at(index - 2 * ranges);
   }
@@ -83,8 +83,10 @@ figures::FigureMap drawn(const sweep::SweepMap& map, const ClassCounts& counts, 
     drawn.palette.emplace_back(palette.at(i));
     drawn.names.push_back(class_name(i, from_rest));
     drawn.labels.push_back(i < 2 * ranges ? count_label(i) : drawn.names.back());
+    const bool locked = i == SweepClass::locked;  // in the key even if a label says so
     if (counts.at(i) > (i < 2 * ranges ? few : 0)) {
-      drawn.key.push_back({drawn.names.back(), palette.at(i), ranges <= i && i < 2 * ranges});
+      drawn.key.push_back({drawn.names.back() + (locked ? " " + place : ""), palette.at(i),
+                           locked || (ranges <= i && i < 2 * ranges), locked});
     }
   }
   return drawn;
@@ -100,12 +102,8 @@ FigureAxis figure_axis(const std::string& label, const MapAxis& swept, double un
           middles.scale};
 }
 
-bool under_load(const sweep::SweepSpec& spec) {
-  return spec.kind == SweepKind::forced && !std::holds_alternative<NoExcitation>(spec.excitation);
-}
-
-/// Of the colours that are there. Under a load a rest at `place` may be one that the notch holds.
-std::string caption(const ClassCounts& counts, bool loaded, const std::string& place) {
+/// Of the colours that are there.
+std::string caption(const ClassCounts& counts, const std::string& place) {
   const bool centred = any_rests(counts, 0);
   const bool off = any_rests(counts, SweepClass::ranges);
   const std::string words =
@@ -114,11 +112,12 @@ std::string caption(const ClassCounts& counts, bool loaded, const std::string& p
       : centred ? format("The mass stops {} in every blue area", place)
       : off     ? "The mass stops off centre in every hatched area"
                 : "";
-  if (words.empty()) {
-    return "No mass that moves comes to rest";
+  std::string text = words.empty() ? "" : words + "; the darker, the fewer half-cycles it takes";
+  if (counts.at(SweepClass::locked) > 0) {
+    text += format("{} the hatching is crossed, the notch holds the mass while the load goes on",
+                   text.empty() ? "Where" : "; where");
   }
-  return words + "; the darker, the fewer half-cycles it takes" +
-         (centred && loaded ? format("; a rest {} while the load goes on is a lock", place) : "");
+  return text.empty() ? "No mass that moves comes to rest" : text;
 }
 
 /// What the lines of Delta1 are.
@@ -164,7 +163,7 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
           100.0 * static_cast<double>(counts.at(i)) / static_cast<double>(map.cells().size()));
     }
   }
-  figure.caption = caption(counts, under_load(spec), place);
+  figure.caption = caption(counts, place);
   const double p = only_value(spec, Quantity::p);
   if (spec.kind == SweepKind::free && from_zero(spec) && plain_surface(spec) && v0 > 0 && p > 0) {
     add_boundaries(figure, {.v0 = v0, .p = p, .beta = v0 / p}, units,

@@ -29,11 +29,21 @@ std::optional<DesignPoint> most_tolerant(const PulseRegion& region, const PulseP
   return DesignPoint{f * region.f_unit(), delta * region.delta_unit(), tolerance};
 }
 
+/// Without ranges empty.
+std::optional<PulseWorst> worst_of(const PulseProblem& problem, const PulseRegion& region,
+                                   const FirstReturn& worst) {
+  return problem.has_ranges() ? std::optional(PulseWorst{worst.peak * region.length_unit(),
+                                                         worst.acceleration * region.f_unit(),
+                                                         worst.time / problem.p})
+                              : std::nullopt;
+}
+
 void judge(RegionAnswer& answer, const PulseRequest& request, const PulseRegion& region, double f,
            double delta) {
   const auto& [problem, limits, options] = request;
   const double unit_f = f / region.f_unit();
-  answer.constraints = constraints_of(request, {f, delta, 0}, motion_at(region, unit_f), region);
+  const FirstReturn motion = motion_at(region, unit_f);
+  answer.constraints = constraints_of(request, {f, delta, 0}, motion, region);
   answer.admissible = std::ranges::all_of(answer.constraints, &Constraint::satisfied);
   if (!*answer.admissible) {
     return;
@@ -47,8 +57,9 @@ void judge(RegionAnswer& answer, const PulseRequest& request, const PulseRegion&
   answer.admissible = limits.tolerance <= widest + edge;
   const PulseProblem shown = region.profile()->largest_peak(problem, unit_f);
   const Oscillator oscillator{shown.p, f, delta};
-  answer.practice = practice(oscillator, forced_response(oscillator, {}, excitation(shown.pulse)),
-                             limits.acceleration_max, SetOff::load);
+  answer.response = forced_response(oscillator, {}, excitation(shown.pulse));
+  answer.practice = practice(oscillator, *answer.response, limits.acceleration_max, SetOff::load);
+  answer.worst = worst_of(problem, region, motion);
 }
 
 }  // namespace
@@ -115,11 +126,7 @@ void add_finding(DesignResult& result, const PulseRequest& request, const PulseR
   result.finding = finding_under_pulse(shown, limits, point, motion);
   result.finding->constraints = constraints_of(request, point, worst, region);
   result.finding->pulse->even_tolerance = even_tolerance(request, region, point, unit_f);
-  if (problem.has_ranges()) {
-    result.finding->pulse->worst =
-        PulseWorst{worst.peak * region.length_unit(), worst.acceleration * region.f_unit(),
-                   worst.time / problem.p};
-  }
+  result.finding->pulse->worst = worst_of(problem, region, worst);
 }
 
 }  // namespace stillpoint::design

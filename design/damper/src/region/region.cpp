@@ -11,6 +11,19 @@
 
 namespace stillpoint::design {
 
+namespace {
+
+std::optional<Response> response_of(const Oscillator& oscillator, double v0) {
+  constexpr double most_half_cycles = 1e6;  // a few milliseconds, and far from any design
+  try {
+    return free_response(oscillator, {0, v0}, {.half_cycle_limit = most_half_cycles});
+  } catch (const TooManyHalfCycles&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
 RegionAnswer answer(const RegionRequest& request) {
   const auto& [problem, limits, f, delta, pulse, ranges] = request;
   if (delta && !f) {
@@ -42,10 +55,10 @@ RegionAnswer answer(const RegionRequest& request) {
     answer.admissible = admissible(problem, limits, *f, *delta);
     answer.arrival = *answer.admissible ? arrival_of(problem, *f, *delta) : std::nullopt;
     answer.works_for = works_for(problem, limits, *f, *delta);
-    if (answer.works_for) {
-      const Oscillator oscillator{problem.p, *f, *delta};
-      answer.practice =
-          practice(oscillator, free_response(oscillator, {0, problem.v0}), limits.acceleration_max);
+    const Oscillator oscillator{problem.p, *f, *delta};
+    answer.response = response_of(oscillator, problem.v0);
+    if (answer.works_for && answer.response) {
+      answer.practice = practice(oscillator, *answer.response, limits.acceleration_max);
     }
   }
   return answer;

@@ -80,6 +80,7 @@ struct MapKey {
   std::string name;
   std::string colour;  ///< "#rrggbb"
   bool hatched{false};
+  bool crossed{false};  ///< hatched the other way too
 };
 
 /// The colours of a grid of cells that fills the axes; row 0 is the lowest. All cells have the same
@@ -87,10 +88,12 @@ struct MapKey {
 struct FigureMap {
   std::int64_t columns{0};
   std::int64_t rows{0};
-  std::vector<std::uint8_t> cells;   ///< rows * columns entries of the palette
-  std::vector<std::string> palette;  ///< "#rrggbb"; what has more red than blue is hatched
-  std::vector<std::string> names;    ///< of each entry, under the pointer
-  std::vector<std::string> labels;   ///< of each entry, written in its largest areas; or empty
+  std::vector<std::uint8_t> cells;  ///< rows * columns entries of the palette
+  /// "#rrggbb". What has more red than blue is hatched, and what has far more green than blue
+  /// crosswise.
+  std::vector<std::string> palette;
+  std::vector<std::string> names;   ///< of each entry, under the pointer
+  std::vector<std::string> labels;  ///< of each entry, written in its largest areas; or empty
   std::vector<MapKey> key;
 };
 
@@ -141,6 +144,10 @@ struct Figure {
   std::vector<FigureNote> notes;
   std::optional<FigureInset> inset;
 };
+
+/// Whether an area is thick enough on average to be seen in the plot; a box may be small, since it
+/// is enlarged.
+[[nodiscard]] bool is_seen(const Figure& figure, const FigureArea& area);
 
 /// Several figures that share one legend.
 struct FigureSheet {

@@ -45,8 +45,8 @@ enum class SetOff { hit, load };
                                                      double f, double delta);
 
 /// f + Delta/w + p^2 w/2, the most that the mass feels inside a notch of width w > 0: friction and,
-/// at the edge by which it leaves, the spring; p = 0 leaves the spring out.
-[[nodiscard]] double notch_acceleration(double f, double delta, double width, double p = 0);
+/// at the edge by which it leaves, the spring.
+[[nodiscard]] double notch_acceleration(double f, double delta, double width, double p);
 /// The least width that keeps that at or below `limit`; empty if none does.
 [[nodiscard]] std::optional<double> least_notch_width(double f, double delta, double limit,
                                                       double p);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/design/admissible_region.hpp>
 #include <stillpoint/design/constraints.hpp>
 #include <stillpoint/design/practice.hpp>
@@ -73,6 +74,10 @@ struct RegionAnswer : RegionVerdict {
   std::vector<Constraint> constraints{};
   std::optional<WorksFor> works_for{};  ///< these two if the point itself is admissible
   std::optional<Practice> practice{};
+  /// Of the motion, with ranges that of the strongest hit and the softest spring. Empty if it has
+  /// too many half-cycles, and under a pulse if the point is not admissible.
+  std::optional<Response> response{};
+  std::optional<PulseWorst> worst{};  ///< with it, for ranges of a pulse
 };
 
 }  // namespace stillpoint::design

@@ -24,9 +24,11 @@ class SweepClass {
   static constexpr std::array<int, 6> first_half_cycles{1, 2, 3, 4, 7, 16};
   static constexpr std::size_t ranges = first_half_cycles.size();
   /// Stops at x = 0 or within a notch, by ranges of half-cycles; stops beyond it, likewise; then:
-  /// does not move, never stops, is not known to have stopped, has more half-cycles than the sweep
-  /// allows.
-  static constexpr std::size_t count = 2 * ranges + 4;
+  /// does not move, never stops, is not known to have stopped, is locked under the load, has more
+  /// half-cycles than the sweep allows.
+  static constexpr std::size_t count = 2 * ranges + 5;
+
+  static constexpr std::uint8_t locked = count - 2;
 
   static constexpr std::uint8_t too_many = count - 1;
 
