@@ -5,10 +5,14 @@
 
 #include "sections.hpp"
 
+#include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/record_design.hpp>
+#include <stillpoint/report/record_design.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace stillpoint::report {
 
@@ -22,7 +26,34 @@ namespace stillpoint::report {
 /// if nothing.
 [[nodiscard]] std::string example_sentence(const design::RecordDesign& result,
                                            const Physical& physical);
-/// In that case, what the mass feels in a notch with a width, and how wide it must be.
-void add_example(Section& answer, const design::RecordDesign& result, const Physical& physical);
+/// The impulses of a notch without a width; and if it is the paper's, what the mass feels in one
+/// with a width, and how wide that must be.
+void add_notch(Section& answer, const design::RecordDesign& result, const Physical& physical);
+
+/// The motion of the design under one of its records.
+[[nodiscard]] SimulationRequest motion_request(const design::RecordDesign& result,
+                                               std::size_t record);
+
+/// What holds the mass, and which records end with it held or moving.
+void add_rest(Section& answer, const design::RecordDesign& result);
+void add_records(Document& document, const RecordDesignReport& report);
+/// Which records lock the mass; empty if none.
+[[nodiscard]] std::string lock_words(const design::RecordDesign& result);
+
+/// "0.1459 g transmitted between passages, stroke 195 mm, residual 0"; `where` is "" or what is
+/// said of the acceleration.
+[[nodiscard]] std::string figures_words(const design::SuiteFigures& figures,
+                                        const Physical& physical, std::string_view where = "");
+
+/// A damper near the design that gives the same figures as shown and meets the limits as well, with
+/// the fewest digits.
+struct ShownDamper {
+  design::SuiteDamper damper;
+  int digits;
+  std::optional<int> period_digits;  ///< of a period that was searched
+};
+[[nodiscard]] ShownDamper shown_damper(const RecordDesignReport& report);
+/// "f = 0.0459276, delta = 52.268 mm"
+[[nodiscard]] std::string damper_row(const ShownDamper& shown, const Physical& physical);
 
 }  // namespace stillpoint::report

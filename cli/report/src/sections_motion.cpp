@@ -46,15 +46,12 @@ std::string outcome_phrase(const ForcedResponse& response) {
              : outcome_phrase(response.outcome);
 }
 
-namespace {
-
-/// The margins of the two motions are different quantities: docs/theory.md section 6,
-/// docs/forced.md section 7.
-constexpr std::string_view closest_decision =
-    "how near the closest decision, to stick or to pass x = 0, was to going the other way; not a "
-    "tolerance of the inputs";
-
-}  // namespace
+// The margins of the two motions are different quantities: docs/theory.md section 6,
+// docs/forced.md section 7.
+std::string_view closest_decision() {
+  return "how near the closest decision, to stick or to pass x = 0, was to going the other way; "
+         "not a tolerance of the inputs";
+}
 
 void add_counts(Section& section, const Response& response, const Physical& physical,
                 bool margin_of_inputs) {
@@ -74,7 +71,7 @@ void add_counts(Section& section, const Response& response, const Physical& phys
   if (response.decision_margin) {
     section.row("decision margin",
                 format("{:.2g} %: {}", 100 * *response.decision_margin,
-                       !margin_of_inputs ? closest_decision
+                       !margin_of_inputs ? closest_decision()
                        : response.outcome == Outcome::caught_at_start
                            ? "it may start if all inputs shift by about this much"
                            : "it may stop elsewhere if all inputs shift by about this much; a "
