@@ -44,6 +44,11 @@ std::string_view combined(design::Combine combine) {
   return combine == design::Combine::max ? "largest" : "mean";
 }
 
+/// In which a period is printed; the usual ones unless it was searched.
+std::optional<int> period_digits(const design::RecordDesignRequest& task) {
+  return task.p.low < task.p.high ? std::optional(printed_digits) : std::nullopt;
+}
+
 /// What a reader should know of a spring at an end of what was searched; empty elsewhere.
 std::string end_words(const Interval& searched, double p, bool of_period) {
   constexpr double apart = 1e-6;
@@ -60,14 +65,16 @@ std::string end_words(const Interval& searched, double p, bool of_period) {
 }
 
 /// Empty if the mass moves.
-std::string never_moves(const design::RecordDesign& result) {
+std::string stands_still(const design::RecordDesign& result) {
   const design::SuiteFigures& figures = result.finding->point.figures;
   const std::size_t all = result.finding->responses.size();
-  return figures.peak > 0 ? ""
-                          : format(
-                                "The mass never moves: it is held through {}, and the structure "
-                                "feels up to {}. ",
-                                of_records(all, all), acceleration_shown(figures.acceleration));
+  return !hardly_moves(result) ? ""
+         : figures.peak > 0    ? format("The mass hardly moves, and the structure feels up to {}. ",
+                                        acceleration_shown(figures.acceleration))
+                               : format(
+                                     "The mass never moves: it is held through {}, and the structure "
+                                        "feels up to {}. ",
+                                     of_records(all, all), acceleration_shown(figures.acceleration));
 }
 
 /// Empty if the mass is never locked, or never moves.
@@ -144,19 +151,19 @@ std::string tolerance_sentence(const design::RecordDesign& result, const Physica
               : "");
 }
 
-std::string verdict(const RecordDesignReport& report, const std::optional<ShownDamper>& shown) {
+std::string verdict(const RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;
   const std::string so_far = result.search.interrupted ? "Interrupted, the best so far: " : "";
-  if (!shown) {
+  if (!result.finding) {
     return so_far + shortfall_sentence(report);
   }
   const Physical& physical = report.physical;
-  const design::SuiteFigures& figures = result.finding->point.figures;
-  const auto& [p, f, delta] = shown->damper;
-  return so_far + never_moves(result) +
-         format("{} {}, with {}. {}: {}.", figures.peak == 0 ? "The damper found has" : "Build",
-                damper_words(physical, f, delta, result.request.notch_width, shown->digits),
-                spring_words(physical, p, shown->period_digits),
+  const auto& [damper, figures] = result.finding->point;
+  return so_far + stands_still(result) +
+         format("{} {}, with {}. {}: {}.", hardly_moves(result) ? "The damper found has" : "Build",
+                damper_words(physical, damper.f, damper.delta, result.request.notch_width,
+                             printed_digits),
+                spring_words(physical, damper.p, period_digits(result.request)),
                 design::suite_words(*result.request.combine, result.request.records.size()),
                 figures_words(figures, physical, felt_where(result))) +
          (is_mean(result.request) ? worst_of_mean(result, physical) : "") +
@@ -184,16 +191,21 @@ void add_margin(Section& answer, const design::RecordDesign& result) {
   }
 }
 
-void add_answer(Section& answer, const design::RecordDesign& result, const ShownDamper& shown,
-                const Physical& physical) {
-  answer.row("damper", damper_row(shown, physical), Tone::heading);
+void add_answer(Section& answer, const design::RecordDesign& result, const Physical& physical) {
+  const design::SuiteDamper& damper = result.finding->point.damper;
+  answer.row("damper",
+             format("f = {:.{}g}, delta = {}", damper.f, printed_digits,
+                    length_shown(physical, damper.delta, printed_digits)),
+             Tone::heading);
   add_rest(answer, result);
   add_notch(answer, result, physical);
   const design::Sensitivity& near = result.finding->sensitivity;
-  answer.row(
-      "tolerance",
-      format("at worst {}; {}", worst_words(result, near.worst, physical), samples_words(near)),
-      near.admissible < near.samples || is_delicate(result) ? Tone::bad : Tone::plain);
+  if (near.tolerance > 0) {
+    answer.row(
+        "tolerance",
+        format("at worst {}; {}", worst_words(result, near.worst, physical), samples_words(near)),
+        near.admissible < near.samples || is_delicate(result) ? Tone::bad : Tone::plain);
+  }
   if (near.much_worse) {
     answer.row("much worse",
                format("with f and delta off by {}: {}", change_words(near.much_worse->change),
@@ -212,11 +224,11 @@ void add_answer(Section& answer, const design::RecordDesign& result, const Shown
              check.passed ? Tone::good : Tone::bad);
 }
 
-void add_damper(Document& document, const RecordDesignReport& report, const ShownDamper& shown) {
+void add_damper(Document& document, const RecordDesignReport& report) {
   const Physical& physical = report.physical;
-  const design::SuiteDamper& damper = shown.damper;
+  const design::SuiteDamper& damper = report.result.finding->point.damper;
   Section& section = document.detail("Damper");
-  section.row("spring", spring_words(physical, damper.p, shown.period_digits) +
+  section.row("spring", spring_words(physical, damper.p, period_digits(report.result.request)) +
                             end_words(report.result.request.p, damper.p, physical.has_value()));
   add_damper_physics(section, physical, damper.f, damper.delta);
   const design::Sensitivity& near = report.result.finding->sensitivity;
@@ -352,6 +364,12 @@ std::size_t worst_record(const design::RecordDesign& result) {
   return static_cast<std::size_t>(std::ranges::max_element(all, {}, peak_of_worst) - all.begin());
 }
 
+bool hardly_moves(const design::RecordDesign& result) {
+  constexpr double hardly = 1e-3;
+  const auto& [damper, figures] = result.finding->point;
+  return damper.p * damper.p * figures.peak <= hardly * design::peak_load(result.request.records);
+}
+
 std::string lock_sentence(const RecordDesignReport& report) {
   const std::string words = report.result.finding ? lock_words(report.result) : "";
   return words.empty() ? "" : "locked: " + words;
@@ -395,16 +413,15 @@ Document document(const RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;
   Document document;
   document.title = "Damper under records";
-  const auto shown = result.finding ? std::optional(shown_damper(report)) : std::nullopt;
-  document.verdict = verdict(report, shown);
-  if (shown) {
-    const bool still = result.finding->point.figures.peak == 0;
-    document.tone = still || is_delicate(result) || !result.finding->check.passed ? Tone::bad
-                    : result.search.interrupted                                   ? Tone::plain
-                                                                                  : Tone::good;
-    add_answer(document.answer, result, *shown, report.physical);
+  document.verdict = verdict(report);
+  if (result.finding) {
+    document.tone = hardly_moves(result) || is_delicate(result) || !result.finding->check.passed
+                        ? Tone::bad
+                    : result.search.interrupted ? Tone::plain
+                                                : Tone::good;
+    add_answer(document.answer, result, report.physical);
     add_records(document, report);
-    add_damper(document, report, *shown);
+    add_damper(document, report);
   } else {
     document.tone = Tone::bad;
     add_shortfalls(document, report);

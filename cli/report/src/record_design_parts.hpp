@@ -10,7 +10,6 @@
 #include <stillpoint/report/record_design.hpp>
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -45,15 +44,10 @@ void add_records(Document& document, const RecordDesignReport& report);
 [[nodiscard]] std::string figures_words(const design::SuiteFigures& figures,
                                         const Physical& physical, std::string_view where = "");
 
-/// A damper near the design that gives the same figures as shown and meets the limits as well, with
-/// the fewest digits.
-struct ShownDamper {
-  design::SuiteDamper damper;
-  int digits;
-  std::optional<int> period_digits;  ///< of a period that was searched
-};
-[[nodiscard]] ShownDamper shown_damper(const RecordDesignReport& report);
-/// "f = 0.0459276, delta = 52.268 mm"
-[[nodiscard]] std::string damper_row(const ShownDamper& shown, const Physical& physical);
+/// Of a design: as many as it was rounded to, or almost every digit that it has.
+inline constexpr int printed_digits = 12;
+
+/// Whether its stroke pulls the mass back with less than a thousandth of the load.
+[[nodiscard]] bool hardly_moves(const design::RecordDesign& result);
 
 }  // namespace stillpoint::report

@@ -16,7 +16,7 @@ namespace {
 /// The paper's notch, for which another stands in the answer.
 bool has_ideal_notch(const design::RecordDesign& result) {
   const auto& [damper, figures] = result.finding->point;
-  return damper.delta > 0 && figures.peak > 0 && !result.request.notch_width &&
+  return damper.delta > 0 && !hardly_moves(result) && !result.request.notch_width &&
          !result.request.hold;
 }
 
@@ -99,7 +99,7 @@ std::string example_sentence(const design::RecordDesign& result, const Physical&
 
 void add_notch(Section& answer, const design::RecordDesign& result, const Physical& physical) {
   const auto& [damper, figures] = result.finding->point;
-  if (damper.delta == 0 || figures.peak == 0 || result.request.notch_width) {
+  if (damper.delta == 0 || hardly_moves(result) || result.request.notch_width) {
     return;
   }
   const std::string impulse = impulse_words(result, physical);

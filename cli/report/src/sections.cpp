@@ -52,15 +52,13 @@ std::string damper_words(const Physical& physical, const std::optional<double>& 
   const bool weighed = force && energy && std::isfinite(*energy);
   const std::string wide =
       notch_width ? format(" {} wide", length_shown(physical, *notch_width)) : "";
-  const std::string notch = weighed && delta == 0 ? "no notch"
-                            : weighed
-                                ? format("a notch{} that takes {} at a passage", wide,
-                                         with_unit(*energy, "J", digits.value_or(5)))
-                                : format("delta = {}{}{}", length_shown(physical, delta, digits),
-                                         wide.empty() ? "" : " in a notch", wide);
+  const std::string notch =
+      weighed && delta == 0 ? "no notch"
+      : weighed ? format("a notch{} that takes {} at a passage", wide, with_unit(*energy, "J"))
+                : format("delta = {}{}{}", length_shown(physical, delta, digits),
+                         wide.empty() ? "" : " in a notch", wide);
   return !f        ? notch + " and as little constant friction as you can"
-         : weighed ? format("a friction force of {} and {}",
-                            with_unit(*force, "N", digits.value_or(5)), notch)
+         : weighed ? format("a friction force of {} and {}", with_unit(*force, "N"), notch)
                    : format("f = {:.{}g} and {}", *f, digits.value_or(6), notch);
 }
 

@@ -2,6 +2,9 @@
 #include "damper.hpp"
 #include "suites_of_records.hpp"
 
+#include <iomanip>
+#include <sstream>
+
 BOOST_AUTO_TEST_SUITE(record_design_test)
 
 namespace {
@@ -345,6 +348,33 @@ BOOST_AUTO_TEST_CASE(the_nearest_damper_that_is_much_worse_is_found) {
   const RecordDesign firm = design::design(request);
   BOOST_REQUIRE(firm.finding.has_value());
   BOOST_TEST(!firm.finding->sensitivity.much_worse.has_value());
+}
+
+/// Whether a number has at most so many digits.
+bool has_few_digits(double value, int digits) {
+  std::ostringstream text;
+  text << std::setprecision(digits) << value;
+  return std::abs(std::stod(text.str()) - value) <= hand_tolerance * value;
+}
+
+BOOST_AUTO_TEST_CASE(a_printed_design_has_few_digits_and_is_no_worse) {
+  RecordDesignRequest request = with_capacity();
+  const double centimetres = 100 / metre;
+  request.printed = {centimetres};
+  const RecordDesign design = design::design(request);
+  BOOST_REQUIRE(design.finding.has_value());
+  const auto& [damper, figures] = design.finding->point;
+  constexpr int few = 8;
+  BOOST_TEST(has_few_digits(damper.f, few));
+  BOOST_TEST(has_few_digits(damper.delta * centimetres, few));
+  BOOST_TEST(!has_few_digits(design.nearest.damper.f, few));
+  BOOST_TEST(damper.p == 1);
+  BOOST_TEST(admissible(figures, request.limits));
+  BOOST_TEST(figures.acceleration <= design.nearest.figures.acceleration * (1 + 1e-5));
+  BOOST_TEST(figures.peak == figures_of(design.request, damper).peak);
+  BOOST_TEST(figures.peak == std::ranges::max(design.finding->responses, {}, [](const auto& one) {
+                               return one.peak_amplitude;
+                             }).peak_amplitude);
 }
 
 BOOST_AUTO_TEST_CASE(much_worse_is_half_as_much_again) {

@@ -3,6 +3,7 @@
 
 #include "check/runge_kutta.hpp"
 #include "record/suite.hpp"
+#include "record/suite_digits.hpp"
 #include "record/suite_search.hpp"
 #include "record/suite_watch.hpp"
 
@@ -252,9 +253,10 @@ RecordDesign design(const RecordDesignRequest& request, const std::vector<SuiteF
   result.search.interrupted = watch.stopped();
   result.search.wall_time_s = seconds_now() - begun;
   if (feasible) {
-    RecordFinding finding{found.point, suite.responses(found.point.damper), {}, {}};
-    finding.sensitivity = sensitivity(suite, task, found.point);
-    finding.check = check(suite, found.point.damper, finding.responses);
+    const SuitePoint point = with_few_digits(suite, task, found.point);
+    RecordFinding finding{point, suite.responses(point.damper), {}, {}};
+    finding.sensitivity = sensitivity(suite, task, point);
+    finding.check = check(suite, point.damper, finding.responses);
     result.finding = std::move(finding);
   }
   return result;
