@@ -84,6 +84,16 @@ std::string locked_sentence(const design::RecordDesign& result) {
                                                                    : format(" Locked: {}.", locked);
 }
 
+std::string figures_words(const design::SuiteFigures& figures, const Physical& physical,
+                          std::string_view where = "") {
+  const std::string felt =
+      format("{} transmitted{}", acceleration_shown(figures.acceleration), where);
+  return figures.peak == 0
+             ? felt
+             : format("{}, stroke {}, residual {}", felt, length_shown(physical, figures.peak),
+                      length_shown(physical, figures.residual));
+}
+
 /// Of the transmitted acceleration, if there is a notch: one without a width gives impulses, which
 /// are left out.
 std::string_view felt_where(const design::RecordDesign& result) {
@@ -330,16 +340,6 @@ void add_real_notch(Section& section, const std::optional<double>& hold,
   }
 }
 
-std::string figures_words(const design::SuiteFigures& figures, const Physical& physical,
-                          std::string_view where) {
-  const std::string felt =
-      format("{} transmitted{}", acceleration_shown(figures.acceleration), where);
-  return figures.peak == 0
-             ? felt
-             : format("{}, stroke {}, residual {}", felt, length_shown(physical, figures.peak),
-                      length_shown(physical, figures.residual));
-}
-
 SimulationRequest motion_request(const design::RecordDesign& result, std::size_t record) {
   const design::RecordDesignRequest& task = result.request;
   const design::SuiteDamper& damper = result.finding->point.damper;
@@ -420,7 +420,7 @@ Document document(const RecordDesignReport& report) {
                     : result.search.interrupted ? Tone::plain
                                                 : Tone::good;
     add_answer(document.answer, result, report.physical);
-    add_records(document, report);
+    add_records(document, result, report.physical);
     add_damper(document, report);
   } else {
     document.tone = Tone::bad;

@@ -7,11 +7,9 @@
 
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/record_design.hpp>
-#include <stillpoint/report/record_design.hpp>
 
 #include <cstddef>
 #include <string>
-#include <string_view>
 
 namespace stillpoint::report {
 
@@ -35,14 +33,9 @@ void add_notch(Section& answer, const design::RecordDesign& result, const Physic
 
 /// What holds the mass, and which records end with it held or moving.
 void add_rest(Section& answer, const design::RecordDesign& result);
-void add_records(Document& document, const RecordDesignReport& report);
+void add_records(Document& document, const design::RecordDesign& result, const Physical& physical);
 /// Which records lock the mass; empty if none.
 [[nodiscard]] std::string lock_words(const design::RecordDesign& result);
-
-/// "0.1459 g transmitted between passages, stroke 195 mm, residual 0"; `where` is "" or what is
-/// said of the acceleration.
-[[nodiscard]] std::string figures_words(const design::SuiteFigures& figures,
-                                        const Physical& physical, std::string_view where = "");
 
 /// Of a design: as many as it was rounded to, or almost every digit that it has.
 inline constexpr int printed_digits = 12;

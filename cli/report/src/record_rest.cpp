@@ -67,10 +67,9 @@ void add_rest(Section& answer, const design::RecordDesign& result) {
   answer.row("rest", words);
 }
 
-void add_records(Document& document, const RecordDesignReport& report) {
+void add_records(Document& document, const design::RecordDesign& result, const Physical& physical) {
   constexpr std::array held_by{"notch", "friction", "no load"};
-  const design::RecordDesign& result = report.result;
-  const FigureUnits units(report.physical);
+  const FigureUnits units(physical);
   Table table{{"record", "PGA, g", in("peak", units.length_unit), in("residual", units.length_unit),
                "transmitted, g", in("rests from", units.time_unit), "held by"},
               {}};
