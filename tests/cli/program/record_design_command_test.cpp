@@ -95,6 +95,15 @@ BOOST_FIXTURE_TEST_CASE(a_damper_that_does_not_move_transmits_the_load, Recorded
              mean);
 }
 
+BOOST_FIXTURE_TEST_CASE(a_limit_of_the_mean_is_not_drawn_as_one_of_a_record, Recorded) {
+  for (const auto& [combine, drawn] : {std::pair{"max", true}, {"mean", false}}) {
+    succeed(Arguments{"design", "--record", "a.txt", "--combine", combine} +
+            "--period 2.8s --search-f 0.3:0.3 --search-delta-m 0:0 --max-displacement 20mm "
+            "--html p.html");
+    BOOST_TEST(contains(read("p.html"), ">limit 20 mm<") == drawn, combine);
+  }
+}
+
 /// The optimum is on the edge of the limit, so f a little less breaks it.
 BOOST_FIXTURE_TEST_CASE(samples_beyond_a_limit_are_in_the_first_lines, Recorded) {
   const std::string text = one_line(

@@ -225,7 +225,9 @@ DrawnRecord drawn_record(const design::RecordDesign& result, std::size_t index,
   const design::RecordDesignRequest& task = result.request;
   const SimulationRequest request = motion_request(result, index);
   DrawnMotion motion = drawn_motion(request, simulate(request));
-  motion.beta = task.limits.peak;
+  if (*task.combine == design::Combine::max) {  // that of a mean bounds no single record
+    motion.beta = task.limits.peak;
+  }
   fit(motion, result.finding->responses[index].peak_amplitude, height);
   DrawnRecord drawn{motion_figure(motion, units),
                     excitation_figure(request.excitation, motion, units)};
