@@ -102,6 +102,8 @@ report::RecordDesignInput record_design_input(const Settings& settings) {
   request.tolerance = settings.number("tolerance").value_or(request.tolerance);
   request.scan_points = settings.integer("scan-points").value_or(request.scan_points);
   request.threads = threads(settings);
+  request.printed = {length,
+                     start.physical ? std::optional(start.physical->scales.time_s) : std::nullopt};
   return input;
 }
 

@@ -33,7 +33,7 @@ std::string digits(const std::optional<double>& value) {
   return value ? digits(*value) : "none";
 }
 
-std::string with_unit(double value, std::string_view unit) {
+std::string with_unit(double value, std::string_view unit, int digits) {
   struct Prefix {
     double factor;
     std::string_view sign;
@@ -42,7 +42,7 @@ std::string with_unit(double value, std::string_view unit) {
                                        Prefix{1, ""},    Prefix{1e-3, "m"}, Prefix{1e-6, "u"},
                                        Prefix{1e-9, "n"}};
   // As it will be displayed: 0.99999999 mm is 1 mm, not 1000 um.
-  const double magnitude = std::stod(fmt::format("{:.5g}", std::abs(value)));
+  const double magnitude = std::stod(fmt::format("{:.{}g}", std::abs(value), digits));
   const bool in_range = magnitude >= 1e-9 && magnitude < 1e12;
   if (in_range) {
     for (const Prefix& prefix : prefixes) {
@@ -52,11 +52,11 @@ std::string with_unit(double value, std::string_view unit) {
       const bool least = length && prefix.factor == 1e-3;
       const bool unusual = (length || unit == "s") && prefix.factor > 1;
       if ((magnitude >= prefix.factor || least) && !unusual) {
-        return fmt::format("{:.5g} {}{}", value / prefix.factor, prefix.sign, unit);
+        return fmt::format("{:.{}g} {}{}", value / prefix.factor, digits, prefix.sign, unit);
       }
     }
   }
-  return fmt::format("{:.5g} {}", value, unit);
+  return fmt::format("{:.{}g} {}", value, digits, unit);
 }
 
 bool begins_at_nothing(double low, double high) {

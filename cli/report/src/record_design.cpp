@@ -10,6 +10,8 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
+#include <vector>
 
 namespace stillpoint::report {
 
@@ -17,14 +19,14 @@ namespace {
 
 using design::SuiteObjective;
 
-/// Both in enough digits to be told apart.
+/// Both, in enough digits to be told apart if the first is larger.
 std::pair<std::string, std::string> told_apart(const Physical& physical, SuiteObjective which,
                                                double one, double other) {
   constexpr int every = 17;  // that a double has
   const FigureUnits units(physical);
   const bool felt = which == SuiteObjective::acceleration;
   std::pair both{figure_shown(physical, which, one), figure_shown(physical, which, other)};
-  for (int digits = 6; one != other && both.first == both.second && digits <= every; ++digits) {
+  for (int digits = 6; one > other && both.first == both.second && digits <= every; ++digits) {
     const auto more = [&](double value) {
       return format("{:.{}g}{}", value * (felt ? 1 : units.length), digits,
                     felt ? " g" : with_blank(units.length_unit));
@@ -42,6 +44,11 @@ std::string_view combined(design::Combine combine) {
   return combine == design::Combine::max ? "largest" : "mean";
 }
 
+/// In which a period is printed; the usual ones unless it was searched.
+std::optional<int> period_digits(const design::RecordDesignRequest& task) {
+  return task.p.low < task.p.high ? std::optional(printed_digits) : std::nullopt;
+}
+
 /// What a reader should know of a spring at an end of what was searched; empty elsewhere.
 std::string end_words(const Interval& searched, double p, bool of_period) {
   constexpr double apart = 1e-6;
@@ -57,33 +64,24 @@ std::string end_words(const Interval& searched, double p, bool of_period) {
   return {};
 }
 
-/// Which records lock the mass; empty if none.
-std::string lock_words(const design::RecordDesign& result) {
-  std::size_t count = 0;
-  double most = 0;
-  for (const ForcedResponse& response : result.finding->responses) {
-    if (response.locked_from) {
-      ++count;
-      most = std::max(most, *response.largest_load_while_locked);
-    }
-  }
-  const std::size_t all = result.finding->responses.size();
-  return count == 0 ? ""
-                    : format("under {} the notch holds the mass to the end, and transmits up to {}",
-                             of_records(count, all), acceleration_shown(most));
-}
-
-/// What a reader who looks no further has to know; empty if the mass moves and is never locked.
-std::string warning(const design::RecordDesign& result) {
+/// Empty if the mass moves.
+std::string stands_still(const design::RecordDesign& result) {
   const design::SuiteFigures& figures = result.finding->point.figures;
   const std::size_t all = result.finding->responses.size();
-  if (figures.peak == 0) {
-    return format("The mass never moves: it is held through {}, and the structure feels up to {}. ",
-                  all == 1 ? "the record" : "every record",
-                  acceleration_shown(figures.acceleration));
-  }
+  return !hardly_moves(result) ? ""
+         : figures.peak > 0    ? format("The mass hardly moves, and the structure feels up to {}. ",
+                                        acceleration_shown(figures.acceleration))
+                               : format(
+                                     "The mass never moves: it is held through {}, and the structure "
+                                        "feels up to {}. ",
+                                     of_records(all, all), acceleration_shown(figures.acceleration));
+}
+
+/// Empty if the mass is never locked, or never moves.
+std::string locked_sentence(const design::RecordDesign& result) {
   const std::string locked = lock_words(result);
-  return locked.empty() ? "" : format("Locked: {}. ", locked);
+  return locked.empty() || result.finding->point.figures.peak == 0 ? ""
+                                                                   : format(" Locked: {}.", locked);
 }
 
 std::string figures_words(const design::SuiteFigures& figures, const Physical& physical,
@@ -120,34 +118,47 @@ std::string samples_words(const design::Sensitivity& near) {
   return near.admissible == near.samples
              ? format("{0} of {0} samples within +-{1:.3g} % meet the limits", near.samples,
                       100 * near.tolerance)
-             : format("{} of {} samples violate a limit or may stop elsewhere",
-                      near.samples - near.admissible, near.samples);
+             : format("{} of {} samples violate{} a limit or may stop elsewhere",
+                      near.samples - near.admissible, near.samples,
+                      near.samples - near.admissible == 1 ? "s" : "");
 }
 
-/// Within the tolerance, more than a quarter of the dampers fail, or one is much worse than the
-/// design in what it minimises; a residual that stays below a hundredth of the stroke does not
-/// count.
+/// Within the tolerance, more than a quarter of the dampers fail, or one is much worse.
 bool is_delicate(const design::RecordDesign& result) {
-  constexpr double much = 1.5;
   const design::Sensitivity& near = result.finding->sensitivity;
-  const design::SuiteFigures& built = result.finding->point.figures;
-  const design::SuiteObjective objective = result.request.objective;
-  const double nothing = objective == design::SuiteObjective::residual ? built.peak / 100 : 0;
-  return 4 * near.admissible < 3 * near.samples || !near.worst.settled ||
-         value_of(near.worst, objective) > std::max(much * value_of(built, objective), nothing);
+  return 4 * near.admissible < 3 * near.samples || near.much_worse ||
+         is_much_worse(near.worst, result.finding->point.figures, result.request);
+}
+
+/// "0.1991 g, a stroke of 307.18 mm and a residual of 35.709 mm"
+std::string worst_words(const design::RecordDesign& result, const design::SuiteFigures& worst,
+                        const Physical& physical) {
+  return worst.settled
+             ? format("{}{}, a stroke of {} and a residual of {}",
+                      is_mean(result.request) ? "a mean of " : "",
+                      acceleration_shown(worst.acceleration), length_shown(physical, worst.peak),
+                      length_shown(physical, worst.residual))
+             : "no rest within 10 000 half-cycles";
+}
+
+/// "0.0049 %"
+std::string change_words(double change) {
+  constexpr double least = 1e-5;
+  return change < least ? "less than 0.001 %" : format("{:.2g} %", 100 * change);
 }
 
 /// What a damper that is not built exactly may do.
 std::string tolerance_sentence(const design::RecordDesign& result, const Physical& physical) {
   const design::Sensitivity& near = result.finding->sensitivity;
-  return format(" With f and delta off by up to {:.3g} %, {}{}.", 100 * near.tolerance,
-                near.worst.settled ? format("it reaches {}{}, a stroke of {} and a residual of {}",
-                                            is_mean(result.request) ? "a mean of " : "",
-                                            acceleration_shown(near.worst.acceleration),
-                                            length_shown(physical, near.worst.peak),
-                                            length_shown(physical, near.worst.residual))
-                                   : "the mass may never rest",
-                near.admissible < near.samples ? "; " + samples_words(near) : "");
+  constexpr double buildable = 0.01;  // no damper is built more accurately
+  return format(" With f and delta off by up to {:.3g} %, {}{}{}.", 100 * near.tolerance,
+                near.worst.settled ? "it reaches " : "", worst_words(result, near.worst, physical),
+                near.admissible < near.samples ? "; " + samples_words(near) : "") +
+         (near.much_worse && near.much_worse->change < buildable
+              ? format(" A damper that is off by {} already has {}.",
+                       change_words(near.much_worse->change),
+                       worst_words(result, near.much_worse->figures, physical))
+              : "");
 }
 
 std::string verdict(const RecordDesignReport& report) {
@@ -158,33 +169,60 @@ std::string verdict(const RecordDesignReport& report) {
   }
   const Physical& physical = report.physical;
   const auto& [damper, figures] = result.finding->point;
-  return so_far + warning(result) +
-         format("{} {}, with {}. {}: {}.", figures.peak == 0 ? "The damper found has" : "Build",
-                damper_words(physical, damper.f, damper.delta, result.request.notch_width),
-                spring_words(physical, damper.p),
+  return so_far + stands_still(result) +
+         format("{} {}, with {}. {}: {}.", hardly_moves(result) ? "The damper found has" : "Build",
+                damper_words(physical, damper.f, damper.delta, result.request.notch_width,
+                             printed_digits),
+                spring_words(physical, damper.p, period_digits(result.request)),
                 design::suite_words(*result.request.combine, result.request.records.size()),
                 figures_words(figures, physical, felt_where(result))) +
          (is_mean(result.request) ? worst_of_mean(result, physical) : "") +
+         locked_sentence(result) +
          (result.finding->sensitivity.tolerance > 0 ? tolerance_sentence(result, physical) : "") +
-         example_sentence(result, physical);
+         example_sentence(result, physical) +
+         (result.finding->check.passed ? ""
+                                       : " But the check DISAGREES: do not rely on this design.");
+}
+
+/// The motion that came closest to another outcome.
+void add_margin(Section& answer, const design::RecordDesign& result) {
+  const std::vector<ForcedResponse>& all = result.finding->responses;
+  const auto margin = [](const ForcedResponse& response) {
+    return response.decision_margin.value_or(HUGE_VAL);
+  };
+  const auto nearest = std::ranges::min_element(all, {}, margin);
+  if (nearest->decision_margin) {
+    const auto index = static_cast<std::size_t>(nearest - all.begin());
+    answer.row(
+        "decision margin",
+        format("{:.2g} %{}: {}", 100 * *nearest->decision_margin,
+               all.size() == 1 ? "" : ", under " + record_label(result.request.records[index]),
+               closest_decision()));
+  }
 }
 
 void add_answer(Section& answer, const design::RecordDesign& result, const Physical& physical) {
   const design::SuiteDamper& damper = result.finding->point.damper;
   answer.row("damper",
-             format("f = {}, delta = {}", digits(damper.f), length_shown(physical, damper.delta)),
+             format("f = {:.{}g}, delta = {}", damper.f, printed_digits,
+                    length_shown(physical, damper.delta, printed_digits)),
              Tone::heading);
-  if (lock_words(result).empty()) {
-    answer.row("locked", "never during a record");
-  }
-  add_example(answer, result, physical);
+  add_rest(answer, result);
+  add_notch(answer, result, physical);
   const design::Sensitivity& near = result.finding->sensitivity;
-  answer.row("tolerance",
-             format("{}; {}",
-                    near.worst.settled ? "at worst " + figures_words(near.worst, physical)
-                                       : "the mass may never rest",
-                    samples_words(near)),
-             near.admissible < near.samples || is_delicate(result) ? Tone::bad : Tone::plain);
+  if (near.tolerance > 0) {
+    answer.row(
+        "tolerance",
+        format("at worst {}; {}", worst_words(result, near.worst, physical), samples_words(near)),
+        near.admissible < near.samples || is_delicate(result) ? Tone::bad : Tone::plain);
+  }
+  if (near.much_worse) {
+    answer.row("much worse",
+               format("with f and delta off by {}: {}", change_words(near.much_worse->change),
+                      worst_words(result, near.much_worse->figures, physical)),
+               Tone::bad);
+  }
+  add_margin(answer, result);
   const design::SuiteCheck& check = result.finding->check;
   answer.row("check",
              check.passed
@@ -200,32 +238,13 @@ void add_damper(Document& document, const RecordDesignReport& report) {
   const Physical& physical = report.physical;
   const design::SuiteDamper& damper = report.result.finding->point.damper;
   Section& section = document.detail("Damper");
-  section.row("spring", spring_words(physical, damper.p) +
+  section.row("spring", spring_words(physical, damper.p, period_digits(report.result.request)) +
                             end_words(report.result.request.p, damper.p, physical.has_value()));
   add_damper_physics(section, physical, damper.f, damper.delta);
   const design::Sensitivity& near = report.result.finding->sensitivity;
   section.row("sensitivity", format("f and delta off by up to {:.3g} %, at the four corners and {} "
                                     "random points: a sample, not a proof",
                                     100 * near.tolerance, near.samples - 4));
-}
-
-void add_records(Document& document, const RecordDesignReport& report) {
-  const design::RecordDesign& result = report.result;
-  const FigureUnits units(report.physical);
-  Table table{{"record", "PGA, g", in("peak", units.length_unit), in("residual", units.length_unit),
-               "transmitted, g", in("locked from", units.time_unit)},
-              {}};
-  for (std::size_t i = 0; i < result.finding->responses.size(); ++i) {
-    const auto& locked_from = result.finding->responses[i].locked_from;
-    const design::SuiteFigures figures = design::suite_figures(result.finding->responses[i]);
-    const design::SuiteRecord& record = result.request.records[i];
-    table.rows.push_back(
-        {{record_label(record), format("{:.4g}", design::peak_load(record)),
-          format("{:.5g}", figures.peak * units.length),
-          format("{:.5g}", figures.residual * units.length), format("{:.4g}", figures.acceleration),
-          locked_from ? format("{:.5g}", *locked_from * units.time) : "never"}});
-  }
-  document.section("Records").parts.emplace_back(std::move(table));
 }
 
 void add_shortfalls(Document& document, const RecordDesignReport& report) {
@@ -321,12 +340,34 @@ void add_real_notch(Section& section, const std::optional<double>& hold,
   }
 }
 
+SimulationRequest motion_request(const design::RecordDesign& result, std::size_t record) {
+  const design::RecordDesignRequest& task = result.request;
+  const design::SuiteDamper& damper = result.finding->point.damper;
+  SimulationRequest request;
+  request.oscillator = {damper.p, damper.f, damper.delta, task.hold};
+  request.start = {0, 0};
+  request.surface.notch_width = task.notch_width;
+  request.excitation = design::scaled(task.records[record]);
+  return request;
+}
+
 std::size_t worst_record(const design::RecordDesign& result) {
   const std::vector<ForcedResponse>& all = result.finding->responses;
   const auto value = [&](const ForcedResponse& response) {
     return value_of(design::suite_figures(response), result.request.objective);
   };
-  return static_cast<std::size_t>(std::ranges::max_element(all, {}, value) - all.begin());
+  constexpr double same = 1 - 1e-9;  // f + hold is felt under every record that frees the mass
+  const double most = value(*std::ranges::max_element(all, {}, value));
+  const auto peak_of_worst = [&](const ForcedResponse& response) {
+    return value(response) >= same * most ? response.peak_amplitude : -1;
+  };
+  return static_cast<std::size_t>(std::ranges::max_element(all, {}, peak_of_worst) - all.begin());
+}
+
+bool hardly_moves(const design::RecordDesign& result) {
+  constexpr double hardly = 1e-3;
+  const auto& [damper, figures] = result.finding->point;
+  return damper.p * damper.p * figures.peak <= hardly * design::peak_load(result.request.records);
 }
 
 std::string lock_sentence(const RecordDesignReport& report) {
@@ -374,12 +415,12 @@ Document document(const RecordDesignReport& report) {
   document.title = "Damper under records";
   document.verdict = verdict(report);
   if (result.finding) {
-    const bool still = result.finding->point.figures.peak == 0;
-    document.tone = still || is_delicate(result) || !result.finding->check.passed ? Tone::bad
-                    : result.search.interrupted                                   ? Tone::plain
-                                                                                  : Tone::good;
+    document.tone = hardly_moves(result) || is_delicate(result) || !result.finding->check.passed
+                        ? Tone::bad
+                    : result.search.interrupted ? Tone::plain
+                                                : Tone::good;
     add_answer(document.answer, result, report.physical);
-    add_records(document, report);
+    add_records(document, result, report.physical);
     add_damper(document, report);
   } else {
     document.tone = Tone::bad;

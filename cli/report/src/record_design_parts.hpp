@@ -5,6 +5,7 @@
 
 #include "sections.hpp"
 
+#include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/record_design.hpp>
 
 #include <cstddef>
@@ -22,7 +23,24 @@ namespace stillpoint::report {
 /// if nothing.
 [[nodiscard]] std::string example_sentence(const design::RecordDesign& result,
                                            const Physical& physical);
-/// In that case, what the mass feels in a notch with a width, and how wide it must be.
-void add_example(Section& answer, const design::RecordDesign& result, const Physical& physical);
+/// The impulses of a notch without a width; and if it is the paper's, what the mass feels in one
+/// with a width, and how wide that must be.
+void add_notch(Section& answer, const design::RecordDesign& result, const Physical& physical);
+
+/// The motion of the design under one of its records.
+[[nodiscard]] SimulationRequest motion_request(const design::RecordDesign& result,
+                                               std::size_t record);
+
+/// What holds the mass, and which records end with it held or moving.
+void add_rest(Section& answer, const design::RecordDesign& result);
+void add_records(Document& document, const design::RecordDesign& result, const Physical& physical);
+/// Which records lock the mass; empty if none.
+[[nodiscard]] std::string lock_words(const design::RecordDesign& result);
+
+/// Of a design: as many as it was rounded to, or almost every digit that it has.
+inline constexpr int printed_digits = 12;
+
+/// Whether its stroke pulls the mass back with less than a thousandth of the load.
+[[nodiscard]] bool hardly_moves(const design::RecordDesign& result);
 
 }  // namespace stillpoint::report

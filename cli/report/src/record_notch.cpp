@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a notch with a width does to a design under records with the paper's notch.
+// What a mass feels in the notch of a design under records, and what a width changes.
 #include "format.hpp"
 #include "record_design_parts.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 /// The paper's notch, for which another stands in the answer.
 bool has_ideal_notch(const design::RecordDesign& result) {
   const auto& [damper, figures] = result.finding->point;
-  return damper.delta > 0 && figures.peak > 0 && !result.request.notch_width &&
+  return damper.delta > 0 && !hardly_moves(result) && !result.request.notch_width &&
          !result.request.hold;
 }
 
@@ -26,8 +26,10 @@ std::string example_fault(const design::RecordDesign& result, double width,
                           const Physical& physical) {
   const design::RecordFinding& finding = *result.finding;
   const auto wide = [&](std::vector<design::SuiteRecord> records) {
-    return design::figures_with_width(result.request, std::move(records), finding.point.damper,
-                                      width);
+    design::RecordDesignRequest request = result.request;
+    request.records = std::move(records);
+    request.notch_width = width;
+    return design::figures_of(request, finding.point.damper);
   };
   const std::vector<design::SuiteRecord>& records = result.request.records;
   std::size_t inside = 0;
@@ -38,7 +40,9 @@ std::string example_fault(const design::RecordDesign& result, double width,
     }
   }
   if (inside > 0) {
-    return format("the mass never leaves it under {}", of_records(inside, records.size()));
+    return format("the mass never leaves it under {}", inside == records.size() && inside > 1
+                                                           ? "any record"
+                                                           : of_records(inside, records.size()));
   }
   const design::SuiteFigures all = wide(records);
   if (!all.settled) {
@@ -56,6 +60,29 @@ std::string example_fault(const design::RecordDesign& result, double width,
   return {};
 }
 
+/// "an impulse of up to 1.21 MN s where it passes or stops": the largest of all records, and of
+/// which; empty if the mass never comes back to x = 0.
+std::string impulse_words(const design::RecordDesign& result, const Physical& physical) {
+  double most = 0;
+  std::size_t under = 0;
+  for (std::size_t i = 0; i < result.request.records.size(); ++i) {
+    SimulationRequest request = motion_request(result, i);
+    request.max_half_cycles = 10'000;  // a design has no more: docs/records-design.md section 2
+    for (const HalfCycle& now : simulate(request).half_cycles) {
+      if (now.impulse.value_or(0) > most) {
+        most = *now.impulse;
+        under = i;
+      }
+    }
+  }
+  return most == 0 ? ""
+                   : format("an impulse of up to {}{} where it passes or stops",
+                            impulse_shown(physical, most),
+                            result.request.records.size() == 1
+                                ? ""
+                                : ", under " + record_label(result.request.records[under]) + ",");
+}
+
 }  // namespace
 
 std::string example_sentence(const design::RecordDesign& result, const Physical& physical) {
@@ -70,21 +97,30 @@ std::string example_sentence(const design::RecordDesign& result, const Physical&
                        : example_sentence("that acts only after the start", width, fault, physical);
 }
 
-void add_example(Section& answer, const design::RecordDesign& result, const Physical& physical) {
+void add_notch(Section& answer, const design::RecordDesign& result, const Physical& physical) {
+  const auto& [damper, figures] = result.finding->point;
+  if (damper.delta == 0 || hardly_moves(result) || result.request.notch_width) {
+    return;
+  }
+  const std::string impulse = impulse_words(result, physical);
+  if (!impulse.empty()) {
+    answer.row("in the notch", impulse);
+  }
   if (!has_ideal_notch(result)) {
     return;
   }
-  const auto& [damper, figures] = result.finding->point;
   double weakest = HUGE_VAL;
   double strongest = 0;
   for (const design::SuiteRecord& record : result.request.records) {
     weakest = std::min(weakest, design::peak_load(record));
     strongest = std::max(strongest, design::peak_load(record));
   }
-  answer.row("in the notch",
+  answer.row(impulse.empty() ? "in the notch" : "",
              inside_words(physical, {damper.p, damper.f, damper.delta}, figures.peak, strongest));
   const StartUnderLoad start{damper.f, damper.delta, weakest};
-  add_start(answer, start, "delta/(load - f), under the weakest record",
+  add_start(answer, start,
+            result.request.records.size() == 1 ? "delta/(load - f)"
+                                               : "delta/(load - f), under the weakest record",
             start.width() > figures.peak, physical);
 }
 

@@ -45,7 +45,7 @@ void add_physical_input(Section& section, const design::PhysicalInput& physical,
 }
 
 std::string damper_words(const Physical& physical, const std::optional<double>& f, double delta,
-                         const std::optional<double>& notch_width) {
+                         const std::optional<double>& notch_width, std::optional<int> digits) {
   const auto scales = physical ? std::optional(physical->scales) : std::nullopt;
   const auto force = scales ? scales->friction_force_n(f.value_or(0)) : std::nullopt;
   const auto energy = scales ? scales->energy_per_passage_j(delta) : std::nullopt;
@@ -55,21 +55,22 @@ std::string damper_words(const Physical& physical, const std::optional<double>& 
   const std::string notch =
       weighed && delta == 0 ? "no notch"
       : weighed ? format("a notch{} that takes {} at a passage", wide, with_unit(*energy, "J"))
-                : format("delta = {}{}{}", length_shown(physical, delta),
+                : format("delta = {}{}{}", length_shown(physical, delta, digits),
                          wide.empty() ? "" : " in a notch", wide);
   return !f        ? notch + " and as little constant friction as you can"
          : weighed ? format("a friction force of {} and {}", with_unit(*force, "N"), notch)
-                   : format("f = {} and {}", digits(*f), notch);
+                   : format("f = {:.{}g} and {}", *f, digits.value_or(6), notch);
 }
 
-std::string spring_words(const Physical& physical, double p) {
+std::string spring_words(const Physical& physical, double p, std::optional<int> digits) {
   if (!physical) {
-    return format("p = {:.6g}", p);
+    return format("p = {:.{}g}", p, digits.value_or(6));
   }
   design::Scales scales = physical->scales;
   scales.omega_rad_per_s = p / scales.time_s;
   const auto stiffness = scales.stiffness_n_per_m();
-  return format("a period of {:.4g} s{}", 2 * std::numbers::pi / scales.omega_rad_per_s,
+  return format("a period of {:.{}g} s{}", 2 * std::numbers::pi / scales.omega_rad_per_s,
+                digits.value_or(4),
                 stiffness ? format(" (stiffness {})", with_unit(*stiffness, "N/m")) : "");
 }
 

@@ -28,9 +28,11 @@ void add_physical_input(Section& section, const design::PhysicalInput& physical,
 /// "a friction force of 283.81 kN and a notch that takes 69.423 kJ at a passage" if the mass is
 /// known, else "f = 0.26 and delta = 0.37"; as little friction as possible without an `f`.
 [[nodiscard]] std::string damper_words(const Physical& physical, const std::optional<double>& f,
-                                       double delta, const std::optional<double>& notch_width = {});
+                                       double delta, const std::optional<double>& notch_width = {},
+                                       std::optional<int> digits = {});
 /// "a period of 2.8 s, stiffness 6.04 MN/m" by what is known, or "p = 1".
-[[nodiscard]] std::string spring_words(const Physical& physical, double p);
+[[nodiscard]] std::string spring_words(const Physical& physical, double p,
+                                       std::optional<int> digits = {});
 /// Force and energy of a damper, if the mass is known; the energy if there is a notch.
 void add_damper_physics(Section& section, const Physical& physical, double f, double delta);
 /// "0.340 to 0.429", "up to 0.463" or "at least 0.5".
@@ -220,6 +222,9 @@ void add_motion(Section& answer, const ShownTask& task, const ToldMotion& motion
 /// free motion with the paper's notch.
 void add_counts(Section& section, const Response& response, const Physical& physical,
                 bool margin_of_inputs);
+/// "how near the closest decision ... was to going the other way": what the decision margin of a
+/// motion under a load is.
+[[nodiscard]] std::string_view closest_decision();
 /// All that is known of a motion.
 void add_response(Section& section, const Simulation& answer, const Physical& physical,
                   bool margin_of_inputs);

@@ -47,13 +47,14 @@ std::string outcome_phrase(const ForcedResponse& response) {
              : outcome_phrase(response.outcome);
 }
 
-namespace {
+// The margins of the two motions are different quantities: docs/theory.md section 6,
+// docs/forced.md section 7.
+std::string_view closest_decision() {
+  return "how close a decision, to stick or to pass x = 0, came to going the other way; not a "
+         "tolerance of the inputs";
+}
 
-/// The margins of the two motions are different quantities: docs/theory.md section 6,
-/// docs/forced.md section 7.
-constexpr std::string_view closest_decision =
-    "how close a decision, to stick or to pass x = 0, came to going the other way; not a "
-    "tolerance of the inputs";
+namespace {
 
 /// " (strongest hit, softest spring)"; empty without ranges of them.
 std::string of_extreme(const ShownTask& task, std::string_view spring) {
@@ -143,7 +144,7 @@ void add_counts(Section& section, const Response& response, const Physical& phys
   if (response.decision_margin) {
     section.row("decision margin",
                 format("{:.2g} %: {}", 100 * *response.decision_margin,
-                       !margin_of_inputs ? closest_decision
+                       !margin_of_inputs ? closest_decision()
                        : response.outcome == Outcome::caught_at_start
                            ? "it may start if all inputs shift by about this much"
                            : "it may stop elsewhere if all inputs shift by about this much; a "

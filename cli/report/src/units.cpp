@@ -14,9 +14,10 @@ std::string with_blank(const std::string& unit) {
   return unit.empty() ? "" : " " + unit;
 }
 
-std::string length_shown(const Physical& physical, double length) {
-  return physical && length != 0 ? with_unit(length * physical->scales.length_m, "m")
-                                 : digits(length);
+std::string length_shown(const Physical& physical, double length, std::optional<int> digits) {
+  return physical && length != 0
+             ? with_unit(length * physical->scales.length_m, "m", digits.value_or(5))
+             : format("{:.{}g}", length, digits.value_or(6));
 }
 
 std::string time_shown(const Physical& physical, double tau) {

@@ -14,7 +14,8 @@ using Physical = std::optional<design::PhysicalInput>;
 
 /// A length, a tau and an acceleration in the usual units: "12.1 mm", "1.53 s",
 /// "0.0947 g"; dimensionless without physical input.
-[[nodiscard]] std::string length_shown(const Physical& physical, double length);
+[[nodiscard]] std::string length_shown(const Physical& physical, double length,
+                                       std::optional<int> digits = {});
 [[nodiscard]] std::string time_shown(const Physical& physical, double tau);
 [[nodiscard]] std::string acceleration_shown(double acceleration);
 

@@ -247,6 +247,32 @@ BOOST_AUTO_TEST_CASE(a_limit_exceeded_by_little_is_told_from_what_exceeds_it) {
   BOOST_TEST(contains(sentence, "of 0.32000004 g where 0.32 g is allowed"), sentence);
 }
 
+BOOST_AUTO_TEST_CASE(a_design_for_records_that_fails_its_check_is_not_to_be_relied_on) {
+  design::RecordDesignRequest request;
+  request.records = {{"three", Record{{0.4, -0.2, 0}, 1, {}}, 1}};
+  request.f = Interval{0.1, 0.1};
+  request.delta = Interval{0, 0};
+  RecordDesignReport report{design::design(request), {}};
+  const std::string words = "But the check DISAGREES: do not rely on this design.";
+  BOOST_TEST(!contains(document(report).verdict, words));
+  report.result.finding->check.passed = false;
+  BOOST_TEST(contains(document(report).verdict, words));
+}
+
+/// With a hold, every record that frees the mass is felt as f + hold.
+BOOST_AUTO_TEST_CASE(of_records_that_are_felt_alike_the_worst_has_the_largest_stroke) {
+  design::RecordDesign result;
+  ForcedResponse response;
+  response.stop_position = 0;
+  response.peak_absolute_acceleration = 0.1;
+  response.peak_amplitude = 1;
+  ForcedResponse larger = response;
+  larger.peak_absolute_acceleration *= 1 - 1e-15;
+  larger.peak_amplitude = 2;
+  result.finding = {{}, {response, larger, response}, {}, {}};
+  BOOST_TEST(worst_record(result) == 1U);
+}
+
 /// The force of f = 0.02350064 is 276.556 kN, that of 0.0235006 is 276.553 kN.
 BOOST_AUTO_TEST_CASE(a_force_is_that_of_the_design_wherever_it_stands) {
   design::PhysicalIsolator isolator;

@@ -2,6 +2,9 @@
 #include "damper.hpp"
 #include "suites_of_records.hpp"
 
+#include <iomanip>
+#include <sstream>
+
 BOOST_AUTO_TEST_SUITE(record_design_test)
 
 namespace {
@@ -326,6 +329,68 @@ BOOST_AUTO_TEST_CASE(the_sensitivity_is_that_of_the_samples) {
   BOOST_REQUIRE(corner.finding.has_value());
   BOOST_TEST(corner.finding->sensitivity.admissible == 64);
   BOOST_TEST(corner.finding->sensitivity.worst.peak == corner.nearest.figures.peak);
+}
+
+// Friction 1e-4 above the load of 0.4 holds the mass; with less than the load it moves. The
+// changes tried are halves of 0.1, and 0.1/2^9 = 1.95e-4 is the first above 1 - 0.4/0.40004.
+BOOST_AUTO_TEST_CASE(the_nearest_damper_that_is_much_worse_is_found) {
+  RecordDesignRequest request = three_samples();
+  request.objective = SuiteObjective::amplitude;
+  request.f = Interval{0.40004, 0.40004};
+  request.delta = Interval{0, 0};
+  const RecordDesign held = design::design(request);
+  BOOST_REQUIRE(held.finding.has_value());
+  const std::optional<MuchWorse>& there = held.finding->sensitivity.much_worse;
+  BOOST_REQUIRE(there.has_value());
+  BOOST_TEST(there->change == 0.1 / 512);
+  BOOST_TEST(there->figures.peak > 0);
+  request.f = Interval{1, 1};
+  const RecordDesign firm = design::design(request);
+  BOOST_REQUIRE(firm.finding.has_value());
+  BOOST_TEST(!firm.finding->sensitivity.much_worse.has_value());
+}
+
+/// Whether a number has at most so many digits.
+bool has_few_digits(double value, int digits) {
+  std::ostringstream text;
+  text << std::setprecision(digits) << value;
+  return std::abs(std::stod(text.str()) - value) <= hand_tolerance * value;
+}
+
+BOOST_AUTO_TEST_CASE(a_printed_design_has_few_digits_and_is_no_worse) {
+  RecordDesignRequest request = with_capacity();
+  const double centimetres = 100 / metre;
+  request.printed = {centimetres};
+  const RecordDesign design = design::design(request);
+  BOOST_REQUIRE(design.finding.has_value());
+  const auto& [damper, figures] = design.finding->point;
+  constexpr int few = 8;
+  BOOST_TEST(has_few_digits(damper.f, few));
+  BOOST_TEST(has_few_digits(damper.delta * centimetres, few));
+  BOOST_TEST(!has_few_digits(design.nearest.damper.f, few));
+  BOOST_TEST(damper.p == 1);
+  BOOST_TEST(admissible(figures, request.limits));
+  BOOST_TEST(figures.acceleration <= design.nearest.figures.acceleration * (1 + 1e-5));
+  BOOST_TEST(figures.peak == figures_of(design.request, damper).peak);
+  BOOST_TEST(figures.peak == std::ranges::max(design.finding->responses, {}, [](const auto& one) {
+                               return one.peak_amplitude;
+                             }).peak_amplitude);
+}
+
+BOOST_AUTO_TEST_CASE(much_worse_is_half_as_much_again) {
+  RecordDesignRequest request;
+  request.limits.residual = 0.02;
+  const SuiteFigures chosen{.peak = 1, .acceleration = 0.2, .residual = 0.01};
+  const auto worse = [&](SuiteFigures there) { return is_much_worse(there, chosen, request); };
+  BOOST_TEST(!worse(chosen));
+  BOOST_TEST(!worse({.peak = 9, .acceleration = 0.29, .residual = 0.029}));
+  BOOST_TEST(worse({.peak = 1, .acceleration = 0.31, .residual = 0.01}));
+  BOOST_TEST(worse({.peak = 1, .acceleration = 0.2, .residual = 0.031}));
+  BOOST_TEST(worse({.settled = false}));
+  request.limits = {};
+  request.objective = SuiteObjective::residual;  // less than a hundredth of the stroke is nothing
+  BOOST_TEST(!is_much_worse({.residual = 0.009}, {.peak = 1}, request));
+  BOOST_TEST(is_much_worse({.residual = 0.011}, {.peak = 1}, request));
 }
 
 BOOST_AUTO_TEST_CASE(wrong_input_is_refused) {

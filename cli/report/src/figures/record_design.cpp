@@ -2,6 +2,7 @@
 #include "figures/report_figures.hpp"
 #include "figures/spectrum_parts.hpp"
 #include "format.hpp"
+#include "record_design_parts.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/report/record_design.hpp>
@@ -222,20 +223,16 @@ void fit(DrawnMotion& motion, double peak, Height height) {
 DrawnRecord drawn_record(const design::RecordDesign& result, std::size_t index,
                          const FigureUnits& units, Height height = Height::full) {
   const design::RecordDesignRequest& task = result.request;
-  const design::SuiteDamper& damper = result.finding->point.damper;
-  const design::SuiteRecord& record = task.records[index];
-  SimulationRequest request;
-  request.oscillator = {damper.p, damper.f, damper.delta, task.hold};
-  request.start = {0, 0};
-  request.surface.notch_width = task.notch_width;
-  request.excitation = design::scaled(record);
+  const SimulationRequest request = motion_request(result, index);
   DrawnMotion motion = drawn_motion(request, simulate(request));
-  motion.beta = task.limits.peak;
+  if (*task.combine == design::Combine::max) {  // that of a mean bounds no single record
+    motion.beta = task.limits.peak;
+  }
   fit(motion, result.finding->responses[index].peak_amplitude, height);
   DrawnRecord drawn{motion_figure(motion, units),
                     excitation_figure(request.excitation, motion, units)};
   drawn.motion.id = format("record-{}", index + 1);
-  drawn.motion.title = record_label(record);
+  drawn.motion.title = record_label(task.records[index]);
   return drawn;
 }
 

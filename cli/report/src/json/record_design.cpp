@@ -84,11 +84,20 @@ ordered_json search_json(const design::SuiteSearch& search) {
           {"interrupted", search.interrupted}};
 }
 
+ordered_json much_worse_json(const std::optional<design::MuchWorse>& there,
+                             const Physical& physical) {
+  if (!there) {
+    return nullptr;
+  }
+  return {{"change", there->change}, {"figures", figures_json(there->figures, physical)}};
+}
+
 ordered_json sensitivity_json(const design::Sensitivity& sensitivity, const Physical& physical) {
   return {{"tolerance", sensitivity.tolerance},
           {"samples", sensitivity.samples},
           {"admissible", sensitivity.admissible},
-          {"worst_within", figures_json(sensitivity.worst, physical)}};
+          {"worst_within", figures_json(sensitivity.worst, physical)},
+          {"much_worse", much_worse_json(sensitivity.much_worse, physical)}};
 }
 
 ordered_json check_json(const design::SuiteCheck& check) {

@@ -3,6 +3,7 @@
 
 #include "check/runge_kutta.hpp"
 #include "record/suite.hpp"
+#include "record/suite_digits.hpp"
 #include "record/suite_search.hpp"
 #include "record/suite_watch.hpp"
 
@@ -107,6 +108,25 @@ double between_minus_one_and_one(std::mt19937_64& random) {
   return std::ldexp(static_cast<double>(random() >> 11U), -52) - 1;
 }
 
+std::optional<MuchWorse> nearest_much_worse(const Suite& suite, const RecordDesignRequest& request,
+                                            const SuitePoint& chosen) {
+  constexpr int halvings = 17;  // of a tenth: to the least margin that a design may have
+  const auto& [p, f, delta] = chosen.damper;
+  for (int k = halvings; k >= 0; --k) {
+    const double change = std::ldexp(request.tolerance, -k);
+    for (const int of_f : {-1, 0, 1}) {
+      for (const int of_delta : {-1, 0, 1}) {
+        const SuiteFigures there =
+            suite.figures({p, f * (1 + of_f * change), delta * (1 + of_delta * change)});
+        if (is_much_worse(there, chosen.figures, request)) {
+          return MuchWorse{change, there};
+        }
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 Sensitivity sensitivity(const Suite& suite, const RecordDesignRequest& request,
                         const SuitePoint& chosen) {
   const SuiteDamper& damper = chosen.damper;
@@ -119,6 +139,7 @@ Sensitivity sensitivity(const Suite& suite, const RecordDesignRequest& request,
   Sensitivity result;
   result.tolerance = request.tolerance;
   result.worst = chosen.figures;
+  result.much_worse = nearest_much_worse(suite, request, chosen);
   for (const auto& [f, delta] : places) {
     const SuiteFigures there = suite.figures({damper.p, damper.f * (1 + request.tolerance * f),
                                               damper.delta * (1 + request.tolerance * delta)});
@@ -232,9 +253,10 @@ RecordDesign design(const RecordDesignRequest& request, const std::vector<SuiteF
   result.search.interrupted = watch.stopped();
   result.search.wall_time_s = seconds_now() - begun;
   if (feasible) {
-    RecordFinding finding{found.point, suite.responses(found.point.damper), {}, {}};
-    finding.sensitivity = sensitivity(suite, task, found.point);
-    finding.check = check(suite, found.point.damper, finding.responses);
+    const SuitePoint point = with_few_digits(suite, task, found.point);
+    RecordFinding finding{point, suite.responses(point.damper), {}, {}};
+    finding.sensitivity = sensitivity(suite, task, point);
+    finding.check = check(suite, point.damper, finding.responses);
     result.finding = std::move(finding);
   }
   return result;
@@ -269,12 +291,22 @@ std::vector<SuiteFigures> scan_part(const RecordDesignRequest& request, std::int
   return grid_figures(Suite(task), box, size.side, first, count, task.threads, watch);
 }
 
-SuiteFigures figures_with_width(RecordDesignRequest request, std::vector<SuiteRecord> records,
-                                const SuiteDamper& damper, double width) {
-  request.records = std::move(records);
-  request.notch_width = width;
-  request.hold.reset();
+SuiteFigures figures_of(const RecordDesignRequest& request, const SuiteDamper& damper) {
   return Suite(request).figures(damper);
+}
+
+bool is_much_worse(const SuiteFigures& figures, const SuiteFigures& chosen,
+                   const RecordDesignRequest& request) {
+  constexpr double much = 1.5;
+  return !figures.settled ||
+         std::ranges::any_of(suite_figure_kinds, [&](const SuiteFigureKind& kind) {
+           const bool minimised = kind.objective == request.objective;
+           const std::optional<double> had =
+               minimised ? chosen.*kind.value : request.limits.*kind.limit;
+           const double nothing =
+               kind.objective == SuiteObjective::residual ? chosen.peak / 100 : 0;
+           return had && figures.*kind.value > std::max(much * *had, nothing);
+         });
 }
 
 SuiteMap suite_map(const RecordDesignRequest& request, double p, int side) {

@@ -14,7 +14,7 @@ namespace stillpoint::report {
 /// The same, or "none".
 [[nodiscard]] std::string digits(const std::optional<double>& value);
 /// Five digits, the unit and the prefix that fits: "12.1 mm", "3.46 kN"; lengths in m or mm.
-[[nodiscard]] std::string with_unit(double value, std::string_view unit);
+[[nodiscard]] std::string with_unit(double value, std::string_view unit, int digits = 5);
 /// low <= 1e-6 high: of two sizes, where the lower end is less than anyone can build or measure.
 [[nodiscard]] bool begins_at_nothing(double low, double high);
 /// "0.0158739 to 0.0323606": six digits, rounded inwards so that both are in the range, with more

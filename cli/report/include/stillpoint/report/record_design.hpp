@@ -28,7 +28,8 @@ struct RecordDesignReport {
   std::optional<design::PhysicalInput> physical{};
 };
 
-/// Of a design with a damper: the record with the largest figure of the objective.
+/// Of a design with a damper: the record with the largest figure of the objective, or of several
+/// the one with the largest stroke.
 [[nodiscard]] std::size_t worst_record(const design::RecordDesign& result);
 
 /// Why there is no damper, in one sentence; empty if there is one.

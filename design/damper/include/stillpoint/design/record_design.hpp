@@ -23,6 +23,17 @@ struct SuiteSearch {
   bool interrupted{false};  ///< the best so far; a whole search may find a better one
 };
 
+/// A damper beside the design.
+struct MuchWorse {
+  double change{0};  ///< of f, delta or both, relative
+  SuiteFigures figures;
+};
+
+/// Whether it never rests, or has half as much again of the objective, or than a limit allows. A
+/// residual that stays below a hundredth of the stroke does not count.
+[[nodiscard]] bool is_much_worse(const SuiteFigures& figures, const SuiteFigures& chosen,
+                                 const RecordDesignRequest& request);
+
 /// What dampers within f (1 +- R), delta (1 +- R) do, at the corners and random points: a sample,
 /// not a proof.
 struct Sensitivity {
@@ -30,6 +41,8 @@ struct Sensitivity {
   std::int64_t samples{0};
   std::int64_t admissible{0};  ///< of the samples
   SuiteFigures worst;  ///< the largest of each figure, of the damper itself too; settled if all are
+  /// The nearest that was found with f, delta or both off by R/2^k, which random points would miss.
+  std::optional<MuchWorse> much_worse;
 };
 
 /// One record by another integrator, and its distance from the kernel.
@@ -93,11 +106,9 @@ struct RecordDesign {
                                   const std::vector<SuiteFigures>& scanned,
                                   const RecordWatch& go_on = {});
 
-/// The figures of a damper with a notch of that width under these records, for `request` as in a
-/// RecordDesign. Throws InputError.
-[[nodiscard]] SuiteFigures figures_with_width(RecordDesignRequest request,
-                                              std::vector<SuiteRecord> records,
-                                              const SuiteDamper& damper, double width);
+/// The figures of a damper for `request` as in a RecordDesign. Throws InputError.
+[[nodiscard]] SuiteFigures figures_of(const RecordDesignRequest& request,
+                                      const SuiteDamper& damper);
 
 /// The figures over f and delta for one p, in the middles of even cells: delta runs faster.
 struct SuiteMap {

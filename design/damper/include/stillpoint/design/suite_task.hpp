@@ -49,6 +49,13 @@ struct SuiteLimits {
   std::optional<double> residual{};      ///< >= 0
 };
 
+/// The units in which a damper is printed: those of delta, and of the period if that is what is
+/// printed instead of p.
+struct PrintedUnits {
+  double length{1};
+  std::optional<double> time{};
+};
+
 struct RecordDesignRequest {
   std::vector<SuiteRecord> records;
   // Intervals of what is searched: low >= 0; low = high fixes the variable.
@@ -69,6 +76,9 @@ struct RecordDesignRequest {
   double tolerance{0.1};                ///< of f and delta, for the sensitivity; in [0, 1)
   std::int64_t scan_points{10'000};     ///< about this many; in [1, 1e8]
   Threads threads{};
+  /// If given, the variables of the design are rounded to the fewest digits in these units, at
+  /// least five, with which it is admissible and worse by at most a relative 1e-5.
+  std::optional<PrintedUnits> printed{};
 };
 
 struct SuiteDamper {
