@@ -222,7 +222,7 @@ void add_motion(Section& answer, const ShownTask& task, const ToldMotion& motion
 /// free motion with the paper's notch.
 void add_counts(Section& section, const Response& response, const Physical& physical,
                 bool margin_of_inputs);
-/// "how near the closest decision ... was to going the other way": what the decision margin of a
+/// "how close a decision ... came to going the other way": what the decision margin of a
 /// motion under a load is.
 [[nodiscard]] std::string_view closest_decision();
 /// All that is known of a motion.

@@ -109,7 +109,8 @@ BOOST_FIXTURE_TEST_CASE(samples_beyond_a_limit_are_in_the_first_lines, Recorded)
   const std::string text = one_line(
       run("design --record a.txt --period 2.8s --search-delta-m 0:0 --max-displacement 10mm").out);
   const std::regex beyond(
-      "With f and delta off by up to 10 %, up to [0-9.]+ g, a stroke of [0-9.]+ mm and a residual "
+      "With f and delta off by up to 10 %, it reaches [0-9.]+ g, a stroke of [0-9.]+ mm and a "
+      "residual "
       "of [0-9.]+ mm; "
       "[0-9]+ of 64 samples violate a limit or ");
   BOOST_TEST(std::regex_search(text, beyond), text);
@@ -130,10 +131,10 @@ BOOST_FIXTURE_TEST_CASE(a_delicate_damper_is_red, Recorded) {
 BOOST_FIXTURE_TEST_CASE(the_answer_names_the_motion_nearest_to_another_outcome, Recorded) {
   write("list.csv", "file,scale\na.txt,1\na.txt,-3\n");
   const Arguments one("design --record a.txt --period 2.8s --search-f 2:2 --search-delta-m 0:0");
-  BOOST_TEST(contains(run(one).out, "\n  decision margin   67 %: how near "), run(one).out);
+  BOOST_TEST(contains(run(one).out, "\n  decision margin   67 %: how close "), run(one).out);
   const std::string two = one_line(run(held + "--records-list list.csv").out);
-  check_contains(
-      two, {" decision margin 25 %, under -3 x a.txt: how near ", "not a tolerance of the inputs"});
+  check_contains(two, {" decision margin 25 %, under -3 x a.txt: how close ",
+                       "not a tolerance of the inputs"});
 }
 
 /// The load is 0.4 g, so with less friction than that the mass moves.
