@@ -17,7 +17,7 @@ using design::Criterion;
 using design::Problem;
 using design::Strip;
 
-constexpr double not_binding = 9;  // times V0/p
+constexpr double not_binding = 2;  // times V0/p
 
 std::string row(const std::string& head, const std::vector<std::string>& cells) {
   std::string line = fmt::format("| {} |", head);

@@ -154,11 +154,12 @@ void add_strips(Document& document, const design::Problem& problem,
   }
   Table table{{"arrival", "feasible f", "largest tolerance"}, {}};
   for (const design::Strip& strip : std::span(strips).first(std::min(most_listed, strips.size()))) {
-    table.rows.push_back(
-        {{strip.arrival > 0 ? format("{}", strip.arrival) : "any, within the residual",
-          strip.f_lower ? range_digits(*strip.f_lower, *strip.f_upper)
-                        : "none with the tolerance asked for",
-          "+-" + percent_digits(strip.tolerance)}});
+    table.rows.push_back({{strip.at_peak        ? "none, peak within the residual"
+                           : strip.arrival == 0 ? "any, within the residual"
+                                                : format("{}", strip.arrival),
+                           strip.f_lower ? range_digits(*strip.f_lower, *strip.f_upper)
+                                         : "none with the tolerance asked for",
+                           "+-" + percent_digits(strip.tolerance)}});
   }
   Section& section = document.section("Dampers that stop at each arrival");
   section.parts.emplace_back(std::move(table));

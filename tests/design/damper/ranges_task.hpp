@@ -42,7 +42,7 @@ inline Task random_task(RandomSource& random) {
   });
   random.one_in(2, problem.p_high, [&] { return problem.p * (1 + random.uniform(0, 0.1)); });
   random.one_in(2, problem.residual,
-                [&] { return problem.v0 / problem.p * random.log_uniform(1e-3, 0.3); });
+                [&] { return problem.v0 / problem.p * random.log_uniform(1e-3, 1.5); });
   if (random.pick(2) == 0) {
     task.limits.shape = {random.uniform(0, 1), 1, random.uniform(0, 1), random.uniform(0, 1)};
   }
@@ -84,6 +84,7 @@ inline Verdict simulated(const Task& task, const Sample& at) {
   const double far = std::min(problem.residual.value_or(0), problem.beta) * (1 + rounding);
   const bool within =
       motion.peak_amplitude <= problem.beta * (1 + rounding) &&
+      at.f < problem.beta * at.p * at.p * (1 + rounding) &&
       at.f <= limits.f_max.value_or(HUGE_VAL) * (1 + rounding) &&
       at.delta <= limits.delta_max.value_or(HUGE_VAL) * (1 + rounding) &&
       motion.peak_acceleration <= limits.acceleration_max.value_or(HUGE_VAL) * (1 + rounding);

@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(a_residual_and_later_arrivals_combine) {
         Known{0.1, {45.15, 59.30, 67.63, 77.02}}}) {
     constexpr std::array half_cycles{2, 3, 4, 6};
     for (std::size_t i = 0; i < half_cycles.size(); ++i) {
-      Problem problem{1, 1, 100, Criterion::exact, half_cycles[i]};
+      Problem problem{1, 1, 2, Criterion::exact, half_cycles[i]};
       problem.residual = known.residual;
       // At least: the way of the table is one of several.
       BOOST_TEST(percent(problem) > known.percent[i] - two_decimals);
@@ -61,6 +61,61 @@ BOOST_AUTO_TEST_CASE(a_residual_and_later_arrivals_combine) {
       BOOST_TEST(list.back().arrival == 0);
       BOOST_TEST(std::abs(100 * list.back().tolerance - known.percent[i]) < two_decimals);
     }
+  }
+}
+
+// V0 = p = beta = 1, R = 0.45: the peak sqrt(f^2 + 1) - f is within R from f = (1 - R^2)/(2R) on,
+// and more than R p^2 of friction holds the mass there; the dead zone is as wide as beta at f = 1.
+BOOST_AUTO_TEST_CASE(a_first_peak_within_the_residual_is_a_rest) {
+  constexpr double rounding = 1e-14;
+  constexpr double r = 0.45;
+  constexpr double least = (1 - r * r) / (2 * r);
+  Problem problem{1, 1, 1, Criterion::exact};
+  problem.residual = r;
+  const auto list = strips(problem);
+  BOOST_REQUIRE(list.size() == 3U);
+  BOOST_TEST(!list[1].at_peak);
+  BOOST_TEST(*list[1].f_upper == r);
+  BOOST_TEST(list[2].at_peak);
+  BOOST_TEST(list[2].arrival == 0);
+  BOOST_TEST(std::abs(*list[2].f_lower - least) < rounding);
+  BOOST_TEST(std::abs(*list[2].f_upper - 1) < rounding);
+  BOOST_TEST(std::abs(list[2].beta_min - least) < rounding);
+  constexpr double widest = (1 - least) / (1 + least);  // of a box between these
+  BOOST_TEST(std::abs(list[2].tolerance - widest) < 1e-8);
+  const auto shortest = search(problem, {.tolerance = 0.06}, {.objective = Objective::amplitude});
+  BOOST_TEST(std::abs(shortest.value().point.f - 1 / 1.06) < 1e-8);
+
+  BOOST_TEST(admissible(problem, {}, least + rounding, 0.1));
+  BOOST_TEST(!admissible(problem, {}, least - rounding, 0.1));
+  BOOST_TEST(!admissible(problem, {}, 1, 0.1));
+  BOOST_TEST(!admissible(problem, {.tolerance = 0.1}, 0.94, 0.1));
+  for (const Constraint& constraint : constraints(problem, 0.99, 0.1)) {
+    BOOST_TEST(constraint.satisfied, constraint.name);
+  }
+  // V0^2 = p^2 R^2 + 2 f R; p is bound by the dead zone and by (38), beyond f = R p^2.
+  const WorksFor served = works_for(problem, {}, 0.99, 0.1).value();
+  BOOST_TEST(std::abs(*served.v0.high - std::sqrt(r * r + 2 * 0.99 * r)) < rounding);
+  BOOST_TEST(std::abs(served.p.low - std::sqrt(0.99)) < rounding);
+  BOOST_TEST(std::abs(*served.p.high - 0.99 * std::sqrt(9.6) / 0.8) < rounding);
+
+  problem.p_high = 1.2;  // the softest spring and the strongest hit decide
+  problem.v0_low = 0.8;
+  BOOST_TEST(admissible(problem, {}, least + rounding, 0.1));
+  BOOST_TEST(!admissible(problem, {}, least - rounding, 0.1));
+}
+
+// From R = V0/(sqrt(3) p) on the peak is within R wherever some rest might not be.
+BOOST_AUTO_TEST_CASE(with_a_large_residual_any_friction_below_the_dead_zone_is_admissible) {
+  Problem problem{1, 1, 1, Criterion::exact};
+  for (const double beyond : {-1e-9, 1e-9}) {
+    problem.residual = (1 + beyond) / std::sqrt(3.0);
+    const bool together = beyond > 0;
+    // A box across f = R p^2.
+    const double tolerance = largest_tolerance(problem, {}, *problem.residual, 0.3).value_or(0);
+    BOOST_TEST((tolerance > 0.2) == together);
+    BOOST_TEST(strips(problem).size() == (together ? 2U : 3U));
+    BOOST_TEST(std::abs(admissible_region(problem).beta_min - 1 / std::sqrt(3.0)) < 1e-8);
   }
 }
 

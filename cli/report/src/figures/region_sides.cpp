@@ -3,7 +3,8 @@
 //
 //   Delta above start                     the weakest hit does not leave the notch
 //   f below first                         the peak exceeds beta
-//   f above strong                        the weakest hit does not come back, whatever Delta is
+//   f above strong                        the weakest hit does not come back, whatever Delta is, or
+//                                         the dead zone is wider than beta
 //   Delta below stop                      the strongest hit passes the last arrival allowed
 //   above it, below the strip             the published criterion asks for more Delta
 //   the rest between and above strips     some hit rests off centre, or beyond the residual
@@ -39,8 +40,8 @@ class Sides {
         first_(std::max(drawn.region.f2, 0.0)),
         start_(shown_delta(drawn.region.delta2.value())) {
     const double largest = design::largest_stopping_f(drawn.problem);
-    comes_back_ = largest <= drawn.region.f1;
-    strong_ = comes_back_ ? largest : drawn.region.f1;
+    dead_zone_binds_ = largest >= std::nextafter(drawn.region.f1, 0.0);
+    strong_ = dead_zone_binds_ ? drawn.region.f1 : largest;
   }
 
   void operator()() {
@@ -49,8 +50,10 @@ class Sides {
     const double weak = std::min(first_, strong_);
     upright("too weak: exceeds " + units_.length_words(drawn_.problem.beta), 0,
             std::min(weak, allowed));
-    upright(comes_back_ && !drawn_.problem.residual ? "too strong: does not return"
-                                                    : "too strong: rests too far off",
+    upright(dead_zone_binds_
+                ? "too strong: dead zone exceeds " + units_.length_words(drawn_.problem.beta)
+            : drawn_.problem.residual ? "too strong: rests too far off"
+                                      : "too strong: does not return",
             std::max(first_, strong_), figure_.x.most);
     upright("gap: no f returns within " + units_.length_words(drawn_.problem.beta), strong_, first_,
             Ink::orange, AreaLook::filled);
@@ -202,7 +205,7 @@ class Sides {
   double first_;
   double start_;
   double strong_{0};
-  bool comes_back_{true};
+  bool dead_zone_binds_{false};
 };
 
 }  // namespace

@@ -27,6 +27,7 @@ namespace {
 struct DrawnStrip {
   std::int64_t first{0};
   bool with_later{false};
+  bool at_peak{false};  ///< as in Strip
 };
 
 /// The strips of a region within its limits, regardless of the tolerance.
@@ -44,7 +45,7 @@ class Strips {
   }
 
   [[nodiscard]] std::vector<FigurePoint> outline(const DrawnStrip& strip) const {
-    const auto f = extent(strip.first);
+    const auto f = extent(strip.first, strip.at_peak);
     if (!f) {
       return {};
     }
@@ -79,7 +80,7 @@ class Strips {
   }
 
   /// Of f.
-  [[nodiscard]] std::optional<Interval> extent(std::int64_t arrival) const {
+  [[nodiscard]] std::optional<Interval> extent(std::int64_t arrival, bool at_peak = false) const {
     if (plain_ && arrival > 0) {
       const auto n = static_cast<double>(arrival);
       const double tip = drawn_.problem.v0 * drawn_.problem.p / (2 * std::sqrt(n * (n + 1)));
@@ -87,7 +88,9 @@ class Strips {
                       std::min(arrival == 1 ? drawn_.region.f3 : tip,
                                design::largest_f_allowed(drawn_.problem, drawn_.limits))};
     }
-    const auto found = std::ranges::find(found_, arrival, &design::Strip::arrival);
+    const auto found = std::ranges::find_if(found_, [&](const design::Strip& strip) {
+      return strip.arrival == arrival && strip.at_peak == at_peak;
+    });
     return found != found_.end() && found->f_lower
                ? std::optional(Interval{*found->f_lower, *found->f_upper})
                : std::nullopt;
@@ -144,6 +147,7 @@ std::vector<FigureArea> admissible_areas(const DrawnRegion& drawn, const FigureU
   };
   if (drawn.problem.residual) {
     add({0});
+    add({.first = 0, .at_peak = true});
   }
   const std::int64_t arrivals = drawn.problem.arrivals;
   for (std::int64_t n = 1; n <= std::min(arrivals, most_drawn_strips); ++n) {
@@ -164,7 +168,8 @@ std::vector<std::vector<FigurePoint>> tolerant_areas(const DrawnRegion& drawn, d
   std::vector<std::vector<FigurePoint>> areas;
   const auto strips = design::strips(drawn.problem, drawn.limits);
   // Up to this f any rest is within the residual, whatever the arrival.
-  const auto rest = std::ranges::find(strips, 0, &design::Strip::arrival);
+  const auto rest = std::ranges::find_if(
+      strips, [](const design::Strip& strip) { return strip.arrival == 0 && !strip.at_peak; });
   const double rest_end = rest == strips.end() ? 0 : rest->f_upper.value_or(0);
   for (const design::Strip& strip : strips) {
     if (strip.f_lower && strip.arrival <= most_drawn_strips) {

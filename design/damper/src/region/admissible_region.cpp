@@ -3,7 +3,6 @@
 
 #include "region/edges.hpp"
 #include "region/limit_table.hpp"
-#include "unit_problem.hpp"
 #include "way/extent.hpp"
 #include "wide.hpp"
 
@@ -104,7 +103,7 @@ Region admissible_region(const Problem& problem, const Limits& limits) {
   Region region = region_of(problem, edge, limits);
   region.beta_min =
       plain ? least_beta(problem)
-            : unit::peak(largest_f(problem) / problem.p / problem.v0) * problem.v0 / problem.p;
+            : std::min(least_beta(Way(problem, {}, 1)), least_beta(Way(problem, {}, 0)));
   for_each_way(problem, limits, [&](const Way& way) {
     if (const auto ends = feasible_f(way)) {
       region.f_lower = std::min(ends->low, region.f_lower.value_or(HUGE_VAL));

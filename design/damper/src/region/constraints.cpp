@@ -50,16 +50,25 @@ void compare_hits(std::array<Constraint, 5>& list, const Problem& problem, doubl
   }
 }
 
-/// The rows of the way that the damper takes, or of the one that its strongest hit would need.
+/// The way that the damper takes, or the one that it would need.
+Way compared_way(const Problem& problem, double f, double delta) {
+  if (const auto taken = way_of(problem, {}, f, delta)) {
+    return *taken;
+  }
+  const Way rest = way_with(problem, {}, 0, f);
+  return rest.at_peak && f >= rest.f2 && f <= rest.f_cap
+             ? rest
+             : Way(problem, {}, deciding_arrival(strongest_hit(problem), f, delta).n);
+}
+
 void compare_way(std::array<Constraint, 5>& list, const Problem& problem, double f, double delta) {
-  const int n =
-      way_of(problem, {}, f, delta).value_or(deciding_arrival(strongest_hit(problem), f, delta).n);
-  const Way way(problem, {}, n);
+  const Way way = compared_way(problem, f, delta);
   if (way.is_papers()) {
     return;
   }
   const auto [reach, pass] = way_speeds(way, f, delta);
-  list[3] = n == 0 ? Constraint::compared("residual", "f", "<=", f, way.f_cap)
+  list[3] = way.at_peak  ? Constraint::compared("residual", "f", ">=", f, way.f2)
+            : way.n == 0 ? Constraint::compared("residual", "f", "<=", f, way.f_cap)
             : way.v_low > 0
                 ? Constraint::compared("return", "v0", ">=", way.v_low * problem.v0, reach)
                 : Constraint::compared("return", "delta", ">=", delta, reach);

@@ -10,6 +10,7 @@
 #include <stillpoint/core/oscillator.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace stillpoint::design {
 
@@ -55,9 +56,14 @@ Input<HitCase> v0_of(const Problem& problem) {
           [](HitCase& now, double value) { now.problem.v0 = value; }};
 }
 
+/// No peak is above V0/p. All that an even larger beta admits is a dead zone as wide, and so, with
+/// a residual, friction that hardly lets the mass move: not suggested.
 Input<HitCase> beta_of(const Problem& problem) {
+  const double unmoved =
+      std::max({problem.beta, problem.residual.value_or(HUGE_VAL), 2 * problem.v0 / problem.p});
   return {"beta", problem.beta,
-          std::min({largest_square, largest_speed / problem.p, problem.v0 / problem.p * far_ratio}),
+          std::min({largest_square, largest_speed / problem.p, problem.v0 / problem.p * far_ratio,
+                    unmoved}),
           [](HitCase& now, double value) { now.problem.beta = value; }};
 }
 

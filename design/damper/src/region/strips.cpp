@@ -30,7 +30,7 @@ std::optional<Interval> feasible_delta(const Problem& problem, const Limits& lim
                                        std::int64_t arrival, double f) {
   require_valid(problem, limits);
   require_within("f", f, 0, largest_square);
-  const Way way(problem, limits, static_cast<int>(arrival));
+  const Way way = way_with(problem, limits, static_cast<int>(arrival), f);
   const auto range = centre_range(way, f, limits.tolerance);
   const double square = way.square();
   return range ? std::optional(Interval{range->low * square, range->high * square}) : std::nullopt;
@@ -55,9 +55,9 @@ std::vector<Strip> strips(const Problem& problem, const Limits& limits) {
   std::vector<Strip> list;
   for_each_way(problem, any, [&](const Way& way) {
     if (const double largest = most_tolerant(way).tolerance; largest > 0) {
-      const auto ends = feasible_f(Way(problem, limits, way.n));
+      const auto ends = feasible_f(Way(problem, limits, way.n, way.at_peak));
       list.push_back({way.n, least_beta(way), ends ? std::optional(ends->low) : std::nullopt,
-                      ends ? std::optional(ends->high) : std::nullopt, largest});
+                      ends ? std::optional(ends->high) : std::nullopt, largest, way.at_peak});
     }
     return true;
   });

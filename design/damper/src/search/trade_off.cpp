@@ -29,9 +29,9 @@ std::optional<DesignPoint> best_with(const Problem& problem, const Limits& limit
     if (best && way.plain && best->tolerance * (2 * way.n - 1) >= 1) {
       return false;
     }
-    Limits largest = limits;
-    largest.tolerance = std::max(0.0, tolerance_at(way, way.scaled(f)));
-    const double delta = best_delta(Way(problem, largest, way.n), f, BestDelta::middle);
+    Way widest = way;
+    widest.limits.tolerance = std::max(0.0, tolerance_at(way, way.scaled(f)));
+    const double delta = best_delta(widest, f, BestDelta::middle);
     const double tolerance = largest_tolerance(way, f, delta).value_or(0);
     if (admissible(way, f, delta) && (!best || tolerance > best->tolerance)) {
       best = {f, delta, tolerance};

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace stillpoint::design {
 
@@ -29,6 +30,16 @@ double tip_of(const Way& way, double f3) {
              : way.f_of(strip_tip(way.n, way.q, way.problem.starting_v0() / way.problem.v0));
 }
 
+double below_dead_zone(const Problem& problem) {
+  return std::nextafter(edges(problem, {}).f1, 0.0);
+}
+
+/// f2 of the residual in place of beta: (69).
+double least_f_at_peak(Problem problem) {
+  problem.beta = residual_of(problem);
+  return problem.beta > 0 ? edges(problem, {}).f2 : HUGE_VAL;
+}
+
 }  // namespace
 
 double residual_of(const Problem& problem) {
@@ -38,28 +49,29 @@ double residual_of(const Problem& problem) {
 double largest_f_at_rest(const Problem& problem) {
   const double r = residual_of(problem);
   const double below = rounded_down(Wide(r) * problem.p * problem.p);
-  const double f1 = problem.beta * problem.p * problem.p;
-  return r > 0 && below >= f1 ? std::nextafter(f1, 0.0) : below;
+  const bool all = below >= edges(problem, {}).f1 || least_f_at_peak(problem) <= below;
+  return r > 0 && all ? below_dead_zone(problem) : below;
 }
 
 double stop_radius(const Problem& problem) {
   return problem.criterion == Criterion::published ? 0 : 1;
 }
 
-Way::Way(const Problem& what, const Limits& allowed, int arrival)
+Way::Way(const Problem& what, const Limits& allowed, int arrival, bool by_peak)
     : problem(what),
       limits(allowed),
       n(arrival),
+      at_peak(by_peak),
       plain(is_plain(what, allowed)),
       v_low(what.v0_low.value_or(what.v0) / what.v0),
       p_ratio(what.stiffest_p() / what.p),
       q(residual_of(what) * what.p / what.v0) {
   const Edges edge = edges(what, allowed);
-  f2 = edge.f2;
+  f2 = at_peak ? least_f_at_peak(what) : edge.f2;
   delta_cap = edge.delta_cap;
   f_cap = std::min(edge.f4, edge.f_max);
   if (n == 0) {
-    f_cap = std::min(f_cap, largest_f_at_rest(what));
+    f_cap = std::min(f_cap, at_peak ? below_dead_zone(what) : largest_f_at_rest(what));
   }
   tip = tip_of(*this, edge.f3);
   f_top = std::min(f_cap, tip);
@@ -112,19 +124,24 @@ unit::EdgeSpeed returning_notch(const Way& way, double a) {
 }
 
 double least_beta(const Way& way) {
-  const Way free(way.problem, {}, way.n);
-  return unit::peak(free.a_cap) * way.problem.v0 / way.problem.p;
+  constexpr double narrowest = 1 / std::numbers::sqrt3;  // peak and dead zone are this wide, (70)
+  Problem wide = way.problem;
+  wide.beta = std::max(wide.beta, wide.v0 / wide.p);
+  const double a = way.at_peak ? way.a2 : std::min(Way(wide, {}, way.n).a_cap, narrowest);
+  return std::max(unit::peak(a), a) * way.problem.v0 / way.problem.p;
 }
 
 double largest_f(const Problem& problem) {
-  return std::max(Way(problem, {}, 1).f_top, largest_f_at_rest(problem));
+  const Way at_peak(problem, {}, 0, true);
+  return std::max({Way(problem, {}, 1).f_top, largest_f_at_rest(problem),
+                   at_peak.f2 <= at_peak.f_cap ? at_peak.f_cap : 0});
 }
 
-std::optional<int> way_of(const Problem& problem, const Limits& limits, double f, double delta) {
-  std::optional<int> found;
+std::optional<Way> way_of(const Problem& problem, const Limits& limits, double f, double delta) {
+  std::optional<Way> found;
   const auto visit = [&](const Way& way) {
     if (admissible(way, f, delta)) {
-      found = way.n;
+      found.emplace(way);
     }
     return !found;
   };
@@ -133,6 +150,10 @@ std::optional<int> way_of(const Problem& problem, const Limits& limits, double f
     visit(Way(problem, limits, 0));  // without constant friction every rest is at x = 0
   }
   return found;
+}
+
+Way way_with(const Problem& problem, const Limits& limits, int arrival, double f) {
+  return {problem, limits, arrival, arrival == 0 && f > largest_f_at_rest(problem)};
 }
 
 }  // namespace stillpoint::design

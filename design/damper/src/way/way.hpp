@@ -4,7 +4,8 @@
 // The ways to come to rest admissibly: docs/theory.md sections 7, 12 and 13.
 //
 //   way n >= 1  the n-th arrival at x = 0, or a rest within the residual beside its strip
-//   way 0       f <= residual p^2: every rest is within the residual
+//   way 0       f <= residual p^2: every rest is within the residual; with more friction `at_peak`:
+//               so is the first peak, where the mass stays
 //
 // In units of the strongest hit and the softest spring, as in unit_problem.hpp. The paper's task is
 // way 1 of one hit, one spring and no residual.
@@ -19,14 +20,15 @@
 namespace stillpoint::design {
 
 struct Way {
-  Way(const Problem& what, const Limits& allowed, int arrival);
+  Way(const Problem& what, const Limits& allowed, int arrival, bool by_peak = false);
 
   Problem problem;
   Limits limits;
   int n;
-  bool plain;  ///< as problem.hpp has it
-  double f2;
-  double f_cap;      ///< of the limits, and of the residual for way 0
+  bool at_peak;      ///< of way 0
+  bool plain;        ///< as problem.hpp has it
+  double f2;         ///< for `at_peak`, of the residual
+  double f_cap;      ///< of the limits, and of the rests for way 0
   double tip;        ///< where the weakest hit only grazes x = 0; infinite for way 0
   double f_top;      ///< the smaller of the two
   double delta_cap;  ///< of the limits and of the start
@@ -106,7 +108,8 @@ struct DecidingArrival {
 };
 [[nodiscard]] DecidingArrival deciding_arrival(const Problem& problem, double f, double delta);
 
-/// f <= r p^2, and below f1, where the dead zone begins to be wider than beta.
+/// f <= r p^2, and below f1, where the dead zone begins to be wider than beta; up to f1 if with all
+/// that friction the first peak is within r.
 [[nodiscard]] double largest_f_at_rest(const Problem& problem);
 /// The largest f of any way, whatever beta and the limits are.
 [[nodiscard]] double largest_f(const Problem& problem);
@@ -118,8 +121,11 @@ struct DecidingArrival {
 [[nodiscard]] double stop_radius(const Problem& problem);
 
 /// The way that a point takes, at the tolerance of the limits; empty if it takes none.
-[[nodiscard]] std::optional<int> way_of(const Problem& problem, const Limits& limits, double f,
+[[nodiscard]] std::optional<Way> way_of(const Problem& problem, const Limits& limits, double f,
                                         double delta);
+
+/// That of an arrival and an f; 0 is of either kind.
+[[nodiscard]] Way way_with(const Problem& problem, const Limits& limits, int arrival, double f);
 
 /// Calls `visit` with each way that may have a box of the limits' tolerance, that of the first
 /// arrival first and way 0 last, until it returns false.
@@ -139,8 +145,11 @@ void for_each_way(const Problem& problem, const Limits& limits, const Visit& vis
       return;
     }
   }
-  if (problem.residual.value_or(0) > 0) {
-    visit(Way(problem, limits, 0));
+  if (problem.residual.value_or(0) > 0 && visit(Way(problem, limits, 0))) {
+    const Way at_peak(problem, limits, 0, true);
+    if (at_peak.f2 > largest_f_at_rest(problem) && at_peak.f2 <= at_peak.f_cap) {
+      visit(at_peak);
+    }
   }
 }
 

@@ -29,7 +29,7 @@ struct Mend {
 
 /// The changes that help if no single input suffices, because no damper has the tolerance.
 struct JointMend {
-  double largest_tolerance{0};  ///< of any damper, for any beta and limits
+  double largest_tolerance{0};  ///< of any damper, for any limits and any beta that is suggested
   /// The tolerance and another input, both changed by the same factor, which is the least that
   /// makes the region not empty. Neither can be closer to its old value unless the other is farther
   /// from its own.

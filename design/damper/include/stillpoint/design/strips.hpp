@@ -16,6 +16,7 @@ struct Strip {
   std::optional<double> f_lower;  ///< as in Region; empty if no box of the tolerance asked for fits
   std::optional<double> f_upper;
   double tolerance{0};  ///< the largest of any of them, regardless of the one asked for
+  bool at_peak{false};  ///< arrival 0, where only the first peak is within the residual
 };
 
 /// The strips of the arrivals that are allowed, without those that are empty for any tolerance.
