@@ -7,6 +7,9 @@
 
 #include <cmath>
 #include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace stillpoint::report {
 
@@ -23,21 +26,35 @@ std::string short_number(double value) {
   return std::isfinite(value) ? fmt::format("{:.6g}", value) : "-";
 }
 
-std::string extreme_cell(const std::optional<ReducedRow>& row, std::size_t column) {
-  return row ? fmt::format("{} (entry {})", short_number(row->values[column]), row->entry + 1)
-             : "-";
+std::vector<std::string> extreme_cells(const std::optional<ReducedRow>& row, std::size_t column) {
+  constexpr int shown = 4;  // so that the longest name has room
+  return row ? std::vector{std::isfinite(row->values[column])
+                               ? fmt::format("{:.{}g}", row->values[column], shown)
+                               : "-",
+                           fmt::format("{}", row->entry + 1)}
+             : std::vector<std::string>(2, "-");
 }
 
 void add_columns(Document& made, const Reduction& reduction) {
-  Table table{{"column", "least", "median between", "largest"}, {}};
+  Table table{{"column", "least", "entry", "median", "to", "largest", "entry"}, {}};
   for (const ReducedColumn& column : reduction.columns) {
+    TableRow row{{reduction.row[column.column].name}};
+    const auto add = [&row](const std::vector<std::string>& cells) {
+      row.cells.insert(row.cells.end(), cells.begin(), cells.end());
+    };
+    add(extreme_cells(column.least, column.column));
     const auto median = quantile(reduction, column, 0.5);
-    table.rows.push_back(
-        {{reduction.row[column.column].name, extreme_cell(column.least, column.column),
-          median ? fmt::format("{:.4g} and {:.4g}", median->low, median->high) : "-",
-          extreme_cell(column.largest, column.column)}});
+    add(median
+            ? std::vector{fmt::format("{:.4g}", median->low), fmt::format("{:.4g}", median->high)}
+            : std::vector<std::string>(2, "-"));
+    add(extreme_cells(column.largest, column.column));
+    table.rows.push_back(std::move(row));
   }
-  made.section("Columns").parts.emplace_back(std::move(table));
+  Section& section = made.section("Columns");
+  section.parts.emplace_back(std::move(table));
+  section.line(
+      "The entries are where the least and the largest are; the median lies between two "
+      "bounds.");
 }
 
 void add_best(Document& made, const BestRows& best, const Reduction& reduction) {
