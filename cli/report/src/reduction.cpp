@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -57,29 +58,45 @@ void add_columns(Document& made, const Reduction& reduction) {
       "bounds.");
 }
 
+/// The inputs, how the motion ends and what the rows are chosen by: a line has 80 columns.
+std::vector<std::size_t> shown_columns(const BestRows& best, const Reduction& reduction) {
+  std::vector<std::size_t> shown;
+  for (std::size_t i = 0; i < reduction.row.size(); ++i) {
+    if (i == best.column() || std::ranges::find(reduction.columns, i, &ReducedColumn::column) ==
+                                  reduction.columns.end()) {
+      shown.push_back(i);
+    }
+  }
+  return shown;
+}
+
 void add_best(Document& made, const BestRows& best, const Reduction& reduction) {
   constexpr std::size_t most_shown = 10;
+  const std::vector<std::size_t> shown = shown_columns(best, reduction);
   Table table{{"entry"}, {}};
-  for (const auto& column : reduction.row) {
-    table.head.push_back(column.name);
+  for (const std::size_t i : shown) {
+    table.head.push_back(reduction.row[i].name);
   }
   for (const ReducedRow& row : best.rows()) {
     if (table.rows.size() == most_shown) {
       break;
     }
-    TableRow shown{{fmt::format("{}", row.entry + 1)}};
-    for (std::size_t i = 0; i < row.values.size(); ++i) {
+    TableRow cells{{fmt::format("{}", row.entry + 1)}};
+    for (const std::size_t i : shown) {
       const double value = row.values[i];
       const bool is_outcome = reduction.row[i].form == Form::outcome && std::isfinite(value);
-      shown.cells.push_back(
+      cells.cells.push_back(
           is_outcome ? std::string(sweep::sweep_outcome_name(static_cast<std::size_t>(value)))
                      : short_number(value));
     }
-    table.rows.push_back(std::move(shown));
+    table.rows.push_back(std::move(cells));
   }
-  made.section(fmt::format("{} {}", best.largest() ? "Largest" : "Smallest",
-                           reduction.row[best.column()].name))
-      .parts.emplace_back(std::move(table));
+  Section& section = made.section(fmt::format("{} {}", best.largest() ? "Largest" : "Smallest",
+                                              reduction.row[best.column()].name));
+  section.parts.emplace_back(std::move(table));
+  if (best.rows().size() > most_shown || shown.size() < reduction.row.size()) {
+    section.line("--json lists all rows and columns.", Tone::faint);
+  }
 }
 
 void add_histogram(Document& made, const Histogram& histogram, const Reduction& reduction) {
