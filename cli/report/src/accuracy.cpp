@@ -3,6 +3,7 @@
 #include "json/parts.hpp"
 #include "sections.hpp"
 
+#include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/report.hpp>
 
 #include <variant>
@@ -17,8 +18,9 @@ std::string counts(const peers::Result& result) {
   return format("{}, {}, {}", result.passages, result.turns, result.sticks);
 }
 
-std::string microseconds(double seconds) {
-  return format("{:.3g} us", 1e6 * seconds);
+std::string shown_time(double seconds) {
+  constexpr int digits = 3;
+  return with_unit(seconds, "s", digits);
 }
 
 std::string exponent(double error) {
@@ -142,7 +144,7 @@ TableRow method_row(const peers::MethodRow& now) {
             Tone::faint};
   }
   return {
-      {std::string(now.name), setting(now), microseconds(now.time.median), exponent(now.peak_error),
+      {std::string(now.name), setting(now), shown_time(now.time.median), exponent(now.peak_error),
        exponent(now.end_error), counts(now.result), now.counts_right ? "right" : "wrong"},
       now.counts_right ? Tone::good : Tone::bad};
 }
@@ -152,9 +154,9 @@ std::string verdict(const peers::MethodRow& kernel, bool stops) {
   if (kernel.run != peers::Run::done) {
     return "";
   }
-  return format("The kernel of simulate is off by {} in the peak and {} {}, in {}.",
+  return format("simulate is off by {} in the peak and {} {}, and takes {}.",
                 exponent(kernel.peak_error), exponent(kernel.end_error),
-                stops ? "at rest" : "at the end", microseconds(kernel.time.median));
+                stops ? "at rest" : "at the end", shown_time(kernel.time.median));
 }
 
 }  // namespace

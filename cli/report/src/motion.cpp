@@ -244,8 +244,9 @@ void add_answer(Section& answer, const MotionReport& report) {
                       felt_where(report)));
   }
   if (report.answer.forced && report.answer.forced->left_notch_from_rest) {
-    add_start(answer, {f, delta, peak_load(report.request.excitation)}, "delta/(load - f)", false,
-              physical);
+    add_start(answer,
+              {friction_at_centre(report.request), delta, peak_load(report.request.excitation)},
+              "delta/(load - f)", false, physical);
   }
   if (caught) {
     answer.row("impulse", format("{}: the notch transmits the hit in full, like any hit below {}",
@@ -300,10 +301,13 @@ std::string lock_sentence(const MotionReport& report) {
     const Outcome outcome = report.answer.response.outcome;
     return outcome == Outcome::caught_at_start ? outcome_phrase(outcome) : "";
   }
-  const double moved = *forced->locked_from - forced->stick_time;
+  // A run that is cut counts the rest in which it is locked as a stick.
+  const double last =
+      forced->outcome == Outcome::running ? *forced->end_time - *forced->locked_from : 0;
+  const double moved = *forced->locked_from - (forced->stick_time - last);
   constexpr double hardly = 0.1;
   return locked_words(*forced, load_end(report.request), report.physical) +
-         (moved < hardly * *forced->locked_from
+         (*forced->locked_from > 0 && moved < hardly * *forced->locked_from
               ? format("; before that it moves for {} in all", time_shown(report.physical, moved))
               : "");
 }

@@ -5,8 +5,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace stillpoint::report {
 
@@ -23,46 +27,76 @@ std::string short_number(double value) {
   return std::isfinite(value) ? fmt::format("{:.6g}", value) : "-";
 }
 
-std::string extreme_cell(const std::optional<ReducedRow>& row, std::size_t column) {
-  return row ? fmt::format("{} (entry {})", short_number(row->values[column]), row->entry + 1)
-             : "-";
+std::vector<std::string> extreme_cells(const std::optional<ReducedRow>& row, std::size_t column) {
+  constexpr int shown = 4;  // so that the longest name has room
+  return row ? std::vector{std::isfinite(row->values[column])
+                               ? fmt::format("{:.{}g}", row->values[column], shown)
+                               : "-",
+                           fmt::format("{}", row->entry + 1)}
+             : std::vector<std::string>(2, "-");
 }
 
 void add_columns(Document& made, const Reduction& reduction) {
-  Table table{{"column", "least", "median between", "largest"}, {}};
+  Table table{{"column", "least", "entry", "median", "to", "largest", "entry"}, {}};
   for (const ReducedColumn& column : reduction.columns) {
+    TableRow row{{reduction.row[column.column].name}};
+    const auto add = [&row](const std::vector<std::string>& cells) {
+      row.cells.insert(row.cells.end(), cells.begin(), cells.end());
+    };
+    add(extreme_cells(column.least, column.column));
     const auto median = quantile(reduction, column, 0.5);
-    table.rows.push_back(
-        {{reduction.row[column.column].name, extreme_cell(column.least, column.column),
-          median ? fmt::format("{:.4g} and {:.4g}", median->low, median->high) : "-",
-          extreme_cell(column.largest, column.column)}});
+    add(median
+            ? std::vector{fmt::format("{:.4g}", median->low), fmt::format("{:.4g}", median->high)}
+            : std::vector<std::string>(2, "-"));
+    add(extreme_cells(column.largest, column.column));
+    table.rows.push_back(std::move(row));
   }
-  made.section("Columns").parts.emplace_back(std::move(table));
+  Section& section = made.section("Columns");
+  section.parts.emplace_back(std::move(table));
+  section.line(
+      "The entries are where the least and the largest are; the median lies between two "
+      "bounds.");
+}
+
+/// The inputs, how the motion ends and what the rows are chosen by: a line has 80 columns.
+std::vector<std::size_t> shown_columns(const BestRows& best, const Reduction& reduction) {
+  std::vector<std::size_t> shown;
+  for (std::size_t i = 0; i < reduction.row.size(); ++i) {
+    if (i == best.column() || std::ranges::find(reduction.columns, i, &ReducedColumn::column) ==
+                                  reduction.columns.end()) {
+      shown.push_back(i);
+    }
+  }
+  return shown;
 }
 
 void add_best(Document& made, const BestRows& best, const Reduction& reduction) {
   constexpr std::size_t most_shown = 10;
+  const std::vector<std::size_t> shown = shown_columns(best, reduction);
   Table table{{"entry"}, {}};
-  for (const auto& column : reduction.row) {
-    table.head.push_back(column.name);
+  for (const std::size_t i : shown) {
+    table.head.push_back(reduction.row[i].name);
   }
   for (const ReducedRow& row : best.rows()) {
     if (table.rows.size() == most_shown) {
       break;
     }
-    TableRow shown{{fmt::format("{}", row.entry + 1)}};
-    for (std::size_t i = 0; i < row.values.size(); ++i) {
+    TableRow cells{{fmt::format("{}", row.entry + 1)}};
+    for (const std::size_t i : shown) {
       const double value = row.values[i];
       const bool is_outcome = reduction.row[i].form == Form::outcome && std::isfinite(value);
-      shown.cells.push_back(
+      cells.cells.push_back(
           is_outcome ? std::string(sweep::sweep_outcome_name(static_cast<std::size_t>(value)))
                      : short_number(value));
     }
-    table.rows.push_back(std::move(shown));
+    table.rows.push_back(std::move(cells));
   }
-  made.section(fmt::format("{} {}", best.largest() ? "Largest" : "Smallest",
-                           reduction.row[best.column()].name))
-      .parts.emplace_back(std::move(table));
+  Section& section = made.section(fmt::format("{} {}", best.largest() ? "Largest" : "Smallest",
+                                              reduction.row[best.column()].name));
+  section.parts.emplace_back(std::move(table));
+  if (best.rows().size() > most_shown || shown.size() < reduction.row.size()) {
+    section.line("--json lists all rows and columns.", Tone::faint);
+  }
 }
 
 void add_histogram(Document& made, const Histogram& histogram, const Reduction& reduction) {

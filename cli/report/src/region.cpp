@@ -21,7 +21,9 @@ namespace {
 /// not start, what the others say does not happen.
 std::string violations(const RegionReport& report) {
   std::vector<design::Constraint> violated = report.answer.constraints;
-  std::erase_if(violated, [](const auto& now) { return now.satisfied; });
+  const bool back = returns(violated);
+  std::erase_if(violated,
+                [back](const auto& now) { return now.satisfied || (!back && now.name == "stop"); });
   std::ranges::stable_sort(violated, {}, [](const design::Constraint& now) {
     return now.name == "start" ? 0 : now.name == "dead_zone" ? 2 : 1;
   });
@@ -52,8 +54,9 @@ std::string violations(const RegionReport& report) {
 std::string judgement(const RegionReport& report) {
   const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
   const design::RegionAnswer& answer = report.answer;
-  const std::string damper =
-      pulse ? format("With a notch that {}, the damper", acts_late) : "The damper";
+  const std::string damper = pulse ? format("{} a notch that {}, the damper",
+                                            answer.tolerance ? "With" : "Even with", acts_late)
+                                   : "The damper";
   if (!answer.tolerance) {
     return damper + " is not admissible." + violations(report);
   }
@@ -107,7 +110,7 @@ std::string delta_words(const std::vector<Interval>& all, const Physical& physic
         : low > 0 ? format("from {} to {}", least, length_limit(physical, high * conversion, false))
                   : format("up to {}", length_limit(physical, high * conversion, false)));
   }
-  return text + (lower > 0 ? format(" or in {} lower ranges", lower) : "");
+  return text + (lower > 0 ? format(" or in {} lower range{}", lower, lower == 1 ? "" : "s") : "");
 }
 
 /// "At f = 0.024, delta from 2.1 mm to 8.2 mm is admissible.", or what suits every feasible f; if
@@ -119,11 +122,11 @@ std::string feasible_delta(const RegionReport& report) {
                                 : f                   ? "keeps the tolerance asked for"
                                                       : "keeps it";
   const auto at = [&](double some_f, const std::vector<Interval>& all) {
-    return format("At f = {}, {} {}.", digits(some_f), delta_words(all, report.physical), fits);
+    return format("At f = {:.9g}, {} {}.", some_f, delta_words(all, report.physical), fits);
   };
   if (f) {
     const auto all = feasible_at(report, *f);
-    return all.empty() ? format("At f = {} no delta {}.", digits(*f), fits) : at(*f, all);
+    return all.empty() ? format("At f = {:.9g} no delta {}.", *f, fits) : at(*f, all);
   }
   const auto hardly_any = [](const std::vector<Interval>& all) {
     constexpr double narrow = 1e-4;  // of five digits the last
@@ -204,7 +207,7 @@ Document document(const RegionReport& report) {
   if (!f) {
     return document;
   }
-  Section& section = document.section(format("At f = {:.6g}", *f));
+  Section& section = document.section(format("At f = {:.9g}", *f));
   const ToldPractice told = told_practice(report.request, answer.practice, *f, delta.value_or(0));
   const bool by_delta1 = !delta || stops_by_delta1(answer.constraints);
   if (by_delta1 && !answer.delta1_exact) {

@@ -87,16 +87,26 @@ void add_damper_physics(Section& section, const Physical& physical, double f, do
   }
 }
 
+double friction_at_centre(const SimulationRequest& request) {
+  const auto& zones = request.surface.zones;
+  return zones.empty() ? request.oscillator.f : zones.front().f;
+}
+
 void add_surface(Section& section, const SimulationRequest& request, const Physical& physical) {
   const auto& [p, f, delta, hold] = request.oscillator;
   const Surface& surface = request.surface;
   if (hold) {
-    section.row("notch", format("holds a load of up to f + {:.6g} g = {:.6g} g", *hold, f + *hold));
+    const double friction = friction_at_centre(request);
+    section.row("notch", format("holds a load of up to {} + {:.6g} g = {:.6g} g",
+                                surface.zones.empty() ? "f" : format("{:.6g} g", friction), *hold,
+                                friction + *hold));
   }
   if (surface.notch_width) {
-    const double half = *surface.notch_width / 2;
-    section.row("notch", format("friction {:.6g} for |x| < {}", f + delta / *surface.notch_width,
-                                length_shown(physical, half)));
+    const double wall = delta / *surface.notch_width;
+    const std::string half = length_shown(physical, *surface.notch_width / 2);
+    section.row("notch", surface.zones.empty()
+                             ? format("friction {:.6g} for |x| < {}", f + wall, half)
+                             : format("adds {:.6g} to the friction for |x| < {}", wall, half));
   }
   std::optional<double> from;
   for (const FrictionZone& zone : surface.zones) {
@@ -172,6 +182,24 @@ std::string extreme_words(const design::Problem& problem, std::string_view sprin
                 problem.p_high ? format("{} spring", spring) : "");
 }
 
+void add_limits(Section& section, const design::Limits& limits, const Physical& physical) {
+  std::string limit;
+  const auto add = [&](const std::string& text) { limit += (limit.empty() ? "" : ", ") + text; };
+  for (const design::LimitKind& kind : design::limit_kinds()) {
+    if (const auto& most = limits.*kind.value) {
+      add(format(
+          "{} <= {}", kind.quantity,
+          kind.bounds_f() ? format("{:.6g}{}", *most, kind.unit) : length_shown(physical, *most)));
+    }
+  }
+  if (limits.tolerance > 0) {
+    add("tolerance " + box_text(limits, limits.tolerance));
+  }
+  if (!limit.empty()) {
+    section.row("limits", limit);
+  }
+}
+
 Section& add_problem(Document& document, const design::Problem& problem,
                      const design::Limits& limits, const Physical& physical, bool pulsed) {
   Section& section = document.detail("Task");
@@ -196,21 +224,7 @@ Section& add_problem(Document& document, const design::Problem& problem,
   if (problem.arrivals > 1) {
     section.row("arrivals", format("stop at x = 0 by arrival {}", problem.arrivals));
   }
-  std::string limit;
-  const auto add = [&](const std::string& text) { limit += (limit.empty() ? "" : ", ") + text; };
-  for (const design::LimitKind& kind : design::limit_kinds()) {
-    if (const auto& most = limits.*kind.value) {
-      add(format(
-          "{} <= {}", kind.quantity,
-          kind.bounds_f() ? format("{:.6g}{}", *most, kind.unit) : length_shown(physical, *most)));
-    }
-  }
-  if (limits.tolerance > 0) {
-    add("tolerance " + box_text(limits, limits.tolerance));
-  }
-  if (!limit.empty()) {
-    section.row("limits", limit);
-  }
+  add_limits(section, limits, physical);
   return section;
 }
 

@@ -71,6 +71,8 @@ void add_start(Section& section, const StartUnderLoad& start, std::string_view f
                const Physical& physical);
 /// "480 kN s" for a speed; "0.4 N s per kg" if the mass is not known.
 [[nodiscard]] std::string impulse_shown(const Physical& physical, double impulse);
+/// Constant friction at x = 0, where zones change it.
+[[nodiscard]] double friction_at_centre(const SimulationRequest& request);
 /// The differences from the paper's notch and friction.
 void add_surface(Section& section, const SimulationRequest& request, const Physical& physical);
 void add_excitation(Section& section, const Excitation& excitation,
@@ -130,6 +132,8 @@ template <class Request>
                             true};
 }
 void add_practice(Section& section, const ToldPractice& told, const Physical& physical);
+/// The limits that are given, and the tolerance asked for.
+void add_limits(Section& section, const design::Limits& limits, const Physical& physical);
 /// The section of the task; `pulsed` if a pulse takes the place of v0.
 Section& add_problem(Document& document, const design::Problem& problem,
                      const design::Limits& limits, const Physical& physical, bool pulsed);
@@ -199,6 +203,8 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty, const
 /// Whether Delta is compared with Delta1 of the first arrival: not for a damper that stops at a
 /// later one, nor if a rest off centre is allowed.
 [[nodiscard]] bool stops_by_delta1(std::span<const design::Constraint> constraints);
+/// Else whether it stops there does not matter.
+[[nodiscard]] bool returns(std::span<const design::Constraint> constraints);
 /// Each with its slack: by how much a damper meets or misses it.
 Section& add_constraints(Document& document, std::span<const design::Constraint> constraints,
                          const design::Limits& limits, const Physical& physical);

@@ -22,6 +22,12 @@ bool stops_by_delta1(std::span<const design::Constraint> constraints) {
   });
 }
 
+bool returns(std::span<const design::Constraint> constraints) {
+  return std::ranges::none_of(constraints, [](const design::Constraint& now) {
+    return now.name == "return" && !now.satisfied;
+  });
+}
+
 namespace {
 
 std::pair<double, std::string> unit_of(std::string_view variable, const FigureUnits& units) {
@@ -36,9 +42,22 @@ bool bounds_nothing(const design::Constraint& now) {
   return now.relation.front() == '>' && now.limit <= 0;
 }
 
+constexpr int digits_of_bounds = 6;
+
+/// With which f >= f2 and f <= f3, so rounded, can both be met where the region is not empty.
+int digits_between(double f2, double f3) {
+  constexpr int every = 17;  // that a double has
+  int shown = digits_of_bounds;
+  while (f2 > 0 && f2 <= f3 && shown < every &&
+         std::stod(limit_digits(f2, true, shown)) > std::stod(limit_digits(f3, false, shown))) {
+    ++shown;
+  }
+  return shown;
+}
+
 /// "delta <= 8.1577 mm", rounded so that what is as printed meets it.
-std::string requirement(const design::Constraint& now, const FigureUnits& units) {
-  constexpr int shown = 6;
+std::string requirement(const design::Constraint& now, const FigureUnits& units,
+                        int shown = digits_of_bounds) {
   constexpr double conversion = 1e-12;  // the rounding of 150 mm to dimensionless and back
   const auto [unit, unit_name] = unit_of(now.variable, units);
   const bool upwards = now.relation.front() == '>';
@@ -54,9 +73,9 @@ std::string requirement(const design::Constraint& now, const FigureUnits& units)
 /// Of a limit that a damper is compared with.
 void add_bound(Section& section, const FigureUnits& units, std::string_view name,
                std::string_view variable, std::string_view relation, double limit,
-               std::string_view note = "") {
+               std::string_view note = "", int shown = digits_of_bounds) {
   const auto bound = design::Constraint::compared(name, variable, relation, 0, limit);
-  section.row(in_words(name), format("{}{}", requirement(bound, units), note));
+  section.row(in_words(name), format("{}{}", requirement(bound, units, shown), note));
 }
 
 }  // namespace
@@ -129,9 +148,10 @@ Section& add_region(Document& document, const design::RegionVerdict& verdict,
   const bool pulsed = verdict.intervals.has_value();
   const FigureUnits units(physical);
   Section& section = document.detail("Bounds");
+  const int shown = digits_between(region.f2, region.f3);
   if (!pulsed || region.feasible) {
     add_bound(section, units, "amplitude", "f", ">=", std::max(region.f2, 0.0),
-              region.f2 <= 0 ? "  (does not bind)" : "");
+              region.f2 <= 0 ? "  (does not bind)" : "", shown);
   }
   if (pulsed && region.beta_min == 0) {
     section.row("return", "for every f with which it starts");
@@ -139,7 +159,8 @@ Section& add_region(Document& document, const design::RegionVerdict& verdict,
     add_bound(section, units, "return", "f", "<=", region.f3,
               !pulsed && region.feasible && *region.f_upper > region.f3
                   ? "  (the residual allows more)"
-                  : "");
+                  : "",
+              shown);
   }
   if (region.f4) {
     add_bound(section, units, "acceleration", "f", "<=", *region.f4,
@@ -165,12 +186,10 @@ Section& add_constraints(Document& document, std::span<const design::Constraint>
                          const design::Limits& limits, const Physical& physical) {
   const FigureUnits units(physical);
   const bool all_met = std::ranges::all_of(constraints, &design::Constraint::satisfied);
-  const bool returns = std::ranges::none_of(constraints, [](const design::Constraint& now) {
-    return now.name == "return" && !now.satisfied;
-  });
+  const bool back = returns(constraints);
   Table table{{"", "requirement", "slack", ""}, {}};
   for (const design::Constraint& now : constraints) {
-    if (!returns && now.name == "stop") {
+    if (!back && now.name == "stop") {
       table.rows.push_back({{"stop", "-", "-", "not reached"}});
       continue;
     }

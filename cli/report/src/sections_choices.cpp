@@ -39,7 +39,9 @@ std::string consequence(const design::Constraint& violated, const ShownTask& tas
 
 /// "f is 12 % too small", "delta is 3.4 times the limit".
 std::string by_how_much(const design::Constraint& violated) {
-  const auto& [name, variable, relation, value, limit, slack, satisfied, by_criterion] = violated;
+  const auto& [name, measured, relation, value, limit, slack, satisfied, by_criterion] = violated;
+  const bool symbol = measured != "peak" && measured != "acceleration";
+  const std::string variable = (symbol ? "" : "the ") + std::string(measured);
   const bool too_large = relation.front() == '<';
   const double off = std::abs(slack) / limit;
   constexpr double in_percent_up_to = 1;

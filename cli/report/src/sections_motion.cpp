@@ -104,11 +104,15 @@ void add_motion(Section& answer, const ShownTask& task, const ToldMotion& motion
                 const std::string& acceleration) {
   const auto& [problem, limits, pulse, physical] = task;
   const auto& [response, arrival, worst] = motion;
+  // The requirements are about the motion up to its first return.
+  const std::string under_pulse =
+      format(", under the pulse{}",
+             response.zero_passages.value_or(0) > 0 ? ", later swings included" : "");
   answer.row(
       "peak",
       format("{}, {:.4g} % of the {} allowed{}", length_shown(physical, response.peak_amplitude),
              100 * response.peak_amplitude / problem.beta, length_shown(physical, problem.beta),
-             pulse ? ", under the pulse" : of_extreme(task, "softest")));
+             pulse ? under_pulse : of_extreme(task, "softest")));
   if (!response.stop_time || response.half_cycles == 0) {
     answer.row(
         "rest",
@@ -165,7 +169,8 @@ void add_response(Section& section, const Simulation& answer, const Physical& ph
         answer.half_cycles, [](const HalfCycle& now) { return now.impulse.value_or(0) > 0; });
     section.row("transmitted",
                 format("{:.6g} g, the largest acceleration that the structure feels{}",
-                       response.peak_absolute_acceleration, impulses ? ", impulses apart" : ""));
+                       response.peak_absolute_acceleration,
+                       impulses ? " apart from the notch's impulses" : ""));
   }
   if (moves(response)) {
     section.row("peak", length_shown(physical, response.peak_amplitude));

@@ -57,25 +57,30 @@ void add_scene(Section& scene, const SweepReport& report) {
   if (report.record) {
     scene.row("record", spelled_out(*report.record));
   }
+  const Physical physical = spec.units ? Physical(spec.units->physical()) : Physical();
   if (spec.kind == SweepKind::forced) {
-    add_excitation(scene, spec.excitation, std::nullopt,
-                   spec.units ? Physical(spec.units->physical()) : Physical());
+    add_excitation(scene, spec.excitation, std::nullopt, physical);
+  } else if (spec.kind == SweepKind::design) {
+    if (spec.pulse) {
+      scene.row("pulse", std::string(design::name(*spec.pulse)));
+    }
+    add_limits(scene, spec.limits, physical);
   }
 }
 
 }  // namespace
 
-ordered_json outcomes_json(const SweepState& state) {
+ordered_json outcomes_json(const SweepState::Counts& outcomes) {
   ordered_json counts;
   for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
-    counts[std::string(sweep_outcome_name(i))] = state.outcomes[i];
+    counts[std::string(sweep_outcome_name(i))] = outcomes[i];
   }
   return counts;
 }
 
-void outcomes_from_json(const ordered_json& outcomes, SweepState& state) {
+void outcomes_from_json(const ordered_json& counts, SweepState::Counts& outcomes) {
   for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
-    sweep::read_integers(outcomes.at(std::string(sweep_outcome_name(i))), state.outcomes[i]);
+    sweep::read_integers(counts.at(std::string(sweep_outcome_name(i))), outcomes[i]);
   }
 }
 
@@ -83,7 +88,7 @@ Document document_of(std::string title, const SweepState& state, bool design) {
   Document document;
   document.title = std::move(title);
   document.verdict = summary(state, design);
-  document.tone = state.locked > 0 ? Tone::bad : Tone::plain;
+  document.tone = state.locked() > 0 ? Tone::bad : Tone::plain;
   return document;
 }
 
@@ -102,8 +107,8 @@ ordered_json json(const SweepReport& report) {
       {"part", spec.part ? ordered_json{{"number", spec.part->number}, {"count", spec.part->count}}
                          : ordered_json(nullptr)},
       {"rows", state.rows},
-      {"outcomes", design ? ordered_json(nullptr) : outcomes_json(state)},
-      {"locked", design ? ordered_json(nullptr) : ordered_json(state.locked)},
+      {"outcomes", design ? ordered_json(nullptr) : outcomes_json(state.outcomes)},
+      {"locked", design ? ordered_json(nullptr) : ordered_json(state.locked())},
       {"feasible", design ? ordered_json(state.feasible) : ordered_json(nullptr)},
       {"resumed_at", summary.resumed_at},
       {"threads", spec.threads},

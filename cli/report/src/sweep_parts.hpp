@@ -12,9 +12,9 @@
 
 namespace stillpoint::report {
 
-[[nodiscard]] nlohmann::ordered_json outcomes_json(const sweep::SweepState& state);
+[[nodiscard]] nlohmann::ordered_json outcomes_json(const sweep::SweepState::Counts& outcomes);
 /// Throws nlohmann's exceptions where one is missing.
-void outcomes_from_json(const nlohmann::ordered_json& outcomes, sweep::SweepState& state);
+void outcomes_from_json(const nlohmann::ordered_json& counts, sweep::SweepState::Counts& outcomes);
 
 /// With how many entries ended in each way.
 [[nodiscard]] Document document_of(std::string title, const sweep::SweepState& state, bool design);

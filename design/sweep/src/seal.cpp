@@ -71,7 +71,7 @@ std::string bytes_of(std::ifstream& file, std::int64_t from, std::int64_t to) {
 void read_counts(const ordered_json& document, SweepState& state) {
   read_integers(document.at("rows"), state.rows);
   read_integers(document.at("outcomes"), state.outcomes);
-  read_integers(document.at("locked"), state.locked);
+  read_integers(document.at("locked"), state.locked_outcomes);
   read_integers(document.at("feasible"), state.feasible);
 }
 
@@ -87,7 +87,7 @@ std::string text(const Seal& seal) {
                               {"header", seal.header},
                               {"rows", state.rows},
                               {"outcomes", state.outcomes},
-                              {"locked", state.locked},
+                              {"locked", state.locked_outcomes},
                               {"feasible", state.feasible},
                               {"digest", state.bytes.words},
                               {"rest", state.bytes.rest},

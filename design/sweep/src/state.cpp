@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <string_view>
 #include <utility>
@@ -73,12 +74,13 @@ void SweepState::add(const SweepBlock& block) {
   rows += block.size;
   digest = block.digest();
   if (block[Quantity::outcome].size() == block.size) {
-    for (const double outcome : block[Quantity::outcome]) {
-      ++outcomes[static_cast<std::size_t>(outcome)];
+    const auto& locked_from = block[Quantity::locked_from];
+    for (Eigen::Index i = 0; i < block.size; ++i) {
+      const auto outcome = static_cast<std::size_t>(block[Quantity::outcome][i]);
+      ++outcomes[outcome];
+      const bool locks = locked_from.size() == block.size && std::isfinite(locked_from[i]);
+      locked_outcomes[outcome] += locks ? 1 : 0;
     }
-  }
-  if (block[Quantity::locked_from].size() == block.size) {
-    locked += block[Quantity::locked_from].isFinite().count();
   }
   if (block[Quantity::feasible].size() == block.size) {
     feasible += static_cast<std::int64_t>(block[Quantity::feasible].sum());
@@ -87,32 +89,49 @@ void SweepState::add(const SweepBlock& block) {
 
 std::string summary(const SweepState& state, bool of_designs) {
   if (of_designs) {
-    return fmt::format("{} of {} entries have an admissible design.", state.feasible, state.rows);
+    return state.feasible == state.rows && state.rows > 1
+               ? fmt::format("All {} entries have an admissible design.", state.rows)
+               : fmt::format("{} of {} entries have an admissible design.", state.feasible,
+                             state.rows);
   }
-  const auto count = [&state](Outcome outcome) { return state.outcomes[sweep_outcome(outcome)]; };
-  const std::int64_t at_zero = count(Outcome::stopped_at_zero);
-  const std::int64_t in_notch = count(Outcome::stopped_in_notch);
-  std::string text =
-      state.locked > 0
-          ? fmt::format(
-                "Locked: in {} of {} motions the notch holds the mass to the end of the "
-                "load. {} stop ",
-                state.locked, state.rows, at_zero + in_notch)
-      : at_zero + in_notch == state.rows && state.rows > 1
-          ? fmt::format("All {} motions stop ", state.rows)
-          : fmt::format("{} of {} motions stop ", at_zero + in_notch, state.rows);
-  text += in_notch == 0 ? "at x = 0" : at_zero == 0 ? "in the notch" : "at x = 0 or in the notch";
+  const std::int64_t locked = state.locked();
+  const auto count = [&state](std::size_t outcome) {
+    return state.outcomes[outcome] - state.locked_outcomes[outcome];
+  };
+  const std::int64_t in_notch = count(sweep_outcome(Outcome::stopped_in_notch));
+  const std::int64_t centred = count(sweep_outcome(Outcome::stopped_at_zero)) + in_notch;
+  const std::string_view centre = in_notch == 0         ? "at x = 0"
+                                  : in_notch == centred ? "in the notch"
+                                                        : "at x = 0 or in the notch";
+  const std::int64_t off_centre = count(sweep_outcome(Outcome::stopped_in_dead_zone));
+  const std::int64_t rows = state.rows - locked;
+  if (locked == 0 && rows > 1 && std::max(centred, off_centre) == rows) {
+    return fmt::format("All {} motions stop {}.", rows, centred == rows ? centre : "off centre");
+  }
+  std::string text = locked > 0
+                         ? fmt::format(
+                               "Locked: in {} motions the notch holds the mass to the end of the "
+                               "load.",
+                               rows > 0 || locked == 1 ? fmt::format("{} of {}", locked, state.rows)
+                                                       : fmt::format("all {}", locked))
+                         : fmt::format("{} of {} motions stop {}", centred, rows, centre);
+  if (locked > 0 && rows == 0) {
+    return text;
+  }
+  if (locked > 0) {
+    text += fmt::format(" Of the rest, {} stop{} {}", centred, centred == 1 ? "s" : "", centre);
+  }
   const auto add = [&text](std::int64_t how_many, std::string_view one, std::string_view several) {
     if (how_many > 0) {
       text += fmt::format(", {} {}", how_many, how_many == 1 ? one : several);
     }
   };
-  add(count(Outcome::stopped_in_dead_zone), "off centre", "off centre");
-  add(count(Outcome::caught_at_start), "never starts", "never start");
-  add(count(Outcome::never_stops), "never stops", "never stop");
-  add(count(Outcome::running), "is not known to have stopped", "are not known to have stopped");
-  add(state.outcomes[too_many_half_cycles], "has too many half-cycles",
-      "have too many half-cycles");
+  add(off_centre, "off centre", "off centre");
+  add(count(sweep_outcome(Outcome::caught_at_start)), "never starts", "never start");
+  add(count(sweep_outcome(Outcome::never_stops)), "never stops", "never stop");
+  add(count(sweep_outcome(Outcome::running)), "is not known to have stopped",
+      "are not known to have stopped");
+  add(count(too_many_half_cycles), "has too many half-cycles", "have too many half-cycles");
   return text + ".";
 }
 

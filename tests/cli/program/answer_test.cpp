@@ -80,7 +80,7 @@ BOOST_FIXTURE_TEST_CASE(of_a_design_within_an_acceleration_names_the_least_notch
 
 BOOST_FIXTURE_TEST_CASE(of_a_comparison_gives_the_error_of_the_kernel, Sandbox) {
   const std::string text = run("accuracy --v0 1 --p 1 --f 0.26 --delta 0.37").out;
-  BOOST_TEST(lines_of(text).at(1).starts_with("  The kernel of simulate is off by "), text);
+  BOOST_TEST(lines_of(text).at(1).starts_with("  simulate is off by "), text);
 }
 
 BOOST_FIXTURE_TEST_CASE(of_a_sweep_says_how_many_end_well, Sandbox) {
@@ -91,8 +91,34 @@ BOOST_FIXTURE_TEST_CASE(of_a_sweep_says_how_many_end_well, Sandbox) {
              "  1 of 2 motions stop at x = 0, 1 never starts.");
   BOOST_TEST(lines_of(run(motions + "--delta 0.37,0.38").out).at(1) ==
              "  All 2 motions stop at x = 0.");
-  BOOST_TEST(lines_of(run("sweep --v0 1 --p 1 --beta 0.5,0.9 --reduce").out).at(1) ==
-             "  1 of 2 entries have an admissible design.");
+  const auto designs = [&](const char* beta) {
+    return lines_of(run(Arguments("sweep --v0 1 --p 1 --reduce --beta") + beta).out).at(1);
+  };
+  BOOST_TEST(designs("0.5,0.9") == "  1 of 2 entries have an admissible design.");
+  BOOST_TEST(designs("0.8,0.9") == "  All 2 entries have an admissible design.");
+  // f above 1/sqrt(8) = 0.354: none returns.
+  BOOST_TEST(
+      lines_of(run("sweep --v0 1 --p 1 --f 0.4 --delta 0,0.1 --output rows.csv").out).at(1) ==
+      "  All 2 motions stop off centre.");
+}
+
+/// One stops at x = 0, where the notch then holds it against the load; friction holds the other.
+BOOST_FIXTURE_TEST_CASE(of_a_sweep_counts_a_lock_once, Sandbox) {
+  const Arguments loaded(
+      "sweep --v0 1 --p 1 --f 0.3 --excitation harmonic --k 0.01 --lambda 1 --duration 20 "
+      "--reduce");
+  const auto says = [&](const char* delta) {
+    return one_line(run(loaded + "--delta" + delta).out);
+  };
+  check_contains(says("0,0.4"),
+                 {" Locked: in 1 of 2 motions the notch holds the mass to the end of the load. Of "
+                  "the rest, 0 stop at x = 0, 1 off centre. "});
+  check_contains(says("0.4,0.41"),
+                 {" Locked: in all 2 motions the notch holds the mass to the end of the load. "});
+  const json counts = run(loaded + "--delta 0,0.4 --json").json();
+  BOOST_TEST(counts["outcomes"]["stopped_at_zero"] == 1);
+  BOOST_TEST(counts["locked_outcomes"]["stopped_at_zero"] == 1);
+  BOOST_TEST(counts["locked_outcomes"]["stopped_in_dead_zone"] == 0);
 }
 
 BOOST_FIXTURE_TEST_CASE(of_a_damper_that_locks_begins_with_that, Sandbox) {
@@ -122,6 +148,12 @@ BOOST_FIXTURE_TEST_CASE(of_a_damper_that_is_locked_throughout_says_so, Sandbox) 
   BOOST_TEST(lines_of(answer.out).at(1) ==
              "  Locked at x = 0 throughout the load; the structure feels up to 0.11 g.");
   BOOST_TEST(run(locked + "--json").json()["response"]["locked_from"] == 0);
+  // A run that is cut, where the load is 0.2 sin 0.2 = 0.0397.
+  BOOST_TEST(lines_of(run("simulate --v0 0.5 --p 1 --f 0.05 --delta 0.2 --hold 0.1 --excitation "
+                          "harmonic --k 0.2 --lambda 0.01 --t-end 20")
+                          .out)
+                 .at(1) ==
+             "  Locked at x = 0 throughout the load; the structure feels up to 0.0397 g.");
 }
 
 /// In the first line and as a warning, like one that locks.
@@ -223,6 +255,7 @@ BOOST_FIXTURE_TEST_CASE(of_a_point_says_what_it_violates, Sandbox) {
   check_contains(
       text, {"  The damper is not admissible. It is held by the notch: delta is 20 % too large",
              "(start). It also violates return."});
+  BOOST_TEST(!contains(text, "violates return and"), text);  // whether it stops is not reached
   check_contains(one_line(run("region --v0 1 --p 1 --beta 0.9 --f 0.3 --delta 1e-6").out),
                  {"It passes x = 0: delta is far too small (stop)."});
   BOOST_TEST(contains(text, "violated"));
@@ -267,6 +300,8 @@ BOOST_FIXTURE_TEST_CASE(of_a_region_says_which_delta_goes_with_some_f, Sandbox) 
   BOOST_TEST(contains(two, "from " + limit_digits(half_square(0.1), true, 6) + " to 0.5"), two);
   const std::string many = answer("--beta 2 --arrivals 9 --f 0.01");
   BOOST_TEST(contains(many, "or in 6 lower ranges is admissible."), many);
+  const std::string four = answer("--beta 2 --arrivals 4 --f 0.01");
+  BOOST_TEST(contains(four, "or in 1 lower range is admissible."), four);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

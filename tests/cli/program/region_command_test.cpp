@@ -154,6 +154,16 @@ BOOST_AUTO_TEST_CASE(says_which_delta_goes_with_every_feasible_f) {
   BOOST_TEST(near(std::stod(found[1]), least, 1e-5));
 }
 
+/// beta = 0.70710679 leaves f from (1/beta - beta)/2 = 0.3535533774 to 1/sqrt(8) = 0.3535533906,
+/// less than six digits tell apart.
+BOOST_AUTO_TEST_CASE(bounds_of_a_narrow_region_can_both_be_met) {
+  const std::string text = run("region --v0 1 --p 1 --beta 0.70710679").out;
+  std::smatch found;
+  BOOST_TEST_REQUIRE(std::regex_search(
+      text, found, std::regex("amplitude +f >= ([0-9.]+)\n +return +f <= ([0-9.]+)\n")));
+  BOOST_TEST(std::stod(found[1]) <= std::stod(found[2]));
+}
+
 BOOST_AUTO_TEST_CASE(text_shows_bounds_and_judgement) {
   const ProgramRun text = succeed(region("--f 0.36 --delta 0.4"));
   check_contains(text.out, {"Admissible region", "0.225", "0.353553", "0.707107", "not admissible",

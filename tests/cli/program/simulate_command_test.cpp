@@ -89,6 +89,16 @@ BOOST_AUTO_TEST_CASE(the_answer_names_zones_and_the_notch_that_was_given) {
   };
   says("--notch-width 0.1", "friction 1.1 for |x| < 0.05\n");
   says("--hold 0.3", "holds a load of up to f + 0.3 g = 0.4 g\n");
+  // In zones x = 0 has the friction of the first: 0.2 + 0.3 = 0.5, and 0.1/(0.9 - 0.2) = 1/7.
+  const Arguments zone("--friction-zones 0.5:0.2");
+  says(zone + "--notch-width 0.1", "adds 1 to the friction for |x| < 0.05\n");
+  says(zone + "--hold 0.3", "holds a load of up to 0.2 g + 0.3 g = 0.5 g\n");
+  const Arguments pulse("simulate --p 1 --f 0.1 --delta 0.1 --excitation half-sine --lambda 1");
+  BOOST_TEST(contains(run(pulse + zone + "--k 0.9").out, "notch wider than 0.142858, "));
+  for (const auto& [k, held] : {std::pair("0.49", true), std::pair("0.51", false)}) {
+    const std::string out = run(pulse + zone + "--hold 0.3 --k" + k).out;
+    BOOST_TEST(contains(out, "throughout the load") == held, out);
+  }
   const ProgramRun zones = run(simulate("0.1", "0", "--friction-zones 0.2:0.3,0.5:0.15"));
   const ProgramRun free = run(simulate("0.1", "0", "--friction-zones 2:0"));
   check_contains(free.out, {"It never stops: there is no friction where it moves."});

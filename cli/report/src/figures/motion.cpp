@@ -104,7 +104,7 @@ std::string words_of_rest(const DrawnMotion& motion, const FigureUnits& units) {
 figures::FigureAxis displacement_axis(const DrawnMotion& motion, const FigureUnits& units) {
   auto [least, most] = extent(motion.states, &State::x);
   if (least == most) {  // it never moves
-    const double shown = motion.beta.value_or(1);
+    const double shown = motion.beta.value_or(motion.surface.notch_width.value_or(1));
     return axis_around(units.x_label, -shown * units.length, shown * units.length);
   }
   if (motion.beta) {

@@ -128,8 +128,8 @@ ReductionReport report_from(const ordered_json& document) {
   if (document.at("outcomes").is_null()) {
     sweep::read_integers(document.at("feasible"), report.state.feasible);
   } else {
-    outcomes_from_json(document.at("outcomes"), report.state);
-    sweep::read_integers(document.at("locked"), report.state.locked);
+    outcomes_from_json(document.at("outcomes"), report.state.outcomes);
+    outcomes_from_json(document.at("locked_outcomes"), report.state.locked_outcomes);
   }
   Reduction& reduction = report.reduction;
   reduction.row = columns_from(document.at("row"));
@@ -147,10 +147,10 @@ ReductionReport report_from(const ordered_json& document) {
 
 void append(ReductionReport& total, const ReductionReport& more) {
   total.state.rows += more.state.rows;
-  total.state.locked += more.state.locked;
   total.state.feasible += more.state.feasible;
   for (std::size_t i = 0; i < sweep::sweep_outcome_count; ++i) {
     total.state.outcomes[i] += more.state.outcomes[i];
+    total.state.locked_outcomes[i] += more.state.locked_outcomes[i];
   }
   add(total.reduction, more.reduction);
 }

@@ -45,6 +45,9 @@ void judge(RegionAnswer& answer, const PulseRequest& request, const PulseRegion&
   const FirstReturn motion = motion_at(region, unit_f);
   answer.constraints = constraints_of(request, {f, delta, 0}, motion, region);
   answer.admissible = std::ranges::all_of(answer.constraints, &Constraint::satisfied);
+  const PulseProblem shown = region.profile()->largest_peak(problem, unit_f);
+  const Oscillator oscillator{shown.p, f, delta};
+  answer.response = forced_response(oscillator, {}, excitation(shown.pulse));
   if (!*answer.admissible) {
     return;
   }
@@ -55,9 +58,6 @@ void judge(RegionAnswer& answer, const PulseRequest& request, const PulseRegion&
   // side.
   constexpr double edge = 1e-12;
   answer.admissible = limits.tolerance <= widest + edge;
-  const PulseProblem shown = region.profile()->largest_peak(problem, unit_f);
-  const Oscillator oscillator{shown.p, f, delta};
-  answer.response = forced_response(oscillator, {}, excitation(shown.pulse));
   answer.practice = practice(oscillator, *answer.response, limits.acceleration_max, SetOff::load);
   answer.worst = worst_of(problem, region, motion);
 }

@@ -136,10 +136,12 @@ std::string summary(const Spectrum& spectrum) {
       });
     };
     const auto raised = count_less(&SpectrumPoint::without, &SpectrumPoint::with_notch);
-    text +=
-        fmt::format("{} the {} at {} of {} periods{}", text.empty() ? ": the notch lowers" : ",",
-                    name, count_less(&SpectrumPoint::with_notch, &SpectrumPoint::without),
-                    points.size(), raised > 0 ? fmt::format(" (raises it at {})", raised) : "");
+    const auto lowered = count_less(&SpectrumPoint::with_notch, &SpectrumPoint::without);
+    const bool everywhere = static_cast<std::size_t>(lowered) == points.size();
+    text += fmt::format(
+        "{} the {} at {}{}", text.empty() ? ": the notch lowers" : ",", name,
+        everywhere ? "every period" : fmt::format("{} of {} periods", lowered, points.size()),
+        raised > 0 ? fmt::format(" (raises it at {})", raised) : "");
   };
   add("residual", [](const SpectrumFigures& one) { return one.residual.value_or(HUGE_VAL); });
   add(spectrum.request.notch_width ? "transmitted acceleration"

@@ -49,7 +49,7 @@ ordered_json to_json(const Checkpoint& checkpoint) {
           {"complete", checkpoint.complete},
           {"digest", state.digest},
           {"outcomes", state.outcomes},
-          {"locked", state.locked},
+          {"locked", state.locked_outcomes},
           {"feasible", state.feasible},
           {"bytes_digest", {state.bytes.words, state.bytes.rest, state.bytes.size}},
           {"task", task_of(checkpoint.task)}};

@@ -75,9 +75,9 @@ struct RegionAnswer : RegionVerdict {
   std::optional<WorksFor> works_for{};  ///< these two if the point itself is admissible
   std::optional<Practice> practice{};
   /// Of the motion, with ranges that of the strongest hit and the softest spring. Empty if it has
-  /// too many half-cycles, and under a pulse if the point is not admissible.
+  /// too many half-cycles.
   std::optional<Response> response{};
-  std::optional<PulseWorst> worst{};  ///< with it, for ranges of a pulse
+  std::optional<PulseWorst> worst{};  ///< for ranges of a pulse, if the point is admissible
 };
 
 }  // namespace stillpoint::design

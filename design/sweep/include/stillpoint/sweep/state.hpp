@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,14 +54,18 @@ struct SweepBlock;
 /// The progress of a sweep.
 struct SweepState {
   std::int64_t rows{0};
-  std::uint64_t digest{0};                                   ///< of the entries of a list so far
-  std::array<std::int64_t, sweep_outcome_count> outcomes{};  ///< how many motions ended this way
-  std::int64_t locked{0};    ///< motions that the notch holds while the load goes on
+  std::uint64_t digest{0};  ///< of the entries of a list so far
+  using Counts = std::array<std::int64_t, sweep_outcome_count>;
+  Counts outcomes{};         ///< how many motions ended this way
+  Counts locked_outcomes{};  ///< how many of them the notch holds while the load goes on
   std::int64_t feasible{0};  ///< of the design problems
   ByteDigest bytes;          ///< of the file of a part so far
 
   /// Adds the results of one more block.
   void add(const SweepBlock& block);
+  [[nodiscard]] std::int64_t locked() const {
+    return std::accumulate(locked_outcomes.begin(), locked_outcomes.end(), std::int64_t{0});
+  }
 };
 
 /// In one line: how many of the motions, or of the design problems, come out well.
