@@ -61,6 +61,8 @@ BOOST_AUTO_TEST_CASE(a_damper_that_must_be_exact_has_no_box) {
   BOOST_TEST(!drawn.inset);
   BOOST_TEST(std::ranges::count(drawn.areas, figures::AreaLook::box, &figures::FigureArea::look) ==
              0);
+  // At Delta2 = 0.5, which is admissible without any tolerance.
+  BOOST_TEST(figure(region(0.9, 0.3, 0.5), "region").caption == drawn.caption);
 }
 
 /// With f <= 0.001 that of the first arrival lies between 0.5 - f and 0.5; without the limit it

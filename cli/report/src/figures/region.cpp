@@ -198,7 +198,7 @@ std::string tolerance_words(const design::BoxShape& shape, double tolerance) {
 
 std::string region_clause(const std::optional<DrawnDamper>& damper, const Region& region,
                           const design::Limits& limits, const FigureUnits& units) {
-  if (damper && damper->tolerance > 0) {
+  if (damper && (damper->admissible || damper->tolerance > 0)) {
     if (!leaves_any(damper->tolerance)) {
       return "f and Δ must be exact: the damper is on the edge of the admissible region";
     }
