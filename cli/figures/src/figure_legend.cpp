@@ -27,6 +27,14 @@ bool is_seen(const std::string& band, const Figure& figure, const Plane& plane) 
   return wide >= narrowest;
 }
 
+/// Whether the inset shows where an area ends.
+bool is_enlarged(const Figure& figure, const FigureArea& area) {
+  return figure.inset && std::ranges::any_of(area.outline, [&](const FigurePoint& at) {
+           return std::abs(figure.inset->x.position(at.x) - 0.5) < 0.5 &&
+                  std::abs(figure.inset->y.position(at.y) - 0.5) < 0.5;
+         });
+}
+
 /// Over the sample of an entry.
 std::string hatching(const MapKey& key) {
   return !key.hatched
@@ -66,7 +74,7 @@ void FigureLegend::add(const Figure& figure, const std::set<std::string>& named)
   }
   const Plane plane{figure.x, figure.y, figure_width, figure.height};
   for (const FigureArea& area : figure.areas) {
-    if (!area.in_legend || !is_seen(figure, area)) {
+    if (!area.in_legend || !(is_seen(figure, area) || is_enlarged(figure, area))) {
       continue;
     }
     const bool box = area.look == AreaLook::box;

@@ -36,7 +36,8 @@ void add_checks(Document& document, const design::CrossCheck& check, std::string
   for (const design::CheckMethod& method : check.methods) {
     table.rows.push_back(
         {{std::string(method_words(method.name)), digits(method.peak_amplitude * units.length),
-          digits(method.stop_time * units.time), format("{:.1e}", method.relative_error),
+          digits(method.stop_time * units.time),
+          method.relative_error == 0 ? "0" : format("{:.1e}", method.relative_error),
           format("{:.1e}", method.tolerance), judgement(method)},
          method.passed ? Tone::good : Tone::bad});
   }
@@ -161,7 +162,7 @@ Document document(const DesignReport& report) {
     if (report.catalogue) {
       const design::RatedPart& best = report.catalogue->parts.front();
       if (best.tolerance) {  // it is admissible but for that
-        document.verdict = format("No admissible design. No part has {}; the best, {}, has {}.",
+        document.verdict = format("No admissible design: no part has {}; the best, {}, has {}.",
                                   tolerance_shown(limits, limits.tolerance), best.part.name,
                                   tolerance_shown(limits, *best.tolerance));
       }

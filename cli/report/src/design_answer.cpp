@@ -204,8 +204,8 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
     answer.row("", format("{} outside it with the stiffest spring", acceleration_shown(stiffest)));
   }
   if (report.built_notch) {
-    answer.row("note",
-               format("what follows is for a notch that {}", ideal_words(*report.built_notch)));
+    answer.row("note", format("what follows is for a notch that {}",
+                              ideal_words(*report.built_notch, finding)));
   }
   constexpr double buildable = 0.01;
   const bool too_exact = leaves_any(tolerance) && tolerance < buildable;

@@ -100,13 +100,15 @@ std::string notch_sentence(const DesignReport& report) {
     return {};
   }
   const ForcedResponse& best = report.example->response;
-  return "no notch width that was tried brings the mass back to x = 0" +
-         (best.stop_position && best.peak_amplitude > *report.example->shape.width / 2
-              ? format(": the best, {}, leaves it {} off centre after a stroke of {}",
-                       length_shown(physical, *report.example->shape.width),
+  const double width = *report.example->shape.width;
+  return "no notch width that was tried brings the mass back to x = 0: " +
+         (best.stop_position && best.peak_amplitude > width / 2
+              ? format("the best, {}, leaves it {} off centre after a stroke of {}",
+                       length_shown(physical, width),
                        length_shown(physical, std::abs(*best.stop_position)),
                        length_shown(physical, best.peak_amplitude))
-              : "");
+              : format("with the best, {}, {}", length_shown(physical, width),
+                       example_fault(*report.example, report)));
 }
 
 std::string example_words(const DesignReport& report, const Physical& physical) {

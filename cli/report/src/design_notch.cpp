@@ -85,12 +85,13 @@ std::string built_notch_fault(const DesignReport& report, const Physical& physic
                             : "";
 }
 
-std::string_view ideal_words(const design::BuiltNotch& built) {
-  return built.shape.width ? "has no width" : "holds any load";
+std::string_view ideal_words(const design::BuiltNotch& built, const design::Finding& finding) {
+  return finding.pulse ? acts_late : built.shape.width ? "has no width" : "holds any load";
 }
 
 std::string with_ideal(const DesignReport& report) {
-  const auto ideal = report.built_notch ? std::optional(ideal_words(*report.built_notch))
+  const auto ideal = report.built_notch
+                         ? std::optional(ideal_words(*report.built_notch, *report.result.finding))
                      : notch_sentence(report).empty() ? std::nullopt
                                                       : std::optional(acts_late);
   return ideal ? format(", with a notch that {}", *ideal) : "";
@@ -108,11 +109,13 @@ void add_built_notch(Document& document, const design::BuiltNotch& built,
   }
   const Response& ideal = finding.response;
   if (built.changes_nothing) {
-    section.line("The mass moves as if the notch held any load: nothing changes.");
+    section.line(format("The mass moves as with a notch that {}: nothing changes.",
+                        ideal_words(built, finding)));
   } else if (ideal.stop_time) {
-    section.row("compare", format("with a notch that {} it rests at x = {} after {}",
-                                  ideal_words(built), length_shown(physical, *ideal.stop_position),
-                                  time_shown(physical, *ideal.stop_time)));
+    section.row("compare",
+                format("with a notch that {} it rests at x = {} after {}",
+                       ideal_words(built, finding), length_shown(physical, *ideal.stop_position),
+                       time_shown(physical, *ideal.stop_time)));
   }
 }
 

@@ -48,8 +48,10 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
 [[nodiscard]] double of_two_digits(const Physical& physical, double length);
 /// From rest under the weakest pulse.
 [[nodiscard]] StartUnderLoad start_under_pulse(const design::DesignResult& result);
-/// What a notch as built is compared with: "has no width", "holds any load".
-[[nodiscard]] std::string_view ideal_words(const design::BuiltNotch& built);
+/// What a notch as built is compared with: "has no width", "holds any load", "acts only after the
+/// start".
+[[nodiscard]] std::string_view ideal_words(const design::BuiltNotch& built,
+                                           const design::Finding& finding);
 /// ", with a notch that has no width" behind what is not of the notch as built; empty without one.
 [[nodiscard]] std::string with_ideal(const DesignReport& report);
 /// How the notch as built compares with the paper's.

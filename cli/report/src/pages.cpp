@@ -50,8 +50,9 @@ DrawnMotion told(const DesignReport& report) {
   request.oscillator.hold = shape.hold;
   request.surface.notch_width = shape.width;
   DrawnMotion motion = drawn(request);
-  add_if_visible(motion, {shape.width ? "notch without width" : "notch that holds any load",
-                          ideal.states, figures::Ink::purple, figures::Dash::dashed});
+  add_if_visible(motion,
+                 {format("notch that {}", ideal_words(*report.built_notch, *report.result.finding)),
+                  ideal.states, figures::Ink::purple, figures::Dash::dashed});
   return motion;
 }
 

@@ -147,12 +147,19 @@ std::string change_words(double change) {
   return change < least ? "less than 0.001 %" : format("{:.2g} %", 100 * change);
 }
 
+/// A zero stays zero, however far a damper is off.
+std::string_view inexact_parts(const design::RecordDesign& result) {
+  const design::SuiteDamper& damper = result.finding->point.damper;
+  return damper.delta == 0 ? "f" : damper.f == 0 ? "delta" : "f and delta";
+}
+
 /// What a damper that is not built exactly may do.
 std::string tolerance_sentence(const design::RecordDesign& result, const Physical& physical) {
   const design::Sensitivity& near = result.finding->sensitivity;
   constexpr double buildable = 0.01;  // no damper is built more accurately
-  return format(" With f and delta off by up to {:.3g} %, {}{}{}.", 100 * near.tolerance,
-                near.worst.settled ? "it reaches " : "", worst_words(result, near.worst, physical),
+  return format(" With {} off by up to {:.3g} %, {}{}{}.", inexact_parts(result),
+                100 * near.tolerance, near.worst.settled ? "it reaches " : "",
+                worst_words(result, near.worst, physical),
                 near.admissible < near.samples ? "; " + samples_words(near) : "") +
          (near.much_worse && near.much_worse->change < buildable
               ? format(" A damper that is off by {} already has {}.",
@@ -218,7 +225,8 @@ void add_answer(Section& answer, const design::RecordDesign& result, const Physi
   }
   if (near.much_worse) {
     answer.row("much worse",
-               format("with f and delta off by {}: {}", change_words(near.much_worse->change),
+               format("with {} off by {}: {}", inexact_parts(result),
+                      change_words(near.much_worse->change),
                       worst_words(result, near.much_worse->figures, physical)),
                Tone::bad);
   }
@@ -242,9 +250,10 @@ void add_damper(Document& document, const RecordDesignReport& report) {
                             end_words(report.result.request.p, damper.p, physical.has_value()));
   add_damper_physics(section, physical, damper.f, damper.delta);
   const design::Sensitivity& near = report.result.finding->sensitivity;
-  section.row("sensitivity", format("f and delta off by up to {:.3g} %, at the four corners and {} "
-                                    "random points: a sample, not a proof",
-                                    100 * near.tolerance, near.samples - 4));
+  section.row("sensitivity",
+              format("{} off by up to {:.3g} %, at the four corners and {} "
+                     "random points: a sample, not a proof",
+                     inexact_parts(report.result), 100 * near.tolerance, near.samples - 4));
 }
 
 void add_shortfalls(Document& document, const RecordDesignReport& report) {

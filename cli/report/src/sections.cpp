@@ -57,7 +57,8 @@ std::string damper_words(const Physical& physical, const std::optional<double>& 
       : weighed ? format("a notch{} that takes {} at a passage", wide, with_unit(*energy, "J"))
                 : format("delta = {}{}{}", length_shown(physical, delta, digits),
                          wide.empty() ? "" : " in a notch", wide);
-  return !f        ? notch + " and as little constant friction as you can"
+  return !f                   ? notch + " and as little constant friction as you can"
+         : weighed && *f == 0 ? "no constant friction and " + notch
          : weighed ? format("a friction force of {} and {}", with_unit(*force, "N"), notch)
                    : format("f = {:.{}g} and {}", *f, digits.value_or(6), notch);
 }

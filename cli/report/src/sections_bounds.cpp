@@ -156,11 +156,8 @@ Section& add_region(Document& document, const design::RegionVerdict& verdict,
   if (pulsed && region.beta_min == 0) {
     section.row("return", "for every f with which it starts");
   } else {
-    add_bound(section, units, "return", "f", "<=", region.f3,
-              !pulsed && region.feasible && *region.f_upper > region.f3
-                  ? "  (the residual allows more)"
-                  : "",
-              shown);
+    add_bound(section, units, problem.residual ? "residual" : "return", "f",
+              "<=", problem.residual ? design::largest_stopping_f(problem) : region.f3, "", shown);
   }
   if (region.f4) {
     add_bound(section, units, "acceleration", "f", "<=", *region.f4,

@@ -55,9 +55,10 @@ std::string by_how_much(const design::Constraint& violated) {
   if (!too_large && off >= next_to_all) {
     return format("{} is far too small", variable);
   }
-  return off <= in_percent_up_to
-             ? format("{} is {:.2g} % too {}", variable, 100 * off, too_large ? "large" : "small")
-             : format("{} is {:.3g} times the limit", variable, value / limit);
+  return off <= in_percent_up_to ? format("{} is {} % too {}", variable,
+                                          off < next_to_all ? format("{:.2g}", 100 * off) : "100",
+                                          too_large ? "large" : "small")
+                                 : format("{} is {:.3g} times the limit", variable, value / limit);
 }
 
 /// What fills the columns of the tolerance, with what stands before and behind it.

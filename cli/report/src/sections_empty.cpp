@@ -82,14 +82,15 @@ const design::Mend& named_mend(const std::vector<design::Mend>& mends) {
   return chosen != mends.end() ? *chosen : mends.front();
 }
 
-/// " No damper has a tolerance of 40 %; the largest is 22.22 %, at f = 0.275, delta = 0.4."
+/// "no damper has a tolerance of 40 %; the best has a tolerance of 22.22 %, at f = 0.275, delta =
+/// 0.4"
 std::string most_tolerant_text(const design::DesignPoint& most, const design::Limits& limits,
                                const Physical& physical) {
   constexpr int many = 8;  // if the usual digits do not distinguish them
   const bool alike =
       tolerance_shown(limits, most.tolerance) == tolerance_shown(limits, limits.tolerance);
   const int shown = alike ? many : usual_digits;
-  return format(" No damper has {}; the best has {}, at f = {:.6g}, delta = {}.",
+  return format("no damper has {}; the best has {}, at f = {:.6g}, delta = {}",
                 tolerance_shown(limits, limits.tolerance, shown),
                 tolerance_shown(limits, most.tolerance, shown), most.f,
                 length_shown(physical, most.delta));
@@ -125,6 +126,7 @@ std::string reason_in_words(const design::RegionVerdict& empty, const ShownTask&
         {"f3 = ", ""},
         {"f4 = ", ""},
         {"delta2 = ", ""},
+        {"p V0 = ", ""},
         {"f_max is", "f may be at most"},
         {"delta_max is", "delta may be at most"},
         {"within delta_max", "with the largest delta allowed"},
@@ -165,11 +167,11 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty, const
   const bool exact = empty.criterion_mend.has_value();
   const auto joint = exact ? std::nullopt : empty.joint_mend;
   const std::vector<design::Mend>& mends = joint ? joint->mends : empty.mends;
-  document.verdict = (empty.most_tolerant
-                          ? "No admissible design." +
-                                most_tolerant_text(*empty.most_tolerant, task.limits, task.physical)
-                          : format("No admissible design: {}.", reason_in_words(empty, task))) +
-                     way_out(empty, task);
+  document.verdict = format(
+      "No admissible design: {}.{}",
+      empty.most_tolerant ? most_tolerant_text(*empty.most_tolerant, task.limits, task.physical)
+                          : reason_in_words(empty, task),
+      way_out(empty, task));
   document.tone = Tone::bad;
   Section& section = document.section("What would make it feasible");
   const std::size_t ways = mends.size() + (exact ? 1 : 0);

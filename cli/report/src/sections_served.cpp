@@ -98,12 +98,13 @@ std::string inside_words(const Physical& physical, const Oscillator& damper, dou
   const auto& [p, f, delta, hold] = damper;
   const double width = example_width(physical, peak);
   const std::string shown = physical ? length_shown(physical, width) : "a fifth of the peak";
+  const std::string wide = physical ? shown + " wide" : "as wide as " + shown;
   constexpr int digits = 3;
   return f + delta / width >= load
              ? format("f + delta/w would hold the mass throughout if w is {}", shown)
-             : format("at most {} g inside one {} wide: f + delta/w + spring",
+             : format("at most {} g inside one {}: f + delta/w + spring",
                       limit_digits(design::notch_acceleration(f, delta, width, p), true, digits),
-                      shown);
+                      wide);
 }
 
 bool can_be_followed(double width, double delta, double p) {

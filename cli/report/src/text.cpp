@@ -71,6 +71,14 @@ class Text {
                                             : std::string(text);
   }
 
+  [[nodiscard]] std::string heading(std::string_view words) const {
+    std::string text;
+    for (const auto line : lines_of(words, page_width)) {
+      text += styled(Tone::heading, line) + "\n";
+    }
+    return text;
+  }
+
   std::string operator()(const Row& row) const {
     std::string text;
     std::string_view label = row.label;
@@ -105,8 +113,9 @@ class Text {
   }
 
   /// Columns as wide as their widest cell, to the right; to the left the first and, unless it has
-  /// only numbers, the last one. A table that is too wide gets its heads in two lines, with only
-  /// the units below if that is enough, and where even that is not, fewer digits of 8.19804e+149.
+  /// only numbers, the last one, whose words continue below. A table that is too wide gets its
+  /// heads in two lines, with only the units below if that is enough, and where even that is not,
+  /// fewer digits of 8.19804e+149, or long names above their rows.
   std::string operator()(Table table) {
     std::vector<std::size_t> cells(table.head.size());
     ends_in_numbers_ = std::ranges::all_of(table.rows, [](const TableRow& row) {
@@ -115,6 +124,15 @@ class Text {
     });
     for (const TableRow& row : table.rows) {
       widen(cells, row.cells);
+    }
+    if (!ends_in_numbers_) {
+      constexpr std::size_t least = 30;
+      std::vector<std::size_t> widths = cells;
+      widths.back() = 0;
+      std::ranges::for_each(heads_of(table.head, HeadBreak::units),
+                            [&](const auto& head) { widen(widths, head); });
+      const std::size_t others = std::min(width(widths, usual_gap), page_width);
+      cells.back() = std::min(cells.back(), std::max(least, page_width - others));
     }
     std::string text;
     for (const HeadBreak breaks : {HeadBreak::none, HeadBreak::units, HeadBreak::words}) {
@@ -128,13 +146,20 @@ class Text {
           return (*this)(table);
         }
         gap = 1;
+        if (width(widths, gap) > page_width) {
+          gap = narrow_gap;
+          widths[0] = std::max(heads.front()[0].size(), heads.back()[0].size());
+        }
       }
       if (breaks == HeadBreak::words || width(widths, gap) <= page_width) {
         for (const std::vector<std::string>& head : heads) {
           const std::string line = aligned({head}, widths, gap);
           text += line == "\n" ? "" : line;
         }
-        for (const TableRow& row : table.rows) {
+        for (TableRow& row : table.rows) {
+          if (row.cells[0].size() > widths[0]) {
+            text += fmt::format("  {}\n", std::exchange(row.cells[0], ""));
+          }
           text += aligned(row, widths, gap);
         }
         break;
@@ -199,9 +224,16 @@ class Text {
       const std::string& cell = row.cells[i];
       const bool last = i + 1 == row.cells.size();
       text += std::string(i == 0 ? 2 : gap, ' ');
-      const std::size_t room = last && !ends_in_numbers_ ? 0 : widths[i];
+      if (last && !ends_in_numbers_) {
+        const std::string below = "\n" + std::string(text.size(), ' ');
+        const auto lines = lines_of(cell, widths[i]);
+        for (const std::string_view& line : lines) {
+          text += (&line == lines.data() ? "" : below) + styled(row.tone, line);
+        }
+        continue;
+      }
       const std::string placed =
-          i == 0 ? fmt::format("{:<{}}", cell, room) : fmt::format("{:>{}}", cell, room);
+          i == 0 ? fmt::format("{:<{}}", cell, widths[i]) : fmt::format("{:>{}}", cell, widths[i]);
       text += last ? styled(row.tone, placed) : placed;
     }
     text.erase(text.find_last_not_of(' ') + 1);
@@ -220,10 +252,7 @@ std::string text(const Document& document, const TextOptions& options) {
   const std::string title = options.title.empty()
                                 ? document.title
                                 : fmt::format("{}: {}", document.title, spelled_out(options.title));
-  std::string text;
-  for (const auto line : lines_of(title, page_width)) {
-    text += rendered.styled(Tone::heading, line) + "\n";
-  }
+  std::string text = rendered.heading(title);
   if (!document.verdict.empty()) {
     text += rendered(Line{document.verdict, document.tone});
   }
@@ -236,7 +265,7 @@ std::string text(const Document& document, const TextOptions& options) {
       more = true;
       continue;
     }
-    text += "\n" + rendered.styled(Tone::heading, section.heading) + "\n" + rendered(section);
+    text += "\n" + rendered.heading(section.heading) + rendered(section);
   }
   if (more) {
     text += "\n" + rendered(Line{"--verbose shows more.", Tone::faint});

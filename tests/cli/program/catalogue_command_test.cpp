@@ -164,8 +164,9 @@ BOOST_AUTO_TEST_CASE(without_a_part_that_fits_ends_with_3_and_says_why_for_each)
   BOOST_TEST(
       near(report["region"]["mends"][0]["value"], report["catalogue"][0]["tolerance"], 1e-14));
   const ProgramRun text = ending(3, design("--catalogue few.csv --tolerance 0.5"));
-  check_contains(text.out, {"No part has a tolerance of 50 %; the best, good, has", "good ",
-                            "fair ", "strong ", "weak "});
+  check_contains(text.out,
+                 {"No admissible design: no part has a tolerance of 50 %; the best, good, has",
+                  "good ", "fair ", "strong ", "weak "});
   // By hand: f3 = 1/sqrt(8).
   write("far.csv", "name,f,delta\nfar,0.8,0.4\n");
   check_contains(run("design --v0 1 --p 1 --beta 0.9 --catalogue far.csv").out,
@@ -277,5 +278,20 @@ BOOST_AUTO_TEST_CASE(of_an_empty_region_is_empty) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+/// With all of the Delta that is allowed; twice that is 100 % too large.
+BOOST_FIXTURE_TEST_CASE(a_part_at_a_limit_under_a_pulse_fits, Sandbox) {
+  const Arguments task("--pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.05 --delta-max 0.001");
+  write("edge.csv", "name,f,delta\nedge,0.01,0.001\ntwice,0.01,0.002\n");
+  const Arguments design = "design" + task + "--catalogue edge.csv";
+  const json best = reported(design)["catalogue"][0];
+  const json alone = reported("region" + task + "--f 0.01 --delta 0.001");
+  BOOST_TEST(best["name"] == "edge");
+  BOOST_TEST(best["admissible"] == true);
+  BOOST_TEST(alone["admissible"] == true);
+  BOOST_TEST(best["tolerance"] == alone["tolerance"]);
+  check_contains(one_line(run(design).out), {" tolerance f and delta must be exact: ", " 0 % fits ",
+                                             " delta is 100 % too large "});
+}
 
 BOOST_AUTO_TEST_SUITE_END()

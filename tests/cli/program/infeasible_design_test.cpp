@@ -34,16 +34,29 @@ BOOST_AUTO_TEST_CASE(says_why_and_what_would_help) {
   // Where beta does not help, what a designer can choose, not the hit.
   BOOST_TEST(
       contains(ending(3, design(0.9, "--delta-max 0.01")).out, "One way out: delta allowed"));
+  BOOST_TEST(contains(one_line(ending(3, design(0.9, "--acceleration-max 0.9")).out),
+                      "even without friction the transmitted acceleration is 1 g, above the limit "
+                      "of 0.9 g."));
   // The period of the softest spring, whose peak is the largest.
   BOOST_TEST(contains(ending(3, "region --velocity 0.4 --period 2:4 --max-displacement 0.15").out,
                       "  highest period    at most "));
+}
+
+BOOST_AUTO_TEST_CASE(the_bounds_agree_with_the_headline_where_a_residual_is_allowed) {
+  const std::string text = one_line(ending(3, design(0.6, "--residual 0.05 --verbose")).out);
+  std::smatch found;
+  const std::regex needs("coming to rest within the residual needs f <= ([0-9.]+)\\. ");
+  BOOST_TEST_REQUIRE(std::regex_search(text, found, needs), text);
+  BOOST_TEST(contains(text, " residual f <= " + found[1].str() + " "), text);
+  BOOST_TEST(!contains(text, " return f <= "), text);
 }
 
 // (f3 - f2)/(f3 + f2) = 22.22 % with f2 = 0.225, f3 = 1/sqrt(8), at their middle.
 BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_beside_a_single_mend) {
   const Arguments too_much = design(0.8, "--tolerance 0.4");
   const std::string what =
-      "No damper has a tolerance of 40 %; the best has a tolerance of 22.21 %, at f = 0.289277, "
+      "No admissible design: no damper has a tolerance of 40 %; the best has a tolerance of 22.21 "
+      "%, at f = 0.289277, "
       "delta = ";
   const std::regex breaks("\\s+|\u00a0");
   const Arguments same = "region" + Arguments(too_much.begin() + 1, too_much.end());

@@ -109,11 +109,20 @@ BOOST_FIXTURE_TEST_CASE(samples_beyond_a_limit_are_in_the_first_lines, Recorded)
   const std::string text = one_line(
       run("design --record a.txt --period 2.8s --search-delta-m 0:0 --max-displacement 10mm").out);
   const std::regex beyond(
-      "With f and delta off by up to 10 %, it reaches [0-9.]+ g, a stroke of [0-9.]+ mm and a "
+      "With f off by up to 10 %, it reaches [0-9.]+ g, a stroke of [0-9.]+ mm and a "
       "residual "
       "of [0-9.]+ mm; "
       "[0-9]+ of 64 samples violate a limit or ");
   BOOST_TEST(std::regex_search(text, beyond), text);
+}
+
+BOOST_FIXTURE_TEST_CASE(no_friction_is_not_off, Recorded) {
+  const std::string text = one_line(
+      run("design --record a.txt --period 2.8s --mass 1t --search-f 0:0 --search-delta-m 1mm:1mm "
+          "--verbose")
+          .out);
+  check_contains(text, {"Build no constant friction and a notch that takes ",
+                        ". With delta off by up to 10 %, it ", " sensitivity delta off by up to "});
 }
 
 /// Half of the dampers near a limit violate it; without a limit all of them serve as well.
@@ -144,7 +153,7 @@ BOOST_FIXTURE_TEST_CASE(a_damper_at_a_cliff_is_red_and_says_how_near_it_is, Reco
       "--search-delta-m 0:0 --html p.html");
   const std::string text = one_line(answer.out);
   check_contains(text, {" A damper that is off by 0.02 % already has 0.4 g, a stroke of ",
-                        " much worse with f and delta off by 0.02 %: 0.4 g, a stroke of "});
+                        " much worse with f off by 0.02 %: 0.4 g, a stroke of "});
   BOOST_TEST(contains(read("p.html"), "answer bad"));
   const std::string firm = run(held + "--record a.txt --objective amplitude").out;
   BOOST_TEST(!contains(firm, "much worse"), firm);

@@ -216,12 +216,12 @@ BOOST_AUTO_TEST_CASE(a_design_is_drawn_with_the_notch_that_will_be_built) {
   const HtmlPage wide = drawn({.width = 0.1}, hit);
   const Figure& motion = figure(wide, "motion");
   BOOST_TEST(named(motion.marks, "rest").points.front().y > 0.01);
-  BOOST_TEST(named(motion.curves, "notch without width").strokes[0].back().y == 0);
+  BOOST_TEST(named(motion.curves, "notch that has no width").strokes[0].back().y == 0);
   BOOST_TEST(has(figure(wide, "phase").areas, "notch"));
   BOOST_TEST(has(figure(wide, "energy").areas, "notch"));
   for (const design::NotchShape& same : {design::NotchShape{.width = 1e-3}, {.hold = 0.1}}) {
     const Figure alike = figure(drawn(same, hit), "motion");
-    BOOST_TEST(!has(alike.curves, "notch without width"));
+    BOOST_TEST(!has(alike.curves, "notch that has no width"));
     BOOST_TEST(!has(alike.curves, "notch that holds any load"));
   }
   design::DesignRequest shaken = hit;
@@ -230,7 +230,7 @@ BOOST_AUTO_TEST_CASE(a_design_is_drawn_with_the_notch_that_will_be_built) {
   const HtmlPage held = drawn({.hold = 1}, shaken);
   BOOST_TEST(figure(held, "pulse").caption == "The mass does not move.");
   BOOST_TEST(has(figure(held, "pulse").bands, "locked throughout"));
-  BOOST_TEST(has(figure(held, "pulse").curves, "notch that holds any load"));
+  BOOST_TEST(has(figure(held, "pulse").curves, "notch that acts only after the start"));
   BOOST_TEST(std::ranges::count(held.figures, "phase", &Figure::id) == 0);
 }
 

@@ -50,6 +50,21 @@ BOOST_AUTO_TEST_CASE(a_tolerance_too_small_to_see_is_enlarged) {
   BOOST_TEST(figure(region(0.9, 0.35355, 0.3), "region").inset.has_value());
 }
 
+/// That of the least peak lies on the edge.
+BOOST_AUTO_TEST_CASE(a_damper_that_must_be_exact_has_no_box) {
+  design::DesignRequest request;
+  request.problem = {.v0 = 1, .p = 1, .beta = 0.9};
+  request.search.objective = design::Objective::amplitude;
+  const Figure drawn = figure(page(DesignReport{design::design(request), {}}), "region");
+  BOOST_TEST(drawn.caption ==
+             "f and Δ must be exact: the damper is on the edge of the admissible region.");
+  BOOST_TEST(!drawn.inset);
+  BOOST_TEST(std::ranges::count(drawn.areas, figures::AreaLook::box, &figures::FigureArea::look) ==
+             0);
+  // At Delta2 = 0.5, which is admissible without any tolerance.
+  BOOST_TEST(figure(region(0.9, 0.3, 0.5), "region").caption == drawn.caption);
+}
+
 /// With f <= 0.001 that of the first arrival lies between 0.5 - f and 0.5; without the limit it
 /// fills the figure.
 BOOST_AUTO_TEST_CASE(a_strip_too_thin_to_see_is_enlarged_and_named) {
@@ -64,7 +79,8 @@ BOOST_AUTO_TEST_CASE(a_strip_too_thin_to_see_is_enlarged_and_named) {
   BOOST_TEST(thin.inset->y.most > 0.5);
   BOOST_TEST(thin.inset->x.least == 0);  // nothing is left of the axis
   BOOST_TEST(thin.inset->x.most > 0.001);
-  BOOST_TEST(has_note(thin, "arrival 1"));
+  BOOST_TEST(contains(svg(thin, figures::Frame::in_page), ">arrival 1</text>"));
+  BOOST_TEST(!has_note(thin, "arrival 1"));  // which would stand in another area
 }
 
 BOOST_AUTO_TEST_CASE(a_point_far_off_does_not_flatten_the_region) {
@@ -206,7 +222,8 @@ BOOST_AUTO_TEST_CASE(a_box_of_no_width_is_seen_and_any_f_has_no_slack) {
   const Figure& region = figure(drawn, "region");
   const auto& box = named(region.areas, "tolerance ±33.33 %").outline;
   BOOST_TEST(region.x.position(box[2].x) - region.x.position(box[0].x) > 0.01);
-  BOOST_TEST(has_note(region, "arrival 1"));  // which is enlarged, not the box
+  BOOST_TEST_REQUIRE(region.inset.has_value());  // of arrival 1, not of the box
+  BOOST_TEST(region.inset->y.least > 0.49);
   BOOST_TEST(std::regex_search(drawn.report, std::regex("amplitude +any f +- +met")), drawn.report);
   BOOST_TEST(contains(drawn.report, "v0 of 0.867 to 1.00, none stronger than asked for"),
              drawn.report);
@@ -368,6 +385,31 @@ BOOST_AUTO_TEST_CASE(a_tolerance_of_each_side_is_drawn_as_it_is) {
     BOOST_TEST(high.x <= drawn.x.most);
     BOOST_TEST(high.y <= drawn.y.most);
   }
+}
+
+/// After half of the hits that leave the notch, it stops the mass at the first return.
+BOOST_AUTO_TEST_CASE(returns_of_a_hit_differ_in_colour) {
+  design::RegionRequest request{
+      .problem = {.v0 = 1, .p = 1, .beta = 1.1, .arrivals = 3}, .f = 0.05, .delta = 0.3};
+  const Figure drawn = figure(page(RegionReport{request, design::answer(request)}), "hits");
+  BOOST_TEST((named(drawn.areas, "centred").ink != named(drawn.areas, "centred on return 2").ink));
+}
+
+/// Of a damper that is much better than what is around it, and of one of many that hold the mass.
+BOOST_AUTO_TEST_CASE(a_damper_unlike_its_cell_of_the_map_is_told_apart) {
+  design::RecordDesignRequest request;
+  request.records = {{"three", Record{{0.4, -0.2, 0}, 1, {}}, 1}};
+  request.f = Interval{0, 0.4};
+  request.delta = Interval{0, 1};
+  const std::string words = "the damper in its middle, and the chosen one is better";
+  RecordDesignReport unlike{design::design(request), {}};
+  unlike.result.nearest.damper = {1, 0.4, 1};
+  const Figure apart = figure(page(unlike), "map");
+  BOOST_TEST(std::ranges::count(apart.map.cells, std::uint8_t{0}) > 0);
+  BOOST_TEST(contains(apart.caption, words), apart.caption);
+  request.objective = design::SuiteObjective::amplitude;
+  const Figure alike = figure(page(RecordDesignReport{design::design(request), {}}), "map");
+  BOOST_TEST(!contains(alike.caption, words), alike.caption);
 }
 
 /// Every hit up to 1: the most tolerant rests within the residual, whatever the arrival.

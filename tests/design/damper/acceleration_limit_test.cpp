@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(no_friction_is_small_enough_where_the_spring_alone_exceeds_
   BOOST_TEST(*region.f4 == -5);
   BOOST_TEST(
       (reason(region, problem, limits)
-           ->find("even without friction p V0, the transmitted acceleration, is 13 g, above the "
+           ->find("even without friction the transmitted acceleration is p V0 = 13 g, above the "
                   "limit of 12 g") != std::string::npos));
   BOOST_TEST(!constraints(problem, limits, 0, 50).back().satisfied);
   BOOST_TEST(!largest_tolerance(problem, limits, 1, 80));

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -47,6 +48,14 @@ const Look& look_of(HitEnd end) {
        {too_far, "too far", Ink::orange, AreaLook::hatched, "go too far"},
        {never_stops, "never stops", Ink::purple, AreaLook::hatched, "never stop"}});
   return *std::ranges::find(looks, end, &Look::end);
+}
+
+/// Neighbours of different returns differ.
+Ink ink_of(const design::Hits& now) {
+  constexpr std::array centred{Ink::sky, Ink::green, Ink::purple};
+  return now.end == HitEnd::centred ? centred.at(static_cast<std::size_t>(
+                                          std::fmod(now.arrivals.value_or(1) - 1, centred.size())))
+                                    : look_of(now.end).ink;
 }
 
 /// "off centre with some spring", "centred on return 2"
@@ -181,12 +190,11 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
   }
   figure.description = "Ends of the motion by the velocity of the hit:";
   for (const design::Hits& now : hits) {
-    const Look& look = look_of(now.end);
     const bool seen = now.to - now.from >= narrowest * hits.back().to;
     figure.areas.push_back({.name = seen ? named(now) : "",
                             .outline = strip(now.from * unit, now.to * unit, 0, 1),
-                            .ink = look.ink,
-                            .look = look.look,
+                            .ink = ink_of(now),
+                            .look = look_of(now.end).look,
                             .again = true});
     figure.description +=
         fmt::format("{} {} from {} to {}", &now == hits.data() ? "" : ",", named(now),

@@ -138,6 +138,17 @@ void add_shades(figures::FigureMap& drawn, const ShownValues& shown,
   }
 }
 
+/// Of the cell that the damper lies in.
+std::uint8_t shade_at(const Figure& drawn, const figures::FigurePoint& place) {
+  const auto cell = [](double position, std::int64_t count) {
+    return std::clamp(static_cast<std::int64_t>(position * static_cast<double>(count)),
+                      std::int64_t{0}, count - 1);
+  };
+  const std::int64_t row = cell(drawn.y.position(place.y), drawn.map.rows);
+  const std::int64_t column = cell(drawn.x.position(place.x), drawn.map.columns);
+  return drawn.map.cells[static_cast<std::size_t>(row * drawn.map.columns + column)];
+}
+
 /// Whether there are any.
 bool add_faults(figures::FigureMap& drawn) {
   bool any = false;
@@ -196,8 +207,9 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
                   : any_fails ? "What is not hatched meets every limit, the darker the better"
                               : "The darker, the better";
   constexpr std::uint8_t best_shade = 0;
-  if (result.finding && std::ranges::count(drawn.map.cells, best_shade) == 0) {
-    drawn.caption += "; the optimum is narrower than a cell";
+  if (result.finding && shade_at(drawn, place) != best_shade) {
+    drawn.caption +=
+        "; a cell has the shade of the damper in its middle, and the chosen one is better";
   }
   drawn.caption += beyond_words(result.request, task, units) + ".";
   return drawn;

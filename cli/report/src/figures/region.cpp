@@ -100,8 +100,9 @@ void add_box_inset(Figure& figure, const std::vector<FigurePoint>& box) {
   }
 }
 
-/// Of a strip too thin to see, where it is thickest. Its name stands beside it.
-void add_strip_inset(Figure& figure, const FigureArea& strip) {
+/// Of a strip too thin to see, where it is thickest. The legend names it.
+void add_strip_inset(Figure& figure, FigureArea& strip) {
+  strip.in_legend = true;
   const std::vector<FigurePoint>& outline = strip.outline;
   const std::size_t last = outline.size() - 1;  // the upper edge comes back above the lower one
   std::size_t thickest = 0;
@@ -119,7 +120,6 @@ void add_strip_inset(Figure& figure, const FigureArea& strip) {
     }
   }
   add_inset(figure, low, high);
-  figure.notes.push_back({strip.name, {(low.x + high.x) / 2, (low.y + high.y) / 2}});
 }
 
 void add_edge(Figure& figure, std::string name, FigurePoint from, FigurePoint to) {
@@ -198,7 +198,10 @@ std::string tolerance_words(const design::BoxShape& shape, double tolerance) {
 
 std::string region_clause(const std::optional<DrawnDamper>& damper, const Region& region,
                           const design::Limits& limits, const FigureUnits& units) {
-  if (damper && damper->tolerance > 0) {
+  if (damper && (damper->admissible || damper->tolerance > 0)) {
+    if (!leaves_any(damper->tolerance)) {
+      return "f and Δ must be exact: the damper is on the edge of the admissible region";
+    }
     const std::string delta = "Δ = " + units.length_words(damper->delta);
     return begins_at_nothing(damper->f, region.f_upper.value_or(0))
                ? format("The box shows how far {} may be off", delta)
@@ -234,7 +237,7 @@ void add_damper(Figure& figure, const DrawnDamper& damper, const design::BoxShap
   const std::string values =
       format("f = {:.4g}, Δ = {}", damper.f, units.length_words(damper.delta));
   figure.description += damper.name + " at " + values;
-  if (damper.tolerance > 0) {
+  if (leaves_any(damper.tolerance)) {
     const std::string words = tolerance_words(shape, damper.tolerance);
     auto box = tolerance_box(damper, shape, units.length);
     add_box_inset(figure, box);

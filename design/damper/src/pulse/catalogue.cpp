@@ -29,14 +29,15 @@ struct TriedPart {
   bool stops{false};
 };
 
-/// Kept away from the limits like the edges of the region, so that whatever fits has a tolerance.
+/// The figures of a motion are kept away from their limits like the edges of the region.
 constexpr double within_limits = 1 - 2e-13;
 
 /// The part with its box, for another beta or other limits than those asked for.
 bool part_fits(const TriedPart& now, double beta, const Limits& limits) {
   bool kept = now.returns && now.stops && now.peak <= beta * within_limits;
   for (std::size_t i = 0; i < limit_table.size(); ++i) {
-    kept = kept && now.limited[i] <= limit_or_infinity(limit_table[i], limits) * within_limits;
+    kept = kept && now.limited[i] <= limit_or_infinity(limit_table[i], limits) *
+                                         (limit_table[i].figure ? within_limits : 1);
   }
   return kept;
 }
@@ -69,12 +70,15 @@ TriedPart tried(const PulseRequest& request, const PulseRegion& region, const Pa
                                        : part.delta * (1 + limits.shape.delta_high * tolerance);
     }
   }
-  now.rated.admissible = now.rated.tolerance && part_fits(now, problem.beta, limits);
   if (!now.rated.tolerance) {
     now.rated.violated =
         constraints_of(request, {part.f, part.delta, 0}, motion_at(region, unit_f), region);
     std::erase_if(now.rated.violated, [](const Constraint& row) { return row.satisfied; });
+    if (now.rated.violated.empty()) {  // it is on an edge
+      now.rated.tolerance = 0;
+    }
   }
+  now.rated.admissible = now.rated.tolerance && part_fits(now, problem.beta, limits);
   return now;
 }
 

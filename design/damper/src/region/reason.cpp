@@ -15,9 +15,9 @@ namespace {
 /// The requirement that no damper meets.
 std::string no_way(const Problem& problem, const std::string& box) {
   const std::string_view every = problem.v0_low && problem.p_high
-                                     ? ", for every hit and spring of the ranges"
-                                 : problem.v0_low ? ", for every hit of the range"
-                                 : problem.p_high ? ", for every spring of the range"
+                                     ? " for every hit and spring of the ranges"
+                                 : problem.v0_low ? " for every hit of the range"
+                                 : problem.p_high ? " for every spring of the range"
                                                   : "";
   return fmt::format(
       "no damper {} within {} half-cycle{}{}{}",
@@ -66,8 +66,8 @@ std::string too_much_friction(const Region& region, double most, const std::stri
 std::string limit_alone(const LimitKind& kind, const Problem& problem, double limit) {
   const auto& figure = kind.figure.value();
   const auto [least, most] = told_apart(figure.least(problem), limit);
-  return fmt::format("even without friction {}, the {}, is {}{}, above the limit of {}{}",
-                     figure.least_name, kind.quantity, least, kind.unit, most, kind.unit);
+  return fmt::format("even without friction the {} is {} = {}{}, above the limit of {}{}",
+                     kind.quantity, figure.least_name, least, kind.unit, most, kind.unit);
 }
 
 std::string amplitude_against(const LimitKind& kind, const Region& region, const Problem& problem,
