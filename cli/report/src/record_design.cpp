@@ -218,10 +218,8 @@ void add_answer(Section& answer, const design::RecordDesign& result, const Physi
   add_notch(answer, result, physical);
   const design::Sensitivity& near = result.finding->sensitivity;
   if (near.tolerance > 0) {
-    answer.row(
-        "tolerance",
-        format("at worst {}; {}", worst_words(result, near.worst, physical), samples_words(near)),
-        near.admissible < near.samples || is_delicate(result) ? Tone::bad : Tone::plain);
+    answer.row("tolerance", samples_words(near),
+               near.admissible < near.samples || is_delicate(result) ? Tone::bad : Tone::plain);
   }
   if (near.much_worse) {
     answer.row("much worse",
