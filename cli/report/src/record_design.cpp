@@ -103,69 +103,11 @@ std::string_view felt_where(const design::RecordDesign& result) {
                                                 : " between passages";
 }
 
-bool is_mean(const design::RecordDesignRequest& task) {
-  return task.combine.value() == design::Combine::mean && task.records.size() > 1;
-}
-
 /// The mean hides that one record may be far beyond the limits.
 std::string worst_of_mean(const design::RecordDesign& result, const Physical& physical) {
   const std::size_t worst = worst_record(result);
   return format(" The worst of them, {}: {}.", record_label(result.request.records[worst]),
                 figures_words(design::suite_figures(result.finding->responses[worst]), physical));
-}
-
-std::string samples_words(const design::Sensitivity& near) {
-  return near.admissible == near.samples
-             ? format("{0} of {0} samples within +-{1:.3g} % meet the limits", near.samples,
-                      100 * near.tolerance)
-             : format("{} of {} samples violate{} a limit or may stop elsewhere",
-                      near.samples - near.admissible, near.samples,
-                      near.samples - near.admissible == 1 ? "s" : "");
-}
-
-/// Within the tolerance, more than a quarter of the dampers fail, or one is much worse.
-bool is_delicate(const design::RecordDesign& result) {
-  const design::Sensitivity& near = result.finding->sensitivity;
-  return 4 * near.admissible < 3 * near.samples || near.much_worse ||
-         is_much_worse(near.worst, result.finding->point.figures, result.request);
-}
-
-/// "0.1991 g, a stroke of 307.18 mm and a residual of 35.709 mm"
-std::string worst_words(const design::RecordDesign& result, const design::SuiteFigures& worst,
-                        const Physical& physical) {
-  return worst.settled
-             ? format("{}{}, a stroke of {} and a residual of {}",
-                      is_mean(result.request) ? "a mean of " : "",
-                      acceleration_shown(worst.acceleration), length_shown(physical, worst.peak),
-                      length_shown(physical, worst.residual))
-             : "no rest within 10 000 half-cycles";
-}
-
-/// "0.0049 %"
-std::string change_words(double change) {
-  constexpr double least = 1e-5;
-  return change < least ? "less than 0.001 %" : format("{:.2g} %", 100 * change);
-}
-
-/// A zero stays zero, however far a damper is off.
-std::string_view inexact_parts(const design::RecordDesign& result) {
-  const design::SuiteDamper& damper = result.finding->point.damper;
-  return damper.delta == 0 ? "f" : damper.f == 0 ? "delta" : "f and delta";
-}
-
-/// What a damper that is not built exactly may do.
-std::string tolerance_sentence(const design::RecordDesign& result, const Physical& physical) {
-  const design::Sensitivity& near = result.finding->sensitivity;
-  constexpr double buildable = 0.01;  // no damper is built more accurately
-  return format(" With {} off by up to {:.3g} %, {}{}{}.", inexact_parts(result),
-                100 * near.tolerance, near.worst.settled ? "it reaches " : "",
-                worst_words(result, near.worst, physical),
-                near.admissible < near.samples ? "; " + samples_words(near) : "") +
-         (near.much_worse && near.much_worse->change < buildable
-              ? format(" A damper that is off by {} already has {}.",
-                       change_words(near.much_worse->change),
-                       worst_words(result, near.much_worse->figures, physical))
-              : "");
 }
 
 std::string verdict(const RecordDesignReport& report) {
@@ -184,28 +126,10 @@ std::string verdict(const RecordDesignReport& report) {
                 design::suite_words(*result.request.combine, result.request.records.size()),
                 figures_words(figures, physical, felt_where(result))) +
          (is_mean(result.request) ? worst_of_mean(result, physical) : "") +
-         locked_sentence(result) +
-         (result.finding->sensitivity.tolerance > 0 ? tolerance_sentence(result, physical) : "") +
+         locked_sentence(result) + tolerance_sentence(result, physical) +
          example_sentence(result, physical) +
          (result.finding->check.passed ? ""
                                        : " But the check DISAGREES: do not rely on this design.");
-}
-
-/// The motion that came closest to another outcome.
-void add_margin(Section& answer, const design::RecordDesign& result) {
-  const std::vector<ForcedResponse>& all = result.finding->responses;
-  const auto margin = [](const ForcedResponse& response) {
-    return response.decision_margin.value_or(HUGE_VAL);
-  };
-  const auto nearest = std::ranges::min_element(all, {}, margin);
-  if (nearest->decision_margin) {
-    const auto index = static_cast<std::size_t>(nearest - all.begin());
-    answer.row(
-        "decision margin",
-        format("{:.2g} %{}: {}", 100 * *nearest->decision_margin,
-               all.size() == 1 ? "" : ", under " + record_label(result.request.records[index]),
-               closest_decision()));
-  }
 }
 
 void add_answer(Section& answer, const design::RecordDesign& result, const Physical& physical) {
@@ -216,19 +140,7 @@ void add_answer(Section& answer, const design::RecordDesign& result, const Physi
              Tone::heading);
   add_rest(answer, result);
   add_notch(answer, result, physical);
-  const design::Sensitivity& near = result.finding->sensitivity;
-  if (near.tolerance > 0) {
-    answer.row("tolerance", samples_words(near),
-               near.admissible < near.samples || is_delicate(result) ? Tone::bad : Tone::plain);
-  }
-  if (near.much_worse) {
-    answer.row("much worse",
-               format("with {} off by {}: {}", inexact_parts(result),
-                      change_words(near.much_worse->change),
-                      worst_words(result, near.much_worse->figures, physical)),
-               Tone::bad);
-  }
-  add_margin(answer, result);
+  add_tolerance(answer, result, physical);
   const design::SuiteCheck& check = result.finding->check;
   answer.row("check",
              check.passed

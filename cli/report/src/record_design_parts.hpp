@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace stillpoint::report {
 
@@ -36,6 +37,19 @@ void add_rest(Section& answer, const design::RecordDesign& result);
 void add_records(Document& document, const design::RecordDesign& result, const Physical& physical);
 /// Which records lock the mass; empty if none.
 [[nodiscard]] std::string lock_words(const design::RecordDesign& result);
+
+/// Whether its figures are means of several records.
+[[nodiscard]] bool is_mean(const design::RecordDesignRequest& task);
+
+/// "f and delta", or the one that can be off: a zero stays zero.
+[[nodiscard]] std::string_view inexact_parts(const design::RecordDesign& result);
+/// Within the tolerance, more than a quarter of the dampers fail, or one is much worse.
+[[nodiscard]] bool is_delicate(const design::RecordDesign& result);
+/// What a damper that is not built exactly may do; empty without a tolerance.
+[[nodiscard]] std::string tolerance_sentence(const design::RecordDesign& result,
+                                             const Physical& physical);
+/// The samples, the nearest damper that is much worse, and the decision margin.
+void add_tolerance(Section& answer, const design::RecordDesign& result, const Physical& physical);
 
 /// Of a design: as many as it was rounded to, or almost every digit that it has.
 inline constexpr int printed_digits = 12;
