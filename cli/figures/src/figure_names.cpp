@@ -20,6 +20,10 @@ Box box_around(const FigurePoint& centre, double width, double height) {
   return {centre.x - width / 2, centre.y - height / 2, centre.x + width / 2, centre.y + height / 2};
 }
 
+FigurePoint nearest_of(const Box& box, const FigurePoint& at) {
+  return {std::clamp(at.x, box.left, box.right), std::clamp(at.y, box.top, box.bottom)};
+}
+
 /// Whether the line through a and b separates two points.
 bool is_between(const FigurePoint& a, const FigurePoint& b, const FigurePoint& one,
                 const FigurePoint& other) {
@@ -181,9 +185,10 @@ class Places {
            box.bottom <= plane_.height - edge && taken_.set_in(box) == 0;
   }
 
-  void put(const std::string& text, const FigurePoint& centre, bool upright) {
+  void put(const std::string& text, const FigurePoint& centre, bool upright,
+           std::vector<FigurePoint> leader = {}) {
     const double width = text_width(text);
-    found_.words.push_back({text, centre, upright});
+    found_.words.push_back({text, centre, upright, std::move(leader)});
     found_.named.insert(text);
     taken_.set(upright ? box_around(centre, text_height, width)
                        : box_around(centre, width, text_height));
@@ -194,8 +199,7 @@ class Places {
   /// Whether a line lies between a point and its words, however close to the point.
   [[nodiscard]] static bool is_beyond(const Lines& lines, const FigurePoint& point,
                                       const Box& words) {
-    const FigurePoint nearest{std::clamp(point.x, words.left, words.right),
-                              std::clamp(point.y, words.top, words.bottom)};
+    const FigurePoint nearest = nearest_of(words, point);
     return std::ranges::any_of(lines, [&](const std::vector<FigurePoint>& line) {
       return std::ranges::adjacent_find(line, [&](const FigurePoint& a, const FigurePoint& b) {
                return is_between(a, b, point, nearest) && is_between(point, nearest, a, b);
@@ -207,15 +211,15 @@ class Places {
   /// and on its side of a limit, which words beyond it would call exceeded, or of another motion.
   void near(const std::string& text, const std::vector<FigurePoint>& points) {
     constexpr double clear = 2;        // pixels above and below
-    constexpr double farther = 0.3;    // of a cell covered, a pixel
-    constexpr double covering = 12;    // cells: 40 pixels away rather than on a line
+    constexpr double farther = 0.15;   // of a cell covered, a pixel
+    constexpr double covering = 12;    // cells: 80 pixels away rather than on a line
     constexpr double misleading = 60;  // cells: rather on a line than beyond a limit
     constexpr double strange = 10;  // cells: rather beyond a motion to compare with than on a line
     const double width = text_width(text);
     Best best;
-    for (double gap = 7; gap < 60; gap += 4) {
+    for (double gap = 7; gap < 70; gap += 4) {
       for (const FigurePoint& point : points) {
-        for (const double right : {1.0, 0.0, -1.0, 0.5, -0.5}) {
+        for (const double right : {1.0, 0.0, -1.0, 0.5, -0.5, 0.25, -0.25}) {
           for (const double down : {-1, 1, 0}) {
             const FigurePoint centre{point.x + right * (width / 2 + gap),
                                      point.y + down * (text_height / 2 + gap)};
@@ -232,8 +236,21 @@ class Places {
       }
     }
     if (best) {
-      put(text, best.at, false);
+      put(text, best.at, false, leader(points, box_around(best.at, width, text_height)));
     }
+  }
+
+  /// From words to the nearest of their points, unless they are close to it.
+  [[nodiscard]] static std::vector<FigurePoint> leader(const std::vector<FigurePoint>& points,
+                                                       const Box& words) {
+    constexpr double close = 18;  // pixels: a mark lies between
+    const auto apart = [&](const FigurePoint& point) {
+      const FigurePoint nearest = nearest_of(words, point);
+      return std::hypot(nearest.x - point.x, nearest.y - point.y);
+    };
+    const FigurePoint point = *std::ranges::min_element(points, {}, apart);
+    return apart(point) > close ? std::vector{nearest_of(words, point), point}
+                                : std::vector<FigurePoint>{};
   }
 
   /// Within the set cells, as far from their edge and from lines as may be, and at least so many

@@ -17,6 +17,7 @@ struct PlacedName {
   std::string text;
   FigurePoint centre;  ///< in pixels of the plot
   bool upright{false};
+  std::vector<FigurePoint> leader{};  ///< a line to the point, from words that are not close to it
 };
 
 struct NamesInPlace {

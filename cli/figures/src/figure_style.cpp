@@ -23,6 +23,7 @@ std::string_view figure_style() noexcept {
 .figure .box{fill:currentColor;fill-opacity:.35;stroke:currentColor;stroke-width:1.8;vector-effect:non-scaling-stroke}
 .figure .hatch{stroke:currentColor;stroke-width:1;fill:none;stroke-opacity:.8}
 .figure .over{stroke:#222;stroke-width:1;stroke-opacity:.6;fill:none}.figure .over.light{stroke:#fff}
+.figure .leader{stroke:#777;stroke-width:.8;vector-effect:non-scaling-stroke}
 .figure .lens{fill:none;stroke:#777;stroke-dasharray:3 2}
 .figure .band{fill:currentColor;fill-opacity:.25}
 .figure .disc{fill:currentColor;stroke:#fff;stroke-width:.8}

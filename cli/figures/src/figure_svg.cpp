@@ -152,7 +152,11 @@ class Drawing {
 
   void words() {
     const std::string_view look = figure_.map.cells.empty() ? "note" : "note on-map";
-    for (const auto& [text, centre, upright] : names_.words) {
+    for (const auto& [text, centre, upright, leader] : names_.words) {
+      if (!leader.empty()) {
+        add("<path class=\"leader\" d=\"M{:.2f} {:.2f}L{:.2f} {:.2f}\"/>\n", leader[0].x,
+            leader[0].y, leader[1].x, leader[1].y);
+      }
       add("<g class=\"pin\" transform=\"translate({:.2f} {:.2f})\"><text class=\"{}\" "
           "text-anchor=\"middle\" dy=\"4.5\"{}>{}</text></g>\n",
           centre.x, centre.y, look, upright ? " transform=\"rotate(-90)\"" : "", escaped(text));

@@ -220,6 +220,25 @@ BOOST_AUTO_TEST_CASE(words_keep_clear_of_lines_and_on_their_side_of_a_limit) {
   BOOST_TEST(placed(figure, "peak 0.5").centre.y < 150);
 }
 
+/// Lines 12 pixels above and 12 below the mark leave no room of 16 between them, and words need two
+/// more on either side.
+BOOST_AUTO_TEST_CASE(a_line_leads_to_the_point_of_words_that_are_not_close_to_it) {
+  Figure figure;
+  figure.x = {"x", 0, 10};
+  figure.y = {"y", 0, 10};
+  figure.notes = {{"peak", {5, 5}}};
+  BOOST_TEST(placed(figure, "peak").leader.empty());
+  figure.curves = {{.name = "", .strokes = {{{0, 5.4}, {10, 5.4}}}},
+                   {.name = "", .strokes = {{{0, 4.6}, {10, 4.6}}}},
+                   {.name = "", .strokes = {{{0, 5}, {10, 5}}}}};
+  const PlacedName away = placed(figure, "peak");
+  BOOST_TEST_REQUIRE(away.leader.size() == 2U);
+  BOOST_TEST(std::abs(away.leader[0].y - away.centre.y) == 8);  // the edge of the words
+  BOOST_TEST(away.leader[1].x == 200);
+  BOOST_TEST(away.leader[1].y == 150);
+  BOOST_TEST(contains(svg(figure, Frame::in_page), "class=\"leader\""));
+}
+
 BOOST_AUTO_TEST_CASE(a_band_is_named_where_no_other_lies_on_it) {
   Figure figure;
   figure.x = {"x", 0, 10};
