@@ -334,6 +334,28 @@ BOOST_AUTO_TEST_CASE(the_hits_are_told_with_the_digits_that_tell_them_apart) {
   BOOST_TEST(contains(caption, "1.0000"), caption);
 }
 
+/// Of 2 V0 the hits that it works for are 1e-4 wide, or 0.11 m/s of 0.8.
+BOOST_AUTO_TEST_CASE(hits_too_few_to_see_are_enlarged) {
+  design::DesignRequest request;
+  request.problem = {.v0 = 1, .p = 1, .beta = 0.7072};
+  const Figure drawn = figure(page(DesignReport{design::design(request), {}}), "hits");
+  BOOST_TEST_REQUIRE(drawn.inset.has_value());
+  BOOST_TEST(drawn.inset->x.least < 0.9999);
+  BOOST_TEST(drawn.inset->x.least > 0.999);
+  BOOST_TEST(drawn.inset->x.most > 1);
+  BOOST_TEST(!figure(isolator(), "hits").inset.has_value());
+}
+
+/// The largest V0 that the program takes is 1e150.
+BOOST_AUTO_TEST_CASE(hits_that_are_not_computed_are_shown_as_such) {
+  design::DesignRequest request;
+  request.problem = {.v0 = 1e150, .p = 1, .beta = 0.9e150};
+  const Figure drawn = figure(page(DesignReport{design::design(request), {}}), "hits");
+  BOOST_TEST(drawn.x.most == 2e150);
+  BOOST_TEST(named(drawn.areas, "not computed").outline[0].x == 1e150);
+  BOOST_TEST(!has(figure(isolator(), "hits").areas, "not computed"));
+}
+
 /// The peak is 11 mm below the limit, and so are its words, though there is more room above.
 BOOST_AUTO_TEST_CASE(the_peak_is_named_on_its_side_of_the_limit) {
   design::DesignRequest request;
@@ -466,8 +488,11 @@ BOOST_AUTO_TEST_CASE(the_caption_says_what_a_clear_area_and_a_strip_mean) {
   BOOST_TEST(caption({.v0 = 1, .p = 1, .beta = 0.95, .arrivals = 4}) ==
              "A damper in the area without hatching is admissible; "
              "in each strip the mass stops at x = 0 at that arrival.");
-  BOOST_TEST(contains(caption({.v0 = 1, .p = 1, .beta = 0.95, .residual = 0.05}),
-                      "; in each strip the mass rests within the residual at that arrival."));
+  const std::string strips = "; in each strip the mass rests within the residual at that arrival.";
+  BOOST_TEST(
+      contains(caption({.v0 = 1, .p = 1, .beta = 0.95, .arrivals = 2, .residual = 0.05}), strips));
+  // Rests in the dead zone too: f up to the residual p^2 = 0.3 is an area of its own.
+  BOOST_TEST(contains(caption({.v0 = 1, .p = 1, .beta = 0.95, .residual = 0.3}), strips));
   const design::RegionRequest only{
       .problem = {
           .v0 = 1.1, .p = 1, .beta = 0.95, .criterion = design::Criterion::exact, .v0_low = 0.9}};
@@ -475,6 +500,15 @@ BOOST_AUTO_TEST_CASE(the_caption_says_what_a_clear_area_and_a_strip_mean) {
   BOOST_TEST((named(one.areas, "admissible").ink == figures::Ink::sky));
   BOOST_TEST(one.caption ==
              "A damper in the area without hatching is admissible with every hit of the range.");
+}
+
+/// With f >= 0.0513 for the peak, no rest in the dead zone is within 0.05.
+BOOST_AUTO_TEST_CASE(an_only_area_within_a_residual_is_called_admissible) {
+  const design::RegionRequest request{.problem = {.v0 = 1, .p = 1, .beta = 0.95, .residual = 0.05}};
+  const Figure drawn = figure(page(RegionReport{request, design::answer(request)}), "region");
+  BOOST_TEST(has(drawn.areas, "admissible"));
+  BOOST_TEST(!has(drawn.areas, "arrival 1"));
+  BOOST_TEST(drawn.caption == "A damper in the area without hatching is admissible.");
 }
 
 /// m V0^2/2 = 100 t (0.4 m/s)^2/2 = 8 kJ.

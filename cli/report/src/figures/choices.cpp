@@ -93,7 +93,7 @@ std::vector<Figure> trade_off_figures(const std::vector<design::TradeOff>& front
   tolerance.caption =
       "Each point is the most tolerant damper with that stroke: no damper is better in one of the "
       "three without being worse in another; inside a notch of width w the acceleration is f + "
-      "Δ/w.";
+      "Δ/w + spring.";
   acceleration.description = format(
       "The least transmitted acceleration for each stroke, from {} at {:.4g} g to {} at "
       "{:.4g} g. The design has {} at {:.4g} g.",

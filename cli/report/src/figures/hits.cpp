@@ -172,15 +172,17 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
   figure.title = problem.p_high ? "Where the mass stops with the worst spring"
                                 : "Where the mass stops after a hit";
   figure.height = 150;
+  const double known = hits.back().to * unit;
   figure.x = {units.velocity_unit.empty() ? "velocity of the hit, V₀"
                                           : "velocity of the hit V₀, " + units.velocity_unit,
-              0, hits.back().to * unit};
+              0, 2 * problem.v0 * unit};
   if (works_for) {  // the first to be named
     const auto& [low, high] = works_for->v0;
     const std::string range =
         interval_text({low * unit, *high * unit}) + with_blank(units.velocity_unit);
-    figure.areas.push_back({"works for " + range, strip(low * unit, *high * unit, 0.05, 0.3),
-                            Ink::blue, AreaLook::box});
+    auto box = strip(low * unit, *high * unit, 0.05, 0.3);
+    add_box_inset(figure, box);
+    figure.areas.push_back({"works for " + range, std::move(box), Ink::blue, AreaLook::box});
     figure.caption =
         fmt::format("The damper works for hits of {}{}.", range,
                     other_hits(works_for->v0, hits, felt ? limits.acceleration_max : std::nullopt,
@@ -199,6 +201,10 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
     figure.description +=
         fmt::format("{} {} from {} to {}", &now == hits.data() ? "" : ",", named(now),
                     units.velocity_words(now.from), units.velocity_words(now.to));
+  }
+  if (known < figure.x.most) {  // beyond what the program takes
+    figure.areas.push_back(
+        {"not computed", strip(known, figure.x.most, 0, 1), Ink::purple, AreaLook::hatched});
   }
   if (felt) {
     figure.areas.push_back({fmt::format("above {:.4g} g", *limits.acceleration_max),

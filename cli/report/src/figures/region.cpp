@@ -89,17 +89,6 @@ void add_inset(Figure& figure, const FigurePoint& low, const FigurePoint& high) 
   }
 }
 
-/// If the box is too small to see, unless it is one of next to no f.
-void add_box_inset(Figure& figure, const std::vector<FigurePoint>& box) {
-  constexpr double visible = 0.05;          // of the plot
-  constexpr double next_to_nothing = 1e-6;  // of the axis
-  const bool small = box[2].x - box[0].x < visible * (figure.x.most - figure.x.least) ||
-                     box[2].y - box[0].y < visible * (figure.y.most - figure.y.least);
-  if (small && box[2].x > next_to_nothing * figure.x.most) {
-    add_inset(figure, box[0], box[2]);
-  }
-}
-
 /// Of a strip too thin to see, where it is thickest. The legend names it.
 void add_strip_inset(Figure& figure, FigureArea& strip) {
   strip.in_legend = true;
@@ -131,12 +120,12 @@ void add_edge(Figure& figure, std::string name, FigurePoint from, FigurePoint to
 }
 
 /// The strips of later arrivals lie below those of earlier ones.
-std::string caption_of(const DrawnRegion& drawn, const FigureUnits& units) {
+std::string caption_of(const DrawnRegion& drawn, std::size_t areas, const FigureUnits& units) {
   const Problem& problem = drawn.problem;
   const std::string_view strips =
-      is_one_strip(problem) ? ""
-      : problem.residual    ? "; in each strip the mass rests within the residual at that arrival"
-                            : "; in each strip the mass stops at x = 0 at that arrival";
+      is_one_area(problem, areas) ? ""
+      : problem.residual ? "; in each strip the mass rests within the residual at that arrival"
+                         : "; in each strip the mass stops at x = 0 at that arrival";
   const std::string_view ranges = problem.v0_low && problem.p_high
                                       ? " with every hit and spring of the ranges"
                                   : problem.v0_low ? " with every hit of the range"
@@ -176,6 +165,16 @@ std::string percent(double low, double high) {
 }
 
 }  // namespace
+
+void add_box_inset(Figure& figure, const std::vector<FigurePoint>& box) {
+  constexpr double visible = 0.05;          // of the plot
+  constexpr double next_to_nothing = 1e-6;  // of the axis
+  const bool small = box[2].x - box[0].x < visible * (figure.x.most - figure.x.least) ||
+                     box[2].y - box[0].y < visible * (figure.y.most - figure.y.least);
+  if (small && box[2].x > next_to_nothing * figure.x.most) {
+    add_inset(figure, box[0], box[2]);
+  }
+}
 
 std::vector<FigurePoint> tolerance_box(const DrawnDamper& damper, const design::BoxShape& shape,
                                        double unit) {
@@ -302,7 +301,7 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   figure.areas = std::move(admissible);
   const std::size_t strips = figure.areas.size();
   add_sides(figure, drawn, units);
-  figure.caption = strips > 0 ? caption_of(drawn, units) : empty_caption(figure);
+  figure.caption = strips > 0 ? caption_of(drawn, strips, units) : empty_caption(figure);
   if (!several) {
     add_delta1(figure, drawn.problem, region.f3, unit);
   }

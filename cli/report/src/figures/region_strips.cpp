@@ -55,7 +55,7 @@ class Strips {
 
   /// That of the damper: 0 for any rest within the residual, -1 for none.
   [[nodiscard]] std::int64_t own() const {
-    if (is_one_strip(drawn_.problem)) {
+    if (drawn_.problem.arrivals == 1 && !drawn_.problem.residual) {
       return 1;
     }
     if (!drawn_.damper) {
@@ -119,10 +119,6 @@ bool may_be_in_legend(const DrawnStrip& strip, std::int64_t own) {
 }
 
 std::string strip_name(const DrawnRegion& drawn, const DrawnStrip& strip) {
-  if (is_one_strip(drawn.problem)) {
-    return drawn.region.feasible && drawn.limits.tolerance == 0 ? "admissible"
-                                                                : "admissible without a tolerance";
-  }
   return strip.first == 0   ? "any rest within the residual"
          : strip.with_later ? format("arrivals {} to {}, thin strips with gaps", strip.first,
                                      drawn.problem.arrivals)
@@ -131,8 +127,8 @@ std::string strip_name(const DrawnRegion& drawn, const DrawnStrip& strip) {
 
 }  // namespace
 
-bool is_one_strip(const design::Problem& problem) {
-  return problem.arrivals == 1 && !problem.residual;
+bool is_one_area(const design::Problem& problem, std::size_t areas) {
+  return problem.arrivals == 1 && areas == 1;
 }
 
 std::vector<FigureArea> admissible_areas(const DrawnRegion& drawn, const FigureUnits& units) {
@@ -160,6 +156,11 @@ std::vector<FigureArea> admissible_areas(const DrawnRegion& drawn, const FigureU
   }
   if (own > 0) {
     add({own});
+  }
+  if (is_one_area(drawn.problem, areas.size())) {
+    areas.front().name = drawn.region.feasible && drawn.limits.tolerance == 0
+                             ? "admissible"
+                             : "admissible without a tolerance";
   }
   return areas;
 }

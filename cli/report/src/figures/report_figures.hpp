@@ -155,6 +155,8 @@ struct DrawnDamper {
   bool admissible{true};
 };
 
+/// Enlarges a box if it is too small to see, unless it is one of next to nothing.
+void add_box_inset(figures::Figure& figure, const std::vector<figures::FigurePoint>& box);
 /// The corners of its tolerance box, starting from the lower left.
 [[nodiscard]] std::vector<figures::FigurePoint> tolerance_box(const DrawnDamper& damper,
                                                               const design::BoxShape& shape,
@@ -189,8 +191,8 @@ struct DrawnRegion {
 /// A line around each, if a tolerance was asked for.
 void add_tolerant(figures::Figure& figure, const design::Limits& limits,
                   std::vector<std::vector<figures::FigurePoint>> areas);
-/// Only one arrival and no residual: one area, and no strips to tell apart.
-[[nodiscard]] bool is_one_strip(const design::Problem& problem);
+/// Of so many admissible areas: no strips to tell apart.
+[[nodiscard]] bool is_one_area(const design::Problem& problem, std::size_t areas);
 /// Strips that can be told apart; those of later arrivals are drawn as one.
 inline constexpr std::int64_t most_drawn_strips = 12;
 
