@@ -11,15 +11,22 @@ namespace stillpoint::report {
 
 namespace {
 
-/// The friction of the design, rounded so that it is still feasible.
+/// The friction of the design, rounded so that it is still feasible: to six digits, or to more
+/// where none of six is.
 std::string f_digits(const design::DesignResult& result) {
-  constexpr int shown = 6;
+  constexpr int fewest = 6;
+  constexpr int every = 17;  // that a double has
   const double f = result.finding->point.f;
-  const std::string nearest = digits(f);
-  const double as_shown = std::stod(nearest);
-  return as_shown < *result.region.f_lower   ? limit_digits(f, true, shown)
-         : as_shown > *result.region.f_upper ? limit_digits(f, false, shown)
-                                             : nearest;
+  for (int shown = fewest; shown < every; ++shown) {
+    for (const std::string& text : {format("{:.{}g}", f, shown), limit_digits(f, true, shown),
+                                    limit_digits(f, false, shown)}) {
+      const double as_shown = std::stod(text);
+      if (*result.region.f_lower <= as_shown && as_shown <= *result.region.f_upper) {
+        return text;
+      }
+    }
+  }
+  return format("{}", f);
 }
 
 /// Beside next to no friction: what is left of it with friction that can be built.

@@ -33,6 +33,13 @@ std::string digits(const std::optional<double>& value) {
   return value ? digits(*value) : "none";
 }
 
+std::string few_digits(double value) {
+  constexpr double million = 1e6;
+  std::string text = fmt::format("{:.4g}", value);
+  const double shown = std::stod(text);
+  return std::abs(shown) >= 1 && std::abs(shown) < million ? fmt::format("{:.6g}", shown) : text;
+}
+
 std::string with_unit(double value, std::string_view unit, int digits) {
   struct Prefix {
     double factor;

@@ -60,7 +60,8 @@ std::string damper_words(const Physical& physical, const std::optional<double>& 
   return !f                   ? notch + " and as little constant friction as you can"
          : weighed && *f == 0 ? "no constant friction and " + notch
          : weighed ? format("a friction force of {} and {}", with_unit(*force, "N"), notch)
-                   : format("f = {:.{}g} and {}", *f, digits.value_or(6), notch);
+         : digits  ? format("f = {:.{}g} and {}", *f, *digits, notch)
+                   : format("f = {} and {}", *f, notch);
 }
 
 std::string spring_words(const Physical& physical, double p, std::optional<int> digits) {

@@ -26,7 +26,8 @@ namespace stillpoint::report {
 void add_physical_input(Section& section, const design::PhysicalInput& physical,
                         double stiffest = 1);
 /// "a friction force of 283.81 kN and a notch that takes 69.423 kJ at a passage" if the mass is
-/// known, else "f = 0.26 and delta = 0.37"; as little friction as possible without an `f`.
+/// known, else "f = 0.26 and delta = 0.37", with the digits that f has unless others are asked for;
+/// as little friction as possible without an `f`.
 [[nodiscard]] std::string damper_words(const Physical& physical, const std::optional<double>& f,
                                        double delta, const std::optional<double>& notch_width = {},
                                        std::optional<int> digits = {});

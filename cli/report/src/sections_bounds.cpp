@@ -5,6 +5,7 @@
 #include <stillpoint/report/digits.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace stillpoint::report {
@@ -53,6 +54,18 @@ int digits_between(double f2, double f3) {
     ++shown;
   }
   return shown;
+}
+
+int digits_between(std::span<const design::Constraint> constraints) {
+  double f2 = 0;
+  double f3 = HUGE_VAL;
+  for (const design::Constraint& now : constraints) {
+    if (now.variable == "f") {
+      const bool upwards = now.relation.front() == '>';
+      (upwards ? f2 : f3) = upwards ? std::max(f2, now.limit) : std::min(f3, now.limit);
+    }
+  }
+  return digits_between(f2, f3);
 }
 
 /// "delta <= 8.1577 mm", rounded so that what is as printed meets it.
@@ -184,6 +197,7 @@ Section& add_constraints(Document& document, std::span<const design::Constraint>
   const FigureUnits units(physical);
   const bool all_met = std::ranges::all_of(constraints, &design::Constraint::satisfied);
   const bool back = returns(constraints);
+  const int shown = digits_between(constraints);
   Table table{{"", "requirement", "slack", ""}, {}};
   for (const design::Constraint& now : constraints) {
     if (!back && now.name == "stop") {
@@ -192,8 +206,8 @@ Section& add_constraints(Document& document, std::span<const design::Constraint>
     }
     const auto [unit, unit_name] = unit_of(now.variable, units);
     table.rows.push_back(
-        {{in_words(now.name), requirement(now, units),
-          bounds_nothing(now) ? "-" : format("{:.4g}{}", now.slack * unit, with_blank(unit_name)),
+        {{in_words(now.name), requirement(now, units, shown),
+          bounds_nothing(now) ? "-" : few_digits(now.slack * unit) + with_blank(unit_name),
           now.satisfied ? "met" : "violated"},
          now.satisfied ? Tone::good : Tone::bad});
   }

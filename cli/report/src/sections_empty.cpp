@@ -31,6 +31,15 @@ Way tolerance_way(double tolerance, const design::Limits& limits) {
       false};
 }
 
+/// "lowest period" of "period" for an end of a range, whose field says which.
+std::string of_range(std::string_view field, std::string_view name, bool turned) {
+  const bool low = field.ends_with("_low");
+  const std::string_view end = !(low || field.ends_with("_high")) ? ""
+                               : low != turned                    ? "lowest "
+                                                                  : "highest ";
+  return format("{}{}", end, in_words(name.substr(0, name.find(low ? "_low" : "_high"))));
+}
+
 Way way_of(const design::Mend& mend, const ShownTask& task) {
   constexpr int shown = 5;
   if (mend.field == "tolerance") {
@@ -42,28 +51,24 @@ Way way_of(const design::Mend& mend, const ShownTask& task) {
     for (const design::LimitKind& kind : design::limit_kinds()) {
       unit = kind.field == mend.field ? kind.unit : unit;
     }
-    return {in_words(mend.field),
+    return {of_range(mend.field, mend.field, false),
             format("{}{}", limit_digits(mend.value, mend.upwards, shown), unit), mend.upwards};
   }
   // The longest period is that of the softest spring, the least p.
-  const bool turned = now->upwards != mend.upwards;
-  const bool low = mend.field.ends_with("_low");
-  const std::string_view end = !(low || mend.field.ends_with("_high")) ? ""
-                               : low != turned                         ? "lowest "
-                                                                       : "highest ";
   const FigureUnits units(task.physical);
   const bool length = now->unit == "m";
   const double unit = length ? units.length / task.physical->scales.length_m : 1;
-  return {format("{}{}", end, in_words(now->name)),
+  return {of_range(mend.field, now->name, now->upwards != mend.upwards),
           format("{} {}", limit_digits(now->value * unit, now->upwards, shown),
                  length ? units.length_unit : now->unit),
           now->upwards};
 }
 
-/// "a max displacement of at least 168.8 mm", "a tolerance of at most 34.18 %".
+/// "a max displacement of at least 168.8 mm", "f allowed up to 0.05", "at least 2 arrivals".
 std::string words_of(const Way& way) {
   constexpr std::string_view largest = "largest ";
-  return way.name.starts_with(largest)
+  return way.name == "arrivals" ? format("at least {} arrivals", way.bound)
+         : way.name.starts_with(largest)
              ? format("{} allowed up to {}", way.name.substr(largest.size()), way.bound)
              : format("a {} of at {} {}", way.name, way.upwards ? "least" : "most", way.bound);
 }
@@ -200,6 +205,9 @@ std::string mend_title(const design::RegionVerdict& empty, const ShownTask& task
   const bool ranges = task.problem.v0_low || task.problem.p_high;
   if (!empty.mends.empty() && !(ranges && is_given(named_mend(empty.mends)))) {
     const Way way = way_of(named_mend(empty.mends), task);
+    if (way.name == "arrivals") {
+      return format("No {} with fewer than {} arrivals", what, way.bound);
+    }
     return format("No {} with a {} {} {}", what, way.name, way.upwards ? "below" : "above",
                   way.bound);
   }

@@ -17,7 +17,7 @@ std::string interval_text(const design::ServedInterval& interval) {
   }
   constexpr double apart = 1e-6;
   if (*interval.high - interval.low <= apart * *interval.high) {
-    return "only " + digits_within(interval.low, *interval.high);
+    return "exactly " + digits_within(interval.low, *interval.high);
   }
   const std::string ends = interval_digits(interval.low, *interval.high);
   return begins_at_nothing(interval.low, *interval.high)

@@ -83,7 +83,7 @@ FigureUnits::FigureUnits(const Physical& physical) {
 namespace {
 
 std::string words(double value, const std::string& unit) {
-  return format("{:.4g}{}{}", value + 0.0, unit.empty() ? "" : " ", unit);
+  return format("{}{}{}", few_digits(value + 0.0), unit.empty() ? "" : " ", unit);
 }
 
 }  // namespace

@@ -226,6 +226,17 @@ BOOST_AUTO_TEST_CASE(is_drawn_by_region_and_works_with_arrivals) {
   BOOST_TEST(!contains(strict, "parts that fit"));
 }
 
+/// Its only part is too weak for the first return, and stops the mass at the second.
+BOOST_AUTO_TEST_CASE(that_needs_more_arrivals_says_how_many) {
+  write("weak.csv", "name,f,delta\nsecond,0.05,0.2\n");
+  const ProgramRun text =
+      ending(3, Arguments("design --v0 1 --p 1 --beta 1.1 --catalogue weak.csv"));
+  BOOST_TEST(contains(one_line(text.out), "The way out: at least 2 arrivals."), text.out);
+  ending(3, Arguments("design --v0 1 --p 1 --beta 1.1 --f-max 0.06 --delta-max 0.3 "
+                      "--catalogue weak.csv --html page.html"));
+  BOOST_TEST(contains(read("page.html"), ">No part with fewer than 2 arrivals<"));
+}
+
 BOOST_AUTO_TEST_CASE(is_not_overwritten_and_may_be_in_a_scene) {
   check_refusal(run(design("--catalogue few.csv --output few.csv")),
                 {"few.csv", "would overwrite the catalogue few.csv"});

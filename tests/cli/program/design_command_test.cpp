@@ -23,6 +23,14 @@ BOOST_AUTO_TEST_CASE(the_table_of_constraints_is_in_the_units_of_the_task) {
   check_contains(run(built + later).out, {"v0 < 0.4898", " m/s   met\n", " mm   met\n"});
 }
 
+/// f from 0.3535533774 to 0.3535533906: no six digits lie in between.
+BOOST_AUTO_TEST_CASE(a_friction_and_its_limits_have_the_digits_that_keep_them_apart) {
+  const ProgramRun narrow = run(Arguments("design --v0 1 --p 1 --beta 0.70710679 --verbose"));
+  check_contains(narrow.out, {"Build f = 0.35355338 and delta = 0.28125.",
+                              "damper            f = 0.35355338, delta = 0.28125\n",
+                              "f >= 0.35355338 ", "f <= 0.35355339 "});
+}
+
 /// The best is the limit f -> 0, which nobody builds: the text says so, the JSON has the point.
 BOOST_AUTO_TEST_CASE(next_to_no_friction_is_said_in_words) {
   const Arguments task("--arrivals 2 --f-max 0.1");
@@ -39,10 +47,10 @@ BOOST_AUTO_TEST_CASE(next_to_no_friction_is_said_in_words) {
                   "impulse            0.5 times the mass at the last passage\n",
                   "                   0.5 times the mass at the stop\n"});
   // Delta must be V0^2/2 where there is no friction: Delta1 = Delta2.
-  check_contains(
-      run(design(1.1, "--objective time")).out,
-      {"Build delta = 0.5 and as little constant friction as you can.",
-       "tolerance         f and delta must be exact: the damper is on the edge", "v0 of only 1\n"});
+  check_contains(run(design(1.1, "--objective time")).out,
+                 {"Build delta = 0.5 and as little constant friction as you can.",
+                  "tolerance         f and delta must be exact: the damper is on the edge",
+                  "v0 of exactly 1\n"});
 }
 
 // What a script reads as the tolerance of both frictions must not be more than that.

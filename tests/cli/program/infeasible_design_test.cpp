@@ -40,6 +40,8 @@ BOOST_AUTO_TEST_CASE(says_why_and_what_would_help) {
   // The period of the softest spring, whose peak is the largest.
   BOOST_TEST(contains(ending(3, "region --velocity 0.4 --period 2:4 --max-displacement 0.15").out,
                       "  highest period    at most "));
+  BOOST_TEST(contains(ending(3, "design --v0 0.1:0.4 --p 1 --beta 0.36").out,
+                      "  highest v0        at most "));
 }
 
 BOOST_AUTO_TEST_CASE(the_bounds_agree_with_the_headline_where_a_residual_is_allowed) {

@@ -14,10 +14,10 @@ constexpr unsigned seed = 20264;
 
 const std::string number = R"(([0-9][0-9.e+-]*))";
 
-/// The numbers of what the text says there: "0.5 to 0.7", "at least 0.5", "only 0.5".
+/// The numbers of what the text says there: "0.5 to 0.7", "at least 0.5", "exactly 0.5".
 std::vector<std::string> ends_of(const std::string& text, const std::string& before) {
   std::smatch found;
-  const std::regex range(before + "(?:at least |only |up to )?" + number + "(?: to " + number +
+  const std::regex range(before + "(?:at least |exactly |up to )?" + number + "(?: to " + number +
                          ")?");
   BOOST_TEST_REQUIRE(std::regex_search(text, found, range), before << " in " << text);
   std::vector<std::string> ends{found[1]};

@@ -13,6 +13,14 @@ BOOST_AUTO_TEST_CASE(six_digits_or_none) {
   BOOST_TEST(digits(std::optional<double>()) == "none");
 }
 
+BOOST_AUTO_TEST_CASE(four_digits_without_an_exponent_below_a_million) {
+  BOOST_TEST(few_digits(0.2593254) == "0.2593");
+  BOOST_TEST(few_digits(19238.2) == "19240");
+  BOOST_TEST(few_digits(-999949) == "-999900");
+  BOOST_TEST(few_digits(999950) == "1e+06");
+  BOOST_TEST(few_digits(1.2e-9) == "1.2e-09");
+}
+
 BOOST_AUTO_TEST_CASE(an_interval_has_the_digits_that_its_width_needs) {
   BOOST_TEST(interval_digits(0.34015, 0.42925) == "0.341 to 0.429");
   BOOST_TEST(interval_digits(0.99996, 1.00004) == "0.999960 to 1.00004");

@@ -13,6 +13,8 @@ namespace stillpoint::report {
 [[nodiscard]] std::string digits(double value);
 /// The same, or "none".
 [[nodiscard]] std::string digits(const std::optional<double>& value);
+/// Four, without an exponent below a million: "0.2593", "19240".
+[[nodiscard]] std::string few_digits(double value);
 /// Five digits, the unit and the prefix that fits: "12.1 mm", "3.46 kN"; lengths in m or mm.
 [[nodiscard]] std::string with_unit(double value, std::string_view unit, int digits = 5);
 /// low <= 1e-6 high: of two sizes, where the lower end is less than anyone can build or measure.
