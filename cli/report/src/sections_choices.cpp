@@ -144,14 +144,15 @@ void add_trade_off(Document& document, const std::vector<design::TradeOff>& fron
       around({in("stroke", units.length_unit), "acceleration, g"}, tolerance_heads(task.limits),
              {in("stop time", units.time_unit), "f", in("delta", units.length_unit)}),
       {}};
+  const auto aligned = [](double value) { return format("{:#.6g}", value); };  // zeros too
   const std::size_t step = (front.size() + most_rows - 1) / most_rows;
   // Every n-th damper, and the end of the front.
   for (std::size_t i = 0; i < front.size() + step - 1; i += step) {
     const auto& [damper, peak, acceleration, stop_time] = front[std::min(i, front.size() - 1)];
-    table.rows.push_back({around(
-        {digits(peak * units.length), digits(acceleration)},
-        tolerance_cells(task.limits, damper.tolerance),
-        {digits(stop_time * units.time), digits(damper.f), digits(damper.delta * units.length)})});
+    table.rows.push_back({around({aligned(peak * units.length), aligned(acceleration)},
+                                 tolerance_cells(task.limits, damper.tolerance),
+                                 {aligned(stop_time * units.time), aligned(damper.f),
+                                  aligned(damper.delta * units.length)})});
   }
   const std::size_t shown = table.rows.size();
   Section& section = document.section("Trade-off of stroke, acceleration and tolerance");

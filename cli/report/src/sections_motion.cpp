@@ -108,11 +108,12 @@ void add_motion(Section& answer, const ShownTask& task, const ToldMotion& motion
   const std::string under_pulse =
       format(", under the pulse{}",
              response.zero_passages.value_or(0) > 0 ? ", later swings included" : "");
-  answer.row(
-      "peak",
-      format("{}, {:.4g} % of the {} allowed{}", length_shown(physical, response.peak_amplitude),
-             100 * response.peak_amplitude / problem.beta, length_shown(physical, problem.beta),
-             pulse ? under_pulse : of_extreme(task, "softest")));
+  const double share = response.peak_amplitude / problem.beta;
+  answer.row("peak",
+             format("{}, {} of the {} allowed{}", length_shown(physical, response.peak_amplitude),
+                    share < 1e-4 ? "less than 0.01 %" : format("{:.4g} %", 100 * share),
+                    length_shown(physical, problem.beta),
+                    pulse ? under_pulse : of_extreme(task, "softest")));
   if (!response.stop_time || response.half_cycles == 0) {
     answer.row(
         "rest",

@@ -31,9 +31,16 @@ std::string acceleration_shown(double acceleration) {
 std::string length_limit(const Physical& physical, double length, bool upwards) {
   constexpr int with_a_unit = 5;
   constexpr int plain = 6;
+  constexpr double all_its_digits = 1e5;  // mm; beyond, metres
+  if (!physical) {
+    return limit_digits(length, upwards, plain);
+  }
   const FigureUnits units(physical);
-  return limit_digits(length * units.length, upwards, physical ? with_a_unit : plain) +
-         (physical ? " " : "") + units.length_unit;
+  const double shown = length * units.length;
+  const double metres = length * physical->scales.length_m;
+  return shown < all_its_digits
+             ? limit_digits(shown, upwards, with_a_unit) + " " + units.length_unit
+             : limit_digits(metres, upwards, with_a_unit) + " m";
 }
 
 std::string frequency_shown(const Physical& physical, double lambda) {

@@ -268,6 +268,12 @@ BOOST_AUTO_TEST_CASE(has_the_fields_of_the_contract_and_metres) {
   BOOST_TEST(reported(isolator())["trade_off"].is_null());
 }
 
+/// All six digits, so that the points of a column are below each other.
+BOOST_AUTO_TEST_CASE(is_a_table_of_aligned_numbers) {
+  check_contains(run(isolator("--trade-off 11")).out,
+                 {"\n  150.000      0.0928958         0 %     1.44050   ", "  1.55980   "});
+}
+
 // f3 = 1/sqrt(8) has the peak 1/sqrt(2) and S = 3/sqrt(8).
 BOOST_AUTO_TEST_CASE(a_long_front_is_shown_up_to_its_end) {
   const std::string text = run("design --v0 1 --p 1 --beta 0.9 --trade-off 26").out;

@@ -191,6 +191,17 @@ BOOST_AUTO_TEST_CASE(says_that_it_hardly_re_centres_and_the_unit_of_a_limit) {
                  {" (EN 15129 needs 0.25)\n", " (EN 1998-2)\n", "outside the notch <= 0.12 g  "});
 }
 
+/// f just below the peak load leaves hardly any motion, and delta/(k - f) is far.
+BOOST_AUTO_TEST_CASE(says_very_small_and_large_sizes_in_words_and_metres) {
+  const Arguments task(
+      "design --pulse full-sine --k 0.08g --pulse-duration 3.5s --period 2.8s "
+      "--max-displacement 150mm --delta-max-m 10mm --objective amplitude");
+  const std::string text = one_line(run(task).out);
+  check_contains(text, {" less than 0.01 % of the 150 mm allowed", "needs a notch wider than 12"});
+  BOOST_TEST(contains(text, "0 m, delta/(k - f)"), text);
+  BOOST_TEST(!contains(text, "e+0"), text);
+}
+
 BOOST_AUTO_TEST_CASE(says_what_makes_the_reduction_poor) {
   const Arguments bad(
       "design --pulse rectangle --k 0.5 --lambda 3 --p 1 --beta 0.6 --objective amplitude");
