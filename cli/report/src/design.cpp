@@ -77,7 +77,7 @@ void add_margin(Section& section, const design::DesignResult& result, const Phys
     const FigureUnits units(physical);
     serves =
         format("; it works only for hits of {}{}",
-               interval_text({works->v0.low * units.velocity, *works->v0.high * units.velocity}),
+               interval_text({works->hit.low * units.velocity, *works->hit.high * units.velocity}),
                with_blank(units.velocity_unit));
   }
   section.row(

@@ -178,16 +178,14 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   const auto& [problem, limits, search, pulse, ranges] = result.request;
   const design::Finding& finding = *result.finding;
   const auto& [f, delta, tolerance] = finding.point;
+  const bool failing = !notch_sentence(report).empty();
   answer.row("damper",
-             format("{}, delta = {}",
+             format("{}, delta = {}{}",
                     wants_no_friction(report) ? "f as small as you can make it"
                                               : "f = " + f_digits(result),
-                    length_shown(physical, delta)),
+                    length_shown(physical, delta),
+                    failing && !report.built_notch ? format(" ({})", acts_late) : ""),
              Tone::heading);
-  const bool failing = !notch_sentence(report).empty();
-  if (failing && !report.built_notch) {
-    answer.row("note", format("what follows is for a notch that {}", acts_late));
-  }
   const auto built = felt_in_built_notch(report);
   ToldMotion told{told_motion(report)};
   if (!report.built_notch) {
@@ -219,7 +217,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   answer.row("tolerance",
              tolerance_left(report) + (too_exact ? ", too little for a real damper" : ""),
              too_exact ? Tone::bad : Tone::plain);
-  add_works_for(answer, finding.works_for, problem, physical);
+  add_works_for(answer, finding.works_for, task_of(report));
   add_weak_hits(answer, problem, delta, physical);
   if (finding.cross_check.passed) {
     answer.row("checks", checks_agree(finding.cross_check), Tone::good);

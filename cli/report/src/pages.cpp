@@ -79,16 +79,24 @@ Figure region_of(const Request& request, const design::RegionVerdict& verdict,
   return figure;
 }
 
-/// Its trade-offs, and the hits that it works for.
-std::vector<Figure> hit_figures(const DesignReport& report, const FigureUnits& units) {
-  const auto& [problem, limits, search, pulse, ranges] = report.result.request;
+/// The hits, or the pulses, that a damper works for.
+template <class Request>
+Figure damper_figure(const Request& request, double f, double delta,
+                     const std::optional<design::WorksFor>& works_for, const FigureUnits& units) {
+  return request.pulse ? strengths_figure(design::pulse_request(request).problem, request.limits, f,
+                                          delta, works_for)
+                       : hits_figure(request.problem, request.limits, f, delta, works_for, units);
+}
+
+/// Its trade-offs, and what it works for.
+std::vector<Figure> damper_figures(const DesignReport& report, const FigureUnits& units) {
   const design::Finding& found = *report.result.finding;
   std::vector<Figure> figures;
   if (report.trade_off && report.trade_off->size() > 1) {
     figures = trade_off_figures(*report.trade_off, found, units);
   }
-  figures.push_back(
-      hits_figure(problem, limits, found.point.f, found.point.delta, found.works_for, units));
+  figures.push_back(damper_figure(report.result.request, found.point.f, found.point.delta,
+                                  found.works_for, units));
   return figures;
 }
 
@@ -150,9 +158,7 @@ HtmlPage page(const DesignReport& report) {
   if (!found) {
     return page;
   }
-  if (!request.pulse) {
-    std::ranges::move(hit_figures(report, units), std::back_inserter(page.figures));
-  }
+  std::ranges::move(damper_figures(report, units), std::back_inserter(page.figures));
   for (Figure& figure : page.figures) {
     if (std::string& caption = figure.caption; !caption.empty()) {  // it ends with a full stop
       caption.insert(std::min(caption.find(';'), caption.size() - 1), with_ideal(report));
@@ -172,9 +178,9 @@ std::vector<Figure> drawings(const RegionReport& report) {
   }
   std::vector<Figure> figures{
       region_of(report.request, answer, point, report.catalogue, report.physical)};
-  if (f && delta && !pulse) {
+  if (f && delta) {
     figures.push_back(
-        hits_figure(problem, limits, *f, *delta, answer.works_for, FigureUnits(report.physical)));
+        damper_figure(report.request, *f, *delta, answer.works_for, FigureUnits(report.physical)));
   }
   return figures;
 }

@@ -231,7 +231,7 @@ Document document(const RegionReport& report) {
       add_start(document.answer, {*f, *delta, ranges.k_low.value_or(design::peak_load(*pulse))},
                 "delta/(k - f)", false, report.physical);
     }
-    add_works_for(document.answer, answer.works_for, problem, report.physical);
+    add_works_for(document.answer, answer.works_for, task_of(report));
     add_weak_hits(document.answer, problem, *delta, report.physical);
     if (told.lines) {
       add_practice(document.detail("In practice" + (told.which.empty() ? "" : ": " + told.which)),

@@ -38,9 +38,6 @@ void add_physical_input(Section& section, const design::PhysicalInput& physical,
 void add_damper_physics(Section& section, const Physical& physical, double f, double delta);
 /// "0.340 to 0.429", "up to 0.463" or "at least 0.5".
 [[nodiscard]] std::string interval_text(const design::ServedInterval& interval);
-/// The hits and periods for which it works, if known.
-void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
-                   const design::Problem& problem, const Physical& physical);
 /// The width of a notch as an example: 20 mm, or 1, 2 or 5 times a power of ten if that is above a
 /// fifth of the peak; that fifth without physical input.
 [[nodiscard]] double example_width(const Physical& physical, double peak);
@@ -194,6 +191,9 @@ struct ShownTask {
   const design::RegionRequest& request = report.request;
   return {request.problem, request.limits, request.pulse, report.physical};
 }
+/// The hits or pulses, and the periods, for which it works, if known.
+void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
+                   const ShownTask& task);
 /// Why there is no admissible design, which is the verdict, and what would make it feasible.
 void add_emptiness(Document& document, const design::RegionVerdict& empty, const ShownTask& task);
 /// "No damper with a max displacement below 168.8 mm", the title of the region's figure.

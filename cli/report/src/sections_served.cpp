@@ -43,29 +43,36 @@ std::string own_limit(const design::ServedInterval& served, const Interval& vali
 }  // namespace
 
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
-                   const design::Problem& problem, const Physical& physical) {
+                   const ShownTask& task) {
   if (!served) {
     return;
   }
-  const std::string_view springs = problem.p_high ? " with every spring of the range" : "";
+  const auto& [problem, limits, pulse, physical] = task;
+  const auto in_units =
+      physical ? std::optional(physical_works_for(physical->scales, *served)) : std::nullopt;
+  const std::string springs = in_units
+                                  ? format("periods of {} s", interval_text(in_units->period_s))
+                                  : format("p of {}", interval_text(served->p));
+  if (pulse) {
+    section.row("works for", format("pulses of {} g; {}", interval_text(served->hit), springs));
+    return;
+  }
+  const std::string_view others = problem.p_high ? " with every spring of the range" : "";
   const std::string_view hits = problem.v0_low ? "every hit of the range"
                                 : physical     ? "the hit as given"
                                                : "v0 as given";
-  std::string of_v0 = own_limit(served->v0, design::valid_v0(problem), false);
+  std::string of_v0 = own_limit(served->hit, design::valid_v0(problem), false);
   constexpr double rounding = 1e-6;
-  if (of_v0.empty() && served->v0.low < problem.v0 * (1 - rounding) &&
-      *served->v0.high <= problem.v0 * (1 + rounding)) {
+  if (of_v0.empty() && served->hit.low < problem.v0 * (1 - rounding) &&
+      *served->hit.high <= problem.v0 * (1 + rounding)) {
     of_v0 = ", none stronger than asked for";
   }
   const std::string of_p = own_limit(served->p, design::valid_p(problem), physical.has_value());
-  if (!physical) {
-    section.row("works for", format("v0 of {}{}{}", interval_text(served->v0), springs, of_v0));
-    section.row("", format("p of {} with {}{}", interval_text(served->p), hits, of_p));
-    return;
-  }
-  const auto [velocity, period] = physical_works_for(physical->scales, *served);
-  section.row("works for", format("hits of {} m/s{}{}", interval_text(velocity), springs, of_v0));
-  section.row("", format("periods of {} s with {}{}", interval_text(period), hits, of_p));
+  section.row("works for",
+              (in_units ? format("hits of {} m/s", interval_text(in_units->velocity_m_per_s))
+                        : format("v0 of {}", interval_text(served->hit))) +
+                  format("{}{}", others, of_v0));
+  section.row("", format("{} with {}{}", springs, hits, of_p));
 }
 
 void add_weak_hits(Section& section, const design::Problem& problem, double delta,

@@ -104,6 +104,7 @@ std::span<const Named<HitEnd>> enumerators(HitEnd) noexcept {
                                                              {HitEnd::centred, "centred"},
                                                              {HitEnd::off_centre, "off_centre"},
                                                              {HitEnd::alternating, "alternating"},
+                                                             {HitEnd::passes, "passes"},
                                                              {HitEnd::too_far, "too_far"},
                                                              {HitEnd::never_stops, "never_stops"}});
   return rows;

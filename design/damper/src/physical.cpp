@@ -120,8 +120,8 @@ PhysicalWorksFor physical_works_for(const Scales& scales, const WorksFor& served
   const double velocity = scales.velocity_m_per_s;
   const double period = 2 * std::numbers::pi * scales.time_s;
   PhysicalWorksFor physical;
-  physical.velocity_m_per_s = {served.v0.low * velocity * (1 + conversion_safety),
-                               *served.v0.high * velocity * (1 - conversion_safety)};
+  physical.velocity_m_per_s = {served.hit.low * velocity * (1 + conversion_safety),
+                               *served.hit.high * velocity * (1 - conversion_safety)};
   physical.period_s = {served.p.high ? period / *served.p.high * (1 + conversion_safety) : 0,
                        period / served.p.low * (1 - conversion_safety)};
   for (ServedInterval* const interval : {&physical.velocity_m_per_s, &physical.period_s}) {

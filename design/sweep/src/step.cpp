@@ -108,7 +108,11 @@ std::optional<design::DesignPoint> point_of(const design::DesignRequest& request
 
 std::optional<Designed> designed_for_pulse(const design::DesignRequest& request,
                                            const std::vector<design::Part>& parts) {
-  const auto result = parts.empty() ? design::design(request) : choose(request, parts).result;
+  if (parts.empty()) {
+    const auto found = design::damper(pulse_request(request));
+    return found ? std::optional(Designed{found->point, {}, found->response}) : std::nullopt;
+  }
+  const auto result = choose(request, parts).result;
   if (!result.finding) {
     return std::nullopt;
   }

@@ -170,10 +170,38 @@ BOOST_AUTO_TEST_CASE(region_judges_a_point_under_the_pulse) {
                       " This is for a notch that acts only after the start."));
 }
 
+/// It returns for k >= 2 f, and reaches 2 (k - f).
+BOOST_AUTO_TEST_CASE(a_point_says_which_pulses_and_springs_it_works_for) {
+  const Arguments point = region + "--f 0.175 --delta 0.49 --criterion exact";
+  const json report = reported(point);
+  const json& served = report["works_for"];
+  BOOST_TEST(served["v0"].is_null());
+  BOOST_TEST(near(served["k"][0], 0.35, 1e-12));
+  BOOST_TEST(near(served["k"][1], 0.575, 1e-12));
+  BOOST_TEST((served["p"][0] < 1.0 && served["p"][1] > 1.0));
+  const json& hits = report["hits"];
+  const std::array ends{"held", "off_centre", "centred", "too_far"};
+  const std::array to{0.175, 0.35, 0.575, 1.0};
+  BOOST_TEST_REQUIRE(hits.size() == ends.size());
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    BOOST_TEST(hits[i]["ends"] == ends.at(i));
+    BOOST_TEST(near(hits[i]["to"], to.at(i), 1e-12));
+  }
+  check_contains(one_line(run(point).out), {" works for pulses of 0.351 to 0.574 g; p of "});
+  check_null(reported(region + "--f 0.05 --delta 0.49"), {"works_for"});
+  const json physical = reported(
+      "region --pulse half-sine --k 0.5g --pulse-duration 0.1s --period 2s"
+      " --max-displacement 0.3 --f 0.02 --delta-m 0.02")["physical"];
+  BOOST_TEST(physical["works_for_velocity_m_per_s"].is_null());
+  BOOST_TEST((physical["works_for_period_s"][0] < 2 && physical["works_for_period_s"][1] > 2));
+}
+
 BOOST_AUTO_TEST_CASE(region_of_a_pulse_is_drawn) {
   succeed(region + "--f 0.175 --delta 0.49 --html page.html --json");
   check_contains(read("page.html"), {"id=\"region-title\"", "least Δ allowed", "point, admissible",
-                                     "too weak: exceeds", "too strong"});
+                                     "too weak: exceeds", "too strong", "id=\"pulses-title\"",
+                                     "The damper works for pulses of 0.351 to 0.574 g; slightly "
+                                     "weaker ones rest off centre and stronger ones go too far."});
 }
 
 BOOST_AUTO_TEST_CASE(page_for_people_says_it_in_words) {

@@ -319,8 +319,8 @@ BOOST_AUTO_TEST_CASE(hits_above_the_limit_of_the_acceleration_are_shown) {
   const auto& above = named(drawn.areas, "above 1.08 g");
   BOOST_TEST(above.outline[0].x == std::sqrt(1.08 * 1.08 - f * f), tt::tolerance(1e-12));
   BOOST_TEST(above.outline[1].x == named(drawn.areas, "too far").outline[0].x);
-  BOOST_TEST(report.result.finding->works_for->v0.high.value() ==
-                 std::min(above.outline[0].x, report.result.finding->works_for->v0.high.value()),
+  BOOST_TEST(report.result.finding->works_for->hit.high.value() ==
+                 std::min(above.outline[0].x, report.result.finding->works_for->hit.high.value()),
              tt::tolerance(1e-12));
   BOOST_TEST(!has(figure(isolator(), "hits").areas, "above 0.1 g"));
 }

@@ -71,15 +71,15 @@ BOOST_AUTO_TEST_CASE(a_later_arrival_works_for_its_own_strip_of_hits) {
   const Problem problem{1, 1, 2, Criterion::exact, 2};
   const auto served = works_for(problem, {}, 0.1, 0.2);
   BOOST_REQUIRE(served.has_value());
-  BOOST_TEST(std::abs(served->v0.low - std::sqrt(0.8)) < 1e-15);
+  BOOST_TEST(std::abs(served->hit.low - std::sqrt(0.8)) < 1e-15);
   // From r = 0.1: 0.2 + sqrt(0.41), then once more.
   const double second = 0.2 + std::sqrt(0.41);
   const double first = 0.2 + std::sqrt(second * second + 0.4);
-  BOOST_TEST(std::abs(*served->v0.high - std::sqrt(first * first - 0.01)) < 1e-15);
-  for (const auto& [v0, inside] : {std::pair{served->v0.low, true},
-                                   {std::nextafter(served->v0.low, 0), false},
-                                   {*served->v0.high, true},
-                                   {std::nextafter(*served->v0.high, 9), false}}) {
+  BOOST_TEST(std::abs(*served->hit.high - std::sqrt(first * first - 0.01)) < 1e-15);
+  for (const auto& [v0, inside] : {std::pair{served->hit.low, true},
+                                   {std::nextafter(served->hit.low, 0), false},
+                                   {*served->hit.high, true},
+                                   {std::nextafter(*served->hit.high, 9), false}}) {
     Problem hit = problem;
     hit.v0 = v0;
     BOOST_TEST(admissible(hit, {}, 0.1, 0.2) == inside);

@@ -173,8 +173,8 @@ BOOST_AUTO_TEST_CASE(the_first_centred_segment_is_what_works_for_says) {
       const auto hit = std::ranges::find_if(
           list, [](const Hits& now) { return now.end == HitEnd::centred && now.arrivals == 1.0; });
       BOOST_TEST_REQUIRE((hit != list.end()));
-      BOOST_TEST(std::abs(hit->from / served->v0.low - 1) < edge_tolerance);
-      BOOST_TEST(std::abs(hit->to / *served->v0.high - 1) < edge_tolerance);
+      BOOST_TEST(std::abs(hit->from / served->hit.low - 1) < edge_tolerance);
+      BOOST_TEST(std::abs(hit->to / *served->hit.high - 1) < edge_tolerance);
     }
   }
   BOOST_TEST(met > 100);

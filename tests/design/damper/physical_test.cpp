@@ -154,8 +154,8 @@ BOOST_AUTO_TEST_CASE(served_intervals_are_rounded_inwards) {
     const double p = random.log_uniform(0.1, 10);
     const WorksFor served{{v0, v0 * 1.5}, {p, p * 1.5}};
     const auto [velocity, period] = physical_works_for(scales, served);
-    BOOST_TEST(velocity.low / scales.velocity_m_per_s >= served.v0.low);
-    BOOST_TEST(*velocity.high / scales.velocity_m_per_s <= *served.v0.high);
+    BOOST_TEST(velocity.low / scales.velocity_m_per_s >= served.hit.low);
+    BOOST_TEST(*velocity.high / scales.velocity_m_per_s <= *served.hit.high);
     const double turn = 2 * std::numbers::pi * scales.time_s;
     BOOST_TEST(turn / *period.high >= served.p.low);
     BOOST_TEST(turn / period.low <= *served.p.high);

@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(a_first_peak_within_the_residual_is_a_rest) {
   }
   // V0^2 = p^2 R^2 + 2 f R; p is bound by the dead zone and by (38), beyond f = R p^2.
   const WorksFor served = works_for(problem, {}, 0.99, 0.1).value();
-  BOOST_TEST(std::abs(*served.v0.high - std::sqrt(r * r + 2 * 0.99 * r)) < rounding);
+  BOOST_TEST(std::abs(*served.hit.high - std::sqrt(r * r + 2 * 0.99 * r)) < rounding);
   BOOST_TEST(std::abs(served.p.low - std::sqrt(0.99)) < rounding);
   BOOST_TEST(std::abs(*served.p.high - 0.99 * std::sqrt(9.6) / 0.8) < rounding);
 

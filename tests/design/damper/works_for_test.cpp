@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(each_requirement_binds_at_its_end) {
   const auto below = [](const ServedInterval& of) { return of.low * (1 - beyond); };
   const auto above = [](const ServedInterval& of) { return *of.high * (1 + beyond); };
   const auto by_v0 = [](const Point& now, const auto& side) {
-    return binding(now.with_v0(side(now.served().v0)));
+    return binding(now.with_v0(side(now.served().hit)));
   };
   const auto by_p = [](const Point& now, const auto& side) {
     return binding(now.with_p(side(now.served().p)));
@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(each_requirement_binds_at_its_end) {
   BOOST_TEST(by_p(plain, above) == "stop");
   BOOST_TEST(by_p(soft, above) == "acceleration");
   // By hand: V0^2 <= beta (beta p^2 + 2 f), p^2 >= (V0^2 - 2 beta f)/beta^2.
-  BOOST_TEST(close(*plain.served().v0.high, sqrt(Precise(0.8) * (Precise(0.8) + 0.52)), 1e-15));
+  BOOST_TEST(close(*plain.served().hit.high, sqrt(Precise(0.8) * (Precise(0.8) + 0.52)), 1e-15));
   BOOST_TEST(
       close(plain.served().p.low, sqrt(1 - Precise(1.6) * Precise(0.26)) / Precise(0.8), 1e-15));
   BOOST_TEST(
@@ -179,7 +179,7 @@ BOOST_AUTO_TEST_CASE(each_requirement_binds_at_its_end) {
 BOOST_AUTO_TEST_CASE(f_max_and_the_tolerance_change_no_end_but_an_inadmissible_point_has_none) {
   Point now = plain;
   now.limits = {0.27, 0.38, 0.5};
-  BOOST_TEST(now.served().v0.low == plain.served().v0.low);
+  BOOST_TEST(now.served().hit.low == plain.served().hit.low);
   BOOST_TEST(*now.served().p.high == *plain.served().p.high);
   now.limits.f_max = 0.25;
   BOOST_TEST(!works_for(now.problem, now.limits, now.f, now.delta));
@@ -189,7 +189,7 @@ BOOST_AUTO_TEST_CASE(f_max_and_the_tolerance_change_no_end_but_an_inadmissible_p
 
 BOOST_AUTO_TEST_CASE(at_delta2_the_hit_may_not_be_weaker_and_no_spring_is_too_stiff) {
   const Point now{{1, 1, 2}, {}, 0.26, 0.5};
-  BOOST_TEST(now.served().v0.low == 1);
+  BOOST_TEST(now.served().hit.low == 1);
   BOOST_TEST(!now.served().p.high.has_value());
   BOOST_TEST(now.with_p(1e6).holds());
 }
@@ -201,8 +201,8 @@ BOOST_AUTO_TEST_CASE(a_range_of_one_value_is_that_value) {
     range.v0_low = range.p_high = 1;
     const WorksFor expected = works_for(one, {}, f, delta).value();
     const WorksFor found = works_for(range, {}, f, delta).value();
-    BOOST_TEST(found.v0.low == expected.v0.low);
-    BOOST_TEST(*found.v0.high == *expected.v0.high);
+    BOOST_TEST(found.hit.low == expected.hit.low);
+    BOOST_TEST(*found.hit.high == *expected.hit.high);
     BOOST_TEST(found.p.low == expected.p.low);
     BOOST_TEST(*found.p.high == *expected.p.high);
   }
@@ -221,7 +221,7 @@ BOOST_AUTO_TEST_CASE(the_ends_of_the_valid_inputs_are_no_error) {
         const auto served = works_for(now.problem, now.limits, now.f, now.delta);
         met += served.has_value();
         BOOST_TEST(served.has_value() == now.holds());
-        BOOST_TEST((!served || served->v0.low <= v0));
+        BOOST_TEST((!served || served->hit.low <= v0));
       }
     }
   }

@@ -210,6 +210,10 @@ void add_sides(figures::Figure& figure, const DrawnRegion& drawn, const FigureUn
                                           const design::Limits& limits, double f, double delta,
                                           const std::optional<design::WorksFor>& works_for,
                                           const FigureUnits& units);
+/// The same by the strength of a pulse, at the first return.
+[[nodiscard]] figures::Figure strengths_figure(const design::PulseProblem& problem,
+                                               const design::Limits& limits, double f, double delta,
+                                               const std::optional<design::WorksFor>& works_for);
 
 /// The same of a pulse: every Delta above the curve, between the ends of f.
 struct DrawnPulseRegion {

@@ -136,14 +136,15 @@ void add_finding(ordered_json& json, const DesignReport& report) {
   const design::Finding& now = *result.finding;
   json["design"] = design_point_json(report);
   json["constraints"] = list_json(now.constraints, constraint_json);
-  json["works_for"] = or_null(now.works_for, works_for_json);
+  const auto& [problem, limits, search, pulse, ranges] = result.request;
+  json["works_for"] = served_json(now.works_for, pulse.has_value());
+  json["hits"] = hits_json(problem, pulse, ranges, now.point.f, now.point.delta);
   json["practice"] = or_null(now.practice, practice_json);
   if (now.pulse) {
     json["response"] = forced_json(now.pulse->response);
     json["pulse"] = pulse_check_json(*now.pulse);
   } else {
     json["response"] = response_json(now.response);
-    json["hits"] = hits_json(result.request.problem, now.point.f, now.point.delta);
   }
   if (now.search) {
     json["search"] = search_json(*now.search, result);
@@ -199,7 +200,6 @@ ordered_json json(const RegionReport& report) {
   task["f"] = f;
   task["delta"] = delta;
   task["catalogue"] = file_of(report.catalogue);
-  const bool hit_by = f && delta && !pulse;
   return {{"schema", "stillpoint/region-report/1"},
           {"program", program_json()},
           {"input", task},
@@ -211,8 +211,8 @@ ordered_json json(const RegionReport& report) {
           {"tolerance", answer.tolerance},
           {"arrival", answer.arrival},
           {"constraints", list_json(answer.constraints, constraint_json)},
-          {"works_for", or_null(answer.works_for, works_for_json)},
-          {"hits", hit_by ? hits_json(problem, *f, *delta) : nullptr},
+          {"works_for", served_json(answer.works_for, pulse.has_value())},
+          {"hits", f && delta ? hits_json(problem, pulse, ranges, *f, *delta) : nullptr},
           {"practice", or_null(answer.practice, practice_json)},
           {"catalogue", parts_json(report)},
           {"physical", physical_json(report)}};

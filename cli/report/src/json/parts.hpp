@@ -64,9 +64,12 @@ template <class Range>
 [[nodiscard]] nlohmann::ordered_json task_json(const design::Problem& problem,
                                                const design::Limits& limits);
 [[nodiscard]] nlohmann::ordered_json constraint_json(const design::Constraint& constraint);
-[[nodiscard]] nlohmann::ordered_json works_for_json(const design::WorksFor& served);
-/// Of a point that is hit, not pushed by a pulse.
-[[nodiscard]] nlohmann::ordered_json hits_json(const design::Problem& problem, double f,
+[[nodiscard]] nlohmann::ordered_json served_json(const std::optional<design::WorksFor>& served,
+                                                 bool of_pulse);
+/// By the k of a pulse if there is one.
+[[nodiscard]] nlohmann::ordered_json hits_json(const design::Problem& problem,
+                                               const std::optional<design::Pulse>& pulse,
+                                               const design::PulseRanges& ranges, double f,
                                                double delta);
 [[nodiscard]] nlohmann::ordered_json practice_json(const design::Practice& lines);
 [[nodiscard]] nlohmann::ordered_json response_json(const Response& response);

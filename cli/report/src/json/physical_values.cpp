@@ -78,12 +78,13 @@ class Values {
     (*this)("energy_per_passage_j", delta ? scales().energy_per_passage_j(*delta) : delta);
   }
 
-  void add_served(const std::optional<design::WorksFor>& served) {
+  /// A pulse has no velocity.
+  void add_served(const std::optional<design::WorksFor>& served, bool of_pulse) {
     json["works_for_velocity_m_per_s"] = nullptr;
     json["works_for_period_s"] = nullptr;
     if (served) {
       const auto [velocity, period] = physical_works_for(scales(), *served);
-      json["works_for_velocity_m_per_s"] = interval_json(velocity);
+      json["works_for_velocity_m_per_s"] = of_pulse ? nullptr : interval_json(velocity);
       json["works_for_period_s"] = interval_json(period);
     }
   }
@@ -168,7 +169,7 @@ ordered_json physical_json(const DesignReport& report) {
   values.add_scales(v0 ? std::optional(*v0 * values.scales().velocity_m_per_s) : v0);
   values.add_region(result);
   values.add_damper(f, delta);
-  values.add_served(finding != nullptr ? finding->works_for : std::nullopt);
+  values.add_served(finding != nullptr ? finding->works_for : std::nullopt, pulse.has_value());
   values.add_hits(problem, pulse ? std::nullopt : f, delta);
   values.add_practice(finding != nullptr ? finding->practice : std::nullopt);
   values.add_response(finding != nullptr ? &finding->response : nullptr);
@@ -186,7 +187,7 @@ ordered_json physical_json(const RegionReport& report) {
   values.add_scales(pulse ? std::nullopt : std::optional(report.physical->velocity_m_per_s));
   values.add_region(answer);
   values.add_damper(f, delta);
-  values.add_served(answer.works_for);
+  values.add_served(answer.works_for, pulse.has_value());
   values.add_hits(problem, pulse ? std::nullopt : f, delta);
   values.add_practice(answer.practice);
   values.length("delta1_published_m", answer.delta1_published);

@@ -6,12 +6,20 @@ namespace stillpoint::report {
 
 using nlohmann::ordered_json;
 
-ordered_json works_for_json(const design::WorksFor& served) {
-  return {{"v0", interval_json(served.v0)}, {"p", interval_json(served.p)}};
+ordered_json served_json(const std::optional<design::WorksFor>& served, bool of_pulse) {
+  return or_null(served, [&](const design::WorksFor& now) -> ordered_json {
+    const ordered_json hit = interval_json(now.hit);
+    return {{"v0", of_pulse ? nullptr : hit},
+            {"k", of_pulse ? hit : nullptr},
+            {"p", interval_json(now.p)}};
+  });
 }
 
-ordered_json hits_json(const design::Problem& problem, double f, double delta) {
-  return list_json(shown_hits(problem, f, delta), [](const design::Hits& now) -> ordered_json {
+ordered_json hits_json(const design::Problem& problem, const std::optional<design::Pulse>& pulse,
+                       const design::PulseRanges& ranges, double f, double delta) {
+  const auto hits = pulse ? shown_strengths(pulse_problem(problem, *pulse, ranges), f, delta)
+                          : shown_hits(problem, f, delta);
+  return list_json(hits, [](const design::Hits& now) -> ordered_json {
     return {{"from", now.from},
             {"to", now.to},
             {"ends", name(now.end)},

@@ -8,6 +8,7 @@
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/design/works_for.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -60,6 +61,7 @@ void judge(RegionAnswer& answer, const PulseRequest& request, const PulseRegion&
   answer.admissible = limits.tolerance <= widest + edge;
   answer.practice = practice(oscillator, *answer.response, limits.acceleration_max, SetOff::load);
   answer.worst = worst_of(problem, region, motion);
+  answer.works_for = works_for(problem, limits, f, delta);
 }
 
 }  // namespace
@@ -127,6 +129,7 @@ void add_finding(DesignResult& result, const PulseRequest& request, const PulseR
   result.finding->constraints = constraints_of(request, point, worst, region);
   result.finding->pulse->even_tolerance = even_tolerance(request, region, point, unit_f);
   result.finding->pulse->worst = worst_of(problem, region, worst);
+  result.finding->works_for = works_for(problem, limits, point.f, point.delta);
 }
 
 }  // namespace stillpoint::design

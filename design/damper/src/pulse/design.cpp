@@ -9,6 +9,31 @@
 
 namespace stillpoint::design {
 
+namespace {
+
+DesignPoint in_units(const DesignPoint& found, const PulseRegion& region) {
+  return {found.f * region.f_unit(), found.delta * region.delta_unit(), found.tolerance};
+}
+
+}  // namespace
+
+std::optional<PulseDamper> damper(const PulseRequest& request) {
+  const auto& [problem, limits, options] = request;
+  require_valid(options);
+  require_valid(problem, limits);
+  const PulseRegion region(problem, limits);
+  const auto optimum = search(region, options);
+  if (!optimum) {
+    return std::nullopt;
+  }
+  const double unit_f = optimum->found.point.f;
+  DesignPoint point = in_units(optimum->found.point, region);
+  point.tolerance = even_tolerance(request, region, point, unit_f);
+  const PulseProblem shown = region.profile()->largest_peak(problem, unit_f);
+  return PulseDamper{point,
+                     forced_response({shown.p, point.f, point.delta}, {}, excitation(shown.pulse))};
+}
+
 DesignResult design(const PulseRequest& request) {
   const auto& [problem, limits, options] = request;
   require_valid(options);
@@ -19,17 +44,16 @@ DesignResult design(const PulseRequest& request) {
   if (!optimum) {
     return result;
   }
-  const auto& [f, delta, tolerance] = optimum->found.point;
-  const DesignPoint point{f * region.f_unit(), delta * region.delta_unit(), tolerance};
-  add_finding(result, request, region, point, f);
+  add_finding(result, request, region, in_units(optimum->found.point, region),
+              optimum->found.point.f);
   result.finding->search = optimum->found.record;
-  const auto in_units = [&](double value) {
+  const auto value_of = [&](double value) {
     return std::isinf(value) ? std::nullopt
                              : std::optional(in_pulse_units(request.search.objective, value,
                                                             region.f_unit(), request.problem.p));
   };
-  result.finding->pulse->searched = in_units(optimum->searched);
-  result.finding->pulse->bracketed = in_units(optimum->bracketed);
+  result.finding->pulse->searched = value_of(optimum->searched);
+  result.finding->pulse->bracketed = value_of(optimum->bracketed);
   return result;
 }
 

@@ -32,12 +32,13 @@ std::function<std::optional<Interval>(double)> feasible_delta(const PulseProblem
     const double tolerance = region->asked();
     const double low = region->low_of(f / region->f_unit(), tolerance);
     const double high = region->high_of(f / region->f_unit(), tolerance);
-    if (std::ranges::none_of(region->islands(), [&](const Island& island) {
-          return island.low <= low && high <= island.high;
-        })) {
+    KnownMotions known(*region->profile());
+    const bool inside = std::ranges::any_of(region->islands(), [&](const Island& island) {
+      return (island.low <= low || region->reaches_down_to_0(island)) && high <= island.high;
+    });
+    if (!inside || !known.at(low).returns) {
       return std::nullopt;
     }
-    KnownMotions known(*region->profile());
     const Interval delta{known.need_between(low, high, region->criterion()) /
                              (1 - region->shape().delta_low * tolerance),
                          region->delta_max() / (1 + region->shape().delta_high * tolerance)};

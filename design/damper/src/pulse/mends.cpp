@@ -13,9 +13,6 @@ namespace stillpoint::design {
 
 namespace {
 
-/// No mend makes a pulse longer than p / lambda = 10, unless it is already: when the mass swings
-/// many times before it returns, a region is too expensive to compute a hundred of them.
-constexpr double slowest_mended = 10;
 /// Six decades of any input are more than any design needs, and keep it valid.
 constexpr double far = 1e6;
 
@@ -101,7 +98,7 @@ std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits) {
   } else if (const auto value = nearest_either_way(
                  base, lambda,
                  std::min(lambda,
-                          std::max(lambda / far, problem.p_high.value_or(p) / slowest_mended)),
+                          std::max(lambda / far, problem.p_high.value_or(p) / slowest_examined)),
                  std::min(lambda * far, p * fastest_pulse), set_lambda)) {
     list.push_back({"lambda", *value, *value > lambda});
   }
@@ -113,7 +110,7 @@ std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits) {
          }});
   } else if (const auto value = nearest_either_way(
                  base, p, std::max(p / far, lambda_high.value_or(lambda) / fastest_pulse),
-                 std::max(p, std::min(p * far, lambda * slowest_mended)), set_p)) {
+                 std::max(p, std::min(p * far, lambda * slowest_examined)), set_p)) {
     list.push_back({"p", *value, *value > p});
   }
   add({"beta", problem.beta, problem.beta * far,

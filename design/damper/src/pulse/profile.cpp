@@ -68,9 +68,18 @@ std::vector<double> first_grid(const Pulse& pulse) {
 
 }  // namespace
 
-PulseProfile::PulseProfile(const Pulse& pulse, double p, Criterion criterion, bool k_varies)
+PulseProfile::PulseProfile(const Pulse& pulse, double p, Criterion criterion, bool k_varies,
+                           const Interval& window)
     : pulse_(unit_pulse(pulse, p)), criterion_(criterion) {
-  for (const double f : first_grid(pulse_)) {
+  std::vector<double> grid = first_grid(pulse_);
+  if (window.low > 0) {
+    std::erase_if(grid, [&](double f) { return f <= window.low || f >= window.high; });
+    grid.insert(grid.begin(), window.low);
+    if (window.high > window.low) {
+      grid.push_back(window.high);
+    }
+  }
+  for (const double f : grid) {
     const FirstReturn now = at(f);
     if (!samples_.empty()) {
       const FirstReturn before = samples_.back();

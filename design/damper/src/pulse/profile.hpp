@@ -22,7 +22,9 @@ inline constexpr double nearest_to_k = 1 - 1e-4;
 class PulseProfile {
  public:
   /// Also with the maxima of need/f^2 and of the time if k has a range: docs/theory.md section 15.
-  PulseProfile(const Pulse& pulse, double p, Criterion criterion, bool k_varies = false);
+  /// Only the f of the window are examined.
+  PulseProfile(const Pulse& pulse, double p, Criterion criterion, bool k_varies = false,
+               const Interval& window = {0, 1});
 
   [[nodiscard]] FirstReturn at(double f) const;
   [[nodiscard]] const std::vector<FirstReturn>& samples() const { return samples_; }

@@ -48,6 +48,10 @@ void require_valid(const PulseProblem& problem, const Limits& limits) {
   require_valid(Problem{k_low / lambda_high, p_high, problem.beta, problem.criterion}, limits);
 }
 
+PulseProblem pulse_problem(const Problem& problem, const Pulse& pulse, const PulseRanges& ranges) {
+  return {pulse, problem.p, problem.beta, problem.criterion, ranges, problem.p_high};
+}
+
 double peak_load(const Pulse& pulse) {
   return std::visit([](const auto& kind) { return kind.k; }, pulse);
 }

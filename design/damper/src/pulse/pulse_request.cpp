@@ -16,9 +16,7 @@ PulseRequest pulse_request(const DesignRequest& request) {
     throw InputError("residual", *problem.residual,
                      "must be left out with a pulse: a design for a pulse stops at x = 0");
   }
-  return {{*pulse, problem.p, problem.beta, problem.criterion, ranges, problem.p_high},
-          limits,
-          options};
+  return {pulse_problem(problem, *pulse, ranges), limits, options};
 }
 
 PulseRequest pulse_request(const RegionRequest& request) {

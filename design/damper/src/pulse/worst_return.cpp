@@ -76,30 +76,41 @@ double top_of(const Placed& before, const Placed& now, const Placed& after) {
 
 }  // namespace
 
-WorstReturn::WorstReturn(const PulseProblem& problem)
-    : criterion_(problem.criterion),
-      weakest_(problem.ranges.k_low.value_or(peak_load(problem.pulse)) / peak_load(problem.pulse)) {
-  add_cases(problem);
+WorstReturn::WorstReturn(const PulseProblem& problem, bool k_varies)
+    : WorstReturn(problem, k_varies, {0, 1}) {
   add_samples();
 }
 
+WorstReturn::WorstReturn(const PulseProblem& problem, bool k_varies, const Interval& window)
+    : criterion_(problem.criterion),
+      weakest_(problem.ranges.k_low.value_or(peak_load(problem.pulse)) / peak_load(problem.pulse)),
+      k_varies_(k_varies || weakest_ < 1) {
+  add_cases(problem, window);
+}
+
+FirstReturn WorstReturn::only_at(const PulseProblem& problem, double f) {
+  const double k = peak_load(problem.pulse);
+  const Interval window{f, f / (problem.ranges.k_low.value_or(k) / k)};
+  return WorstReturn(problem, false, window).found_at(f);
+}
+
 /// The two legs of (61).
-void WorstReturn::add_cases(const PulseProblem& problem) {
+void WorstReturn::add_cases(const PulseProblem& problem, const Interval& window) {
   const double lambda = angular_frequency(problem.pulse) / problem.p;
   const double shortest =
       problem.ranges.lambda_high.value_or(angular_frequency(problem.pulse)) / problem.p;
   const double stiffest = problem.p_high.value_or(problem.p) / problem.p;
   const Pulse unit = with_wave(problem.pulse, 1, lambda);
-  add_leg(unit, lambda, stiffest, lambda, 1);
+  add_leg(window, unit, lambda, stiffest, lambda, 1);
   corner_ = cases_.size();
-  add_leg(unit, lambda, 1, shortest, 1);
+  add_leg(window, unit, lambda, 1, shortest, 1);
   cases_.push_back(
-      {shortest, 1, PulseProfile(with_wave(unit, 1, shortest), 1, criterion_, weakest_ < 1)});
+      {shortest, 1, PulseProfile(with_wave(unit, 1, shortest), 1, criterion_, k_varies_, window)});
 }
 
 /// Without its end. The ratio lambda/p grows along it.
-void WorstReturn::add_leg(const Pulse& unit, double lambda, double p, double to_lambda,
-                          double to_p) {
+void WorstReturn::add_leg(const Interval& window, const Pulse& unit, double lambda, double p,
+                          double to_lambda, double to_p) {
   const double ratio = (to_lambda / lambda) * (p / to_p);
   if (!(ratio > 1)) {
     return;
@@ -119,7 +130,8 @@ void WorstReturn::add_leg(const Pulse& unit, double lambda, double p, double to_
     const double now = lambda * elementary::pow(to_lambda / lambda, share);
     const double spring = p * elementary::pow(to_p / p, share);
     cases_.push_back(
-        {now, spring, PulseProfile(with_wave(unit, 1, now), spring, criterion_, weakest_ < 1)});
+        {now, spring,
+         PulseProfile(with_wave(unit, 1, now), spring, criterion_, k_varies_, window)});
   }
 }
 

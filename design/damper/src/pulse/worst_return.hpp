@@ -17,7 +17,11 @@ namespace stillpoint::design {
 /// the largest of any pulse with any spring, and it returns if all do.
 class WorstReturn {
  public:
-  explicit WorstReturn(const PulseProblem& problem);
+  /// Also with what a weaker pulse may do worst if k has a range, or if the caller varies it.
+  explicit WorstReturn(const PulseProblem& problem, bool k_varies = false);
+
+  /// Of one f alone, in a fraction of the time.
+  [[nodiscard]] static FirstReturn only_at(const PulseProblem& problem, double f);
 
   [[nodiscard]] FirstReturn at(double f) const;
   /// The same for an f that is no sample.
@@ -44,13 +48,16 @@ class WorstReturn {
     PulseProfile profile;
   };
 
-  void add_cases(const PulseProblem& problem);
-  void add_leg(const Pulse& unit, double lambda, double p, double to_lambda, double to_p);
+  WorstReturn(const PulseProblem& problem, bool k_varies, const Interval& window);
+  void add_cases(const PulseProblem& problem, const Interval& window);
+  void add_leg(const Interval& window, const Pulse& unit, double lambda, double p, double to_lambda,
+               double to_p);
   void add_samples();
   [[nodiscard]] FirstReturn worst_of(const Case& one, double f) const;
 
   Criterion criterion_;  ///< whose largest need the samples have
   double weakest_{1};    ///< k_low / k
+  bool k_varies_;
   std::vector<Case> cases_;
   std::size_t corner_{0};  ///< the case where p has reached its low end and lambda starts to grow
   std::vector<FirstReturn> samples_;

@@ -91,8 +91,8 @@ WorksFor works_for(const Way& way, double f, double delta) {
   const Interval of_v0 = valid_v0(way.problem);
   const Interval of_p = valid_p(way.problem);
   WorksFor served;
-  served.v0 = {end(std::min(v0, of_v0.low), v0, with_v0),
-               end(std::max(v0, of_v0.high), v0, with_v0)};
+  served.hit = {end(std::min(v0, of_v0.low), v0, with_v0),
+                end(std::max(v0, of_v0.high), v0, with_v0)};
   served.p.low = end(std::min(p, of_p.low), p, with_p);
   if (const double most = std::max(p, of_p.high); !with_p(most)) {
     served.p.high = end(most, p, with_p);
@@ -114,13 +114,14 @@ WorksFor served_ranges(const Problem& problem, const Limits& limits, double f, d
   const Interval of_v0 = valid_v0(problem);
   const Interval of_p = valid_p(problem);
   WorksFor served;
-  served.v0 = {low == 0 ? 0
-                        : grown(std::min(low, of_v0.low), low,
-                                [](Problem& now, double value) { now.v0_low = value; }),
-               grown(std::max(problem.v0, of_v0.high), problem.v0, [&](Problem& now, double value) {
-                 now.v0 = value;
-                 now.v0_low = low;
-               })};
+  served.hit = {
+      low == 0 ? 0
+               : grown(std::min(low, of_v0.low), low,
+                       [](Problem& now, double value) { now.v0_low = value; }),
+      grown(std::max(problem.v0, of_v0.high), problem.v0, [&](Problem& now, double value) {
+        now.v0 = value;
+        now.v0_low = low;
+      })};
   served.p.low = grown(std::min(problem.p, of_p.low), problem.p, [&](Problem& now, double value) {
     now.p = value;
     now.p_high = stiffest;

@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(of_a_rectangle_of_half_a_natural_period_is_known) {
   BOOST_TEST(inside.admissible.value());
   BOOST_TEST(inside.tolerance.value() == 3.0 / 7, close);
   BOOST_TEST(inside.practice.has_value());
-  BOOST_TEST(!inside.works_for.has_value());
+  BOOST_TEST(inside.works_for.value().hit.low == 0.35, close);  // 2 f
   BOOST_TEST(!inside.arrival.has_value());
 }
 
@@ -243,6 +243,15 @@ BOOST_AUTO_TEST_CASE(the_delta_that_keep_a_tolerance_are_those_that_are_admissib
   }
   BOOST_TEST(some > 15, some);
   BOOST_TEST(none > 15, none);
+}
+
+/// A = 1, w^2 = 1.
+BOOST_AUTO_TEST_CASE(without_friction_the_delta_are_known_too) {
+  const auto delta_at_0 = [](double beta) {
+    return feasible_delta({Rectangle{0.5, 1}, 1, beta, Criterion::exact}, {})(0);
+  };
+  BOOST_TEST(delta_at_0(1.1).value().low == 0.5, tt::tolerance(1e-12));
+  BOOST_TEST(!delta_at_0(0.9));
 }
 
 BOOST_AUTO_TEST_CASE(random_dampers_stand_as_their_own_motion_says) {

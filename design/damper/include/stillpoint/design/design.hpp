@@ -3,6 +3,7 @@
 
 #include <stillpoint/design/design_result.hpp>
 
+#include <optional>
 #include <string>
 
 namespace stillpoint::design {
@@ -28,5 +29,12 @@ namespace stillpoint::design {
 /// `pulse` says how far the reduction to a velocity is off; the mends name k
 /// and lambda instead of v0. Throws InputError for wrong input.
 [[nodiscard]] DesignResult design(const PulseRequest& request);
+
+/// The damper of that answer alone, without the checks and what it works for, for many designs.
+struct PulseDamper {
+  DesignPoint point;        ///< its tolerance is that of f and delta at once
+  ForcedResponse response;  ///< with ranges that of the largest peak
+};
+[[nodiscard]] std::optional<PulseDamper> damper(const PulseRequest& request);
 
 }  // namespace stillpoint::design

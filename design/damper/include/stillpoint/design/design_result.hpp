@@ -32,7 +32,6 @@ struct Finding {
   Response response;                   ///< by the half-cycle map, or under the pulse
   std::optional<SearchRecord> search;  ///< empty for a part of a catalogue
   CrossCheck cross_check;
-  /// Empty for a pulse.
   std::optional<WorksFor> works_for;
   std::optional<Practice> practice;  ///< of `response`
   std::optional<PulseCheck> pulse;   ///< if a pulse moves the mass

@@ -4,6 +4,7 @@
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/pulse.hpp>
 
 #include <optional>
 #include <span>
@@ -13,10 +14,11 @@ namespace stillpoint::design {
 
 /// How the motion after a hit ends.
 enum class HitEnd {
-  held,         ///< V0^2 < 2 Delta: it never starts
+  held,         ///< V0^2 < 2 Delta, or k <= f: it never starts
   centred,      ///< it stops at x = 0
   off_centre,   ///< it rests in the dead zone
   alternating,  ///< alternately centred and off centre, not listed one by one
+  passes,       ///< of a pulse: it passes x = 0 at its first return
   too_far,      ///< its peak exceeds beta, wherever it ends
   never_stops,  ///< there is no friction
 };
@@ -54,5 +56,10 @@ inline constexpr int most_hit_segments = 100;
 /// The same for the worst of the springs of the problem, without `rest` where it has a range.
 [[nodiscard]] std::vector<Hits> shown_hits_of_springs(const Problem& problem, double f,
                                                       double delta);
+
+/// Every k of a pulse, from 0 to twice the strongest, of the worst of the lengths and springs of
+/// the ranges, by the motion up to its first return: docs/theory.md (71).
+[[nodiscard]] std::vector<Hits> shown_strengths(const PulseProblem& problem, double f,
+                                                double delta);
 
 }  // namespace stillpoint::design

@@ -38,10 +38,16 @@ struct PulseProblem {
   }
 };
 
+[[nodiscard]] PulseProblem pulse_problem(const Problem& problem, const Pulse& pulse,
+                                         const PulseRanges& ranges);
+
 /// lambda / p is at most the first, as far as a forced run reaches, and p / lambda the second: a
 /// half-sine of 50 natural periods, during which a weakly damped mass swings as often.
 inline constexpr double fastest_pulse = 1e12;
 inline constexpr double slowest_pulse = 100;
+/// No answer looks for a longer pulse than this p / lambda, unless it was given: when the mass
+/// swings many times before it returns, a region is too expensive to compute a hundred of them.
+inline constexpr double slowest_examined = 10;
 
 /// Throws InputError, naming the field, unless k > 0, lambda / p is from 0.01 to 1e12, and the
 /// problem of the velocity k / lambda is valid (problem.hpp); at both ends of each range, the low

@@ -62,7 +62,7 @@ struct RegionRequest {
   PulseRanges pulse_ranges{};
 };
 
-/// The region, and where the damper stands in it. Under a pulse, strips, arrival and works_for are
+/// The region, and where the damper stands in it. Under a pulse, strips and arrival are
 /// empty; Delta1 is the least Delta, by either criterion, that stops the mass at its first return.
 struct RegionAnswer : RegionVerdict {
   std::vector<Strip> strips{};

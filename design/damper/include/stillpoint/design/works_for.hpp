@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/pulse.hpp>
 
 #include <optional>
 
@@ -16,8 +17,8 @@ struct ServedInterval {
 
 /// What a damper as built works for.
 struct WorksFor {
-  ServedInterval v0;  ///< with p as given; always has a `high`
-  ServedInterval p;   ///< with v0 as given
+  ServedInterval hit;  ///< V0, or the k of a pulse, with p as given; always has a `high`
+  ServedInterval p;    ///< with the hit as given
 };
 
 /// The largest intervals around the problem's v0 and p in which (f, delta) itself keeps every
@@ -25,5 +26,12 @@ struct WorksFor {
 /// is not admissible. docs/theory.md (35) to (38). Throws as admissible() does.
 [[nodiscard]] std::optional<WorksFor> works_for(const Problem& problem, const Limits& limits,
                                                 double f, double delta);
+
+/// The same for k, from 0 on without friction, and p under a pulse. A narrow window of p in which
+/// the damper fails may be missed: docs/theory.md (71), (72). Empty also where nothing moves.
+[[nodiscard]] std::optional<WorksFor> works_for(const PulseProblem& problem, const Limits& limits,
+                                                double f, double delta);
+/// The p that are examined; if the damper works up to an end, that is the end given.
+[[nodiscard]] Interval searched_p(const PulseProblem& problem);
 
 }  // namespace stillpoint::design

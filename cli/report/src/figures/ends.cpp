@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "figures/ends.hpp"
+
+#include "figures/report_figures.hpp"
+#include "format.hpp"
+#include "sections.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace stillpoint::report {
+
+using design::HitEnd;
+using figures::AreaLook;
+using figures::Figure;
+using figures::FigurePoint;
+using figures::Ink;
+
+namespace {
+
+struct Look {
+  HitEnd end;
+  const char* name;
+  Ink ink;
+  AreaLook look;
+  const char* fate;  ///< of such hits; empty where a limit decides that the figure does not show
+};
+
+const Look& look_of(HitEnd end) {
+  using enum HitEnd;
+  static constexpr auto looks = std::to_array<Look>(
+      {{held, "held", Ink::grey, AreaLook::hatched, "are held at the start"},
+       {centred, "centred", Ink::sky, AreaLook::filled, ""},
+       {off_centre, "off centre", Ink::amber, AreaLook::hatched, "rest off centre"},
+       {alternating, "alternately centred and off centre", Ink::amber, AreaLook::filled,
+        "may rest off centre"},
+       {passes, "passes x = 0", Ink::amber, AreaLook::filled, "pass x = 0"},
+       {too_far, "too far", Ink::orange, AreaLook::hatched, "go too far"},
+       {never_stops, "never stops", Ink::purple, AreaLook::hatched, "never stop"}});
+  return *std::ranges::find(looks, end, &Look::end);
+}
+
+/// Neighbours of different returns differ.
+Ink ink_of(const design::Hits& now) {
+  constexpr std::array centred{Ink::sky, Ink::green, Ink::purple};
+  return now.end == HitEnd::centred ? centred.at(static_cast<std::size_t>(
+                                          std::fmod(now.arrivals.value_or(1) - 1, centred.size())))
+                                    : look_of(now.end).ink;
+}
+
+/// "off centre with some spring", "centred on return 2"
+std::string named(const design::Hits& now) {
+  const bool later = now.end == HitEnd::centred && now.arrivals.value_or(1) > 1;
+  return format("{}{}{}", look_of(now.end).name,
+                later ? format(" on return {}", *now.arrivals) : "",
+                now.every_spring ? "" : " with some spring");
+}
+
+/// "; weaker ones are held at the start and stronger ones go too far"
+std::string other_ones(const DrawnEnds& drawn) {
+  constexpr double beside = 1e-6;  // an edge of both may differ by rounding
+  const double weaker = drawn.works->low * (1 - beside);
+  const double stronger = drawn.works->high.value_or(HUGE_VAL) * (1 + beside);
+  std::vector<std::string> fates;
+  const auto add = [&fates](std::string fate) { fates.push_back(std::move(fate)); };
+  bool says_above = false;
+  for (const design::Hits& now : drawn.list) {
+    const bool below = now.from < weaker && weaker <= now.to;
+    const bool above = now.from <= stronger && stronger < now.to;
+    const std::string_view fate = look_of(now.end).fate;
+    if ((below || above) && !fate.empty()) {
+      const bool last = below ? now.from == 0 : now.to == drawn.list.back().to;
+      add(format("{}{} ones {}{}", last ? "" : "slightly ", below ? "weaker" : "stronger", fate,
+                 now.every_spring ? "" : " with some spring"));
+      says_above = says_above || above;
+    }
+  }
+  if (drawn.fail_by_criterion) {
+    add("slightly stronger ones stop too, but not by the published criterion");
+    says_above = true;
+  }
+  if (drawn.acceleration_max && !says_above) {
+    add(format("stronger ones feel more than {:.4g} g", *drawn.acceleration_max));
+  }
+  std::string text;
+  for (const std::string& fate : fates) {
+    text += (&fate == &fates.front() ? "; " : &fate == &fates.back() ? " and " : ", ") + fate;
+  }
+  return text;
+}
+
+std::string where_it_fails(const DrawnEnds& drawn) {
+  if (drawn.has_range) {
+    return format("The damper does not work for every {} of the range.", drawn.noun);
+  }
+  const auto now = std::ranges::find_if(drawn.list, [&](const design::Hits& each) {
+    return each.from < drawn.asked.high && drawn.asked.high < each.to;
+  });
+  const std::string_view fate = now == drawn.list.end() ? "" : look_of(now->end).fate;
+  return format("The damper does not work for the {} that was asked for{}.", drawn.noun,
+                fate.empty() ? "" : format(": such {}s {}", drawn.noun, fate));
+}
+
+std::string words(const DrawnEnds& drawn, double strength) {
+  return format("{:.4g}{}", strength * drawn.scale, with_blank(drawn.unit));
+}
+
+/// Those of the task as lines.
+figures::FigureCurve asked(const DrawnEnds& drawn) {
+  const auto& [low, high] = drawn.asked;
+  figures::FigureCurve curve;
+  curve.name = format("{} {}", drawn.symbol, low == 0 ? "up to " : "= ");
+  curve.ink = Ink::blue;
+  curve.dash = figures::Dash::dashed;
+  curve.hover = false;
+  const auto add = [&](double strength) {
+    const double place = strength * drawn.scale;
+    curve.name += words(drawn, strength);
+    curve.strokes.push_back({{place, 0}, {place, 1}});
+  };
+  if (0 < low && drawn.has_range) {
+    add(low);
+    curve.name += " to ";
+  }
+  add(high);
+  return curve;
+}
+
+}  // namespace
+
+std::vector<FigurePoint> strip(double from, double to, double low, double high) {
+  return {{from, low}, {to, low}, {to, high}, {from, high}};
+}
+
+Figure ends_figure(const DrawnEnds& drawn) {
+  constexpr double narrowest = 0.005;  // of the figure, to be seen
+  const double scale = drawn.scale;
+  const double known = drawn.list.back().to * scale;
+  Figure figure;
+  figure.id = format("{}s", drawn.noun);
+  figure.height = 150;
+  figure.x = {"", 0, 2 * drawn.asked.high * scale};
+  if (drawn.works) {  // the first to be named
+    const double low = drawn.works->low * scale;
+    const double high = *drawn.works->high * scale;
+    const std::string range = interval_text({low, high}) + with_blank(drawn.unit);
+    auto box = strip(low, high, 0.05, 0.3);
+    add_box_inset(figure, box);
+    figure.areas.push_back({"works for " + range, std::move(box), Ink::blue, AreaLook::box});
+    figure.caption =
+        format("The damper works for {}s of {}{}.", drawn.noun, range, other_ones(drawn));
+  } else {
+    figure.caption = where_it_fails(drawn);
+  }
+  figure.description = format("Ends of the motion by the strength of the {}:", drawn.noun);
+  for (const design::Hits& now : drawn.list) {
+    const bool seen = now.to - now.from >= narrowest * drawn.list.back().to;
+    figure.areas.push_back({.name = seen ? named(now) : "",
+                            .outline = strip(now.from * scale, now.to * scale, 0, 1),
+                            .ink = ink_of(now),
+                            .look = look_of(now.end).look,
+                            .again = true});
+    figure.description += format("{} {} from {} to {}", &now == drawn.list.data() ? "" : ",",
+                                 named(now), words(drawn, now.from), words(drawn, now.to));
+  }
+  if (known < figure.x.most) {  // beyond what the program takes
+    figure.areas.push_back(
+        {"not computed", strip(known, figure.x.most, 0, 1), Ink::purple, AreaLook::hatched});
+  }
+  figure.description += ". " + figure.caption;
+  figure.curves.push_back(asked(drawn));
+  return figure;
+}
+
+}  // namespace stillpoint::report

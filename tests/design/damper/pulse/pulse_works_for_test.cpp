@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT
+#include "damper.hpp"
+#include "pulse_request.hpp"
+#include "pulse_scan.hpp"
+#include "random_pulse.hpp"
+
+#include <stillpoint/design/hits.hpp>
+#include <stillpoint/design/works_for.hpp>
+
+BOOST_AUTO_TEST_SUITE(pulse_works_for_test)
+
+// The pulses and springs that a damper works for, compared with closed forms and with the motions
+// of single pulses.
+
+namespace {
+
+using namespace stillpoint::design_test;
+
+/// The program keeps this from an edge, several times over.
+constexpr double edge_tolerance = 1e-12;
+/// A point this far from an edge is on its own side of it in any run.
+constexpr double aside = 1e-9;
+
+/// Under a rectangle of half a natural period, p = lambda = 1, the mass reaches 2 (k - f), if it
+/// returns with w^2 = 4 (k - f)(k - 2 f), and feels 2 k - f.
+PulseRequest half_period(double beta, double k = 0.5) {
+  return request_of(Rectangle{k, 1}, beta);
+}
+
+PulseProblem with_k(PulseProblem problem, double k) {
+  std::visit([k](auto& kind) { kind.k = k; }, problem.pulse);
+  return problem;
+}
+
+PulseProblem with_p(PulseProblem problem, double p) {
+  problem.p = p;
+  return problem;
+}
+
+/// By the motion of that pulse with that spring.
+bool holds(const PulseRequest& request, const PulseProblem& one, double f, double delta) {
+  if (f >= peak_load(one.pulse)) {
+    return false;
+  }
+  const Scanned now = scanned(request, one.pulse, one.p, f);
+  return now.holds && now.need <= delta;
+}
+
+struct Point {
+  PulseRequest request;
+  double f;
+  double delta;
+
+  [[nodiscard]] std::optional<WorksFor> served() const {
+    return works_for(request.problem, request.limits, f, delta);
+  }
+  [[nodiscard]] bool holds_at(const PulseProblem& one) const {
+    return holds(request, one, f, delta);
+  }
+};
+
+/// Admissible by its own motion, and not on an edge.
+std::optional<Point> random_point(RandomSource& random) {
+  Point now{random_request(random), 0, 0};
+  now.request.limits = {.acceleration_max = now.request.limits.acceleration_max};
+  const PulseProblem& problem = now.request.problem;
+  const double k = peak_load(problem.pulse);
+  const double most = std::min(k, 4 * k * problem.p / angular_frequency(problem.pulse));
+  now.f = most * random.log_uniform(1e-3, 0.9);
+  const Scanned motion = scanned(now.request, problem.pulse, problem.p, now.f);
+  now.delta = motion.need * random.uniform(1, 3);
+  for (const double side : {1 - aside, 1 + aside}) {
+    if (!motion.holds || !holds(now.request, problem, now.f * side, now.delta)) {
+      return std::nullopt;
+    }
+  }
+  return now;
+}
+
+std::string context_of(const Point& now) {
+  const PulseProblem& problem = now.request.problem;
+  std::ostringstream text;
+  text.precision(17);
+  text << name(problem.pulse) << ", k " << peak_load(problem.pulse) << ", lambda "
+       << angular_frequency(problem.pulse) << ", p " << problem.p << ", beta " << problem.beta
+       << ", f " << now.f << ", delta " << now.delta << ", " << name(problem.criterion);
+  return text.str();
+}
+
+HitEnd end_at(const std::vector<Hits>& list, double k) {
+  return std::ranges::find_if(list, [k](const Hits& now) { return k <= now.to; })->end;
+}
+
+/// By the motion to the first return.
+HitEnd end_by_motion(const Point& now, const PulseProblem& one) {
+  if (now.f >= peak_load(one.pulse)) {
+    return HitEnd::held;
+  }
+  const ForcedResponse motion = simulated(one, now.f, 1e200);
+  const double w = motion.arrival_speed.value_or(0);
+  return motion.peak_amplitude > one.beta                       ? HitEnd::too_far
+         : !(motion.stops_at_zero && motion.half_cycles == 1.0) ? HitEnd::off_centre
+         : w * w / 2 <= now.delta                               ? HitEnd::centred
+                                                                : HitEnd::passes;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(of_a_rectangle_of_half_a_natural_period_the_ends_are_known) {
+  const auto close = tt::tolerance(edge_tolerance);
+  const auto served_k = [](const PulseRequest& request, double f, double delta) {
+    return works_for(request.problem, request.limits, f, delta).value().hit;
+  };
+  const double f = 0.15;
+  BOOST_TEST(served_k(half_period(0.8), f, 1).low == 2 * f, close);          // return
+  BOOST_TEST(*served_k(half_period(0.8), f, 1).high == 0.8 / 2 + f, close);  // amplitude
+  const double stop = (3 * f + std::sqrt(f * f + 2 * 0.2)) / 2;
+  BOOST_TEST(*served_k(half_period(0.8), f, 0.2).high == stop, close);
+  PulseRequest felt = half_period(0.8);
+  felt.limits.acceleration_max = 0.9;
+  BOOST_TEST(*served_k(felt, f, 1).high == (0.9 + f) / 2, close);
+  // Published: w^2/2 + f^2/2 <= delta.
+  PulseRequest published = half_period(0.8);
+  published.problem.criterion = Criterion::published;
+  const double by_published = (3 * f + std::sqrt(f * f + 2 * 0.2 - f * f)) / 2;
+  BOOST_TEST(*served_k(published, f, 0.2).high == by_published, close);
+  // Without friction: w = 2 k.
+  BOOST_TEST(served_k(half_period(1.1), 0, 1).low == 0);
+  BOOST_TEST(*served_k(half_period(1.1), 0, 1).high == 1.1 / 2, close);
+  BOOST_TEST(*served_k(half_period(1.1), 0, 0.51).high == std::sqrt(0.51 / 2), close);
+}
+
+BOOST_AUTO_TEST_CASE(a_damper_that_does_not_do_for_the_pulse_works_for_none) {
+  const auto served = [](double f, double delta, const Limits& limits = {}) {
+    return works_for(half_period(0.8).problem, limits, f, delta);
+  };
+  BOOST_TEST(served(0.15, 1).has_value());
+  BOOST_TEST(!served(0.05, 1));    // amplitude
+  BOOST_TEST(!served(0.26, 1));    // return
+  BOOST_TEST(!served(0.15, 0.1));  // stop
+  BOOST_TEST(!served(0.5, 1));     // start
+  BOOST_TEST(!served(0.15, 1, {.f_max = 0.1}));
+  BOOST_TEST(!served(0.15, 1, {.delta_max = 0.9}));
+  BOOST_TEST(!served(0.15, 1, {.acceleration_max = 0.8}));
+}
+
+BOOST_AUTO_TEST_CASE(every_pulse_and_spring_within_the_ends_is_served_and_none_just_beyond) {
+  RandomSource random(9301);
+  int met = 0;
+  for (int i = 0; i < 600; ++i) {
+    const auto now = random_point(random);
+    if (!now) {
+      continue;
+    }
+    ++met;
+    BOOST_TEST_CONTEXT(context_of(*now)) {
+      const auto served = now->served();
+      BOOST_TEST_REQUIRE(served.has_value());
+      const PulseProblem& problem = now->request.problem;
+      const double k = peak_load(problem.pulse);
+      BOOST_TEST(served->hit.low <= k);
+      BOOST_TEST(*served->hit.high >= k);
+      BOOST_TEST(served->p.low <= problem.p);
+      BOOST_TEST(*served->p.high >= problem.p);
+      constexpr int steps = 12;
+      for (int step = 0; step <= steps; ++step) {
+        const double part = aside + (1 - 2 * aside) * step / steps;
+        const auto between = [part](const ServedInterval& of) {
+          return of.low * std::pow(*of.high / of.low, part);
+        };
+        BOOST_TEST(now->holds_at(with_k(problem, between(served->hit))), "k, " << part);
+        BOOST_TEST(now->holds_at(with_p(problem, between(served->p))), "p, " << part);
+      }
+      // A full sine is not examined where f is within 1e-4 of k.
+      const bool examined = served->hit.low > now->f * (1 + 2e-4);
+      BOOST_TEST((!examined || !now->holds_at(with_k(problem, served->hit.low * (1 - aside)))));
+      BOOST_TEST(!now->holds_at(with_k(problem, *served->hit.high * (1 + aside))));
+      const auto [least, most] = searched_p(problem);
+      BOOST_TEST(
+          (served->p.low == least || !now->holds_at(with_p(problem, served->p.low * (1 - aside)))));
+      BOOST_TEST((*served->p.high == most ||
+                  !now->holds_at(with_p(problem, *served->p.high * (1 + aside)))));
+    }
+  }
+  BOOST_TEST(met > 100);
+}
+
+/// Corners and points between of everything that works_for says and of the ranges.
+BOOST_AUTO_TEST_CASE(with_ranges_every_pulse_with_every_spring_is_served) {
+  RandomSource random(9302);
+  int met = 0;
+  for (int i = 0; i < 150; ++i) {
+    auto now = random_point(random);
+    if (!now) {
+      continue;
+    }
+    PulseProblem& problem = now->request.problem;
+    const double k = peak_load(problem.pulse);
+    const double lambda = angular_frequency(problem.pulse);
+    const double wider = 1 + random.uniform(0, 0.1);
+    problem.ranges = {k / wider, lambda * wider};
+    problem.p_high = problem.p * wider;
+    const auto served = now->served();
+    if (!served) {
+      continue;
+    }
+    ++met;
+    BOOST_TEST_CONTEXT(context_of(*now) << ", " << wider) {
+      BOOST_TEST(served->hit.low <= k / wider);
+      BOOST_TEST(*served->hit.high >= k);
+      BOOST_TEST(served->p.low <= problem.p);
+      BOOST_TEST(*served->p.high >= *problem.p_high);
+      const auto within = [&](double low, double high) {
+        const double part = random.pick(2) == 0 ? random.pick(2) : random.uniform(0, 1);
+        return low * (1 + aside) * std::pow(high / low * (1 - 2 * aside), part);
+      };
+      for (int point = 0; point < 40; ++point) {
+        const bool by_k = point % 2 == 0;
+        const double now_k =
+            by_k ? within(served->hit.low, *served->hit.high) : within(k / wider, k);
+        const double now_p =
+            by_k ? within(problem.p, *problem.p_high) : within(served->p.low, *served->p.high);
+        PulseProblem one = with_p(with_k(problem, now_k), now_p);
+        std::visit([&](auto& kind) { kind.lambda = within(lambda, lambda * wider); }, one.pulse);
+        BOOST_TEST(now->holds_at(one),
+                   "k " << now_k << ", lambda " << angular_frequency(one.pulse) << ", p " << now_p);
+      }
+    }
+  }
+  BOOST_TEST(met > 20);
+}
+
+BOOST_AUTO_TEST_CASE(ranges_of_one_value_change_nothing) {
+  PulseRequest request = half_period(0.8);
+  const WorksFor plain = works_for(request.problem, {}, 0.15, 1).value();
+  request.problem.ranges = {0.5, 1};
+  request.problem.p_high = 1;
+  const WorksFor same = works_for(request.problem, {}, 0.15, 1).value();
+  BOOST_TEST(same.hit.low == plain.hit.low);
+  BOOST_TEST(*same.hit.high == *plain.hit.high);
+  BOOST_TEST(same.p.low == plain.p.low);
+  BOOST_TEST(*same.p.high == *plain.p.high);
+}
+
+BOOST_AUTO_TEST_CASE(the_strengths_of_a_pulse_end_as_their_motions_do) {
+  RandomSource random(9303);
+  constexpr double beside = 1e-6;  // of an edge
+  std::map<HitEnd, int> met;
+  for (int i = 0; i < 300; ++i) {
+    Point now{random_request(random), 0, 0};
+    const PulseProblem& problem = now.request.problem;
+    const double k = peak_load(problem.pulse);
+    now.f = random.pick(10) == 0 ? 0 : k * random.log_uniform(1e-3, 3);
+    now.delta = scanned(now.request, problem.pulse, problem.p, std::min(now.f, k / 3)).need *
+                random.uniform(0.3, 2);
+    BOOST_TEST_CONTEXT(context_of(now)) {
+      const auto list = shown_strengths(problem, now.f, now.delta);
+      double reached = 0;
+      for (const Hits& segment : list) {
+        BOOST_TEST(segment.from == reached);
+        reached = segment.to;
+      }
+      BOOST_TEST(reached == 2 * k);
+      for (int point = 0; point < 20; ++point) {
+        const double strength = random.uniform(0, 2 * k);
+        const HitEnd end = end_at(list, strength);
+        if (end_at(list, strength * (1 - beside)) != end ||
+            end_at(list, std::min(2 * k, strength * (1 + beside))) != end) {
+          continue;
+        }
+        ++met[end];
+        BOOST_TEST(name(end) == name(end_by_motion(now, with_k(problem, strength))),
+                   "k " << strength);
+      }
+    }
+  }
+  for (const HitEnd end :
+       {HitEnd::held, HitEnd::off_centre, HitEnd::centred, HitEnd::passes, HitEnd::too_far}) {
+    BOOST_TEST(met[end] > 100, name(end) << " " << met[end]);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
