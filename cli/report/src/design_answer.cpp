@@ -79,11 +79,11 @@ void add_worst(Section& answer, const DesignReport& report, const Physical& phys
       "", format("the motion shown has the largest peak, with {}", shown_motion(report, physical)));
 }
 
-/// Under a pulse, where only the tolerance asks for a strong notch.
+/// Under a pulse, where only the tolerance asks for a strong notch. A part has the one that it has.
 std::string unbounded_words(const DesignReport& report, const Physical& physical) {
   const design::DesignResult& result = report.result;
   constexpr double far_beyond = 3;  // times what stops the mass
-  if (!result.request.pulse || result.request.limits.delta_max) {
+  if (!result.request.pulse || result.request.limits.delta_max || report.catalogue) {
     return {};
   }
   const DeltaNeeds needs = delta_needs(result);

@@ -296,6 +296,17 @@ BOOST_AUTO_TEST_CASE(of_an_empty_region_is_empty) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
+/// Nothing bounds delta, which is advice for a notch to be built.
+BOOST_FIXTURE_TEST_CASE(a_part_with_a_strong_notch_is_ordered_as_it_is, Sandbox) {
+  const Arguments task("design --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.05");
+  write("strong.csv", "name,f,delta\nstrong,0.01,0.004\n");
+  const std::string advice = "Nothing bounds delta";
+  BOOST_TEST(contains(one_line(run(task).out), advice));
+  const std::string text = one_line(run(task + "--catalogue strong.csv").out);
+  BOOST_TEST(contains(text, "order part strong: f = 0.01, delta = 0.004."), text);
+  BOOST_TEST(!contains(text, advice), text);
+}
+
 /// With all of the Delta that is allowed; twice that is 100 % too large.
 BOOST_FIXTURE_TEST_CASE(a_part_at_a_limit_under_a_pulse_fits, Sandbox) {
   const Arguments task("--pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.05 --delta-max 0.001");
