@@ -2,7 +2,7 @@
 #include "format.hpp"
 #include "sections.hpp"
 
-#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/nearby_ends.hpp>
 #include <stillpoint/records/record_scaling.hpp>
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/report.hpp>
@@ -163,66 +163,22 @@ double peak_load(const Excitation& excitation) {
       excitation);
 }
 
-/// Where the mass is at rest in the end, and whether the notch holds it there under the load.
-struct End {
-  std::optional<double> rest;
-  bool locked{false};
-};
-
-End end_of(const ForcedResponse& response) {
-  const bool rests = response.stop_position || response.final_velocity == 0;
-  return {rests ? response.final_position : std::nullopt, response.locked_from.has_value()};
-}
-
-/// What the decision margin of a load cannot tell: how the motion ends with f and Delta off either
-/// way by as much as no damper is built more accurately than. Empty if much the same, and of a
-/// motion that takes longer to follow than anyone waits for a note.
-std::string sensitivity(const MotionReport& report) {
-  constexpr double off = 0.01;
+/// Empty if f and Delta slightly off change the end little.
+std::string nearby_words(const MotionReport& report) {
   constexpr double much = 0.05;  // of the peak
-  constexpr int most_asked = 1000;
-  constexpr double most_half_cycles = 1e6;
-  const SimulationRequest& request = report.request;
-  int asked = 0;
-  const ForcedOptions options{.t_end = is_forced(request) ? request.t_end : std::nullopt,
-                              .half_cycle_limit = most_half_cycles,
-                              .go_on = [&asked](double) { return ++asked < most_asked; }};
-  const auto with = [&](double of_f, double of_delta) {
-    Oscillator damper = request.oscillator;
-    damper.f *= of_f;
-    damper.delta *= of_delta;
-    Surface surface = request.surface;
-    for (FrictionZone& zone : surface.zones) {
-      zone.f *= of_f;
-    }
-    return end_of(forced_response(damper, request.start, request.excitation, options, surface));
-  };
-  const auto& forced = report.answer.forced;
-  const End as_given = forced ? end_of(*forced) : End{report.answer.response.stop_position, false};
-  double least = as_given.rest.value_or(0);
-  double most = least;
-  std::string_view changes;
-  try {
-    for (const double of_f : {1 - off, 1 + off}) {
-      for (const double of_delta : {1 - off, 1 + off}) {
-        const End end = with(of_f, of_delta);
-        changes = end.rest.has_value() != as_given.rest.has_value()  ? "whether it comes to rest"
-                  : changes.empty() && end.locked != as_given.locked ? "whether it locks"
-                                                                     : changes;
-        least = std::min(least, end.rest.value_or(least));
-        most = std::max(most, end.rest.value_or(most));
-      }
-    }
-  } catch (const TooManyHalfCycles&) {
+  const auto ends = nearby_ends(report.request, report.answer);
+  if (!ends) {
     return "";
   }
-  const std::string damper = request.oscillator.delta > 0 ? "f and delta" : "f";
-  if (asked >= most_asked) {
-    return "";
-  }
-  if (as_given.rest && most - least > much * report.answer.response.peak_amplitude) {
+  const std::string_view changes = ends->rest_differs   ? "whether it comes to rest"
+                                   : ends->lock_differs ? "whether it locks"
+                                                        : "";
+  const std::string damper = report.request.oscillator.delta > 0 ? "f and delta" : "f";
+  if (ends->rests &&
+      ends->rests->high - ends->rests->low > much * report.answer.response.peak_amplitude) {
     return format("with {} 1 % off either way it rests from x = {} to {}{}{}", damper,
-                  length_shown(report.physical, least), length_shown(report.physical, most),
+                  length_shown(report.physical, ends->rests->low),
+                  length_shown(report.physical, ends->rests->high),
                   changes.empty() ? "" : ", and that may change ", changes);
   }
   return changes.empty() ? "" : format("{} 1 % off may change {}", damper, changes);
@@ -268,7 +224,7 @@ void add_answer(Section& answer, const MotionReport& report) {
                                                : "by rounding"),
                Tone::bad);
   }
-  if (const std::string words = of_inputs ? "" : sensitivity(report); !words.empty()) {
+  if (const std::string words = of_inputs ? "" : nearby_words(report); !words.empty()) {
     answer.row("note", words, Tone::bad);
   }
   if (report.answer.forced && response.outcome == Outcome::running) {

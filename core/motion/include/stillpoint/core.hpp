@@ -14,6 +14,7 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/interval.hpp>
 #include <stillpoint/core/names.hpp>
+#include <stillpoint/core/nearby_ends.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/core/record_batch.hpp>
 #include <stillpoint/core/seconds.hpp>
