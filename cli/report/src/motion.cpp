@@ -97,17 +97,10 @@ std::string peaks_words(const MotionReport& report) {
 std::string verdict(const MotionReport& report) {
   const Response& response = report.answer.response;
   const Physical& physical = report.physical;
-  if (report.answer.forced && report.answer.forced->locked_from) {
-    std::string locked = lock_sentence(report);
-    locked.front() = 'L';
-    return locked + ".";
-  }
-  if (!moves(response) && response.outcome != Outcome::caught_at_start) {
-    return format("It never moves: {} holds it {}.",
-                  response.outcome == Outcome::stopped_in_notch ? "the notch" : "friction",
-                  is_forced(report.request)
-                      ? "throughout the load"
-                      : "at x = " + length_shown(physical, *response.stop_position));
+  if (const std::string held = lock_sentence(report); held.starts_with("locked")) {
+    return "L" + held.substr(1) + ".";
+  } else if (!held.empty()) {
+    return "It " + held + ".";
   }
   std::string text =
       response.stop_position.value_or(0) != 0
@@ -251,11 +244,31 @@ std::string locked_words(const ForcedResponse& locked, double load_end, const Ph
   return format("locked {} from {}; the structure then feels up to {:.3g} g", where, when, load);
 }
 
+namespace {
+
+/// Why the mass never moves though nothing locks it; empty if it moves.
+std::string held_words(const MotionReport& report) {
+  const Response& response = report.answer.response;
+  if (response.outcome == Outcome::caught_at_start) {
+    return outcome_phrase(response.outcome);
+  }
+  return moves(response)
+             ? ""
+             : format("never moves: {} holds it {}",
+                      response.outcome == Outcome::stopped_in_notch ? "the notch" : "friction",
+                      is_forced(report.request)
+                          ? format("throughout the load; the structure feels up to "
+                                   "{:.3g} g",
+                                   response.peak_absolute_acceleration)
+                          : "at x = " + length_shown(report.physical, *response.stop_position));
+}
+
+}  // namespace
+
 std::string lock_sentence(const MotionReport& report) {
   const auto& forced = report.answer.forced;
   if (!forced || !forced->locked_from) {
-    const Outcome outcome = report.answer.response.outcome;
-    return outcome == Outcome::caught_at_start ? outcome_phrase(outcome) : "";
+    return held_words(report);
   }
   // A run that is cut counts the rest in which it is locked as a stick.
   const double last =

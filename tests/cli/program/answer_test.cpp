@@ -169,22 +169,28 @@ BOOST_FIXTURE_TEST_CASE(of_a_hit_that_the_notch_holds_begins_with_that, Sandbox)
 }
 
 BOOST_FIXTURE_TEST_CASE(of_a_load_below_friction_says_that_nothing_moves, Sandbox) {
-  const std::string text =
-      run("simulate --p 1 --f 0.5 --delta 0.1 --excitation harmonic --k 0.2 --lambda 1 --t-end 20")
-          .out;
-  BOOST_TEST(lines_of(text).at(1) == "  It never moves: friction holds it throughout the load.");
+  const ProgramRun answer =
+      run("simulate --p 1 --f 0.5 --delta 0.1 --excitation harmonic --k 0.2 --lambda 1 --t-end 20 "
+          "--html page.html");
+  const std::string words =
+      "never moves: friction holds it throughout the load; the structure feels up to 0.2 g";
+  BOOST_TEST(contains(one_line(answer.out), "It " + words + "."), answer.out);
+  BOOST_TEST(answer.err == "stillpoint: " + words + "\n");
+  BOOST_TEST(contains(read("page.html"), "<p class=\"answer bad\">It never moves: "));
 }
 
 /// Friction at rest is p^2 x0 = 0.04 of f = 0.05; in the notch, at its very edge, 0.05 of 0.12.
 BOOST_FIXTURE_TEST_CASE(of_a_start_where_friction_holds_it_says_that_it_never_moves, Sandbox) {
   const auto answer = [&](const char* more) {
-    return run(Arguments("simulate --v0 0 --p 1 --delta 0.01 --html page.html") + more).out;
+    return run(Arguments("simulate --v0 0 --p 1 --delta 0.01 --html page.html") + more);
   };
-  const std::string off_centre = answer("--x0 0.04 --f 0.05");
+  const ProgramRun held = answer("--x0 0.04 --f 0.05");
+  BOOST_TEST(held.err == "stillpoint: never moves: friction holds it at x = 0.04\n");
+  const std::string& off_centre = held.out;
   BOOST_TEST(lines_of(off_centre).at(1) == "  It never moves: friction holds it at x = 0.04.");
   BOOST_TEST(!contains(off_centre, "peak"), off_centre);  // nor an acceleration
   BOOST_TEST(!contains(off_centre, "acceleration"), off_centre);
-  BOOST_TEST(lines_of(answer("--x0 0.05 --f 0.02 --notch-width 0.1")).at(1) ==
+  BOOST_TEST(lines_of(answer("--x0 0.05 --f 0.02 --notch-width 0.1").out).at(1) ==
              "  It never moves: the notch holds it at x = 0.05.");
   BOOST_TEST(contains(read("page.html"), "Nothing moves, so there is nothing to draw."));
 }

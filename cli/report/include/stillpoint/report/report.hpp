@@ -92,7 +92,8 @@ struct AccuracyReport {
 [[nodiscard]] Document document(const AccuracyReport& report);
 
 /// "locked at x = 0 from 1.61 s of 20 s; the structure then feels up to 0.35 g", in tau without
-/// physical input; for a hit that the notch holds, that the motion never starts; else empty.
+/// physical input; for a mass that is held from the start, that it never starts or moves; else
+/// empty.
 [[nodiscard]] std::string lock_sentence(const MotionReport& report);
 /// The same of a damper that stops the mass before its pulse is over; else empty.
 [[nodiscard]] std::string lock_sentence(const DesignReport& report);
