@@ -21,7 +21,7 @@ using design::SpectrumFigures;
 using design::SpectrumPoint;
 
 /// At even steps; more do not fit a screen, and a file has them all.
-constexpr std::size_t most_even_periods = 20;
+constexpr std::size_t most_even_periods = 13;
 
 /// Those, and the periods of the largest of each figure.
 std::set<std::size_t> shown_periods(const std::vector<SpectrumPoint>& points) {
