@@ -32,6 +32,7 @@ std::string lettered(std::string_view text) {
       std::to_array<std::pair<std::string_view, std::string_view>>({{"Delta1", "Δ₁"},
                                                                     {"delta", "Δ"},
                                                                     {"tau", "τ"},
+                                                                    {"lambda", "λ"},
                                                                     {"v0", "V₀"},
                                                                     {"x0", "x₀"},
                                                                     {"f2", "f₂"},

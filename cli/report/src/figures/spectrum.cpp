@@ -64,7 +64,7 @@ FigurePoint highest(const FigureCurve& curve, double first = 0, double last = HU
 
 /// So few periods that a line between them would look like more.
 void add_points(Figure& figure, std::size_t periods) {
-  constexpr std::size_t few = 40;
+  constexpr std::size_t few = 20;
   if (periods > few) {
     return;
   }
