@@ -84,8 +84,8 @@ BOOST_AUTO_TEST_CASE(the_envelope_goes_through_the_peaks) {
   const HtmlPage page = motion({1, f, 0});
   const auto& outline = figure(page, "motion").curves.front().strokes[0];
   const auto peak = [](double half_cycles) { return 1 - 2 * f * half_cycles; };
-  constexpr double before = 4;  // half-cycles, from where a column's neighbours reach
-  constexpr double behind = 3;
+  constexpr double before = 2;  // half-cycles: a column has the largest of its time
+  constexpr double behind = 2;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const double now = outline[i].x / std::numbers::pi;
     const double away = i < outline.size() / 2 ? outline[i].y : -outline[i].y;
@@ -378,6 +378,33 @@ BOOST_AUTO_TEST_CASE(the_time_locked_is_shaded_above_the_whole_load) {
     BOOST_TEST(drawn->bands.front().to == drawn->x.most);
     BOOST_TEST(drawn->bands.front().from < 5);
   }
+}
+
+/// A load that goes on is shown to the end of the run, but at most ten times as long as the motion.
+BOOST_AUTO_TEST_CASE(the_time_locked_under_a_load_that_goes_on_is_shown) {
+  SimulationRequest request;
+  request.oscillator = {1, 0.3, 0.4};
+  request.start = {0, 1};
+  request.excitation = Harmonic{.k = 0.05, .lambda = 3};
+  request.t_end = 20;
+  const HtmlPage page = page_of(request);
+  BOOST_TEST(figure(page, "motion").x.most == 20);
+  BOOST_TEST(figure(page, "excitation").x.most == 20);
+  const double stop = figure(page, "motion").bands.front().from;
+  request.t_end = 1000;
+  BOOST_TEST(figure(page_of(request), "motion").x.most == 10 * stop);
+}
+
+/// Both lie on the same figure.
+BOOST_AUTO_TEST_CASE(friction_zones_have_another_colour_than_the_time_locked) {
+  SimulationRequest request;
+  request.oscillator = {1, 0.3, 0.4};
+  request.start = {0, 1};
+  request.surface.zones = {{0.1, 0.35}};
+  request.excitation = Harmonic{.k = 0.05, .lambda = 3};
+  request.t_end = 20;
+  const Figure drawn = figure(page_of(request), "motion");
+  BOOST_TEST((named(drawn.areas, "friction 0.35").ink != drawn.bands.front().ink));
 }
 
 BOOST_AUTO_TEST_CASE(the_phase_portrait_is_smooth_and_directed) {

@@ -64,10 +64,13 @@ void add_frictionless(DrawnMotion& motion, const SimulationRequest& request) {
   }
 }
 
-/// The end of the figure for a motion that comes to rest: the whole load is shown.
-double seen_until(const Excitation& excitation, double stop_time) {
+/// The end of the figure for a motion that comes to rest: the whole load is shown, and of one that
+/// goes on until `last` as much as leaves the motion large enough to be seen.
+double seen_until(const Excitation& excitation, double stop_time, double last) {
   constexpr double seen_at_rest = 1.25;
-  return std::max(seen_at_rest * stop_time, duration(excitation).value_or(0));
+  constexpr double most_at_rest = 10;
+  const double load = duration(excitation).value_or(std::min(last, most_at_rest * stop_time));
+  return std::max(seen_at_rest * stop_time, load);
 }
 
 void show_rest(DrawnMotion& motion, const State& rest, double until) {
@@ -165,7 +168,7 @@ void draw_free(DrawnMotion& motion, const SimulationRequest& request) {
   follow_free(motion, request, cut);
   motion.whole = !cut;
   if (motion.rest && motion.shown_to > 0) {
-    show_rest(motion, *motion.rest, seen_until({}, motion.shown_to));
+    show_rest(motion, *motion.rest, seen_until({}, motion.shown_to, motion.shown_to));
   }
 }
 
@@ -193,7 +196,7 @@ void draw_forced(DrawnMotion& motion, const SimulationRequest& request, const Si
     if (rest.x == 0 && request.oscillator.delta > 0 && !request.surface.notch_width) {
       motion.states.push_back(rest);  // the notch stops it at once
     }
-    show_rest(motion, rest, seen_until(excitation, *stop_time));
+    show_rest(motion, rest, seen_until(excitation, *stop_time, last));
     motion.locked_from = locked_from;
   }
   motion.whole = last >= horizon || rest_is_seen;

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -21,47 +23,62 @@ using figures::Ink;
 
 namespace {
 
-/// The least and the largest in each of some columns of time and their neighbours, which together
-/// span a swing to either side, in the order of an outline. A rest of many columns is one line
-/// between two points.
-std::vector<FigurePoint> envelope(const std::vector<FigurePoint>& points, std::size_t turns,
-                                  bool rests) {
-  constexpr std::size_t columns = 180;
-  const std::size_t neighbours = (columns + turns / 2) / turns;  // columns / turns, rounded
-  struct Column {
-    double least{HUGE_VAL};
-    double most{-HUGE_VAL};
+/// Raises what lies between two crests, each the highest in a swing to either side, to the line
+/// from one to the next; before the first, and behind the last if the motion goes on, to its
+/// height.
+void join_crests(std::vector<double>& heights, std::size_t swing, bool rests) {
+  const std::vector<double> own = heights;
+  const auto raise = [&](std::size_t from, std::size_t to, double first, double last) {
+    for (std::size_t i = from; i < to; ++i) {
+      const double done = static_cast<double>(i - from) / static_cast<double>(to - from);
+      heights[i] = std::max(own[i], std::lerp(first, last, done));
+    }
   };
-  std::vector<Column> spans(columns);
+  std::optional<std::size_t> before;
+  for (std::size_t i = 0; i + swing < own.size(); ++i) {
+    const std::size_t first = i - std::min(i, swing);
+    if (own[i] == std::ranges::max(std::span(own).subspan(first, 2 * swing + 1))) {
+      raise(before.value_or(0), i, own[before.value_or(i)], own[i]);
+      before = i;
+    }
+  }
+  if (before && !rests) {
+    raise(*before, own.size(), own[*before], own[*before]);
+  }
+}
+
+/// Around the motion, in the order of an outline, from its crests to either side in columns of
+/// time. A rest of many columns is one line between two points.
+std::vector<FigurePoint> envelope(const std::vector<FigurePoint>& points, std::size_t turns,
+                                  double last_turn, bool rests) {
+  constexpr std::size_t columns = 180;
+  std::vector<double> above(columns, -HUGE_VAL);
+  std::vector<double> below = above;
   const auto column = [&](const FigurePoint& at) {
     return std::min(static_cast<std::size_t>(at.x / points.back().x * columns), columns - 1);
   };
   const FigurePoint* before = &points.front();
   for (const FigurePoint& at : points) {
-    const auto [least, most] = std::minmax(before->y, at.y);
-    const std::size_t first = column(*before);
-    const std::size_t last = std::min(column(at) + neighbours, columns - 1);
-    for (std::size_t i = first - std::min(first, neighbours); i <= last; ++i) {
-      spans[i].least = std::min(spans[i].least, least);
-      spans[i].most = std::max(spans[i].most, most);
+    for (std::size_t i = column(*before); i <= column(at); ++i) {
+      above[i] = std::max({above[i], before->y, at.y});
+      below[i] = std::max({below[i], -before->y, -at.y});
     }
     before = &at;
   }
-  // The last columns have no neighbours behind them; a motion that goes on does not end there.
-  const Column swing = spans[columns - 1 - neighbours];
-  for (std::size_t i = columns - neighbours; !rests && i < columns; ++i) {
-    spans[i] = {std::min(spans[i].least, swing.least), std::max(spans[i].most, swing.most)};
-  }
+  const auto swing = static_cast<std::size_t>(
+      std::lround(columns * last_turn / points.back().x / static_cast<double>(turns)));
+  join_crests(above, swing, rests);
+  join_crests(below, swing, rests);
   std::vector<FigurePoint> outline;
   outline.reserve(2 * columns);
   const auto place = [&](std::size_t i) {
     return points.back().x * static_cast<double>(i) / (columns - 1);
   };
   for (std::size_t i = 0; i < columns; ++i) {
-    outline.push_back({place(i), spans[i].most});
+    outline.push_back({place(i), above[i]});
   }
   for (std::size_t i = columns; i-- > 0;) {
-    outline.push_back({place(i), spans[i].least});
+    outline.push_back({place(i), -below[i]});
   }
   return outline;
 }
@@ -182,10 +199,10 @@ void add_zones(Figure& figure, const DrawnMotion& motion, double length, Along a
   for (const FrictionZone& zone : motion.surface.zones) {
     const std::string name = format("friction {:.4g}", zone.f);
     if (before == 0) {
-      strip(name, Ink::amber, -zone.to, zone.to);
+      strip(name, Ink::sky, -zone.to, zone.to);
     } else {
-      strip(name, Ink::amber, before, zone.to);
-      strip(name, Ink::amber, -zone.to, -before);
+      strip(name, Ink::sky, before, zone.to);
+      strip(name, Ink::sky, -zone.to, -before);
     }
     before = zone.to;
   }
@@ -241,8 +258,8 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
     add_limits(figure, motion, units);
   }
   if (long_one) {
-    auto outline =
-        envelope(places(motion.states, place), motion.turns.size(), motion.rest.has_value());
+    auto outline = envelope(places(motion.states, place), motion.turns.size(),
+                            place(motion.turns.back()).x, motion.rest.has_value());
     figure.curves.push_back({"envelope", {outline}, Ink::blue});
     figure.areas.push_back({"", std::move(outline), Ink::blue});
     figure.caption.back() = ',';
