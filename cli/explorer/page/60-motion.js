@@ -172,6 +172,7 @@ class MotionView {
   draw(drawn) {
     const series = series_of(drawn);
     this.shown = { drawn, series, marks: [draw_motion(drawn, series)] };
+    el("motion-caption").hidden = false;
     this.seek(this.at);
   }
 
@@ -204,6 +205,7 @@ class MotionView {
     this.stop();
     this.shown = null;
     fill(el("motion"), ...why);
+    el("motion-caption").hidden = true;
     clear("phase", "energy");
   }
 

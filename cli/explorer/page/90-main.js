@@ -152,7 +152,8 @@ class Bench {
   /** The same task with or without units. */
   turn_units() {
     const on = input("dimensionless").checked;
-    if (on === !is_physical(this.options)) return;
+    this.frames.finish(); // what was typed last may be refused
+    if (this.refusal !== null || on === !is_physical(this.options)) return;
     const { options, design, damper } = this;
     this.go(on ? to_plain(options, design, damper) : to_physical(options, design));
   }
@@ -177,6 +178,7 @@ class Bench {
     el("notice").classList.toggle("doubt", message === null);
     if (el("notice").textContent !== notice) el("notice").textContent = notice;
     input("dimensionless").checked = !is_physical(this.options);
+    input("dimensionless").disabled = message !== null; // its numbers are not known
     if (level === Level.task || message) {
       this.fields.show(this.options, message ? null : this.design);
       this.frames.put_off("preset", () => this.show_preset());

@@ -165,6 +165,30 @@ test("units switch there and back", () =>
     assert.ok(Math.abs(back.f / f - 1) < 1e-4);
   }));
 
+test("a task that is refused keeps its units", async () => {
+  await with_page("v0=1&p=1", {}, async (page) => {
+    assert.match(await bench.notice(page), /beta/);
+    assert.equal(await page.isDisabled("#dimensionless"), true);
+    await bench.go(page, "v0=1&p=1&beta=0.9");
+    assert.equal(await page.isDisabled("#dimensionless"), false);
+  });
+  // Typed and switched within one frame, so that it is not refused yet.
+  await with_page(isolator, {}, async (page) => {
+    await page.evaluate(() => {
+      const field = /** @type {HTMLInputElement} */ (
+        document.getElementById("in-max-displacement")
+      );
+      field.value = "-1mm";
+      field.dispatchEvent(new Event("change", { bubbles: true }));
+      document.getElementById("dimensionless")?.click();
+    });
+    await settle(page);
+    assert.match(await bench.notice(page), /-1mm|-0.001/);
+    assert.equal(await page.isChecked("#dimensionless"), false);
+    assert.equal(await page.inputValue("#in-max-displacement"), "-1mm");
+  });
+});
+
 test("numbers in sentences stand in full in data-value", () =>
   with_page(isolator, {}, async (page) => {
     const bare = await page.evaluate(() => {
@@ -211,9 +235,11 @@ test("every end of a hit has a name, and a motion without end is not drawn", () 
   with_page("v0=1&p=1&beta=0.8&f=0&delta=0", {}, async (page) => {
     assert.equal(await bench.words(page, "#hit-key"), "never stops up to 0.8too far beyond");
     assert.equal(await page.locator("#motion svg.figure").count(), 1);
+    assert.equal(await page.isVisible("#motion-caption"), true);
     await bench.go(page, "v0=1&p=1&beta=0.8&f=1e-5&delta=0");
     assert.match(await bench.words(page, "#motion"), /^It moves for \d+ half-cycles, too many/);
     assert.equal(await page.locator(":is(#motion, #phase, #cloud) svg.figure").count(), 0);
+    assert.equal(await page.isVisible("#motion-caption"), false);
     await page.click("#play");
     assert.equal(await bench.words(page, "#play"), "Play");
     await page.click("#release");
@@ -225,7 +251,7 @@ test("what would block the page is left to the program", () =>
   with_page("v0=1&p=1&beta=0.9&f=1e-9&delta=1e-8", {}, async (page) => {
     assert.match(await bench.notice(page), /^f and delta are so small .* at most 1e\+06/);
     await bench.go(page, "v0=1&p=1&beta=0.9&f=1e-9&delta=0&notch-width=0.1");
-    assert.match(await bench.notice(page), /^the motion has more half-cycles/);
+    assert.match(await bench.notice(page), /^friction is so small .* at most 1e\+06/);
     await bench.go(page, "v0=1&p=1&beta=0.9&arrivals=101");
     assert.match(await bench.notice(page), /^arrivals = 101: must be at most 100 on this page/);
   }));
