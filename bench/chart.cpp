@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -63,14 +64,20 @@ FigureAxis time_axis(const Comparison& comparison) {
           decade(std::ceil(std::log10(most * 1.1))), Scale::logarithmic};
 }
 
+/// Two digits, "1400" and not "1.4e+03".
+std::string microseconds(const Row& row) {
+  return fmt::format("{} µs", std::stod(fmt::format("{:.2g}", place(row).y)));
+}
+
 std::string description(const SceneRows& scene) {
   std::string text =
-      fmt::format("{}: stillpoint takes {:.2g} µs with an error of {:.1g}", scene.scene.legend,
-                  place(scene.kernel()).y, scene.kernel().verdict.largest());
+      fmt::format("{}: stillpoint takes {} with an error of {:.1g}", scene.scene.legend,
+                  microseconds(scene.kernel()), scene.kernel().verdict.largest());
   if (const auto rival = best_rival(scene, 1e-8)) {
-    text += fmt::format("; the best other at 1e-8 is {} with {:.2g} µs", rival->method->method.name,
-                        place(*rival->row).y);
+    text += fmt::format("; the best other at 1e-8 is {} with {}", rival->method->method.name,
+                        microseconds(*rival->row));
   }
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
   return text + ".";
 }
 

@@ -282,8 +282,10 @@ bool is_letter(char c) {
 
 /// "9.81 m/s2" in one piece.
 void bind_units(std::string& text) {
+  constexpr std::string_view micro = "\u00b5";
   for (std::size_t i = text.size(); i-- > 2;) {
-    if (is_digit(text[i - 2]) && text[i - 1] == ' ' && (text[i] == '%' || is_letter(text[i]))) {
+    if (is_digit(text[i - 2]) && text[i - 1] == ' ' &&
+        (text[i] == '%' || is_letter(text[i]) || text.substr(i, micro.size()) == micro)) {
       text.replace(i - 1, 1, no_break);
     }
   }

@@ -340,6 +340,7 @@ BOOST_AUTO_TEST_CASE(draws_an_inset_outside_the_plot_that_zooms) {
 
 BOOST_AUTO_TEST_CASE(prose_does_not_break_numbers_or_short_equations) {
   BOOST_TEST(prose("a peak of 9.8 m/s2") == "a peak of 9.8\u00a0m/s\u00b2");
+  BOOST_TEST(prose("takes 6 \u00b5s") == "takes 6\u00a0\u00b5s");
   BOOST_TEST(prose("rest at x = 0") == "rest at x\u00a0=\u00a00");
   BOOST_TEST(prose("delta = 0.03 = 5.9 mm") == "delta\u00a0=\u00a00.03 =\u00a05.9\u00a0mm");
   BOOST_TEST(prose("needs f >= f2 = 0.5, x <= 1") ==
