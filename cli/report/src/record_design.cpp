@@ -64,81 +64,16 @@ std::string end_words(const Interval& searched, double p, bool of_period) {
   return {};
 }
 
-/// Empty if the mass moves.
-std::string stands_still(const design::RecordDesign& result) {
-  const design::SuiteFigures& figures = result.finding->point.figures;
-  const std::size_t all = result.finding->responses.size();
-  return !hardly_moves(result) ? ""
-         : figures.peak > 0    ? format("The mass hardly moves, and the structure feels up to {}. ",
-                                        acceleration_shown(figures.acceleration))
-                               : format(
-                                     "The mass never moves: it is held through {}, and the structure "
-                                        "feels up to {}. ",
-                                     of_records(all, all), acceleration_shown(figures.acceleration));
-}
-
-/// Empty if the mass is never locked, or never moves.
-std::string locked_sentence(const design::RecordDesign& result) {
-  const std::string locked = lock_words(result);
-  return locked.empty() || result.finding->point.figures.peak == 0 ? ""
-                                                                   : format(" Locked: {}.", locked);
-}
-
-std::string figures_words(const design::SuiteFigures& figures, const Physical& physical,
-                          std::string_view where = "") {
-  const std::string felt =
-      format("{} transmitted{}", acceleration_shown(figures.acceleration), where);
-  return figures.peak == 0
-             ? felt
-             : format("{}, stroke {}, residual {}", felt, length_shown(physical, figures.peak),
-                      length_shown(physical, figures.residual));
-}
-
-/// Of the transmitted acceleration, if there is a notch: one without a width gives impulses, which
-/// are left out.
-std::string_view felt_where(const design::RecordDesign& result) {
-  const auto& [damper, figures] = result.finding->point;
-  return damper.delta == 0 || figures.peak == 0 ? ""
-         : result.request.notch_width           ? ", the notch included"
-                                                : " between passages";
-}
-
-/// The mean hides that one record may be far beyond the limits.
-std::string worst_of_mean(const design::RecordDesign& result, const Physical& physical) {
-  const std::size_t worst = worst_record(result);
-  return format(" The worst of them, {}: {}.", record_label(result.request.records[worst]),
-                figures_words(design::suite_figures(result.finding->responses[worst]), physical));
-}
-
-std::string verdict(const RecordDesignReport& report) {
-  const design::RecordDesign& result = report.result;
-  const std::string so_far = result.search.interrupted ? "Interrupted, the best so far: " : "";
-  if (!result.finding) {
-    return so_far + shortfall_sentence(report);
-  }
-  const Physical& physical = report.physical;
-  const auto& [damper, figures] = result.finding->point;
-  return so_far + stands_still(result) +
-         format("{} {}, with {}. {}: {}.", hardly_moves(result) ? "The damper found has" : "Build",
-                damper_words(physical, damper.f, damper.delta, result.request.notch_width,
-                             printed_digits),
-                spring_words(physical, damper.p, period_digits(result.request)),
-                design::suite_words(*result.request.combine, result.request.records.size()),
-                figures_words(figures, physical, felt_where(result))) +
-         (is_mean(result.request) ? worst_of_mean(result, physical) : "") +
-         locked_sentence(result) + tolerance_sentence(result, physical) +
-         example_sentence(result, physical) +
-         (result.finding->check.passed ? ""
-                                       : " But the check DISAGREES: do not rely on this design.");
-}
-
 void add_answer(Section& answer, const design::RecordDesign& result, const Physical& physical) {
   const design::SuiteDamper& damper = result.finding->point.damper;
   answer.row("damper",
              format("f = {:.{}g}, delta = {}", damper.f, printed_digits,
                     length_shown(physical, damper.delta, printed_digits)),
              Tone::heading);
+  answer.row("spring", spring_words(physical, damper.p, period_digits(result.request)) +
+                           end_words(result.request.p, damper.p, physical.has_value()));
   add_rest(answer, result);
+  add_worst_of_mean(answer, result, physical);
   add_notch(answer, result, physical);
   add_tolerance(answer, result, physical);
   const design::SuiteCheck& check = result.finding->check;
@@ -156,8 +91,6 @@ void add_damper(Document& document, const RecordDesignReport& report) {
   const Physical& physical = report.physical;
   const design::SuiteDamper& damper = report.result.finding->point.damper;
   Section& section = document.detail("Damper");
-  section.row("spring", spring_words(physical, damper.p, period_digits(report.result.request)) +
-                            end_words(report.result.request.p, damper.p, physical.has_value()));
   add_damper_physics(section, physical, damper.f, damper.delta);
   const design::Sensitivity& near = report.result.finding->sensitivity;
   section.row("sensitivity",
@@ -332,7 +265,7 @@ Document document(const RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;
   Document document;
   document.title = "Damper under records";
-  document.verdict = verdict(report);
+  document.verdict = record_verdict(report);
   if (result.finding) {
     document.tone = hardly_moves(result) || is_delicate(result) || !result.finding->check.passed
                         ? Tone::bad

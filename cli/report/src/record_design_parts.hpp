@@ -9,10 +9,13 @@
 #include <stillpoint/design/record_design.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace stillpoint::report {
+
+struct RecordDesignReport;
 
 /// "the record", "every record", "1 of 2 records"
 [[nodiscard]] std::string of_records(std::size_t count, std::size_t all);
@@ -20,10 +23,19 @@ namespace stillpoint::report {
 [[nodiscard]] std::string figure_shown(const Physical& physical, design::SuiteObjective which,
                                        double value);
 
-/// If the design has the paper's notch: what one of the example width spoils, in a sentence; empty
-/// if nothing.
-[[nodiscard]] std::string example_sentence(const design::RecordDesign& result,
-                                           const Physical& physical);
+/// A stroke or a residual; "less than 0.001 mm" of what nobody can measure.
+[[nodiscard]] std::string displacement_shown(const Physical& physical, double length);
+
+/// What to build and what it does, or what is in the way.
+[[nodiscard]] std::string record_verdict(const RecordDesignReport& report);
+
+/// What a notch of the example width spoils in a design with the paper's.
+struct RealNotchFault {
+  double width;
+  std::string words;
+};
+[[nodiscard]] std::optional<RealNotchFault> real_notch_fault(const design::RecordDesign& result,
+                                                             const Physical& physical);
 /// The impulses of a notch without a width; and if it is the paper's, what the mass feels in one
 /// with a width, and how wide that must be.
 void add_notch(Section& answer, const design::RecordDesign& result, const Physical& physical);
@@ -34,6 +46,9 @@ void add_notch(Section& answer, const design::RecordDesign& result, const Physic
 
 /// What holds the mass, and which records end with it held or moving.
 void add_rest(Section& answer, const design::RecordDesign& result);
+/// The figures under the worst record of a mean, which may be far beyond the limits.
+void add_worst_of_mean(Section& answer, const design::RecordDesign& result,
+                       const Physical& physical);
 void add_records(Document& document, const design::RecordDesign& result, const Physical& physical);
 /// Which records lock the mass; empty if none.
 [[nodiscard]] std::string lock_words(const design::RecordDesign& result);
@@ -41,18 +56,19 @@ void add_records(Document& document, const design::RecordDesign& result, const P
 /// Whether its figures are means of several records.
 [[nodiscard]] bool is_mean(const design::RecordDesignRequest& task);
 
+/// "0.0049 %"
+[[nodiscard]] std::string change_words(double change);
 /// "f and delta", or the one that can be off: a zero stays zero.
 [[nodiscard]] std::string_view inexact_parts(const design::RecordDesign& result);
 /// Within the tolerance, more than a quarter of the dampers fail, or one is much worse.
 [[nodiscard]] bool is_delicate(const design::RecordDesign& result);
-/// What a damper that is not built exactly may do; empty without a tolerance.
-[[nodiscard]] std::string tolerance_sentence(const design::RecordDesign& result,
-                                             const Physical& physical);
-/// The samples, the nearest damper that is much worse, and the decision margin.
+/// The worst of the samples, the nearest damper that is much worse, and the decision margin.
 void add_tolerance(Section& answer, const design::RecordDesign& result, const Physical& physical);
 
 /// Of a design: as many as it was rounded to, or almost every digit that it has.
 inline constexpr int printed_digits = 12;
+/// Of f, delta and a period in the headline.
+inline constexpr int headline_digits = 5;
 
 /// Whether its stroke pulls the mass back with less than a thousandth of the load.
 [[nodiscard]] bool hardly_moves(const design::RecordDesign& result);

@@ -20,10 +20,10 @@ bool has_ideal_notch(const design::RecordDesign& result) {
          !result.request.hold;
 }
 
-/// What a notch of the example width spoils; empty if nothing. Accelerations apart: those of this
-/// design are those between passages.
-std::string example_fault(const design::RecordDesign& result, double width,
-                          const Physical& physical) {
+/// What a notch of that width spoils; empty if nothing. Accelerations apart: those of this design
+/// are those between passages.
+std::string fault_of_width(const design::RecordDesign& result, double width,
+                           const Physical& physical) {
   const design::RecordFinding& finding = *result.finding;
   const auto wide = [&](std::vector<design::SuiteRecord> records) {
     design::RecordDesignRequest request = result.request;
@@ -60,8 +60,8 @@ std::string example_fault(const design::RecordDesign& result, double width,
   return {};
 }
 
-/// "an impulse of up to 1.21 MN s where it passes or stops": the largest of all records, and of
-/// which; empty if the mass never comes back to x = 0.
+/// "an impulse of up to 1.21 MN s where it passes or stops, which is not in the 0.1459 g": the
+/// largest of all records, and of which; empty if the mass never comes back to x = 0.
 std::string impulse_words(const design::RecordDesign& result, const Physical& physical) {
   double most = 0;
   std::size_t under = 0;
@@ -75,26 +75,28 @@ std::string impulse_words(const design::RecordDesign& result, const Physical& ph
       }
     }
   }
-  return most == 0 ? ""
-                   : format("an impulse of up to {}{} where it passes or stops",
-                            impulse_shown(physical, most),
-                            result.request.records.size() == 1
-                                ? ""
-                                : ", under " + record_label(result.request.records[under]) + ",");
+  return most == 0
+             ? ""
+             : format("an impulse of up to {}{} where it passes or stops, which is not in the {}",
+                      impulse_shown(physical, most),
+                      result.request.records.size() == 1
+                          ? ""
+                          : ", under " + record_label(result.request.records[under]) + ",",
+                      acceleration_shown(result.finding->point.figures.acceleration));
 }
 
 }  // namespace
 
-std::string example_sentence(const design::RecordDesign& result, const Physical& physical) {
+std::optional<RealNotchFault> real_notch_fault(const design::RecordDesign& result,
+                                               const Physical& physical) {
   if (!has_ideal_notch(result)) {
     return {};
   }
   const auto& [damper, figures] = result.finding->point;
   const double width = example_width(physical, figures.peak);
-  const std::string fault =
-      can_be_followed(width, damper.delta, damper.p) ? example_fault(result, width, physical) : "";
-  return fault.empty() ? ""
-                       : example_sentence("that acts only after the start", width, fault, physical);
+  const std::string words =
+      can_be_followed(width, damper.delta, damper.p) ? fault_of_width(result, width, physical) : "";
+  return words.empty() ? std::nullopt : std::optional(RealNotchFault{width, words});
 }
 
 void add_notch(Section& answer, const design::RecordDesign& result, const Physical& physical) {
@@ -115,8 +117,15 @@ void add_notch(Section& answer, const design::RecordDesign& result, const Physic
     weakest = std::min(weakest, design::peak_load(record));
     strongest = std::max(strongest, design::peak_load(record));
   }
-  answer.row(impulse.empty() ? "in the notch" : "",
-             inside_words(physical, {damper.p, damper.f, damper.delta}, figures.peak, strongest));
+  if (const auto fault = real_notch_fault(result, physical)) {
+    answer.row("real notch",
+               format("with one {} wide, {}; try others with --notch-width{}",
+                      length_shown(physical, fault->width), fault->words, physical ? "-m" : ""),
+               Tone::bad);
+  } else {
+    answer.row(impulse.empty() ? "in the notch" : "",
+               inside_words(physical, {damper.p, damper.f, damper.delta}, figures.peak, strongest));
+  }
   const StartUnderLoad start{damper.f, damper.delta, weakest};
   add_start(answer, start,
             result.request.records.size() == 1 ? "delta/(load - f)"

@@ -3,6 +3,9 @@
 #include "format.hpp"
 #include "record_design_parts.hpp"
 
+#include <stillpoint/report/digits.hpp>
+#include <stillpoint/report/record_design.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -33,27 +36,52 @@ RecordEnd record_end(const Record& record, const ForcedResponse& response) {
                                                           : RecordEnd::moving;
 }
 
+/// A length, and the least that a report tells from 0.
+constexpr double least_m = 1e-6;
+bool is_too_small(const Physical& physical, double length) {
+  return physical && length > 0 && length * physical->scales.length_m < least_m;
+}
+
+/// In the unit of the figures.
+std::string displacement_cell(const Physical& physical, double length) {
+  const FigureUnits units(physical);
+  return is_too_small(physical, length)
+             ? format("<{:g}", least_m / physical->scales.length_m * units.length)
+             : format("{:.5g}", length * units.length);
+}
+
+/// What the structure feels while the notch holds the mass to the end.
+double most_while_locked(const std::vector<ForcedResponse>& all) {
+  double most = 0;
+  for (const ForcedResponse& response : all) {
+    most = std::max(most, response.locked_from ? *response.largest_load_while_locked : 0);
+  }
+  return most;
+}
+
 }  // namespace
 
+std::string displacement_shown(const Physical& physical, double length) {
+  return is_too_small(physical, length) ? "less than " + with_unit(least_m, "m")
+                                        : length_shown(physical, length);
+}
+
 std::string lock_words(const design::RecordDesign& result) {
-  std::size_t count = 0;
-  double most = 0;
-  for (const ForcedResponse& response : result.finding->responses) {
-    if (response.locked_from) {
-      ++count;
-      most = std::max(most, *response.largest_load_while_locked);
-    }
-  }
-  const std::size_t all = result.finding->responses.size();
-  return count == 0 ? ""
-                    : format("under {} the notch holds the mass to the end, and transmits up to {}",
-                             of_records(count, all), acceleration_shown(most));
+  const std::vector<ForcedResponse>& all = result.finding->responses;
+  const auto count = static_cast<std::size_t>(std::ranges::count_if(
+      all, [](const ForcedResponse& response) { return response.locked_from.has_value(); }));
+  return count == 0
+             ? ""
+             : format("under {} the notch holds the mass to the end, and transmits up to {}",
+                      of_records(count, all.size()), acceleration_shown(most_while_locked(all)));
 }
 
 void add_rest(Section& answer, const design::RecordDesign& result) {
   const std::vector<ForcedResponse>& all = result.finding->responses;
+  const std::string by_notch = format("held by the notch, which transmits up to {}, to the end of ",
+                                      acceleration_shown(most_while_locked(all)));
   std::string words;
-  for (const auto& [end, what] : {std::pair{RecordEnd::notch, "held by the notch to the end of "},
+  for (const auto& [end, what] : {std::pair{RecordEnd::notch, by_notch},
                                   {RecordEnd::friction, "held by friction to the end of "},
                                   {RecordEnd::moving, "after the load of "}}) {
     std::size_t count = 0;
@@ -65,6 +93,19 @@ void add_rest(Section& answer, const design::RecordDesign& result) {
     }
   }
   answer.row("rest", words);
+}
+
+void add_worst_of_mean(Section& answer, const design::RecordDesign& result,
+                       const Physical& physical) {
+  if (is_mean(result.request)) {
+    const std::size_t worst = worst_record(result);
+    const design::SuiteFigures figures = design::suite_figures(result.finding->responses[worst]);
+    answer.row("worst record", format("{}: {} transmitted, stroke {}, residual {}",
+                                      record_label(result.request.records[worst]),
+                                      acceleration_shown(figures.acceleration),
+                                      displacement_shown(physical, figures.peak),
+                                      displacement_shown(physical, figures.residual)));
+  }
 }
 
 void add_records(Document& document, const design::RecordDesign& result, const Physical& physical) {
@@ -79,8 +120,8 @@ void add_records(Document& document, const design::RecordDesign& result, const P
     const design::SuiteRecord& record = result.request.records[i];
     table.rows.push_back(
         {{record_label(record), format("{:.4g}", design::peak_load(record)),
-          format("{:.5g}", figures.peak * units.length),
-          format("{:.5g}", figures.residual * units.length), format("{:.4g}", figures.acceleration),
+          displacement_cell(physical, figures.peak), displacement_cell(physical, figures.residual),
+          format("{:.4g}", figures.acceleration),
           format("{:.5g}", *response.stop_time * units.time),
           held_by.at(static_cast<std::size_t>(record_end(record.record, response)))}});
   }

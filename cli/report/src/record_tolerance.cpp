@@ -16,8 +16,7 @@ namespace {
 
 std::string samples_words(const design::Sensitivity& near) {
   return near.admissible == near.samples
-             ? format("{0} of {0} samples within +-{1:.3g} % meet the limits", near.samples,
-                      100 * near.tolerance)
+             ? format("{0} of {0} samples meet the limits", near.samples)
              : format("{} of {} samples violate{} a limit or may stop elsewhere",
                       near.samples - near.admissible, near.samples,
                       near.samples - near.admissible == 1 ? "s" : "");
@@ -26,18 +25,12 @@ std::string samples_words(const design::Sensitivity& near) {
 /// "0.1991 g, a stroke of 307.18 mm and a residual of 35.709 mm"
 std::string worst_words(const design::RecordDesign& result, const design::SuiteFigures& worst,
                         const Physical& physical) {
-  return worst.settled
-             ? format("{}{}, a stroke of {} and a residual of {}",
-                      is_mean(result.request) ? "a mean of " : "",
-                      acceleration_shown(worst.acceleration), length_shown(physical, worst.peak),
-                      length_shown(physical, worst.residual))
-             : "no rest within 10 000 half-cycles";
-}
-
-/// "0.0049 %"
-std::string change_words(double change) {
-  constexpr double least = 1e-5;
-  return change < least ? "less than 0.001 %" : format("{:.2g} %", 100 * change);
+  return worst.settled ? format("{}{}, a stroke of {} and a residual of {}",
+                                is_mean(result.request) ? "a mean of " : "",
+                                acceleration_shown(worst.acceleration),
+                                displacement_shown(physical, worst.peak),
+                                displacement_shown(physical, worst.residual))
+                       : "no rest within 10 000 half-cycles";
 }
 
 /// The motion that came closest to another outcome.
@@ -59,6 +52,11 @@ void add_margin(Section& answer, const design::RecordDesign& result) {
 
 }  // namespace
 
+std::string change_words(double change) {
+  constexpr double least = 1e-5;
+  return change < least ? "less than 0.001 %" : format("{:.2g} %", 100 * change);
+}
+
 bool is_mean(const design::RecordDesignRequest& task) {
   return task.combine.value() == design::Combine::mean && task.records.size() > 1;
 }
@@ -74,28 +72,14 @@ bool is_delicate(const design::RecordDesign& result) {
          is_much_worse(near.worst, result.finding->point.figures, result.request);
 }
 
-std::string tolerance_sentence(const design::RecordDesign& result, const Physical& physical) {
-  const design::Sensitivity& near = result.finding->sensitivity;
-  if (near.tolerance == 0) {
-    return "";
-  }
-  constexpr double buildable = 0.01;  // no damper is built more accurately
-  return format(" With {} off by up to {:.3g} %, {}{}{}.", inexact_parts(result),
-                100 * near.tolerance, near.worst.settled ? "it reaches " : "",
-                worst_words(result, near.worst, physical),
-                near.admissible < near.samples ? "; " + samples_words(near) : "") +
-         (near.much_worse && near.much_worse->change < buildable
-              ? format(" A damper that is off by {} already has {}.",
-                       change_words(near.much_worse->change),
-                       worst_words(result, near.much_worse->figures, physical))
-              : "");
-}
-
 void add_tolerance(Section& answer, const design::RecordDesign& result, const Physical& physical) {
   const design::Sensitivity& near = result.finding->sensitivity;
   if (near.tolerance > 0) {
-    answer.row("tolerance", samples_words(near),
-               near.admissible < near.samples || is_delicate(result) ? Tone::bad : Tone::plain);
+    answer.row(
+        "tolerance",
+        format("with {} off by up to {:.3g} %: {}; {}", inexact_parts(result), 100 * near.tolerance,
+               worst_words(result, near.worst, physical), samples_words(near)),
+        near.admissible < near.samples || is_delicate(result) ? Tone::bad : Tone::plain);
   }
   if (near.much_worse) {
     answer.row("much worse",

@@ -64,16 +64,21 @@ std::string damper_words(const Physical& physical, const std::optional<double>& 
                    : format("f = {} and {}", *f, notch);
 }
 
+std::string period_words(const Physical& physical, double p, std::optional<int> digits) {
+  return physical ? format("a period of {:.{}g} s",
+                           2 * std::numbers::pi / p * physical->scales.time_s, digits.value_or(4))
+                  : format("p = {:.{}g}", p, digits.value_or(6));
+}
+
 std::string spring_words(const Physical& physical, double p, std::optional<int> digits) {
-  if (!physical) {
-    return format("p = {:.{}g}", p, digits.value_or(6));
+  std::optional<double> stiffness;
+  if (physical) {
+    design::Scales scales = physical->scales;
+    scales.omega_rad_per_s = p / scales.time_s;
+    stiffness = scales.stiffness_n_per_m();
   }
-  design::Scales scales = physical->scales;
-  scales.omega_rad_per_s = p / scales.time_s;
-  const auto stiffness = scales.stiffness_n_per_m();
-  return format("a period of {:.{}g} s{}", 2 * std::numbers::pi / scales.omega_rad_per_s,
-                digits.value_or(4),
-                stiffness ? format(" (stiffness {})", with_unit(*stiffness, "N/m")) : "");
+  return period_words(physical, p, digits) +
+         (stiffness ? format(" (stiffness {})", with_unit(*stiffness, "N/m")) : "");
 }
 
 void add_damper_physics(Section& section, const Physical& physical, double f, double delta) {
@@ -94,6 +99,21 @@ double friction_at_centre(const SimulationRequest& request) {
   return zones.empty() ? request.oscillator.f : zones.front().f;
 }
 
+void add_zones(Section& section, const std::vector<FrictionZone>& zones, std::string_view beyond,
+               const Physical& physical) {
+  std::optional<double> from;
+  for (const FrictionZone& zone : zones) {
+    const std::string to = length_shown(physical, zone.to);
+    section.row(from ? "" : "friction", from ? format("{:.6g} for |x| from {} to {}", zone.f,
+                                                      length_shown(physical, *from), to)
+                                             : format("{:.6g} for |x| < {}", zone.f, to));
+    from = zone.to;
+  }
+  if (from) {
+    section.row("", format("{} beyond", beyond));
+  }
+}
+
 void add_surface(Section& section, const SimulationRequest& request, const Physical& physical) {
   const auto& [p, f, delta, hold] = request.oscillator;
   const Surface& surface = request.surface;
@@ -110,17 +130,7 @@ void add_surface(Section& section, const SimulationRequest& request, const Physi
                              ? format("friction {:.6g} for |x| < {}", f + wall, half)
                              : format("adds {:.6g} to the friction for |x| < {}", wall, half));
   }
-  std::optional<double> from;
-  for (const FrictionZone& zone : surface.zones) {
-    const std::string to = length_shown(physical, zone.to);
-    section.row(from ? "" : "friction", from ? format("{:.6g} for |x| from {} to {}", zone.f,
-                                                      length_shown(physical, *from), to)
-                                             : format("{:.6g} for |x| < {}", zone.f, to));
-    from = zone.to;
-  }
-  if (from) {
-    section.row("", format("f = {:.6g} beyond", f));
-  }
+  add_zones(section, surface.zones, format("f = {:.6g}", f), physical);
 }
 
 void add_excitation(Section& section, const Excitation& excitation,

@@ -31,7 +31,10 @@ void add_physical_input(Section& section, const design::PhysicalInput& physical,
 [[nodiscard]] std::string damper_words(const Physical& physical, const std::optional<double>& f,
                                        double delta, const std::optional<double>& notch_width = {},
                                        std::optional<int> digits = {});
-/// "a period of 2.8 s, stiffness 6.04 MN/m" by what is known, or "p = 1".
+/// "a period of 2.8 s", or "p = 1".
+[[nodiscard]] std::string period_words(const Physical& physical, double p,
+                                       std::optional<int> digits = {});
+/// The same with the stiffness, if the mass is known.
 [[nodiscard]] std::string spring_words(const Physical& physical, double p,
                                        std::optional<int> digits = {});
 /// Force and energy of a damper, if the mass is known; the energy if there is a notch.
@@ -71,6 +74,9 @@ void add_start(Section& section, const StartUnderLoad& start, std::string_view f
 [[nodiscard]] std::string impulse_shown(const Physical& physical, double impulse);
 /// Constant friction at x = 0, where zones change it.
 [[nodiscard]] double friction_at_centre(const SimulationRequest& request);
+/// How friction steps with |x|, to what is `beyond`; nothing without zones.
+void add_zones(Section& section, const std::vector<FrictionZone>& zones, std::string_view beyond,
+               const Physical& physical);
 /// The differences from the paper's notch and friction.
 void add_surface(Section& section, const SimulationRequest& request, const Physical& physical);
 void add_excitation(Section& section, const Excitation& excitation,

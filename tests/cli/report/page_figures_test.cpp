@@ -435,6 +435,37 @@ BOOST_AUTO_TEST_CASE(a_damper_unlike_its_cell_of_the_map_is_told_apart) {
   BOOST_TEST(!contains(alike.caption, words), alike.caption);
 }
 
+/// What is felt is friction at least, and 0.4 where friction holds the mass.
+BOOST_AUTO_TEST_CASE(maps_show_where_a_damper_is_good_and_what_is_about_it) {
+  design::RecordDesignRequest request;
+  request.records = {{"three", Record{{0.4, -0.2, 0}, 1, {}}, 1}};
+  request.f = Interval{0, 0.4};
+  request.delta = Interval{0, 1};
+  RecordDesignReport report{design::design(request), {}};
+  constexpr double f = 0.1;
+  constexpr double delta = 0.5;
+  report.result.nearest.damper = {1, f, delta};
+  const Figure all = figure(page(report), "map");
+  BOOST_TEST(all.x.least == 0);
+  BOOST_TEST(all.x.most > f);
+  BOOST_TEST(all.x.most < 0.4);
+  BOOST_TEST(contains(all.caption, "; the search went beyond this map, over f = 0 to 0.4"),
+             all.caption);
+  const Figure near = figure(page(report), "map-near");
+  BOOST_TEST(near.x.least == f * 0.8);
+  BOOST_TEST(near.y.most == delta * 1.2);
+  const std::vector<figures::FigurePoint> box =
+      named(near.curves, "off by up to 10 %").strokes.at(0);
+  BOOST_TEST(box.at(0).x == f * 0.9);
+  BOOST_TEST(box.at(0).y == delta * 0.9);
+  BOOST_TEST(box.at(2).x == f * 1.1);
+  BOOST_TEST(box.at(2).y == delta * 1.1);
+  report.result.finding->sensitivity.tolerance = 0;
+  const figures::HtmlPage exact = page(report);
+  BOOST_TEST(std::ranges::none_of(exact.figures,
+                                  [](const Figure& figure) { return figure.id == "map-near"; }));
+}
+
 /// Every hit up to 1: the most tolerant rests within the residual, whatever the arrival.
 BOOST_AUTO_TEST_CASE(the_area_of_the_design_stands_out) {
   design::DesignRequest request;

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include "figures/record_map.hpp"
+#include "format.hpp"
+#include "record_design_parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace stillpoint::report {
+
+using figures::Figure;
+
+namespace {
+
+using design::SuiteFigures;
+using design::SuiteLimits;
+
+/// The objective from least to largest, then what is broken, which is hatched: more red than blue.
+constexpr std::array shades{"#0b4f8a", "#2f7fc1", "#6aaede", "#9ecae9", "#c6dff2", "#e6f1fa"};
+constexpr std::array broken{"#ef8a2b", "#fbd3a4", "#f7b267", "#8a7a68"};
+constexpr std::array broken_names{"stroke too large", "transmits too much", "residual too large",
+                                  "never rests, or may stop elsewhere"};
+
+/// The first of broken_names, in the order of design::suite_figure_kinds, that is true; their
+/// number where the limits are met.
+std::size_t broken_index(const SuiteFigures& figures, const SuiteLimits& limits) {
+  const auto& kinds = design::suite_figure_kinds;
+  const auto* const violated =
+      std::ranges::find_if(kinds, [&](const design::SuiteFigureKind& kind) {
+        const std::optional<double>& limit = limits.*kind.limit;
+        return figures.settled && limit && figures.*kind.value > *limit;
+      });
+  return admissible(figures, limits) ? broken.size()
+                                     : static_cast<std::size_t>(violated - kinds.begin());
+}
+
+std::string objective_words(const design::RecordDesignRequest& task, double value,
+                            const FigureUnits& units) {
+  return task.objective == design::SuiteObjective::acceleration ? format("{:.3g} g", value)
+                                                                : units.length_words(value);
+}
+
+/// Of one shade.
+double shade_width(const ShownValues& shown) {
+  return shown.most > shown.least ? (shown.most - shown.least) / static_cast<double>(shades.size())
+                                  : 1;
+}
+
+/// Each cell has the shade of its value, or the colour of the first limit that it violates.
+void add_cells(figures::FigureMap& drawn, const design::SuiteMap& map, const ShownValues& shown,
+               const design::RecordDesignRequest& task) {
+  drawn.columns = static_cast<std::int64_t>(map.f.size());
+  drawn.rows = static_cast<std::int64_t>(map.delta.size());
+  for (std::size_t row = 0; row < map.delta.size(); ++row) {
+    for (std::size_t column = 0; column < map.f.size(); ++column) {
+      const SuiteFigures& figures = map.figures[column * map.delta.size() + row];
+      const std::size_t fault = broken_index(figures, task.limits);
+      const double place = (value_of(figures, task.objective) - shown.least) / shade_width(shown);
+      const std::size_t shade = fault < broken.size()
+                                    ? shades.size() + fault
+                                    : std::min(static_cast<std::size_t>(place), shades.size() - 1);
+      drawn.cells.push_back(static_cast<std::uint8_t>(shade));
+    }
+  }
+}
+
+/// Of the cells of each shade, the value in the middle; 0 without cells.
+std::array<double, shades.size()> middle_values(const figures::FigureMap& drawn,
+                                                const design::SuiteMap& map,
+                                                const design::RecordDesignRequest& task) {
+  std::array<std::vector<double>, shades.size()> values;
+  for (std::size_t row = 0; row < map.delta.size(); ++row) {
+    for (std::size_t column = 0; column < map.f.size(); ++column) {
+      const std::size_t shade = drawn.cells[row * map.f.size() + column];
+      if (shade < shades.size()) {
+        values.at(shade).push_back(
+            value_of(map.figures[column * map.delta.size() + row], task.objective));
+      }
+    }
+  }
+  std::array<double, shades.size()> middles{};
+  for (std::size_t i = 0; i < shades.size(); ++i) {
+    if (std::vector<double>& all = values.at(i); !all.empty()) {
+      const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+      std::nth_element(all.begin(), middle, all.end());
+      middles.at(i) = *middle;
+    }
+  }
+  return middles;
+}
+
+void add_shades(figures::FigureMap& drawn, const design::SuiteMap& map, const ShownValues& shown,
+                const design::RecordDesignRequest& task, const FigureUnits& units) {
+  const auto words = [&](double value) { return objective_words(task, value, units); };
+  const auto& [least, most] = shown;
+  const auto middles = middle_values(drawn, map, task);
+  for (std::size_t i = 0; i < shades.size(); ++i) {
+    drawn.palette.emplace_back(shades.at(i));
+    const double from = least + shade_width(shown) * static_cast<double>(i);
+    drawn.labels.push_back(least < most ? "≈ " + words(middles.at(i)) : "");
+    drawn.names.push_back(least < most
+                              ? format("{} to {}", words(from), words(from + shade_width(shown)))
+                          : least == most && i == 0 ? words(least)
+                                                    : "");
+  }
+  if (least < most) {
+    drawn.key.push_back({"from " + words(least), shades.front()});
+    drawn.key.push_back({"to " + words(most), shades.back()});
+  } else if (least == most) {
+    drawn.key.push_back({words(least), shades.front()});
+  }
+}
+
+/// Of the cell that the damper lies in.
+std::uint8_t shade_at(const Figure& drawn, const figures::FigurePoint& place) {
+  const auto cell = [](double position, std::int64_t count) {
+    return std::clamp(static_cast<std::int64_t>(position * static_cast<double>(count)),
+                      std::int64_t{0}, count - 1);
+  };
+  const std::int64_t row = cell(drawn.y.position(place.y), drawn.map.rows);
+  const std::int64_t column = cell(drawn.x.position(place.x), drawn.map.columns);
+  return drawn.map.cells[static_cast<std::size_t>(row * drawn.map.columns + column)];
+}
+
+/// Whether there are any.
+bool add_faults(figures::FigureMap& drawn) {
+  bool any = false;
+  for (std::size_t i = 0; i < broken.size(); ++i) {
+    drawn.labels.emplace_back(broken_names.at(i));
+    drawn.palette.emplace_back(broken.at(i));
+    drawn.names.emplace_back(broken_names.at(i));
+    if (std::ranges::count(drawn.cells, static_cast<std::uint8_t>(shades.size() + i)) > 0) {
+      drawn.key.push_back({broken_names.at(i), broken.at(i), true});
+      any = true;
+    }
+  }
+  return any;
+}
+
+}  // namespace
+
+ShownValues shown_values(const design::SuiteMap& map, const SuiteFigures& of_damper,
+                         const design::RecordDesignRequest& task) {
+  ShownValues shown;
+  const auto include = [&](const SuiteFigures& figures) {
+    if (admissible(figures, task.limits)) {
+      shown.least = std::min(shown.least, value_of(figures, task.objective));
+      shown.most = std::max(shown.most, value_of(figures, task.objective));
+    }
+  };
+  include(of_damper);
+  std::ranges::for_each(map.figures, include);
+  return shown;
+}
+
+Figure drawn_map(const design::RecordDesign& result, const Window& window,
+                 const FigureUnits& units) {
+  const design::SuitePoint& point = result.nearest;
+  design::RecordDesignRequest task = result.request;
+  std::tie(task.f, task.delta) = std::pair(window[0], window[1]);
+  const design::SuiteMap map = design::suite_map(task, point.damper.p);
+  const ShownValues values = shown_values(map, point.figures, task);
+  Figure figure;
+  figure.x = {"constant friction f", task.f->low, task.f->high};
+  figure.y = {units.delta_label, task.delta->low * units.length, task.delta->high * units.length};
+  add_cells(figure.map, map, values, task);
+  add_shades(figure.map, map, values, task, units);
+  const bool any_fails = add_faults(figure.map);
+  const figures::FigurePoint place{point.damper.f, point.damper.delta * units.length};
+  const char* const what = result.finding ? "chosen" : "nearest";
+  figure.marks.push_back({what, {place}, figures::Shape::star, figures::Ink::orange});
+  figure.notes.push_back({what, place});
+  figure.description =
+      format("The plane of f and Δ: the {} of the records combined, and where a limit is violated.",
+             quantity(task.objective));
+  figure.caption = !(values.least <= values.most)
+                       ? "Each area is named after the first limit violated there"
+                   : any_fails ? "What is not hatched meets every limit, the darker the better"
+                               : "The darker, the better";
+  constexpr std::uint8_t best_shade = 0;
+  if (result.finding && shade_at(figure, place) != best_shade) {
+    figure.caption +=
+        "; a cell has the shade of the damper in its middle, and the chosen one is better";
+  }
+  return figure;
+}
+
+}  // namespace stillpoint::report

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// The headline of a design under records: what to build, what it does, and the worst of what can
+// go wrong. The rest is in the rows below it.
+#include "format.hpp"
+#include "record_design_parts.hpp"
+
+#include <stillpoint/report/record_design.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace stillpoint::report {
+
+namespace {
+
+using design::SuiteFigures;
+
+/// The figures of the records combined, those of a mean with the largest of any record.
+std::string does_words(const design::RecordDesign& result, const Physical& physical) {
+  const SuiteFigures& combined = result.finding->point.figures;
+  const std::size_t count = result.request.records.size();
+  std::optional<SuiteFigures> most;
+  if (is_mean(result.request)) {
+    most.emplace();
+    for (const ForcedResponse& response : result.finding->responses) {
+      const SuiteFigures figures = design::suite_figures(response);
+      most->peak = std::max(most->peak, figures.peak);
+      most->acceleration = std::max(most->acceleration, figures.acceleration);
+      most->residual = std::max(most->residual, figures.residual);
+    }
+  }
+  const auto shown = [&](double SuiteFigures::*figure, const auto& words) {
+    return words(combined.*figure) + (most ? format(" ({})", words((*most).*figure)) : "");
+  };
+  const auto length = [&](double value) { return displacement_shown(physical, value); };
+  return format("{}: {} transmitted{}",
+                most ? format("Mean (and largest) of {} records", count)
+                     : design::suite_words(*result.request.combine, count),
+                shown(&SuiteFigures::acceleration, acceleration_shown),
+                combined.peak == 0
+                    ? ""
+                    : format(", stroke {}, residual {}", shown(&SuiteFigures::peak, length),
+                             shown(&SuiteFigures::residual, length)));
+}
+
+/// Empty if the mass moves.
+std::string stands_still(const design::RecordDesign& result) {
+  const std::size_t all = result.finding->responses.size();
+  return !hardly_moves(result) ? ""
+         : result.finding->point.figures.peak > 0
+             ? "The mass hardly moves. "
+             : format("The mass never moves: it is held through {}. ", of_records(all, all));
+}
+
+/// The worst of what can go wrong, in a few words.
+std::string caveat(const design::RecordDesign& result, const Physical& physical) {
+  const design::Sensitivity& near = result.finding->sensitivity;
+  if (const auto fault = real_notch_fault(result, physical)) {
+    return format(" Not for a notch {} wide.", length_shown(physical, fault->width));
+  }
+  if (near.much_worse) {
+    return format(" Off by {}, it is much worse.", change_words(near.much_worse->change));
+  }
+  return !is_delicate(result)
+             ? ""
+             : format(" Off by up to {:.3g} %, {} of {} samples fail.", 100 * near.tolerance,
+                      near.samples - near.admissible, near.samples);
+}
+
+}  // namespace
+
+std::string record_verdict(const RecordDesignReport& report) {
+  const design::RecordDesign& result = report.result;
+  const std::string so_far = result.search.interrupted ? "Interrupted, the best so far: " : "";
+  if (!result.finding) {
+    return so_far + shortfall_sentence(report);
+  }
+  const Physical& physical = report.physical;
+  const design::SuiteDamper& damper = result.finding->point.damper;
+  return so_far + stands_still(result) +
+         format("{} {}, with {}. {}.{}{}", hardly_moves(result) ? "The damper found has" : "Build",
+                damper_words(physical, damper.f, damper.delta, result.request.notch_width,
+                             headline_digits),
+                period_words(physical, damper.p, headline_digits), does_words(result, physical),
+                caveat(result, physical),
+                result.finding->check.passed
+                    ? ""
+                    : " But the check DISAGREES: do not rely on this design.");
+}
+
+}  // namespace stillpoint::report
