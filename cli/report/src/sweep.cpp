@@ -58,6 +58,7 @@ void add_scene(Section& scene, const SweepReport& report) {
     scene.row("record", spelled_out(*report.record));
   }
   const Physical physical = spec.units ? Physical(spec.units->physical()) : Physical();
+  add_zones(scene, spec.zones, "f", physical);
   if (spec.kind == SweepKind::forced) {
     add_excitation(scene, spec.excitation, std::nullopt, physical);
   } else if (spec.kind == SweepKind::design) {
