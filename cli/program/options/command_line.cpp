@@ -84,6 +84,8 @@ void add_options(CLI::App& app, const CommandHelp& help, Collected& collected) {
     added->group(std::string(option.group));
   }
   app.footer(std::string(help.examples));
+  constexpr std::size_t longest = 29;  // "  --excitation-frequency AXIS", then two blanks
+  app.get_formatter()->column_width(longest + 2);
   app.allow_extras();
 }
 

@@ -27,6 +27,28 @@ Fold fold_of(std::string_view line) {
   return {begin, ""};
 }
 
+/// A number from its unit, or an option from its value.
+bool parts(std::string_view text, std::size_t space) {
+  const std::size_t before = space == 0 ? std::string_view::npos : text.rfind(' ', space - 1);
+  const std::string_view word = text.substr(before + 1, space - before - 1);
+  constexpr std::string_view digits = "0123456789";
+  const bool continued = !text.substr(space + 1).starts_with('-');
+  return continued && !word.empty() &&
+         (digits.find(word.back()) != std::string_view::npos || word.starts_with("--"));
+}
+
+/// The last blank up to `room` that parts nothing; any without one.
+std::size_t last_blank(std::string_view text, std::size_t room, std::size_t least) {
+  const std::size_t last = text.rfind(' ', room);
+  for (std::size_t space = last; space != std::string_view::npos && space > least;
+       space = text.rfind(' ', space - 1)) {
+    if (!parts(text, space)) {
+      return space;
+    }
+  }
+  return last;
+}
+
 void add_line(std::string& text, std::string_view line, std::size_t width) {
   const Fold fold = fold_of(line);
   std::string now;
@@ -37,7 +59,7 @@ void add_line(std::string& text, std::string_view line, std::size_t width) {
     // A line must not break before the fold's column.
     const std::size_t least =
         now.empty() ? std::max(first, fold.end.empty() ? fold.indent : first) : first;
-    std::size_t space = rest.rfind(' ', room);
+    std::size_t space = last_blank(rest, room, least);
     if (space == std::string_view::npos || space < least) {
       space = rest.find(' ', std::max(least, room));
     }

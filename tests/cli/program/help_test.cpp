@@ -121,6 +121,34 @@ BOOST_AUTO_TEST_CASE(is_as_wide_as_the_terminal_or_80_columns) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(parts_no_number_from_its_unit_and_no_option_from_its_value) {
+  for (const Command command : commands) {
+    for (const char* columns : {"60", "72", "80", "100"}) {
+      std::string before;
+      for (const std::string& line :
+           lines_of(run({std::string(name(command)), "--help"}, of_width(columns)).out)) {
+        const auto first = line.find_first_not_of(' ');
+        if (first != std::string::npos && first > 2 && line[first] != '-') {  // it continues
+          BOOST_TEST(!std::regex_search(before, std::regex("([ (]-?[0-9][.0-9]*|--[-a-z]+)( \\\\)?$")),
+                     columns << ": " << before << " / " << line);
+        }
+        before = line;
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(starts_what_an_option_does_in_one_column) {
+  for (const Command command : commands) {
+    for (const std::string& line : lines_of(run({std::string(name(command)), "--help"}).out)) {
+      if (line.starts_with("  --")) {
+        const auto gap = line.find("  ", 4);
+        BOOST_TEST((gap == std::string::npos || line.find_first_not_of(' ', gap) == 31U), line);
+      }
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(is_also_printed_by_the_help_command) {
   BOOST_TEST(run("help").out == run("--help").out);
   BOOST_TEST(run("help help").out == run("--help").out);
