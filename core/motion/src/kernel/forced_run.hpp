@@ -256,7 +256,7 @@ class ForcedRun {
     if (notched) {
       s_.margin.decide(magnitude(Real(energy - map_.notch)), energy + map_.notch);
     }
-    if (notched && energy < map_.notch) {
+    if (notched && map_.catches(s_.v)) {
       s_.v = Real(0);
       s_.caught = true;
       if (!law_.lets_go()) {
@@ -300,6 +300,7 @@ class ForcedRun {
     s_.u = Real(from.direction) * end.at.y;
     s_.v = Real(from.direction) * end.at.v;
     if (end.event == PieceEvent::arrival) {
+      decide_arrival_before_change(*this, drive.w(), left.value());
       arrive();
     } else if (end.event == PieceEvent::turn) {
       turn();
