@@ -86,7 +86,9 @@ ExitCode run_design(const Settings& settings, Output& output) {
 }
 
 ExitCode run_region(const Settings& settings, Output& output) {
-  return finish(answers::answer(region_input(settings)), Command::region, settings, output);
+  const report::RegionReport report = answers::answer(region_input(settings));
+  remark(report::lock_sentence(report));
+  return finish(report, Command::region, settings, output);
 }
 
 /// The file that the option gives its rows, or "-" for them instead of the report; empty for none.

@@ -224,7 +224,11 @@ Document document(const RegionReport& report) {
              told, report.physical);
   if (delta) {
     section.row("delta", length_shown(report.physical, *delta));
-    document.verdict = format("{} {}", judgement(report), document.verdict);
+    std::string locked = lock_sentence(report);
+    if (!locked.empty()) {
+      locked = format(" L{}.", locked.substr(1));
+    }
+    document.verdict = format("{}{} {}", judgement(report), locked, document.verdict);
     document.tone = answer.admissible == true ? Tone::good : Tone::bad;
     if (const auto& response = answer.response; response && moves(*response)) {
       const ToldMotion motion{*response, answer.arrival, answer.worst};

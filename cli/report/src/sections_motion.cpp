@@ -196,9 +196,8 @@ void add_response(Section& section, const Simulation& answer, const Physical& ph
   }
   if (moves(response)) {
     section.row("peak", length_shown(physical, response.peak_amplitude));
-    section.row(forced ? "relative" : "peak acceleration",
-                format("{:.6g} g{}", response.peak_acceleration,
-                       forced ? ", the largest acceleration relative to the base" : ""));
+    section.row("relative", format("{:.6g} g, the largest acceleration relative to the base",
+                                   response.peak_acceleration));
     if (response.stop_time) {
       section.row("stop time", time_shown(physical, *response.stop_time));
       section.row("stop position", length_shown(physical, *response.stop_position));

@@ -109,6 +109,14 @@ BOOST_AUTO_TEST_CASE(a_damper_that_locks_during_its_pulse_is_reported) {
   BOOST_TEST(!contains(run(asked).err, "locked"));
 }
 
+BOOST_AUTO_TEST_CASE(a_point_that_locks_during_its_pulse_is_reported) {
+  const ProgramRun judged = run(
+      "region --pulse full-sine --k 0.08 --lambda 0.8 --p 1 --beta 0.077 --f 0.062 --delta 0.004");
+  BOOST_TEST(contains(one_line(judged.out), " Locked at x = 0 from tau = "), judged.out);
+  BOOST_TEST(judged.err.starts_with("stillpoint: locked at x = 0 from tau = "), judged.err);
+  BOOST_TEST(run(region + "--f 0.175 --delta 0.49").err == "");
+}
+
 BOOST_AUTO_TEST_CASE(an_infeasible_pulse_says_why_in_the_units_of_the_task) {
   const std::string pulse = STILLPOINT_DATA_DIR "/scenes/pulse.json";
   const std::string text = ending(3, {"design", pulse, "--max-displacement", "20mm"}).out;

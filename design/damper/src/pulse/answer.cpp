@@ -48,7 +48,8 @@ void judge(RegionAnswer& answer, const PulseRequest& request, const PulseRegion&
   answer.admissible = std::ranges::all_of(answer.constraints, &Constraint::satisfied);
   const PulseProblem shown = region.profile()->largest_peak(problem, unit_f);
   const Oscillator oscillator{shown.p, f, delta};
-  answer.response = forced_response(oscillator, {}, excitation(shown.pulse));
+  answer.forced = forced_response(oscillator, {}, excitation(shown.pulse));
+  answer.response = answer.forced;
   if (!*answer.admissible) {
     return;
   }

@@ -96,6 +96,7 @@ struct AccuracyReport {
 /// empty.
 [[nodiscard]] std::string lock_sentence(const MotionReport& report);
 /// The same of a damper that stops the mass before its pulse is over; else empty.
+[[nodiscard]] std::string lock_sentence(const RegionReport& report);
 [[nodiscard]] std::string lock_sentence(const DesignReport& report);
 /// "with this notch the peak exceeds 150 mm", if a notch was asked for; else, under a pulse, "no
 /// notch width that was tried brings the mass back to x = 0". Empty if all is well.

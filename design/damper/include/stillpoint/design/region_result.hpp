@@ -77,6 +77,7 @@ struct RegionAnswer : RegionVerdict {
   /// Of the motion, with ranges that of the strongest hit and the softest spring. Empty if it has
   /// too many half-cycles.
   std::optional<Response> response{};
+  std::optional<ForcedResponse> forced{};  ///< the same under a pulse
   std::optional<PulseWorst> worst{};  ///< for ranges of a pulse, if the point is admissible
 };
 
