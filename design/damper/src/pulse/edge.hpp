@@ -16,14 +16,27 @@ inline double edge_width(double a, double b) {
   return std::max(nothing, close * std::max(a, b));
 }
 
-/// Halves the interval to that width, or to `enough`; returns the end that holds.
+/// The ends of an interval, at only one of which something holds.
+struct Bracket {
+  double holds;
+  double fails;
+};
+
+/// Halves it to that width.
 template <class Holds>
-double last_that_holds(double holds_at, double fails_at, const Holds& holds, double enough = 0) {
-  while (std::abs(fails_at - holds_at) > std::max(enough, edge_width(holds_at, fails_at))) {
+Bracket narrowed(Bracket bracket, const Holds& holds) {
+  auto& [holds_at, fails_at] = bracket;
+  while (std::abs(fails_at - holds_at) > edge_width(holds_at, fails_at)) {
     const double middle = holds_at + (fails_at - holds_at) / 2;
     (holds(middle) ? holds_at : fails_at) = middle;
   }
-  return holds_at;
+  return bracket;
+}
+
+/// The end that holds.
+template <class Holds>
+double last_that_holds(double holds_at, double fails_at, const Holds& holds) {
+  return narrowed({holds_at, fails_at}, holds).holds;
 }
 
 /// The same where what holds is that a function is >= 0, in a tenth of the steps where it is

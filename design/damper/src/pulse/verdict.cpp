@@ -21,7 +21,9 @@ FirstReturn last_return(const PulseRegion& region) {
 
 /// Up to there it returns, over k. Under a full sine that is the k of the weakest pulse.
 double largest_f(const PulseRegion& region) {
-  const double last = last_return(region).f;
+  // An f_max that returns between samples that do not has an island of its own.
+  const auto& islands = region.islands();
+  const double last = std::max(last_return(region).f, islands.empty() ? 0 : islands.back().high);
   const double weakest = region.profile()->weakest();
   return last >= nearest_to_k * weakest * (1 - edge_rounding) ? weakest : last;
 }

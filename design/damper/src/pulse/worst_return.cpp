@@ -154,12 +154,16 @@ void WorstReturn::add_samples() {
   for (const double f : grid) {
     FirstReturn now = found_at(f);
     if (!samples_.empty() && samples_.back().returns != now.returns) {
-      // Rounding may have moved the edge of the return away from both samples.
+      // Rounding may have moved the edge of the return away from both samples. Both sides of it are
+      // samples, so that nobody looks for it again: rounding decides about the last f below a full
+      // sine's k, and another search might end elsewhere.
       const double before = samples_.back().f;
-      const double edge =
-          last_that_holds(now.returns ? f : before, now.returns ? before : f, returns);
-      if (edge != before && edge != f) {
-        samples_.push_back(found_at(edge));
+      const Bracket edge = narrowed({now.returns ? f : before, now.returns ? before : f}, returns);
+      for (const double side :
+           {std::min(edge.holds, edge.fails), std::max(edge.holds, edge.fails)}) {
+        if (side != before && side != f) {
+          samples_.push_back(found_at(side));
+        }
       }
     }
     samples_.push_back(now);

@@ -216,6 +216,34 @@ BOOST_AUTO_TEST_CASE(no_feasible_f_is_above_the_lowest_k_of_full_sines) {
   }
 }
 
+// Of a full sine that short, rounding decides which f just below k return.
+BOOST_AUTO_TEST_CASE(no_feasible_f_is_above_the_largest_that_returns) {
+  const PulseProblem wide{FullSine{1.2047155469832691, 923013.87476866576},
+                          1.0436008877526362,
+                          1e3,
+                          Criterion::exact,
+                          {.k_low = 1.2047145962736929}};
+  const PulseProblem close{FullSine{4.7688700627827035, 1621359.0090186559},
+                           1.9613948994786308,
+                           1e3,
+                           Criterion::exact,
+                           {.k_low = 4.7688694624414243}};
+  const PulseProblem limited{FullSine{2.8180520305691834, 372421.94560483337},
+                             0.41749736560409195,
+                             1e3,
+                             Criterion::exact,
+                             {.k_low = 2.1505211060951894}};
+  for (const auto& [problem, f_max] : {std::pair<PulseProblem, std::optional<double>>{wide, {}},
+                                       {close, {}},
+                                       {limited, 2.1500585125634753}}) {
+    PulseRequest request;
+    request.problem = problem;
+    request.limits.f_max = f_max;
+    const DesignResult result = design::design(request);
+    BOOST_TEST(result.intervals.value().back().high <= result.region.f3);
+  }
+}
+
 // The rectangle again, with beta = 0.64, which needs k_high - 0.32 <= k_low/2.
 BOOST_AUTO_TEST_CASE(ends_of_a_range_of_k_are_mended_to_what_is_known) {
   PulseRequest request;
