@@ -43,19 +43,25 @@ std::optional<double> last_passage(const Oscillator& oscillator, const Response&
   return impulse_of_passage(delta, std::sqrt((r - phi) * (r + phi)));
 }
 
-/// (45) for a hit that its first arrival, with the speed w, stops: least_notch_width for the place
-/// where the mass comes to rest.
-std::optional<double> width_of_the_stop(const Oscillator& oscillator, double w, double limit) {
+/// (45) for a first arrival that the notch stops: least_notch_width for the place where the mass
+/// comes to rest.
+std::optional<double> width_of_the_stop(const Oscillator& oscillator, double peak, double limit) {
   const auto& [p, f, delta, hold] = oscillator;
-  const double spring = p * (delta - w * w) * p;
-  const double square = limit * limit + spring;
-  const double excess = (limit - f) * (limit + f) + spring;
+  const double t = p * peak * p - f;  // S - 2f
+  const double excess = (limit - t) * (limit + t) + p * delta * p;
+  const double square = excess + f * f;
   return excess > 0 ? finite(delta * (std::sqrt(square) + f) / excess) : std::nullopt;
 }
 
-/// Where what does not exist is the better.
+/// Of those that exist.
 std::optional<double> lesser(const std::optional<double>& a, const std::optional<double>& b) {
   return a && b ? std::min(a, b) : std::max(a, b);
+}
+
+/// (45) for a hit after which the mass arrives at x = 0, at whichever arrival it stops there.
+std::optional<double> least_width_of_hit(const Oscillator& oscillator, double peak, double limit) {
+  return lesser(width_of_the_stop(oscillator, peak, limit),
+                least_notch_width(oscillator.f, oscillator.delta, limit, oscillator.p));
 }
 
 void worsen(Practice& worst, const Practice& now) {
@@ -123,11 +129,10 @@ std::optional<Practice> practice(const Oscillator& oscillator, const Response& r
     lines.impulse_largest = std::max(*last, lines.impulse_at_stop.value_or(0));
   }
   if (acceleration_max) {
-    const bool one_arrival = set_off == SetOff::hit && response.zero_passages.value_or(0) == 0 &&
-                             lines.impulse_at_stop.has_value();
-    lines.notch_width_min =
-        one_arrival ? width_of_the_stop(oscillator, *lines.impulse_at_stop, *acceleration_max)
-                    : least_notch_width(f, delta, *acceleration_max, p);
+    const bool arrives = lines.impulse_largest.has_value();
+    lines.notch_width_min = set_off == SetOff::hit && arrives
+                                ? least_width_of_hit(oscillator, peak, *acceleration_max)
+                                : least_notch_width(f, delta, *acceleration_max, p);
   }
   return lines;
 }

@@ -24,8 +24,8 @@ struct Practice {
   std::optional<double> impulse_largest;
   double notch_capacity{0};          ///< Delta, the energy that a whole passage takes
   std::optional<double> notch_used;  ///< energy of the arrival that stops, over the capacity
-  /// The least width with which the mass feels no more than the limit that was asked for. Under a
-  /// load and for a rest off centre it is one that is enough.
+  /// The least width with which the mass feels no more inside the notch than the limit that was
+  /// asked for. Under a load, and for a rest before the first arrival, it is one that is enough.
   std::optional<double> notch_width_min;
 };
 
