@@ -146,6 +146,21 @@ BOOST_AUTO_TEST_CASE(turn_that_meets_the_end_of_a_rectangle_has_none) {
   BOOST_TEST(margin_of(after) <= 2e-9);
 }
 
+BOOST_AUTO_TEST_CASE(arrival_under_a_load_that_balances_friction_just_before_it_changes_has_none) {
+  // p = f = 1, at rest at x = gap. A load k = 1 + e sets the mass off and balances friction: x'' =
+  // -x - e, so that it comes to x = 0 at pi/2 - e/gap with the speed gap, and Delta holds it there.
+  // The load ends just before pi/2. With k = 1 - e it ends first, and friction alone stops the mass
+  // within gap^2/2.
+  constexpr double gap = 1e-4;
+  const auto after = [](double k) {
+    const Record record{{k, k}, pi / 2 - gap / 100, {}};
+    return run_forced(ForcedScene<>{{gap, 0, 1, 1, gap}, record, 20}).state;
+  };
+  BOOST_TEST(*after(1 + 1e-2 * gap).outcome == Outcome::stopped_at_zero);
+  BOOST_TEST(*after(1 - 1e-2 * gap).outcome == Outcome::stopped_in_dead_zone);
+  BOOST_TEST(margin_of(after(1 + 1e-2 * gap)) <= 1e-2 * gap);
+}
+
 BOOST_AUTO_TEST_CASE(turn_well_before_a_jump_after_which_nothing_else_happens_is_far_from_tipping) {
   // From rest, k = 1, f = 0.45, p = 1: the turn at tau = pi, u = -1.1, is held there by k, |c| =
   // 0.1, until 2 pi, and then released by the end: |c| = 1.1, up to u = 0.2.

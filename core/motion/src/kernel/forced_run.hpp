@@ -300,6 +300,7 @@ class ForcedRun {
     s_.u = Real(from.direction) * end.at.y;
     s_.v = Real(from.direction) * end.at.v;
     if (end.event == PieceEvent::arrival) {
+      decide_arrival_before_change(*this, drive.w(), left.value());
       arrive();
     } else if (end.event == PieceEvent::turn) {
       turn();

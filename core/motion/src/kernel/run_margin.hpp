@@ -35,6 +35,21 @@ void decide_turn_at(Run& run, const Load<Real>& load) {
   s.margin.decide(v, v + magnitude(run.own_direction(load.w).a) * now);
 }
 
+/// Would a mass that arrives at x = 0 have turned before it if the load had changed first, as it
+/// does after the time `left`? docs/forced.md (F35).
+template <class Run, class Real>
+void decide_arrival_before_change(Run& run, const Real& w, const Real& left) {
+  ForcedState<Real>& s = run.state();
+  const Real v = magnitude(s.v);
+  if (v == 0) {
+    return;  // no arrival has a smaller margin
+  }
+  const Real slid = std::min(Real(s.now.value() - s.slide_begin), Real(2));
+  const Real force = run.law().phi_ahead(Real(0)) + magnitude(w);
+  const Real pushed = force * slid;
+  s.margin.decide(v, v + pushed * (pushed / (2 * force * left + v)));
+}
+
 /// W jumps here: docs/forced.md (F26).
 template <class Run, class Real>
 void decide_jump(Run& run, const Load<Real>& from, const Load<Real>& to) {
