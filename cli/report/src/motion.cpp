@@ -287,7 +287,7 @@ std::optional<double> caught_impulse(const MotionReport& report) {
   // A load can free the mass from a notch that lets go.
   const bool freed = report.answer.forced && oscillator.hold && start.x0 == 0 &&
                      !report.request.surface.notch_width &&
-                     start.v0 * start.v0 < 2 * oscillator.delta;
+                     holds_at_start(oscillator.delta, start.v0);
   const bool caught = report.answer.response.outcome == Outcome::caught_at_start || freed;
   return caught && start.v0 != 0 ? std::optional(std::abs(start.v0)) : std::nullopt;
 }

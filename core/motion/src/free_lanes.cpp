@@ -131,7 +131,7 @@ class FreeLanes {
             hn::And(within(speed, least_speed, most_speed), within(phi, least_speed, most_speed)),
             hn::And(within(p, least_speed, most_speed),
                     within(notch, least_speed * least_speed, most_speed * most_speed))),
-        hn::And(hn::Ge(energy, notch), surely_ends(energy, notch, radius, phi)));
+        hn::And(hn::Gt(energy, notch), surely_ends(energy, notch, radius, phi)));
     put(over_(peak(speed, radius, phi), p), output_.peak_amplitude + begin);
 
     const V index = hn::Add(hn::Iota(D(), 0), all(static_cast<double>(begin)));

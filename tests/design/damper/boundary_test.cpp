@@ -106,6 +106,34 @@ BOOST_AUTO_TEST_CASE(the_start_tips_at_the_same_bit_in_formula_and_simulation) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_largest_delta_that_starts_is_the_last_double_below_the_exact_one) {
+  RandomSource random(306);
+  int square_is_above = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double v0 =
+        i % 2 == 0 ? random.log_uniform(smallest_speed, largest_speed) : random.uniform(0.5, 2);
+    const Problem problem{.v0 = v0, .p = 1, .beta = v0};
+    const double delta = *admissible_region(problem).delta2;
+    const Precise exact = Precise(v0) * Precise(v0) / 2;
+    BOOST_TEST(Precise(delta) <= exact);
+    BOOST_TEST(Precise(above(delta)) > exact);
+    square_is_above += Precise(v0 * v0 / 2) > exact;
+    // An ulp of v0 is several of the square.
+    const double f = v0 / 4;
+    const auto served = works_for(problem, {}, f, delta);
+    BOOST_TEST_REQUIRE(served.has_value());
+    BOOST_TEST(served->hit.low <= v0);
+    BOOST_TEST(Precise(served->hit.low) * Precise(served->hit.low) >= 2 * Precise(delta));
+    BOOST_TEST(Precise(below(served->hit.low)) * Precise(below(served->hit.low)) <
+               2 * Precise(delta));
+    BOOST_TEST(simulate(problem, f, delta).outcome == Outcome::stopped_at_zero);
+    BOOST_TEST(simulate(problem, f, above(delta)).outcome == Outcome::caught_at_start);
+    const auto caught = forced_response({1, f, above(delta)}, {0, v0}, Rectangle{v0, 1});
+    BOOST_TEST(caught.outcome == Outcome::caught_at_start);
+  }
+  BOOST_TEST(square_is_above > 5000);
+}
+
 BOOST_AUTO_TEST_CASE(the_return_tips_at_f3_in_formula_and_simulation) {
   RandomSource random(302);
   int decided = 0;

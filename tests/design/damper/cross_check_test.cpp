@@ -167,12 +167,16 @@ BOOST_AUTO_TEST_CASE(a_grazing_design_passes_and_a_wrong_prediction_of_it_does_n
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_delta_of_exactly_delta2_is_no_caught_start_for_the_integrator) {
-  // 2 Delta / v0 / v0 rounds above 1 for these, though Delta = v0 v0 / 2.
-  for (const double v0 : {0.355, 0.759, 1.438}) {
-    const auto motion = stillpoint::design::integrate_free_motion({1, 0.1, v0 * v0 / 2}, v0, 1e-12);
+BOOST_AUTO_TEST_CASE(the_start_of_the_integrator_tips_at_delta2) {
+  // v0 * v0 / 2 is above Delta2 for the first three.
+  for (const double v0 : {0.355, 0.759, 1.438, 0.3, 1.0}) {
+    const double delta2 = *admissible_region({.v0 = v0, .p = 1, .beta = 9}).delta2;
+    const auto motion = stillpoint::design::integrate_free_motion({1, 0.1, delta2}, v0, 1e-12);
     BOOST_TEST(motion.half_cycles == 1);
     BOOST_TEST(motion.peak_amplitude > 0);
+    const double more = std::nextafter(delta2, HUGE_VAL);
+    BOOST_TEST(stillpoint::design::integrate_free_motion({1, 0.1, more}, v0, 1e-12).half_cycles ==
+               0);
   }
 }
 

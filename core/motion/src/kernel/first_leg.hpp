@@ -81,7 +81,7 @@ FirstLeg<Real> first_leg(const HalfCycleMap<Real>& map, const BasicStart<Real>& 
     still.farthest = still.rest = distance;
     return still;
   }
-  if (at_zero && speed * speed < map.notch) {
+  if (at_zero && map.catches(speed)) {
     return {FirstLegEnd::caught, side, distance, speed};
   }
   const bool outward = at_zero || (start.v0 > 0) == (start.x0 > 0);

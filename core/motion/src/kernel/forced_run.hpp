@@ -256,7 +256,7 @@ class ForcedRun {
     if (notched) {
       s_.margin.decide(magnitude(Real(energy - map_.notch)), energy + map_.notch);
     }
-    if (notched && energy < map_.notch) {
+    if (notched && map_.catches(s_.v)) {
       s_.v = Real(0);
       s_.caught = true;
       if (!law_.lets_go()) {

@@ -28,6 +28,9 @@ struct HalfCycleMap {
   explicit HalfCycleMap(const BasicOscillator<Real>& oscillator)
       : p(oscillator.p), phi(oscillator.f / oscillator.p), notch(2 * oscillator.delta) {}
 
+  /// Rule 4, of a start at x = 0 with v0 != 0.
+  [[nodiscard]] bool catches(const Real& v0) const { return holds_at_start(Real(notch / 2), v0); }
+
   [[nodiscard]] bool without_friction() const { return phi == 0 && notch == 0; }
 
   /// (3): B = energy / (radius + phi). The paper's radius - phi loses every digit where phi >> V.

@@ -49,12 +49,12 @@ IntegratedMotion integrate_free_motion(const Oscillator& oscillator, double v0, 
   IntegratedMotion motion;
   motion.stopped = true;
   motion.half_cycles = 0;
-  // Compared as in the region: if scaled by v0 first, an exact tie could round to the other side.
-  if (2 * delta > v0 * v0) {
+  // Not scaled by v0, which could move an exact tie to the other side.
+  if (holds_at_start(delta, v0)) {
     return motion;
   }
   // In units of V0 and p, where no half-cycle takes more than pi.
-  const Oscillator unit{1, f / p / v0, std::min(delta / v0 / v0, 0.5)};
+  const Oscillator unit{1, f / p / v0, delta / v0 / v0};
   const peers::Result result =
       peers::dopri5({unit, {0, 1}, NoExcitation{}, max_half_cycles * pi}, tolerance);
   motion.stopped = result.outcome != Outcome::running;

@@ -12,6 +12,11 @@
 
 namespace stillpoint::design {
 
+double largest_delta_of_start(double v0) {
+  const double rounded = v0 * v0 / 2;
+  return holds_at_start(rounded, v0) ? std::nextafter(rounded, 0.0) : rounded;
+}
+
 Edges edges(const Problem& problem, const Limits& limits) {
   const Wide v0 = problem.v0;
   const Wide p = problem.p;
@@ -24,7 +29,7 @@ Edges edges(const Problem& problem, const Limits& limits) {
   result.f_max = least_limit(Bounded::f, limits);
   result.f4 = figures_edge(problem, limits);
   result.f_cap = std::min({result.f3, result.f_max, result.f4});
-  result.delta2 = problem.starting_v0() * problem.starting_v0() / 2;
+  result.delta2 = largest_delta_of_start(problem.starting_v0());
   result.delta_cap = std::min(result.delta2, least_limit(Bounded::delta, limits));
   return result;
 }
@@ -37,8 +42,8 @@ double unchecked_delta1(const Problem& problem, double f) {
   const Wide v0 = problem.v0;
   const Wide phi = f / Wide(problem.stiffest_p());
   const Wide radius = root(v0 * v0 + phi * phi);
-  if (phi == 0) {  // Delta2 itself, which is rounded as a product of doubles
-    return problem.v0 * problem.v0 / 2;
+  if (phi == 0) {  // Delta2 itself
+    return largest_delta_of_start(problem.v0);
   }
   if (problem.criterion == Criterion::published) {
     const Wide speed = radius - 2 * phi;
@@ -51,7 +56,7 @@ double unchecked_delta1(const Problem& problem, double f) {
 double lower_end_from_stop(const Problem& problem, const Limits& limits) {
   // Delta2 is v0^2/2: dividing the rounded square by v0 twice may miss 1/2, and f = 0 with it.
   const double delta_cap = edges(problem, limits).delta_cap;
-  const bool by_start = delta_cap == problem.v0 * problem.v0 / 2;
+  const bool by_start = delta_cap == largest_delta_of_start(problem.v0);
   const double highest = by_start ? 0.5 : delta_cap / problem.v0 / problem.v0;
   const double t = limits.tolerance;
   const double a = unit::delta1_inverse(problem.criterion, highest * (1 - t) / (1 + t));

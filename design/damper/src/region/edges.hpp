@@ -7,9 +7,9 @@
 
 namespace stillpoint::design {
 
-/// The edges as doubles that lie on or inside them: computed in long double, f2 rounded up and
-/// f3 down. At beta = V0/(sqrt(2) p) they meet, and one ulp of beta moves f2 by three, which
-/// rounding to nearest could hide.
+/// The edges as doubles that lie on or inside them: f2 rounded up, f3 and Delta2 down, the first
+/// two from long double. At beta = V0/(sqrt(2) p) they meet, and one ulp of beta moves f2 by three,
+/// which rounding to nearest could hide.
 struct Edges {
   double f1;
   double f2;
@@ -20,6 +20,9 @@ struct Edges {
   double f_cap;      ///< min(f3, f_max, f4)
   double delta_cap;  ///< min(Delta2, delta_max)
 };
+
+/// Delta2 = V0^2/2, rounded down.
+[[nodiscard]] double largest_delta_of_start(double v0);
 
 [[nodiscard]] Edges edges(const Problem& problem, const Limits& limits);
 

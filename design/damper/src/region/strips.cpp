@@ -15,9 +15,9 @@ std::optional<Interval> delta_range(const Problem& problem, std::int64_t arrival
   require_within("f", f, 0, largest_square);
   const bool plain = is_plain(problem, {});
   if (plain && arrival == 1) {
-    return f <= edges(problem, {}).f3
-               ? std::optional(Interval{unchecked_delta1(problem, f), problem.v0 * problem.v0 / 2})
-               : std::nullopt;
+    return f <= edges(problem, {}).f3 ? std::optional(Interval{unchecked_delta1(problem, f),
+                                                               largest_delta_of_start(problem.v0)})
+                                      : std::nullopt;
   }
   Problem any = problem;
   if (plain) {

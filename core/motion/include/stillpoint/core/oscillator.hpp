@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
+#include <type_traits>
 
 namespace stillpoint {
 
@@ -42,6 +44,21 @@ inline constexpr double smallest_friction_speed = 1e-307;
 inline constexpr double smallest_peak_speed = 1e-300;
 /// The largest delta and |x0|; the first is compared with squares of speeds.
 inline constexpr double largest_square = 1e300;
+
+/// Whether the notch holds a start at x = 0 with v0 != 0: v0^2 < 2 delta, rule 4 of docs/theory.md.
+/// The exact square decides, not the rounded one.
+template <class Real>
+[[nodiscard]] bool holds_at_start(const Real& delta, const Real& v0) {
+  const Real square = v0 * v0;
+  const Real notch = 2 * delta;
+  if constexpr (std::is_floating_point_v<Real>) {
+    if (square == notch) {
+      const Real scale = std::abs(v0) < 1 ? 0x1p300 : 1;  // so that the error does not underflow
+      return std::fma(v0 * scale, v0 * scale, -notch * scale * scale) < 0;
+    }
+  }
+  return square < notch;
+}
 
 /// Throws InputError, naming `field`, unless f, a friction or the load that a notch holds, is 0 or
 /// f / p in [1e-307, 1e150].

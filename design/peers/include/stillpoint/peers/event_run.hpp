@@ -142,7 +142,7 @@ class EventRun {
 
   void begin() {
     enter_stretch();
-    if (x() == 0 && v() != 0 && v() * v() < notch_) {
+    if (x() == 0 && v() != 0 && holds_at_start(notch_ / 2, v())) {
       v() = 0;
       if (!ground_.lets_go()) {
         stop(Outcome::caught_at_start);
