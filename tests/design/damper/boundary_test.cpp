@@ -122,9 +122,9 @@ BOOST_AUTO_TEST_CASE(the_largest_delta_that_starts_is_the_last_double_below_the_
     const double f = v0 / 4;
     const auto served = works_for(problem, {}, f, delta);
     BOOST_TEST_REQUIRE(served.has_value());
-    BOOST_TEST(served->v0.low <= v0);
-    BOOST_TEST(Precise(served->v0.low) * Precise(served->v0.low) >= 2 * Precise(delta));
-    BOOST_TEST(Precise(below(served->v0.low)) * Precise(below(served->v0.low)) <
+    BOOST_TEST(served->hit.low <= v0);
+    BOOST_TEST(Precise(served->hit.low) * Precise(served->hit.low) >= 2 * Precise(delta));
+    BOOST_TEST(Precise(below(served->hit.low)) * Precise(below(served->hit.low)) <
                2 * Precise(delta));
     BOOST_TEST(simulate(problem, f, delta).outcome == Outcome::stopped_at_zero);
     BOOST_TEST(simulate(problem, f, above(delta)).outcome == Outcome::caught_at_start);
