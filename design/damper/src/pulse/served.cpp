@@ -19,7 +19,7 @@ namespace {
 
 /// Of every limit: a need may be the same for many k, where rounding would decide whether a Delta
 /// that is equal to it is enough. Less than edge_rounding, so that the ends stay within the limits.
-constexpr double outwards = 1 + 1e-14;
+constexpr double for_rounding = 1 + 1e-14;
 
 /// As a part of both; 0 of nothing.
 double room_of(double value, double limit) {
@@ -140,11 +140,11 @@ ServedInterval served_p(const PulseProblem& problem, const DamperRooms& damper) 
 DamperRooms::DamperRooms(const PulseProblem& problem, const Limits& limits, double friction,
                          double point_friction)
     : f(friction),
-      delta(point_friction * outwards),
-      beta(problem.beta * outwards),
+      delta(point_friction * for_rounding),
+      beta(problem.beta * for_rounding),
       criterion(problem.criterion) {
   std::ranges::transform(limited_figures, figures_max.begin(), [&](const LimitKind* kind) {
-    return limit_or_infinity(*kind, limits) * outwards;
+    return limit_or_infinity(*kind, limits) * for_rounding;
   });
 }
 

@@ -124,7 +124,13 @@ BOOST_AUTO_TEST_CASE(of_a_rectangle_of_half_a_natural_period_the_ends_are_known)
   published.problem.criterion = Criterion::published;
   const double by_published = (3 * f + std::sqrt(f * f + 2 * 0.2 - f * f)) / 2;
   BOOST_TEST(*served_k(published, f, 0.2).high == by_published, close);
-  // Without friction: w = 2 k.
+  // The weaker pulses of a range are not asked for.
+  PulseRequest weaker = half_period(0.8);
+  weaker.problem.ranges.k_low = 0.4;
+  BOOST_TEST(served_k(weaker, f, 1).low == 2 * f, close);
+  BOOST_TEST(*served_k(weaker, f, 1).high == 0.8 / 2 + f, close);
+  // With hardly any friction, and without: w = 2 k.
+  BOOST_TEST(*served_k(half_period(1.1), 1e-15, 1).high == 1.1 / 2, close);
   BOOST_TEST(served_k(half_period(1.1), 0, 1).low == 0);
   BOOST_TEST(*served_k(half_period(1.1), 0, 1).high == 1.1 / 2, close);
   BOOST_TEST(*served_k(half_period(1.1), 0, 0.51).high == std::sqrt(0.51 / 2), close);
@@ -133,6 +139,7 @@ BOOST_AUTO_TEST_CASE(of_a_rectangle_of_half_a_natural_period_the_ends_are_known)
   BOOST_TEST(*served_k(felt, 0, 1).high == 1.05 / 2, close);
   // The pulse itself is on the edge.
   BOOST_TEST(*served_k(half_period(1), 0, 1).high == 0.5);
+  BOOST_TEST(*served_k(half_period(0.8, 0.55), f, 1).high == 0.55);
 }
 
 BOOST_AUTO_TEST_CASE(a_damper_that_does_not_do_for_the_pulse_works_for_none) {
@@ -208,6 +215,20 @@ BOOST_AUTO_TEST_CASE(springs_that_fail_right_beside_the_own_one_are_seen) {
   };
   BOOST_TEST(served_beside(0.63).low == 0.63, tt::tolerance(aside));
   BOOST_TEST(*served_beside(0.6).high == 0.6, tt::tolerance(aside));
+}
+
+BOOST_AUTO_TEST_CASE(a_window_of_stiff_springs_that_do_not_return_is_seen) {
+  const double f = 0.0957;
+  const PulseRequest request = request_of(HalfSine{1, 1}, 100);
+  const auto holds_at = [&](double p) {
+    return holds(request, with_p(request.problem, p), f, 100);
+  };
+  BOOST_TEST(!holds_at(6.635));
+  BOOST_TEST(holds_at(10));
+  const double high = *works_for(with_p(request.problem, 0.823), {}, f, 100).value().p.high;
+  BOOST_TEST(high < 6.635);
+  BOOST_TEST(holds_at(high * (1 - aside)));
+  BOOST_TEST(!holds_at(high * (1 + aside)));
 }
 
 BOOST_AUTO_TEST_CASE(every_pulse_and_spring_within_the_ends_is_served_and_none_just_beyond) {
