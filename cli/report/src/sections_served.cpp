@@ -47,36 +47,32 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
   if (!served) {
     return;
   }
-  const auto& [problem, limits, pulse, ranges, physical] = task;
+  const auto& [problem, limits, pulse, physical] = task;
   const auto in_units =
       physical ? std::optional(physical_works_for(physical->scales, *served)) : std::nullopt;
-  const bool ranged = pulse ? ranges.k_low || ranges.lambda_high : problem.v0_low.has_value();
-  const std::string_view hit = pulse && ranged ? "every pulse of the ranges"
-                               : pulse         ? "the pulse as given"
-                               : ranged        ? "every hit of the range"
-                               : physical      ? "the hit as given"
-                                               : "v0 as given";
-  const Interval valid_hit = pulse ? Interval{0, HUGE_VAL} : design::valid_v0(problem);
-  const Interval valid_p =
-      pulse ? searched_p(pulse_problem(problem, *pulse, ranges)) : design::valid_p(problem);
-  const double strongest = pulse ? design::peak_load(*pulse) : problem.v0;
-  std::string of_hit = own_limit(served->hit, valid_hit, false);
-  constexpr double rounding = 1e-6;
-  if (of_hit.empty() && served->hit.low < strongest * (1 - rounding) &&
-      *served->hit.high <= strongest * (1 + rounding)) {
-    of_hit = ", none stronger than asked for";
-  }
-  const std::string hits = pulse ? format("pulses of {} g", interval_text(served->hit))
-                           : in_units
-                               ? format("hits of {} m/s", interval_text(in_units->velocity_m_per_s))
-                               : format("v0 of {}", interval_text(served->hit));
   const std::string springs = in_units
                                   ? format("periods of {} s", interval_text(in_units->period_s))
                                   : format("p of {}", interval_text(served->p));
+  if (pulse) {
+    section.row("works for", format("pulses of {} g; {}", interval_text(served->hit), springs));
+    return;
+  }
+  const std::string_view hit = problem.v0_low ? "every hit of the range"
+                               : physical     ? "the hit as given"
+                                              : "v0 as given";
+  std::string of_hit = own_limit(served->hit, design::valid_v0(problem), false);
+  constexpr double rounding = 1e-6;
+  if (of_hit.empty() && served->hit.low < problem.v0 * (1 - rounding) &&
+      *served->hit.high <= problem.v0 * (1 + rounding)) {
+    of_hit = ", none stronger than asked for";
+  }
+  const std::string hits = in_units
+                               ? format("hits of {} m/s", interval_text(in_units->velocity_m_per_s))
+                               : format("v0 of {}", interval_text(served->hit));
   section.row("works for", format("{}{}{}", hits,
                                   problem.p_high ? " with every spring of the range" : "", of_hit));
   section.row("", format("{} with {}{}", springs, hit,
-                         own_limit(served->p, valid_p, physical.has_value())));
+                         own_limit(served->p, design::valid_p(problem), physical.has_value())));
 }
 
 void add_weak_hits(Section& section, const design::Problem& problem, double delta,

@@ -129,8 +129,9 @@ BOOST_AUTO_TEST_CASE(parts_no_number_from_its_unit_and_no_option_from_its_value)
            lines_of(run({std::string(name(command)), "--help"}, of_width(columns)).out)) {
         const auto first = line.find_first_not_of(' ');
         if (first != std::string::npos && first > 2 && line[first] != '-') {  // it continues
-          BOOST_TEST(!std::regex_search(before, std::regex("([ (]-?[0-9][.0-9]*|--[-a-z]+)( \\\\)?$")),
-                     columns << ": " << before << " / " << line);
+          BOOST_TEST(
+              !std::regex_search(before, std::regex("([ (]-?[0-9][.0-9]*|--[-a-z]+)( \\\\)?$")),
+              columns << ": " << before << " / " << line);
         }
         before = line;
       }

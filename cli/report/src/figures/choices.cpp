@@ -92,7 +92,7 @@ std::vector<Figure> trade_off_figures(const std::vector<design::TradeOff>& front
   tolerance.below = true;
   tolerance.caption =
       "Each point is the most tolerant damper of its stroke: none is better in one of the three "
-      "without being worse in another. Inside a notch the acceleration is f + Δ/w + spring.";
+      "without being worse in another; inside a notch the acceleration is f + Δ/w + spring.";
   acceleration.description = format(
       "The least transmitted acceleration for each stroke, from {} at {:.4g} g to {} at "
       "{:.4g} g. The design has {} at {:.4g} g.",
