@@ -92,9 +92,12 @@ std::string range_digits(double low, double high) {
   if (begins_at_nothing(low, high)) {
     return "up to " + to;
   }
+  if (!(low < high)) {
+    return fmt::format("{}", high);
+  }
   const std::string from = limit_digits(low, true, shown);
-  return low < high && !(std::stod(from) < std::stod(to)) ? interval_digits(low, high)
-                                                          : fmt::format("{} to {}", from, to);
+  return std::stod(from) < std::stod(to) ? fmt::format("{} to {}", from, to)
+                                         : interval_digits(low, high);
 }
 
 std::string interval_digits(double low, double high) {

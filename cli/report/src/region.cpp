@@ -61,9 +61,11 @@ std::string judgement(const RegionReport& report) {
     return damper + " is not admissible." + violations(report);
   }
   const std::string tolerance = tolerance_words(design::Limits{}, *answer.tolerance);
-  return *answer.admissible ? format("{} is admissible: {}.", damper, tolerance)
-                            : format("{} is not admissible with {}: {}.", damper,
-                                     tolerance_shown(limits, limits.tolerance), tolerance);
+  const bool exact = !leaves_any(*answer.tolerance);
+  return *answer.admissible
+             ? format("{} is admissible{} {}.", damper, exact ? ", but" : ":", tolerance)
+             : format("{} is not admissible with {}{} {}.", damper,
+                      tolerance_shown(limits, limits.tolerance), exact ? ";" : ":", tolerance);
 }
 
 /// "Feasible f: 0.1 to 0.25.", and whether there are others.
@@ -110,7 +112,9 @@ std::string delta_words(const std::vector<Interval>& all, const Physical& physic
         : low > 0 ? format("from {} to {}", least, length_limit(physical, high * conversion, false))
                   : format("up to {}", length_limit(physical, high * conversion, false)));
   }
-  return text + (lower > 0 ? format(" or in {} lower range{}", lower, lower == 1 ? "" : "s") : "");
+  return text + (lower == 0   ? ""
+                 : lower == 1 ? " or in a lower range"
+                              : format(" or in {} lower ranges", lower));
 }
 
 /// "At f = 0.024, delta from 2.1 mm to 8.2 mm is admissible.", or what suits every feasible f; if

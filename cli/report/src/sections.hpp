@@ -212,6 +212,8 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty, const
 [[nodiscard]] bool stops_by_delta1(std::span<const design::Constraint> constraints);
 /// Else whether it stops there does not matter.
 [[nodiscard]] bool returns(std::span<const design::Constraint> constraints);
+/// Under a pulse, peak and acceleration count up to the first return.
+[[nodiscard]] bool of_first_swing(const design::Constraint& constraint);
 /// Each with its slack: by how much a damper meets or misses it.
 Section& add_constraints(Document& document, std::span<const design::Constraint> constraints,
                          const design::Limits& limits, const Physical& physical);

@@ -29,6 +29,10 @@ bool returns(std::span<const design::Constraint> constraints) {
   });
 }
 
+bool of_first_swing(const design::Constraint& constraint) {
+  return constraint.variable == "peak" || constraint.variable == "acceleration";
+}
+
 namespace {
 
 std::pair<double, std::string> unit_of(std::string_view variable, const FigureUnits& units) {
@@ -177,7 +181,7 @@ Section& add_region(Document& document, const design::RegionVerdict& verdict,
               *region.f4 < 0 ? "  (no f is small enough)" : "");
   }
   if (region.delta2) {
-    add_bound(section, units, "dead_zone", "f", "<", region.f1);
+    add_bound(section, units, "dead_zone", "f", "<", region.f1, "", shown);
     add_bound(section, units, "start", "delta", "<=", *region.delta2);
   } else {
     section.row("start",
@@ -215,6 +219,9 @@ Section& add_constraints(Document& document, std::span<const design::Constraint>
   section.parts.emplace_back(std::move(table));
   if (limits.tolerance > 0) {
     section.row("tolerance", "at least " + box_text(limits, limits.tolerance));
+  }
+  if (std::ranges::any_of(constraints, of_first_swing)) {
+    section.line("Each is of the motion up to the first return.");
   }
   return section;
 }

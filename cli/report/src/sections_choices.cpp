@@ -28,20 +28,21 @@ std::string consequence(const design::Constraint& violated, const ShownTask& tas
     return "exceeds " + acceleration_shown(task.limits.acceleration_max.value_or(0));
   }
   return name == "start" ? violated.variable == "f" ? "is held by friction" : "is held by the notch"
-         : name == "return"    ? "rests off centre"
+         : name == "return" || name == "residual"
+             ? task.problem.residual ? "rests too far off" : "rests off centre"
          : name == "stop"      ? violated.by_criterion_alone
                                      ? "stops at x = 0, but not by the published criterion"
                                      : "passes x = 0"
          : name == "dead_zone" ? "has too wide a dead zone"
-         : name == "residual"  ? "rests too far out"
                                : "exceeds the " + in_words(name);
 }
 
 /// "f is 12 % too small", "delta is 3.4 times the limit".
 std::string by_how_much(const design::Constraint& violated) {
   const auto& [name, measured, relation, value, limit, slack, satisfied, by_criterion] = violated;
-  const bool symbol = measured != "peak" && measured != "acceleration";
-  const std::string variable = (symbol ? "" : "the ") + std::string(measured);
+  const std::string variable = of_first_swing(violated)
+                                   ? format("the {} of the first swing", measured)
+                                   : std::string(measured);
   const bool too_large = relation.front() == '<';
   const double off = std::abs(slack) / limit;
   constexpr double in_percent_up_to = 1;
@@ -50,6 +51,9 @@ std::string by_how_much(const design::Constraint& violated) {
   }
   if (!std::isfinite(off)) {
     return format("{} is too {}", variable, too_large ? "large" : "small");
+  }
+  if (off == 0) {
+    return format("{} is just too {}", variable, too_large ? "large" : "small");
   }
   constexpr double next_to_all = 0.995;  // which two digits would call all of it
   if (!too_large && off >= next_to_all) {

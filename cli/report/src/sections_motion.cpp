@@ -100,6 +100,26 @@ std::string felt(const ShownTask& task, const design::DesignPoint& damper, const
                    pulse ? design::peak_load(*pulse) : HUGE_VAL));
 }
 
+namespace {
+
+/// Of a limit, with the digits that tell it from all of the limit.
+std::string share_of(double value, double limit) {
+  constexpr double all = 100;  // per cent
+  constexpr double least = 0.01;
+  constexpr int every = 17;  // digits that a double has
+  const double share = all * value / limit;
+  if (share < least) {
+    return format("less than {} %", least);
+  }
+  int shown = 4;
+  while (share != all && shown < every && std::stod(format("{:.{}g}", share, shown)) == all) {
+    ++shown;
+  }
+  return format("{:.{}g} %", share, shown);
+}
+
+}  // namespace
+
 void add_motion(Section& answer, const ShownTask& task, const ToldMotion& motion,
                 const std::string& acceleration) {
   const auto& [problem, limits, pulse, physical] = task;
@@ -108,12 +128,11 @@ void add_motion(Section& answer, const ShownTask& task, const ToldMotion& motion
   const std::string under_pulse =
       format(", under the pulse{}",
              response.zero_passages.value_or(0) > 0 ? ", later swings included" : "");
-  const double share = response.peak_amplitude / problem.beta;
-  answer.row("peak",
-             format("{}, {} of the {} allowed{}", length_shown(physical, response.peak_amplitude),
-                    share < 1e-4 ? "less than 0.01 %" : format("{:.4g} %", 100 * share),
-                    length_shown(physical, problem.beta),
-                    pulse ? under_pulse : of_extreme(task, "softest")));
+  answer.row(
+      "peak",
+      format("{}, {} of the {} allowed{}", length_shown(physical, response.peak_amplitude),
+             share_of(response.peak_amplitude, problem.beta), length_shown(physical, problem.beta),
+             pulse ? under_pulse : of_extreme(task, "softest")));
   if (!response.stop_time || response.half_cycles == 0) {
     answer.row(
         "rest",

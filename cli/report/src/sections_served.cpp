@@ -78,11 +78,16 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
 void add_weak_hits(Section& section, const design::Problem& problem, double delta,
                    const Physical& physical) {
   // A weaker hit than this is caught at the start: rule 4 of docs/theory.md, section 2.
-  if (const double caught = std::sqrt(2 * delta); problem.v0_low && *problem.v0_low < caught) {
-    section.row("weak hits", format("those below {} are felt in full, up to {}",
-                                    FigureUnits(physical).velocity_words(caught),
-                                    impulse_shown(physical, caught)));
+  const double caught = std::sqrt(2 * delta);
+  if (!problem.v0_low || *problem.v0_low >= caught) {
+    return;
   }
+  const bool all = problem.v0 <= caught;
+  section.row("weak hits",
+              format("{} are felt in full, up to {}",
+                     all ? "all hits of the range"
+                         : "those below " + FigureUnits(physical).velocity_words(caught),
+                     impulse_shown(physical, std::min(caught, problem.v0))));
 }
 
 double example_width(const Physical& physical, double peak) {
@@ -171,7 +176,10 @@ namespace {
 /// With next to no friction it has no meaning but that it is large.
 std::string ratio(double value) {
   constexpr double large = 1000;
-  return value < large ? format("= {:.3g}", value) : format("> {:.0f}", large);
+  constexpr double whole = 100;  // from there on three digits have no point
+  return value >= large   ? format("> {:.0f}", large)
+         : value >= whole ? format("= {:.0f}", value)
+                          : format("= {:.3g}", value);
 }
 
 }  // namespace

@@ -307,7 +307,42 @@ BOOST_FIXTURE_TEST_CASE(of_a_region_says_which_delta_goes_with_some_f, Sandbox) 
   const std::string many = answer("--beta 2 --arrivals 9 --f 0.01");
   BOOST_TEST(contains(many, "or in 6 lower ranges is admissible."), many);
   const std::string four = answer("--beta 2 --arrivals 4 --f 0.01");
-  BOOST_TEST(contains(four, "or in 1 lower range is admissible."), four);
+  BOOST_TEST(contains(four, "or in a lower range is admissible."), four);
+}
+
+BOOST_FIXTURE_TEST_CASE(of_a_damper_on_an_edge_is_true_and_reads_well, Sandbox) {
+  const auto answer = [&](const char* more) {
+    return one_line(run(Arguments("region") + more).out);
+  };
+  check_contains(answer("--v0 1 --p 1 --beta 0.8 --f 0.3 --delta 0.5"),
+                 {"The damper is admissible, but f and delta must be exact: "});
+  // Without friction the mass comes back with all of V0^2/2 = 0.5.
+  check_contains(answer("--v0 1 --p 1 --beta 0.8 --f 0 --delta 0.5"),
+                 {"It also passes x = 0: delta is just too small (stop)."});
+  // A single f is left.
+  const std::string single = answer("--v0 1 --p 1 --beta 0.7071067811865476");
+  BOOST_TEST(contains(single, "Feasible f: 0.35355339"), single);
+  BOOST_TEST(!contains(single, "0.353554"), single);
+  check_contains(answer("--v0 1 --p 1 --beta 0.70710679 --f 0.3535533 --delta 0.2"),
+                 {" 100.00001 % of the ", " f >= 0.35355338 -7.7", " f <= 0.35355339 "});
+  // A/(2 f) = 999.5
+  check_contains(answer("--v0 1 --p 1 --beta 1 --f 0.0005 --delta 0.4998 --verbose"),
+                 {"E_s / E_h = 1000 without the notch"});
+}
+
+/// The largest f of the task is in its bounds; no delta and no hit helps beyond it.
+BOOST_FIXTURE_TEST_CASE(of_too_large_an_f_with_a_residual_names_f, Sandbox) {
+  check_contains(one_line(run({"region", STILLPOINT_DATA_DIR "/scenes/residual.json", "--f", "0.2",
+                               "--delta-m", "5mm"})
+                              .out),
+                 {"It rests too far off: f is 5.83 times the limit (return)",
+                  "residual f <= 0.0342924", "return f <= 0.0342924"});
+  check_contains(
+      one_line(run("region --v0 1 --p 1 --beta 0.9 --residual 0.05 --f 0.4 --delta 0.3").out),
+      {"It rests too far off: f is 7.4 % too large (return)", "return f <= 0.372358"});
+  check_contains(
+      one_line(run("region --v0 0:1 --p 1 --beta 2 --residual 0.05 --f 0.5 --delta 0.9").out),
+      {"all hits of the range are felt in full, up to 1 times the mass"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(region_judges_a_point_under_the_pulse) {
   const std::string weak = one_line(run(region + "--f 0.05 --delta 0.49").out);
   check_contains(
       weak, {"Even with a notch that acts only after the start, the damper is not admissible",
-             "It exceeds ", ": the peak is ", " peak ",
+             "It exceeds ", ": the peak of the first swing is ", " peak ",
              " rest at x = ", "At f = 0.05 no delta is admissible.", "Feasible f: 0.100001 to"});
   check_contains(weak, {" start needs a notch wider than 1.08889, delta/(k - f)", "violated"});
   const Arguments lacking = region + "--f 0.12 --delta 0.49 --tolerance 0.2";

@@ -72,6 +72,9 @@ void compare_way(std::array<Constraint, 5>& list, const Problem& problem, double
             : way.v_low > 0
                 ? Constraint::compared("return", "v0", ">=", way.v_low * problem.v0, reach)
                 : Constraint::compared("return", "delta", ">=", delta, reach);
+  if (const double most = largest_f(problem); !list[3].satisfied && f > most) {
+    list[3] = Constraint::compared("return", "f", "<=", f, most);  // no delta and no hit helps
+  }
   list[4] = Constraint::compared("stop", "v0", "<", problem.v0, pass);
 }
 
