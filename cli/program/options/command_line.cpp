@@ -3,6 +3,7 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/text.hpp>
+#include <stillpoint/records/units.hpp>
 #include <stillpoint/report/terminal.hpp>
 #include <stillpoint/report/version.hpp>
 #include <stillpoint/report/wrapped.hpp>
@@ -104,12 +105,20 @@ void add_merge(CLI::App& command, MergeFiles& files) {
       ->type_name("");
 }
 
+/// The second word of "--velocity 400 mm/s".
+void refuse_unit(const std::string& word) {
+  if (records::is_unit(word) && !std::filesystem::exists(word)) {
+    throw UsageError(fmt::format("{0}: a unit must follow its number without a space: 1{0}", word));
+  }
+}
+
 void refuse_extras(const CLI::App& app, Command command) {
   const std::vector<std::string> extras = app.remaining();
   if (extras.empty()) {
     return;
   }
   const std::string first = records::shortened(extras.front(), records::longest_word);
+  refuse_unit(first);
   if (!first.starts_with("-")) {
     throw UsageError(
         fmt::format("{}: unexpected, only one {} can be given", first,
@@ -306,11 +315,7 @@ Invocation parse_command_line(int argc, const char* const* argv) {
   refuse_extras(chosen, invocation.command);
   invocation.flags = from_flags(chosen, given, invocation.command);
   if (chosen.get_option("scene")->count() > 0) {
-    // The second word of "--velocity 400 mm/s".
-    if (records::is_unit(given.scene) && !std::filesystem::exists(given.scene)) {
-      throw UsageError(
-          fmt::format("{0}: a unit must follow its number without a space: 1{0}", given.scene));
-    }
+    refuse_unit(given.scene);
     invocation.scene = given.scene;
   }
   const auto& known =

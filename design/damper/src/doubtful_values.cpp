@@ -194,6 +194,20 @@ std::optional<Doubt> doubtful_notch(const GivenValues& given, const Values& valu
                in_unit(given, name, *notch, "mm", *notch * 1e-3 <= near_one * hit)};
 }
 
+/// With a rest allowed wherever the mass may go nothing has to return.
+std::optional<Doubt> doubtful_residual(const GivenValues& given, const Values& values) {
+  constexpr std::string_view name = "residual-m";
+  const auto residual = number(given, name);
+  if (!residual || !values.stroke || *residual < *values.stroke) {
+    return std::nullopt;
+  }
+  return Doubt{
+      std::string(name),
+      fmt::format("residual-m = {} m allows a rest anywhere within max-displacement = {} m",
+                  *residual, *values.stroke),
+      in_unit(given, name, *residual, "mm", *residual >= 1 && *residual * 1e-3 < *values.stroke)};
+}
+
 /// A notch that the mass never leaves is not one.
 std::optional<Doubt> doubtful_width(const GivenValues& given, const Values& values) {
   constexpr std::string_view name = "notch-width-m";
@@ -293,8 +307,8 @@ std::vector<Doubt> doubtful_values(const GivenValues& given) {
   std::vector<Doubt> doubts;
   for (const std::optional<Doubt>& doubt :
        {stroke ? stroke : doubtful_reach(given, values), doubtful_notch(given, values, "delta-m"),
-        doubtful_notch(given, values, "delta-max-m"), doubtful_width(given, values),
-        doubtful_pulse(given, values), doubtful_peak(given)}) {
+        doubtful_notch(given, values, "delta-max-m"), doubtful_residual(given, values),
+        doubtful_width(given, values), doubtful_pulse(given, values), doubtful_peak(given)}) {
     if (doubt) {
       doubts.push_back(*doubt);
     }

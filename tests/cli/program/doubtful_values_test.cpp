@@ -60,6 +60,12 @@ const std::vector<Wrong> doubts{
     {"simulate --v0 1e5 --p 1e-5 --f 2 --delta 20", {}},
     {design("0.4 --period 2.8 --max-displacement 0.15 --residual-m 12"),
      {"residual-m = 12 m", "mean --residual-m 12mm?"}},
+    {design("0.4 --period 2.8 --max-displacement 0.15 --residual-m 5"),
+     {"residual-m = 5 m allows a rest anywhere within max-displacement = 0.15 m",
+      "mean --residual-m 5mm?"}},
+    {design("0.4 --period 2.8 --max-displacement 0.15 --residual-m 0.15"),
+     {"max-displacement = 0.15 m\n"}},
+    {design("0.4 --period 2.8 --max-displacement 0.15 --residual-m 0.14"), {}},
     {design("0.36:0.44 --period 2800:2900 --max-displacement 0.15"), {"mean --period 2900ms?"}},
     // A value given with its unit gets a warning, but no other unit is suggested.
     {design("0.4m/s --period 2.8s --max-displacement 150m"),

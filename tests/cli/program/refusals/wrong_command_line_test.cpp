@@ -30,6 +30,7 @@ const std::vector<Wrong> command_lines{
     {design("--f 0.2"), {"--f: is not an option of design", "region judges a given damper"}},
     {simulate("--pulse half-sine"), {"--pulse", "simulate", "a motion takes --excitation"}},
     {"design --velocity 400 mm/s", {"mm/s: a unit must follow its number without a space: 1mm/s"}},
+    {"region scene.json --f 0.02 --delta-m 6 mm", {"mm: a unit must follow its number without"}},
     {"design old.json old.json", {"old.json", "only one scene"}},
 };
 
