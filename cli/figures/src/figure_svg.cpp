@@ -305,9 +305,9 @@ void set_signs(std::string& text) {
   }
 }
 
-/// "f ≥ 0.02", "f ≤ f3" and "f + delta/w" in one piece.
+/// "f ≥ 0.02", "f ≤ f3", "f + delta/w" and "delta/(k - f)" in one piece.
 void bind_bounds(std::string& text) {
-  for (const std::string_view sign : {" \u2265 ", " \u2264 ", " &gt; ", " &lt; ", " + "}) {
+  for (const std::string_view sign : {" \u2265 ", " \u2264 ", " &gt; ", " &lt; ", " + ", " - "}) {
     for (std::size_t i = text.find(sign); i != std::string::npos; i = text.find(sign, i + 1)) {
       text.replace(i + sign.size() - 1, 1, no_break);
       text.replace(i, 1, no_break);

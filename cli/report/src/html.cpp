@@ -101,6 +101,15 @@ std::string cells(const TableRow& row, const std::vector<std::string>& head) {
   return text + "</tr>\n";
 }
 
+/// "peak, mm", whose unit does not stand alone on a line.
+std::string head_of(std::string_view name) {
+  std::string text = escaped(lettered(name));
+  if (const std::size_t unit = text.rfind(", "); unit != std::string::npos) {
+    text.replace(unit + 1, 1, "\u00a0");
+  }
+  return text;
+}
+
 std::size_t longest_word(std::string_view text) {
   std::size_t longest = 0;
   std::size_t word = 0;
@@ -149,7 +158,7 @@ class Parts {
     end_rows();
     text_ += "<div class=\"wide\"><table class=\"columns\">\n<thead><tr>";
     for (const std::string& name : table.head) {
-      text_ += format("<th>{}</th>", escaped(lettered(name)));
+      text_ += format("<th>{}</th>", head_of(name));
     }
     text_ += "</tr></thead>\n";
     for (const TableRow& row : table.rows) {

@@ -111,8 +111,10 @@ std::string share_of(double value, double limit) {
   if (share < least) {
     return format("less than {} %", least);
   }
+  constexpr double rounding = 1e-9;
   int shown = 4;
-  while (share != all && shown < every && std::stod(format("{:.{}g}", share, shown)) == all) {
+  while (std::abs(share - all) > rounding && shown < every &&
+         std::stod(format("{:.{}g}", share, shown)) == all) {
     ++shown;
   }
   return format("{:.{}g} %", share, shown);

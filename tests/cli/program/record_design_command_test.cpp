@@ -384,7 +384,7 @@ BOOST_FIXTURE_TEST_CASE(text_and_page_show_each_record, Recorded) {
       {" in the notch an impulse of up to ", " where it passes or stops, which is not in the "});
   BOOST_TEST(!contains(run(asked + weak + "--notch-width-m 20mm").out, "in the notch      "));
   check_contains(page, {"id=\"map-title\"", "id=\"record-1-title\"", "chosen", "a.txt",
-                        "The transmitted acceleration over f and Δ", "<th>peak, mm</th>"});
+                        "The transmitted acceleration over f and Δ", "<th>peak,\u00a0mm</th>"});
 }
 
 BOOST_FIXTURE_TEST_CASE(the_areas_of_the_map_bear_values_between_those_of_the_key, Sandbox) {

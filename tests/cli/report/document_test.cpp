@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(as_html_is_tables_and_paragraphs) {
              "</table></div>\n</section>\n"
              "<section><h2>Table</h2>\n"
              "<div class=\"wide\"><table class=\"columns\">\n"
-             "<thead><tr><th></th><th>size, mm</th><th>is</th></tr></thead>\n"
+             "<thead><tr><th></th><th>size,\u00a0mm</th><th>is</th></tr></thead>\n"
              "<tr><td>a</td><td data-head=\"size\" data-unit=\"mm\">1</td><td data-head=\"is\" "
              "class=\"good\">met</td></tr>\n"
              "<tr><td>long</td><td data-head=\"size\" data-unit=\"mm\">22</td><td></td></tr>\n"

@@ -479,6 +479,30 @@ BOOST_AUTO_TEST_CASE(the_area_of_the_design_stands_out) {
   BOOST_TEST((ink("arrival 1") == figures::Ink::green));
 }
 
+/// A damper in none of the strips makes none its own.
+BOOST_AUTO_TEST_CASE(a_damper_outside_lets_no_area_stand_out) {
+  design::RegionRequest request{
+      .problem = {.v0 = 1, .p = 1, .beta = 1.1, .arrivals = 3, .v0_low = 0, .residual = 0.05},
+      .f = 0.9,
+      .delta = 0.3};
+  const Figure drawn = figure(page(RegionReport{request, design::answer(request)}), "region");
+  BOOST_TEST(std::ranges::count(drawn.areas, figures::Ink::sky, &figures::FigureArea::ink) == 0);
+}
+
+/// The largest Delta is shown where it is not far above the least that is needed, 2.41 mm.
+BOOST_AUTO_TEST_CASE(a_pulse_shows_a_largest_delta_that_is_close) {
+  design::RegionRequest request;
+  request.problem = {.p = 1, .beta = 0.05};
+  request.pulse = HalfSine{0.5, 20};
+  const auto most = [&request](double limit) {
+    request.limits.delta_max = limit;
+    return figure(page(RegionReport{request, design::answer(request)}), "region").y.most;
+  };
+  const double far = most(1);
+  BOOST_TEST(most(far) > 1.1 * far);
+  BOOST_TEST(most(2 * far) == far);
+}
+
 /// With little friction the strips touch, and the first is too thin for its name.
 BOOST_AUTO_TEST_CASE(neighbouring_strips_differ) {
   design::RegionRequest request{.problem = {.v0 = 1, .p = 1, .beta = 1, .arrivals = 4},
@@ -519,7 +543,8 @@ BOOST_AUTO_TEST_CASE(the_caption_says_what_a_clear_area_and_a_strip_mean) {
   };
   BOOST_TEST(caption({.v0 = 1, .p = 1, .beta = 0.95, .arrivals = 4}) ==
              "A damper in the area without hatching is admissible; "
-             "in each strip the mass stops at x = 0 at that arrival.");
+             "in each strip the mass stops at x = 0 at that arrival, in a lower strip at a later "
+             "one.");
   const std::string strips = "; in each strip the mass rests within the residual at that arrival.";
   BOOST_TEST(
       contains(caption({.v0 = 1, .p = 1, .beta = 0.95, .arrivals = 2, .residual = 0.05}), strips));
@@ -538,7 +563,7 @@ BOOST_AUTO_TEST_CASE(the_caption_says_what_a_clear_area_and_a_strip_mean) {
 BOOST_AUTO_TEST_CASE(an_only_area_within_a_residual_is_called_admissible) {
   const design::RegionRequest request{.problem = {.v0 = 1, .p = 1, .beta = 0.95, .residual = 0.05}};
   const Figure drawn = figure(page(RegionReport{request, design::answer(request)}), "region");
-  BOOST_TEST(has(drawn.areas, "admissible"));
+  BOOST_TEST((named(drawn.areas, "admissible").ink == figures::Ink::sky));
   BOOST_TEST(!has(drawn.areas, "arrival 1"));
   BOOST_TEST(drawn.caption == "A damper in the area without hatching is admissible.");
 }
@@ -564,7 +589,7 @@ BOOST_AUTO_TEST_CASE(text_alternatives_carry_units) {
 
 BOOST_AUTO_TEST_CASE(tables_have_the_units_of_the_figures_and_mark_what_is_violated) {
   BOOST_TEST(contains(isolator().body, "\u00a0mm</td>"));
-  BOOST_TEST(contains(isolator().body, "<th>peak, mm</th><th>stop time, s</th>"));
+  BOOST_TEST(contains(isolator().body, "<th>peak,\u00a0mm</th><th>stop time,\u00a0s</th>"));
   BOOST_TEST(contains(region(0.9, 0.5, 0.37).body, "<tr class=\"violated\"><td>return</td>"));
   BOOST_TEST(!contains(region(0.9, 0.26, 0.37).body, "class=\"violated\""));
 }

@@ -145,13 +145,15 @@ FigurePoint far_corner(const DrawnPulseRegion& drawn, double unit) {
   return far;
 }
 
-double topmost(const FigureCurve& curve, double least) {
+/// Of the curve and of a limit not far above it.
+double topmost(const FigureCurve& curve, double least, double limit) {
   for (const auto& stroke : curve.strokes) {
     for (const FigurePoint& at : stroke) {
       least = std::max(least, at.y);
     }
   }
-  return least;
+  constexpr double far = 1.5;  // from there on it would flatten the curve
+  return limit < far * least ? std::max(least, limit) : least;
 }
 
 }  // namespace
@@ -165,7 +167,8 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
   const double right = headroom * far.x;
   FigureCurve curve = needs(least_delta, right, units);
   figure.x = {"constant friction f", 0, right};
-  figure.y = {units.delta_label, 0, headroom * topmost(curve, far.y)};
+  const double limit = design::largest_delta_allowed(drawn.limits) * units.length;
+  figure.y = {units.delta_label, 0, headroom * topmost(curve, far.y, limit)};
   figure.description = format(
       "The plane of f and Δ under the pulse. The mass returns up to f = {:.4g}; every Δ "
       "above the curve stops it there. ",

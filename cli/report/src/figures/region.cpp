@@ -122,10 +122,12 @@ void add_edge(Figure& figure, std::string name, FigurePoint from, FigurePoint to
 /// The strips of later arrivals lie below those of earlier ones.
 std::string caption_of(const DrawnRegion& drawn, std::size_t areas, const FigureUnits& units) {
   const Problem& problem = drawn.problem;
-  const std::string_view strips =
-      is_one_area(problem, areas) ? ""
-      : problem.residual ? "; in each strip the mass rests within the residual at that arrival"
-                         : "; in each strip the mass stops at x = 0 at that arrival";
+  const std::string strips =
+      is_one_area(problem, areas)
+          ? ""
+          : format("; in each strip the mass {} at that arrival{}",
+                   problem.residual ? "rests within the residual" : "stops at x = 0",
+                   areas > 1 && !problem.residual ? ", in a lower strip at a later one" : "");
   const std::string_view ranges = problem.v0_low && problem.p_high
                                       ? " with every hit and spring of the ranges"
                                   : problem.v0_low ? " with every hit of the range"
@@ -197,7 +199,7 @@ std::string tolerance_words(const design::BoxShape& shape, double tolerance) {
 
 std::string region_clause(const std::optional<DrawnDamper>& damper, const Region& region,
                           const design::Limits& limits, const FigureUnits& units) {
-  if (damper && (damper->admissible || damper->tolerance > 0)) {
+  if (damper && is_within(*damper)) {
     if (!leaves_any(damper->tolerance)) {
       return "f and Δ must be exact: the damper is on the edge of the admissible region";
     }

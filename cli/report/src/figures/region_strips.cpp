@@ -55,10 +55,7 @@ class Strips {
 
   /// That of the damper: 0 for any rest within the residual, -1 for none.
   [[nodiscard]] std::int64_t own() const {
-    if (drawn_.problem.arrivals == 1 && !drawn_.problem.residual) {
-      return 1;
-    }
-    if (!drawn_.damper) {
+    if (!drawn_.damper || !is_within(*drawn_.damper)) {
       return -1;
     }
     const DrawnDamper& damper = *drawn_.damper;
@@ -161,6 +158,7 @@ std::vector<FigureArea> admissible_areas(const DrawnRegion& drawn, const FigureU
     areas.front().name = drawn.region.feasible && drawn.limits.tolerance == 0
                              ? "admissible"
                              : "admissible without a tolerance";
+    areas.front().ink = Ink::sky;
   }
   return areas;
 }

@@ -155,6 +155,11 @@ struct DrawnDamper {
   bool admissible{true};
 };
 
+/// Whether it is in the region, even if it keeps less than the tolerance asked for.
+[[nodiscard]] inline bool is_within(const DrawnDamper& damper) {
+  return damper.admissible || damper.tolerance > 0;
+}
+
 /// Enlarges a box if it is too small to see, unless it is one of next to nothing.
 void add_box_inset(figures::Figure& figure, const std::vector<figures::FigurePoint>& box);
 /// The corners of its tolerance box, starting from the lower left.
