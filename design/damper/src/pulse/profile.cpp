@@ -72,7 +72,7 @@ PulseProfile::PulseProfile(const Pulse& pulse, double p, Criterion criterion, bo
                            const Interval& window)
     : pulse_(unit_pulse(pulse, p)), criterion_(criterion) {
   std::vector<double> grid = first_grid(pulse_);
-  if (window.low > 0) {
+  if (window.high < 1) {
     std::erase_if(grid, [&](double f) { return f <= window.low || f >= window.high; });
     grid.insert(grid.begin(), window.low);
     if (window.high > window.low) {

@@ -17,6 +17,10 @@ namespace stillpoint::design {
 
 namespace {
 
+/// Of every limit: a need may be the same for many k, where rounding would decide whether a Delta
+/// that is equal to it is enough. Less than edge_rounding, so that the ends stay within the limits.
+constexpr double for_rounding = 1 + 1e-14;
+
 /// As a part of both; 0 of nothing.
 double room_of(double value, double limit) {
   return value == limit ? 0 : std::isinf(limit) ? 1 : (limit - value) / (limit + value);
@@ -96,7 +100,7 @@ double last_spring(double from, double end, double pulse_length, const Room& roo
     if (next.room < 0) {
       return edge(now.p, next.p);
     }
-    if (now.room < before.room && now.room < next.room && before.p != now.p) {
+    if (now.room < before.room && now.room < next.room) {
       const auto [place, least] = boost::math::tools::brent_find_minima(
           room, std::min(before.p, next.p), std::max(before.p, next.p), bits);
       if (least < 0) {
@@ -135,9 +139,13 @@ ServedInterval served_p(const PulseProblem& problem, const DamperRooms& damper) 
 
 DamperRooms::DamperRooms(const PulseProblem& problem, const Limits& limits, double friction,
                          double point_friction)
-    : f(friction), delta(point_friction), beta(problem.beta), criterion(problem.criterion) {
-  std::ranges::transform(limited_figures, figures_max.begin(),
-                         [&](const LimitKind* kind) { return limit_or_infinity(*kind, limits); });
+    : f(friction),
+      delta(point_friction * for_rounding),
+      beta(problem.beta * for_rounding),
+      criterion(problem.criterion) {
+  std::ranges::transform(limited_figures, figures_max.begin(), [&](const LimitKind* kind) {
+    return limit_or_infinity(*kind, limits) * for_rounding;
+  });
 }
 
 double DamperRooms::peak(const FirstReturn& motion, double k, double p) const {
@@ -178,8 +186,7 @@ Interval searched_p(const PulseProblem& problem) {
   const double stiffest = problem.p_high.value_or(problem.p);
   const Interval valid = valid_p({.v0 = peak_load(problem.pulse) / lambda, .beta = problem.beta});
   const double shortest = problem.ranges.lambda_high.value_or(lambda);
-  return {std::min(problem.p,
-                   std::max({valid.low, problem.p * softer, shortest / fastest_pulse})),
+  return {std::min(problem.p, std::max({valid.low, problem.p * softer, shortest / fastest_pulse})),
           std::max(stiffest, std::min(valid.high, lambda * slowest_examined))};
 }
 

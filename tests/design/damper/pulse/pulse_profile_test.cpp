@@ -151,6 +151,15 @@ BOOST_AUTO_TEST_CASE(a_rectangle_has_its_kinks_as_samples) {
   }
 }
 
+// Without friction too: the others would cost a hundred times as much.
+BOOST_AUTO_TEST_CASE(of_one_f_there_is_one_sample) {
+  for (const double f : {0.0, 0.1}) {
+    const PulseProfile profile(HalfSine{1, 1}, 1, Criterion::exact, true, {f, f});
+    BOOST_TEST_REQUIRE(profile.samples().size() == 1);
+    BOOST_TEST(profile.samples().front().f == f);
+  }
+}
+
 // The slope of the need is that of two motions nearby.
 BOOST_AUTO_TEST_CASE(slopes_are_those_of_differences) {
   RandomSource random(20261124);

@@ -124,10 +124,22 @@ BOOST_AUTO_TEST_CASE(of_a_rectangle_of_half_a_natural_period_the_ends_are_known)
   published.problem.criterion = Criterion::published;
   const double by_published = (3 * f + std::sqrt(f * f + 2 * 0.2 - f * f)) / 2;
   BOOST_TEST(*served_k(published, f, 0.2).high == by_published, close);
-  // Without friction: w = 2 k.
+  // The weaker pulses of a range are not asked for.
+  PulseRequest weaker = half_period(0.8);
+  weaker.problem.ranges.k_low = 0.4;
+  BOOST_TEST(served_k(weaker, f, 1).low == 2 * f, close);
+  BOOST_TEST(*served_k(weaker, f, 1).high == 0.8 / 2 + f, close);
+  // With hardly any friction, and without: w = 2 k.
+  BOOST_TEST(*served_k(half_period(1.1), 1e-15, 1).high == 1.1 / 2, close);
   BOOST_TEST(served_k(half_period(1.1), 0, 1).low == 0);
   BOOST_TEST(*served_k(half_period(1.1), 0, 1).high == 1.1 / 2, close);
   BOOST_TEST(*served_k(half_period(1.1), 0, 0.51).high == std::sqrt(0.51 / 2), close);
+  felt.problem.beta = 1.1;
+  felt.limits.acceleration_max = 1.05;
+  BOOST_TEST(*served_k(felt, 0, 1).high == 1.05 / 2, close);
+  // The pulse itself is on the edge.
+  BOOST_TEST(*served_k(half_period(1), 0, 1).high == 0.5);
+  BOOST_TEST(*served_k(half_period(0.8, 0.55), f, 1).high == 0.55);
 }
 
 BOOST_AUTO_TEST_CASE(a_damper_that_does_not_do_for_the_pulse_works_for_none) {
@@ -142,6 +154,81 @@ BOOST_AUTO_TEST_CASE(a_damper_that_does_not_do_for_the_pulse_works_for_none) {
   BOOST_TEST(!served(0.15, 1, {.f_max = 0.1}));
   BOOST_TEST(!served(0.15, 1, {.delta_max = 0.9}));
   BOOST_TEST(!served(0.15, 1, {.acceleration_max = 0.8}));
+}
+
+/// Held at 4 f from its second turn on where 3 f <= k <= 5 f, so that w^2 = 8 f^2 for all of them;
+/// below, it is held at its first turn, as after half a natural period.
+BOOST_AUTO_TEST_CASE(a_need_that_is_the_same_for_many_pulses_serves_them_all) {
+  for (const double f : {0.1, 0.07, 0.093, 0.111}) {
+    const PulseRequest request = request_of(Rectangle{4.4 * f, 0.4}, 10);
+    const auto served = works_for(request.problem, {}, f, 4 * f * f);
+    BOOST_TEST_REQUIRE(served.has_value());
+    BOOST_TEST(served->hit.low == 2 * f, tt::tolerance(edge_tolerance));
+    BOOST_TEST(*served->hit.high == 5 * f, tt::tolerance(edge_tolerance));
+    for (const double unlike : {1 - aside, 1 + aside}) {
+      BOOST_TEST(works_for(request.problem, {}, f, 4 * f * f * unlike).has_value() == (unlike > 1));
+    }
+  }
+}
+
+/// Of f = 0.1, k = 0.626 needs more than those on either side of it.
+BOOST_AUTO_TEST_CASE(a_pulse_that_needs_more_than_its_neighbours_is_not_among_those_served) {
+  const double f = 0.1;
+  constexpr double worst = 0.626;
+  const PulseRequest request = request_of(HalfSine{worst, 0.2}, 100);
+  const auto need_of = [&](double k) { return scanned(request, HalfSine{k, 0.2}, 1, f).need; };
+  const double most = need_of(worst);
+  BOOST_TEST(most > need_of(0.625));
+  BOOST_TEST(most > need_of(0.627));
+  const auto served = [&](double k, double delta) {
+    return works_for(with_k(request.problem, k), {}, f, delta).value().hit;
+  };
+  const double almost = most * (1 - 1e-5);
+  BOOST_TEST(*served(0.61, almost).high < worst);
+  BOOST_TEST(served(0.645, almost).low > worst);
+  PulseProblem both = with_k(request.problem, 0.645);
+  both.ranges.k_low = 0.61;
+  BOOST_TEST(!works_for(both, {}, f, almost).has_value());
+  BOOST_TEST(works_for(both, {}, f, most * (1 + 1e-5)).has_value());
+  // A pulse that needs just that Delta is served itself.
+  const ServedInterval weaker = served(0.61, need_of(0.61));
+  BOOST_TEST(*weaker.high >= 0.61);
+  BOOST_TEST(*weaker.high == 0.61, tt::tolerance(aside));
+  const ServedInterval stronger = served(0.645, need_of(0.645));
+  BOOST_TEST(stronger.low <= 0.645);
+  BOOST_TEST(stronger.low == 0.645, tt::tolerance(aside));
+}
+
+/// The need is largest at p = 0.615, a little above that of the damper.
+BOOST_AUTO_TEST_CASE(springs_that_fail_right_beside_the_own_one_are_seen) {
+  const double f = 0.0085;
+  const auto served_beside = [&](double p) {
+    const PulseRequest request = request_of(FullSine{1, 1}, 100);
+    const double need = scanned(request, request.problem.pulse, p, f).need;
+    const auto holds_at = [&](double other) {
+      return holds(request, with_p(request.problem, other), f, need * (1 + edge_tolerance));
+    };
+    BOOST_TEST(holds_at(0.5));
+    BOOST_TEST(!holds_at(0.615));
+    BOOST_TEST(holds_at(0.7));
+    return works_for(with_p(request.problem, p), {}, f, need).value().p;
+  };
+  BOOST_TEST(served_beside(0.63).low == 0.63, tt::tolerance(aside));
+  BOOST_TEST(*served_beside(0.6).high == 0.6, tt::tolerance(aside));
+}
+
+BOOST_AUTO_TEST_CASE(a_window_of_stiff_springs_that_do_not_return_is_seen) {
+  const double f = 0.0957;
+  const PulseRequest request = request_of(HalfSine{1, 1}, 100);
+  const auto holds_at = [&](double p) {
+    return holds(request, with_p(request.problem, p), f, 100);
+  };
+  BOOST_TEST(!holds_at(6.635));
+  BOOST_TEST(holds_at(10));
+  const double high = *works_for(with_p(request.problem, 0.823), {}, f, 100).value().p.high;
+  BOOST_TEST(high < 6.635);
+  BOOST_TEST(holds_at(high * (1 - aside)));
+  BOOST_TEST(!holds_at(high * (1 + aside)));
 }
 
 BOOST_AUTO_TEST_CASE(every_pulse_and_spring_within_the_ends_is_served_and_none_just_beyond) {
