@@ -193,8 +193,8 @@ BOOST_FIXTURE_TEST_CASE(text_and_page_show_it, Recorded) {
   BOOST_TEST(!contains(read("one.html"), "<figure"));  // two dots say nothing
   const std::string page = read("p.html");
   for (const char* const head :
-       {"period, s", "transmitted, g", "transmitted without, g", "peak, mm", "peak without, mm",
-        "residual, mm", "residual without, mm"}) {
+       {"period,\u00a0s", "transmitted,\u00a0g", "transmitted without,\u00a0g", "peak,\u00a0mm",
+        "peak without,\u00a0mm", "residual,\u00a0mm", "residual without,\u00a0mm"}) {
     BOOST_TEST(contains(page, std::string("<th>") + head + "</th>"), head);
   }
   check_contains(page,
