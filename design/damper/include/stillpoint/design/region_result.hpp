@@ -78,7 +78,7 @@ struct RegionAnswer : RegionVerdict {
   /// too many half-cycles.
   std::optional<Response> response{};
   std::optional<ForcedResponse> forced{};  ///< the same under a pulse
-  std::optional<PulseWorst> worst{};  ///< for ranges of a pulse, if the point is admissible
+  std::optional<PulseWorst> worst{};       ///< for ranges of a pulse, if the point is admissible
 };
 
 }  // namespace stillpoint::design
