@@ -35,7 +35,7 @@ td{font-variant-numeric:tabular-nums}.rows th{font-weight:normal;color:#666;whit
 .number{white-space:nowrap}.key{font-weight:bold}.good{color:#00704f}.bad{color:#b3261e;font-weight:bold}.faint{color:#666}
 pre{overflow-x:auto;font:13px/1.4 "DejaVu Sans Mono",monospace;background:#f4f4f4;padding:10px}.input pre{white-space:pre-wrap;overflow-wrap:anywhere}
 footer{margin-top:24px;font-size:13px;color:#666}
-@media screen and (max-width:520px){body{padding:8px}.rows th{white-space:normal}td,th,.columns td{padding:3px 8px 3px 0}details pre{white-space:pre-wrap;overflow-wrap:anywhere}.rows td,.across td{overflow-wrap:anywhere}.columns{font-size:11px}
+@media screen and (max-width:520px){body{padding:8px}.rows th{white-space:normal}td,th,.columns td{padding:3px 8px 3px 0}details pre{white-space:pre-wrap;overflow-wrap:anywhere}.rows td,.across td{overflow-wrap:anywhere}.columns{font-size:11px}.columns th,.columns td{padding-right:5px}
 .across .columns{font-size:14px}.across .columns,.across .columns tr,.across tbody{display:block}.across tr{border-bottom:1px solid #999;padding:4px 0}.across thead{display:none}.across .columns td{display:inline-block;border:0;margin-right:10px}.across td[data-head]::before{content:attr(data-head) " ";opacity:.8}.across td[data-unit]::after{content:" " attr(data-unit);opacity:.8}.across td:empty{display:none}}
 )";
 

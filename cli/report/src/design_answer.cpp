@@ -216,7 +216,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   const bool too_exact = leaves_any(tolerance) && tolerance < buildable;
   answer.row("tolerance",
              tolerance_left(report) + (too_exact ? ", too little for a real damper" : ""),
-             too_exact ? Tone::bad : Tone::plain);
+             tolerance < buildable ? Tone::bad : Tone::plain);
   add_works_for(answer, finding.works_for, task_of(report));
   add_weak_hits(answer, problem, delta, physical);
   if (finding.cross_check.passed) {

@@ -97,10 +97,8 @@ std::string peaks_words(const MotionReport& report) {
 std::string verdict(const MotionReport& report) {
   const Response& response = report.answer.response;
   const Physical& physical = report.physical;
-  if (const std::string held = lock_sentence(report); held.starts_with("locked")) {
-    return "L" + held.substr(1) + ".";
-  } else if (!held.empty()) {
-    return "It " + held + ".";
+  if (const std::string held = lock_sentence(report); !held.empty()) {
+    return held.starts_with("locked") ? "L" + held.substr(1) + "." : "It " + held + ".";
   }
   std::string text =
       response.stop_position.value_or(0) != 0

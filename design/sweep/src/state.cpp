@@ -131,7 +131,8 @@ std::string summary(const SweepState& state, bool of_designs) {
   add(count(sweep_outcome(Outcome::never_stops)), "never stops", "never stop");
   add(count(sweep_outcome(Outcome::running)), "is not known to have stopped",
       "are not known to have stopped");
-  add(count(too_many_half_cycles), "has too many half-cycles", "have too many half-cycles");
+  add(count(too_many_half_cycles), "may have too many half-cycles",
+      "may have too many half-cycles");
   return text + ".";
 }
 

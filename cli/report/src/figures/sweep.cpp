@@ -50,7 +50,7 @@ std::string class_name(std::size_t index, bool from_rest) {
   if (index >= 2 * ranges) {
     const std::array<const char*, 5> others{from_rest ? "stays at rest" : "never starts",
                                             "never stops", "not known to have stopped", "locked",
-                                            "too many half-cycles"};
+                                            "perhaps too many half-cycles"};
     return others.at(index - 2 * ranges);
   }
   return format("{} after {} half-cycle{}", index < ranges ? "centred" : "off centre",

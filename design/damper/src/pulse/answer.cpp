@@ -82,8 +82,7 @@ double even_tolerance(const PulseRequest& request, const PulseRegion& region,
 DesignResult around(const std::optional<PulseOptimum>& optimum, const PulseRequest& request,
                     const PulseRegion& region) {
   const auto& [problem, limits, options] = request;
-  DesignResult result =
-      without_finding(request, region, optimum ? std::optional(optimum->island) : std::nullopt);
+  DesignResult result = without_finding(request, region, optimum);
   if (!optimum) {
     result.mends = mends(problem, limits);
     result.criterion_mend = criterion_mend(problem, limits);

@@ -157,12 +157,10 @@ Choice choose_under_pulse(const PulseRequest& request, std::span<const Part> par
   }
   // Of several intervals, the one with the most tolerant damper, as in `region`.
   const auto most_tolerant = search(region, {});
-  Choice choice{
-      without_finding(request, region,
-                      most_tolerant ? std::optional(most_tolerant->island) : std::nullopt),
-      best_first(std::move(rated), [&](const RatedPart& now) {
-        return cost_under_pulse(region, request.search.objective, now);
-      })};
+  Choice choice{without_finding(request, region, most_tolerant),
+                best_first(std::move(rated), [&](const RatedPart& now) {
+                  return cost_under_pulse(region, request.search.objective, now);
+                })};
   const RatedPart& best = choice.parts.front();
   if (best.admissible) {
     const auto& [name, f, delta] = best.part;

@@ -38,7 +38,7 @@ bool leaves_any(const PulseRegion& region, PulseProblem problem, const Limits& l
 
 /// Without an island the edges are those of all f.
 Region edges_of(const PulseRegion& region, const PulseProblem& problem,
-                const std::optional<Island>& within) {
+                const std::optional<PulseOptimum>& within) {
   Region edges;
   const FirstReturn last = last_return(region);
   double least_peak = last.peak;
@@ -55,9 +55,15 @@ Region edges_of(const PulseRegion& region, const PulseProblem& problem,
   edges.beta_min = edges.f3 < region.f_unit() ? least_peak * region.length_unit() : 0;
   if (within) {
     edges.feasible = true;
-    const bool binds = weakest != nullptr && within->low > weakest->f * (1 + 1e-9);
-    edges.f2 = binds ? within->low * region.f_unit() : 0;
-    const Island middles = region.middles(*within, region.asked());
+    const bool binds = weakest != nullptr && within->island.low > weakest->f * (1 + 1e-9);
+    edges.f2 = binds ? within->island.low * region.f_unit() : 0;
+    KnownMotions known(*region.profile());
+    const auto parts = region.parts(within->island, region.asked(), 1, known);
+    const auto part = std::ranges::find_if(parts, [&](const Island& now) {
+      return now.low <= within->found.point.f && within->found.point.f <= now.high;
+    });
+    const Island middles =
+        region.middles(part == parts.end() ? within->island : *part, region.asked());
     edges.f_lower = middles.low * region.f_unit();
     edges.f_upper = middles.high * region.f_unit();
     edges.f_lower = std::min(*edges.f_lower, *edges.f_upper);
@@ -178,7 +184,7 @@ std::optional<double> reduced_v0(const Pulse& pulse, double f) {
 }
 
 DesignResult without_finding(const PulseRequest& request, const PulseRegion& region,
-                             const std::optional<Island>& within) {
+                             const std::optional<PulseOptimum>& within) {
   const auto& [problem, limits, options] = request;
   const Problem task{.p = problem.p,
                      .beta = problem.beta,
@@ -190,8 +196,11 @@ DesignResult without_finding(const PulseRequest& request, const PulseRegion& reg
                       reduced_v0(problem.pulse, 0)};
   result.intervals.emplace();
   result.intervals->reserve(region.islands().size());
+  KnownMotions known(*region.profile());
   for (const Island& island : region.islands()) {
-    result.intervals->push_back({island.low * region.f_unit(), island.high * region.f_unit()});
+    for (const auto& [low, high] : region.parts(island, 0, 1, known)) {
+      result.intervals->push_back({low * region.f_unit(), high * region.f_unit()});
+    }
   }
   if (!within) {
     explain(result.region, region, problem, limits);
