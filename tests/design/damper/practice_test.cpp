@@ -84,9 +84,10 @@ BOOST_AUTO_TEST_CASE(no_notch_within_ranges_has_to_be_wider_than_at_their_ends) 
       const Oscillator oscillator{p + (*problem.p_high - p) * random.uniform(0, 1), f, delta};
       const double hit = random.uniform(*problem.v0_low, v0);
       const Practice now = of(oscillator, hit, limit).value();
-      BOOST_TEST(*now.notch_width_min <= *worst.notch_width_min * (1 + 1e-12));
+      BOOST_TEST(now.notch_width_min.value() <= worst.notch_width_min.value() * (1 + 1e-12));
     }
-    passes += *worst.impulse_largest > *worst.impulse_at_stop;
+    // A rest in the dead zone has no stop.
+    passes += worst.impulse_largest > worst.impulse_at_stop;
   }
   BOOST_TEST(passes > 20);
 }
