@@ -332,9 +332,8 @@ BOOST_FIXTURE_TEST_CASE(of_a_damper_on_an_edge_is_true_and_reads_well, Sandbox) 
 
 /// The largest f of the task is in its bounds; no delta and no hit helps beyond it.
 BOOST_FIXTURE_TEST_CASE(of_too_large_an_f_with_a_residual_names_f, Sandbox) {
-  check_contains(one_line(run({"region", STILLPOINT_DATA_DIR "/scenes/residual.json", "--f", "0.2",
-                               "--delta-m", "5mm"})
-                              .out),
+  const std::string scene = STILLPOINT_DATA_DIR "/scenes/residual.json";
+  check_contains(one_line(run({"region", scene, "--f", "0.2", "--delta-m", "5mm"}).out),
                  {"It rests too far off: f is 5.83 times the limit (return)",
                   "residual f <= 0.0342924", "return f <= 0.0342924"});
   check_contains(
