@@ -25,7 +25,7 @@ bool stops_by_delta1(std::span<const design::Constraint> constraints) {
 
 bool returns(std::span<const design::Constraint> constraints) {
   return std::ranges::none_of(constraints, [](const design::Constraint& now) {
-    return now.name == "return" && !now.satisfied;
+    return (now.name == "return" || now.name == "residual") && !now.satisfied;
   });
 }
 

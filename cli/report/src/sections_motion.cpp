@@ -146,7 +146,7 @@ void add_motion(Section& answer, const ShownTask& task, const ToldMotion& motion
                       response.outcome == Outcome::stopped_in_notch ? ", inside the notch," : "",
                       worst ? "within" : "after",
                       time_shown(physical, worst ? worst->stop_time : *response.stop_time),
-                      arrival && problem.arrivals > 1 ? format(", on return {}", *arrival) : "",
+                      arrival && problem.arrivals > 1 ? format(", at arrival {}", *arrival) : "",
                       of_extreme(task, "softest")));
   }
   answer.row("acceleration", acceleration);

@@ -73,7 +73,8 @@ void compare_way(std::array<Constraint, 5>& list, const Problem& problem, double
                 ? Constraint::compared("return", "v0", ">=", way.v_low * problem.v0, reach)
                 : Constraint::compared("return", "delta", ">=", delta, reach);
   if (const double most = largest_f(problem); !list[3].satisfied && f > most) {
-    list[3] = Constraint::compared("return", "f", "<=", f, most);  // no delta and no hit helps
+    list[3] = Constraint::compared(problem.residual ? "residual" : "return", "f", "<=", f,
+                                   most);  // no delta and no hit helps
   }
   list[4] = Constraint::compared("stop", "v0", "<", problem.v0, pass);
 }

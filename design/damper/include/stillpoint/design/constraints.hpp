@@ -24,7 +24,8 @@ namespace stillpoint::design {
 ///
 /// For a damper that stops at a later arrival, `return` and `stop` compare V0 with the least one
 /// that reaches that arrival and the least that passes it, (47) of docs/theory.md. With an f beyond
-/// every damper of the task, `return` compares f with the largest that one has.
+/// every damper of the task, `return`, or `residual` with one, compares f with the largest that one
+/// has.
 struct Constraint {
   std::string_view name;
   std::string_view variable;  ///< what `value` is: f or delta; v0 for a later arrival
