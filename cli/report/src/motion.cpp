@@ -179,7 +179,11 @@ void add_answer(Section& answer, const MotionReport& report) {
   const auto& [p, f, delta, hold] = report.request.oscillator;
   const Response& response = report.answer.response;
   const Physical& physical = report.physical;
-  answer.row("damper", format("f = {}, delta = {}", digits(f), length_shown(physical, delta)));
+  const auto& zones = report.request.surface.zones;
+  answer.row("damper",
+             format("f = {}{}, delta = {}", digits(f),
+                    zones.empty() ? "" : " beyond " + length_shown(physical, zones.back().to),
+                    length_shown(physical, delta)));
   add_surface(answer, report.request, physical);
   if (moves(response)) {
     answer.row("peak", length_shown(physical, response.peak_amplitude), Tone::heading);
@@ -191,9 +195,9 @@ void add_answer(Section& answer, const MotionReport& report) {
                       felt_where(report)));
   }
   if (report.answer.forced && report.answer.forced->left_notch_from_rest) {
-    add_start(answer,
-              {friction_at_centre(report.request), delta, peak_load(report.request.excitation)},
-              "delta/(load - f)", false, physical);
+    const double centre = friction_at_centre(report.request);
+    add_start(answer, {centre, delta, peak_load(report.request.excitation)},
+              format("delta/(load - {})", zones.empty() ? "f" : digits(centre)), false, physical);
   }
   if (caught) {
     answer.row("impulse", format("{}: the notch transmits the hit in full, like any hit below {}",
@@ -304,7 +308,8 @@ Document document(const MotionReport& report) {
   }
   scene.row("dimensionless", format("v0 = {:.6g}, p = {:.6g}, x0 = {:.6g}, delta = {:.6g}",
                                     start.v0, p, start.x0, delta));
-  add_damper_physics(scene, report.physical, f, delta);
+  add_damper_physics(scene, report.physical, f, delta,
+                     report.request.surface.zones.empty() ? "" : ", beyond the zones");
   if (is_forced(report.request)) {
     add_excitation(scene, report.request.excitation, report.record, report.physical);
   }

@@ -38,7 +38,8 @@ void add_physical_input(Section& section, const design::PhysicalInput& physical,
 [[nodiscard]] std::string spring_words(const Physical& physical, double p,
                                        std::optional<int> digits = {});
 /// Force and energy of a damper, if the mass is known; the energy if there is a notch.
-void add_damper_physics(Section& section, const Physical& physical, double f, double delta);
+void add_damper_physics(Section& section, const Physical& physical, double f, double delta,
+                        std::string_view where_f_acts = "");
 /// "0.340 to 0.429", "up to 0.463" or "at least 0.5".
 [[nodiscard]] std::string interval_text(const design::ServedInterval& interval);
 /// The width of a notch as an example: 20 mm, or 1, 2 or 5 times a power of ten if that is above a

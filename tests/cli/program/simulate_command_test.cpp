@@ -94,16 +94,21 @@ BOOST_AUTO_TEST_CASE(the_answer_names_zones_and_the_notch_that_was_given) {
   says(zone + "--notch-width 0.1", "adds 1 to the friction for |x| < 0.05\n");
   says(zone + "--hold 0.3", "holds a load of up to 0.2 g + 0.3 g = 0.5 g\n");
   const Arguments pulse("simulate --p 1 --f 0.1 --delta 0.1 --excitation half-sine --lambda 1");
-  BOOST_TEST(contains(run(pulse + zone + "--k 0.9").out, "notch wider than 0.142858, "));
+  BOOST_TEST(
+      contains(run(pulse + zone + "--k 0.9").out, "wider than 0.142858, delta/(load - 0.2)\n"));
   for (const auto& [k, held] : {std::pair("0.49", true), std::pair("0.51", false)}) {
     const std::string out = run(pulse + zone + "--hold 0.3 --k" + k).out;
     BOOST_TEST(contains(out, "throughout the load") == held, out);
   }
   const ProgramRun zones = run(simulate("0.1", "0", "--friction-zones 0.2:0.3,0.5:0.15"));
+  const ProgramRun weighed =
+      run("simulate --velocity 1 --period 2 --mass 1t --gravity 10 --f 0.1 --delta-m 0 "
+          "--friction-zones 0.1:0.2 --verbose");
+  BOOST_TEST(contains(weighed.out, " 1 kN, beyond the zones\n"), weighed.out);
   const ProgramRun free = run(simulate("0.1", "0", "--friction-zones 2:0"));
   check_contains(free.out, {"It never stops: there is no friction where it moves."});
-  for (const char* const row :
-       {" 0.3 for |x| < 0.2\n", " 0.15 for |x| from 0.2 to 0.5\n", " f = 0.1 beyond\n"}) {
+  for (const char* const row : {" f = 0.1 beyond 0.5, delta = 0\n", " 0.3 for |x| < 0.2\n",
+                                " 0.15 for |x| from 0.2 to 0.5\n", " f = 0.1 beyond\n"}) {
     BOOST_TEST(contains(zones.out, row), zones.out);
   }
 }
