@@ -64,10 +64,11 @@ Figure region_of(const Request& request, const design::RegionVerdict& verdict,
   const FigureUnits units(physical);
   const design::Problem& problem = request.problem;
   const design::Limits& limits = request.limits;
-  const std::string mend = verdict.region.feasible
-                               ? ""
-                               : mend_title(verdict, {problem, limits, request.pulse, physical},
-                                            catalogue ? "part" : "damper");
+  const std::string mend =
+      verdict.region.feasible
+          ? ""
+          : mend_title(verdict, {problem, limits, request.pulse, request.pulse_ranges, physical},
+                       catalogue ? "part" : "damper");
   Figure figure = request.pulse
                       ? pulse_region_figure({design::pulse_request(request).problem, limits,
                                              verdict.region, *verdict.intervals, damper, mend},

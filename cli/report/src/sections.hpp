@@ -188,15 +188,16 @@ struct ShownTask {
   const design::Problem& problem;
   const design::Limits& limits;
   const std::optional<design::Pulse>& pulse;
+  const design::PulseRanges& ranges;
   const Physical& physical;
 };
 [[nodiscard]] inline ShownTask task_of(const DesignReport& report) {
   const design::DesignRequest& request = report.result.request;
-  return {request.problem, request.limits, request.pulse, report.physical};
+  return {request.problem, request.limits, request.pulse, request.pulse_ranges, report.physical};
 }
 [[nodiscard]] inline ShownTask task_of(const RegionReport& report) {
   const design::RegionRequest& request = report.request;
-  return {request.problem, request.limits, request.pulse, report.physical};
+  return {request.problem, request.limits, request.pulse, request.pulse_ranges, report.physical};
 }
 /// The hits or pulses, and the periods, for which it works, if known.
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,

@@ -66,7 +66,7 @@ std::string of_extreme(const ShownTask& task, std::string_view spring) {
 
 std::string felt(const ShownTask& task, const design::DesignPoint& damper, const ToldMotion& motion,
                  const ToldPractice& practice, const std::string& inside) {
-  const auto& [problem, limits, pulse, physical] = task;
+  const auto& [problem, limits, pulse, ranges, physical] = task;
   const auto& [f, delta, tolerance] = damper;
   const double most = !pulse         ? std::hypot(f, problem.stiffest_p() * problem.v0)
                       : motion.worst ? motion.worst->acceleration
@@ -124,7 +124,7 @@ std::string share_of(double value, double limit) {
 
 void add_motion(Section& answer, const ShownTask& task, const ToldMotion& motion,
                 const std::string& acceleration) {
-  const auto& [problem, limits, pulse, physical] = task;
+  const auto& [problem, limits, pulse, ranges, physical] = task;
   const auto& [response, arrival, worst] = motion;
   // The requirements are about the motion up to its first return.
   const std::string under_pulse =

@@ -27,17 +27,34 @@ std::string interval_text(const design::ServedInterval& interval) {
 
 namespace {
 
-/// " (the upper end is the program's own limit)", if an end is not the damper's.
-std::string own_limit(const design::ServedInterval& served, const Interval& valid, bool turned) {
-  constexpr double rounding = 1e-12;
-  const bool least = served.low <= valid.low * (1 + rounding) && served.low > 0 &&
-                     !(served.high && begins_at_nothing(served.low, *served.high));
-  const bool most = served.high && *served.high >= valid.high * (1 - rounding);
-  return !least && !most
+/// Which ends are the program's own limit, not the damper's; `turned` if one value falls with the
+/// other, as a period with p.
+struct OwnEnds {
+  OwnEnds(const design::ServedInterval& served, const Interval& valid, bool turned) {
+    constexpr double rounding = 1e-12;
+    (turned ? high : low) = served.low <= valid.low * (1 + rounding) && served.low > 0 &&
+                            !(served.high && begins_at_nothing(served.low, *served.high));
+    (turned ? low : high) = served.high && *served.high >= valid.high * (1 - rounding);
+  }
+  bool low{false};
+  bool high{false};
+};
+
+/// "0.351 or less to 3.84", shorter than the next.
+std::string open_ended(std::string interval, const OwnEnds& own) {
+  if (own.low && !interval.starts_with("up to")) {
+    interval.insert(interval.find(" to "), " or less");
+  }
+  return interval + (own.high ? " or more" : "");
+}
+
+/// " (the upper end is the program's own limit)"
+std::string own_limit(const OwnEnds& own) {
+  return !own.low && !own.high
              ? ""
-             : format(" ({} the program's own limit)", least && most    ? "both ends are"
-                                                       : most == turned ? "the lower end is"
-                                                                        : "the upper end is");
+             : format(" ({} the program's own limit)", !own.high ? "the lower end is"
+                                                       : own.low ? "both ends are"
+                                                                 : "the upper end is");
 }
 
 }  // namespace
@@ -47,20 +64,26 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
   if (!served) {
     return;
   }
-  const auto& [problem, limits, pulse, physical] = task;
+  const auto& [problem, limits, pulse, ranges, physical] = task;
   const auto in_units =
       physical ? std::optional(physical_works_for(physical->scales, *served)) : std::nullopt;
-  const std::string springs = in_units
-                                  ? format("periods of {} s", interval_text(in_units->period_s))
-                                  : format("p of {}", interval_text(served->p));
+  const OwnEnds of_springs(
+      served->p,
+      pulse ? design::searched_p(pulse_problem(problem, *pulse, ranges)) : design::valid_p(problem),
+      physical.has_value());
+  const std::string interval = interval_text(in_units ? in_units->period_s : served->p);
+  const auto springs = [&](const std::string& text) {
+    return physical ? format("periods of {} s", text) : format("p of {}", text);
+  };
   if (pulse) {
-    section.row("works for", format("pulses of {} g; {}", interval_text(served->hit), springs));
+    section.row("works for", format("k of {} g; {}", interval_text(served->hit),
+                                    springs(open_ended(interval, of_springs))));
     return;
   }
   const std::string_view hit = problem.v0_low ? "every hit of the range"
                                : physical     ? "the hit as given"
                                               : "v0 as given";
-  std::string of_hit = own_limit(served->hit, design::valid_v0(problem), false);
+  std::string of_hit = own_limit({served->hit, design::valid_v0(problem), false});
   constexpr double rounding = 1e-6;
   if (of_hit.empty() && served->hit.low < problem.v0 * (1 - rounding) &&
       *served->hit.high <= problem.v0 * (1 + rounding)) {
@@ -71,8 +94,7 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
                                : format("v0 of {}", interval_text(served->hit));
   section.row("works for", format("{}{}{}", hits,
                                   problem.p_high ? " with every spring of the range" : "", of_hit));
-  section.row("", format("{} with {}{}", springs, hit,
-                         own_limit(served->p, design::valid_p(problem), physical.has_value())));
+  section.row("", format("{} with {}{}", springs(interval), hit, own_limit(of_springs)));
 }
 
 void add_weak_hits(Section& section, const design::Problem& problem, double delta,

@@ -196,7 +196,7 @@ BOOST_AUTO_TEST_CASE(a_point_says_which_pulses_and_springs_it_works_for) {
     BOOST_TEST(near(hits[i]["to"], to.at(i), 1e-12));
   }
   check_contains(one_line(run(point).out),
-                 {" works for pulses of 0.351 to 0.574 g; p of ", " to 10.0 "});
+                 {" works for k of 0.351 to 0.574 g; p of ", " to 10.0 or more "});
   check_null(reported(region + "--f 0.05 --delta 0.49"), {"works_for"});
   const json physical = reported(
       "region --pulse half-sine --k 0.5g --pulse-duration 0.1s --period 2s"
