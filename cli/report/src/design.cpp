@@ -105,6 +105,12 @@ void add_motion(Document& document, const DesignReport& report, const Physical& 
   const ToldPractice told =
       told_practice(report.result.request, finding.practice, finding.point.f, finding.point.delta);
   add_practice(document.detail(heading("In practice", told.which)), told, physical);
+  if (const design::Problem& problem = report.result.request.problem; problem.arrivals > 1) {
+    const auto& [f, delta, tolerance] = finding.point;
+    add_half_cycles(document.detail(heading("Half-cycles", shown_words(report.result.request))),
+                    first_half_cycles({problem.p, f, delta}, {0, problem.v0}, most_half_cycles),
+                    response.half_cycles, "lists all impulses", physical);
+  }
 }
 
 void add_search(Document& document, const design::SearchRecord& search,

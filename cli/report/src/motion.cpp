@@ -20,44 +20,6 @@ namespace stillpoint::report {
 
 namespace {
 
-/// The first dozen.
-void add_half_cycles(Document& document, const Simulation& answer, const Physical& physical) {
-  const FigureUnits units(physical);
-  constexpr std::size_t most_listed = 12;
-  if (answer.half_cycles.empty()) {
-    return;
-  }
-  Table table{{"", in("starts", units.time_unit), in("leaves with", units.velocity_unit),
-               in("peak at", units.time_unit), in("peak", units.length_unit),
-               in("ends", units.time_unit), in("arrives with", units.velocity_unit)},
-              {}};
-  const bool impulses = std::ranges::any_of(
-      answer.half_cycles, [](const HalfCycle& now) { return now.impulse.value_or(0) > 0; });
-  if (impulses) {
-    table.head.push_back(in("impulse/mass", units.velocity_unit));
-  }
-  const std::size_t listed = std::min(most_listed, answer.half_cycles.size());
-  for (std::size_t i = 0; i < listed; ++i) {
-    const HalfCycle& now = answer.half_cycles[i];
-    table.rows.push_back(
-        {{format("{}", now.index), digits(now.start_time * units.time),
-          digits(now.departure_speed * units.velocity), digits(now.peak_time * units.time),
-          digits(now.side * now.peak * units.length), digits(now.end_time * units.time),
-          now.arrival_speed ? digits(*now.arrival_speed * units.velocity) : "none"}});
-    if (impulses) {
-      table.rows.back().cells.push_back(now.impulse ? digits(*now.impulse * units.velocity) : "");
-    }
-  }
-  Section& section = document.section("Half-cycles");
-  section.parts.emplace_back(std::move(table));
-  const auto& count = answer.response.half_cycles;
-  if (count.value_or(HUGE_VAL) > static_cast<double>(listed)) {
-    section.line(format("The first {}{}; --json lists more, see --max-half-cycles.", listed,
-                        count ? " of " + plural(count, "half-cycle") : ""),
-                 Tone::faint);
-  }
-}
-
 /// How long the load acts.
 double load_end(const SimulationRequest& request) {
   return std::min(duration(request.excitation).value_or(HUGE_VAL),
@@ -315,7 +277,16 @@ Document document(const MotionReport& report) {
   }
   add_response(document.detail("Motion"), report.answer, report.physical,
                report.request.surface.plain());
-  add_half_cycles(document, report.answer, report.physical);
+  if (const auto lines = practice_of(report)) {
+    Section& practice = document.detail("In practice");
+    add_practice(practice, {lines, ""}, report.physical);
+    add_notch_used(practice, {lines, ""}, report.physical);
+  }
+  if (const auto& half_cycles = report.answer.half_cycles; !half_cycles.empty()) {
+    add_half_cycles(document.section("Half-cycles"), half_cycles,
+                    report.answer.response.half_cycles, "lists more, see --max-half-cycles",
+                    report.physical);
+  }
   return document;
 }
 

@@ -137,6 +137,16 @@ template <class Request>
                             true};
 }
 void add_practice(Section& section, const ToldPractice& told, const Physical& physical);
+/// How much of its notch the stop uses.
+void add_notch_used(Section& section, const ToldPractice& told, const Physical& physical);
+/// Of any motion, its impulses by the half-cycles that are listed; empty if nothing moves, in zones
+/// of friction, and within a notch.
+[[nodiscard]] std::optional<design::Practice> practice_of(const MotionReport& report);
+/// The first of `count` as a table, and what --json has of others.
+inline constexpr std::size_t most_half_cycles = 12;
+void add_half_cycles(Section& section, std::span<const HalfCycle> half_cycles,
+                     const std::optional<double>& count, std::string_view where_more,
+                     const Physical& physical);
 /// The limits that are given, and the tolerance asked for.
 void add_limits(Section& section, const design::Limits& limits, const Physical& physical);
 /// The section of the task; `pulsed` if a pulse takes the place of v0.

@@ -161,16 +161,8 @@ void add_start(Section& section, const StartUnderLoad& start, std::string_view f
   }
 }
 
-void add_damper(Section& section, const design::DesignPoint& damper, const DeltaNeeds& needs,
-                const ToldPractice& told, const Physical& physical) {
+void add_notch_used(Section& section, const ToldPractice& told, const Physical& physical) {
   const auto& [lines, which, at_ends] = told;
-  if (needs.published) {
-    section.row("Delta1(f)",
-                format("{} published (the paper's), {} exact (the motion's own)",
-                       length_limit(physical, *needs.published, true),
-                       needs.exact ? length_limit(physical, *needs.exact, true) : "none"));
-  }
-  add_damper_physics(section, physical, damper.f, damper.delta);
   if (lines && lines->notch_used) {
     const double energy = *lines->notch_used * lines->notch_capacity;
     const auto joules = physical ? physical->scales.energy_per_passage_j(energy) : std::nullopt;
@@ -179,7 +171,19 @@ void add_damper(Section& section, const design::DesignPoint& damper, const Delta
                        joules ? with_unit(*joules, "J") : length_shown(physical, energy),
                        100 * *lines->notch_used, which.empty() ? "" : format(" ({})", which)));
   }
-  if (lines && lines->notch_width_min) {
+}
+
+void add_damper(Section& section, const design::DesignPoint& damper, const DeltaNeeds& needs,
+                const ToldPractice& told, const Physical& physical) {
+  if (needs.published) {
+    section.row("Delta1(f)",
+                format("{} published (the paper's), {} exact (the motion's own)",
+                       length_limit(physical, *needs.published, true),
+                       needs.exact ? length_limit(physical, *needs.exact, true) : "none"));
+  }
+  add_damper_physics(section, physical, damper.f, damper.delta);
+  add_notch_used(section, told, physical);
+  if (const auto& lines = told.lines; lines && lines->notch_width_min) {
     section.row("notch width",
                 format("at least {} keeps the limit of the acceleration inside it too",
                        length_limit(physical, *lines->notch_width_min, true)));
@@ -236,10 +240,10 @@ void add_practice(Section& section, const ToldPractice& told, const Physical& ph
                 enough ? Tone::plain : Tone::bad);
     section.row("", format("d / d_rm {} (EN 1998-2)", ratio(*lines->residual_ratio)));
   }
-  const bool passes = lines->impulse_largest > lines->impulse_at_stop;
+  const bool passes = lines->impulse_largest.value_or(0) > lines->impulse_at_stop.value_or(0);
   if (passes) {
-    section.row("impulse",
-                impulse_shown(physical, *lines->impulse_largest) + " at the last passage");
+    section.row("impulse", format("at most {} at a passage",
+                                  impulse_shown(physical, *lines->impulse_largest)));
   }
   if (lines->impulse_at_stop) {
     section.row(passes ? "" : "impulse",

@@ -27,20 +27,34 @@ double impulse_of_passage(double delta, double departure) {
   return arrival > 0 ? 2 * delta / (arrival + departure) : 0;
 }
 
-/// Of the last passage, if there was one.
-std::optional<double> last_passage(const Oscillator& oscillator, const Response& response) {
-  if (!response.arrival_speed || response.zero_passages.value_or(0) == 0) {
-    return std::nullopt;
+/// Of each passage and of the stop at x = 0, from the last arrival on by (7) backwards: an arrival
+/// with the speed w has the radius r, and v+^2 = r^2 - phi^2.
+std::vector<double> impulses_of(const Oscillator& oscillator, const Response& response) {
+  if (!response.arrival_speed) {
+    return {};
   }
+  const auto& [p, f, delta, hold] = oscillator;
+  const double phi = f / p;
+  const auto departure_before = [phi](double w) {
+    const double r = 2 * phi + elementary::hypot(w, phi);
+    return std::sqrt((r - phi) * (r + phi));
+  };
   const double w = *response.arrival_speed;
-  const double delta = oscillator.delta;
-  if (!response.stops_at_zero) {
-    return impulse_of_passage(delta, std::sqrt(std::max(0.0, w * w - 2 * delta)));
+  double departure = departure_before(w);
+  std::vector<double> impulses;
+  if (response.stops_at_zero) {
+    impulses.push_back(w);
+  } else {
+    departure = std::sqrt(std::max(0.0, w * w - 2 * delta));
   }
-  // (7) backwards: the arrival that stops has the radius r, and v+^2 = r^2 - phi^2.
-  const double phi = oscillator.f / oscillator.p;
-  const double r = 2 * phi + elementary::hypot(w, phi);
-  return impulse_of_passage(delta, std::sqrt((r - phi) * (r + phi)));
+  constexpr double most_listed = 1000;  // as arrivals
+  for (double left = response.zero_passages.value_or(0);
+       left > 0 && static_cast<double>(impulses.size()) < most_listed; --left) {
+    impulses.push_back(impulse_of_passage(delta, departure));
+    departure = departure_before(std::sqrt(departure * departure + 2 * delta));
+  }
+  std::ranges::reverse(impulses);
+  return impulses;
 }
 
 /// (45) for a first arrival that the notch stops: least_notch_width for the place where the mass
@@ -124,9 +138,9 @@ std::optional<Practice> practice(const Oscillator& oscillator, const Response& r
       lines.notch_used = finite(w / delta * w / 2);
     }
   }
-  lines.impulse_largest = lines.impulse_at_stop;
-  if (const auto last = last_passage(oscillator, response)) {
-    lines.impulse_largest = std::max(*last, lines.impulse_at_stop.value_or(0));
+  lines.impulses = impulses_of(oscillator, response);
+  if (!lines.impulses.empty()) {
+    lines.impulse_largest = std::ranges::max(lines.impulses);
   }
   if (acceleration_max) {
     const bool arrives = lines.impulse_largest.has_value();

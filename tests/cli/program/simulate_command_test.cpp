@@ -251,6 +251,48 @@ BOOST_AUTO_TEST_CASE(a_hit_that_the_notch_holds_is_passed_on_in_full) {
   BOOST_TEST((ranged.find("  weak hits         those below ") != std::string::npos), ranged);
 }
 
+/// f = 0.5, p = 1, V0^2 = 6: S = 2.5, A = 2, and it arrives with w^2 = (S - f)(S - 3f) = 2.
+BOOST_AUTO_TEST_CASE(a_motion_has_the_figures_used_in_practice) {
+  const Arguments hit("--v0 2.449489742783178 --p 1 --f 0.5 --delta 2.5");
+  const json lines = reported("simulate" + hit)["practice"];
+  BOOST_TEST(lines == reported("region --beta 3" + hit)["practice"]);
+  check_near(lines,
+             {{"base_shear_over_weight", 2.5},
+              {"restoring_over_weight", 2},
+              {"secant_stiffness", 1.25},
+              {"energy_ratio", 2},
+              {"residual_ratio", 4},
+              {"impulse_at_stop", std::numbers::sqrt2},
+              {"notch_used", 0.4}},
+             1e-14);
+  check_contains(run("simulate --verbose" + hit).out,
+                 {"In practice", "base shear/weight  2.5, restoring 2",
+                  "impulse            1.414 times the mass at the stop",
+                  "used at the stop   1, 40 % of the notch's capacity"});
+  BOOST_TEST(reported("simulate --friction-zones 1:0.4" + hit)["practice"].is_null());
+  const json wide = reported("simulate --notch-width 0.5" + hit)["practice"];
+  check_null(wide, {"impulse_at_stop", "impulse_largest", "notch_used"});
+  BOOST_TEST(wide["impulses"].empty());
+  BOOST_TEST(reported("simulate --notch-width 5" + hit)["practice"].is_null());
+}
+
+BOOST_AUTO_TEST_CASE(each_passage_has_its_impulse) {
+  const Arguments loaded(
+      "simulate --p 1 --f 0.02 --delta 0.005 --excitation half-sine --k 0.3 --lambda 0.5");
+  for (const Arguments& motion : {simulate("0.02", "0.05"), loaded}) {
+    const json report = reported(motion);
+    const json& impulses = report["practice"]["impulses"];
+    BOOST_TEST_REQUIRE(impulses.size() > 3U);
+    for (std::size_t i = 0; i < impulses.size(); ++i) {
+      BOOST_TEST(near(impulses[i], report["half_cycles"][i]["impulse"], 1e-13));
+    }
+    BOOST_TEST(report["practice"]["impulse_largest"] == std::ranges::max(impulses));
+  }
+  const json cut = reported(loaded + "--max-half-cycles 2")["practice"];
+  BOOST_TEST(cut["impulses"].size() == 2U);
+  BOOST_TEST(cut["impulse_largest"].is_null());
+}
+
 BOOST_AUTO_TEST_CASE(without_friction_it_never_stops_and_says_so_at_once) {
   const json report = reported(simulate("0", "0", "--max-half-cycles 3"), impatient());
   const json& response = report["response"];

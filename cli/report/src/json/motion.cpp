@@ -2,6 +2,7 @@
 #include <stillpoint/records/record_scaling.hpp>
 #include <stillpoint/report/report.hpp>
 #include "json/parts.hpp"
+#include "sections.hpp"
 
 #include <cmath>
 #include <variant>
@@ -98,6 +99,7 @@ ordered_json json(const MotionReport& report) {
       {"input", motion_input_json(report.request, report.record)},
       {"response", answer.forced ? forced_json(*answer.forced) : response_json(answer.response)},
       {"caught_impulse", caught_impulse(report)},
+      {"practice", or_null(practice_of(report), practice_json)},
       {"half_cycles", list_json(answer.half_cycles, half_cycle_json)},
       {"half_cycles_listed", answer.half_cycles.size()},
       {"physical", physical_json(report)}};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "json/parts.hpp"
+#include "sections.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -205,6 +206,7 @@ ordered_json physical_json(const MotionReport& report) {
   values.add_scales(report.physical->velocity_m_per_s);
   values.add_damper(f, delta);
   values.add_response(&report.answer.response);
+  values.add_practice(practice_of(report));
   values("caught_impulse_n_s", caught_impulse(report), values.scales().impulse_n_s(1));
   values.add_excitation(report.request.excitation);
   if (report.answer.forced) {

@@ -37,6 +37,7 @@ ordered_json practice_json(const design::Practice& lines) {
           {"residual_ratio", lines.residual_ratio},
           {"impulse_at_stop", lines.impulse_at_stop},
           {"impulse_largest", lines.impulse_largest},
+          {"impulses", lines.impulses},
           {"notch_capacity", lines.notch_capacity},
           {"notch_used", lines.notch_used},
           {"notch_width_min", lines.notch_width_min}};

@@ -6,6 +6,7 @@
 #include <stillpoint/design/problem.hpp>
 
 #include <optional>
+#include <vector>
 
 namespace stillpoint::design {
 
@@ -22,7 +23,8 @@ struct Practice {
   /// Per mass, a speed: the arrival that stops at x = 0, and the largest of all passages and that.
   std::optional<double> impulse_at_stop;
   std::optional<double> impulse_largest;
-  double notch_capacity{0};          ///< Delta, the energy that a whole passage takes
+  std::vector<double> impulses;  ///< all of them in turn; of a free motion at most the last 1000
+  double notch_capacity{0};      ///< Delta, the energy that a whole passage takes
   std::optional<double> notch_used;  ///< energy of the arrival that stops, over the capacity
   /// The least width with which the mass feels no more inside the notch than the limit that was
   /// asked for. Under a load, and for a rest before the first arrival, it is one that is enough.
