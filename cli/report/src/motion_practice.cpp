@@ -5,6 +5,29 @@
 
 namespace stillpoint::report {
 
+namespace {
+
+/// A closed form has the impulses.
+bool is_simple(const MotionReport& report) {
+  return !report.answer.forced && report.request.surface.plain();
+}
+
+}  // namespace
+
+std::vector<double> impulses_of(const MotionReport& report) {
+  const auto& [request, answer, record, physical] = report;
+  if (is_simple(report)) {
+    return design::impulses(request.oscillator, answer.response);
+  }
+  std::vector<double> impulses;
+  for (const HalfCycle& now : answer.half_cycles) {
+    if (now.impulse) {
+      impulses.push_back(*now.impulse);
+    }
+  }
+  return impulses;
+}
+
 std::optional<design::Practice> practice_of(const MotionReport& report) {
   const auto& [request, answer, record, physical] = report;
   const auto& [width, zones] = request.surface;
@@ -13,21 +36,13 @@ std::optional<design::Practice> practice_of(const MotionReport& report) {
     return std::nullopt;
   }
   auto lines = design::practice(request.oscillator, response, std::nullopt);
-  if (!lines || !(answer.forced || width)) {
+  if (!lines || is_simple(report)) {
     return lines;
   }
-  // Those of a free motion through x = 0 alone have a closed form.
-  lines->impulses.clear();
-  lines->impulse_largest = {};
-  for (const HalfCycle& now : answer.half_cycles) {
-    if (now.impulse) {
-      lines->impulses.push_back(*now.impulse);
-    }
-  }
+  const std::vector<double> impulses = impulses_of(report);
   const bool all = static_cast<double>(answer.half_cycles.size()) == response.half_cycles;
-  if (all && !lines->impulses.empty()) {
-    lines->impulse_largest = std::ranges::max(lines->impulses);
-  }
+  lines->impulse_largest =
+      all && !impulses.empty() ? std::optional(std::ranges::max(impulses)) : std::nullopt;
   if (width) {  // it is felt as an acceleration
     lines->impulse_at_stop = lines->notch_used = {};
   }

@@ -139,8 +139,10 @@ template <class Request>
 void add_practice(Section& section, const ToldPractice& told, const Physical& physical);
 /// How much of its notch the stop uses.
 void add_notch_used(Section& section, const ToldPractice& told, const Physical& physical);
-/// Of any motion, its impulses by the half-cycles that are listed; empty if nothing moves, in zones
-/// of friction, and within a notch.
+/// The impulse of each passage and of the stop at x = 0, in turn; under a load and on another
+/// surface of the half-cycles that are listed.
+[[nodiscard]] std::vector<double> impulses_of(const MotionReport& report);
+/// Empty if nothing moves, in zones of friction, and within a notch.
 [[nodiscard]] std::optional<design::Practice> practice_of(const MotionReport& report);
 /// The first of `count` as a table, and what --json has of others.
 inline constexpr std::size_t most_half_cycles = 12;

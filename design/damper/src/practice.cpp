@@ -27,36 +27,6 @@ double impulse_of_passage(double delta, double departure) {
   return arrival > 0 ? 2 * delta / (arrival + departure) : 0;
 }
 
-/// Of each passage and of the stop at x = 0, from the last arrival on by (7) backwards: an arrival
-/// with the speed w has the radius r, and v+^2 = r^2 - phi^2.
-std::vector<double> impulses_of(const Oscillator& oscillator, const Response& response) {
-  if (!response.arrival_speed) {
-    return {};
-  }
-  const auto& [p, f, delta, hold] = oscillator;
-  const double phi = f / p;
-  const auto departure_before = [phi](double w) {
-    const double r = 2 * phi + elementary::hypot(w, phi);
-    return std::sqrt((r - phi) * (r + phi));
-  };
-  const double w = *response.arrival_speed;
-  double departure = departure_before(w);
-  std::vector<double> impulses;
-  if (response.stops_at_zero) {
-    impulses.push_back(w);
-  } else {
-    departure = std::sqrt(std::max(0.0, w * w - 2 * delta));
-  }
-  constexpr double most_listed = 1000;  // as arrivals
-  for (double left = response.zero_passages.value_or(0);
-       left > 0 && static_cast<double>(impulses.size()) < most_listed; --left) {
-    impulses.push_back(impulse_of_passage(delta, departure));
-    departure = departure_before(std::sqrt(departure * departure + 2 * delta));
-  }
-  std::ranges::reverse(impulses);
-  return impulses;
-}
-
 /// (45) for a first arrival that the notch stops: least_notch_width for the place where the mass
 /// comes to rest.
 std::optional<double> width_of_the_stop(const Oscillator& oscillator, double peak, double limit) {
@@ -116,6 +86,36 @@ std::optional<double> least_notch_width(double f, double delta, double limit, do
   return width;
 }
 
+// From the last arrival on by (7) backwards: one with the speed w has the radius r, and v+^2 = r^2
+// - phi^2.
+std::vector<double> impulses(const Oscillator& oscillator, const Response& response) {
+  if (!response.arrival_speed) {
+    return {};
+  }
+  const auto& [p, f, delta, hold] = oscillator;
+  const double phi = f / p;
+  const auto departure_before = [phi](double w) {
+    const double r = 2 * phi + elementary::hypot(w, phi);
+    return std::sqrt((r - phi) * (r + phi));
+  };
+  const double w = *response.arrival_speed;
+  double departure = departure_before(w);
+  std::vector<double> all;
+  if (response.stops_at_zero) {
+    all.push_back(w);
+  } else {
+    departure = std::sqrt(std::max(0.0, w * w - 2 * delta));
+  }
+  constexpr double most_listed = 1000;  // as arrivals
+  for (double left = response.zero_passages.value_or(0);
+       left > 0 && static_cast<double>(all.size()) < most_listed; --left) {
+    all.push_back(impulse_of_passage(delta, departure));
+    departure = departure_before(std::sqrt(departure * departure + 2 * delta));
+  }
+  std::ranges::reverse(all);
+  return all;
+}
+
 std::optional<Practice> practice(const Oscillator& oscillator, const Response& response,
                                  const std::optional<double>& acceleration_max, SetOff set_off) {
   const auto& [p, f, delta, hold] = oscillator;
@@ -138,9 +138,8 @@ std::optional<Practice> practice(const Oscillator& oscillator, const Response& r
       lines.notch_used = finite(w / delta * w / 2);
     }
   }
-  lines.impulses = impulses_of(oscillator, response);
-  if (!lines.impulses.empty()) {
-    lines.impulse_largest = std::ranges::max(lines.impulses);
+  if (const auto all = impulses(oscillator, response); !all.empty()) {
+    lines.impulse_largest = std::ranges::max(all);
   }
   if (acceleration_max) {
     const bool arrives = lines.impulse_largest.has_value();

@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(the_impulses_are_those_of_all_passages_and_the_stop) {
       }
     }
     const auto lines = of(oscillator, v0);
-    const std::vector<double>& impulses = lines->impulses;
+    const auto impulses = design::impulses(oscillator, free_response(oscillator, {0, v0}));
     BOOST_TEST_REQUIRE(impulses.size() == arrivals.size());
     for (std::size_t k = 0; k < impulses.size(); ++k) {
       BOOST_TEST(std::abs(impulses[k] - arrivals[k]) <= 1e-11 * v0);

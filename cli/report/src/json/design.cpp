@@ -139,7 +139,8 @@ void add_finding(ordered_json& json, const DesignReport& report) {
   const auto& [problem, limits, search, pulse, ranges] = result.request;
   json["works_for"] = served_json(now.works_for, pulse.has_value());
   json["hits"] = hits_json(problem, pulse, ranges, now.point.f, now.point.delta);
-  json["practice"] = or_null(now.practice, practice_json);
+  json["practice"] = practice_json(
+      now.practice, design::impulses({problem.p, now.point.f, now.point.delta}, now.response));
   if (now.pulse) {
     json["response"] = forced_json(now.pulse->response);
     json["pulse"] = pulse_check_json(*now.pulse);
@@ -213,7 +214,10 @@ ordered_json json(const RegionReport& report) {
           {"constraints", list_json(answer.constraints, constraint_json)},
           {"works_for", served_json(answer.works_for, pulse.has_value())},
           {"hits", f && delta ? hits_json(problem, pulse, ranges, *f, *delta) : nullptr},
-          {"practice", or_null(answer.practice, practice_json)},
+          {"practice", practice_json(answer.practice,
+                                     answer.practice ? design::impulses({problem.p, *f, *delta},
+                                                                        *answer.response)
+                                                     : std::vector<double>())},
           {"catalogue", parts_json(report)},
           {"physical", physical_json(report)}};
 }

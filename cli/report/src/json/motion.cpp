@@ -99,7 +99,7 @@ ordered_json json(const MotionReport& report) {
       {"input", motion_input_json(report.request, report.record)},
       {"response", answer.forced ? forced_json(*answer.forced) : response_json(answer.response)},
       {"caught_impulse", caught_impulse(report)},
-      {"practice", or_null(practice_of(report), practice_json)},
+      {"practice", practice_json(practice_of(report), impulses_of(report))},
       {"half_cycles", list_json(answer.half_cycles, half_cycle_json)},
       {"half_cycles_listed", answer.half_cycles.size()},
       {"physical", physical_json(report)}};

@@ -23,8 +23,7 @@ struct Practice {
   /// Per mass, a speed: the arrival that stops at x = 0, and the largest of all passages and that.
   std::optional<double> impulse_at_stop;
   std::optional<double> impulse_largest;
-  std::vector<double> impulses;  ///< all of them in turn; of a free motion at most the last 1000
-  double notch_capacity{0};      ///< Delta, the energy that a whole passage takes
+  double notch_capacity{0};          ///< Delta, the energy that a whole passage takes
   std::optional<double> notch_used;  ///< energy of the arrival that stops, over the capacity
   /// The least width with which the mass feels no more inside the notch than the limit that was
   /// asked for. Under a load, and for a rest before the first arrival, it is one that is enough.
@@ -40,6 +39,10 @@ enum class SetOff { hit, load };
                                                const Response& response,
                                                const std::optional<double>& acceleration_max,
                                                SetOff set_off = SetOff::hit);
+
+/// Of a free motion with that response: the impulse of each passage and of the stop at x = 0, in
+/// turn; at most the last 1000.
+[[nodiscard]] std::vector<double> impulses(const Oscillator& oscillator, const Response& response);
 
 /// Each line as the worst of the hits and springs at the ends of the ranges; the secant stiffness
 /// is that of the largest base shear.
