@@ -162,6 +162,8 @@ struct DrawnDamper {
 
 /// Enlarges a box if it is too small to see, unless it is one of next to nothing.
 void add_box_inset(figures::Figure& figure, const std::vector<figures::FigurePoint>& box);
+/// Adds to the caption of a region which part of it is enlarged, if any.
+void caption_inset(figures::Figure& figure, const FigureUnits& units);
 /// The corners of its tolerance box, starting from the lower left.
 [[nodiscard]] std::vector<figures::FigurePoint> tolerance_box(const DrawnDamper& damper,
                                                               const design::BoxShape& shape,
@@ -196,6 +198,8 @@ struct DrawnRegion {
 /// A line around each, if a tolerance was asked for.
 void add_tolerant(figures::Figure& figure, const design::Limits& limits,
                   std::vector<std::vector<figures::FigurePoint>> areas);
+/// Of a stop at that arrival, in each figure; those of neighbours differ.
+[[nodiscard]] figures::Ink arrival_ink(double arrival);
 /// Of so many admissible areas: no strips to tell apart.
 [[nodiscard]] bool is_one_area(const design::Problem& problem, std::size_t areas);
 /// Strips that can be told apart; those of later arrivals are drawn as one.
