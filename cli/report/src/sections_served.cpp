@@ -19,10 +19,7 @@ std::string interval_text(const design::ServedInterval& interval) {
   if (*interval.high - interval.low <= apart * *interval.high) {
     return "exactly " + digits_within(interval.low, *interval.high);
   }
-  const std::string ends = interval_digits(interval.low, *interval.high);
-  return begins_at_nothing(interval.low, *interval.high)
-             ? "up to " + ends.substr(ends.rfind(' ') + 1)
-             : ends;
+  return interval_digits(interval.low, *interval.high);
 }
 
 namespace {

@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(the_region_names_its_forbidden_sides_and_fills_the_toleranc
 BOOST_AUTO_TEST_CASE(a_tolerance_too_small_to_see_is_enlarged) {
   const Figure drawn = figure(region(0.9, 0.35355, 0.3), "region");
   BOOST_TEST(drawn.inset.has_value());
-  BOOST_TEST(contains(drawn.caption, "; the corner enlarges f = 0.35354"), drawn.caption);
+  BOOST_TEST(contains(drawn.caption, "; the corner enlarges f of 0.35354"), drawn.caption);
 }
 
 /// That of the least peak lies on the edge.
@@ -498,6 +498,19 @@ BOOST_AUTO_TEST_CASE(the_strip_of_the_damper_lies_in_front) {
   };
   BOOST_TEST(place("arrival 1") < place("arrival 4"));
   BOOST_TEST(place("arrival 4") < place("arrival 3"));
+}
+
+/// The notch stops far stronger pulses than the one asked for.
+BOOST_AUTO_TEST_CASE(all_pulses_that_a_damper_works_for_are_shown) {
+  design::RegionRequest request{.problem = {.p = 1, .beta = 0.05}, .f = 0.002, .delta = 0.006};
+  request.pulse = FullSine{0.5, 20};
+  const design::RegionAnswer answer = design::answer(request);
+  BOOST_TEST_REQUIRE(answer.works_for.has_value());
+  const double strongest = answer.works_for->hit.high.value();
+  BOOST_TEST(strongest > 1);
+  const Figure drawn = figure(page(RegionReport{request, answer}), "pulses");
+  BOOST_TEST(drawn.x.most > strongest);
+  BOOST_TEST(named(drawn.areas, "too far").outline.at(1).x == drawn.x.most);
 }
 
 /// The largest Delta is shown where it is not far above the least that is needed, 2.41 mm.

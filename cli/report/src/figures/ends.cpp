@@ -141,10 +141,11 @@ Figure ends_figure(const DrawnEnds& drawn) {
   constexpr double narrowest = 0.005;  // of the figure, to be seen
   const double scale = drawn.scale;
   const double known = drawn.list.back().to * scale;
+  const double asked_for = 2 * drawn.asked.high * scale;
   Figure figure;
   figure.id = format("{}s", drawn.noun);
   figure.height = 150;
-  figure.x = {"", 0, 2 * drawn.asked.high * scale};
+  figure.x = {"", 0, std::max(known, asked_for)};
   if (drawn.works) {  // the first to be named
     const double low = drawn.works->low * scale;
     const double high = *drawn.works->high * scale;
@@ -172,7 +173,7 @@ Figure ends_figure(const DrawnEnds& drawn) {
     figure.description += format("{} {} from {} to {}", &now == drawn.list.data() ? "" : ",",
                                  named(now), words(drawn, now.from), words(drawn, now.to));
   }
-  if (known < figure.x.most) {  // beyond what the program takes
+  if (known < asked_for) {  // beyond what the program takes
     figure.areas.push_back(
         {"not computed", strip(known, figure.x.most, 0, 1), Ink::purple, AreaLook::hatched});
   }

@@ -172,7 +172,7 @@ void caption_inset(Figure& figure, const FigureUnits& units) {
     const auto& [x, y] = *figure.inset;
     figure.caption.pop_back();
     figure.caption +=
-        format("; the corner enlarges f = {} and Δ = {}{}.", interval_digits(x.least, x.most),
+        format("; the corner enlarges f of {} and Δ of {}{}.", interval_digits(x.least, x.most),
                interval_digits(y.least, y.most), with_blank(units.length_unit));
   }
 }

@@ -60,9 +60,10 @@ inline constexpr int most_hit_segments = 100;
 [[nodiscard]] std::vector<Hits> shown_hits_of_springs(const Problem& problem, double f,
                                                       double delta);
 
-/// Every k of a pulse, from 0 to twice the strongest, of the worst of the lengths and springs of
-/// the ranges, by the motion up to its first return: docs/theory.md (71).
-[[nodiscard]] std::vector<Hits> shown_strengths(const PulseProblem& problem, double f,
-                                                double delta);
+/// Every k of a pulse, from 0 to twice the strongest or to `k_most` if that is larger, of the worst
+/// of the lengths and springs of the ranges, by the motion up to its first return: docs/theory.md
+/// (71).
+[[nodiscard]] std::vector<Hits> shown_strengths(const PulseProblem& problem, double f, double delta,
+                                                double k_most = 0);
 
 }  // namespace stillpoint::design
