@@ -71,6 +71,7 @@ struct DrawnMotion {
   std::vector<std::pair<double, double>> sticks;  ///< tau from, to
   std::vector<OtherMotion> others;                ///< those that do not hide it
   std::optional<double> locked_from;  ///< held at x = 0 from then on, though the load goes on
+  std::optional<double> locked_to;    ///< the end of the load, if it is beyond the figure
   double shown_to{0};                 ///< the end of the time axis
   std::optional<double> beta;
   bool whole{true};  ///< else only its beginning
