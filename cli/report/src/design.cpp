@@ -194,7 +194,8 @@ Document document(const DesignReport& report) {
              stops_by_delta1(finding.constraints) ? delta_needs(result) : DeltaNeeds(),
              told_practice(result.request, finding.practice, finding.point.f, finding.point.delta),
              physical);
-  Section& constraints = add_constraints(document, finding.constraints, limits, physical);
+  Section& constraints =
+      add_constraints(document, finding.constraints, limits, finding.response, physical);
   constraints.heading += with_ideal(report);
   add_feasible(constraints, result, problem, limits, physical);
   add_motion(document, report, physical);

@@ -245,7 +245,8 @@ Document document(const RegionReport& report) {
       add_practice(document.detail("In practice" + (told.which.empty() ? "" : ": " + told.which)),
                    told, report.physical);
     }
-    add_constraints(document, answer.constraints, limits, report.physical);
+    add_constraints(document, answer.constraints, limits, answer.response.value_or(Response()),
+                    report.physical);
   }
   return document;
 }

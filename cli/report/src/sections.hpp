@@ -228,9 +228,11 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty, const
 [[nodiscard]] bool returns(std::span<const design::Constraint> constraints);
 /// Under a pulse, peak and acceleration count up to the first return.
 [[nodiscard]] bool of_first_swing(const design::Constraint& constraint);
-/// Each with its slack: by how much a damper meets or misses it.
+/// Each with its slack: by how much a damper meets or misses it; and what the `whole` motion breaks
+/// after its first swing.
 Section& add_constraints(Document& document, std::span<const design::Constraint> constraints,
-                         const design::Limits& limits, const Physical& physical);
+                         const design::Limits& limits, const Response& whole,
+                         const Physical& physical);
 
 /// What a damper does, for an answer about it.
 struct ToldMotion {

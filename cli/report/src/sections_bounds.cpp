@@ -196,10 +196,26 @@ Section& add_region(Document& document, const design::RegionVerdict& verdict,
   return section;
 }
 
+namespace {
+
+/// What breaks a limit after the first swing, which meets it.
+std::optional<double> later(const design::Constraint& now, const Response& whole) {
+  constexpr double rounding = 1 + 1e-9;
+  const double most =
+      now.variable == "peak" ? whole.peak_amplitude : whole.peak_absolute_acceleration;
+  return now.satisfied && of_first_swing(now) && most > now.limit * rounding ? std::optional(most)
+                                                                             : std::nullopt;
+}
+
+}  // namespace
+
 Section& add_constraints(Document& document, std::span<const design::Constraint> constraints,
-                         const design::Limits& limits, const Physical& physical) {
+                         const design::Limits& limits, const Response& whole,
+                         const Physical& physical) {
   const FigureUnits units(physical);
-  const bool all_met = std::ranges::all_of(constraints, &design::Constraint::satisfied);
+  const bool all_met = std::ranges::all_of(constraints, [&](const design::Constraint& now) {
+    return now.satisfied && !later(now, whole);
+  });
   const bool back = returns(constraints);
   const int shown = digits_between(constraints);
   Table table{{"", "requirement", "slack", ""}, {}};
@@ -209,11 +225,14 @@ Section& add_constraints(Document& document, std::span<const design::Constraint>
       continue;
     }
     const auto [unit, unit_name] = unit_of(now.variable, units);
+    const auto then = later(now, whole);
     table.rows.push_back(
         {{in_words(now.name), requirement(now, units, shown),
           bounds_nothing(now) ? "-" : few_digits(now.slack * unit) + with_blank(unit_name),
-          now.satisfied ? "met" : "violated"},
-         now.satisfied ? Tone::good : Tone::bad});
+          then ? format("met, but {} later", few_digits(*then * unit) + with_blank(unit_name))
+          : now.satisfied ? "met"
+                          : "violated"},
+         now.satisfied && !then ? Tone::good : Tone::bad});
   }
   Section& section = all_met ? document.detail("Constraints") : document.section("Constraints");
   section.parts.emplace_back(std::move(table));

@@ -134,7 +134,8 @@ void add_motion(Section& answer, const ShownTask& task, const ToldMotion& motion
       "peak",
       format("{}, {} of the {} allowed{}", length_shown(physical, response.peak_amplitude),
              share_of(response.peak_amplitude, problem.beta), length_shown(physical, problem.beta),
-             pulse ? under_pulse : of_extreme(task, "softest")));
+             pulse ? under_pulse : of_extreme(task, "softest")),
+      response.peak_amplitude > problem.beta * (1 + 1e-9) ? Tone::bad : Tone::plain);
   if (!response.stop_time || response.half_cycles == 0) {
     answer.row(
         "rest",

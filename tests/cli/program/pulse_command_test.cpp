@@ -208,6 +208,18 @@ BOOST_AUTO_TEST_CASE(a_point_says_which_pulses_and_springs_it_works_for) {
   BOOST_TEST((physical["works_for_period_s"][0] < 2 && physical["works_for_period_s"][1] > 2));
 }
 
+/// In resonance, without friction, x = k/2 (tau cos tau - sin tau): the first swing turns at pi
+/// k/2, the next at pi k.
+BOOST_AUTO_TEST_CASE(a_limit_that_later_swings_exceed_is_not_simply_met) {
+  const Arguments task("--pulse full-sine --k 0.1 --lambda 1 --p 1 --acceleration-max 0.2 --beta");
+  const std::string exceeds = run("region --f 0 --delta 0" + task + "0.2 --html page.html").out;
+  check_contains(one_line(exceeds), {" peak <= 0.2 0.04292 met, but 0.3142 later",
+                                     " outside the notch <= 0.2 g 0.04292 g met, but 0.3142 g"});
+  check_contains(read("page.html"), {"<tr class=\"violated\"><td>amplitude</td>"});
+  const std::string within = run("region --f 0 --delta 0" + task + "0.32").out;
+  check_contains(one_line(within), {" peak <= 0.32 0.1629 met return "});
+}
+
 BOOST_AUTO_TEST_CASE(region_of_a_pulse_is_drawn) {
   succeed(region + "--f 0.175 --delta 0.49 --html page.html --json");
   check_contains(read("page.html"), {"id=\"region-title\"", "least Δ allowed", "point, admissible",
