@@ -168,7 +168,8 @@ double Settings::required(std::string_view name, std::string_view hint) const {
   throw InputError::missing(std::string(name), std::string(hint));
 }
 
-std::vector<std::string> doubts(const Settings& settings, Command command) {
+std::vector<std::string> doubts(const Settings& settings, Command command,
+                                const std::optional<design::LoadReach>& load) {
   design::GivenValues given;
   for (const auto& [option, entry] : settings.entries()) {
     const Axis* const axis = std::get_if<Axis>(&entry.value);
@@ -181,7 +182,7 @@ std::vector<std::string> doubts(const Settings& settings, Command command) {
     }
   }
   std::vector<std::string> sentences;
-  for (const auto& [name, text, meant] : design::doubtful_values(given)) {
+  for (const auto& [name, text, meant] : design::doubtful_values(given, load)) {
     sentences.push_back(fmt::format(
         "{}{}", text,
         meant ? fmt::format("; did you mean --{} {}{}?", meant->name, meant->value, meant->unit)

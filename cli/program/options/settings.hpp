@@ -4,6 +4,7 @@
 #include "options/options.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/load_reach.hpp>
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/sweep/axis.hpp>
@@ -165,7 +166,8 @@ void require_together(const Settings& settings, Command command);
 
 /// Warnings about values that make no sense together, a sentence each; they are computed all the
 /// same.
-[[nodiscard]] std::vector<std::string> doubts(const Settings& settings, Command command);
+[[nodiscard]] std::vector<std::string> doubts(const Settings& settings, Command command,
+                                              const std::optional<design::LoadReach>& load);
 
 /// As in a scene; an axis as its text.
 [[nodiscard]] nlohmann::ordered_json as_json(const Settings::Value& value);

@@ -15,6 +15,8 @@ namespace {
 
 /// In g. Few ground motions have a larger peak, and any in m/s2 that is dangerous has.
 constexpr double doubtful_peak = 2;
+/// To which no record is scaled.
+constexpr double absurd_peak = 20;
 /// Of values that are in m/s2 rather than in cm/s2.
 constexpr double largest_in_m_per_s2 = 20;
 
@@ -42,10 +44,15 @@ std::optional<std::size_t> long_step(const std::vector<double>& times) {
   return one_other * others < times.size() ? found : std::nullopt;
 }
 
-void add_doubts(const RecordFile& file, const std::string& path, bool is_scaled,
-                std::vector<std::string>& doubts) {
+void add_doubts(const RecordFile& file, const std::string& path, const RecordTarget& target,
+                double scale, std::vector<std::string>& doubts) {
   const double peak = peak_acceleration(file.record);
-  if (file.assumed_g && !is_scaled && peak > doubtful_peak) {
+  const double scaled = target.peak.value_or(target.spectrum.value_or(peak * std::abs(scale)));
+  if ((target.is_given() || scale != 1) && scaled > absurd_peak) {
+    doubts.push_back(
+        doubt(path, fmt::format("is scaled to {:.4g} g; few ground motions exceed {} g", scaled,
+                                doubtful_peak)));
+  } else if (file.assumed_g && !target.is_given() && peak > doubtful_peak) {
     doubts.push_back(
         doubt(path, fmt::format("the largest value is {:.4g} g if its values are in g, which "
                                 "is assumed; did you mean --record-units {}?",
@@ -67,17 +74,18 @@ void add_doubts(const RecordFile& file, const std::string& path, bool is_scaled,
 
 }  // namespace
 
-std::vector<std::string> suite_doubts(const SuiteFiles& files, const RecordTarget& of_all,
+std::vector<std::string> suite_doubts(const SuiteFiles& files, const RecordScale& scale,
                                       const RecordOptions& options) {
   RecordOptions of_each = options;
   of_each.step_for_others = true;
   std::vector<std::string> doubts;
-  for (const ListedRecord& asked : asked_records(files, of_all)) {
+  for (const ListedRecord& asked : asked_records(files, scale.target)) {
     for (const std::string& file : folder_files(asked.path).plain_text) {
       doubts.push_back(doubt(file, "is left out because it begins with text"));
     }
     for (const std::string& file : record_files(asked.path)) {
-      add_doubts(read_record(file, of_each), file, asked.target.is_given(), doubts);
+      add_doubts(read_record(file, of_each), file, asked.target, scale.factor * asked.scale,
+                 doubts);
     }
   }
   return doubts;

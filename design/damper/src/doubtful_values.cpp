@@ -27,6 +27,8 @@ constexpr double near_one = 3;
 constexpr double longest_m = 30;
 constexpr double likely_m = 0.1;
 constexpr double likely_factor = 30;
+/// A load that moves the mass so far without friction is not one that it is isolated from.
+constexpr double longest_under_load_m = 5;
 /// A notch that takes more than this many times the energy of the hit was given in another unit.
 constexpr double far_beyond = 20;
 /// A pulse longer than this many natural periods is not a pulse.
@@ -36,6 +38,7 @@ constexpr double longest_pulse = 10;
 struct Values {
   std::optional<double> velocity, period, frequency, stiffness, mass, stroke, x0;
   double gravity{standard_gravity_m_per_s2};
+  std::optional<LoadReach> load;
 
   [[nodiscard]] std::optional<double> omega() const {
     if (period) {
@@ -50,7 +53,7 @@ struct Values {
   [[nodiscard]] std::optional<double> reach() const {
     const auto w = omega();
     const double by_velocity = w && velocity ? std::abs(*velocity) / *w : 0;
-    const double most = std::max(by_velocity, std::abs(x0.value_or(0)));
+    const double most = std::max({by_velocity, std::abs(x0.value_or(0)), load ? load->reach_m : 0});
     return w && most > 0 ? std::optional(most) : std::nullopt;
   }
 };
@@ -69,8 +72,8 @@ struct Source {
 constexpr std::array sources{
     Source{"max-displacement", Dimension::length, 1e-3, 3, &Values::stroke},
     Source{"velocity", Dimension::velocity, 1e-2, 10, &Values::velocity},
-    Source{"period", Dimension::time, 1e-2, 20, &Values::period},
-    Source{"natural-frequency", Dimension::frequency, 5e-2, 100, &Values::frequency},
+    Source{"period", Dimension::time, 0.05, 5, &Values::period},
+    Source{"natural-frequency", Dimension::frequency, 0.2, 20, &Values::frequency},
     Source{"stiffness", Dimension::stiffness, 10, 1e12, &Values::stiffness},
     Source{"mass", Dimension::mass, 1, 1e9, &Values::mass},
     Source{"x0-m", Dimension::length, 1e-3, 3, &Values::x0},
@@ -78,6 +81,7 @@ constexpr std::array sources{
     Source{"delta-max-m", Dimension::length, 1e-6, 0.3},
     Source{"residual-m", Dimension::length, 1e-6, 1},
     Source{"notch-width-m", Dimension::length, 1e-5, 1},
+    Source{"hold", Dimension::gravities, 0, 2},
     Source{"f", Dimension::none, 0, 0.2},
     Source{"f-max", Dimension::none, 0, 0.2},
 };
@@ -110,6 +114,25 @@ double outside(const Source& source, double value) {
   return std::max({0.0, std::log10(source.least / value), std::log10(value / source.most)});
 }
 
+/// The value of a ratio that is furthest outside its usual range; null if none is.
+const Source* strangest(const Values& values) {
+  const Source* found = nullptr;
+  double most = 0;
+  for (const Source& source : sources) {
+    const auto value = source.value == nullptr ? std::nullopt : values.*source.value;
+    if (value && *value != 0 && outside(source, std::abs(*value)) > most) {
+      most = outside(source, std::abs(*value));
+      found = &source;
+    }
+  }
+  return found;
+}
+
+/// Whether that is far outside, which is a doubt of its own.
+bool is_far(const Values& values, const Source* source) {
+  return source != nullptr && outside(*source, std::abs(*(values.*source->value))) > far_outside;
+}
+
 /// The value given without a unit for which another unit makes `ratio` likely, in that unit; of
 /// several, the one furthest from the usual, then the one that brings the ratio closest to 1.
 template <class Ratio>
@@ -117,6 +140,10 @@ std::optional<Doubt::Meant> likely_unit(const GivenValues& given, const Values& 
                                         double factor, const Ratio& ratio) {
   std::optional<Doubt::Meant> found;
   std::pair<double, double> best{-1, 0};
+  if (const Source* const at_fault = strangest(values);
+      at_fault != nullptr && with_unit(given, at_fault->name)) {
+    return found;
+  }
   for (const Source& source : sources) {
     const auto value = source.value == nullptr ? std::nullopt : values.*source.value;
     if (!value || *value == 0 || with_unit(given, source.name)) {
@@ -151,15 +178,17 @@ std::optional<Doubt> doubtful_stroke(const GivenValues& given, const Values& val
   }
   const auto ratio = [](const Values& now) { return *now.stroke / *now.reach(); };
   const double now = ratio(values);
-  if (now <= far_from_one && now >= 1 / far_from_one) {
+  const Source* const at_fault = strangest(values);
+  const bool said = is_far(values, at_fault) && at_fault->value != &Values::stroke &&
+                    with_unit(given, at_fault->name);
+  if (said || (now <= far_from_one && now >= 1 / far_from_one)) {
     return std::nullopt;
   }
-  return Doubt{
-      "max-displacement",
-      fmt::format("max-displacement = {} m is {:.3g} times V0/omega = {:.3g} m, the stroke "
-                  "without friction",
-                  *values.stroke, now, *reach),
-      likely_unit(given, values, near_one, ratio)};
+  return Doubt{"max-displacement",
+               fmt::format("max-displacement = {} m is {:.3g} times {}{:.3g} m, the stroke "
+                           "without friction",
+                           *values.stroke, now, values.load ? "" : "V0/omega = ", *reach),
+               likely_unit(given, values, near_one, ratio)};
 }
 
 std::optional<Doubt> doubtful_reach(const GivenValues& given, const Values& values) {
@@ -167,7 +196,7 @@ std::optional<Doubt> doubtful_reach(const GivenValues& given, const Values& valu
     return now.stroke.value_or(now.reach().value_or(likely_m)) / likely_m;
   };
   const double length = ratio(values) * likely_m;
-  if (length <= longest_m) {
+  if (length <= longest_m || (values.load && !values.stroke)) {
     return std::nullopt;
   }
   return Doubt{values.stroke ? "max-displacement" : "",
@@ -177,20 +206,38 @@ std::optional<Doubt> doubtful_reach(const GivenValues& given, const Values& valu
                likely_unit(given, values, likely_factor, ratio)};
 }
 
-/// The notch against the energy of the hit: g Delta against V0^2/2.
+/// The load itself; in a design the stroke is compared with what it does.
+std::optional<Doubt> doubtful_load(const GivenValues& given, const Values& values) {
+  const auto k = number(given, "k");
+  if (!k || !values.load || values.stroke || values.load->reach_m <= longest_under_load_m ||
+      is_far(values, strangest(values))) {
+    return std::nullopt;
+  }
+  return Doubt{"k", fmt::format("k = {} g moves the mass {:.3g} m without friction; usual is at "
+                                "most 3 m",
+                                *k, values.load->reach_m)};
+}
+
+/// The notch against the energy of the hit, g Delta against V0^2/2, or of any passage under the
+/// load.
 std::optional<Doubt> doubtful_notch(const GivenValues& given, const Values& values,
                                     std::string_view name) {
   const auto notch = number(given, name);
-  if (!notch || !values.velocity || *values.velocity == 0 || values.x0.value_or(0) != 0) {
+  const double speed =
+      std::abs(values.velocity.value_or(0)) + (values.load ? values.load->speed_m_per_s : 0);
+  if (!notch || speed == 0 || values.x0.value_or(0) != 0) {
     return std::nullopt;
   }
-  const double hit = *values.velocity * *values.velocity / (2 * values.gravity);
-  if (*notch <= far_beyond * hit) {
+  const bool any_passage = values.load && !values.load->pulse;
+  const double hit = speed * speed / (2 * values.gravity);
+  if (*notch <= (any_passage ? 1 : far_beyond) * hit) {
     return std::nullopt;
   }
-  return Doubt{std::string(name),
-               fmt::format("{} = {} m takes {:.3g} times the energy of the hit at each passage",
-                           name, *notch, *notch / hit),
+  const std::string energy =
+      any_passage ? fmt::format("more than any passage under this load can have, {:.3g} m", hit)
+                  : fmt::format("{:.3g} times the energy of the {} at each passage", *notch / hit,
+                                values.load ? "pulse" : "hit");
+  return Doubt{std::string(name), fmt::format("{} = {} m takes {}", name, *notch, energy),
                in_unit(given, name, *notch, "mm", *notch * 1e-3 <= near_one * hit)};
 }
 
@@ -283,7 +330,7 @@ std::optional<Doubt> doubtful_size(const GivenValues& given, const Source& sourc
   const std::string usual =
       source.least > 0
           ? fmt::format("far from the usual {:g} to {:g}{}", source.least, source.most, unit)
-          : fmt::format("far above the usual values, which are at most {:g}", source.most);
+          : fmt::format("far above the usual values, which are at most {:g}{}", source.most, unit);
   return Doubt{std::string(source.name),
                fmt::format("{} = {}{} is {}", source.name, *value, unit, usual),
                with_unit(given, source.name) ? std::nullopt : usual_unit(source, *value)};
@@ -295,20 +342,23 @@ bool names(const Doubt& doubt, std::string_view name) {
 
 bool in_metres(const GivenValues& given) {
   return std::ranges::any_of(sources, [&](const Source& source) {
-    return source.dimension != Dimension::none && given.contains(source.name);
+    return source.dimension != Dimension::none && source.dimension != Dimension::gravities &&
+           given.contains(source.name);
   });
 }
 
 }  // namespace
 
-std::vector<Doubt> doubtful_values(const GivenValues& given) {
-  const Values values = values_of(given);
+std::vector<Doubt> doubtful_values(const GivenValues& given, const std::optional<LoadReach>& load) {
+  Values values = values_of(given);
+  values.load = load;
   const auto stroke = doubtful_stroke(given, values);
   std::vector<Doubt> doubts;
   for (const std::optional<Doubt>& doubt :
-       {stroke ? stroke : doubtful_reach(given, values), doubtful_notch(given, values, "delta-m"),
-        doubtful_notch(given, values, "delta-max-m"), doubtful_residual(given, values),
-        doubtful_width(given, values), doubtful_pulse(given, values), doubtful_peak(given)}) {
+       {stroke ? stroke : doubtful_reach(given, values), doubtful_load(given, values),
+        doubtful_notch(given, values, "delta-m"), doubtful_notch(given, values, "delta-max-m"),
+        doubtful_residual(given, values), doubtful_width(given, values),
+        doubtful_pulse(given, values), doubtful_peak(given)}) {
     if (doubt) {
       doubts.push_back(*doubt);
     }

@@ -184,9 +184,9 @@ BOOST_AUTO_TEST_CASE(folder_leaves_out_plain_text) {
 BOOST_AUTO_TEST_CASE(files_that_are_read_may_be_doubtful) {
   const Folder folder;
   const auto doubts = [&](const std::string& text, const RecordOptions& options = {},
-                          const records::RecordTarget& target = {}) {
+                          const records::RecordScale& scale = {}) {
     std::ofstream(folder.path("a.txt")) << text;
-    return records::suite_doubts({{folder.path("a.txt")}}, target, options);
+    return records::suite_doubts({{folder.path("a.txt")}}, scale, options);
   };
   const auto check_only = [](const std::vector<std::string>& found,
                              const std::vector<std::string>& parts) {
@@ -201,7 +201,13 @@ BOOST_AUTO_TEST_CASE(files_that_are_read_may_be_doubtful) {
   RecordOptions in_cm;
   in_cm.units = records::RecordUnits::cm_per_s2;
   BOOST_TEST(doubts("0 0\n1 6000\n", in_cm).empty());
-  BOOST_TEST(doubts("0 0\n1 341\n", {}, {.peak = 0.4}).empty());
+  BOOST_TEST(doubts("0 0\n1 341\n", {}, {.target = {.peak = 0.4}}).empty());
+  for (const records::RecordScale& scale :
+       {records::RecordScale{.factor = -100}, records::RecordScale{.target = {.peak = 50}},
+        records::RecordScale{.target = {.spectrum = 50}}}) {
+    check_only(doubts("0 0\n1 0.5\n", {}, scale), {"a.txt: is scaled to 50 g"});
+  }
+  BOOST_TEST(doubts("0 0\n1 0.5\n", {}, {.factor = 40}).empty());
   const std::string counted = "NPTS= 1, DT= .1 SEC\n400\n";
   check_only(doubts("A title\n" + counted), {"400 g"});
   BOOST_TEST(doubts("ACCELERATION IN UNITS OF G\n" + counted).empty());

@@ -61,10 +61,10 @@ struct ListedRecord {
                                                       const RecordTarget& of_all);
 
 /// A sentence for each file that a suite leaves out as plain text, for values that are far above
-/// those of an earthquake in the units assumed, for times that may be in ms and for times that
-/// jump. The files are read again.
+/// those of an earthquake, in the units assumed or as scaled, for times that may be in ms and for
+/// times that jump. The files are read again.
 [[nodiscard]] std::vector<std::string> suite_doubts(const SuiteFiles& files,
-                                                    const RecordTarget& of_all,
+                                                    const RecordScale& scale,
                                                     const RecordOptions& options);
 
 }  // namespace stillpoint::records

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/design/load_reach.hpp>
+
 #include <functional>
 #include <map>
 #include <optional>
@@ -33,7 +35,8 @@ struct Doubt {
 };
 
 /// The doubts about a task, first those about values that do not go together. Names that it does
-/// not know are ignored.
-[[nodiscard]] std::vector<Doubt> doubtful_values(const GivenValues& given);
+/// not know are ignored. `load` is that of a task in metres.
+[[nodiscard]] std::vector<Doubt> doubtful_values(const GivenValues& given,
+                                                 const std::optional<LoadReach>& load = {});
 
 }  // namespace stillpoint::design
