@@ -183,7 +183,7 @@ BOOST_FIXTURE_TEST_CASE(each_way_to_rest_is_named, Recorded) {
   };
   const std::string friction = rest("--search-f 2:2 --search-delta-m 0:0");
   BOOST_TEST(contains(friction, " rest held by friction to the end of the record "), friction);
-  const std::string notch = rest("--search-f 0.02:0.02 --search-delta-m 1mm:1mm --hold 100");
+  const std::string notch = rest("--search-f 0.02:0.02 --search-delta-m 1mm:1mm --hold 10");
   BOOST_TEST(
       contains(notch,
                " rest held by the notch, which transmits up to 0.4 g, to the end of the record "),
@@ -257,7 +257,7 @@ BOOST_FIXTURE_TEST_CASE(the_impulse_of_the_notch_is_reported, Sandbox) {
 BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_reported, Recorded) {
   const ProgramRun answer =
       run("design --record a.txt --period 2.8s --search-f 0.02:0.02 --search-delta-m 1mm:1mm "
-          "--hold 100");
+          "--hold 10");
   BOOST_TEST(
       contains(
           answer.out,
