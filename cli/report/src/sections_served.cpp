@@ -69,8 +69,8 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
       pulse ? design::searched_p(pulse_problem(problem, *pulse, ranges)) : design::valid_p(problem),
       physical.has_value());
   const std::string interval = interval_text(in_units ? in_units->period_s : served->p);
-  const auto springs = [&](const std::string& text) {
-    return physical ? format("periods of {} s", text) : format("p of {}", text);
+  const auto springs = [in_seconds = in_units.has_value()](const std::string& text) {
+    return in_seconds ? format("periods of {} s", text) : format("p of {}", text);
   };
   if (pulse) {
     section.row("works for", format("k of {} g; {}", interval_text(served->hit),

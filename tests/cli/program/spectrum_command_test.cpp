@@ -115,7 +115,7 @@ BOOST_FIXTURE_TEST_CASE(the_table_has_the_numbers_of_the_report, Recorded) {
 
 /// A notch that holds every load: the structure feels all of it, from the beginning.
 BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_reported, Recorded) {
-  const Arguments locked = but("--hold", "100");
+  const Arguments locked = but("--hold", "10");
   for (const json& point : reported(locked)["combined"]) {
     BOOST_TEST(point["locked_from_s"] == 0);
     BOOST_TEST(point["largest_load_while_locked"] == point["peak_absolute_acceleration"]);
