@@ -90,11 +90,10 @@ std::string notch_sentence(const DesignReport& report) {
   if (!result.request.pulse || result.finding->point.delta == 0) {
     return {};
   }
-  if (const double width = start_under_pulse(result).width(); width >= 2 * peak) {
-    return format(
-        "no notch works: only one wider than {} would let this pulse move the mass, but the "
-        "stroke is {}",
-        length_limit(physical, width, true), length_shown(physical, peak));
+  if (std::string none =
+          no_notch_words(start_under_pulse(result), peak, "", "this pulse", physical);
+      !none.empty()) {
+    return none;
   }
   if (!report.example || example_fault(*report.example, report).empty()) {
     return {};

@@ -216,10 +216,20 @@ std::size_t worst_record(const design::RecordDesign& result) {
   return static_cast<std::size_t>(std::ranges::max_element(all, {}, peak_of_worst) - all.begin());
 }
 
-bool hardly_moves(const design::RecordDesign& result) {
+bool hardly_moves(double p, double peak, double load) {
   constexpr double hardly = 1e-3;
+  return p * p * peak <= hardly * load;
+}
+
+bool hardly_moves(const design::RecordDesign& result) {
   const auto& [damper, figures] = result.finding->point;
-  return damper.p * damper.p * figures.peak <= hardly * design::peak_load(result.request.records);
+  return hardly_moves(damper.p, figures.peak, design::peak_load(result.request.records));
+}
+
+std::string notch_sentence(const RecordDesignReport& report) {
+  const auto fault =
+      report.result.finding ? real_notch_fault(report.result, report.physical) : std::nullopt;
+  return fault && fault->of_any ? fault->words : "";
 }
 
 std::string lock_sentence(const RecordDesignReport& report) {
@@ -267,7 +277,8 @@ Document document(const RecordDesignReport& report) {
   document.title = "Damper under records";
   document.verdict = record_verdict(report);
   if (result.finding) {
-    document.tone = hardly_moves(result) || is_delicate(result) || !result.finding->check.passed
+    document.tone = hardly_moves(result) || is_delicate(result) ||
+                            !notch_sentence(report).empty() || !result.finding->check.passed
                         ? Tone::bad
                     : result.search.interrupted ? Tone::plain
                                                 : Tone::good;

@@ -41,6 +41,8 @@ struct RecordDesignReport {
 
 /// "locked: under 1 of 2 records ..."; empty if no record locks the damper.
 [[nodiscard]] std::string lock_sentence(const RecordDesignReport& report);
+/// "no notch works under 2 of 7 records: ..."; empty unless so.
+[[nodiscard]] std::string notch_sentence(const RecordDesignReport& report);
 
 [[nodiscard]] Document document(const RecordDesignReport& report);
 /// As docs/reports.md describes it.
