@@ -93,10 +93,14 @@ void add_damper(Document& document, const RecordDesignReport& report) {
   Section& section = document.detail("Damper");
   add_damper_physics(section, physical, damper.f, damper.delta);
   const design::Sensitivity& near = report.result.finding->sensitivity;
-  section.row("sensitivity",
-              format("{} off by up to {:.3g} %, at the four corners and {} "
-                     "random points: a sample, not a proof",
-                     inexact_parts(report.result), 100 * near.tolerance, near.samples - 4));
+  if (near.tolerance > 0) {
+    const bool both = damper.f > 0 && damper.delta > 0;
+    section.row("sensitivity",
+                format("{} off by up to {:.3g} %, at {} and {} random points: a "
+                       "sample, not a proof",
+                       inexact_parts(report.result), 100 * near.tolerance,
+                       both ? "the four corners" : "both ends", near.samples - (both ? 4 : 2)));
+  }
 }
 
 void add_shortfalls(Document& document, const RecordDesignReport& report) {

@@ -329,6 +329,8 @@ BOOST_AUTO_TEST_CASE(the_sensitivity_is_that_of_the_samples) {
   BOOST_REQUIRE(corner.finding.has_value());
   BOOST_TEST(corner.finding->sensitivity.admissible == 64);
   BOOST_TEST(corner.finding->sensitivity.worst.peak == corner.nearest.figures.peak);
+  request.delta = Interval{0, 0};
+  BOOST_TEST(design::design(request).finding.value().sensitivity.samples == 62);  // two ends
 }
 
 // Friction 1e-4 above the load of 0.4 holds the mass; with less than the load it moves. The
