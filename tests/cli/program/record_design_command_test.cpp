@@ -390,6 +390,21 @@ BOOST_FIXTURE_TEST_CASE(text_and_page_show_each_record, Recorded) {
                         "The transmitted acceleration over f and Δ", "<th>peak,\u00a0mm</th>"});
 }
 
+BOOST_FIXTURE_TEST_CASE(each_motion_of_a_page_has_its_load_below_it, Recorded) {
+  write("list.csv", "file,scale\na.txt,1\na.txt,0.3\na.txt,-1\n");
+  succeed(
+      "design --records-list list.csv --period 2.8 --search-f 0.1:0.1 --search-delta-m 1mm:1mm "
+      "--html p.html");
+  const std::string page = read("p.html");
+  std::size_t at = 0;
+  for (const char* const id : {"worst", "worst-load", "record-2", "record-2-load", "record-3",
+                               "record-3-load", "spectrum-acceleration"}) {
+    const std::size_t next = page.find(std::string("id=\"") + id + "-title\"");
+    BOOST_TEST((next != std::string::npos && next > at), id);
+    at = next;
+  }
+}
+
 BOOST_FIXTURE_TEST_CASE(the_areas_of_the_map_bear_values_between_those_of_the_key, Sandbox) {
   succeed(Arguments{"design", "--record", STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt"} +
           "--period 2.8 --max-displacement 0.4 --scan-points 400 --html p.html");
