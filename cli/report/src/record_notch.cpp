@@ -20,17 +20,19 @@ bool has_ideal_notch(const design::RecordDesign& result) {
          !result.request.hold;
 }
 
-/// Under which records the mass moves in the design, but would be held by any notch with a width.
+/// Under which records the mass moves in the design, but would be held by any notch with a width
+/// and transmit more than is promised.
 std::optional<RealNotchFault> fault_of_any(const design::RecordDesign& result,
                                            const Physical& physical) {
-  const design::SuiteDamper& damper = result.finding->point.damper;
+  const auto& [damper, combined] = result.finding->point;
   const std::vector<design::SuiteRecord>& records = result.request.records;
   std::size_t count = 0;
   std::optional<std::pair<StartUnderLoad, std::size_t>> weakest;
   for (std::size_t i = 0; i < records.size(); ++i) {
-    const double peak = result.finding->responses[i].peak_amplitude;
+    const design::SuiteFigures own = design::suite_figures(result.finding->responses[i]);
     const StartUnderLoad start{damper.f, damper.delta, design::peak_load(records[i])};
-    if (start.width() >= 2 * peak && !hardly_moves(damper.p, peak, start.load)) {
+    if (start.width() >= 2 * own.peak && !hardly_moves(damper.p, own.peak, start.load) &&
+        start.load > (is_mean(result.request) ? own : combined).acceleration) {
       ++count;
       if (!weakest || start.load < weakest->first.load) {
         weakest.emplace(start, i);
