@@ -417,6 +417,7 @@ BOOST_FIXTURE_TEST_CASE(the_areas_of_the_map_bear_values_between_those_of_the_ke
     }
     return found;
   };
+  BOOST_TEST(contains(page, "where it is hatched, the darker, the more the limits are exceeded"));
   const std::vector<double> areas = values(">≈ ");
   BOOST_TEST(areas.size() > 1);
   for (const double value : areas) {
@@ -455,16 +456,15 @@ BOOST_FIXTURE_TEST_CASE(the_headline_says_that_no_notch_works, Sandbox) {
   BOOST_TEST(!contains(run(suite).out, "o notch works"));
   const std::string two = one_line(run(suite + "--combine mean").out);
   check_contains(two, {". No notch works under 1 of 2 records."});
-  check_contains(two, {" real notch no notch works under 1 of 2 records: only one wider than "
-                       "318.62 mm would let near_fault_pulse.txt move the mass, "});
+  BOOST_TEST(contains(two, " 1 of 2 records: only one wider than 318.62 mm would let near_fault_"));
 }
 
 // The limit is just above the residual, which f and Delta determine to a few millimetres.
 BOOST_FIXTURE_TEST_CASE(an_inexact_damper_is_in_the_headline_beside_a_notch_that_fails, Sandbox) {
-  const std::string text = one_line(
-      run({"design", "--record", STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt", "--period",
-           "2.8", "--search-f", "0.1:0.1", "--search-delta-m", "18mm:18mm", "--residual-m", "21mm"})
-          .out);
+  const Arguments asked{"design", "--record", STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt"};
+  const std::string text = one_line(run(asked + "--period 2.8 --search-f 0.1:0.1 --search-delta-m "
+                                                "18mm:18mm --residual-m 21mm")
+                                        .out);
   BOOST_TEST(
       std::regex_search(
           text, std::regex(". Not for a notch 20 mm wide. Off by [.0-9]+ %, it is much worse. ")),

@@ -395,6 +395,16 @@ BOOST_AUTO_TEST_CASE(much_worse_is_half_as_much_again) {
   BOOST_TEST(is_much_worse({.residual = 0.011}, {.peak = 1}, request));
 }
 
+// Twice the limit of the stroke, and half as much again as that of the residual.
+BOOST_AUTO_TEST_CASE(the_excess_is_the_sum_over_the_limits) {
+  const SuiteLimits limits{.peak = 1, .residual = 2};
+  BOOST_TEST(excess({.peak = 2, .acceleration = 9, .residual = 3}, limits) == 1.5);
+  BOOST_TEST(excess({.peak = 1, .residual = 2}, limits) == 0);
+  BOOST_TEST(excess({.peak = 4, .residual = 1}, {.residual = 0}) == 0.25);  // of the peak
+  BOOST_TEST(excess({.peak = 1, .settled = false}, limits) == 1e9);
+  BOOST_TEST(!admissible({.margin = 0}, limits));
+}
+
 BOOST_AUTO_TEST_CASE(wrong_input_is_refused) {
   const auto refused = [](const std::string& field,
                           const std::function<void(RecordDesignRequest&)>& spoil) {

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace stillpoint::report {
+
+/// The bounds of classes that hold equally many of the values; empty without any.
+[[nodiscard]] inline std::vector<double> even_bounds(std::vector<double> values,
+                                                     std::size_t classes) {
+  std::vector<double> bounds;
+  std::ranges::sort(values);
+  for (std::size_t i = 0; !values.empty() && i <= classes; ++i) {
+    bounds.push_back(values[i * (values.size() - 1) / classes]);
+  }
+  return bounds;
+}
+
+/// Of a value between the first bound and the last.
+[[nodiscard]] inline std::size_t class_of(double value, const std::vector<double>& bounds) {
+  const auto inner = std::ranges::upper_bound(bounds.begin() + 1, bounds.end() - 1, value);
+  return static_cast<std::size_t>(inner - bounds.begin()) - 1;
+}
+
+}  // namespace stillpoint::report
