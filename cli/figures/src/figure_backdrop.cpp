@@ -129,7 +129,7 @@ std::string map(const Figure& figure, const Layout& layout) {
         id, size, colour, channel, angle);
   };
   hatch("red", "20 0 -20 0 -1", 45);       // from 5 % more red than blue on
-  hatch("yellow", "0 20 -20 0 -11", -45);  // from 55 % more green than blue on
+  hatch("yellow", "0 20 -20 0 -9", -45);  // from 45 % more green than blue on
   return text;
 }
 
