@@ -5,6 +5,7 @@
 const ends_words = /** @type {Record<string, string>} */ ({
   held: "held",
   centred: "centred",
+  within_residual: "within the residual",
   off_centre: "off centre",
   alternating: "alternately centred and off centre",
   too_far: "too far",

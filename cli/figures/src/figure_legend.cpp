@@ -74,7 +74,7 @@ void FigureLegend::add(const Figure& figure, const std::set<std::string>& named)
   }
   const Plane plane{figure.x, figure.y, figure_width, figure.height};
   for (const FigureArea& area : figure.areas) {
-    if (!area.in_legend || !(is_seen(figure, area) || is_enlarged(figure, area))) {
+    if (!is_seen(figure, area) && !is_enlarged(figure, area)) {
       continue;
     }
     const bool box = area.look == AreaLook::box;

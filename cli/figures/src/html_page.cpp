@@ -49,7 +49,8 @@ constexpr std::string_view print_style = R"(
 @page{margin:7mm 10mm}
 body{max-width:none;padding:0;font-size:10px;line-height:1.15}h1{font-size:16px;margin:0}h2{font-size:13px;margin:0 0 1px}section{padding-top:4px}.answer{font-size:13px;margin:2px 0}table{font-size:11px}
 main{columns:2;column-gap:6mm;column-fill:auto;margin:0}.figures{display:block;margin:0}.figures,footer{column-span:none}figure{max-width:none;margin-top:6px}figcaption,main table{font-size:10px}.readout,details:not([open]){display:none}
-p{margin:2px 0}p,footer,.across tr:nth-last-child(-n+5){break-before:avoid}.wide{overflow:visible}td,th{padding:0 5px}.columns td,.columns th{padding:0 3px}.rows td,code{overflow-wrap:anywhere}
+section:has(tr:nth-child(13)){break-inside:auto}tr:nth-child(-n+4){break-after:avoid}
+p{margin:2px 0}p,footer,tr:nth-last-child(-n+5){break-before:avoid}.wide{overflow:visible}td,th{padding:0 5px}.columns td,.columns th{padding:0 3px}.rows td,code{overflow-wrap:anywhere}
 .only,.input{column-span:all}.only{width:125mm}.input p{display:none}.input h2,.input pre{display:inline;font-size:10px;line-height:1.1}pre{background:none;padding:0 4px;font-size:10px}.input pre{white-space:normal}footer{margin-top:4px;font-size:10px}
 )";
 

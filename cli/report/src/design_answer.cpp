@@ -213,9 +213,12 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
                               ideal_words(*report.built_notch, finding)));
   }
   constexpr double buildable = 0.01;
-  const bool too_exact = leaves_any(tolerance) && tolerance < buildable;
-  answer.row("tolerance",
-             tolerance_left(report) + (too_exact ? ", too little for a real damper" : ""),
+  const bool robust = result.request.search.objective == design::Objective::robust;
+  const std::string_view advice = !leaves_any(tolerance)
+                                      ? robust ? "" : "; --tolerance keeps it away"
+                                  : tolerance < buildable ? ", too little for a real damper"
+                                                          : "";
+  answer.row("tolerance", tolerance_left(report) + std::string(advice),
              tolerance < buildable ? Tone::bad : Tone::plain);
   add_works_for(answer, finding.works_for, task_of(report));
   add_weak_hits(answer, problem, delta, physical);

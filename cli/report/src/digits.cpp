@@ -109,7 +109,7 @@ std::string interval_digits(double low, double high) {
     const std::string from = rounded(low, true, with_zeros);
     const std::string to = rounded(high, false, with_zeros);
     if (std::max(std::stod(from) - low, high - std::stod(to)) <= lost * (high - low)) {
-      return fmt::format("{} to {}", from, to);
+      return begins_at_nothing(low, high) ? "up to " + to : fmt::format("{} to {}", from, to);
     }
   }
   return fmt::format("{} to {}", low, high);

@@ -19,10 +19,7 @@ std::string interval_text(const design::ServedInterval& interval) {
   if (*interval.high - interval.low <= apart * *interval.high) {
     return "exactly " + digits_within(interval.low, *interval.high);
   }
-  const std::string ends = interval_digits(interval.low, *interval.high);
-  return begins_at_nothing(interval.low, *interval.high)
-             ? "up to " + ends.substr(ends.rfind(' ') + 1)
-             : ends;
+  return interval_digits(interval.low, *interval.high);
 }
 
 namespace {
@@ -109,14 +106,16 @@ std::string inside_words(const Physical& physical, const Oscillator& damper, dou
                          double load) {
   const auto& [p, f, delta, hold] = damper;
   const double width = example_width(physical, peak);
-  const std::string shown = physical ? length_shown(physical, width) : "a fifth of the peak";
-  const std::string wide = physical ? shown + " wide" : "as wide as " + shown;
+  if (f + delta / width >= load) {
+    return load > f ? format("a notch up to {} wide would hold the mass throughout",
+                             length_limit(physical, delta / (load - f), false))
+                    : "friction alone holds the mass throughout";
+  }
   constexpr int digits = 3;
-  return f + delta / width >= load
-             ? format("f + delta/w would hold the mass throughout if w is {}", shown)
-             : format("at most {} g inside one {}: f + delta/w + spring",
-                      limit_digits(design::notch_acceleration(f, delta, width, p), true, digits),
-                      wide);
+  return format(
+      "at most {} g inside one {}: f + delta/w + spring",
+      limit_digits(design::notch_acceleration(f, delta, width, p), true, digits),
+      physical ? length_shown(physical, width) + " wide" : "as wide as a fifth of the peak");
 }
 
 bool can_be_followed(double width, double delta, double p) {

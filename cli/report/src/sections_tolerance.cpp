@@ -82,7 +82,8 @@ std::string tolerance_shown(const design::Limits& limits, double tolerance, int 
 
 std::string tolerance_words(const design::Limits& limits, double tolerance) {
   if (!leaves_any(tolerance)) {
-    return "f and delta must be exact: the damper is on the edge of the admissible region";
+    return "f or delta must be exact: the damper is within a millionth of an edge of the "
+           "admissible region";
   }
   return limits.shape == design::BoxShape{}
              ? format("f and delta may both be off by +-{}", percent_digits(tolerance))

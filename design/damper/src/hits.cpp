@@ -53,29 +53,40 @@ struct Listing {
   }
 };
 
-void add_motions(Listing& now, const Damper& damper) {
-  Wide stop = damper.phi;       // radius of the stop edge of the arrival before, (41)
-  Wide reach = 3 * damper.phi;  // of the reach edge, (40)
-  Wide far = 2 * damper.phi;    // of the farthest rest, (42)
+/// Up to a rest of `within` p from x = 0, at most phi, off centre is within the residual.
+void add_motions(Listing& now, const Damper& damper, Wide within) {
+  Wide stop = damper.phi;               // radius of the stop edge of the arrival before, (41)
+  Wide near = damper.phi + within;      // of the first rest as far as the residual
+  Wide far = 2 * damper.phi;            // of the farthest rest, (42)
+  Wide back = 3 * damper.phi - within;  // of the last rest as far as the residual
+  Wide reach = 3 * damper.phi;          // of the reach edge, (40)
   for (int n = 1; damper.speed(stop) < now.highest; ++n) {
     const Wide stop_here = damper.before(stop);
     const Wide low = std::max(now.lowest, damper.speed(stop));
-    const Wide middle = std::clamp(damper.speed(reach), low, std::max(low, now.highest));
-    const Wide high = std::clamp(damper.speed(stop_here), low, std::max(low, now.highest));
     if (static_cast<int>(now.list.size()) >= most_hit_segments) {
       now.add(low, now.highest, HitEnd::alternating, n - 1);
       return;
     }
-    if (static_cast<double>(low) < static_cast<double>(middle)) {
-      now.add(low, middle, HitEnd::off_centre, n - 1);
-      now.list.back().rest = rest(damper, n, low, middle, damper.speed(far));
-    }
-    if (static_cast<double>(middle) < static_cast<double>(high)) {
-      now.add(middle, high, HitEnd::centred, n);
-    }
+    Wide from = low;
+    const auto up_to = [&](Wide radius, HitEnd end) {
+      const Wide to = std::clamp(damper.speed(radius), from, std::max(from, now.highest));
+      if (static_cast<double>(from) < static_cast<double>(to)) {
+        const bool centred = end == HitEnd::centred;
+        now.add(from, to, end, centred ? n : n - 1);
+        if (!centred) {
+          now.list.back().rest = rest(damper, n, from, to, damper.speed(far));
+        }
+      }
+      from = to;
+    };
+    up_to(within < damper.phi ? near : reach, HitEnd::within_residual);
+    up_to(back, HitEnd::off_centre);
+    up_to(reach, HitEnd::within_residual);
+    up_to(stop_here, HitEnd::centred);
     stop = stop_here;
-    reach = damper.before(reach);
-    far = damper.before(far);
+    for (Wide* const edge : {&near, &far, &back, &reach}) {
+      *edge = damper.before(*edge);
+    }
   }
 }
 
@@ -100,20 +111,23 @@ Hits of_both(const Hits& softest, const Hits& stiffest) {
 }  // namespace
 
 std::span<const Named<HitEnd>> enumerators(HitEnd) noexcept {
-  static constexpr auto rows = std::to_array<Named<HitEnd>>({{HitEnd::held, "held"},
-                                                             {HitEnd::centred, "centred"},
-                                                             {HitEnd::off_centre, "off_centre"},
-                                                             {HitEnd::alternating, "alternating"},
-                                                             {HitEnd::passes, "passes"},
-                                                             {HitEnd::too_far, "too_far"},
-                                                             {HitEnd::never_stops, "never_stops"}});
+  static constexpr auto rows =
+      std::to_array<Named<HitEnd>>({{HitEnd::held, "held"},
+                                    {HitEnd::centred, "centred"},
+                                    {HitEnd::within_residual, "within_residual"},
+                                    {HitEnd::off_centre, "off_centre"},
+                                    {HitEnd::alternating, "alternating"},
+                                    {HitEnd::passes, "passes"},
+                                    {HitEnd::too_far, "too_far"},
+                                    {HitEnd::never_stops, "never_stops"}});
   return rows;
 }
 
-std::vector<Hits> hits(const Oscillator& oscillator, double beta, double v0_most) {
+std::vector<Hits> hits(const Oscillator& oscillator, double beta, double v0_most, double residual) {
   require_valid(oscillator);
   require_within("beta", beta, smallest_limit, largest_square);
   require_within("v0", v0_most, smallest_speed, largest_speed);
+  require_within("residual", residual, 0, largest_square);
   const auto& [p, f, delta, hold] = oscillator;
   const Damper damper{{f / Wide(p), 2 * Wide(delta)}, p};
   const Wide start = std::min(Wide(v0_most), root(damper.d));
@@ -127,7 +141,7 @@ std::vector<Hits> hits(const Oscillator& oscillator, double beta, double v0_most
     if (f == 0 && delta == 0) {
       now.add(0, now.highest, HitEnd::never_stops);
     } else {
-      add_motions(now, damper);
+      add_motions(now, damper, std::min(Wide(residual) * p, damper.phi));
     }
   }
   if (now.highest < v0_most) {
@@ -137,17 +151,19 @@ std::vector<Hits> hits(const Oscillator& oscillator, double beta, double v0_most
 }
 
 std::vector<Hits> shown_hits(const Problem& problem, double f, double delta) {
-  return hits({problem.p, f, delta}, problem.beta, std::min(2 * problem.v0, largest_speed));
+  return hits({problem.p, f, delta}, problem.beta, std::min(2 * problem.v0, largest_speed),
+              problem.residual.value_or(0));
 }
 
 std::vector<Hits> shown_hits_of_springs(const Problem& problem, double f, double delta) {
-  auto softest = shown_hits(problem, f, delta);
   if (!problem.p_high) {
-    return softest;
+    return shown_hits(problem, f, delta);
   }
-  Problem with_stiffest = problem;
-  with_stiffest.p = *problem.p_high;
-  const auto stiffest = shown_hits(with_stiffest, f, delta);
+  Problem one = problem;
+  one.residual.reset();
+  const auto softest = shown_hits(one, f, delta);
+  one.p = *problem.p_high;
+  const auto stiffest = shown_hits(one, f, delta);
   std::vector<Hits> list;
   double from = 0;
   auto soft = softest.begin();

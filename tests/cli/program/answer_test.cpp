@@ -315,7 +315,7 @@ BOOST_FIXTURE_TEST_CASE(of_a_damper_on_an_edge_is_true_and_reads_well, Sandbox) 
     return one_line(run(Arguments("region") + more).out);
   };
   check_contains(answer("--v0 1 --p 1 --beta 0.8 --f 0.3 --delta 0.5"),
-                 {"The damper is admissible, but f and delta must be exact: "});
+                 {"The damper is admissible, but f or delta must be exact: "});
   // Without friction the mass comes back with all of V0^2/2 = 0.5.
   check_contains(answer("--v0 1 --p 1 --beta 0.8 --f 0 --delta 0.5"),
                  {"It also passes x = 0: delta is just too small (stop)."});

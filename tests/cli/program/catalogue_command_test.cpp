@@ -318,7 +318,7 @@ BOOST_FIXTURE_TEST_CASE(a_part_at_a_limit_under_a_pulse_fits, Sandbox) {
   BOOST_TEST(best["admissible"] == true);
   BOOST_TEST(alone["admissible"] == true);
   BOOST_TEST(best["tolerance"] == alone["tolerance"]);
-  check_contains(one_line(run(design).out), {" tolerance f and delta must be exact: ", " 0 % fits ",
+  check_contains(one_line(run(design).out), {" tolerance f or delta must be exact: ", " 0 % fits ",
                                              " delta is 100 % too large "});
 }
 

@@ -165,6 +165,9 @@ BOOST_AUTO_TEST_CASE(region_matches_the_design) {
 }
 
 BOOST_AUTO_TEST_CASE(region_judges_a_point_under_the_pulse) {
+  // Held at rest up to f + delta/w = k: w = 0.49/(0.5 - 0.175).
+  check_contains(one_line(run(region + "--f 0.175 --delta 0.49").out),
+                 {", a notch up to 1.50769 wide would hold the mass throughout"});
   const std::string weak = one_line(run(region + "--f 0.05 --delta 0.49").out);
   check_contains(
       weak, {"Even with a notch that acts only after the start, the damper is not admissible",

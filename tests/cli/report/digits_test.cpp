@@ -24,7 +24,7 @@ BOOST_AUTO_TEST_CASE(four_digits_without_an_exponent_below_a_million) {
 BOOST_AUTO_TEST_CASE(an_interval_has_the_digits_that_its_width_needs) {
   BOOST_TEST(interval_digits(0.34015, 0.42925) == "0.341 to 0.429");
   BOOST_TEST(interval_digits(0.99996, 1.00004) == "0.999960 to 1.00004");
-  BOOST_TEST(interval_digits(0, 2) == "0.00 to 2.00");
+  BOOST_TEST(interval_digits(0, 2) == "up to 2.00");
   BOOST_TEST(interval_digits(0.5, 0.5) == "0.500 to 0.500");
 }
 

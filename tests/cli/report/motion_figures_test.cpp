@@ -391,8 +391,11 @@ BOOST_AUTO_TEST_CASE(the_time_locked_under_a_load_that_goes_on_is_shown) {
   BOOST_TEST(figure(page, "motion").x.most == 20);
   BOOST_TEST(figure(page, "excitation").x.most == 20);
   const double stop = figure(page, "motion").bands.front().from;
+  BOOST_TEST(!contains(figure(page, "motion").bands.front().name, " to "));
   request.t_end = 1000;
-  BOOST_TEST(figure(page_of(request), "motion").x.most == 10 * stop);
+  const Figure cut = figure(page_of(request), "motion");
+  BOOST_TEST(cut.x.most == 10 * stop);
+  BOOST_TEST(cut.bands.front().name.ends_with(" to τ = 1000"));
 }
 
 /// Both lie on the same figure.
@@ -405,6 +408,8 @@ BOOST_AUTO_TEST_CASE(friction_zones_have_another_colour_than_the_time_locked) {
   request.t_end = 20;
   const Figure drawn = figure(page_of(request), "motion");
   BOOST_TEST((named(drawn.areas, "friction 0.35").ink != drawn.bands.front().ink));
+  request.surface.zones = {{9, 0.35}};  // all of the figure
+  BOOST_TEST(figure(page_of(request), "motion").areas.empty());
 }
 
 BOOST_AUTO_TEST_CASE(the_phase_portrait_is_smooth_and_directed) {

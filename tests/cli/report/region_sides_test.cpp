@@ -283,8 +283,6 @@ BOOST_AUTO_TEST_CASE(many_arrivals_are_one_area_down_to_the_last) {
   BOOST_TEST(test::has(figure.areas, "arrival 12"));
   BOOST_TEST(!test::has(figure.areas, "arrival 13"));
   const FigureArea& later = test::named(figure.areas, "arrivals 13 to 40, thin strips with gaps");
-  BOOST_TEST(later.in_legend);
-  BOOST_TEST(!test::named(figure.areas, "arrival 4").in_legend);
   // At f = 0 the n-th arrival stops for Delta of 1/(2n) to 1/(2(n - 1)).
   BOOST_TEST(std::abs(later.outline.front().y - 1.0 / 80) < 1e-12);
   BOOST_TEST(std::abs(later.outline.back().y - 1.0 / 24) < 1e-12);

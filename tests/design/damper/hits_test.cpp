@@ -17,6 +17,7 @@ struct Case {
   Oscillator oscillator;
   double beta;
   double most;
+  double residual{0};
 };
 
 Case random_case(RandomSource& random) {
@@ -29,6 +30,10 @@ Case random_case(RandomSource& random) {
     now.oscillator.f = 0;
   } else if (kind == 1) {
     now.oscillator.delta = 0;
+  }
+  if (random.pick(3) == 0) {
+    const double dead_zone = now.oscillator.f / p / p;
+    now.residual = random.uniform(0, 1.2) * dead_zone;
   }
   return now;
 }
@@ -45,13 +50,16 @@ void check_motion(const Case& now, const Hits& hit, double v0) {
     if (hit.end == HitEnd::centred) {
       BOOST_TEST(motion.stops_at_zero);
       BOOST_TEST(*motion.zero_passages + 1 == *hit.arrivals);
-    } else if (hit.end == HitEnd::off_centre) {
+    } else if (hit.end == HitEnd::off_centre || hit.end == HitEnd::within_residual) {
       BOOST_TEST(!motion.stops_at_zero);
       BOOST_TEST(*motion.zero_passages == *hit.arrivals);
       BOOST_TEST(std::signbit(*motion.stop_position) == std::signbit(*hit.rest));
       const double dead_zone = now.oscillator.f / now.oscillator.p / now.oscillator.p;
-      BOOST_TEST(std::abs(*motion.stop_position) <=
-                 std::abs(*hit.rest) + rest_tolerance * dead_zone);
+      const double rest = std::abs(*motion.stop_position);
+      BOOST_TEST(rest <= std::abs(*hit.rest) + rest_tolerance * dead_zone);
+      const bool within = hit.end == HitEnd::within_residual;
+      BOOST_TEST((within ? rest - now.residual : now.residual - rest) <=
+                 rest_tolerance * dead_zone);
     } else if (hit.end == HitEnd::alternating) {
       BOOST_TEST(*motion.zero_passages >= *hit.arrivals - 1);
     }
@@ -62,10 +70,10 @@ void check_motion(const Case& now, const Hits& hit, double v0) {
 
 BOOST_AUTO_TEST_CASE(every_motion_ends_as_its_segment_says_up_to_both_edges) {
   RandomSource random(2401);
-  std::array<int, 6> seen{};
+  std::array<int, 8> seen{};
   for (int i = 0; i < 1500; ++i) {
     const Case now = random_case(random);
-    const std::vector<Hits> list = hits(now.oscillator, now.beta, now.most);
+    const std::vector<Hits> list = hits(now.oscillator, now.beta, now.most, now.residual);
     for (const Hits& hit : list) {
       const double inset = beside * hit.to;
       if (hit.to - hit.from < 4 * inset) {
@@ -77,7 +85,8 @@ BOOST_AUTO_TEST_CASE(every_motion_ends_as_its_segment_says_up_to_both_edges) {
       check_motion(now, hit, random.uniform(hit.from + inset, hit.to - inset));
     }
   }
-  for (const HitEnd end : {HitEnd::held, HitEnd::centred, HitEnd::off_centre, HitEnd::too_far}) {
+  for (const HitEnd end : {HitEnd::held, HitEnd::centred, HitEnd::within_residual,
+                           HitEnd::off_centre, HitEnd::too_far}) {
     BOOST_TEST(seen.at(static_cast<std::size_t>(end)) > 500, name(end));
   }
   BOOST_TEST(seen.at(static_cast<std::size_t>(HitEnd::alternating)) > 5);
@@ -87,11 +96,11 @@ BOOST_AUTO_TEST_CASE(the_segments_are_in_order_without_gaps_and_bounded_in_numbe
   RandomSource random(2402);
   for (int i = 0; i < 1500; ++i) {
     const Case now = random_case(random);
-    const std::vector<Hits> list = hits(now.oscillator, now.beta, now.most);
+    const std::vector<Hits> list = hits(now.oscillator, now.beta, now.most, now.residual);
     BOOST_TEST_REQUIRE(!list.empty());
     BOOST_TEST(list.front().from == 0);
     BOOST_TEST(list.back().to == now.most);
-    BOOST_TEST(list.size() <= static_cast<std::size_t>(most_hit_segments) + 4);
+    BOOST_TEST(list.size() <= static_cast<std::size_t>(most_hit_segments) + 5);
     for (std::size_t k = 0; k < list.size(); ++k) {
       BOOST_TEST(list[k].from < list[k].to);
       BOOST_TEST((k == 0 || list[k].from == list[k - 1].to));
@@ -211,14 +220,16 @@ BOOST_AUTO_TEST_CASE(the_worst_of_a_range_of_springs_is_that_of_some_spring) {
 }
 
 BOOST_AUTO_TEST_CASE(names_are_read_back_and_wrong_input_is_refused) {
-  for (const HitEnd end : {HitEnd::held, HitEnd::centred, HitEnd::off_centre, HitEnd::alternating,
-                           HitEnd::too_far, HitEnd::never_stops}) {
+  for (const HitEnd end :
+       {HitEnd::held, HitEnd::centred, HitEnd::within_residual, HitEnd::off_centre,
+        HitEnd::alternating, HitEnd::too_far, HitEnd::never_stops}) {
     BOOST_TEST((parse<HitEnd>(name(end)) == end));
   }
   BOOST_TEST(!parse<HitEnd>("nowhere"));
   BOOST_CHECK_THROW((void)hits({1, -1, 0}, 1, 1), InputError);
   BOOST_CHECK_THROW((void)hits({1, 1, 1}, 0, 1), InputError);
   BOOST_CHECK_THROW((void)hits({1, 1, 1}, 1, 0), InputError);
+  BOOST_CHECK_THROW((void)hits({1, 1, 1}, 1, 1, -1), InputError);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -198,6 +198,9 @@ void draw_forced(DrawnMotion& motion, const SimulationRequest& request, const Si
     }
     show_rest(motion, rest, seen_until(excitation, *stop_time, last));
     motion.locked_from = locked_from;
+    if (locked_from && answer.horizon.value_or(0) > motion.shown_to) {
+      motion.locked_to = answer.horizon;
+    }
   }
   motion.whole = last >= horizon || rest_is_seen;
 }

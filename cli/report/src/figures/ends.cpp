@@ -5,6 +5,8 @@
 #include "format.hpp"
 #include "sections.hpp"
 
+#include <stillpoint/report/digits.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,6 +36,7 @@ const Look& look_of(HitEnd end) {
   static constexpr auto looks = std::to_array<Look>(
       {{held, "held", Ink::grey, AreaLook::hatched, "are held at the start"},
        {centred, "centred", Ink::sky, AreaLook::filled, ""},
+       {within_residual, "within the residual", Ink::amber, AreaLook::filled, ""},
        {off_centre, "off centre", Ink::amber, AreaLook::hatched, "rest off centre"},
        {alternating, "alternately centred and off centre", Ink::amber, AreaLook::filled,
         "may rest off centre"},
@@ -43,19 +46,18 @@ const Look& look_of(HitEnd end) {
   return *std::ranges::find(looks, end, &Look::end);
 }
 
-/// Neighbours of different returns differ.
 Ink ink_of(const design::Hits& now) {
-  constexpr std::array centred{Ink::sky, Ink::green, Ink::purple};
-  return now.end == HitEnd::centred ? centred.at(static_cast<std::size_t>(
-                                          std::fmod(now.arrivals.value_or(1) - 1, centred.size())))
-                                    : look_of(now.end).ink;
+  return now.end == HitEnd::centred ? arrival_ink(now.arrivals.value_or(1)) : look_of(now.end).ink;
 }
 
-/// "off centre with some spring", "centred on return 2"
+/// "off centre with some spring", "centred at arrival 2", "within the residual after 1 passage"
 std::string named(const design::Hits& now) {
-  const bool later = now.end == HitEnd::centred && now.arrivals.value_or(1) > 1;
-  return format("{}{}{}", look_of(now.end).name,
-                later ? format(" on return {}", *now.arrivals) : "",
+  const double arrivals = now.arrivals.value_or(0);
+  const std::string later =
+      now.end == HitEnd::centred && arrivals > 1           ? format(" at arrival {}", arrivals)
+      : now.end == HitEnd::within_residual && arrivals > 0 ? " after " + plural(arrivals, "passage")
+                                                           : "";
+  return format("{}{}{}", look_of(now.end).name, later,
                 now.every_spring ? "" : " with some spring");
 }
 
@@ -139,10 +141,11 @@ Figure ends_figure(const DrawnEnds& drawn) {
   constexpr double narrowest = 0.005;  // of the figure, to be seen
   const double scale = drawn.scale;
   const double known = drawn.list.back().to * scale;
+  const double asked_for = 2 * drawn.asked.high * scale;
   Figure figure;
   figure.id = format("{}s", drawn.noun);
   figure.height = 150;
-  figure.x = {"", 0, 2 * drawn.asked.high * scale};
+  figure.x = {"", 0, std::max(known, asked_for)};
   if (drawn.works) {  // the first to be named
     const double low = drawn.works->low * scale;
     const double high = *drawn.works->high * scale;
@@ -151,7 +154,11 @@ Figure ends_figure(const DrawnEnds& drawn) {
     add_box_inset(figure, box);
     figure.areas.push_back({"works for " + range, std::move(box), Ink::blue, AreaLook::box});
     figure.caption =
-        format("The damper works for {}s of {}{}.", drawn.noun, range, other_ones(drawn));
+        format("The damper works for {}s of {}{}{}.", drawn.noun, range, other_ones(drawn),
+               figure.inset ? format("; the corner enlarges {}{}",
+                                     interval_digits(figure.inset->x.least, figure.inset->x.most),
+                                     with_blank(drawn.unit))
+                            : "");
   } else {
     figure.caption = where_it_fails(drawn);
   }
@@ -166,7 +173,7 @@ Figure ends_figure(const DrawnEnds& drawn) {
     figure.description += format("{} {} from {} to {}", &now == drawn.list.data() ? "" : ",",
                                  named(now), words(drawn, now.from), words(drawn, now.to));
   }
-  if (known < figure.x.most) {  // beyond what the program takes
+  if (known < asked_for) {  // beyond what the program takes
     figure.areas.push_back(
         {"not computed", strip(known, figure.x.most, 0, 1), Ink::purple, AreaLook::hatched});
   }

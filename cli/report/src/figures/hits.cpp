@@ -83,15 +83,18 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
 
 Figure strengths_figure(const design::PulseProblem& problem, const design::Limits& limits, double f,
                         double delta, const std::optional<design::WorksFor>& works_for) {
+  constexpr double room = 1.25;
   const double k = design::peak_load(problem.pulse);
+  const auto works = hit_of(works_for);
   Figure figure =
       ends_figure({.noun = "pulse",
                    .symbol = "k",
                    .unit = "g",
-                   .list = design::shown_strengths(problem, f, delta),
+                   .list = design::shown_strengths(problem, f, delta,
+                                                   works ? room * works->high.value_or(0) : 0),
                    .asked = {problem.ranges.k_low.value_or(k), k},
                    .has_range = problem.has_ranges(),
-                   .works = hit_of(works_for),
+                   .works = works,
                    .acceleration_max = limits.acceleration_max,
                    .fail_by_criterion = exact_works_above(problem, limits, f, delta, works_for)});
   figure.title = problem.p_high || problem.ranges.lambda_high

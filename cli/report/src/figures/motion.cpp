@@ -186,7 +186,7 @@ void add_zones(Figure& figure, const DrawnMotion& motion, double length, Along a
     const figures::FigureAxis& across = along == Along::x ? figure.y : figure.x;
     from = std::max(from * length, across.least);
     to = std::min(to * length, across.most);
-    if (from < to) {
+    if (from < to && (from > across.least || to < across.most)) {  // else it is all
       std::vector<FigurePoint> outline{
           {long_way.least, from}, {long_way.most, from}, {long_way.most, to}, {long_way.least, to}};
       for (FigurePoint& at : outline) {
@@ -207,19 +207,17 @@ void add_zones(Figure& figure, const DrawnMotion& motion, double length, Along a
     before = zone.to;
   }
   if (const auto& width = motion.surface.notch_width) {
-    const figures::FigureAxis& across = along == Along::x ? figure.y : figure.x;
-    const double half = *width / 2;
-    if (-half * length > across.least || half * length < across.most) {  // else it is all
-      strip("notch", Ink::green, -half, half);
-    }
+    strip("notch", Ink::green, -*width / 2, *width / 2);
   }
 }
 
 void add_lock(Figure& figure, const DrawnMotion& motion, const FigureUnits& units) {
   if (motion.locked_from) {
     const double from = *motion.locked_from;
+    const std::string to =
+        motion.locked_to ? " to " + units.time_words(*motion.locked_to) : std::string();
     figure.bands.push_back(
-        {from == 0 ? "locked throughout" : "locked from " + units.time_words(from),
+        {(from == 0 ? "locked throughout" : "locked from " + units.time_words(from)) + to,
          from * units.time, figure.x.most, Ink::amber});
   }
 }

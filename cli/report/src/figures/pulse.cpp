@@ -186,6 +186,7 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
   if (drawn.damper) {
     add_damper(figure, *drawn.damper, drawn.limits.shape, units);
   }
+  caption_inset(figure, units);
   return figure;
 }
 

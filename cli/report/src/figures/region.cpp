@@ -90,8 +90,7 @@ void add_inset(Figure& figure, const FigurePoint& low, const FigurePoint& high) 
 }
 
 /// Of a strip too thin to see, where it is thickest. The legend names it.
-void add_strip_inset(Figure& figure, FigureArea& strip) {
-  strip.in_legend = true;
+void add_strip_inset(Figure& figure, const FigureArea& strip) {
   const std::vector<FigurePoint>& outline = strip.outline;
   const std::size_t last = outline.size() - 1;  // the upper edge comes back above the lower one
   std::size_t thickest = 0;
@@ -168,6 +167,16 @@ std::string percent(double low, double high) {
 
 }  // namespace
 
+void caption_inset(Figure& figure, const FigureUnits& units) {
+  if (figure.inset) {
+    const auto& [x, y] = *figure.inset;
+    figure.caption.pop_back();
+    figure.caption +=
+        format("; the corner enlarges f of {} and Δ of {}{}.", interval_digits(x.least, x.most),
+               interval_digits(y.least, y.most), with_blank(units.length_unit));
+  }
+}
+
 void add_box_inset(Figure& figure, const std::vector<FigurePoint>& box) {
   constexpr double visible = 0.05;          // of the plot
   constexpr double next_to_nothing = 1e-6;  // of the axis
@@ -201,7 +210,8 @@ std::string region_clause(const std::optional<DrawnDamper>& damper, const Region
                           const design::Limits& limits, const FigureUnits& units) {
   if (damper && is_within(*damper)) {
     if (!leaves_any(damper->tolerance)) {
-      return "f and Δ must be exact: the damper is on the edge of the admissible region";
+      return "f or Δ must be exact: the damper is within a millionth of an edge of the admissible "
+             "region";
     }
     const std::string delta = "Δ = " + units.length_words(damper->delta);
     return begins_at_nothing(damper->f, region.f_upper.value_or(0))
@@ -316,6 +326,7 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
       add_strip_inset(figure, figure.areas[i]);
     }
   }
+  caption_inset(figure, units);
   return figure;
 }
 

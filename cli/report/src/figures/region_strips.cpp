@@ -53,15 +53,13 @@ class Strips {
     return outline_over({from, f->high}, unit_, [&](double at) { return range_at(strip, at); });
   }
 
-  /// That of the damper: 0 for any rest within the residual, -1 for none.
+  /// The arrival at which the damper stops the mass; 0 for none.
   [[nodiscard]] std::int64_t own() const {
-    if (!drawn_.damper || !is_within(*drawn_.damper)) {
-      return -1;
-    }
-    const DrawnDamper& damper = *drawn_.damper;
-    const std::int64_t arrival =
-        design::arrival_of(drawn_.problem, damper.f, damper.delta).value_or(0);
-    return damper.f <= rest_end_ || !extent(arrival) ? 0 : arrival;
+    const auto& damper = drawn_.damper;
+    const auto arrival = damper && is_within(*damper) && damper->f > rest_end_
+                             ? design::arrival_of(drawn_.problem, damper->f, damper->delta)
+                             : std::nullopt;
+    return arrival && extent(*arrival) ? *arrival : 0;
   }
 
  private:
@@ -100,19 +98,10 @@ class Strips {
   double rest_end_{0};  ///< up to this f any rest is within the residual, whatever the arrival
 };
 
-/// Neighbours may touch, so they differ; the damper's own is like any admissible area.
-constexpr std::array inks{Ink::orange, Ink::green, Ink::purple};
-Ink strip_ink(const DrawnStrip& strip, std::int64_t own) {
-  return strip.first == own ? Ink::sky
-         : strip.first == 0 ? Ink::amber
+Ink strip_ink(const DrawnStrip& strip) {
+  return strip.first == 0   ? Ink::amber
          : strip.with_later ? Ink::grey
-                            : inks.at(static_cast<std::size_t>(strip.first) % inks.size());
-}
-
-/// The first of each ink.
-bool may_be_in_legend(const DrawnStrip& strip, std::int64_t own) {
-  return strip.first == own || strip.with_later ||
-         strip.first <= static_cast<std::int64_t>(inks.size());
+                            : arrival_ink(static_cast<double>(strip.first));
 }
 
 std::string strip_name(const DrawnRegion& drawn, const DrawnStrip& strip) {
@@ -124,6 +113,11 @@ std::string strip_name(const DrawnRegion& drawn, const DrawnStrip& strip) {
 
 }  // namespace
 
+Ink arrival_ink(double arrival) {
+  constexpr std::array inks{Ink::sky, Ink::green, Ink::purple};
+  return inks.at(static_cast<std::size_t>(std::fmod(arrival - 1, inks.size())));
+}
+
 bool is_one_area(const design::Problem& problem, std::size_t areas) {
   return problem.arrivals == 1 && areas == 1;
 }
@@ -134,8 +128,7 @@ std::vector<FigureArea> admissible_areas(const DrawnRegion& drawn, const FigureU
   std::vector<FigureArea> areas;
   const auto add = [&](const DrawnStrip& strip) {
     if (auto outline = strips.outline(strip); !outline.empty()) {
-      areas.push_back({strip_name(drawn, strip), std::move(outline), strip_ink(strip, own),
-                       figures::AreaLook::filled, may_be_in_legend(strip, own)});
+      areas.push_back({strip_name(drawn, strip), std::move(outline), strip_ink(strip)});
     }
   };
   if (drawn.problem.residual) {

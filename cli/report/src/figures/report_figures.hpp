@@ -71,6 +71,7 @@ struct DrawnMotion {
   std::vector<std::pair<double, double>> sticks;  ///< tau from, to
   std::vector<OtherMotion> others;                ///< those that do not hide it
   std::optional<double> locked_from;  ///< held at x = 0 from then on, though the load goes on
+  std::optional<double> locked_to;    ///< the end of the load, if it is beyond the figure
   double shown_to{0};                 ///< the end of the time axis
   std::optional<double> beta;
   bool whole{true};  ///< else only its beginning
@@ -162,6 +163,8 @@ struct DrawnDamper {
 
 /// Enlarges a box if it is too small to see, unless it is one of next to nothing.
 void add_box_inset(figures::Figure& figure, const std::vector<figures::FigurePoint>& box);
+/// Adds to the caption of a region which part of it is enlarged, if any.
+void caption_inset(figures::Figure& figure, const FigureUnits& units);
 /// The corners of its tolerance box, starting from the lower left.
 [[nodiscard]] std::vector<figures::FigurePoint> tolerance_box(const DrawnDamper& damper,
                                                               const design::BoxShape& shape,
@@ -196,6 +199,8 @@ struct DrawnRegion {
 /// A line around each, if a tolerance was asked for.
 void add_tolerant(figures::Figure& figure, const design::Limits& limits,
                   std::vector<std::vector<figures::FigurePoint>> areas);
+/// Of a stop at that arrival, in each figure; those of neighbours differ.
+[[nodiscard]] figures::Ink arrival_ink(double arrival);
 /// Of so many admissible areas: no strips to tell apart.
 [[nodiscard]] bool is_one_area(const design::Problem& problem, std::size_t areas);
 /// Strips that can be told apart; those of later arrivals are drawn as one.

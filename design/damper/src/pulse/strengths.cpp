@@ -59,10 +59,11 @@ std::vector<double> edges(const DamperRooms& damper, const WorstReturn& motions,
 
 }  // namespace
 
-std::vector<Hits> shown_strengths(const PulseProblem& problem, double f, double delta) {
+std::vector<Hits> shown_strengths(const PulseProblem& problem, double f, double delta,
+                                  double k_most) {
   const DamperRooms damper(problem, {}, f, delta);
   const double p = problem.p;
-  const double strongest = std::min(2 * peak_load(problem.pulse), largest_speed);
+  const double strongest = std::min(std::max(2 * peak_load(problem.pulse), k_most), largest_speed);
   const double least = std::min(f, strongest);
   std::vector<Hits> list;
   const auto add = [&list](double from, double to, HitEnd end) {

@@ -38,13 +38,12 @@ struct FigureCurve {
 /// has an edge.
 enum class AreaLook { filled, hatched, box };
 
-/// A polygon. It is named inside if there is room, else in the legend if it may be.
+/// A polygon. It is named inside if there is room, else in the legend if it can be seen.
 struct FigureArea {
   std::string name;
   std::vector<FigurePoint> outline;
   Ink ink{Ink::blue};
   AreaLook look{AreaLook::filled};
-  bool in_legend{true};
   bool again{false};  ///< named if there is room, though another area has its name
 };
 

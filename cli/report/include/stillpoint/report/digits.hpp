@@ -27,7 +27,7 @@ inline constexpr int every_digit = 10;
 /// That many digits, rounded up or down so that an input set to them meets the limit.
 [[nodiscard]] std::string limit_digits(double value, bool upwards, int shown = every_digit);
 /// "0.341 to 0.429": rounded inwards to three digits, or as many as hold both ends to 2 % of the
-/// width.
+/// width; "up to 0.429" if it begins at nothing.
 [[nodiscard]] std::string interval_digits(double low, double high);
 /// A number of the range: six digits, or as many as it takes.
 [[nodiscard]] std::string digits_within(double low, double high);

@@ -14,13 +14,14 @@ namespace stillpoint::design {
 
 /// How the motion after a hit ends.
 enum class HitEnd {
-  held,         ///< V0^2 < 2 Delta, or k <= f: it never starts
-  centred,      ///< it stops at x = 0
-  off_centre,   ///< it rests in the dead zone
-  alternating,  ///< alternately centred and off centre, not listed one by one
-  passes,       ///< of a pulse: it passes x = 0 at its first return
-  too_far,      ///< its peak exceeds beta, wherever it ends
-  never_stops,  ///< there is no friction
+  held,             ///< V0^2 < 2 Delta, or k <= f: it never starts
+  centred,          ///< it stops at x = 0
+  within_residual,  ///< it rests off centre, but not farther than the residual that is allowed
+  off_centre,       ///< it rests in the dead zone
+  alternating,      ///< alternately centred and off centre, not listed one by one
+  passes,           ///< of a pulse: it passes x = 0 at its first return
+  too_far,          ///< its peak exceeds beta, wherever it ends
+  never_stops,      ///< there is no friction
 };
 
 /// "held", "centred" and so on.
@@ -36,7 +37,7 @@ struct Hits {
   /// Arrivals at x = 0, the stop included; for `alternating`, the least. Empty for held, too_far
   /// and never_stops.
   std::optional<double> arrivals;
-  /// For `off_centre`, the position of rest that is farthest from x = 0, with its sign for V0 > 0.
+  /// For a rest off centre, the position that is farthest from x = 0, with its sign for V0 > 0.
   std::optional<double> rest;
   bool every_spring{true};  ///< of a range of springs; else some end like this, the others better
 };
@@ -48,18 +49,21 @@ struct Hits {
 inline constexpr int most_hit_segments = 100;
 
 /// Edges in closed form, docs/theory.md (39) to (42). Throws InputError for a wrong oscillator,
-/// beta not in [1e-300, 1e300] and v0_most not in [1e-150, 1e150].
-[[nodiscard]] std::vector<Hits> hits(const Oscillator& oscillator, double beta, double v0_most);
+/// beta not in [1e-300, 1e300], v0_most not in [1e-150, 1e150] and a residual below 0.
+[[nodiscard]] std::vector<Hits> hits(const Oscillator& oscillator, double beta, double v0_most,
+                                     double residual = 0);
 
 /// Those that reports show: up to twice the problem's v0.
 [[nodiscard]] std::vector<Hits> shown_hits(const Problem& problem, double f, double delta);
-/// The same for the worst of the springs of the problem, without `rest` where it has a range.
+/// The same for the worst of the springs of the problem; where it has a range, without `rest` and
+/// regardless of the residual.
 [[nodiscard]] std::vector<Hits> shown_hits_of_springs(const Problem& problem, double f,
                                                       double delta);
 
-/// Every k of a pulse, from 0 to twice the strongest, of the worst of the lengths and springs of
-/// the ranges, by the motion up to its first return: docs/theory.md (71).
-[[nodiscard]] std::vector<Hits> shown_strengths(const PulseProblem& problem, double f,
-                                                double delta);
+/// Every k of a pulse, from 0 to twice the strongest or to `k_most` if that is larger, of the worst
+/// of the lengths and springs of the ranges, by the motion up to its first return: docs/theory.md
+/// (71).
+[[nodiscard]] std::vector<Hits> shown_strengths(const PulseProblem& problem, double f, double delta,
+                                                double k_most = 0);
 
 }  // namespace stillpoint::design
