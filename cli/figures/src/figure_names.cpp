@@ -359,8 +359,9 @@ class Places {
         return entry <= cell && cell < next;
       });
       if (!map.labels[entry].empty() && within(map.labels[entry], inside)) {
-        found_.named.insert(map.names.begin() + static_cast<std::ptrdiff_t>(entry),
-                            map.names.begin() + static_cast<std::ptrdiff_t>(next));
+        for (std::size_t i = entry; i < next; ++i) {
+          found_.named.insert(map.names[i]);
+        }
       }
     }
   }

@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(shades_motions_that_lock_by_their_peaks) {
   for (std::size_t i = 0; i < map.cells().size(); ++i) {
     if (map.cells()[i] == sweep::SweepClass::locked) {
       const double peak = map.peaks()[i];
-      const auto [at, first] = peaks.try_emplace(figure.map.cells[i], peak, peak);
+      const auto [at, first] = peaks.try_emplace(figure.map.cells[i], Interval{peak, peak});
       at->second = {std::min(at->second.low, peak), std::max(at->second.high, peak)};
     }
   }

@@ -30,10 +30,9 @@ using design::SuiteLimits;
 /// which is hatched: more red than blue.
 constexpr std::array shades{"#0b4f8a", "#2f7fc1", "#6aaede", "#9ecae9", "#c6dff2", "#e6f1fa"};
 constexpr std::size_t excesses = 4;
-constexpr std::array broken{std::array{"#fbd9b5", "#f5b06a", "#e88432", "#c05a10"},
-                            std::array{"#f6d3d6", "#e8a5ad", "#d37583", "#a94459"},
-                            std::array{"#eee0c2", "#d9bd8a", "#b9935a", "#8a6636"},
-                            std::array{"#8a7a68", "#8a7a68", "#8a7a68", "#8a7a68"}};
+constexpr std::array<std::string_view, 4> broken{
+    "#fbd9b5#f5b06a#e88432#c05a10", "#f6d3d6#e8a5ad#d37583#a94459", "#eee0c2#d9bd8a#b9935a#8a6636",
+    "#8a7a68#8a7a68#8a7a68#8a7a68"};
 constexpr std::array broken_names{"stroke too large", "transmits too much", "residual too large",
                                   "never rests, or may stop elsewhere"};
 constexpr std::size_t never = broken.size() - 1;
@@ -169,14 +168,14 @@ bool add_faults(figures::FigureMap& drawn, const std::vector<double>& bounds) {
       const auto index = static_cast<std::uint8_t>(drawn.palette.size());
       there = there || std::ranges::count(drawn.cells, index) > 0;
       drawn.labels.push_back(name);
-      drawn.palette.emplace_back(broken.at(i).at(shade));
+      drawn.palette.emplace_back(shade_of(broken.at(i), shade));
       drawn.names.push_back(i == never || bounds.empty() ? name
                                                          : format("{}, {} to {} over the limits",
                                                                   name, excess_words(bounds[shade]),
                                                                   excess_words(bounds[shade + 1])));
     }
     if (there) {
-      drawn.key.push_back({name, broken.at(i).at(1), true});
+      drawn.key.push_back({name, shade_of(broken.at(i), 1), true});
       any = true;
     }
   }

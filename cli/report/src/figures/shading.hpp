@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace stillpoint::report {
@@ -11,11 +13,19 @@ namespace stillpoint::report {
 [[nodiscard]] inline std::vector<double> even_bounds(std::vector<double> values,
                                                      std::size_t classes) {
   std::vector<double> bounds;
-  std::ranges::sort(values);
   for (std::size_t i = 0; !values.empty() && i <= classes; ++i) {
-    bounds.push_back(values[i * (values.size() - 1) / classes]);
+    const auto bound =
+        values.begin() + static_cast<std::ptrdiff_t>(i * (values.size() - 1) / classes);
+    std::nth_element(values.begin(), bound, values.end());
+    bounds.push_back(*bound);
   }
   return bounds;
+}
+
+/// "#rrggbb", of several one behind the other.
+[[nodiscard]] inline std::string shade_of(std::string_view colours, std::size_t index) {
+  constexpr std::size_t length = 7;
+  return std::string(colours.substr(length * index, length));
 }
 
 /// Of a value between the first bound and the last; a bound belongs to the class below it.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace stillpoint::report {
@@ -63,15 +64,12 @@ std::string class_name(std::size_t index, bool from_rest) {
 constexpr std::size_t peak_shades = 5;
 struct ShadedClass {
   std::size_t index;
-  const char* word;
-  std::array<const char*, peak_shades> shades;
+  std::string_view word;
+  std::string_view shades;
 };
 constexpr std::array shaded{
-    ShadedClass{
-        SweepClass::locked, "locked", {"#8a8100", "#ada100", "#ccbf08", "#e8dc22", "#faf060"}},
-    ShadedClass{SweepClass::locked - 1,
-                "not stopped",
-                {"#4b2a78", "#7550a6", "#9a70c4", "#c9aae4", "#e8daf5"}}};
+    ShadedClass{SweepClass::locked, "locked", "#8a8100#ada100#ccbf08#e8dc22#faf060"},
+    ShadedClass{SweepClass::locked - 1, "not stopped", "#4b2a78#7550a6#9a70c4#c9aae4#e8daf5"}};
 
 using ClassCounts = std::array<std::int64_t, SweepClass::count>;
 
@@ -132,7 +130,7 @@ void shade(figures::FigureMap& drawn, const sweep::SweepMap& map, const ShadedCl
   const auto words = [&](double peak) { return peak_words(peak, bounds.back(), units); };
   const std::size_t first = drawn.palette.size();
   for (std::size_t i = 0; i < peak_shades; ++i) {
-    drawn.palette.emplace_back(by.shades.at(i));
+    drawn.palette.push_back(shade_of(by.shades, i));
     drawn.labels.push_back("≈ " + words(bounds[2 * i + 1]));
     drawn.names.push_back(format("{}, peak {} to {}", drawn.names[by.index], words(bounds[2 * i]),
                                  words(bounds[2 * i + 2])));
@@ -143,9 +141,9 @@ void shade(figures::FigureMap& drawn, const sweep::SweepMap& map, const ShadedCl
     }
   }
   drawn.key.push_back({format("{}, peak from {}", by.word, words(bounds.front())),
-                       by.shades.front(), crossed, crossed});
-  drawn.key.push_back(
-      {format("{}, to {}", by.word, words(bounds.back())), by.shades.back(), crossed, crossed});
+                       shade_of(by.shades, 0), crossed, crossed});
+  drawn.key.push_back({format("{}, to {}", by.word, words(bounds.back())),
+                       shade_of(by.shades, peak_shades - 1), crossed, crossed});
 }
 
 /// From the edge of the first cell to that of the last, times a unit.
