@@ -40,6 +40,7 @@ auto watched(const report::RecordDesignInput& input, const Work& work) {
 }
 
 ExitCode show(const report::RecordDesignReport& report, const Settings& settings, Output& output) {
+  remark(report::notch_sentence(report));
   remark(report::lock_sentence(report));
   return finish(report, Command::design, settings, output);
 }

@@ -128,8 +128,8 @@ std::string map(const Figure& figure, const Layout& layout) {
         "fill=\"url(#{0}-{2}-over)\" mask=\"url(#{0}-{2}-mask)\"/>\n",
         id, size, colour, channel, angle);
   };
-  hatch("red", "20 0 -20 0 -1", 45);       // from 5 % more red than blue on
-  hatch("yellow", "0 20 -20 0 -11", -45);  // from 55 % more green than blue on
+  hatch("red", "20 0 -20 0 -1", 45);      // from 5 % more red than blue on
+  hatch("yellow", "0 20 -20 0 -9", -45);  // from 45 % more green than blue on
   return text;
 }
 

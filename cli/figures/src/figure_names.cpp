@@ -123,7 +123,7 @@ class Places {
     return inside;
   }
 
-  /// What words should not cover, and marks, which they must not.
+  /// What words should not cover, and what they must not: marks, and a box on a map.
   void draw() {
     for (const FigureCurve& curve : figure_.curves) {
       for (const auto& stroke : curve.strokes) {
@@ -133,6 +133,9 @@ class Places {
           limits_.push_back(line);
         } else if (!curve.hover) {
           others_.push_back(line);
+          if (!figure_.map.cells.empty()) {
+            taken_.set_line(line);
+          }
         }
       }
     }
@@ -338,9 +341,13 @@ class Places {
     return best;
   }
 
+  /// Entries that follow one another with the same label are one area.
   void map_labels() {
     const FigureMap& map = figure_.map;
-    for (std::size_t entry = 0; entry < map.labels.size(); ++entry) {
+    for (std::size_t entry = 0, next = 0; entry < map.labels.size(); entry = next) {
+      while (next < map.labels.size() && map.labels[next] == map.labels[entry]) {
+        ++next;
+      }
       Raster inside(plane_.width, plane_.height);
       inside.set_where([&](const FigurePoint& at) {
         const auto column =
@@ -348,10 +355,13 @@ class Places {
         const auto row =
             map.rows - 1 -
             static_cast<std::int64_t>(at.y / plane_.height * static_cast<double>(map.rows));
-        return map.cells[static_cast<std::size_t>(row * map.columns + column)] == entry;
+        const std::size_t cell = map.cells[static_cast<std::size_t>(row * map.columns + column)];
+        return entry <= cell && cell < next;
       });
       if (!map.labels[entry].empty() && within(map.labels[entry], inside)) {
-        found_.named.insert(map.names[entry]);
+        for (std::size_t i = entry; i < next; ++i) {
+          found_.named.insert(map.names[i]);
+        }
       }
     }
   }

@@ -2,6 +2,7 @@
 #include "design_parts.hpp"
 #include "format.hpp"
 
+#include <stillpoint/design/tolerance.hpp>
 #include <stillpoint/report/digits.hpp>
 
 #include <cmath>
@@ -10,6 +11,8 @@
 namespace stillpoint::report {
 
 namespace {
+
+constexpr double buildable = 0.01;  // a smaller tolerance is too little for a real damper
 
 /// The friction of the design, rounded so that it is still feasible: to six digits, or to more
 /// where none of six is.
@@ -45,6 +48,16 @@ std::string tolerance_without_friction(const design::DesignResult& result) {
     }
   }
   return text;
+}
+
+/// Of a hit, with a box of delta alone: whether f has next to no room.
+bool is_f_on_an_edge(const design::DesignRequest& request, const design::DesignPoint& point) {
+  design::Limits alone = request.limits;
+  const bool asked = alone.shape.f_low + alone.shape.f_high > 0;
+  alone.shape = {1, 1, 0, 0};
+  return !asked && !request.pulse &&
+         design::largest_tolerance(request.problem, alone, point.f, point.delta).value_or(0) <
+             buildable;
 }
 
 std::string tolerance_left(const DesignReport& report) {
@@ -137,7 +150,8 @@ std::string shown_motion(const DesignReport& report, const Physical& physical) {
 
 bool wants_no_friction(const DesignReport& report) {
   const design::DesignResult& result = report.result;
-  return !report.catalogue && begins_at_nothing(result.finding->point.f, *result.region.f_upper);
+  return !report.catalogue && begins_at_nothing(result.finding->point.f,
+                                                std::max(*result.region.f_upper, result.region.f3));
 }
 
 std::string verdict(const DesignReport& report, const Physical& physical) {
@@ -158,6 +172,9 @@ std::string verdict(const DesignReport& report, const Physical& physical) {
     fault.front() = 'N';
     text.front() = report.catalogue ? 'o' : 'b';
     text = format("{}. With a notch that {}, {}", fault, acts_late, text);
+  }
+  if (physical && !physical->scales.mass_kg && delta > 0 && fault.empty()) {
+    text += " Delta is an energy, no size: each passage takes what lifts the mass by it.";
   }
   text += unbounded_words(report, physical);
   if (!fault.empty() && report.built_notch) {
@@ -199,7 +216,11 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
                    {finding.response, finding.arrival, pulse ? finding.pulse->worst : std::nullopt},
                    told_practice(result.request, finding.practice, f, delta),
                    pulse && delta > 0 ? inside_example(report, physical) : ""));
-  if (pulse && !built) {
+  if (!pulse && !problem.v0_low && !finding.arrival && !report.built_notch && delta > 0 &&
+      finding.response.zero_passages == 0.0) {
+    answer.row("note", "the mass never comes back to the notch: delta only widens the tolerance");
+  }
+  if (pulse && !report.built_notch) {
     add_start(answer, start_under_pulse(result), "delta/(k - f)", failing, physical);
   }
   if (pulse && finding.pulse->worst) {
@@ -219,14 +240,15 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
     answer.row("note", format("what follows is for a notch that {}",
                               ideal_words(*report.built_notch, finding)));
   }
-  constexpr double buildable = 0.01;
   const bool robust = result.request.search.objective == design::Objective::robust;
-  const std::string_view advice = !leaves_any(tolerance)
+  const bool f_exact = is_f_on_an_edge(result.request, finding.point);
+  const std::string_view advice = f_exact ? ", which is on an edge"
+                                  : !leaves_any(tolerance)
                                       ? robust ? "" : "; --tolerance keeps it away"
                                   : tolerance < buildable ? ", too little for a real damper"
                                                           : "";
   answer.row("tolerance", tolerance_left(report) + std::string(advice),
-             tolerance < buildable ? Tone::bad : Tone::plain);
+             tolerance < buildable || f_exact ? Tone::bad : Tone::plain);
   add_works_for(answer, finding.works_for, task_of(report));
   add_weak_hits(answer, problem, delta, physical);
   if (finding.cross_check.passed) {

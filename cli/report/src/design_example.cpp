@@ -90,11 +90,10 @@ std::string notch_sentence(const DesignReport& report) {
   if (!result.request.pulse || result.finding->point.delta == 0) {
     return {};
   }
-  if (const double width = start_under_pulse(result).width(); width >= 2 * peak) {
-    return format(
-        "no notch works: only one wider than {} would let this pulse move the mass, but the "
-        "stroke is {}",
-        length_limit(physical, width, true), length_shown(physical, peak));
+  if (std::string none =
+          no_notch_words(start_under_pulse(result), peak, "", "this pulse", physical);
+      !none.empty()) {
+    return none;
   }
   if (!report.example || example_fault(*report.example, report).empty()) {
     return {};
@@ -103,11 +102,11 @@ std::string notch_sentence(const DesignReport& report) {
   const double width = *report.example->shape.width;
   return "no notch width that was tried brings the mass back to x = 0: " +
          (best.stop_position && best.peak_amplitude > width / 2
-              ? format("the best, {}, leaves it {} off centre after a stroke of {}",
+              ? format("the nearest, {} wide, leaves it {} off centre after a stroke of {}",
                        length_shown(physical, width),
                        length_shown(physical, std::abs(*best.stop_position)),
                        length_shown(physical, best.peak_amplitude))
-              : format("with the best, {}, {}", length_shown(physical, width),
+              : format("with the nearest, {} wide, {}", length_shown(physical, width),
                        example_fault(*report.example, report)));
 }
 
@@ -132,9 +131,10 @@ std::string example_words(const DesignReport& report, const Physical& physical) 
 
 std::string inside_example(const DesignReport& report, const Physical& physical) {
   return report.example
-             ? format("{} with one {} wide",
+             ? format("{} with one {} wide{}",
                       acceleration_shown(report.example->response.peak_absolute_acceleration),
-                      length_shown(physical, *report.example->shape.width))
+                      length_shown(physical, *report.example->shape.width),
+                      report.result.finding->pulse->worst ? " under the pulse shown" : "")
              : format("{} if it holds the mass",
                       acceleration_shown(design::peak_load(*report.result.request.pulse)));
 }

@@ -93,11 +93,12 @@ std::optional<std::string> felt_in_built_notch(const DesignReport& report) {
   const design::Finding& finding = *report.result.finding;
   const double p = finding.pulse ? finding.pulse->p : report.result.request.problem.p;
   const auto outside = felt_outside(built, p, finding.point.f, shape.width);
-  return outside       ? format("{} {}, {} outside it", most,
+  return outside         ? format("{} {}, {} outside it", most,
                           shape.width ? "inside the notch" : "while the notch holds it",
-                                acceleration_shown(*outside))
-         : shape.width ? std::optional(most)
-                       : std::nullopt;
+                                  acceleration_shown(*outside))
+         : shape.width   ? std::optional(most)
+         : finding.pulse ? std::optional(most + " outside the notch")
+                         : std::nullopt;
 }
 
 std::string built_notch_fault(const DesignReport& report, const Physical& physical) {

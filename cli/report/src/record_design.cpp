@@ -93,10 +93,14 @@ void add_damper(Document& document, const RecordDesignReport& report) {
   Section& section = document.detail("Damper");
   add_damper_physics(section, physical, damper.f, damper.delta);
   const design::Sensitivity& near = report.result.finding->sensitivity;
-  section.row("sensitivity",
-              format("{} off by up to {:.3g} %, at the four corners and {} "
-                     "random points: a sample, not a proof",
-                     inexact_parts(report.result), 100 * near.tolerance, near.samples - 4));
+  if (near.tolerance > 0) {
+    const bool both = damper.f > 0 && damper.delta > 0;
+    section.row("sensitivity",
+                format("{} off by up to {:.3g} %, at {} and {} random points: a "
+                       "sample, not a proof",
+                       inexact_parts(report.result), 100 * near.tolerance,
+                       both ? "the four corners" : "both ends", near.samples - (both ? 4 : 2)));
+  }
 }
 
 void add_shortfalls(Document& document, const RecordDesignReport& report) {
@@ -216,10 +220,20 @@ std::size_t worst_record(const design::RecordDesign& result) {
   return static_cast<std::size_t>(std::ranges::max_element(all, {}, peak_of_worst) - all.begin());
 }
 
-bool hardly_moves(const design::RecordDesign& result) {
+bool hardly_moves(double p, double peak, double load) {
   constexpr double hardly = 1e-3;
+  return p * p * peak <= hardly * load;
+}
+
+bool hardly_moves(const design::RecordDesign& result) {
   const auto& [damper, figures] = result.finding->point;
-  return damper.p * damper.p * figures.peak <= hardly * design::peak_load(result.request.records);
+  return hardly_moves(damper.p, figures.peak, design::peak_load(result.request.records));
+}
+
+std::string notch_sentence(const RecordDesignReport& report) {
+  const auto fault =
+      report.result.finding ? real_notch_fault(report.result, report.physical) : std::nullopt;
+  return fault && fault->of_any ? fault->words : "";
 }
 
 std::string lock_sentence(const RecordDesignReport& report) {
@@ -267,7 +281,8 @@ Document document(const RecordDesignReport& report) {
   document.title = "Damper under records";
   document.verdict = record_verdict(report);
   if (result.finding) {
-    document.tone = hardly_moves(result) || is_delicate(result) || !result.finding->check.passed
+    document.tone = hardly_moves(result) || is_delicate(result) ||
+                            !notch_sentence(report).empty() || !result.finding->check.passed
                         ? Tone::bad
                     : result.search.interrupted ? Tone::plain
                                                 : Tone::good;

@@ -29,9 +29,11 @@ struct RecordDesignReport;
 /// What to build and what it does, or what is in the way.
 [[nodiscard]] std::string record_verdict(const RecordDesignReport& report);
 
-/// What a notch of the example width spoils in a design with the paper's.
+/// What a notch with a width spoils in a design with the paper's: any, or that of the example
+/// width.
 struct RealNotchFault {
-  double width;
+  bool of_any;
+  std::string headline;  ///< "No notch works under 2 of 7 records"
   std::string words;
 };
 [[nodiscard]] std::optional<RealNotchFault> real_notch_fault(const design::RecordDesign& result,
@@ -71,6 +73,7 @@ inline constexpr int printed_digits = 12;
 inline constexpr int headline_digits = 5;
 
 /// Whether its stroke pulls the mass back with less than a thousandth of the load.
+[[nodiscard]] bool hardly_moves(double p, double peak, double load);
 [[nodiscard]] bool hardly_moves(const design::RecordDesign& result);
 
 }  // namespace stillpoint::report

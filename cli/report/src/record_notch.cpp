@@ -20,6 +20,37 @@ bool has_ideal_notch(const design::RecordDesign& result) {
          !result.request.hold;
 }
 
+/// Under which records the mass moves in the design, but would be held by any notch with a width
+/// and transmit more than is promised.
+std::optional<RealNotchFault> fault_of_any(const design::RecordDesign& result,
+                                           const Physical& physical) {
+  const auto& [damper, combined] = result.finding->point;
+  const std::vector<design::SuiteRecord>& records = result.request.records;
+  std::size_t count = 0;
+  std::optional<std::pair<StartUnderLoad, std::size_t>> weakest;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const design::SuiteFigures own = design::suite_figures(result.finding->responses[i]);
+    const StartUnderLoad start{damper.f, damper.delta, design::peak_load(records[i])};
+    if (start.width() >= 2 * own.peak && !hardly_moves(damper.p, own.peak, start.load) &&
+        start.load > (is_mean(result.request) ? own : combined).acceleration) {
+      ++count;
+      if (!weakest || start.load < weakest->first.load) {
+        weakest.emplace(start, i);
+      }
+    }
+  }
+  if (!weakest) {
+    return {};
+  }
+  const bool one = records.size() == 1;
+  const std::string under = " under " + of_records(count, records.size());
+  return RealNotchFault{
+      true, "No notch works" + (one ? "" : under),
+      no_notch_words(weakest->first, result.finding->responses[weakest->second].peak_amplitude,
+                     one ? "" : under, one ? "the record" : record_label(records[weakest->second]),
+                     physical)};
+}
+
 /// What a notch of that width spoils; empty if nothing. Accelerations apart: those of this design
 /// are those between passages.
 std::string fault_of_width(const design::RecordDesign& result, double width,
@@ -92,11 +123,20 @@ std::optional<RealNotchFault> real_notch_fault(const design::RecordDesign& resul
   if (!has_ideal_notch(result)) {
     return {};
   }
+  if (auto none = fault_of_any(result, physical)) {
+    return none;
+  }
   const auto& [damper, figures] = result.finding->point;
   const double width = example_width(physical, figures.peak);
   const std::string words =
       can_be_followed(width, damper.delta, damper.p) ? fault_of_width(result, width, physical) : "";
-  return words.empty() ? std::nullopt : std::optional(RealNotchFault{width, words});
+  if (words.empty()) {
+    return {};
+  }
+  const std::string wide = length_shown(physical, width) + " wide";
+  return RealNotchFault{false, "Not for a notch " + wide,
+                        format("with one {}, {}; try others with --notch-width{}", wide, words,
+                               physical ? "-m" : "")};
 }
 
 void add_notch(Section& answer, const design::RecordDesign& result, const Physical& physical) {
@@ -117,20 +157,19 @@ void add_notch(Section& answer, const design::RecordDesign& result, const Physic
     weakest = std::min(weakest, design::peak_load(record));
     strongest = std::max(strongest, design::peak_load(record));
   }
-  if (const auto fault = real_notch_fault(result, physical)) {
-    answer.row("real notch",
-               format("with one {} wide, {}; try others with --notch-width{}",
-                      length_shown(physical, fault->width), fault->words, physical ? "-m" : ""),
-               Tone::bad);
+  const auto fault = real_notch_fault(result, physical);
+  if (fault) {
+    answer.row("real notch", fault->words, Tone::bad);
   } else {
     answer.row(impulse.empty() ? "in the notch" : "",
                inside_words(physical, {damper.p, damper.f, damper.delta}, figures.peak, strongest));
   }
-  const StartUnderLoad start{damper.f, damper.delta, weakest};
-  add_start(answer, start,
-            result.request.records.size() == 1 ? "delta/(load - f)"
-                                               : "delta/(load - f), under the weakest record",
-            start.width() > figures.peak, physical);
+  if (!fault || !fault->of_any) {
+    add_start(answer, {damper.f, damper.delta, weakest},
+              result.request.records.size() == 1 ? "delta/(load - f)"
+                                                 : "delta/(load - f), under the weakest record",
+              false, physical);
+  }
 }
 
 }  // namespace stillpoint::report

@@ -109,10 +109,10 @@ void add_worst_of_mean(Section& answer, const design::RecordDesign& result,
 }
 
 void add_records(Document& document, const design::RecordDesign& result, const Physical& physical) {
-  constexpr std::array held_by{"notch", "friction", "no load"};
+  constexpr std::array rests{"by notch", "by friction", "after load"};
   const FigureUnits units(physical);
   Table table{{"record", "PGA, g", in("peak", units.length_unit), in("residual", units.length_unit),
-               "transmitted, g", in("rests from", units.time_unit), "held by"},
+               "transmitted, g", in("rests from", units.time_unit), "at rest"},
               {}};
   for (std::size_t i = 0; i < result.finding->responses.size(); ++i) {
     const ForcedResponse& response = result.finding->responses[i];
@@ -123,7 +123,7 @@ void add_records(Document& document, const design::RecordDesign& result, const P
           displacement_cell(physical, figures.peak), displacement_cell(physical, figures.residual),
           format("{:.4g}", figures.acceleration),
           format("{:.5g}", *response.stop_time * units.time),
-          held_by.at(static_cast<std::size_t>(record_end(record.record, response)))}});
+          rests.at(static_cast<std::size_t>(record_end(record.record, response)))}});
   }
   document.section("Records").parts.emplace_back(std::move(table));
 }

@@ -54,19 +54,17 @@ std::string stands_still(const design::RecordDesign& result) {
              : format("The mass never moves: it is held through {}. ", of_records(all, all));
 }
 
-/// The worst of what can go wrong, in a few words.
+/// What a real notch and an inexact damper spoil, in a few words.
 std::string caveat(const design::RecordDesign& result, const Physical& physical) {
   const design::Sensitivity& near = result.finding->sensitivity;
-  if (const auto fault = real_notch_fault(result, physical)) {
-    return format(" Not for a notch {} wide.", length_shown(physical, fault->width));
-  }
-  if (near.much_worse) {
-    return format(" Off by {}, it is much worse.", change_words(near.much_worse->change));
-  }
-  return !is_delicate(result)
-             ? ""
-             : format(" Off by up to {:.3g} %, {} of {} samples fail.", 100 * near.tolerance,
-                      near.samples - near.admissible, near.samples);
+  const auto fault = real_notch_fault(result, physical);
+  return (fault ? format(" {}.", fault->headline) : "") +
+         (near.much_worse
+              ? format(" Off by {}, it is much worse.", change_words(near.much_worse->change))
+          : is_delicate(result)
+              ? format(" Off by up to {:.3g} %, {} of {} samples fail.", 100 * near.tolerance,
+                       near.samples - near.admissible, near.samples)
+              : "");
 }
 
 }  // namespace

@@ -65,6 +65,11 @@ struct StartUnderLoad {
   /// From rest, a notch that is not wider holds the mass: the load is at most f + delta/w.
   [[nodiscard]] double width() const { return load > f ? delta / (load - f) : HUGE_VAL; }
 };
+/// "no notch works: only one wider than 441 mm would let this pulse move the mass, but the stroke
+/// is 208 mm", `under` what; empty if one does.
+[[nodiscard]] std::string no_notch_words(const StartUnderLoad& start, double peak,
+                                         std::string_view under, std::string_view load,
+                                         const Physical& physical);
 /// Which hits of a range the notch of the damper passes on in full.
 void add_weak_hits(Section& section, const design::Problem& problem, double delta,
                    const Physical& physical);

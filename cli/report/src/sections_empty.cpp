@@ -33,6 +33,7 @@ Way tolerance_way(double tolerance, const design::Limits& limits) {
 
 /// "lowest period" of "period" for an end of a range, whose field says which.
 std::string of_range(std::string_view field, std::string_view name, bool turned) {
+  name.remove_suffix(name.ends_with("_m") ? 2 : 0);
   const bool low = field.ends_with("_low");
   const std::string_view end = !(low || field.ends_with("_high")) ? ""
                                : low != turned                    ? "lowest "

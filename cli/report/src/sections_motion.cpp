@@ -77,10 +77,12 @@ std::string felt(const ShownTask& task, const design::DesignPoint& damper, const
   if (lines && lines->notch_width_min) {
     const double width = *lines->notch_width_min;
     return format(
-        "{}; {} at most inside one at least {} wide, with f and delta as given, where it may rest "
-        "up to {} off centre",
+        "{}; {} at most inside one at least {} wide, with {} as given, where it may rest up to {} "
+        "off centre",
         outside, acceleration_shown(limits.acceleration_max.value()),
-        length_limit(physical, width, true), length_limit(physical, width / 2, true));
+        length_limit(physical, width, true),
+        problem.v0_low ? "f and delta" : "f, delta and the hit",
+        length_limit(physical, width / 2, true));
   }
   if (delta == 0) {
     return acceleration_shown(most) + of_extreme(task, "stiffest");

@@ -160,6 +160,17 @@ void add_start(Section& section, const StartUnderLoad& start, std::string_view f
   }
 }
 
+std::string no_notch_words(const StartUnderLoad& start, double peak, std::string_view under,
+                           std::string_view load, const Physical& physical) {
+  return start.width() < 2 * peak
+             ? ""
+             : format(
+                   "no notch works{}: only one wider than {} would let {} move the mass, but the "
+                   "stroke is {}",
+                   under, length_limit(physical, start.width(), true), load,
+                   length_shown(physical, peak));
+}
+
 void add_notch_used(Section& section, const ToldPractice& told, const Physical& physical) {
   const auto& [lines, which, at_ends] = told;
   if (lines && lines->notch_used) {

@@ -27,7 +27,7 @@ std::string side(std::string_view name, double below, double above, int shown) {
 /// "+-8.63 %", or "-20 +8.63 %"; "none" without a tolerance.
 std::string cell(const std::optional<double>& tolerance, double below, double above, int shown) {
   if (!tolerance || !leaves_any(*tolerance * std::max(below, above))) {
-    return tolerance ? "0 %" : "none";
+    return !tolerance ? "none" : below + above == 0 ? "not asked for" : "0 %";
   }
   const std::string least = percent_digits(*tolerance * below, shown);
   const std::string most = percent_digits(*tolerance * above, shown);
@@ -85,9 +85,13 @@ std::string tolerance_words(const design::Limits& limits, double tolerance) {
     return "f or delta must be exact: the damper is within a millionth of an edge of the "
            "admissible region";
   }
+  const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
   return limits.shape == design::BoxShape{}
              ? format("f and delta may both be off by +-{}", percent_digits(tolerance))
-             : box_text(limits, tolerance);
+             : box_text(limits, tolerance) + (f_low + f_high == 0 ? ", with f exactly as given"
+                                              : delta_low + delta_high == 0
+                                                  ? ", with delta exactly as given"
+                                                  : "");
 }
 
 }  // namespace stillpoint::report

@@ -108,7 +108,15 @@ SweepMap::SweepMap(const SweepSpec& spec)
     : f_(axis_of(drawable(spec), Quantity::f), spec.units),
       delta_(axis_of(spec, Quantity::delta), spec.units),
       delta_size_(axis_of(spec, Quantity::delta).axis.size()),
-      cells_(static_cast<std::size_t>(f_.cells() * delta_.cells()), unknown) {}
+      cells_(static_cast<std::size_t>(f_.cells() * delta_.cells()), unknown),
+      peaks_(spec.kind == SweepKind::forced ? cells_.size() : 0) {}
+
+void SweepMap::fill(std::size_t cell, const SweepBlock& block, std::int64_t i) {
+  cells_[cell] = class_of(block, i);
+  if (!peaks_.empty()) {
+    peaks_[cell] = block[Quantity::peak_amplitude][i];
+  }
+}
 
 void SweepMap::add(const SweepBlock& block) {
   for (Index i = 0; i < block.size; ++i) {
@@ -116,14 +124,15 @@ void SweepMap::add(const SweepBlock& block) {
     const auto f_cell = f_.cell(entry / delta_size_);
     const auto delta_cell = delta_.cell(entry % delta_size_);
     if (f_cell && delta_cell) {
-      at(*f_cell, *delta_cell) = class_of(block, i);
+      fill(index(*f_cell, *delta_cell), block, i);
     }
   }
 }
 
 bool SweepMap::complete(const SweepSpec& spec, SweepStep& step, const std::stop_token& stop) {
   for (std::int64_t f_cell = 0; f_cell < f_.cells() && !stop.stop_requested(); ++f_cell) {
-    if (at(f_cell, 0) != unknown && at(f_cell, delta_.cells() - 1) != unknown) {
+    if (cells_[index(f_cell, 0)] != unknown &&
+        cells_[index(f_cell, delta_.cells() - 1)] != unknown) {
       continue;  // a column is written in one direction
     }
     SweepBlock block;
@@ -140,7 +149,7 @@ bool SweepMap::complete(const SweepSpec& spec, SweepStep& step, const std::stop_
       return false;
     }
     for (std::int64_t i = 0; i < block.size; ++i) {
-      at(f_cell, i) = class_of(block, i);
+      fill(index(f_cell, i), block, i);
     }
   }
   return !stop.stop_requested();

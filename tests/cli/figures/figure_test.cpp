@@ -316,6 +316,35 @@ BOOST_AUTO_TEST_CASE(the_key_of_a_map_explains_what_no_label_does) {
   BOOST_TEST(contains(svg(figure, Frame::in_page), ">a</text>"));
 }
 
+// A row is 12 pixels high, too low for the 3; two are not.
+BOOST_AUTO_TEST_CASE(entries_of_a_map_with_one_label_are_one_area) {
+  Figure figure = one_of_everything();
+  figure.map = {1,
+                22,
+                std::vector<std::uint8_t>(22, 0),
+                {"#000000", "#ffffff", "#888888"},
+                {"a", "b", "c"},
+                {"", "3", "3"},
+                {{"b", "#ffffff"}, {"c", "#888888"}}};
+  figure.map.cells[4] = 1;
+  figure.map.cells[5] = 2;
+  const std::string text = svg(figure, Frame::in_page);
+  BOOST_TEST(contains(text, ">3</text>"));
+  BOOST_TEST(!contains(text, ">b</text>"));
+  BOOST_TEST(!contains(text, ">c</text>"));
+}
+
+// Letters are 14 pixels high.
+BOOST_AUTO_TEST_CASE(words_on_a_map_keep_clear_of_a_box) {
+  Figure figure;
+  figure.x = {"x", 0, 10};
+  figure.y = {"y", 0, 10};
+  figure.map = {1, 1, {0}, {"#000000"}, {"a"}, {"label"}, {}};
+  const auto middle = placed(figure, "label").centre;
+  figure.curves = {{.name = "", .strokes = {{{0, 5}, {10, 5}}}, .hover = false}};
+  BOOST_TEST(std::abs(placed(figure, "label").centre.y - middle.y) >= 7);
+}
+
 BOOST_AUTO_TEST_CASE(points_to_marks_beyond_the_axes) {
   Figure figure = one_of_everything();
   figure.marks = {{"far off", {{1000, 2.5}}, Shape::disc, Ink::blue}};

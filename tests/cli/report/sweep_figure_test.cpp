@@ -7,6 +7,7 @@
 #include <stillpoint/sweep/spec.hpp>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 
@@ -18,6 +19,13 @@ using test::contains;
 
 namespace {
 
+report::SweepReport report_of(const sweep::SweepSpec& spec) {
+  report::SweepReport report{spec};
+  report.map.emplace(spec);
+  report.summary = sweep::run(spec, *sweep::open_rows(spec), {.map = &*report.map});
+  return report;
+}
+
 /// Of a hit with V0 = p = 1 from x = 0.
 report::SweepReport swept(std::string_view f, std::string_view delta) {
   sweep::SweepSpec spec;
@@ -28,10 +36,17 @@ report::SweepReport swept(std::string_view f, std::string_view delta) {
                {Quantity::delta, sweep::parse_axis("delta", delta)}};
   spec.columns = sweep::default_columns(spec);
   spec.output = "/dev/null";
-  report::SweepReport report{spec};
-  report.map.emplace(spec);
-  report.summary = sweep::run(spec, *sweep::open_rows(spec), {.map = &*report.map});
-  return report;
+  return report_of(spec);
+}
+
+/// By a load of 0.3 at most.
+report::SweepReport shaken(std::string_view f, std::string_view delta) {
+  sweep::SweepSpec spec = swept(f, delta).spec;
+  spec.kind = sweep::SweepKind::forced;
+  spec.axes[0].axis = sweep::Axis({0});
+  spec.excitation = Harmonic{.k = 0.3, .lambda = 1.3, .duration = 30};
+  spec.columns = sweep::default_columns(spec);
+  return report_of(spec);
 }
 
 }  // namespace
@@ -94,22 +109,38 @@ BOOST_AUTO_TEST_CASE(has_no_swatch_twice_in_its_key_and_no_shade_of_a_few_cells)
 }
 
 BOOST_AUTO_TEST_CASE(has_an_entry_of_its_own_where_the_notch_locks) {
-  sweep::SweepSpec spec = swept("0.02:0.4:20", "0:0.3:10").spec;
-  spec.kind = sweep::SweepKind::forced;
-  spec.axes[0].axis = sweep::Axis({0});
-  spec.excitation = Harmonic{.k = 0.3, .lambda = 1.3, .duration = 30};
-  spec.columns = sweep::default_columns(spec);
-  report::SweepReport report{spec};
-  report.map.emplace(spec);
-  report.summary = sweep::run(spec, *sweep::open_rows(spec), {.map = &*report.map});
-  const figures::Figure figure = page(report).figures.at(0);
+  const figures::Figure figure = page(shaken("0.02:0.4:20", "0:0.3:10")).figures.at(0);
   const auto lock = std::ranges::find(figure.map.key, "locked at x = 0", &figures::MapKey::name);
   BOOST_TEST_REQUIRE((lock != figure.map.key.end()));
   BOOST_TEST(lock->crossed);
   BOOST_TEST(contains(svg(figure, figures::Frame::in_page), ">locked at x = 0</text>"));
-  BOOST_TEST(std::ranges::count(figure.map.key, true, &figures::MapKey::crossed) == 1);
+  BOOST_TEST(std::ranges::count(figure.map.key, true, &figures::MapKey::crossed) == 3);
   BOOST_TEST(contains(figure.caption, "here the hatching is crossed, the notch holds the mass"));
   BOOST_TEST(!contains(page(swept("0.1:0.4:4", "0:1:3")).figures.at(0).caption, "crossed"));
+}
+
+/// Under a load that locks most of them; each shade has peaks above those of the one before.
+BOOST_AUTO_TEST_CASE(shades_motions_that_lock_by_their_peaks) {
+  const report::SweepReport report = shaken("0.02:0.28:20", "0.01:0.3:10");
+  const sweep::SweepMap& map = report.map.value();
+  const figures::Figure figure = page(report).figures.at(0);
+  std::map<std::uint8_t, Interval> peaks;
+  for (std::size_t i = 0; i < map.cells().size(); ++i) {
+    if (map.cells()[i] == sweep::SweepClass::locked) {
+      const double peak = map.peaks()[i];
+      const auto [at, first] = peaks.try_emplace(figure.map.cells[i], Interval{peak, peak});
+      at->second = {std::min(at->second.low, peak), std::max(at->second.high, peak)};
+    }
+  }
+  BOOST_TEST_REQUIRE(peaks.size() > 3);
+  BOOST_TEST(peaks.begin()->first >= sweep::SweepClass::count);
+  BOOST_TEST((std::ranges::adjacent_find(peaks, [](const auto& one, const auto& next) {
+                return one.second.high > next.second.low;
+              }) == peaks.end()));
+  BOOST_TEST(contains(figure.caption, "≈ is the peak of the motion"));
+  BOOST_TEST(std::ranges::any_of(figure.map.key, [](const figures::MapKey& key) {
+    return key.crossed && key.name.starts_with("locked, peak from ");
+  }));
 }
 
 BOOST_AUTO_TEST_CASE(names_the_record) {

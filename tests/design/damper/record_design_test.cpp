@@ -329,6 +329,8 @@ BOOST_AUTO_TEST_CASE(the_sensitivity_is_that_of_the_samples) {
   BOOST_REQUIRE(corner.finding.has_value());
   BOOST_TEST(corner.finding->sensitivity.admissible == 64);
   BOOST_TEST(corner.finding->sensitivity.worst.peak == corner.nearest.figures.peak);
+  request.delta = Interval{0, 0};
+  BOOST_TEST(design::design(request).finding.value().sensitivity.samples == 62);  // two ends
 }
 
 // Friction 1e-4 above the load of 0.4 holds the mass; with less than the load it moves. The
@@ -391,6 +393,16 @@ BOOST_AUTO_TEST_CASE(much_worse_is_half_as_much_again) {
   request.objective = SuiteObjective::residual;  // less than a hundredth of the stroke is nothing
   BOOST_TEST(!is_much_worse({.residual = 0.009}, {.peak = 1}, request));
   BOOST_TEST(is_much_worse({.residual = 0.011}, {.peak = 1}, request));
+}
+
+// Twice the limit of the stroke, and half as much again as that of the residual.
+BOOST_AUTO_TEST_CASE(the_excess_is_the_sum_over_the_limits) {
+  const SuiteLimits limits{.peak = 1, .residual = 2};
+  BOOST_TEST(excess({.peak = 2, .acceleration = 9, .residual = 3}, limits) == 1.5);
+  BOOST_TEST(excess({.peak = 1, .residual = 2}, limits) == 0);
+  BOOST_TEST(excess({.peak = 4, .residual = 1}, {.residual = 0}) == 0.25);  // of the peak
+  BOOST_TEST(excess({.peak = 1, .settled = false}, limits) == 1e9);
+  BOOST_TEST(!admissible({.margin = 0}, limits));
 }
 
 BOOST_AUTO_TEST_CASE(wrong_input_is_refused) {

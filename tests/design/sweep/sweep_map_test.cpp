@@ -41,6 +41,7 @@ BOOST_AUTO_TEST_CASE(says_of_each_cell_what_one_motion_says) {
     const SweepMap map = map_of(spec_of(f, delta));
     BOOST_TEST_REQUIRE(map.f().cells() == 40);
     BOOST_TEST_REQUIRE(map.delta().cells() == 50);
+    BOOST_TEST(map.peaks().empty());
     BOOST_TEST(map.f().value(0) < map.f().value(39));
     BOOST_TEST(map.delta().value(0) < map.delta().value(49));
     for (std::int64_t row = 0; row < 50; ++row) {
@@ -67,6 +68,7 @@ BOOST_AUTO_TEST_CASE(tells_where_the_notch_locks_from_where_it_stops) {
           {1, map.f().value(column), map.delta().value(row)}, {0, 0}, spec.excitation);
       const int cell = map.cells()[static_cast<std::size_t>(row * 20 + column)];
       BOOST_TEST((cell == int{SweepClass::locked}) == alone.locked_from.has_value());
+      BOOST_TEST(map.peaks()[static_cast<std::size_t>(row * 20 + column)] == alone.peak_amplitude);
       locked += alone.locked_from ? 1 : 0;
     }
   }

@@ -21,57 +21,54 @@ using figures::Figure;
 
 namespace {
 
-struct DrawnRecord {
-  Figure motion;
-  Figure load;
-};
-
-enum class Height { full, low };
-
 /// A limit so far beyond the motion that it would be hard to see is left out; but a motion of next
 /// to nothing is shown as that.
-void fit(DrawnMotion& motion, double peak, Height height) {
+void fit(DrawnMotion& motion, double peak, bool low) {
   constexpr double nothing = 0.01;
-  const double far = height == Height::low ? 3 : 6;
+  const double far = low ? 3 : 6;
   if (motion.beta && *motion.beta > far * peak && peak >= nothing * *motion.beta) {
     motion.beta.reset();
   }
 }
 
-DrawnRecord drawn_record(const design::RecordDesign& result, std::size_t index,
-                         const FigureUnits& units, Height height = Height::full) {
+/// The motion under a record and its load below it; the worst one is large.
+void add_record(std::vector<Figure>& figures, const design::RecordDesign& result, std::size_t index,
+                const FigureUnits& units) {
   const design::RecordDesignRequest& task = result.request;
   const SimulationRequest request = motion_request(result, index);
+  const bool worst = index == worst_record(result);
+  const std::string id = format("record-{}", index + 1);
   DrawnMotion motion = drawn_motion(request, simulate(request));
   if (*task.combine == design::Combine::max) {  // that of a mean bounds no single record
     motion.beta = task.limits.peak;
   }
-  fit(motion, result.finding->responses[index].peak_amplitude, height);
-  DrawnRecord drawn{motion_figure(motion, units),
-                    excitation_figure(request.excitation, motion, units)};
-  drawn.motion.id = format("record-{}", index + 1);
-  drawn.motion.title = record_label(task.records[index]);
-  return drawn;
+  fit(motion, result.finding->responses[index].peak_amplitude, !worst);
+  Figure drawn = motion_figure(motion, units);
+  Figure load = excitation_figure(request.excitation, motion, units);
+  const bool first_of_many = worst && task.records.size() > 1;
+  drawn.id = first_of_many ? "worst" : id;
+  drawn.title = (first_of_many ? "The worst record: " : "") + record_label(task.records[index]);
+  load.id = (worst ? "worst" : id) + "-load";
+  if (!worst) {
+    drawn.height = 130;
+    load.height = 70;
+    load.y.label = "W, g";
+    for (figures::FigureBand& band : load.bands) {
+      band.name.clear();  // it stands above
+    }
+  }
+  figures.push_back(std::move(drawn));
+  figures.push_back(std::move(load));
 }
 
-/// The worst one large with its load, then the others small.
+/// The worst one, then the others.
 void add_records(std::vector<Figure>& figures, const design::RecordDesign& result,
                  const FigureUnits& units) {
-  const std::size_t count = result.request.records.size();
-  const std::size_t worst_one = worst_record(result);
-  DrawnRecord worst = drawn_record(result, worst_one, units);
-  if (count > 1) {
-    worst.motion.id = "worst";
-    worst.motion.title = "The worst record: " + worst.motion.title;
-  }
-  worst.load.id = "worst-load";
-  figures.push_back(std::move(worst.motion));
-  figures.push_back(std::move(worst.load));
-  constexpr double small = 130;
-  for (std::size_t i = 0; i < std::min(most_drawn_records, count); ++i) {
-    if (i != worst_one) {
-      figures.push_back(drawn_record(result, i, units, Height::low).motion);
-      figures.back().height = small;
+  const std::size_t worst = worst_record(result);
+  add_record(figures, result, worst, units);
+  for (std::size_t i = 0; i < std::min(most_drawn_records, result.request.records.size()); ++i) {
+    if (i != worst) {
+      add_record(figures, result, i, units);
     }
   }
 }

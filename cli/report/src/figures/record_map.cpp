@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "figures/record_map.hpp"
+#include "figures/shading.hpp"
 #include "format.hpp"
 #include "record_design_parts.hpp"
 
@@ -11,6 +12,7 @@
 #include <iterator>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -24,11 +26,16 @@ namespace {
 using design::SuiteFigures;
 using design::SuiteLimits;
 
-/// The objective from least to largest, then what is broken, which is hatched: more red than blue.
+/// The objective from least to largest, then what is broken, from the least excess to the largest,
+/// which is hatched: more red than blue.
 constexpr std::array shades{"#0b4f8a", "#2f7fc1", "#6aaede", "#9ecae9", "#c6dff2", "#e6f1fa"};
-constexpr std::array broken{"#ef8a2b", "#fbd3a4", "#f7b267", "#8a7a68"};
+constexpr std::size_t excesses = 4;
+constexpr std::array<std::string_view, 4> broken{
+    "#fbd9b5#f5b06a#e88432#c05a10", "#f6d3d6#e8a5ad#d37583#a94459", "#eee0c2#d9bd8a#b9935a#8a6636",
+    "#8a7a68#8a7a68#8a7a68#8a7a68"};
 constexpr std::array broken_names{"stroke too large", "transmits too much", "residual too large",
                                   "never rests, or may stop elsewhere"};
+constexpr std::size_t never = broken.size() - 1;
 
 /// The first of broken_names, in the order of design::suite_figure_kinds, that is true; their
 /// number where the limits are met.
@@ -55,9 +62,21 @@ double shade_width(const ShownValues& shown) {
                                   : 1;
 }
 
-/// Each cell has the shade of its value, or the colour of the first limit that it violates.
+/// The bounds of the shades of what exceeds a limit.
+std::vector<double> excess_bounds(const design::SuiteMap& map, const SuiteLimits& limits) {
+  std::vector<double> all;
+  for (const SuiteFigures& figures : map.figures) {
+    if (broken_index(figures, limits) < never) {
+      all.push_back(excess(figures, limits));
+    }
+  }
+  return even_bounds(std::move(all), excesses);
+}
+
+/// Each cell has the shade of its value, or that of its excess in the colour of the first limit
+/// that it violates.
 void add_cells(figures::FigureMap& drawn, const design::SuiteMap& map, const ShownValues& shown,
-               const design::RecordDesignRequest& task) {
+               const std::vector<double>& bounds, const design::RecordDesignRequest& task) {
   drawn.columns = static_cast<std::int64_t>(map.f.size());
   drawn.rows = static_cast<std::int64_t>(map.delta.size());
   for (std::size_t row = 0; row < map.delta.size(); ++row) {
@@ -65,9 +84,11 @@ void add_cells(figures::FigureMap& drawn, const design::SuiteMap& map, const Sho
       const SuiteFigures& figures = map.figures[column * map.delta.size() + row];
       const std::size_t fault = broken_index(figures, task.limits);
       const double place = (value_of(figures, task.objective) - shown.least) / shade_width(shown);
-      const std::size_t shade = fault < broken.size()
-                                    ? shades.size() + fault
-                                    : std::min(static_cast<std::size_t>(place), shades.size() - 1);
+      const std::size_t shade =
+          fault == broken.size() ? std::min(static_cast<std::size_t>(place), shades.size() - 1)
+          : fault == never
+              ? shades.size() + excesses * never
+              : shades.size() + excesses * fault + class_of(excess(figures, task.limits), bounds);
       drawn.cells.push_back(static_cast<std::uint8_t>(shade));
     }
   }
@@ -131,19 +152,42 @@ std::uint8_t shade_at(const Figure& drawn, const figures::FigurePoint& place) {
   return drawn.map.cells[static_cast<std::size_t>(row * drawn.map.columns + column)];
 }
 
+/// "3 %", "2500 %"
+std::string excess_words(double excess) {
+  constexpr double whole = 0.1;
+  return excess < whole ? format("{:.2g} %", 100 * excess) : format("{:.0f} %", 100 * excess);
+}
+
 /// Whether there are any.
-bool add_faults(figures::FigureMap& drawn) {
+bool add_faults(figures::FigureMap& drawn, const std::vector<double>& bounds) {
   bool any = false;
   for (std::size_t i = 0; i < broken.size(); ++i) {
-    drawn.labels.emplace_back(broken_names.at(i));
-    drawn.palette.emplace_back(broken.at(i));
-    drawn.names.emplace_back(broken_names.at(i));
-    if (std::ranges::count(drawn.cells, static_cast<std::uint8_t>(shades.size() + i)) > 0) {
-      drawn.key.push_back({broken_names.at(i), broken.at(i), true});
+    const std::string name = broken_names.at(i);
+    bool there = false;
+    for (std::size_t shade = 0; shade < excesses; ++shade) {
+      const auto index = static_cast<std::uint8_t>(drawn.palette.size());
+      there = there || std::ranges::count(drawn.cells, index) > 0;
+      drawn.labels.push_back(name);
+      drawn.palette.emplace_back(shade_of(broken.at(i), shade));
+      drawn.names.push_back(i == never || bounds.empty() ? name
+                                                         : format("{}, {} to {} over the limits",
+                                                                  name, excess_words(bounds[shade]),
+                                                                  excess_words(bounds[shade + 1])));
+    }
+    if (there) {
+      drawn.key.push_back({name, shade_of(broken.at(i), 1), true});
       any = true;
     }
   }
   return any;
+}
+
+/// What the shades of the hatched areas mean.
+std::string excess_clause(const std::vector<double>& bounds, std::string_view where) {
+  return bounds.empty() || bounds.front() == bounds.back()
+             ? ""
+             : format("; {}the darker, the more the limits are exceeded, by {} to {} in all", where,
+                      excess_words(bounds.front()), excess_words(bounds.back()));
 }
 
 }  // namespace
@@ -172,9 +216,10 @@ Figure drawn_map(const design::RecordDesign& result, const Window& window,
   Figure figure;
   figure.x = {"constant friction f", task.f->low, task.f->high};
   figure.y = {units.delta_label, task.delta->low * units.length, task.delta->high * units.length};
-  add_cells(figure.map, map, values, task);
+  const std::vector<double> bounds = excess_bounds(map, task.limits);
+  add_cells(figure.map, map, values, bounds, task);
   add_shades(figure.map, map, values, task, units);
-  const bool any_fails = add_faults(figure.map);
+  const bool any_fails = add_faults(figure.map, bounds);
   const figures::FigurePoint place{point.damper.f, point.damper.delta * units.length};
   const char* const what = result.finding ? "chosen" : "nearest";
   figure.marks.push_back({what, {place}, figures::Shape::star, figures::Ink::orange});
@@ -182,10 +227,12 @@ Figure drawn_map(const design::RecordDesign& result, const Window& window,
   figure.description =
       format("The plane of f and Δ: the {} of the records combined, and where a limit is violated.",
              quantity(task.objective));
-  figure.caption = !(values.least <= values.most)
-                       ? "Each area is named after the first limit violated there"
-                   : any_fails ? "What is not hatched meets every limit, the darker the better"
-                               : "The darker, the better";
+  figure.caption =
+      !(values.least <= values.most)
+          ? "Each area is named after the first limit violated there" + excess_clause(bounds, "")
+      : any_fails ? "What is not hatched meets every limit, the darker the better" +
+                        excess_clause(bounds, "where it is hatched, ")
+                  : "The darker, the better";
   constexpr std::uint8_t best_shade = 0;
   if (result.finding && shade_at(figure, place) != best_shade) {
     figure.caption +=

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "figures/report_figures.hpp"
+#include "figures/shading.hpp"
 #include "format.hpp"
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace stillpoint::report {
@@ -57,6 +59,18 @@ std::string class_name(std::size_t index, bool from_rest) {
                 count_label(index), index % ranges == 0 ? "" : "s");
 }
 
+/// Where motions end alike under a load, their peaks from the smallest to the largest: yellow where
+/// the notch locks, purple where they are not known to have stopped.
+constexpr std::size_t peak_shades = 5;
+struct ShadedClass {
+  std::size_t index;
+  std::string_view word;
+  std::string_view shades;
+};
+constexpr std::array shaded{
+    ShadedClass{SweepClass::locked, "locked", "#8a8100#ada100#ccbf08#e8dc22#faf060"},
+    ShadedClass{SweepClass::locked - 1, "not stopped", "#4b2a78#7550a6#9a70c4#c9aae4#e8daf5"}};
+
 using ClassCounts = std::array<std::int64_t, SweepClass::count>;
 
 /// Whether there is any of the classes of rests that begin at `from`.
@@ -90,6 +104,46 @@ figures::FigureMap drawn(const sweep::SweepMap& map, const ClassCounts& counts, 
     }
   }
   return drawn;
+}
+
+/// In three digits; next to nothing beside the largest is 0.
+std::string peak_words(double peak, double most, const FigureUnits& units) {
+  constexpr double nothing = 1e-3;
+  return format("{:.3g}{}", peak < nothing * most ? 0 : peak * units.length,
+                with_blank(units.length_unit));
+}
+
+/// Shades a class by its peaks, if they differ; the key says from which to which.
+void shade(figures::FigureMap& drawn, const sweep::SweepMap& map, const ShadedClass& by,
+           const FigureUnits& units) {
+  const bool crossed = by.index == SweepClass::locked;
+  std::vector<double> peaks;
+  for (std::size_t i = 0; i < map.peaks().size(); ++i) {
+    if (map.cells()[i] == by.index) {
+      peaks.push_back(map.peaks()[i]);
+    }
+  }
+  const std::vector<double> bounds = even_bounds(std::move(peaks), 2 * peak_shades);
+  if (bounds.empty() || bounds.front() == bounds.back()) {
+    return;
+  }
+  const auto words = [&](double peak) { return peak_words(peak, bounds.back(), units); };
+  const std::size_t first = drawn.palette.size();
+  for (std::size_t i = 0; i < peak_shades; ++i) {
+    drawn.palette.push_back(shade_of(by.shades, i));
+    drawn.labels.push_back("≈ " + words(bounds[2 * i + 1]));
+    drawn.names.push_back(format("{}, peak {} to {}", drawn.names[by.index], words(bounds[2 * i]),
+                                 words(bounds[2 * i + 2])));
+  }
+  for (std::size_t i = 0; i < drawn.cells.size(); ++i) {
+    if (map.cells()[i] == by.index) {
+      drawn.cells[i] = static_cast<std::uint8_t>(first + class_of(map.peaks()[i], bounds) / 2);
+    }
+  }
+  drawn.key.push_back({format("{}, peak from {}", by.word, words(bounds.front())),
+                       shade_of(by.shades, 0), crossed, crossed});
+  drawn.key.push_back({format("{}, to {}", by.word, words(bounds.back())),
+                       shade_of(by.shades, peak_shades - 1), crossed, crossed});
 }
 
 /// From the edge of the first cell to that of the last, times a unit.
@@ -142,6 +196,7 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
   FigureUnits units({});
   if (spec.units) {  // rows are in metres, figures in millimetres
     units.length = 1e3;
+    units.length_unit = "mm";
     units.delta_label += ", mm";
   }
   ClassCounts counts{};
@@ -154,6 +209,9 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
   figure.x = figure_axis("constant friction f", map.f());
   figure.y = figure_axis(units.delta_label, map.delta(), units.length);
   figure.map = drawn(map, counts, v0 == 0, place);
+  for (const ShadedClass& by : shaded) {
+    shade(figure.map, map, by, units);
+  }
   figure.description = format(
       "The plane of f and Δ. Centred means a rest {}, off centre one in the dead zone.", place);
   for (std::size_t i = 0; i < SweepClass::count; ++i) {
@@ -163,7 +221,11 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
           100.0 * static_cast<double>(counts.at(i)) / static_cast<double>(map.cells().size()));
     }
   }
-  figure.caption = caption(counts, place);
+  figure.caption =
+      caption(counts, place) +
+      (figure.map.palette.size() > SweepClass::count
+           ? "; ≈ is the peak of the motion, the darker, the smaller where its end is the same"
+           : "");
   const double p = only_value(spec, Quantity::p);
   if (spec.kind == SweepKind::free && from_zero(spec) && plain_surface(spec) && v0 > 0 && p > 0) {
     add_boundaries(figure, {.v0 = v0, .p = p, .beta = v0 / p}, units,

@@ -27,7 +27,7 @@ namespace {
 /// with it, which is no more accurate than that, finds a damper as well.
 constexpr double relaxed_by = 1e-3;
 
-/// Besides the corners of the tolerance box.
+/// Besides the corners of the tolerance box, or its ends if only f or Delta can be off.
 constexpr int random_samples = 60;
 constexpr std::uint64_t sampling_seed = 20'081;
 
@@ -127,11 +127,21 @@ std::optional<MuchWorse> nearest_much_worse(const Suite& suite, const RecordDesi
   return std::nullopt;
 }
 
+/// Of what can be off: a zero stays zero.
+std::vector<double> both_ends(double value) {
+  return value > 0 ? std::vector<double>{-1, 1} : std::vector<double>{0};
+}
+
 Sensitivity sensitivity(const Suite& suite, const RecordDesignRequest& request,
                         const SuitePoint& chosen) {
   const SuiteDamper& damper = chosen.damper;
   std::mt19937_64 random(sampling_seed);
-  std::vector<std::pair<double, double>> places{{-1, -1}, {-1, 1}, {1, -1}, {1, 1}};
+  std::vector<std::pair<double, double>> places;
+  for (const double f : both_ends(damper.f)) {
+    for (const double delta : both_ends(damper.delta)) {
+      places.emplace_back(f, delta);
+    }
+  }
   for (int i = 0; i < random_samples; ++i) {
     const double f = between_minus_one_and_one(random);
     places.emplace_back(f, between_minus_one_and_one(random));

@@ -178,24 +178,29 @@ std::vector<SuiteFigures> Suite::figures(std::span<const SuiteDamper> dampers,
   return list;
 }
 
-SuiteRank rank(const SuiteFigures& figures, SuiteObjective objective, const SuiteLimits& limits) {
+double excess(const SuiteFigures& figures, const SuiteLimits& limits) {
   if (!figures.settled) {
-    return {never_rests, 0, 0};
+    return never_rests;
   }
   double off = figures.margin < least_suite_margin ? least_suite_margin - figures.margin : 0;
   for (const SuiteFigureKind& kind : suite_figure_kinds) {
     const std::optional<double>& limit = limits.*kind.limit;
     const double value = figures.*kind.value;
     if (limit && value > *limit) {
-      // Relative to the limit, or if no residual is allowed, to the peak.
       off += (value - *limit) / (*limit > 0 ? *limit : figures.peak);
     }
   }
-  return {std::min(off, never_rests), value_of(figures, objective), figures.peak};
+  return std::min(off, never_rests);
+}
+
+SuiteRank rank(const SuiteFigures& figures, SuiteObjective objective, const SuiteLimits& limits) {
+  return figures.settled
+             ? SuiteRank{excess(figures, limits), value_of(figures, objective), figures.peak}
+             : SuiteRank{never_rests, 0, 0};
 }
 
 bool admissible(const SuiteFigures& figures, const SuiteLimits& limits) {
-  return rank(figures, SuiteObjective::acceleration, limits).off == 0;
+  return excess(figures, limits) == 0;
 }
 
 }  // namespace stillpoint::design

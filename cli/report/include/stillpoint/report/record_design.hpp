@@ -10,7 +10,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -41,19 +40,23 @@ struct RecordDesignReport {
 
 /// "locked: under 1 of 2 records ..."; empty if no record locks the damper.
 [[nodiscard]] std::string lock_sentence(const RecordDesignReport& report);
+/// "no notch works under 2 of 7 records: ..."; empty unless so.
+[[nodiscard]] std::string notch_sentence(const RecordDesignReport& report);
 
 [[nodiscard]] Document document(const RecordDesignReport& report);
 /// As docs/reports.md describes it.
 [[nodiscard]] nlohmann::ordered_json json(const RecordDesignReport& report);
-/// The maps of the objective, the motion of each record and the spectra about the chosen period;
-/// they are computed here.
+/// The maps of the objective, the motion under each record with its load, and the spectra about the
+/// chosen period; they are computed here.
 [[nodiscard]] figures::HtmlPage page(const RecordDesignReport& report);
 
 inline constexpr std::size_t most_drawn_records = 11;
-/// The ids of the figures that the page may have, besides those of a spectrum.
-inline constexpr std::array<std::string_view, 4 + most_drawn_records> record_design_figures{
-    "map",      "map-near", "worst",    "worst-load", "record-1",
-    "record-2", "record-3", "record-4", "record-5",   "record-6",
-    "record-7", "record-8", "record-9", "record-10",  "record-11"};
+/// The ids of the figures that the page may have, besides those of a spectrum, and after each a
+/// blank.
+inline constexpr std::string_view record_design_figures{
+    "map map-near worst worst-load record-1 record-2 record-3 record-4 record-5 record-6 record-7 "
+    "record-8 record-9 record-10 record-11 record-1-load record-2-load record-3-load record-4-load "
+    "record-5-load record-6-load record-7-load record-8-load record-9-load record-10-load "
+    "record-11-load "};
 
 }  // namespace stillpoint::report

@@ -133,7 +133,10 @@ inline constexpr auto suite_figure_kinds = std::to_array<SuiteFigureKind>(
 /// the check nor a real damper could tell which of the two it is.
 inline constexpr double least_suite_margin = 1e-6;
 
-/// Whether it rests, with that margin, and meets the limits.
+/// The sum of what the figures exceed, relative to each limit (if no residual is allowed, to the
+/// peak), and what the margin lacks; 1e9 if it never rests.
+[[nodiscard]] double excess(const SuiteFigures& figures, const SuiteLimits& limits);
+/// Whether it is 0: the damper rests, with that margin, and meets the limits.
 [[nodiscard]] bool admissible(const SuiteFigures& figures, const SuiteLimits& limits);
 
 /// All motions start from rest at x = 0.

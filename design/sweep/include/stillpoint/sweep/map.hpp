@@ -65,6 +65,8 @@ class SweepMap {
   [[nodiscard]] const MapAxis& delta() const { return delta_; }
   /// delta().cells() rows of f().cells() classes.
   [[nodiscard]] const std::vector<std::uint8_t>& cells() const { return cells_; }
+  /// The peak of each of these motions; empty without a load.
+  [[nodiscard]] const std::vector<double>& peaks() const { return peaks_; }
 
   /// Fills the cells of the entries in the block.
   void add(const SweepBlock& block);
@@ -75,14 +77,17 @@ class SweepMap {
  private:
   static constexpr std::uint8_t unknown = 255;
 
-  std::uint8_t& at(std::int64_t f_cell, std::int64_t delta_cell) {
-    return cells_[static_cast<std::size_t>(delta_cell * f_.cells() + f_cell)];
+  [[nodiscard]] std::size_t index(std::int64_t f_cell, std::int64_t delta_cell) const {
+    return static_cast<std::size_t>(delta_cell * f_.cells() + f_cell);
   }
+  /// From entry i of the block.
+  void fill(std::size_t cell, const SweepBlock& block, std::int64_t i);
 
   MapAxis f_;
   MapAxis delta_;
   std::int64_t delta_size_;
   std::vector<std::uint8_t> cells_;
+  std::vector<double> peaks_;
 };
 
 }  // namespace stillpoint::sweep
