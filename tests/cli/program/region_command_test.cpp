@@ -142,6 +142,20 @@ BOOST_AUTO_TEST_CASE(a_damper_that_only_weaker_hits_spoil_is_told_so) {
   BOOST_TEST(contains(text.out, "  weak hits         those below 0.1981 m/s"), text.out);
 }
 
+/// f = 5 turns V0 = 1 within 0.0991, but the dead zone is wider than beta from f = 0.6 on.
+BOOST_AUTO_TEST_CASE(friction_that_could_hold_the_mass_at_the_limit_is_all_that_is_wrong) {
+  const Arguments arguments =
+      "region --v0 1 --p 1 --beta 0.6 --residual 0.1 --f 5 --delta 0.1 --criterion exact";
+  const json report = ending(3, arguments + "--json").json();
+  BOOST_TEST(report["admissible"] == false);
+  for (const json& now : report["constraints"]) {
+    BOOST_TEST(now["satisfied"] == (now["name"] != "dead_zone"), now);
+  }
+  const std::string text = run(arguments).out;
+  check_contains(one_line(text),
+                 {"It moves and rests as asked, but could be held at 0.6 by friction"});
+}
+
 /// Delta1(f2) = (2 f2 - S)^2/2 with f2 = 0.225, the largest of all feasible f, rounded up.
 BOOST_AUTO_TEST_CASE(says_which_delta_goes_with_every_feasible_f) {
   const double radius = std::hypot(1, 0.225);
