@@ -280,6 +280,21 @@ BOOST_AUTO_TEST_CASE(the_secant_stiffness_of_ranges_says_of_which_end_it_is) {
   BOOST_TEST(!contains(practice("isolator.json", "6mm"), "at that base shear"));
 }
 
+/// With the strongest hit on the softest spring, and at the worst end: S = sqrt(f^2 + (V0 p)^2).
+BOOST_AUTO_TEST_CASE(practice_is_that_of_the_motion_shown_and_practice_worst_that_of_the_ranges) {
+  const Arguments point("--beta 2 --f 0.3 --delta 0.3");
+  const json ranged = reported("region --v0 0.9:1.1 --p 0.95:1.05 --criterion exact" + point);
+  const auto shear = [&ranged](const char* of) {
+    return ranged[of]["base_shear_over_weight"].get<double>();
+  };
+  constexpr double rounding = 1e-15;
+  BOOST_TEST(near(shear("practice"), std::hypot(0.3, 1.1 * 0.95), rounding));
+  BOOST_TEST(near(shear("practice_worst"), std::hypot(0.3, 1.1 * 1.05), rounding));
+  const json one = reported("region --v0 1 --p 1" + point);
+  BOOST_TEST(one["practice"].is_object());
+  check_null(one, {"practice_worst"});
+}
+
 BOOST_AUTO_TEST_CASE(feasible_f_leaves_out_the_gap_between_strips) {
   const Arguments task{"region", STILLPOINT_DATA_DIR "/scenes/residual.json", "--tolerance", "0.2"};
   const std::string text = std::regex_replace(run(task).out, std::regex("\\s+"), " ");

@@ -124,6 +124,14 @@ ordered_json built_notch_json(const design::BuiltNotch& built, const Physical& p
           {"peak_absolute_acceleration", response.peak_absolute_acceleration}};
 }
 
+/// At the ends of the ranges; null without any.
+template <class Request>
+ordered_json practice_worst_json(const Request& request, const std::optional<design::Practice>& own,
+                                 double f, double delta) {
+  const ToldPractice told = told_practice(request, own, f, delta);
+  return told.at_ends ? or_null(told.lines, practice_json) : nullptr;
+}
+
 /// For the reports of a design and of a region.
 template <class Report>
 ordered_json parts_json(const Report& report) {
@@ -140,6 +148,8 @@ void add_finding(ordered_json& json, const DesignReport& report) {
   json["works_for"] = served_json(now.works_for, pulse.has_value());
   json["hits"] = hits_json(problem, pulse, ranges, now.point.f, now.point.delta);
   json["practice"] = or_null(now.practice, practice_json);
+  json["practice_worst"] =
+      practice_worst_json(result.request, now.practice, now.point.f, now.point.delta);
   if (now.pulse) {
     json["response"] = forced_json(now.pulse->response);
     json["pulse"] = pulse_check_json(*now.pulse);
@@ -172,7 +182,7 @@ ordered_json json(const DesignReport& report) {
                     {"input", task},
                     {"region", region_fields(result)}};
   for (const char* const field : {"design", "constraints", "works_for", "hits", "practice",
-                                  "response", "search", "cross_check", "pulse"}) {
+                                  "practice_worst", "response", "search", "cross_check", "pulse"}) {
     json[field] = nullptr;
   }
   json["constraints"] = ordered_json::array();
@@ -214,6 +224,8 @@ ordered_json json(const RegionReport& report) {
           {"works_for", served_json(answer.works_for, pulse.has_value())},
           {"hits", f && delta ? hits_json(problem, pulse, ranges, *f, *delta) : nullptr},
           {"practice", or_null(answer.practice, practice_json)},
+          {"practice_worst",
+           practice_worst_json(report.request, answer.practice, f.value_or(0), delta.value_or(0))},
           {"catalogue", parts_json(report)},
           {"physical", physical_json(report)}};
 }
