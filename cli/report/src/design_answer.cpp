@@ -209,6 +209,13 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
     answer.row("", format("{} outside it with the stiffest spring", acceleration_shown(stiffest)));
   }
   if (report.built_notch) {
+    if (const auto& strip = report.built_notch->from_start) {
+      answer.row("way out", format("free: v0 is the speed with which the mass leaves the notch; if "
+                                   "that acts on the way out too, peak {}, rest at x = {}, {}",
+                                   length_shown(physical, strip->peak_amplitude),
+                                   length_shown(physical, strip->stop_position.value_or(0)),
+                                   acceleration_shown(strip->peak_absolute_acceleration)));
+    }
     answer.row("note", format("what follows is for a notch that {}",
                               ideal_words(*report.built_notch, finding)));
   }

@@ -7,6 +7,22 @@
 
 namespace stillpoint::report {
 
+namespace {
+
+/// Of a range, with a residual: the worst of its hits.
+std::string far_rest(const design::BuiltNotch& built, const design::Problem& problem,
+                     const Physical& physical) {
+  constexpr double rounding = 1 + 1e-9;
+  const auto& farthest = built.farthest;
+  return farthest && problem.residual && std::abs(farthest->rest) > *problem.residual * rounding
+             ? format("the mass rests {} off centre after a hit of {}",
+                      length_shown(physical, std::abs(farthest->rest)),
+                      FigureUnits(physical).velocity_words(farthest->v0))
+             : "";
+}
+
+}  // namespace
+
 std::string notch_fault(const design::BuiltNotch& built, const design::DesignRequest& request,
                         const Physical& physical) {
   const auto& [problem, limits, search, pulse, ranges] = request;
@@ -24,6 +40,9 @@ std::string notch_fault(const design::BuiltNotch& built, const design::DesignReq
   }
   if (peak > problem.beta * rounding) {
     return format("the peak exceeds {}", length_shown(physical, problem.beta));
+  }
+  if (const std::string far = far_rest(built, problem, physical); !far.empty()) {
+    return far;
   }
   const bool kept = problem.residual
                         ? response.stop_position &&
@@ -65,7 +84,8 @@ std::optional<std::string> felt_in_built_notch(const DesignReport& report) {
   if (!report.built_notch) {
     return std::nullopt;
   }
-  const auto& [shape, friction, built, changes_nothing] = *report.built_notch;
+  const design::NotchShape& shape = report.built_notch->shape;
+  const ForcedResponse& built = report.built_notch->response;
   const std::string most = acceleration_shown(built.peak_absolute_acceleration);
   if (built.half_cycles == 0) {
     return most + ", all of the load";
@@ -106,6 +126,12 @@ void add_built_notch(Document& document, const design::BuiltNotch& built,
   } else {
     section.row("holds",
                 format("f + hold = {:.4g} g at x = 0", finding.point.f + built.shape.hold.value()));
+  }
+  if (const auto& farthest = built.farthest) {
+    section.row("farthest rest",
+                format("x = {} after a hit of {}, with {}", length_shown(physical, farthest->rest),
+                       FigureUnits(physical).velocity_words(farthest->v0),
+                       period_words(physical, farthest->p)));
   }
   const Response& ideal = finding.response;
   if (built.changes_nothing) {

@@ -109,7 +109,7 @@ ordered_json file_of(const std::optional<Catalogue>& catalogue) {
 }
 
 ordered_json built_notch_json(const design::BuiltNotch& built, const Physical& physical) {
-  const auto& [shape, friction, response, changes_nothing] = built;
+  const auto& [shape, friction, response, changes_nothing, from_start, farthest] = built;
   return {{"width", shape.width},
           {"width_m", metres(physical, shape.width)},
           {"friction", friction},
@@ -121,7 +121,21 @@ ordered_json built_notch_json(const design::BuiltNotch& built, const Physical& p
           {"stop_position", response.stop_position},
           {"stop_position_m", metres(physical, response.stop_position)},
           {"peak_amplitude", response.peak_amplitude},
-          {"peak_absolute_acceleration", response.peak_absolute_acceleration}};
+          {"peak_absolute_acceleration", response.peak_absolute_acceleration},
+          {"from_start", or_null(from_start,
+                                 [&](const ForcedResponse& now) -> ordered_json {
+                                   return {{"stop_position", now.stop_position},
+                                           {"stop_position_m", metres(physical, now.stop_position)},
+                                           {"peak_amplitude", now.peak_amplitude},
+                                           {"peak_absolute_acceleration",
+                                            now.peak_absolute_acceleration}};
+                                 })},
+          {"farthest_rest", or_null(farthest, [&](const design::RestAfter& now) -> ordered_json {
+             return {{"v0", now.v0},
+                     {"p", now.p},
+                     {"stop_position", now.rest},
+                     {"stop_position_m", metres(physical, now.rest)}};
+           })}};
 }
 
 /// At the ends of the ranges; null without any.

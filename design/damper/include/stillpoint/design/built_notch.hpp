@@ -14,12 +14,25 @@ struct NotchShape {
   std::optional<double> hold{};  ///< of one without a width
 };
 
+/// A hit, its spring, and the position where the mass comes to rest.
+struct RestAfter {
+  double v0{0};
+  double p{1};
+  double rest{0};
+};
+
 /// A design with that notch.
 struct BuiltNotch {
   NotchShape shape;
   std::optional<double> friction{};  ///< within |x| < width / 2: f + delta / width
   ForcedResponse response;
   bool changes_nothing{false};  ///< compared with the same motion with the paper's notch
+  /// After a hit, with a width: the motion if the notch acts on the way out too, as a strip of that
+  /// friction does. v0 is otherwise the speed with which the mass leaves it.
+  std::optional<ForcedResponse> from_start{};
+  /// Of ranges of hits: the one of a grid of them after which the mass rests farthest from x = 0. On
+  /// those that the paper's notch catches, one with a width acts from the start.
+  std::optional<RestAfter> farthest{};
 };
 
 /// The motion that the design was made for; with a pulse, the motion under the pulse itself. Throws
