@@ -76,6 +76,13 @@ std::string limit_digits(double value, bool upwards, int shown) {
                  [shown](double now) { return fmt::format("{:.{}g}", now, shown); });
 }
 
+double decimal_end(double end, bool upwards) {
+  constexpr double conversion = 1e-12;
+  const double decimal = std::stod(fmt::format("{:.9g}", end));
+  const bool outwards = upwards ? decimal > end : decimal < end;
+  return outwards && std::abs(decimal - end) <= conversion * end ? decimal : end;
+}
+
 std::string digits_within(double low, double high) {
   constexpr int every = 17;  // that a double has
   int shown = 6;

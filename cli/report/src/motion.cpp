@@ -116,9 +116,15 @@ double peak_load(const Excitation& excitation) {
       excitation);
 }
 
+bool lie_far_apart(const Interval& rests, double peak) {
+  constexpr double of_the_peak = 0.01;
+  constexpr double of_the_rest = 0.1;
+  const double farthest = std::max(std::abs(rests.low), std::abs(rests.high));
+  return rests.high - rests.low > std::max(of_the_peak * peak, of_the_rest * farthest);
+}
+
 /// Empty if f and Delta slightly off change the end little.
 std::string nearby_words(const MotionReport& report) {
-  constexpr double much = 0.05;  // of the peak
   const auto ends = nearby_ends(report.request, report.answer);
   if (!ends) {
     return "";
@@ -127,8 +133,7 @@ std::string nearby_words(const MotionReport& report) {
                                    : ends->lock_differs ? "whether it locks"
                                                         : "";
   const std::string damper = report.request.oscillator.delta > 0 ? "f and delta" : "f";
-  if (ends->rests &&
-      ends->rests->high - ends->rests->low > much * report.answer.response.peak_amplitude) {
+  if (ends->rests && lie_far_apart(*ends->rests, report.answer.response.peak_amplitude)) {
     return format("with {} 1 % off either way it rests from x = {} to {}{}{}", damper,
                   length_shown(report.physical, ends->rests->low),
                   length_shown(report.physical, ends->rests->high),

@@ -30,6 +30,10 @@ std::string violations(const RegionReport& report) {
   if (violated.empty()) {
     return " Some hits of the range leave it too far off centre.";  // all else it meets
   }
+  if (violated.size() == 1 && violated.front().name == "dead_zone") {
+    return format(" It moves and rests as asked, but {} (dead zone).",
+                  violation(violated.front(), task_of(report)));
+  }
   const bool starts = violated.front().name != "start";
   std::string text;
   std::vector<std::string> others;

@@ -172,7 +172,7 @@ Section& add_region(Document& document, const design::RegionVerdict& verdict,
   }
   if (pulsed && region.beta_min == 0) {
     section.row("return", "for every f with which it starts");
-  } else {
+  } else if (!problem.residual || !design::dead_zone_binds(problem)) {
     add_bound(section, units, problem.residual ? "residual" : "return", "f",
               "<=", problem.residual ? design::largest_stopping_f(problem) : region.f3, "", shown);
   }

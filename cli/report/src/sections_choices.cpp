@@ -21,8 +21,9 @@ constexpr std::size_t most_rows = 20;
 /// What goes wrong if a constraint is violated: "exceeds 150 mm".
 std::string consequence(const design::Constraint& violated, const ShownTask& task) {
   const std::string_view name = violated.name;
+  const std::string stroke = length_shown(task.physical, task.problem.beta);
   if (name == "amplitude") {
-    return "exceeds " + length_shown(task.physical, task.problem.beta);
+    return "exceeds " + stroke;
   }
   if (name == "acceleration") {
     return "exceeds " + acceleration_shown(task.limits.acceleration_max.value_or(0));
@@ -33,7 +34,7 @@ std::string consequence(const design::Constraint& violated, const ShownTask& tas
          : name == "stop"      ? violated.by_criterion_alone
                                      ? "stops at x = 0, but not by the published criterion"
                                      : "passes x = 0"
-         : name == "dead_zone" ? "has too wide a dead zone"
+         : name == "dead_zone" ? "could be held at " + stroke + " by friction"
                                : "exceeds the " + in_words(name);
 }
 

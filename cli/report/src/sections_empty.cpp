@@ -129,6 +129,7 @@ std::string reason_in_words(const design::RegionVerdict& empty, const ShownTask&
   }
   for (const auto& [name, words] :
        {std::pair<std::string_view, std::string>{"f2 = ", ""},
+        {"f1 = ", ""},
         {"f3 = ", ""},
         {"f4 = ", ""},
         {"delta2 = ", ""},

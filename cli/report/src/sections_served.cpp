@@ -11,15 +11,17 @@
 namespace stillpoint::report {
 
 std::string interval_text(const design::ServedInterval& interval) {
+  const double low = decimal_end(interval.low, false);
   if (!interval.high) {
     constexpr int shown = 3;  // as in an interval
-    return format("at least {}", limit_digits(interval.low, true, shown));
+    return format("at least {}", limit_digits(low, true, shown));
   }
+  const double high = decimal_end(*interval.high, true);
   constexpr double apart = 1e-6;
-  if (*interval.high - interval.low <= apart * *interval.high) {
-    return "exactly " + digits_within(interval.low, *interval.high);
+  if (high - low <= apart * high) {
+    return "exactly " + digits_within(low, high);
   }
-  return interval_digits(interval.low, *interval.high);
+  return interval_digits(low, high);
 }
 
 namespace {

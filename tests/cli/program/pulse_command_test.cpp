@@ -406,6 +406,14 @@ BOOST_AUTO_TEST_CASE(physical_input_goes_with_a_pulse) {
   BOOST_TEST(near(report["physical"]["excitation_duration_s"], 1.0 / 20, 1e-14));
 }
 
+/// Whose lower end the conversion moves above 0.2 s.
+BOOST_AUTO_TEST_CASE(the_period_asked_for_is_an_end_of_the_periods_that_it_works_for) {
+  const ProgramRun text =
+      run("design --pulse half-sine --k 0.4 --pulse-duration 2s --period 0.2 "
+          "--max-displacement 20mm --delta-max-m 1mm");
+  BOOST_TEST(contains(text.out, "; periods of 0.200 to 0.444 s"), text.out);
+}
+
 namespace {
 
 const std::vector<Wrong> wrong_pulses{

@@ -142,6 +142,20 @@ BOOST_AUTO_TEST_CASE(a_damper_that_only_weaker_hits_spoil_is_told_so) {
   BOOST_TEST(contains(text.out, "  weak hits         those below 0.1981 m/s"), text.out);
 }
 
+/// f = 5 turns V0 = 1 within 0.0991, but the dead zone is wider than beta from f = 0.6 on.
+BOOST_AUTO_TEST_CASE(friction_that_could_hold_the_mass_at_the_limit_is_all_that_is_wrong) {
+  const Arguments arguments =
+      "region --v0 1 --p 1 --beta 0.6 --residual 0.1 --f 5 --delta 0.1 --criterion exact";
+  const json report = ending(3, arguments + "--json").json();
+  BOOST_TEST(report["admissible"] == false);
+  for (const json& now : report["constraints"]) {
+    BOOST_TEST(now["satisfied"] == (now["name"] != "dead_zone"), now);
+  }
+  const std::string text = run(arguments).out;
+  check_contains(one_line(text),
+                 {"It moves and rests as asked, but could be held at 0.6 by friction"});
+}
+
 /// Delta1(f2) = (2 f2 - S)^2/2 with f2 = 0.225, the largest of all feasible f, rounded up.
 BOOST_AUTO_TEST_CASE(says_which_delta_goes_with_every_feasible_f) {
   const double radius = std::hypot(1, 0.225);
@@ -264,6 +278,21 @@ BOOST_AUTO_TEST_CASE(the_secant_stiffness_of_ranges_says_of_which_end_it_is) {
       std::regex_search(text, found, std::regex("([0-9.]+) MN/m, at that base shear")), text);
   BOOST_TEST(std::stod(found[1]) == 1.2 * 9.80665 * 0.1087 / 0.1488, tt::tolerance(1e-3));
   BOOST_TEST(!contains(practice("isolator.json", "6mm"), "at that base shear"));
+}
+
+/// With the strongest hit on the softest spring, and at the worst end: S = sqrt(f^2 + (V0 p)^2).
+BOOST_AUTO_TEST_CASE(practice_is_that_of_the_motion_shown_and_practice_worst_that_of_the_ranges) {
+  const Arguments point("--beta 2 --f 0.3 --delta 0.3");
+  const json ranged = reported("region --v0 0.9:1.1 --p 0.95:1.05 --criterion exact" + point);
+  const auto shear = [&ranged](const char* of) {
+    return ranged[of]["base_shear_over_weight"].get<double>();
+  };
+  constexpr double rounding = 1e-15;
+  BOOST_TEST(near(shear("practice"), std::hypot(0.3, 1.1 * 0.95), rounding));
+  BOOST_TEST(near(shear("practice_worst"), std::hypot(0.3, 1.1 * 1.05), rounding));
+  const json one = reported("region --v0 1 --p 1" + point);
+  BOOST_TEST(one["practice"].is_object());
+  check_null(one, {"practice_worst"});
 }
 
 BOOST_AUTO_TEST_CASE(feasible_f_leaves_out_the_gap_between_strips) {

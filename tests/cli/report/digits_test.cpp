@@ -38,6 +38,16 @@ BOOST_AUTO_TEST_CASE(ends_that_differ_are_printed_differently) {
   BOOST_TEST(range_digits(2e-6, 1) == "2e-06 to 1");
 }
 
+BOOST_AUTO_TEST_CASE(an_end_beside_a_short_decimal_is_that_decimal) {
+  BOOST_TEST(decimal_end(0.20000000000000198, false) == 0.2);
+  BOOST_TEST(decimal_end(0.19999999999999801, true) == 0.2);
+  // Never inwards, nor farther than units that are converted to and fro.
+  for (const double end : {0.19999999999999801, 0.2000000000003, 1.0 / 3, 0.0}) {
+    BOOST_TEST(decimal_end(end, false) == end);
+  }
+  BOOST_TEST(decimal_end(0.1999999999997, true) == 0.1999999999997);
+}
+
 /// Both printed ends lie in the range, whatever it is, and most of it lies between them.
 BOOST_AUTO_TEST_CASE(printed_ranges_lie_within) {
   std::mt19937 random(20'261'123);

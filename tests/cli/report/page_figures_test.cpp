@@ -438,6 +438,20 @@ BOOST_AUTO_TEST_CASE(a_rest_within_the_residual_is_not_off_centre) {
              named(drawn.areas, direct).outline.at(1).x);
 }
 
+/// f = 5 turns V0 = 1 at 0.0990; below f = 0.6, where the dead zone is as wide as beta, no f rests
+/// within 0.1 whose peak is within beta.
+BOOST_AUTO_TEST_CASE(a_dead_zone_too_wide_is_what_is_wrong_where_the_mass_rests_as_asked) {
+  const design::RegionRequest request{
+      .problem = {.v0 = 1, .p = 1, .beta = 0.6, .residual = 0.1}, .f = 5, .delta = 0.1};
+  const HtmlPage made = page(RegionReport{request, design::answer(request)});
+  BOOST_TEST(figure(made, "hits").caption ==
+             "The damper does not work for the hit that was asked for: friction could hold the "
+             "mass at 0.6.");
+  const auto& sides = figure(made, "region").areas;
+  BOOST_TEST(named(sides, "too strong: rests too far off").outline.at(1).x == 0.6);
+  BOOST_TEST(named(sides, "too strong: dead zone exceeds 0.6").outline.at(0).x == 0.6);
+}
+
 /// Of a damper that is much better than what is around it, and of one of many that hold the mass.
 BOOST_AUTO_TEST_CASE(a_damper_unlike_its_cell_of_the_map_is_told_apart) {
   design::RecordDesignRequest request;

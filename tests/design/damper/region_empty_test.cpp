@@ -91,6 +91,18 @@ BOOST_AUTO_TEST_CASE(every_conflict_is_explained) {
                   {"tolerance of 25 %"});
   check_explained({1, 1, 0.8}, {0.2, none, 0}, Conflict::amplitude_against_limit,
                   {"amplitude", "f_max", "f2 = 0.225", "0.2"});
+  // With a residual: f2 = 0.75 and f1 = 0.5; f2 = 0.533, f1 = 0.6 and (55) up to (0.3 +
+  // sqrt(8.01))/8.
+  Problem within{1, 1, 0.5};
+  within.residual = 0.45;
+  check_explained(within, {}, Conflict::amplitude_against_dead_zone,
+                  {"amplitude and dead_zone", "f2 = 0.75", "unless f < f1 = 0.5"});
+  within.beta = 0.6;
+  within.residual = 0.1;
+  check_explained(
+      within, {}, Conflict::amplitude_against_return,
+      {"f2 = 0.533334",
+       "if friction cannot hold it there, coming to rest within the residual needs f <= 0.391274"});
   // f <= 0.01 leaves a strip of 4 %, too narrow for +-10 %.
   check_explained({1, 1, 1.1}, {0.01, none, 0.1}, Conflict::stop_against_start,
                   {"stop", "start", "delta2 = 0.5", "tolerance of 10 %"});

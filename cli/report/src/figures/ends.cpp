@@ -95,15 +95,16 @@ std::string other_ones(const DrawnEnds& drawn) {
 }
 
 std::string where_it_fails(const DrawnEnds& drawn) {
+  const std::string refusal = drawn.refusal.empty() ? "" : ": " + drawn.refusal;
   if (drawn.has_range) {
-    return format("The damper does not work for every {} of the range.", drawn.noun);
+    return format("The damper does not work for every {} of the range{}.", drawn.noun, refusal);
   }
   const auto now = std::ranges::find_if(drawn.list, [&](const design::Hits& each) {
     return each.from < drawn.asked.high && drawn.asked.high < each.to;
   });
   const std::string_view fate = now == drawn.list.end() ? "" : look_of(now->end).fate;
   return format("The damper does not work for the {} that was asked for{}.", drawn.noun,
-                fate.empty() ? "" : format(": such {}s {}", drawn.noun, fate));
+                fate.empty() ? refusal : format(": such {}s {}", drawn.noun, fate));
 }
 
 std::string words(const DrawnEnds& drawn, double strength) {

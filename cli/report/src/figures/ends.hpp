@@ -24,6 +24,8 @@ struct DrawnEnds {
   Interval asked;  ///< the strengths of the task
   bool has_range{false};
   std::optional<design::ServedInterval> works;
+  /// Why the damper works for none, if no end says so.
+  std::string refusal{};
   /// By what stronger ones fail that stop within beta.
   std::optional<double> acceleration_max{};
   bool fail_by_criterion{false};

@@ -46,6 +46,13 @@ std::optional<Interval> above_limit(const design::Problem& problem, const design
   return from < to ? std::optional(Interval{from, to}) : std::nullopt;
 }
 
+/// Beyond f1 of the softest spring.
+std::string held_at_the_limit(const design::Problem& problem, double f, const FigureUnits& units) {
+  return f < problem.beta * problem.p * problem.p
+             ? ""
+             : "friction could hold the mass at " + units.length_words(problem.beta);
+}
+
 std::optional<design::ServedInterval> hit_of(const std::optional<design::WorksFor>& works_for) {
   return works_for ? std::optional(works_for->hit) : std::nullopt;
 }
@@ -67,6 +74,7 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
                    .asked = {problem.v0_low.value_or(problem.v0), problem.v0},
                    .has_range = problem.v0_low.has_value(),
                    .works = hit_of(works_for),
+                   .refusal = held_at_the_limit(problem, f, units),
                    .acceleration_max = felt ? limits.acceleration_max : std::nullopt,
                    .fail_by_criterion = exact_works_above(problem, limits, f, delta, works_for)});
   figure.title = problem.p_high ? "Where the mass stops with the worst spring"

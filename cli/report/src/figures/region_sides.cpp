@@ -40,8 +40,9 @@ class Sides {
         first_(std::max(drawn.region.f2, 0.0)),
         start_(shown_delta(drawn.region.delta2.value())) {
     const double largest = design::largest_stopping_f(drawn.problem);
-    dead_zone_binds_ = largest >= std::nextafter(drawn.region.f1, 0.0);
-    strong_ = dead_zone_binds_ ? drawn.region.f1 : largest;
+    const double f1 = drawn.region.f1;
+    strong_ = design::dead_zone_binds(drawn.problem) ? f1 : largest;
+    held_ = drawn.problem.residual ? std::max(strong_, f1) : largest < f1 ? HUGE_VAL : f1;
   }
 
   void operator()() {
@@ -50,11 +51,11 @@ class Sides {
     const double weak = std::min(first_, strong_);
     upright("too weak: exceeds " + units_.length_words(drawn_.problem.beta), 0,
             std::min(weak, allowed));
-    upright(dead_zone_binds_
-                ? "too strong: dead zone exceeds " + units_.length_words(drawn_.problem.beta)
-            : drawn_.problem.residual ? "too strong: rests too far off"
-                                      : "too strong: does not return",
-            std::max(first_, strong_), figure_.x.most);
+    upright(
+        drawn_.problem.residual ? "too strong: rests too far off" : "too strong: does not return",
+        std::max(first_, strong_), held_);
+    upright("too strong: dead zone exceeds " + units_.length_words(drawn_.problem.beta),
+            std::max(first_, held_), figure_.x.most);
     upright("gap: no f returns within " + units_.length_words(drawn_.problem.beta), strong_, first_,
             Ink::orange, AreaLook::filled);
     if (start_ < figure_.y.most) {
@@ -205,7 +206,7 @@ class Sides {
   double first_;
   double start_;
   double strong_{0};
-  bool dead_zone_binds_{false};
+  double held_{HUGE_VAL};  ///< friction could hold the mass at the limit from this f on
 };
 
 }  // namespace

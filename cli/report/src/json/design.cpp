@@ -138,6 +138,14 @@ ordered_json built_notch_json(const design::BuiltNotch& built, const Physical& p
            })}};
 }
 
+/// At the ends of the ranges; null without any.
+template <class Request>
+ordered_json practice_worst_json(const Request& request, const std::optional<design::Practice>& own,
+                                 double f, double delta) {
+  const ToldPractice told = told_practice(request, own, f, delta);
+  return told.at_ends ? practice_json(told.lines) : nullptr;
+}
+
 /// For the reports of a design and of a region.
 template <class Report>
 ordered_json parts_json(const Report& report) {
@@ -155,6 +163,8 @@ void add_finding(ordered_json& json, const DesignReport& report) {
   json["hits"] = hits_json(problem, pulse, ranges, now.point.f, now.point.delta);
   json["practice"] = practice_json(
       now.practice, design::impulses({problem.p, now.point.f, now.point.delta}, now.response));
+  json["practice_worst"] =
+      practice_worst_json(result.request, now.practice, now.point.f, now.point.delta);
   if (now.pulse) {
     json["response"] = forced_json(now.pulse->response);
     json["pulse"] = pulse_check_json(*now.pulse);
@@ -187,7 +197,7 @@ ordered_json json(const DesignReport& report) {
                     {"input", task},
                     {"region", region_fields(result)}};
   for (const char* const field : {"design", "constraints", "works_for", "hits", "practice",
-                                  "response", "search", "cross_check", "pulse"}) {
+                                  "practice_worst", "response", "search", "cross_check", "pulse"}) {
     json[field] = nullptr;
   }
   json["constraints"] = ordered_json::array();
@@ -232,6 +242,8 @@ ordered_json json(const RegionReport& report) {
                                      answer.practice ? design::impulses({problem.p, *f, *delta},
                                                                         *answer.response)
                                                      : std::vector<double>())},
+          {"practice_worst",
+           practice_worst_json(report.request, answer.practice, f.value_or(0), delta.value_or(0))},
           {"catalogue", parts_json(report)},
           {"physical", physical_json(report)}};
 }

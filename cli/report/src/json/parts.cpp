@@ -43,6 +43,8 @@ ordered_json conflict_json(const design::Region& region) {
       break;
     case design::Conflict::amplitude_against_return:
       return {"amplitude", "return"};
+    case design::Conflict::amplitude_against_dead_zone:
+      return {"amplitude", "dead_zone"};
     case design::Conflict::amplitude_against_limit:
       return {"amplitude", region.limit->constraint};
     case design::Conflict::limit_alone:

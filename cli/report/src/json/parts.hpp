@@ -71,8 +71,9 @@ template <class Range>
                                                const std::optional<design::Pulse>& pulse,
                                                const design::PulseRanges& ranges, double f,
                                                double delta);
-[[nodiscard]] nlohmann::ordered_json practice_json(const std::optional<design::Practice>& lines,
-                                                   const std::vector<double>& impulses);
+[[nodiscard]] nlohmann::ordered_json practice_json(
+    const std::optional<design::Practice>& lines,
+    const std::optional<std::vector<double>>& impulses = {});
 [[nodiscard]] nlohmann::ordered_json response_json(const Response& response);
 [[nodiscard]] nlohmann::ordered_json forced_json(const ForcedResponse& forced);
 /// The input of a motion.

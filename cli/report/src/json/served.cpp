@@ -29,7 +29,7 @@ ordered_json hits_json(const design::Problem& problem, const std::optional<desig
 }
 
 ordered_json practice_json(const std::optional<design::Practice>& lines,
-                           const std::vector<double>& impulses) {
+                           const std::optional<std::vector<double>>& impulses) {
   return !lines ? ordered_json()
                 : ordered_json{{"secant_stiffness", lines->secant_stiffness},
                                {"equivalent_damping", lines->equivalent_damping},

@@ -54,8 +54,10 @@ void explain(Region& region, const Problem& problem, const Limits& limits, const
            highest_centre(cap, limits.tolerance * limits.shape.f_high);
   };
   if (!fits(largest_f(problem))) {
-    return explain(region, stroke_helps(problem, limits) ? Conflict::amplitude_against_return
-                                                         : Conflict::no_arrival);
+    return explain(region, !stroke_helps(problem, limits) ? Conflict::no_arrival
+                           : problem.residual.value_or(0) > 0 && !fits(edge.f1)
+                               ? Conflict::amplitude_against_dead_zone
+                               : Conflict::amplitude_against_return);
   }
   const auto given = limit_edges(problem, limits);
   for (const auto& [kind, limit, most] : given) {

@@ -50,15 +50,25 @@ void compare_hits(std::array<Constraint, 5>& list, const Problem& problem, doubl
   }
 }
 
-/// The way that the damper takes, or the one that it would need.
+/// The same task with room for any peak and any dead zone of this f.
+Problem without_stroke(Problem problem, double f) {
+  if (problem.residual) {
+    problem.residual = residual_of(problem);
+  }
+  problem.beta =
+      std::max({problem.beta, 2 * problem.v0 / problem.p, 2 * f / problem.p / problem.p});
+  return problem;
+}
+
+/// The way that the damper takes, whatever the stroke is, or the one that it would need.
 Way compared_way(const Problem& problem, double f, double delta) {
   if (const auto taken = way_of(problem, {}, f, delta)) {
     return *taken;
   }
-  const Way rest = way_with(problem, {}, 0, f);
-  return rest.at_peak && f >= rest.f2 && f <= rest.f_cap
-             ? rest
-             : Way(problem, {}, deciding_arrival(strongest_hit(problem), f, delta).n);
+  if (const auto rests = way_of(without_stroke(problem, f), {}, f, delta)) {
+    return way_with(problem, {}, rests->n, f);
+  }
+  return {problem, {}, deciding_arrival(strongest_hit(problem), f, delta).n};
 }
 
 void compare_way(std::array<Constraint, 5>& list, const Problem& problem, double f, double delta) {

@@ -129,11 +129,15 @@ std::optional<std::string> reason(const Region& region, const Problem& problem,
     case Conflict::none:
       break;
     case Conflict::amplitude_against_return:
-      return problem.residual
-                 ? too_much_friction(region, largest_f(problem), allowed, "return",
-                                     "coming to rest within the residual needs f <=", box)
-                 : too_much_friction(region, region.f3, allowed, "return",
-                                     "coming back to x = 0 needs f <= f3 =", box);
+      return problem.residual ? too_much_friction(region, largest_f(problem), allowed, "return",
+                                                  "if friction cannot hold it there, coming to "
+                                                  "rest within the residual needs f <=",
+                                                  box)
+                              : too_much_friction(region, region.f3, allowed, "return",
+                                                  "coming back to x = 0 needs f <= f3 =", box);
+    case Conflict::amplitude_against_dead_zone:
+      return too_much_friction(region, region.f1, allowed, "dead_zone",
+                               "friction could hold it at that limit unless f < f1 =", box);
     case Conflict::amplitude_against_limit:
       return amplitude_against(*region.limit, region, problem, limit, allowed, box);
     case Conflict::limit_alone:

@@ -8,6 +8,8 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 
+#include <cmath>
+
 namespace stillpoint::design {
 
 std::optional<Interval> delta_range(const Problem& problem, std::int64_t arrival, double f) {
@@ -39,6 +41,11 @@ std::optional<Interval> feasible_delta(const Problem& problem, const Limits& lim
 double largest_stopping_f(const Problem& problem) {
   require_valid(problem);
   return largest_f(problem);
+}
+
+bool dead_zone_binds(const Problem& problem) {
+  const double f1 = edges(problem, {}).f1;
+  return largest_stopping_f(problem) >= std::nextafter(f1, 0.0);
 }
 
 double least_stopping_delta(const Problem& problem, double f) {

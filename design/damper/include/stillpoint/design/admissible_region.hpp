@@ -12,13 +12,14 @@ namespace stillpoint::design {
 /// Why no (f, Delta) is admissible, by the two constraints that conflict.
 enum class Conflict {
   none,
-  amplitude_against_return,  ///< f2 > f3, or their boxes do not fit: condition (10) fails
-  amplitude_against_limit,   ///< f2 > the f of a limit
-  limit_alone,               ///< which is exceeded without any friction
-  stop_against_start,        ///< Delta1 > Delta2 over the tolerance box
-  stop_against_limit,        ///< Delta1 > the Delta of a limit
-  no_arrival,                ///< of several arrivals none has a box that fits
-  narrower_than_rounding,    ///< the rest of the region lies between neighbouring doubles
+  amplitude_against_return,     ///< f2 > f3, or their boxes do not fit: condition (10) fails
+  amplitude_against_dead_zone,  ///< f2 > f1, with a residual
+  amplitude_against_limit,      ///< f2 > the f of a limit
+  limit_alone,                  ///< which is exceeded without any friction
+  stop_against_start,           ///< Delta1 > Delta2 over the tolerance box
+  stop_against_limit,           ///< Delta1 > the Delta of a limit
+  no_arrival,                   ///< of several arrivals none has a box that fits
+  narrower_than_rounding,       ///< the rest of the region lies between neighbouring doubles
 };
 
 /// The admissible region max(f2, 0) <= f <= f3, Delta1(f) < Delta <= Delta2, and its part within

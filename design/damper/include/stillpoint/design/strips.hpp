@@ -37,6 +37,8 @@ struct Strip {
 
 /// The f beyond which no Delta lets the mass stop or rest as it must. Throws InputError.
 [[nodiscard]] double largest_stopping_f(const Problem& problem);
+/// That is f1 or more: only the dead zone bounds f. Throws InputError.
+[[nodiscard]] bool dead_zone_binds(const Problem& problem);
 
 /// The Delta below which the mass passes x = 0 more often than it may; 0 where it never does.
 /// Throws InputError.
