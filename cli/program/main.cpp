@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
-#include "input/record.hpp"
+#include "input/warnings.hpp"
 #include "input/request.hpp"
 #include "messages.hpp"
 #include "options/command_line.hpp"

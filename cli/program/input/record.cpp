@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "input/record.hpp"
 
-#include "input/excitation.hpp"
-
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/physical.hpp>
 
@@ -59,37 +57,6 @@ std::vector<records::SuiteRecord> read_suite(const Settings& settings,
                                              std::optional<double> p) {
   return records::read_suite(suite_files(settings), record_scale(settings, clock, p),
                              record_options(settings, clock));
-}
-
-namespace {
-
-/// Of a single motion in metres; empty without a load.
-std::optional<design::LoadReach> load_of(const Settings& settings, Command command) {
-  const bool pulsed = settings.has("pulse") && find_option("pulse")->serves(command);
-  const bool shaken = excitation_type(settings).has_value() &&
-                      (command == Command::simulate || command == Command::accuracy);
-  if ((!pulsed && !shaken) || !is_physical(settings, command)) {
-    return std::nullopt;
-  }
-  const MotionInput motion = motion_input(settings, command, true);
-  const Excitation load = pulsed
-                              ? design::excitation(*pulse_input(settings, motion.physical))
-                              : excitation_input(settings, motion.physical, motion.p)->excitation;
-  return design::load_reach(load, motion.p, end_of_run(settings, motion.physical),
-                            motion.physical->scales);
-}
-
-}  // namespace
-
-std::vector<std::string> warnings(const Settings& settings, Command command) {
-  std::vector<std::string> sentences = doubts(settings, command, load_of(settings, command));
-  if (find_option("record")->serves(command)) {
-    for (const std::string& doubt : records::suite_doubts(
-             suite_files(settings), record_scale(settings, {}, {}), record_options(settings, {}))) {
-      sentences.push_back(doubt);
-    }
-  }
-  return sentences;
 }
 
 }  // namespace stillpoint::cli

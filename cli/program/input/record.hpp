@@ -7,7 +7,6 @@
 #include <stillpoint/records/record_suite.hpp>
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace stillpoint::cli {
@@ -29,9 +28,5 @@ namespace stillpoint::cli {
 [[nodiscard]] std::vector<records::SuiteRecord> read_suite(const Settings& settings,
                                                            const records::RecordClock& clock,
                                                            std::optional<double> p);
-
-/// A sentence for each doubt about the values, and for each file in a folder of records that is
-/// skipped. Throws FileError.
-[[nodiscard]] std::vector<std::string> warnings(const Settings& settings, Command command);
 
 }  // namespace stillpoint::cli

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "arguments.hpp"
 
-#include "input/record.hpp"
+#include "input/warnings.hpp"
 #include "options/scene.hpp"
 #include "values.hpp"
 

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "input/warnings.hpp"
+
+#include "input/excitation.hpp"
+#include "input/record.hpp"
+
+#include <optional>
+
+namespace stillpoint::cli {
+
+namespace {
+
+/// Of a single motion in metres; empty without a load.
+std::optional<design::LoadReach> load_of(const Settings& settings, Command command) {
+  const bool pulsed =
+      settings.has("pulse") && find_option("pulse")->serves(command) && command != Command::sweep;
+  const bool shaken = excitation_type(settings).has_value() &&
+                      (command == Command::simulate || command == Command::accuracy);
+  if ((!pulsed && !shaken) || !is_physical(settings, command)) {
+    return std::nullopt;
+  }
+  const MotionInput motion = motion_input(settings, command, true);
+  const Excitation load = pulsed
+                              ? design::excitation(*pulse_input(settings, motion.physical))
+                              : excitation_input(settings, motion.physical, motion.p)->excitation;
+  return design::load_reach(load, motion.p, end_of_run(settings, motion.physical),
+                            motion.physical->scales);
+}
+
+}  // namespace
+
+std::vector<std::string> warnings(const Settings& settings, Command command) {
+  std::vector<std::string> sentences = doubts(settings, command, load_of(settings, command));
+  if (find_option("record")->serves(command)) {
+    for (const std::string& doubt : records::suite_doubts(
+             suite_files(settings), record_scale(settings, {}, {}), record_options(settings, {}))) {
+      sentences.push_back(doubt);
+    }
+  }
+  return sentences;
+}
+
+}  // namespace stillpoint::cli
