@@ -39,7 +39,7 @@ void add_physical_input(Section& section, const design::PhysicalInput& physical,
                                        std::optional<int> digits = {});
 /// Force and energy of a damper, if the mass is known; the energy if there is a notch.
 void add_damper_physics(Section& section, const Physical& physical, double f, double delta,
-                         std::string_view where_f_acts = "");
+                        std::string_view where_f_acts = "");
 /// "0.340 to 0.429", "up to 0.463" or "at least 0.5", about what was asked for.
 [[nodiscard]] std::string interval_text(const design::ServedInterval& interval,
                                         const Interval& asked);
