@@ -44,11 +44,6 @@ std::string_view combined(design::Combine combine) {
   return combine == design::Combine::max ? "largest" : "mean";
 }
 
-/// In which a period is printed; the usual ones unless it was searched.
-std::optional<int> period_digits(const design::RecordDesignRequest& task) {
-  return task.p.low < task.p.high ? std::optional(printed_digits) : std::nullopt;
-}
-
 /// What a reader should know of a spring at an end of what was searched; empty elsewhere.
 std::string end_words(const Interval& searched, double p, bool of_period) {
   constexpr double apart = 1e-6;
@@ -220,6 +215,10 @@ std::size_t worst_record(const design::RecordDesign& result) {
   return static_cast<std::size_t>(std::ranges::max_element(all, {}, peak_of_worst) - all.begin());
 }
 
+std::optional<int> period_digits(const design::RecordDesignRequest& task) {
+  return task.p.low < task.p.high ? std::optional(printed_digits) : std::nullopt;
+}
+
 bool hardly_moves(double p, double peak, double load) {
   constexpr double hardly = 1e-3;
   return p * p * peak <= hardly * load;
@@ -281,7 +280,7 @@ Document document(const RecordDesignReport& report) {
   document.title = "Damper under records";
   document.verdict = record_verdict(report);
   if (result.finding) {
-    document.tone = hardly_moves(result) || is_delicate(result) ||
+    document.tone = hardly_moves(result) || is_delicate(result) || with_least_friction(result) ||
                             !notch_sentence(report).empty() || !result.finding->check.passed
                         ? Tone::bad
                     : result.search.interrupted ? Tone::plain

@@ -69,8 +69,17 @@ void add_tolerance(Section& answer, const design::RecordDesign& result, const Ph
 
 /// Of a design: as many as it was rounded to, or almost every digit that it has.
 inline constexpr int printed_digits = 12;
-/// Of f, delta and a period in the headline.
-inline constexpr int headline_digits = 5;
+/// In which a period is printed; the usual ones unless it was searched.
+[[nodiscard]] std::optional<int> period_digits(const design::RecordDesignRequest& task);
+
+/// Rolling bearings have 0.001 to 0.005.
+inline constexpr double least_friction = 0.002;
+/// The figures with that f, if the damper has less and they violate a limit or are a tenth worse.
+[[nodiscard]] std::optional<design::SuiteFigures> with_least_friction(
+    const design::RecordDesign& result);
+/// "0.1991 g, a stroke of 307.18 mm and a residual of 35.709 mm"
+[[nodiscard]] std::string worst_words(const design::RecordDesign& result,
+                                      const design::SuiteFigures& worst, const Physical& physical);
 
 /// Whether its stroke pulls the mass back with less than a thousandth of the load.
 [[nodiscard]] bool hardly_moves(double p, double peak, double load);

@@ -22,17 +22,6 @@ std::string samples_words(const design::Sensitivity& near) {
                       near.samples - near.admissible == 1 ? "s" : "");
 }
 
-/// "0.1991 g, a stroke of 307.18 mm and a residual of 35.709 mm"
-std::string worst_words(const design::RecordDesign& result, const design::SuiteFigures& worst,
-                        const Physical& physical) {
-  return worst.settled ? format("{}{}, a stroke of {} and a residual of {}",
-                                is_mean(result.request) ? "a mean of " : "",
-                                acceleration_shown(worst.acceleration),
-                                displacement_shown(physical, worst.peak),
-                                displacement_shown(physical, worst.residual))
-                       : "no rest within 10 000 half-cycles";
-}
-
 /// The motion that came closest to another outcome.
 void add_margin(Section& answer, const design::RecordDesign& result) {
   const std::vector<ForcedResponse>& all = result.finding->responses;
@@ -59,6 +48,31 @@ std::string change_words(double change) {
 
 bool is_mean(const design::RecordDesignRequest& task) {
   return task.combine.value() == design::Combine::mean && task.records.size() > 1;
+}
+
+std::string worst_words(const design::RecordDesign& result, const design::SuiteFigures& worst,
+                        const Physical& physical) {
+  return worst.settled ? format("{}{}, a stroke of {} and a residual of {}",
+                                is_mean(result.request) ? "a mean of " : "",
+                                acceleration_shown(worst.acceleration),
+                                displacement_shown(physical, worst.peak),
+                                displacement_shown(physical, worst.residual))
+                       : "no rest within 10 000 half-cycles";
+}
+
+std::optional<design::SuiteFigures> with_least_friction(const design::RecordDesign& result) {
+  const design::RecordDesignRequest& task = result.request;
+  const auto& [damper, figures] = result.finding->point;
+  if (damper.f >= least_friction) {
+    return std::nullopt;
+  }
+  constexpr double worse = 1.1;
+  const design::SuiteFigures there =
+      design::figures_of(task, {damper.p, least_friction, damper.delta});
+  return !admissible(there, task.limits) ||
+                 value_of(there, task.objective) > worse * value_of(figures, task.objective)
+             ? std::optional(there)
+             : std::nullopt;
 }
 
 std::string_view inexact_parts(const design::RecordDesign& result) {

@@ -35,14 +35,16 @@ std::string does_words(const design::RecordDesign& result, const Physical& physi
     return words(combined.*figure) + (most ? format(" ({})", words((*most).*figure)) : "");
   };
   const auto length = [&](double value) { return displacement_shown(physical, value); };
-  return format("{}: {} transmitted{}",
-                most ? format("Mean (and largest) of {} records", count)
-                     : design::suite_words(*result.request.combine, count),
-                shown(&SuiteFigures::acceleration, acceleration_shown),
-                combined.peak == 0
-                    ? ""
-                    : format(", stroke {}, residual {}", shown(&SuiteFigures::peak, length),
-                             shown(&SuiteFigures::residual, length)));
+  const bool apart =
+      combined.peak > 0 && result.finding->point.damper.delta > 0 && !result.request.notch_width;
+  return format(
+      "{}: {} transmitted{}{}",
+      most ? format("Mean (and largest) of {} records", count)
+           : design::suite_words(*result.request.combine, count),
+      shown(&SuiteFigures::acceleration, acceleration_shown), apart ? " outside the notch" : "",
+      combined.peak == 0 ? ""
+                         : format(", stroke {}, residual {}", shown(&SuiteFigures::peak, length),
+                                  shown(&SuiteFigures::residual, length)));
 }
 
 /// Empty if the mass moves.
@@ -58,13 +60,24 @@ std::string stands_still(const design::RecordDesign& result) {
 std::string caveat(const design::RecordDesign& result, const Physical& physical) {
   const design::Sensitivity& near = result.finding->sensitivity;
   const auto fault = real_notch_fault(result, physical);
+  const auto with_little = with_least_friction(result);
   return (fault ? format(" {}.", fault->headline) : "") +
+         (with_little ? format(" With f = {}, about the least of any part: {}.", least_friction,
+                               worst_words(result, *with_little, physical))
+                      : "") +
          (near.much_worse
               ? format(" Off by {}, it is much worse.", change_words(near.much_worse->change))
           : is_delicate(result)
               ? format(" Off by up to {:.3g} %, {} of {} samples fail.", 100 * near.tolerance,
                        near.samples - near.admissible, near.samples)
               : "");
+}
+
+/// A damper that changes this much less than anyone can build it is none.
+bool is_needle(const design::RecordDesign& result) {
+  constexpr double built = 1e-3;
+  const auto& worse = result.finding->sensitivity.much_worse;
+  return worse && worse->change < built;
 }
 
 }  // namespace
@@ -78,11 +91,14 @@ std::string record_verdict(const RecordDesignReport& report) {
   const Physical& physical = report.physical;
   const design::SuiteDamper& damper = result.finding->point.damper;
   return so_far + stands_still(result) +
-         format("{} {}, with {}. {}.{}{}", hardly_moves(result) ? "The damper found has" : "Build",
+         format("{} {}, with {}. {}.{}{}",
+                hardly_moves(result) ? "The damper found has"
+                : is_needle(result)  ? "Too exact to be built:"
+                                     : "Build",
                 damper_words(physical, damper.f, damper.delta, result.request.notch_width,
-                             headline_digits),
-                period_words(physical, damper.p, headline_digits), does_words(result, physical),
-                caveat(result, physical),
+                             printed_digits),
+                period_words(physical, damper.p, period_digits(result.request)),
+                does_words(result, physical), caveat(result, physical),
                 result.finding->check.passed
                     ? ""
                     : " But the check DISAGREES: do not rely on this design.");

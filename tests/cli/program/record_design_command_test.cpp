@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli_test.hpp"
 
+#include <fmt/format.h>
+
 #include <stillpoint/report/digits.hpp>
 
 #include <algorithm>
@@ -378,7 +380,7 @@ BOOST_FIXTURE_TEST_CASE(text_and_page_show_each_record, Recorded) {
       "design --record a.txt --period 2.8 --max-displacement 0.3 --residual-m 0.005 --html p.html");
   const ProgramRun answer = succeed(asked);
   const std::string page = read("p.html");
-  BOOST_TEST(contains(one_line(answer.out), " transmitted, stroke "), answer.out);
+  BOOST_TEST(contains(one_line(answer.out), " transmitted outside the notch, stroke "), answer.out);
   BOOST_TEST(contains(answer.out, "a.txt"));
   check_contains(answer.out, {"\n  tolerance         with f and delta off by up to "});
   const Arguments weak("--search-delta-m 1mm:1mm");
@@ -424,6 +426,32 @@ BOOST_FIXTURE_TEST_CASE(the_areas_of_the_map_bear_values_between_those_of_the_ke
     BOOST_TEST(values(">from ").at(0) < value);
     BOOST_TEST(value < values(">to ").at(0));
   }
+}
+
+// +-10 % of no friction is none.
+BOOST_FIXTURE_TEST_CASE(a_design_without_friction_is_tried_with_that_of_a_rolling_bearing,
+                        Sandbox) {
+  const std::string record = STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt";
+  const ProgramRun text =
+      run({"design", "--record", record, "--period", "2.8s", "--max-displacement", "300mm",
+           "--residual-m", "20mm", "--hold", "0.05", "--html", "page.html"});
+  const json motion = run({"simulate", "--record", record, "--period", "2.8s", "--f", "0.002",
+                           "--delta-m", "71.569mm", "--hold", "0.05", "--json"})
+                          .json();
+  const double peak = 1000 * motion["physical"]["peak_m"].get<double>();
+  BOOST_TEST(contains(one_line(text.out), " With f = 0.002, about the least of any part: "),
+             text.out);
+  BOOST_TEST(contains(one_line(text.out), fmt::format(" a stroke of {:.5g} mm ", peak)), text.out);
+  BOOST_TEST(contains(read("page.html"), "<p class=\"answer bad\">"));
+}
+
+// With the longest period of the search and no notch it transmits 0.02 % more.
+BOOST_FIXTURE_TEST_CASE(a_notch_that_gains_next_to_nothing_is_left_out, Sandbox) {
+  const json design = run({"design", "--record", STILLPOINT_DATA_DIR "/records/strong_motion.AT2",
+                           "--search-period", "1.5:3.5", "--max-displacement", "350mm",
+                           "--residual-m", "10mm", "--json"})
+                          .json()["design"];
+  BOOST_TEST(design["delta"] == 0);
 }
 
 // f + delta/w is 1 g with the example of 20 mm, and the record has at most 0.29 g.

@@ -39,7 +39,14 @@ SuitePoint with_few_digits(const Suite& suite, const RecordDesignRequest& task,
   const auto& [p, f, delta] = found.damper;
   const auto& [length, time] = *task.printed;
   const double turn = 2 * std::numbers::pi * time.value_or(1);  // over p: the period
-  const double worst = value_of(found.figures, task.objective) * (1 + costs_nothing);
+  const double value = value_of(found.figures, task.objective);
+  constexpr double next_to_nothing = 1e-3;  // a notch that gains less is not worth building
+  const SuitePoint bare{{p, f, 0}, suite.figures({p, f, 0})};
+  if (delta > 0 && includes(*task.delta, 0) && admissible(bare.figures, task.limits) &&
+      value_of(bare.figures, task.objective) <= value * (1 + next_to_nothing)) {
+    return with_few_digits(suite, task, bare);
+  }
+  const double worst = value * (1 + costs_nothing);
   const auto rank_of = [&](const SuitePoint& point) {
     return rank(point.figures, task.objective, task.limits);
   };
