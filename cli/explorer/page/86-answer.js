@@ -94,7 +94,7 @@ class AnswerView {
 
   /** @param {any} design @returns {Part[]} */
   conflict_words({ region, physical, input }) {
-    if (String(region.conflict) !== "amplitude,return")
+    if (String(region.conflict) !== "amplitude,return" || input.residual !== null)
       return [`No damper works: ${region.reason}.`];
     const limit = number(limit_of({ input, physical }), units_of(physical).length);
     return [

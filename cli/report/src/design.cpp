@@ -75,9 +75,11 @@ void add_margin(Section& section, const design::DesignResult& result, const Phys
   std::string serves;
   if (const auto& works = finding.works_for) {
     const FigureUnits units(physical);
+    const Interval asked = asked_hits(result.request.problem);
     serves =
         format("; it works only for hits of {}{}",
-               interval_text({works->hit.low * units.velocity, *works->hit.high * units.velocity}),
+               interval_text({works->hit.low * units.velocity, *works->hit.high * units.velocity},
+                             {asked.low * units.velocity, asked.high * units.velocity}),
                with_blank(units.velocity_unit));
   }
   section.row(

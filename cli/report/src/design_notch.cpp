@@ -41,7 +41,7 @@ std::string notch_fault(const design::BuiltNotch& built, const design::DesignReq
   if (peak > problem.beta * rounding) {
     return format("the peak exceeds {}", length_shown(physical, problem.beta));
   }
-  if (const std::string far = far_rest(built, problem, physical); !far.empty()) {
+  if (std::string far = far_rest(built, problem, physical); !far.empty()) {
     return far;
   }
   const bool kept = problem.residual

@@ -76,11 +76,10 @@ std::string limit_digits(double value, bool upwards, int shown) {
                  [shown](double now) { return fmt::format("{:.{}g}", now, shown); });
 }
 
-double decimal_end(double end, bool upwards) {
-  constexpr double conversion = 1e-12;
-  const double decimal = std::stod(fmt::format("{:.9g}", end));
-  const bool outwards = upwards ? decimal > end : decimal < end;
-  return outwards && std::abs(decimal - end) <= conversion * end ? decimal : end;
+double end_or_asked(double end, double asked) {
+  const auto alike = [asked](double value) { return std::abs(value - asked) <= 1e-12 * asked; };
+  const double decimal = std::stod(fmt::format("{:.9g}", asked));
+  return !alike(end) ? end : alike(decimal) ? decimal : asked;
 }
 
 std::string digits_within(double low, double high) {

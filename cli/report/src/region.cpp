@@ -235,7 +235,8 @@ Document document(const RegionReport& report) {
     document.verdict = format("{}{} {}", judgement(report), locked, document.verdict);
     document.tone = answer.admissible == true ? Tone::good : Tone::bad;
     if (const auto& response = answer.response; response && moves(*response)) {
-      const ToldMotion motion{*response, answer.arrival, answer.worst};
+      const ToldMotion motion{*response, answer.arrival, answer.worst,
+                              answer.tolerance.has_value()};
       add_motion(document.answer, task_of(report), motion,
                  felt(task_of(report), {*f, *delta, 0}, motion, told, ""));
     }

@@ -40,8 +40,11 @@ void add_physical_input(Section& section, const design::PhysicalInput& physical,
 /// Force and energy of a damper, if the mass is known; the energy if there is a notch.
 void add_damper_physics(Section& section, const Physical& physical, double f, double delta,
                         std::string_view where_f_acts = "");
-/// "0.340 to 0.429", "up to 0.463" or "at least 0.5".
-[[nodiscard]] std::string interval_text(const design::ServedInterval& interval);
+/// "0.340 to 0.429", "up to 0.463" or "at least 0.5", about what was asked for.
+[[nodiscard]] std::string interval_text(const design::ServedInterval& interval,
+                                        const Interval& asked);
+/// The V0 that were asked for.
+[[nodiscard]] Interval asked_hits(const design::Problem& problem);
 /// The width of a notch as an example: 20 mm, or 1, 2 or 5 times a power of ten if that is above a
 /// fifth of the peak; that fifth without physical input.
 [[nodiscard]] double example_width(const Physical& physical, double peak);
@@ -244,6 +247,7 @@ struct ToldMotion {
   const Response& response;
   std::optional<std::int64_t> arrival{};      ///< at which it stops at x = 0
   std::optional<design::PulseWorst> worst{};  ///< over the ranges of a pulse
+  bool admissible{true};                      ///< so every rest of the ranges is as asked
 };
 /// What the structure feels: outside the notch, at most over the ranges, and inside one that has a
 /// width, as `inside` says if it is given.

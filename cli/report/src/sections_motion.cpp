@@ -122,12 +122,27 @@ std::string share_of(double value, double limit) {
   return format("{:.{}g} %", share, shown);
 }
 
+/// "any hit: within 50 mm; strongest hit: x = -7.7572 mm after 3.3876 s": the motion shown may rest
+/// much closer than others. Empty if the residual of ranges is not what counts.
+std::string rest_of_ranges(const ShownTask& task, const ToldMotion& motion) {
+  const auto& [problem, limits, pulse, ranges, physical] = task;
+  const double residual = std::min(problem.residual.value_or(0), problem.beta);
+  const std::string shown = extreme_words(problem, "softest");
+  return shown.empty() || residual == 0 || !motion.admissible
+             ? ""
+             : format("any {}{}{}: within {}; {}: x = {} after {}", problem.v0_low ? "hit" : "",
+                      problem.v0_low && problem.p_high ? " and " : "",
+                      problem.p_high ? "spring" : "", length_shown(physical, residual), shown,
+                      length_shown(physical, *motion.response.stop_position),
+                      time_shown(physical, *motion.response.stop_time));
+}
+
 }  // namespace
 
 void add_motion(Section& answer, const ShownTask& task, const ToldMotion& motion,
                 const std::string& acceleration) {
   const auto& [problem, limits, pulse, ranges, physical] = task;
-  const auto& [response, arrival, worst] = motion;
+  const auto& [response, arrival, worst, admissible] = motion;
   // The requirements are about the motion up to its first return.
   const std::string under_pulse =
       format(", under the pulse{}",
@@ -143,6 +158,8 @@ void add_motion(Section& answer, const ShownTask& task, const ToldMotion& motion
         "rest",
         response.stop_time ? "at x = 0 throughout" : "none: it " + outcome_phrase(response.outcome),
         Tone::bad);
+  } else if (const std::string all = rest_of_ranges(task, motion); !all.empty()) {
+    answer.row("rest", all);
   } else {
     answer.row("rest",
                format("at x = {}{} {} {}{}{}", length_shown(physical, *response.stop_position),

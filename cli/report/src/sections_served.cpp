@@ -10,18 +10,22 @@
 
 namespace stillpoint::report {
 
-std::string interval_text(const design::ServedInterval& interval) {
-  const double low = decimal_end(interval.low, false);
+std::string interval_text(const design::ServedInterval& interval, const Interval& asked) {
+  const double low = end_or_asked(interval.low, asked.low);
   if (!interval.high) {
     constexpr int shown = 3;  // as in an interval
     return format("at least {}", limit_digits(low, true, shown));
   }
-  const double high = decimal_end(*interval.high, true);
+  const double high = end_or_asked(*interval.high, asked.high);
   constexpr double apart = 1e-6;
   if (high - low <= apart * high) {
     return "exactly " + digits_within(low, high);
   }
   return interval_digits(low, high);
+}
+
+Interval asked_hits(const design::Problem& problem) {
+  return {problem.v0_low.value_or(problem.v0), problem.v0};
 }
 
 namespace {
@@ -64,19 +68,30 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
     return;
   }
   const auto& [problem, limits, pulse, ranges, physical] = task;
-  const auto in_units =
-      physical ? std::optional(physical_works_for(physical->scales, *served)) : std::nullopt;
+  const auto in_units = [&given = physical](const design::WorksFor& now) {
+    return given ? physical_works_for(given->scales, now)
+                 : design::PhysicalWorksFor{now.hit, now.p};
+  };
+  const Interval hits_asked = asked_hits(problem);
+  const auto asked =
+      in_units({{hits_asked.low, hits_asked.high}, {problem.p, problem.stiffest_p()}});
+  const auto works = in_units(*served);
+  const auto text = [&](design::ServedInterval design::PhysicalWorksFor::*of) {
+    return interval_text(works.*of, {(asked.*of).low, *(asked.*of).high});
+  };
   const OwnEnds of_springs(
       served->p,
       pulse ? design::searched_p(pulse_problem(problem, *pulse, ranges)) : design::valid_p(problem),
       physical.has_value());
-  const std::string interval = interval_text(in_units ? in_units->period_s : served->p);
-  const auto springs = [in_seconds = in_units.has_value()](const std::string& text) {
-    return in_seconds ? format("periods of {} s", text) : format("p of {}", text);
+  const std::string interval = text(&design::PhysicalWorksFor::period_s);
+  const auto springs = [in_seconds = physical.has_value()](const std::string& range) {
+    return in_seconds ? format("periods of {} s", range) : format("p of {}", range);
   };
   if (pulse) {
-    section.row("works for", format("k of {} g; {}", interval_text(served->hit),
-                                    springs(open_ended(interval, of_springs))));
+    const double k = design::peak_load(*pulse);
+    section.row("works for",
+                format("k of {} g; {}", interval_text(served->hit, {ranges.k_low.value_or(k), k}),
+                       springs(open_ended(interval, of_springs))));
     return;
   }
   const std::string_view hit = problem.v0_low ? "every hit of the range"
@@ -88,9 +103,9 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
       *served->hit.high <= problem.v0 * (1 + rounding)) {
     of_hit = ", none stronger than asked for";
   }
-  const std::string hits = in_units
-                               ? format("hits of {} m/s", interval_text(in_units->velocity_m_per_s))
-                               : format("v0 of {}", interval_text(served->hit));
+  const std::string hits =
+      format("{} of {}{}", physical ? "hits" : "v0",
+             text(&design::PhysicalWorksFor::velocity_m_per_s), physical ? " m/s" : "");
   section.row("works for", format("{}{}{}", hits,
                                   problem.p_high ? " with every spring of the range" : "", of_hit));
   section.row("", format("{} with {}{}", springs(interval), hit, own_limit(of_springs)));

@@ -363,4 +363,16 @@ BOOST_FIXTURE_TEST_CASE(of_too_large_an_f_with_a_residual_names_f, Sandbox) {
       {"all hits of the range are felt in full, up to 1 times the mass"});
 }
 
+/// After the strongest hit it rests at -7.8 mm, after 0.44 m/s at 41.8 mm.
+BOOST_FIXTURE_TEST_CASE(a_rest_within_a_residual_is_told_for_every_hit_of_a_range, Sandbox) {
+  const Arguments task("--velocity 0.2:0.5 --period 2.8 --max-displacement 200mm");
+  const auto told = [&](const char* command) {
+    return one_line(run(Arguments(command) + task).out);
+  };
+  const std::string every = "rest any hit: within 50 mm; strongest hit: x = -7.7572 mm after ";
+  BOOST_TEST(contains(told("design --residual-m 50mm --arrivals 2"), every));
+  BOOST_TEST(!contains(told("region --residual-m 50mm --f 0.02 --delta-m 1mm"), "any hit"));
+  BOOST_TEST(!contains(told("region --f 0.03 --delta-m 1mm"), "any hit"));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

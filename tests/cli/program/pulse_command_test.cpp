@@ -210,7 +210,7 @@ BOOST_AUTO_TEST_CASE(a_point_says_which_pulses_and_springs_it_works_for) {
     BOOST_TEST(near(hits[i]["to"], to.at(i), 1e-12));
   }
   check_contains(one_line(run(point).out),
-                 {" works for k of 0.350 to 0.575 g; p of ", " to 10.0 or more "});
+                 {" works for k of 0.351 to 0.574 g; p of ", " to 10.0 or more "});
   check_null(reported(region + "--f 0.05 --delta 0.49"), {"works_for"});
   const json physical = reported(
       "region --pulse half-sine --k 0.5g --pulse-duration 0.1s --period 2s"
@@ -236,7 +236,7 @@ BOOST_AUTO_TEST_CASE(region_of_a_pulse_is_drawn) {
   check_contains(read("page.html"), {"id=\"region-title\"", "least Δ allowed", "point, admissible",
                                      "too weak: exceeds", "too strong", "id=\"pulses-title\""});
   check_contains(one_line(read("page.html")),
-                 {"The damper works for pulses of 0.350 to 0.575 g; slightly weaker ones rest off "
+                 {"The damper works for pulses of 0.351 to 0.574 g; slightly weaker ones rest off "
                   "centre and stronger ones go too far."});
 }
 

@@ -38,14 +38,14 @@ BOOST_AUTO_TEST_CASE(ends_that_differ_are_printed_differently) {
   BOOST_TEST(range_digits(2e-6, 1) == "2e-06 to 1");
 }
 
-BOOST_AUTO_TEST_CASE(an_end_beside_a_short_decimal_is_that_decimal) {
-  BOOST_TEST(decimal_end(0.20000000000000198, false) == 0.2);
-  BOOST_TEST(decimal_end(0.19999999999999801, true) == 0.2);
-  // Never inwards, nor farther than units that are converted to and fro.
-  for (const double end : {0.19999999999999801, 0.2000000000003, 1.0 / 3, 0.0}) {
-    BOOST_TEST(decimal_end(end, false) == end);
-  }
-  BOOST_TEST(decimal_end(0.1999999999997, true) == 0.1999999999997);
+BOOST_AUTO_TEST_CASE(an_end_beside_what_was_asked_for_is_that_as_it_was_typed) {
+  constexpr double converted = 0.20000000000000018;
+  BOOST_TEST(end_or_asked(0.20000000000000198, converted) == 0.2);
+  BOOST_TEST(end_or_asked(0.19999999999999801, converted) == 0.2);
+  BOOST_TEST(end_or_asked(0.2000000000003, converted) == 0.2000000000003);
+  BOOST_TEST(end_or_asked(0.20000000000000198, 0.3) == 0.20000000000000198);
+  BOOST_TEST(end_or_asked(1.0 / 3 + 1e-15, 1.0 / 3) == 1.0 / 3);
+  BOOST_TEST(end_or_asked(0, 0) == 0);
 }
 
 /// Both printed ends lie in the range, whatever it is, and most of it lies between them.

@@ -150,7 +150,9 @@ Figure ends_figure(const DrawnEnds& drawn) {
   if (drawn.works) {  // the first to be named
     const double low = drawn.works->low * scale;
     const double high = *drawn.works->high * scale;
-    const std::string range = interval_text({low, high}) + with_blank(drawn.unit);
+    const std::string range =
+        interval_text({low, high}, {drawn.asked.low * scale, drawn.asked.high * scale}) +
+        with_blank(drawn.unit);
     auto box = strip(low, high, 0.05, 0.3);
     add_box_inset(figure, box);
     figure.areas.push_back({"works for " + range, std::move(box), Ink::blue, AreaLook::box});

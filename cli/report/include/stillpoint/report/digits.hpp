@@ -29,9 +29,9 @@ inline constexpr int every_digit = 10;
 /// "0.341 to 0.429": rounded inwards to three digits, or as many as hold both ends to 2 % of the
 /// width; "up to 0.429" if it begins at nothing.
 [[nodiscard]] std::string interval_digits(double low, double high);
-/// The end of a range, or the decimal of nine digits just outside it, off which units converted to
-/// and fro have moved it.
-[[nodiscard]] double decimal_end(double end, bool upwards);
+/// The end of a range, or the value asked for, as it was typed, if only the conversion of units is
+/// between them.
+[[nodiscard]] double end_or_asked(double end, double asked);
 /// A number of the range: six digits, or as many as it takes.
 [[nodiscard]] std::string digits_within(double low, double high);
 /// A count: every digit up to 2^53, six for larger ones; or "none".
