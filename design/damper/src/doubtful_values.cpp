@@ -130,7 +130,7 @@ const Source* strangest(const Values& values) {
 
 /// Whether that is far outside, which is a doubt of its own.
 bool is_far(const Values& values, const Source* source) {
-  return source != nullptr && outside(*source, std::abs(*(values.*source->value))) >= far_outside;
+  return source != nullptr && outside(*source, std::abs(*(values.*source->value))) > far_outside;
 }
 
 /// The value given without a unit for which another unit makes `ratio` likely, in that unit; of
@@ -322,7 +322,7 @@ std::optional<Doubt::Meant> usual_unit(const Source& source, double value) {
 
 std::optional<Doubt> doubtful_size(const GivenValues& given, const Source& source) {
   const auto value = number(given, source.name);
-  if (!value || *value == 0 || outside(source, std::abs(*value)) < far_outside) {
+  if (!value || *value == 0 || outside(source, std::abs(*value)) <= far_outside) {
     return std::nullopt;
   }
   const auto units = records::units_of(source.dimension);
