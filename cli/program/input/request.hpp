@@ -41,7 +41,9 @@ namespace stillpoint::cli {
 /// The question; the answer in these two is empty.
 [[nodiscard]] report::MotionReport simulate_input(const Settings& settings);
 [[nodiscard]] report::SpectrumReport spectrum_input(const Settings& settings);
-/// With the answer, and a trajectory if samples or an end were given. `go_on` may end the run.
+/// With a trajectory if samples or an end ask for one, where no file is named.
+[[nodiscard]] Settings traced(Settings settings);
+/// With the answer, of traced settings. `go_on` may end the run.
 [[nodiscard]] report::MotionReport motion_report(const Settings& settings,
                                                  const std::function<bool()>& go_on);
 

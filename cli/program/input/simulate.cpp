@@ -66,13 +66,16 @@ report::MotionReport simulate_input(const Settings& settings) {
   return input;
 }
 
-report::MotionReport motion_report(const Settings& settings, const std::function<bool()>& go_on) {
-  Settings wanted = settings;
+Settings traced(Settings settings) {
   const bool ends_free = !excitation_type(settings) && settings.given(Rivals::end) != nullptr;
   if (settings.has("samples") || ends_free) {
-    wanted.set("trajectory", std::string("-"));
+    settings.set("trajectory", std::string("-"));
   }
-  report::MotionReport report = simulate_input(wanted);
+  return settings;
+}
+
+report::MotionReport motion_report(const Settings& settings, const std::function<bool()>& go_on) {
+  report::MotionReport report = simulate_input(traced(settings));
   report.answer = simulate(report.request, [&](double /*tau*/) { return go_on(); });
   return report;
 }

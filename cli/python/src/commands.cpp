@@ -177,7 +177,7 @@ std::unique_ptr<Result> run(const Row& row, const py::object& scene, const py::d
     return with_places(given,
                        [&] { return row.answer(given, [&] { return !stop.stop_requested(); }); });
   });
-  warn_of_doubts(given, row.command);
+  warn_of_doubts(row.command == Command::simulate ? cli::traced(given) : given, row.command);
   if (row.command == Command::simulate) {
     return std::make_unique<Motion>(std::move(found));
   }

@@ -30,8 +30,8 @@ struct BuiltNotch {
   /// After a hit, with a width: the motion if the notch acts on the way out too, as a strip of that
   /// friction does. v0 is otherwise the speed with which the mass leaves it.
   std::optional<ForcedResponse> from_start{};
-  /// Of ranges of hits: the one of a grid of them after which the mass rests farthest from x = 0. On
-  /// those that the paper's notch catches, one with a width acts from the start.
+  /// Of ranges of hits: the one of a grid of them after which the mass rests farthest from x = 0.
+  /// On those that the paper's notch catches, one with a width acts from the start.
   std::optional<RestAfter> farthest{};
 };
 
