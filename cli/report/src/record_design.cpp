@@ -87,6 +87,7 @@ void add_damper(Document& document, const RecordDesignReport& report) {
   const design::SuiteDamper& damper = report.result.finding->point.damper;
   Section& section = document.detail("Damper");
   add_damper_physics(section, physical, damper.f, damper.delta);
+  add_decision_margin(section, report.result);
   const design::Sensitivity& near = report.result.finding->sensitivity;
   if (near.tolerance > 0) {
     const bool both = damper.f > 0 && damper.delta > 0;

@@ -64,7 +64,9 @@ void add_records(Document& document, const design::RecordDesign& result, const P
 [[nodiscard]] std::string_view inexact_parts(const design::RecordDesign& result);
 /// Within the tolerance, more than a quarter of the dampers fail, or one is much worse.
 [[nodiscard]] bool is_delicate(const design::RecordDesign& result);
-/// The worst of the samples, the nearest damper that is much worse, and the decision margin.
+/// Of the motion that came closest to another outcome.
+void add_decision_margin(Section& section, const design::RecordDesign& result);
+/// The worst of the samples, and the nearest damper that is much worse.
 void add_tolerance(Section& answer, const design::RecordDesign& result, const Physical& physical);
 
 /// Of a design: as many as it was rounded to, or almost every digit that it has.

@@ -91,8 +91,8 @@ std::string fault_of_width(const design::RecordDesign& result, double width,
   return {};
 }
 
-/// "an impulse of up to 1.21 MN s where it passes or stops, which is not in the 0.1459 g": the
-/// largest of all records, and of which; empty if the mass never comes back to x = 0.
+/// "impulses of up to 1.21 MN s (a.txt) besides the 0.1459 g": the largest of all records, and of
+/// which; empty if the mass never comes back to x = 0.
 std::string impulse_words(const design::RecordDesign& result, const Physical& physical) {
   double most = 0;
   std::size_t under = 0;
@@ -106,14 +106,12 @@ std::string impulse_words(const design::RecordDesign& result, const Physical& ph
       }
     }
   }
-  return most == 0
-             ? ""
-             : format("an impulse of up to {}{} where it passes or stops, which is not in the {}",
-                      impulse_shown(physical, most),
-                      result.request.records.size() == 1
-                          ? ""
-                          : ", under " + record_label(result.request.records[under]) + ",",
-                      acceleration_shown(result.finding->point.figures.acceleration));
+  return most == 0 ? ""
+                   : format("impulses of up to {}{} besides the {}", impulse_shown(physical, most),
+                            result.request.records.size() == 1
+                                ? ""
+                                : " (" + record_label(result.request.records[under]) + ")",
+                            acceleration_shown(result.finding->point.figures.acceleration));
 }
 
 }  // namespace

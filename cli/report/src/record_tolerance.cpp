@@ -22,8 +22,9 @@ std::string samples_words(const design::Sensitivity& near) {
                       near.samples - near.admissible == 1 ? "s" : "");
 }
 
-/// The motion that came closest to another outcome.
-void add_margin(Section& answer, const design::RecordDesign& result) {
+}  // namespace
+
+void add_decision_margin(Section& section, const design::RecordDesign& result) {
   const std::vector<ForcedResponse>& all = result.finding->responses;
   const auto margin = [](const ForcedResponse& response) {
     return response.decision_margin.value_or(HUGE_VAL);
@@ -31,15 +32,13 @@ void add_margin(Section& answer, const design::RecordDesign& result) {
   const auto nearest = std::ranges::min_element(all, {}, margin);
   if (nearest->decision_margin) {
     const auto index = static_cast<std::size_t>(nearest - all.begin());
-    answer.row(
+    section.row(
         "decision margin",
         format("{:.2g} %{}: {}", 100 * *nearest->decision_margin,
                all.size() == 1 ? "" : ", under " + record_label(result.request.records[index]),
                closest_decision()));
   }
 }
-
-}  // namespace
 
 std::string change_words(double change) {
   constexpr double least = 1e-5;
@@ -102,7 +101,6 @@ void add_tolerance(Section& answer, const design::RecordDesign& result, const Ph
                       worst_words(result, near.much_worse->figures, physical)),
                Tone::bad);
   }
-  add_margin(answer, result);
 }
 
 }  // namespace stillpoint::report

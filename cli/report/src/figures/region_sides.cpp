@@ -56,8 +56,10 @@ class Sides {
         std::max(first_, strong_), held_);
     upright("too strong: dead zone exceeds " + units_.length_words(drawn_.problem.beta),
             std::max(first_, held_), figure_.x.most);
-    upright("gap: no f returns within " + units_.length_words(drawn_.problem.beta), strong_, first_,
-            Ink::orange, AreaLook::filled);
+    upright(drawn_.problem.residual
+                ? "gap: no f is admissible"
+                : "gap: no f returns within " + units_.length_words(drawn_.problem.beta),
+            strong_, first_, Ink::orange, AreaLook::filled);
     if (start_ < figure_.y.most) {
       add("notch holds at the start", {{figure_.x.least, start_},
                                        {figure_.x.most, start_},
