@@ -203,6 +203,9 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
                     length_shown(physical, delta),
                     failing && !report.built_notch ? format(" ({})", acts_late) : ""),
              Tone::heading);
+  if (physical && f > 1) {
+    answer.row("", "friction of more than the weight: a brake, not a bearing", Tone::bad);
+  }
   const auto built = felt_in_built_notch(report);
   ToldMotion told{told_motion(report)};
   if (!report.built_notch) {

@@ -315,6 +315,9 @@ BOOST_FIXTURE_TEST_CASE(of_a_design_says_what_delta_and_its_tolerance_are, Sandb
   const std::string energy = "Delta is an energy, no size: each passage takes what lifts the mass";
   check_contains(one_line(run(design).out), {energy});
   BOOST_TEST(!contains(one_line(run(design + "--mass 1200t").out), energy));  // it is in kJ
+  check_contains(
+      run("design --velocity 1.2 --period 0.1 --max-displacement 15mm").out,
+      {"\n                    friction of more than the weight: a brake, not a bearing\n"});
   // The largest tolerance of delta alone is that at f3, beyond which nothing returns.
   check_contains(one_line(run(design + "--tolerance-delta 0.2").out),
                  {"+-77.77 % of delta, with f exactly as given, which is on an edge "});
