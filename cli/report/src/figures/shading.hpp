@@ -30,7 +30,7 @@ namespace stillpoint::report {
 
 /// Of a value between the first bound and the last; a bound belongs to the class below it.
 [[nodiscard]] inline std::size_t class_of(double value, const std::vector<double>& bounds) {
-  const auto inner = std::ranges::lower_bound(bounds.begin() + 1, bounds.end() - 1, value);
+  const auto inner = std::lower_bound(bounds.begin() + 1, bounds.end() - 1, value);
   return static_cast<std::size_t>(inner - bounds.begin()) - 1;
 }
 
