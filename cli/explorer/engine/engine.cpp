@@ -3,6 +3,7 @@
 
 #include "input/motion.hpp"
 #include "input/request.hpp"
+#include "input/warnings.hpp"
 #include "options/scene.hpp"
 
 #include <stillpoint/answers/exit_code.hpp>
@@ -119,7 +120,7 @@ ordered_json run(const json& request) {
   const Command command = parse<Command>(wanted).value_or(Command::init);
   const Settings settings = within_limits(given(command, request.at("options")));
   ordered_json answer = said_by(command, settings, request.at("figures"));
-  answer["doubts"] = doubts(settings, command);
+  answer["doubts"] = warnings(settings, command);
   return answer;
 }
 

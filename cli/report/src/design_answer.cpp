@@ -174,7 +174,7 @@ std::string verdict(const DesignReport& report, const Physical& physical) {
     text = format("{}. With a notch that {}, {}", fault, acts_late, text);
   }
   if (physical && !physical->scales.mass_kg && delta > 0 && fault.empty()) {
-    text += " Delta is an energy, no size: each passage takes what lifts the mass by it.";
+    text += " Delta is an energy, not a size: each passage takes what lifts the mass by Delta.";
   }
   text += unbounded_words(report, physical);
   if (!fault.empty() && report.built_notch) {
@@ -208,6 +208,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   }
   const auto built = felt_in_built_notch(report);
   ToldMotion told{told_motion(report)};
+  told.admissible = !report.built_notch;
   if (!report.built_notch) {
     told.arrival = finding.arrival;
     told.worst = pulse ? finding.pulse->worst : std::nullopt;
@@ -219,9 +220,9 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
                    {finding.response, finding.arrival, pulse ? finding.pulse->worst : std::nullopt},
                    told_practice(result.request, finding.practice, f, delta),
                    pulse && delta > 0 ? inside_example(report, physical) : ""));
-  if (!pulse && !problem.v0_low && !finding.arrival && !report.built_notch && delta > 0 &&
-      finding.response.zero_passages == 0.0) {
-    answer.row("note", "the mass never comes back to the notch: delta only widens the tolerance");
+  if (!pulse && !problem.v0_low && !problem.p_high && !finding.arrival && !report.built_notch &&
+      delta > 0 && finding.response.zero_passages == 0.0) {
+    answer.row("note", "the mass never comes back to the notch: delta has no effect on this hit");
   }
   if (pulse && !report.built_notch) {
     add_start(answer, start_under_pulse(result), "delta/(k - f)", failing, physical);

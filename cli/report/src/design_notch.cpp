@@ -9,12 +9,15 @@ namespace stillpoint::report {
 
 namespace {
 
-/// Of a range, with a residual: the worst of its hits.
+constexpr double centred = 0.1;  // of the peak, without a residual
+
+/// Of a range: the worst of its hits.
 std::string far_rest(const design::BuiltNotch& built, const design::Problem& problem,
                      const Physical& physical) {
   constexpr double rounding = 1 + 1e-9;
   const auto& farthest = built.farthest;
-  return farthest && problem.residual && std::abs(farthest->rest) > *problem.residual * rounding
+  const double allowed = problem.residual.value_or(centred * built.response.peak_amplitude);
+  return farthest && std::abs(farthest->rest) > allowed * rounding
              ? format("the mass rests {} off centre after a hit of {}",
                       length_shown(physical, std::abs(farthest->rest)),
                       FigureUnits(physical).velocity_words(farthest->v0))
@@ -32,7 +35,9 @@ std::string notch_fault(const design::BuiltNotch& built, const design::DesignReq
   if (response.half_cycles == 0) {
     return "the mass is held throughout the pulse";
   }
-  if (built.shape.width && *built.shape.width / 2 >= peak) {
+  const bool allowed = problem.residual && response.stop_position &&
+                       std::abs(*response.stop_position) <= *problem.residual * rounding;
+  if (built.shape.width && *built.shape.width / 2 >= peak && !allowed) {
     return "the mass stays inside" +
            (response.stop_position
                 ? format(" and stops at x = {}", length_shown(physical, *response.stop_position))
@@ -44,11 +49,9 @@ std::string notch_fault(const design::BuiltNotch& built, const design::DesignReq
   if (std::string far = far_rest(built, problem, physical); !far.empty()) {
     return far;
   }
-  const bool kept = problem.residual
-                        ? response.stop_position &&
-                              std::abs(*response.stop_position) <= *problem.residual * rounding
-                        : response.outcome == Outcome::stopped_at_zero ||
-                              response.outcome == Outcome::stopped_in_notch;
+  const bool kept = problem.residual ? allowed
+                                     : response.outcome == Outcome::stopped_at_zero ||
+                                           response.outcome == Outcome::stopped_in_notch;
   if (!kept) {
     return "the mass " + outcome_phrase(response);
   }
@@ -59,7 +62,6 @@ std::string notch_fault(const design::BuiltNotch& built, const design::DesignReq
                   acceleration_shown(*limits.acceleration_max));
   }
   // A notch of the example width, at most a fifth of the peak, cannot do that.
-  constexpr double centred = 0.1;
   if (!problem.residual && std::abs(*response.stop_position) > centred * peak * rounding) {
     return format("the mass rests {} off centre, inside it",
                   length_shown(physical, std::abs(*response.stop_position)));

@@ -114,6 +114,16 @@ std::string impulse_words(const design::RecordDesign& result, const Physical& ph
                             acceleration_shown(result.finding->point.figures.acceleration));
 }
 
+/// Whether some width within the stroke lets every record move the mass out of the notch.
+bool could_leave_any(const design::RecordDesign& result) {
+  const auto& [damper, figures] = result.finding->point;
+  double weakest = HUGE_VAL;
+  for (const design::SuiteRecord& record : result.request.records) {
+    weakest = std::min(weakest, design::peak_load(record));
+  }
+  return StartUnderLoad{damper.f, damper.delta, weakest}.width() < 2 * figures.peak;
+}
+
 }  // namespace
 
 std::optional<RealNotchFault> real_notch_fault(const design::RecordDesign& result,
@@ -133,8 +143,10 @@ std::optional<RealNotchFault> real_notch_fault(const design::RecordDesign& resul
   }
   const std::string wide = length_shown(physical, width) + " wide";
   return RealNotchFault{false, "Not for a notch " + wide,
-                        format("with one {}, {}; try others with --notch-width{}", wide, words,
-                               physical ? "-m" : "")};
+                        format("with one {}, {}{}", wide, words,
+                               could_leave_any(result) ? format("; try others with --notch-width{}",
+                                                                physical ? "-m" : "")
+                                                       : "")};
 }
 
 void add_notch(Section& answer, const design::RecordDesign& result, const Physical& physical) {

@@ -147,10 +147,7 @@ template <class Request>
 void add_practice(Section& section, const ToldPractice& told, const Physical& physical);
 /// How much of its notch the stop uses.
 void add_notch_used(Section& section, const ToldPractice& told, const Physical& physical);
-/// The impulse of each passage and of the stop at x = 0, in turn; under a load and on another
-/// surface of the half-cycles that are listed.
-[[nodiscard]] std::vector<double> impulses_of(const MotionReport& report);
-/// Empty if nothing moves, in zones of friction, and within a notch.
+/// Of the motion after a hit, from x = 0 without a load, with the paper's notch; else empty.
 [[nodiscard]] std::optional<design::Practice> practice_of(const MotionReport& report);
 /// The first of `count` as a table, and what --json has of others.
 inline constexpr std::size_t most_half_cycles = 12;

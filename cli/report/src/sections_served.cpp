@@ -45,8 +45,9 @@ struct OwnEnds {
 
 /// "0.351 or less to 3.84", shorter than the next.
 std::string open_ended(std::string interval, const OwnEnds& own) {
-  if (own.low && !interval.starts_with("up to")) {
-    interval.insert(interval.find(" to "), " or less");
+  const std::size_t end = interval.find(" to ");
+  if (own.low && !interval.starts_with("up to") && end != std::string::npos) {
+    interval.insert(end, " or less");
   }
   return interval + (own.high ? " or more" : "");
 }
@@ -272,7 +273,7 @@ void add_practice(Section& section, const ToldPractice& told, const Physical& ph
     section.row("impulse", format("at most {} at a passage",
                                   impulse_shown(physical, *lines->impulse_largest)));
   }
-  if (lines->impulse_at_stop) {
+  if (lines->impulse_at_stop.value_or(0) > 0) {
     section.row(passes ? "" : "impulse",
                 impulse_shown(physical, *lines->impulse_at_stop) + " at the stop");
   }

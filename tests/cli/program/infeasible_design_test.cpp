@@ -166,4 +166,11 @@ BOOST_AUTO_TEST_CASE(wrong_input_comes_before_an_empty_region) {
   BOOST_TEST(run(design(0.6, "--algorithm LD_BEST")).exit_code == 2);
 }
 
+// From a peak just beyond the dead zone the mass slips by next to nothing, and late.
+BOOST_FIXTURE_TEST_CASE(the_stroke_that_a_residual_asks_for_makes_a_design, Sandbox) {
+  BOOST_TEST(
+      contains(run("design --v0 1 --p 1 --beta 0.5 --residual 0.6").out, "at least 0.57736"));
+  BOOST_TEST(run("design --v0 1 --p 1 --beta 0.57736 --residual 0.6").exit_code == 0);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -181,6 +181,7 @@ BOOST_AUTO_TEST_CASE(the_notch_that_will_be_built_is_tried_with_every_hit_of_a_r
                       " But with this notch the mass rests 40.499 mm off "
                       "centre after a hit of 0.3234 m/s."),
              told.out);
+  BOOST_TEST(!contains(told.out, "any hit: within"), told.out);  // which the paper's notch keeps
 }
 
 // The answer is that of the notch that will be built, and says what it spoils.
@@ -311,27 +312,20 @@ BOOST_AUTO_TEST_CASE(a_motion_has_the_figures_used_in_practice) {
                   "impulse            1.414 times the mass at the stop",
                   "used at the stop   1, 40 % of the notch's capacity"});
   BOOST_TEST(reported("simulate --friction-zones 1:0.4" + hit)["practice"].is_null());
-  const json wide = reported("simulate --notch-width 0.5" + hit)["practice"];
-  check_null(wide, {"impulse_at_stop", "impulse_largest", "notch_used"});
-  BOOST_TEST(wide["impulses"].empty());
-  BOOST_TEST(reported("simulate --notch-width 5" + hit)["practice"].is_null());
+  BOOST_TEST(reported("simulate --notch-width 0.5" + hit)["practice"].is_null());
+  BOOST_TEST(reported("simulate --x0 0.1" + hit)["practice"].is_null());
+  BOOST_TEST(
+      reported("simulate --excitation rectangle --k 0.1 --lambda 1" + hit)["practice"].is_null());
 }
 
 BOOST_AUTO_TEST_CASE(each_passage_has_its_impulse) {
-  const Arguments loaded(
-      "simulate --p 1 --f 0.02 --delta 0.005 --excitation half-sine --k 0.3 --lambda 0.5");
-  for (const Arguments& motion : {simulate("0.02", "0.05"), loaded}) {
-    const json report = reported(motion);
-    const json& impulses = report["practice"]["impulses"];
-    BOOST_TEST_REQUIRE(impulses.size() > 3U);
-    for (std::size_t i = 0; i < impulses.size(); ++i) {
-      BOOST_TEST(near(impulses[i], report["half_cycles"][i]["impulse"], 1e-13));
-    }
-    BOOST_TEST(report["practice"]["impulse_largest"] == std::ranges::max(impulses));
+  const json report = reported(simulate("0.02", "0.05"));
+  const json& impulses = report["practice"]["impulses"];
+  BOOST_TEST_REQUIRE(impulses.size() > 3U);
+  for (std::size_t i = 0; i < impulses.size(); ++i) {
+    BOOST_TEST(near(impulses[i], report["half_cycles"][i]["impulse"], 1e-13));
   }
-  const json cut = reported(loaded + "--max-half-cycles 2")["practice"];
-  BOOST_TEST(cut["impulses"].size() == 2U);
-  BOOST_TEST(cut["impulse_largest"].is_null());
+  BOOST_TEST(report["practice"]["impulse_largest"] == std::ranges::max(impulses));
 }
 
 BOOST_AUTO_TEST_CASE(without_friction_it_never_stops_and_says_so_at_once) {

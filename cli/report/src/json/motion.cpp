@@ -99,7 +99,8 @@ ordered_json json(const MotionReport& report) {
       {"input", motion_input_json(report.request, report.record)},
       {"response", answer.forced ? forced_json(*answer.forced) : response_json(answer.response)},
       {"caught_impulse", caught_impulse(report)},
-      {"practice", practice_json(practice_of(report), impulses_of(report))},
+      {"practice", practice_json(practice_of(report),
+                                 design::impulses(report.request.oscillator, answer.response))},
       {"half_cycles", list_json(answer.half_cycles, half_cycle_json)},
       {"half_cycles_listed", answer.half_cycles.size()},
       {"physical", physical_json(report)}};

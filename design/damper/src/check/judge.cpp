@@ -16,9 +16,15 @@ double grazing_factor(const Prediction& prediction, const Problem& problem, doub
                       double tolerance) {
   const double d = delta / problem.v0 / problem.v0;
   if (prediction.stop_position != 0) {
-    return std::max(1.0, unit::rest(f / problem.p / problem.v0, d,
-                                    static_cast<int>(prediction.half_cycles), tolerance)
-                             .grazing);
+    // From a peak just beyond the dead zone the mass slips with this amplitude: it turns back late
+    // by an error over that.
+    const double slip = prediction.peak_amplitude - f / problem.p / problem.p;
+    return std::max(
+        {1.0,
+         unit::rest(f / problem.p / problem.v0, d, static_cast<int>(prediction.half_cycles),
+                    tolerance)
+             .grazing,
+         prediction.half_cycles == 1 && slip > 0 ? prediction.peak_amplitude / slip : 1});
   }
   if (prediction.half_cycles > 1) {
     return std::max(1.0, unit::course(static_cast<int>(prediction.half_cycles),

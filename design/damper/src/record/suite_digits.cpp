@@ -41,10 +41,12 @@ SuitePoint with_few_digits(const Suite& suite, const RecordDesignRequest& task,
   const double turn = 2 * std::numbers::pi * time.value_or(1);  // over p: the period
   const double value = value_of(found.figures, task.objective);
   constexpr double next_to_nothing = 1e-3;  // a notch that gains less is not worth building
-  const SuitePoint bare{{p, f, 0}, suite.figures({p, f, 0})};
-  if (delta > 0 && includes(*task.delta, 0) && admissible(bare.figures, task.limits) &&
-      value_of(bare.figures, task.objective) <= value * (1 + next_to_nothing)) {
-    return with_few_digits(suite, task, bare);
+  if (delta > 0 && includes(*task.delta, 0)) {
+    const SuitePoint bare{{p, f, 0}, suite.figures({p, f, 0})};
+    if (admissible(bare.figures, task.limits) &&
+        value_of(bare.figures, task.objective) <= value * (1 + next_to_nothing)) {
+      return with_few_digits(suite, task, bare);
+    }
   }
   const double worst = value * (1 + costs_nothing);
   const auto rank_of = [&](const SuitePoint& point) {
