@@ -264,6 +264,7 @@ RecordDesign design(const RecordDesignRequest& request, const std::vector<SuiteF
   result.search.wall_time_s = seconds_now() - begun;
   if (feasible) {
     const SuitePoint point = with_few_digits(suite, task, found.point);
+    result.nearest = point;
     RecordFinding finding{point, suite.responses(point.damper), {}, {}};
     finding.sensitivity = sensitivity(suite, task, point);
     finding.check = check(suite, point.damper, finding.responses);
