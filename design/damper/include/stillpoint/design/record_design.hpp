@@ -81,7 +81,7 @@ struct SuiteShortfall {
 struct RecordDesign {
   RecordDesignRequest request;  ///< with the ranges and the combination that were chosen
   std::optional<RecordFinding> finding;
-  SuitePoint nearest;  ///< without a finding: the damper that violates the limits least
+  SuitePoint nearest;  ///< that of the finding, or else the one that violates the limits least
   std::vector<SuiteShortfall> shortfalls;
   SuiteSearch search;
 };
