@@ -227,9 +227,10 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   if (pulse && !report.built_notch) {
     add_start(answer, start_under_pulse(result), "delta/(k - f)", failing, physical);
   }
-  if (pulse && finding.pulse->worst) {
+  const bool of_ranges = pulse && finding.pulse->worst;
+  if (of_ranges && !report.built_notch) {
     add_worst(answer, report, physical);
-  } else if (built && problem.p_high) {  // the motion shown is that of the softest spring
+  } else if (!pulse && built && problem.p_high) {  // the motion shown is that of the softest spring
     const double stiffest = std::hypot(f, *problem.p_high * problem.v0);
     answer.row("", format("{} outside it with the stiffest spring", acceleration_shown(stiffest)));
   }
@@ -243,6 +244,9 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
     }
     answer.row("note", format("what follows is for a notch that {}",
                               ideal_words(*report.built_notch, finding)));
+    if (of_ranges) {
+      add_worst(answer, report, physical);
+    }
   }
   const bool robust = result.request.search.objective == design::Objective::robust;
   const bool f_exact = is_f_on_an_edge(result.request, finding.point);
