@@ -202,7 +202,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Settings settings = scene_and_flags(*command, {}, scene);
     name_files(settings);
     ::run(*command, settings);
-    for (const std::string& doubt : doubts(settings, *command)) {
+    for (const std::string& doubt : doubts(settings, *command, {})) {
       require_short(doubt);
     }
   });

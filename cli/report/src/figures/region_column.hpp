@@ -38,7 +38,7 @@ double last_inside(double inside, double outside, const Holds& holds) {
 template <class RangeOf>
 std::vector<figures::FigurePoint> outline_over(const Interval& f, double unit,
                                                const RangeOf& range_of) {
-  constexpr int steps = 200;
+  constexpr int parts = 200;
   std::vector<figures::FigurePoint> lower;
   std::vector<figures::FigurePoint> upper;
   const auto has = [&](double at) { return range_of(at).has_value(); };
@@ -49,8 +49,8 @@ std::vector<figures::FigurePoint> outline_over(const Interval& f, double unit,
   };
   double last = f.low;
   bool had = false;
-  for (int i = 0; f.low <= f.high && i <= steps; ++i) {
-    const double at = f.low + (f.high - f.low) * i / steps;
+  for (int i = 0; f.low <= f.high && i <= parts; ++i) {
+    const double at = f.low + (f.high - f.low) * i / parts;
     const bool now = has(at);
     if (i > 0 && had != now) {  // it begins or ends between them
       add(had ? last_inside(last, at, has) : last_inside(at, last, has));
