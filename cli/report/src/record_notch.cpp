@@ -114,14 +114,13 @@ std::string impulse_words(const design::RecordDesign& result, const Physical& ph
                             acceleration_shown(result.finding->point.figures.acceleration));
 }
 
-/// Whether some width within the stroke lets every record move the mass out of the notch.
-bool could_leave_any(const design::RecordDesign& result) {
-  const auto& [damper, figures] = result.finding->point;
+StartUnderLoad under_the_weakest(const design::RecordDesign& result) {
+  const design::SuiteDamper& damper = result.finding->point.damper;
   double weakest = HUGE_VAL;
   for (const design::SuiteRecord& record : result.request.records) {
     weakest = std::min(weakest, design::peak_load(record));
   }
-  return StartUnderLoad{damper.f, damper.delta, weakest}.width() < 2 * figures.peak;
+  return {damper.f, damper.delta, weakest};
 }
 
 }  // namespace
@@ -142,11 +141,12 @@ std::optional<RealNotchFault> real_notch_fault(const design::RecordDesign& resul
     return {};
   }
   const std::string wide = length_shown(physical, width) + " wide";
-  return RealNotchFault{false, "Not for a notch " + wide,
-                        format("with one {}, {}{}", wide, words,
-                               could_leave_any(result) ? format("; try others with --notch-width{}",
-                                                                physical ? "-m" : "")
-                                                       : "")};
+  return RealNotchFault{
+      false, "Not for a notch " + wide,
+      format("with one {}, {}{}", wide, words,
+             under_the_weakest(result).width() < 2 * figures.peak
+                 ? format("; try others with --notch-width{}", physical ? "-m" : "")
+                 : "")};
 }
 
 void add_notch(Section& answer, const design::RecordDesign& result, const Physical& physical) {
@@ -161,12 +161,7 @@ void add_notch(Section& answer, const design::RecordDesign& result, const Physic
   if (!has_ideal_notch(result)) {
     return;
   }
-  double weakest = HUGE_VAL;
-  double strongest = 0;
-  for (const design::SuiteRecord& record : result.request.records) {
-    weakest = std::min(weakest, design::peak_load(record));
-    strongest = std::max(strongest, design::peak_load(record));
-  }
+  const double strongest = design::peak_load(result.request.records);
   const auto fault = real_notch_fault(result, physical);
   if (fault) {
     answer.row("real notch", fault->words, Tone::bad);
@@ -175,7 +170,7 @@ void add_notch(Section& answer, const design::RecordDesign& result, const Physic
                inside_words(physical, {damper.p, damper.f, damper.delta}, figures.peak, strongest));
   }
   if (!fault || !fault->of_any) {
-    add_start(answer, {damper.f, damper.delta, weakest},
+    add_start(answer, under_the_weakest(result),
               result.request.records.size() == 1 ? "delta/(load - f)"
                                                  : "delta/(load - f), under the weakest record",
               false, physical);

@@ -2,6 +2,7 @@
 #include "figures/ends.hpp"
 #include "figures/report_figures.hpp"
 #include "format.hpp"
+#include "sections.hpp"
 
 #include <stillpoint/design/hits.hpp>
 
@@ -71,7 +72,7 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
                    .scale = unit,
                    .unit = units.velocity_unit,
                    .list = hits,
-                   .asked = {problem.v0_low.value_or(problem.v0), problem.v0},
+                   .asked = asked_hits(problem),
                    .has_range = problem.v0_low.has_value(),
                    .works = hit_of(works_for),
                    .refusal = held_at_the_limit(problem, f, units),
