@@ -70,9 +70,11 @@ ExitCode run_record_design(const Settings& settings, Output& output) {
     return run_part(settings, output);
   }
   const report::RecordDesignInput input = record_design_input(settings);
-  return show({watched(input, [&](const auto& ask) { return design::design(input.request, ask); }),
-               input.physical},
-              settings, output);
+  return show(
+      report::record_design_report(
+          watched(input, [&](const auto& ask) { return design::design(input.request, ask); }),
+          input.physical),
+      settings, output);
 }
 
 ExitCode run_design_merge(const MergeFiles& files, const Settings& shown, Output& output) {
@@ -86,11 +88,13 @@ ExitCode run_design_merge(const MergeFiles& files, const Settings& shown, Output
     sweep::require_apart({"html", *page}, files.parts);
   }
   const report::RecordDesignInput input = record_design_input(settings, scan);
-  return show(
-      {watched(input,
-               [&](const auto& ask) { return design::design(input.request, scan.figures, ask); }),
-       input.physical},
-      settings, output);
+  return show(report::record_design_report(watched(input,
+                                                   [&](const auto& ask) {
+                                                     return design::design(input.request,
+                                                                           scan.figures, ask);
+                                                   }),
+                                           input.physical),
+              settings, output);
 }
 
 }  // namespace stillpoint::cli

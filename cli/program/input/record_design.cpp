@@ -37,10 +37,17 @@ std::optional<Interval> search_range(const Settings& settings, const char* name)
 /// With the longest period if only the range of the search is given.
 MotionInput suite_motion(const Settings& settings, const std::optional<Interval>& periods) {
   Settings whole = settings;
-  if (periods && settings.given(Rivals::stiffness) == nullptr) {
+  const Option* const spring = settings.given(Rivals::stiffness);
+  if (periods && spring == nullptr) {
     whole.set("period", periods->high);
   }
-  return motion_input(whole, Command::design, true);
+  MotionInput motion = motion_input(whole, Command::design, true);
+  if (motion.p_high) {
+    const auto [low, high] = settings.range(spring->name).value();
+    throw InputError(std::string(spring->name), fmt::format("{}:{}", low, high),
+                     "must be one number with records; --search-period searches a range");
+  }
+  return motion;
 }
 
 std::string identity(const Settings& settings, const design::RecordDesignRequest& request) {

@@ -35,10 +35,10 @@ std::unique_ptr<Result> merged_design(const std::vector<std::string>& parts) {
     const report::RecordScan scan = report::merged_record_scan(parts);
     const report::RecordDesignInput input =
         record_design_input(cli::record_design_settings(scan.label.task), scan);
-    return answers::answer_of(report::RecordDesignReport{
+    return answers::answer_of(report::record_design_report(
         design::design(input.request, scan.figures,
                        [&](const auto& /*progress*/) { return !stop.stop_requested(); }),
-        input.physical});
+        input.physical));
   }));
 }
 

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::report {
@@ -44,12 +45,13 @@ std::string_view combined(design::Combine combine) {
   return combine == design::Combine::max ? "largest" : "mean";
 }
 
+bool is_searched(const Interval& range) {
+  return range.low < range.high;
+}
+
 /// What a reader should know of a spring at an end of what was searched; empty elsewhere.
 std::string end_words(const Interval& searched, double p, bool of_period) {
   constexpr double apart = 1e-6;
-  if (!(searched.low < searched.high)) {
-    return {};
-  }
   if (p <= searched.low * (1 + apart)) {
     return of_period ? ", the longest that was searched" : ", the least that was searched";
   }
@@ -59,17 +61,20 @@ std::string end_words(const Interval& searched, double p, bool of_period) {
   return {};
 }
 
-void add_answer(Section& answer, const design::RecordDesign& result, const Physical& physical) {
+void add_answer(Section& answer, const RecordDesignReport& report) {
+  const auto& [result, physical, notch_fault] = report;
   const design::SuiteDamper& damper = result.finding->point.damper;
   answer.row("damper",
              format("f = {:.{}g}, delta = {}", damper.f, printed_digits,
                     length_shown(physical, damper.delta, printed_digits)),
              Tone::heading);
-  answer.row("spring", spring_words(physical, damper.p, period_digits(result.request)) +
-                           end_words(result.request.p, damper.p, physical.has_value()));
+  if (is_searched(result.request.p)) {
+    answer.row("spring", spring_words(physical, damper.p, period_digits(result.request)) +
+                             end_words(result.request.p, damper.p, physical.has_value()));
+  }
   add_rest(answer, result);
   add_worst_of_mean(answer, result, physical);
-  add_notch(answer, result, physical);
+  add_notch(answer, report);
   add_tolerance(answer, result, physical);
   const design::SuiteCheck& check = result.finding->check;
   answer.row("check",
@@ -87,6 +92,9 @@ void add_damper(Document& document, const RecordDesignReport& report) {
   const design::SuiteDamper& damper = report.result.finding->point.damper;
   Section& section = document.detail("Damper");
   add_damper_physics(section, physical, damper.f, damper.delta);
+  if (!is_searched(report.result.request.p)) {
+    section.row("spring", spring_words(physical, damper.p));
+  }
   add_decision_margin(section, report.result);
   const design::Sensitivity& near = report.result.finding->sensitivity;
   if (near.tolerance > 0) {
@@ -142,7 +150,7 @@ void add_task(Document& document, const RecordDesignReport& report) {
   section.row("f searched", searched(digits(task.f->low), digits(task.f->high)));
   section.row("delta searched", searched(length_shown(physical, task.delta->low),
                                          length_shown(physical, task.delta->high)));
-  if (task.p.low < task.p.high) {
+  if (is_searched(task.p)) {
     const auto period = [&](double p) {
       return format("{:.4g}", 2 * std::numbers::pi / p * physical->scales.time_s);
     };
@@ -217,12 +225,11 @@ std::size_t worst_record(const design::RecordDesign& result) {
 }
 
 std::optional<int> period_digits(const design::RecordDesignRequest& task) {
-  return task.p.low < task.p.high ? std::optional(printed_digits) : std::nullopt;
+  return is_searched(task.p) ? std::optional(printed_digits) : std::nullopt;
 }
 
 bool hardly_moves(double p, double peak, double load) {
-  constexpr double hardly = 1e-3;
-  return p * p * peak <= hardly * load;
+  return peak <= design::hardly_moving_stroke(p, load);
 }
 
 bool hardly_moves(const design::RecordDesign& result) {
@@ -230,10 +237,14 @@ bool hardly_moves(const design::RecordDesign& result) {
   return hardly_moves(damper.p, figures.peak, design::peak_load(result.request.records));
 }
 
+RecordDesignReport record_design_report(design::RecordDesign result, Physical physical) {
+  std::optional<RealNotchFault> fault =
+      result.finding ? real_notch_fault(result, physical) : std::nullopt;
+  return {std::move(result), physical, std::move(fault)};
+}
+
 std::string notch_sentence(const RecordDesignReport& report) {
-  const auto fault =
-      report.result.finding ? real_notch_fault(report.result, report.physical) : std::nullopt;
-  return fault && fault->of_any ? fault->words : "";
+  return report.notch_fault && report.notch_fault->of_any ? report.notch_fault->words : "";
 }
 
 std::string lock_sentence(const RecordDesignReport& report) {
@@ -281,12 +292,13 @@ Document document(const RecordDesignReport& report) {
   document.title = "Damper under records";
   document.verdict = record_verdict(report);
   if (result.finding) {
-    document.tone = hardly_moves(result) || is_delicate(result) || with_least_friction(result) ||
+    document.tone = hardly_moves(result) || is_delicate(result) ||
+                            result.finding->sensitivity.with_least_friction ||
                             !notch_sentence(report).empty() || !result.finding->check.passed
                         ? Tone::bad
                     : result.search.interrupted ? Tone::plain
                                                 : Tone::good;
-    add_answer(document.answer, result, report.physical);
+    add_answer(document.answer, report);
     add_records(document, result, report.physical);
     add_damper(document, report);
   } else {

@@ -7,6 +7,7 @@
 
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/record_design.hpp>
+#include <stillpoint/report/record_design.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -14,8 +15,6 @@
 #include <string_view>
 
 namespace stillpoint::report {
-
-struct RecordDesignReport;
 
 /// "the record", "every record", "1 of 2 records"
 [[nodiscard]] std::string of_records(std::size_t count, std::size_t all);
@@ -29,18 +28,11 @@ struct RecordDesignReport;
 /// What to build and what it does, or what is in the way.
 [[nodiscard]] std::string record_verdict(const RecordDesignReport& report);
 
-/// What a notch with a width spoils in a design with the paper's: any, or that of the example
-/// width.
-struct RealNotchFault {
-  bool of_any;
-  std::string headline;  ///< "No notch works under 2 of 7 records"
-  std::string words;
-};
 [[nodiscard]] std::optional<RealNotchFault> real_notch_fault(const design::RecordDesign& result,
                                                              const Physical& physical);
 /// The impulses of a notch without a width; and if it is the paper's, what the mass feels in one
 /// with a width, and how wide that must be.
-void add_notch(Section& answer, const design::RecordDesign& result, const Physical& physical);
+void add_notch(Section& answer, const RecordDesignReport& report);
 
 /// The motion of the design under one of its records.
 [[nodiscard]] SimulationRequest motion_request(const design::RecordDesign& result,
@@ -74,12 +66,7 @@ inline constexpr int printed_digits = 12;
 /// In which a period is printed; the usual ones unless it was searched.
 [[nodiscard]] std::optional<int> period_digits(const design::RecordDesignRequest& task);
 
-/// Rolling bearings have 0.001 to 0.005.
-inline constexpr double least_friction = 0.002;
-/// The figures with that f, if the damper has less and they violate a limit or are a tenth worse.
-[[nodiscard]] std::optional<design::SuiteFigures> with_least_friction(
-    const design::RecordDesign& result);
-/// "0.1991 g, a stroke of 307.18 mm and a residual of 35.709 mm"
+/// "0.1991 g, stroke 307.18 mm, residual 35.709 mm"
 [[nodiscard]] std::string worst_words(const design::RecordDesign& result,
                                       const design::SuiteFigures& worst, const Physical& physical);
 

@@ -91,8 +91,8 @@ std::string fault_of_width(const design::RecordDesign& result, double width,
   return {};
 }
 
-/// "impulses of up to 1.21 MN s (a.txt) besides the 0.1459 g": the largest of all records, and of
-/// which; empty if the mass never comes back to x = 0.
+/// "impulses of up to 1.21 MN s (a.txt)": the largest of all records, and of which; empty if the
+/// mass never comes back to x = 0.
 std::string impulse_words(const design::RecordDesign& result, const Physical& physical) {
   double most = 0;
   std::size_t under = 0;
@@ -107,11 +107,10 @@ std::string impulse_words(const design::RecordDesign& result, const Physical& ph
     }
   }
   return most == 0 ? ""
-                   : format("impulses of up to {}{} besides the {}", impulse_shown(physical, most),
+                   : format("impulses of up to {}{}", impulse_shown(physical, most),
                             result.request.records.size() == 1
                                 ? ""
-                                : " (" + record_label(result.request.records[under]) + ")",
-                            acceleration_shown(result.finding->point.figures.acceleration));
+                                : " (" + record_label(result.request.records[under]) + ")");
 }
 
 StartUnderLoad under_the_weakest(const design::RecordDesign& result) {
@@ -149,7 +148,8 @@ std::optional<RealNotchFault> real_notch_fault(const design::RecordDesign& resul
                  : "")};
 }
 
-void add_notch(Section& answer, const design::RecordDesign& result, const Physical& physical) {
+void add_notch(Section& answer, const RecordDesignReport& report) {
+  const auto& [result, physical, fault] = report;
   const auto& [damper, figures] = result.finding->point;
   if (damper.delta == 0 || hardly_moves(result) || result.request.notch_width) {
     return;
@@ -162,7 +162,6 @@ void add_notch(Section& answer, const design::RecordDesign& result, const Physic
     return;
   }
   const double strongest = design::peak_load(result.request.records);
-  const auto fault = real_notch_fault(result, physical);
   if (fault) {
     answer.row("real notch", fault->words, Tone::bad);
   } else {

@@ -78,11 +78,11 @@ std::string lock_words(const design::RecordDesign& result) {
 
 void add_rest(Section& answer, const design::RecordDesign& result) {
   const std::vector<ForcedResponse>& all = result.finding->responses;
-  const std::string by_notch = format("held by the notch, which transmits up to {}, to the end of ",
-                                      acceleration_shown(most_while_locked(all)));
+  const std::string by_notch =
+      format("by the notch (up to {}) to the end of ", acceleration_shown(most_while_locked(all)));
   std::string words;
   for (const auto& [end, what] : {std::pair{RecordEnd::notch, by_notch},
-                                  {RecordEnd::friction, "held by friction to the end of "},
+                                  {RecordEnd::friction, "by friction to the end of "},
                                   {RecordEnd::moving, "after the load of "}}) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {

@@ -17,8 +17,7 @@ namespace {
 std::string samples_words(const design::Sensitivity& near) {
   return near.admissible == near.samples
              ? format("{0} of {0} samples meet the limits", near.samples)
-             : format("{} of {} samples violate{} a limit or may stop elsewhere",
-                      near.samples - near.admissible, near.samples,
+             : format("{} of {} samples fail{}", near.samples - near.admissible, near.samples,
                       near.samples - near.admissible == 1 ? "s" : "");
 }
 
@@ -51,27 +50,12 @@ bool is_mean(const design::RecordDesignRequest& task) {
 
 std::string worst_words(const design::RecordDesign& result, const design::SuiteFigures& worst,
                         const Physical& physical) {
-  return worst.settled ? format("{}{}, a stroke of {} and a residual of {}",
-                                is_mean(result.request) ? "a mean of " : "",
-                                acceleration_shown(worst.acceleration),
-                                displacement_shown(physical, worst.peak),
-                                displacement_shown(physical, worst.residual))
-                       : "no rest within 10 000 half-cycles";
-}
-
-std::optional<design::SuiteFigures> with_least_friction(const design::RecordDesign& result) {
-  const design::RecordDesignRequest& task = result.request;
-  const auto& [damper, figures] = result.finding->point;
-  if (damper.f >= least_friction) {
-    return std::nullopt;
-  }
-  constexpr double worse = 1.1;
-  const design::SuiteFigures there =
-      design::figures_of(task, {damper.p, least_friction, damper.delta});
-  return !admissible(there, task.limits) ||
-                 value_of(there, task.objective) > worse * value_of(figures, task.objective)
-             ? std::optional(there)
-             : std::nullopt;
+  return worst.settled
+             ? format("{}{}, stroke {}, residual {}", is_mean(result.request) ? "a mean of " : "",
+                      acceleration_shown(worst.acceleration),
+                      displacement_shown(physical, worst.peak),
+                      displacement_shown(physical, worst.residual))
+             : "no rest within 10 000 half-cycles";
 }
 
 std::string_view inexact_parts(const design::RecordDesign& result) {
@@ -82,7 +66,7 @@ std::string_view inexact_parts(const design::RecordDesign& result) {
 bool is_delicate(const design::RecordDesign& result) {
   const design::Sensitivity& near = result.finding->sensitivity;
   return 4 * near.admissible < 3 * near.samples || near.much_worse ||
-         is_much_worse(near.worst, result.finding->point.figures, result.request);
+         is_much_worse(near.worst, result.finding->point, result.request);
 }
 
 void add_tolerance(Section& answer, const design::RecordDesign& result, const Physical& physical) {
@@ -90,14 +74,13 @@ void add_tolerance(Section& answer, const design::RecordDesign& result, const Ph
   if (near.tolerance > 0) {
     answer.row(
         "tolerance",
-        format("with {} off by up to {:.3g} %: {}; {}", inexact_parts(result), 100 * near.tolerance,
+        format("{} off by up to {:.3g} %: {}; {}", inexact_parts(result), 100 * near.tolerance,
                worst_words(result, near.worst, physical), samples_words(near)),
         near.admissible < near.samples || is_delicate(result) ? Tone::bad : Tone::plain);
   }
   if (near.much_worse) {
     answer.row("much worse",
-               format("with {} off by {}: {}", inexact_parts(result),
-                      change_words(near.much_worse->change),
+               format("off by {}: {}", change_words(near.much_worse->change),
                       worst_words(result, near.much_worse->figures, physical)),
                Tone::bad);
   }

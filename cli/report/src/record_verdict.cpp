@@ -57,13 +57,13 @@ std::string stands_still(const design::RecordDesign& result) {
 }
 
 /// What a real notch and an inexact damper spoil, in a few words.
-std::string caveat(const design::RecordDesign& result, const Physical& physical) {
+std::string caveat(const RecordDesignReport& report) {
+  const auto& [result, physical, fault] = report;
   const design::Sensitivity& near = result.finding->sensitivity;
-  const auto fault = real_notch_fault(result, physical);
-  const auto with_little = with_least_friction(result);
+  const auto& with_little = near.with_least_friction;
   return (fault ? format(" {}.", fault->headline) : "") +
-         (with_little ? format(" With f = {}, about the least of any part: {}.", least_friction,
-                               worst_words(result, *with_little, physical))
+         (with_little ? format(" With f = {}, about the least of any part: {}.",
+                               design::least_friction, worst_words(result, *with_little, physical))
                       : "") +
          (near.much_worse
               ? format(" Off by {}, it is much worse.", change_words(near.much_worse->change))
@@ -98,7 +98,7 @@ std::string record_verdict(const RecordDesignReport& report) {
                 damper_words(physical, damper.f, damper.delta, result.request.notch_width,
                              printed_digits),
                 period_words(physical, damper.p, period_digits(result.request)),
-                does_words(result, physical), caveat(result, physical),
+                does_words(result, physical), caveat(report),
                 result.finding->check.passed
                     ? ""
                     : " But the check DISAGREES: do not rely on this design.");

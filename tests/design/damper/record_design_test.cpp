@@ -334,19 +334,27 @@ BOOST_AUTO_TEST_CASE(the_sensitivity_is_that_of_the_samples) {
 }
 
 // Friction 1e-4 above the load of 0.4 holds the mass; with less than the load it moves. The
-// changes tried are halves of 0.1, and 0.1/2^9 = 1.95e-4 is the first above 1 - 0.4/0.40004.
+// changes tried are halves of 0.5, from 0.5/2^12 = 1.2e-4 on above 1 - 0.4/0.40004, but with the
+// first of them the mass hardly moves.
 BOOST_AUTO_TEST_CASE(the_nearest_damper_that_is_much_worse_is_found) {
   RecordDesignRequest request = three_samples();
   request.objective = SuiteObjective::amplitude;
   request.f = Interval{0.40004, 0.40004};
   request.delta = Interval{0, 0};
+  request.tolerance = 0.5;
   const RecordDesign held = design::design(request);
   BOOST_REQUIRE(held.finding.has_value());
   const std::optional<MuchWorse>& there = held.finding->sensitivity.much_worse;
   BOOST_REQUIRE(there.has_value());
-  BOOST_TEST(there->change == 0.1 / 512);
-  BOOST_TEST(there->figures.peak > 0);
-  request.f = Interval{1, 1};
+  const auto stroke = [&](double change) {
+    return figures_of(held.request, {1, 0.40004 * (1 - change), 0}).peak;
+  };
+  const double hardly = 1e-3 * 0.4;
+  BOOST_TEST(stroke(0.5 / 4096) > 0);
+  BOOST_TEST(stroke(there->change / 2) <= hardly);
+  BOOST_TEST(stroke(there->change) > hardly);
+  BOOST_TEST(there->figures.peak == stroke(there->change));
+  request.f = Interval{2, 2};
   const RecordDesign firm = design::design(request);
   BOOST_REQUIRE(firm.finding.has_value());
   BOOST_TEST(!firm.finding->sensitivity.much_worse.has_value());
@@ -387,7 +395,9 @@ BOOST_AUTO_TEST_CASE(much_worse_is_half_as_much_again) {
   RecordDesignRequest request;
   request.limits.residual = 0.02;
   const SuiteFigures chosen{.peak = 1, .acceleration = 0.2, .residual = 0.01};
-  const auto worse = [&](SuiteFigures there) { return is_much_worse(there, chosen, request); };
+  const auto worse = [&](SuiteFigures there) {
+    return is_much_worse(there, {{}, chosen}, request);
+  };
   BOOST_TEST(!worse(chosen));
   BOOST_TEST(!worse({.peak = 9, .acceleration = 0.29, .residual = 0.029}));
   BOOST_TEST(worse({.peak = 1, .acceleration = 0.31, .residual = 0.01}));
@@ -395,8 +405,9 @@ BOOST_AUTO_TEST_CASE(much_worse_is_half_as_much_again) {
   BOOST_TEST(worse({.settled = false}));
   request.limits = {};
   request.objective = SuiteObjective::residual;  // less than a hundredth of the stroke is nothing
-  BOOST_TEST(!is_much_worse({.residual = 0.009}, {.peak = 1}, request));
-  BOOST_TEST(is_much_worse({.residual = 0.011}, {.peak = 1}, request));
+  const SuitePoint at_rest{{}, {.peak = 1}};
+  BOOST_TEST(!is_much_worse({.residual = 0.009}, at_rest, request));
+  BOOST_TEST(is_much_worse({.residual = 0.011}, at_rest, request));
 }
 
 // Twice the limit of the stroke, and half as much again as that of the residual.

@@ -207,6 +207,8 @@ ordered_json json(const DesignReport& report) {
   json["built_notch"] = or_null(report.built_notch, [&](const design::BuiltNotch& built) {
     return built_notch_json(built, report.physical);
   });
+  const std::string fault = notch_sentence(report);
+  json["notch_fault"] = fault.empty() ? ordered_json(nullptr) : ordered_json(fault);
   json["catalogue"] = parts_json(report);
   json["trade_off"] = or_null(
       report.trade_off, [&](const auto& front) { return trade_off_json(front, report.physical); });

@@ -84,20 +84,23 @@ ordered_json search_json(const design::SuiteSearch& search) {
           {"interrupted", search.interrupted}};
 }
 
-ordered_json much_worse_json(const std::optional<design::MuchWorse>& there,
-                             const Physical& physical) {
-  if (!there) {
-    return nullptr;
-  }
-  return {{"change", there->change}, {"figures", figures_json(there->figures, physical)}};
-}
-
 ordered_json sensitivity_json(const design::Sensitivity& sensitivity, const Physical& physical) {
-  return {{"tolerance", sensitivity.tolerance},
-          {"samples", sensitivity.samples},
-          {"admissible", sensitivity.admissible},
-          {"worst_within", figures_json(sensitivity.worst, physical)},
-          {"much_worse", much_worse_json(sensitivity.much_worse, physical)}};
+  return {
+      {"tolerance", sensitivity.tolerance},
+      {"samples", sensitivity.samples},
+      {"admissible", sensitivity.admissible},
+      {"worst_within", figures_json(sensitivity.worst, physical)},
+      {"much_worse",
+       or_null(
+           sensitivity.much_worse,
+           [&](const design::MuchWorse& there) -> ordered_json {
+             return {{"change", there.change}, {"figures", figures_json(there.figures, physical)}};
+           })},
+      {"with_least_friction",
+       or_null(sensitivity.with_least_friction,
+               [&](const design::SuiteFigures& there) -> ordered_json {
+                 return {{"f", design::least_friction}, {"figures", figures_json(there, physical)}};
+               })}};
 }
 
 ordered_json check_json(const design::SuiteCheck& check) {
@@ -144,6 +147,10 @@ ordered_json json(const RecordDesignReport& report) {
                     {"records", ordered_json::array()},
                     {"search", search_json(result.search)},
                     {"sensitivity", nullptr},
+                    {"notch_fault", or_null(report.notch_fault,
+                                            [](const RealNotchFault& fault) {
+                                              return ordered_json(fault.words);
+                                            })},
                     {"cross_check", nullptr},
                     {"nearest", nullptr},
                     {"limits", shortfalls_json(result, physical)}};

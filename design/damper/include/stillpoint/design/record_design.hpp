@@ -29,10 +29,18 @@ struct MuchWorse {
   SuiteFigures figures;
 };
 
+/// The stroke from which the spring pulls the mass back with a thousandth of the load: with less it
+/// hardly moves.
+[[nodiscard]] double hardly_moving_stroke(double p, double load);
+
 /// Whether it never rests, or has half as much again of the objective, or than a limit allows. A
-/// residual that stays below a hundredth of the stroke does not count.
-[[nodiscard]] bool is_much_worse(const SuiteFigures& figures, const SuiteFigures& chosen,
+/// stroke or residual with which it hardly moves does not count, nor a residual below a hundredth of
+/// the stroke of the design.
+[[nodiscard]] bool is_much_worse(const SuiteFigures& figures, const SuitePoint& chosen,
                                  const RecordDesignRequest& request);
+
+/// The least constant friction of any part: rolling bearings have 0.001 to 0.005.
+inline constexpr double least_friction = 0.002;
 
 /// What dampers within f (1 +- R), delta (1 +- R) do, at the corners and random points: a sample,
 /// not a proof.
@@ -43,6 +51,8 @@ struct Sensitivity {
   SuiteFigures worst;  ///< the largest of each figure, of the damper itself too; settled if all are
   /// The nearest that was found with f, delta or both off by R/2^k, which random points would miss.
   std::optional<MuchWorse> much_worse;
+  /// With that f, if the design has less and they violate a limit or are a tenth worse.
+  std::optional<SuiteFigures> with_least_friction;
 };
 
 /// One record by another integrator, and its distance from the kernel.

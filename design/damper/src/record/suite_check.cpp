@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "record/suite_check.hpp"
+
+#include "check/runge_kutta.hpp"
+
+#include <stillpoint/core/seconds.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace stillpoint::design {
+
+namespace {
+
+double relative(double error, double size) {
+  return size > 0 ? std::abs(error) / size : std::abs(error);
+}
+
+}  // namespace
+
+SuiteCheck check(const Suite& suite, const SuiteDamper& damper,
+                 const std::vector<ForcedResponse>& responses) {
+  const double begun = seconds_now();
+  SuiteCheck check;
+  check.passed = true;
+  for (std::size_t i = 0; i < responses.size(); ++i) {
+    const SuiteFigures kernel = suite_figures(responses[i]);
+    const SuiteFigures other = integrate_record_motion(suite.oscillator(damper), suite.surface(),
+                                                       std::get<Record>(suite.loads()[i]));
+    const double error =
+        std::max({relative(other.peak - kernel.peak, kernel.peak),
+                  relative(other.acceleration - kernel.acceleration, kernel.acceleration),
+                  relative(other.residual - kernel.residual, kernel.peak)});
+    check.records.push_back({other.peak, other.acceleration, other.residual, error});
+    check.relative_error = std::max(check.relative_error, error);
+    check.passed = check.passed && other.settled && error <= check.tolerance;
+  }
+  check.wall_time_s = seconds_now() - begun;
+  return check;
+}
+
+}  // namespace stillpoint::design
