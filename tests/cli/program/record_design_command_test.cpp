@@ -138,6 +138,19 @@ BOOST_FIXTURE_TEST_CASE(a_stroke_that_nobody_can_measure_has_no_digits, Recorded
                         " a.txt 0.4 <0.001 <0.001 "});
 }
 
+// m f g = 1000 kg x 0.3 x 9.80665 m/s2 and m g Delta = 1000 kg x 9.80665 m/s2 x 1 mm.
+BOOST_FIXTURE_TEST_CASE(a_mass_gives_the_force_and_the_energy_of_the_damper, Recorded) {
+  const Arguments asked(
+      "design --record a.txt --period 2.8s --search-f 0.3:0.3 --search-delta-m 1mm:1mm");
+  const json with = run(asked + "--mass 1t --json").json()["design"];
+  constexpr double few_ulps = 1e-14;
+  BOOST_TEST(std::abs(with["friction_force_n"].get<double>() / 2941.995 - 1) <= few_ulps);
+  BOOST_TEST(std::abs(with["energy_per_passage_j"].get<double>() / 9.80665 - 1) <= few_ulps);
+  const json without = run(asked + "--json").json()["design"];
+  BOOST_TEST(without["friction_force_n"].is_null());
+  BOOST_TEST(without["energy_per_passage_j"].is_null());
+}
+
 BOOST_FIXTURE_TEST_CASE(no_friction_is_not_off, Recorded) {
   const std::string text = one_line(
       run("design --record a.txt --period 2.8s --mass 1t --search-f 0:0 --search-delta-m 1mm:1mm "

@@ -37,9 +37,12 @@ ordered_json task_json(const design::RecordDesignRequest& task, const Physical& 
 }
 
 ordered_json damper_json(const design::SuiteDamper& damper, const Physical& physical) {
+  const design::Scales scales = physical ? physical->scales : design::Scales();
   return {{"f", damper.f},
+          {"friction_force_n", scales.friction_force_n(damper.f)},
           {"delta", damper.delta},
           {"delta_m", metres(physical, damper.delta)},
+          {"energy_per_passage_j", scales.energy_per_passage_j(damper.delta)},
           {"p", damper.p},
           {"period_s", period_json(physical, damper.p)}};
 }
