@@ -48,11 +48,19 @@ std::string command_section(const CommandHelp& help) {
          verbatim(help.examples);
 }
 
+std::string more_values(const Option& option) {
+  return (option.more_values_in(Command::design).empty()
+              ? ""
+              : "; LOW:HIGH for a range in design and region") +
+         (option.more_values_in(Command::spectrum).empty() ? std::string()
+                                                           : "; first:last:count in spectrum");
+}
+
 std::string entry(const Option& option) {
   const std::string value =
       option.kind == OptionKind::flag ? "" : fmt::format(" \\fI{}\\fR", roff(option.placeholder));
   return fmt::format(".TP\n\\fB{}\\fR{}\n{} ({}{})\n", roff(fmt::format("--{}", option.name)),
-                     value, roff(option.help), command_names(&option, ", "),
+                     value, roff(option.help + more_values(option)), command_names(&option, ", "),
                      option.traits.axis.has(Command::sweep) ? "*" : "");
 }
 

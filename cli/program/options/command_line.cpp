@@ -74,8 +74,9 @@ void add_options(CLI::App& app, const CommandHelp& help, Collected& collected) {
     const std::string flag = fmt::format("--{}", option.name);
     CLI::Option* added =
         option.kind == OptionKind::flag
-            ? app.add_flag(flag, collected.flags[option.name], std::string(option.help))
-            : app.add_option(flag, collected.texts[option.name], std::string(option.help))
+            ? app.add_flag(flag, collected.flags[option.name], option.help)
+            : app.add_option(flag, collected.texts[option.name],
+                             option.help + option.more_values_in(help.command))
                   ->type_name(std::string(option.kind_in(help.command) == OptionKind::axis
                                               ? "AXIS"
                                               : option.placeholder))

@@ -165,6 +165,14 @@ struct Option {
     return traits.range != RangeEnd::none &&
            (Command::design | Command::region | Command::sweep).has(command);
   }
+  /// What it takes besides a single value, for its help; a sweep says what an axis is.
+  [[nodiscard]] std::string more_values_in(Command command) const {
+    return command == Command::spectrum && traits.axis.has(command) ? "; first:last:count"
+           : command == Command::sweep || !takes_range_in(command) ||
+                   help.find("LOW:HIGH") != std::string::npos
+               ? ""
+               : "; LOW:HIGH for a range";
+  }
   [[nodiscard]] bool shapes(Load load) const {
     return traits.load != Load::none &&
            (traits.load == load ||

@@ -56,11 +56,22 @@ std::string peaks_words(const MotionReport& report) {
   return format(" Its last {} peaks lie between {} and {}.", compared, shown(least), shown(most));
 }
 
+/// Of a run that ends before its load does; empty otherwise.
+std::string cut_words(const MotionReport& report) {
+  const std::optional<double> load = duration(report.request.excitation);
+  const std::optional<double>& end = report.request.t_end;
+  return load && end && *end < *load
+             ? format(" The run ends after {} of the {} of the load.",
+                      time_shown(report.physical, *end), time_shown(report.physical, *load))
+             : "";
+}
+
 std::string verdict(const MotionReport& report) {
   const Response& response = report.answer.response;
   const Physical& physical = report.physical;
   if (const std::string held = lock_sentence(report); !held.empty()) {
-    return held.starts_with("locked") ? "L" + held.substr(1) + "." : "It " + held + ".";
+    return (held.starts_with("locked") ? "L" + held.substr(1) + "." : "It " + held + ".") +
+           cut_words(report);
   }
   std::string text =
       response.stop_position.value_or(0) != 0
@@ -72,7 +83,8 @@ std::string verdict(const MotionReport& report) {
   if (response.stop_time && *response.stop_time > 0) {
     text += format(" after {}", time_shown(physical, *response.stop_time));
   }
-  return text + "." + (response.outcome == Outcome::running ? peaks_words(report) : "");
+  return text + "." + (response.outcome == Outcome::running ? peaks_words(report) : "") +
+         cut_words(report);
 }
 
 /// Where the largest transmitted acceleration is felt, if there is a notch. While the mass slides
@@ -82,7 +94,7 @@ std::string felt_where(const MotionReport& report) {
   const Response& response = report.answer.response;
   const auto& forced = report.answer.forced;
   const bool wide = report.request.surface.notch_width.has_value();
-  const bool acts = delta > 0 && moves(response);
+  const bool acts = delta > 0 && response.peak_amplitude > 0;
   if (forced && forced->largest_load_while_locked == response.peak_absolute_acceleration) {
     return acts && !wide ? " while it is locked; the notch's impulses come on top"
                          : " while it is locked";

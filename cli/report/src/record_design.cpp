@@ -248,8 +248,7 @@ std::string notch_sentence(const RecordDesignReport& report) {
 }
 
 std::string lock_sentence(const RecordDesignReport& report) {
-  const std::string words = report.result.finding ? lock_words(report.result) : "";
-  return words.empty() ? "" : "locked: " + words;
+  return report.result.finding ? lock_words(report.result) : "";
 }
 
 std::string shortfall_sentence(const RecordDesignReport& report) {

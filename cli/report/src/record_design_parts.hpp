@@ -44,7 +44,7 @@ void add_rest(Section& answer, const design::RecordDesign& result);
 void add_worst_of_mean(Section& answer, const design::RecordDesign& result,
                        const Physical& physical);
 void add_records(Document& document, const design::RecordDesign& result, const Physical& physical);
-/// Which records lock the mass; empty if none.
+/// "locked in the notch to the end of every record; ..."; empty if no record locks the mass.
 [[nodiscard]] std::string lock_words(const design::RecordDesign& result);
 
 /// Whether its figures are means of several records.

@@ -72,16 +72,14 @@ std::string lock_words(const design::RecordDesign& result) {
       all, [](const ForcedResponse& response) { return response.locked_from.has_value(); }));
   return count == 0
              ? ""
-             : format("under {} the notch holds the mass to the end, and transmits up to {}",
+             : format("locked in the notch to the end of {}; the structure then feels up to {}",
                       of_records(count, all.size()), acceleration_shown(most_while_locked(all)));
 }
 
 void add_rest(Section& answer, const design::RecordDesign& result) {
   const std::vector<ForcedResponse>& all = result.finding->responses;
-  const std::string by_notch =
-      format("by the notch (up to {}) to the end of ", acceleration_shown(most_while_locked(all)));
   std::string words;
-  for (const auto& [end, what] : {std::pair{RecordEnd::notch, by_notch},
+  for (const auto& [end, what] : {std::pair{RecordEnd::notch, "by the notch to the end of "},
                                   {RecordEnd::friction, "by friction to the end of "},
                                   {RecordEnd::moving, "after the load of "}}) {
     std::size_t count = 0;
@@ -89,7 +87,7 @@ void add_rest(Section& answer, const design::RecordDesign& result) {
       count += record_end(result.request.records[i].record, all[i]) == end ? 1U : 0U;
     }
     if (count > 0) {
-      words += (words.empty() ? "" : "; ") + (what + of_records(count, all.size()));
+      words += (words.empty() ? "" : "; ") + std::string(what) + of_records(count, all.size());
     }
   }
   answer.row("rest", words);

@@ -10,12 +10,22 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace stillpoint::report {
 
 namespace {
 
 using design::SuiteFigures;
+
+/// Whether the acceleration promised is that of a mass that the notch holds.
+bool is_of_a_lock(const design::RecordDesign& result) {
+  const double promised = result.finding->point.figures.acceleration;
+  return result.finding->point.figures.peak > 0 && !is_mean(result.request) &&
+         std::ranges::any_of(result.finding->responses, [promised](const ForcedResponse& response) {
+           return response.largest_load_while_locked == promised;
+         });
+}
 
 /// The figures of the records combined, those of a mean with the largest of any record.
 std::string does_words(const design::RecordDesign& result, const Physical& physical) {
@@ -37,14 +47,17 @@ std::string does_words(const design::RecordDesign& result, const Physical& physi
   const auto length = [&](double value) { return displacement_shown(physical, value); };
   const bool apart =
       combined.peak > 0 && result.finding->point.damper.delta > 0 && !result.request.notch_width;
-  return format(
-      "{}: {} transmitted{}{}",
-      most ? format("Mean (and largest) of {} records", count)
-           : design::suite_words(*result.request.combine, count),
-      shown(&SuiteFigures::acceleration, acceleration_shown), apart ? " outside the notch" : "",
-      combined.peak == 0 ? ""
-                         : format(", stroke {}, residual {}", shown(&SuiteFigures::peak, length),
-                                  shown(&SuiteFigures::residual, length)));
+  const std::string_view where = is_of_a_lock(result) ? " while it is locked"
+                                 : apart              ? " outside the notch"
+                                                      : "";
+  return format("{}: {} transmitted{}{}",
+                most ? format("Mean (and largest) of {} records", count)
+                     : design::suite_words(*result.request.combine, count),
+                shown(&SuiteFigures::acceleration, acceleration_shown), where,
+                combined.peak == 0
+                    ? ""
+                    : format(", stroke {}, residual {}", shown(&SuiteFigures::peak, length),
+                             shown(&SuiteFigures::residual, length)));
 }
 
 /// Empty if the mass moves.
@@ -56,12 +69,22 @@ std::string stands_still(const design::RecordDesign& result) {
              : format("The mass never moves: it is held through {}. ", of_records(all, all));
 }
 
-/// What a real notch and an inexact damper spoil, in a few words.
+/// " Locked in the notch to the end of the record; ..."; empty if it does not lock or never moves.
+std::string lock_caveat(const design::RecordDesign& result) {
+  std::string words = lock_words(result);
+  if (words.empty() || result.finding->point.figures.peak == 0) {
+    return "";
+  }
+  words.front() = 'L';
+  return format(" {}.", words);
+}
+
+/// What a lock, a real notch and an inexact damper spoil, in a few words.
 std::string caveat(const RecordDesignReport& report) {
   const auto& [result, physical, fault] = report;
   const design::Sensitivity& near = result.finding->sensitivity;
   const auto& with_little = near.with_least_friction;
-  return (fault ? format(" {}.", fault->headline) : "") +
+  return lock_caveat(result) + (fault ? format(" {}.", fault->headline) : "") +
          (with_little ? format(" With f = {}, about the least of any part: {}.",
                                design::least_friction, worst_words(result, *with_little, physical))
                       : "") +

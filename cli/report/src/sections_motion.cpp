@@ -42,9 +42,10 @@ std::string outcome_phrase(Outcome outcome) {
 }
 
 std::string outcome_phrase(const ForcedResponse& response) {
-  return response.outcome == Outcome::running && response.final_velocity == 0
-             ? "is at rest at the end of the run"
-             : outcome_phrase(response.outcome);
+  return response.outcome != Outcome::running || response.final_velocity != 0
+             ? outcome_phrase(response.outcome)
+         : response.peak_amplitude == 0 ? "has not moved by the end of the run"
+                                        : "is at rest at the end of the run";
 }
 
 // The margins of the two motions are different quantities: docs/theory.md section 6,

@@ -168,7 +168,11 @@ BOOST_AUTO_TEST_CASE(a_run_that_ends_at_rest_does_not_say_that_it_moves) {
   check_contains(notch, {"\n  Locked in the notch, at x = 0.37644 mm, from 10.16 s of 12 s;",
                          "is at rest at the end of the run\n", " none\n"});
   const std::string friction = run(shaken + "--f 0.05 --delta-m 0 --end-time 15").out;
-  BOOST_TEST(contains(friction, "\n  It is at rest at the end of the run.\n"), friction);
+  check_contains(one_line(friction), {" It is at rest at the end of the run. The run ends after 15 "
+                                      "s of the 19.99 s of the load. "});
+  const std::string early = one_line(run(shaken + "--f 0.05 --delta-m 1mm --end-time 1").out);
+  check_contains(early, {" It has not moved by the end of the run. The run ends after 1 s of the ",
+                         " g transmitted at the end "});
 }
 
 BOOST_AUTO_TEST_CASE(of_a_motion_that_locks_says_so_on_standard_error_too) {

@@ -61,6 +61,21 @@ BOOST_AUTO_TEST_CASE(of_a_command_lists_only_its_options) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(of_a_command_says_where_a_range_is_taken) {
+  const auto help = [&](const char* command) {
+    return succeed({command, "--help"}, of_width("1000")).out;
+  };
+  const std::string velocity = "initial velocity, just after the hit, in m/s";
+  const std::string range = "; LOW:HIGH for a range\n";
+  for (const char* command : {"design", "region"}) {
+    BOOST_TEST(contains(help(command), velocity + range), command);
+  }
+  for (const char* command : {"simulate", "sweep"}) {
+    BOOST_TEST(contains(help(command), velocity + "\n"), command);
+  }
+  BOOST_TEST(contains(help("spectrum"), "friction in s; first:last:count\n"));
+}
+
 BOOST_AUTO_TEST_CASE(lists_the_values_that_an_option_takes) {
   const auto help = [](const char* option) { return stillpoint::cli::find_option(option)->help; };
   BOOST_TEST(help("objective") ==
