@@ -302,6 +302,45 @@ test("light and dark are both legible", async () => {
   }
 });
 
+test("while each frame has a change, what is postponed is drawn too, one after the other", () =>
+  with_page(isolator, {}, async (page) => {
+    // A clock by hand: a frame every 16 ms, a change takes 4 of them, the parts 8 and 7.
+    /** @type {string[][]} */
+    const frames = await page.evaluate(`(() => {
+      const clock = performance.now;
+      let now = 0;
+      performance.now = () => now;
+      const drawn = [];
+      const draw = (name, time) => {
+        drawn.at(-1).push(name);
+        now += time;
+      };
+      const frames = new Frames(() => {
+        draw("change", 4);
+        frames.put_off("soon", () => draw("soon", 8), 10);
+        frames.put_off("late", () => draw("late", 7), 200);
+      });
+      frames.request = () => {};
+      for (let i = 0; i < 60; i++) {
+        now = 16 * i;
+        drawn.push([]);
+        frames.ask(1);
+        frames.frame();
+      }
+      performance.now = clock;
+      return drawn;
+    })()`);
+    const gaps = (/** @type {string} */ name) => {
+      const at = frames.flatMap((parts, i) => (parts.includes(name) ? [i] : []));
+      return at.slice(1).map((frame, i) => frame - at[i]);
+    };
+    // How long the parts take is known from the first frames.
+    for (const parts of frames.slice(2)) assert.equal(parts.length, 1, JSON.stringify(frames));
+    assert.ok(Math.max(...gaps("change")) <= 2);
+    assert.ok(Math.max(...gaps("soon")) <= 4);
+    assert.ok(Math.max(...gaps("late")) <= 200 / 16 + 3);
+  }));
+
 test("a redraw while dragging takes less than a frame", async () => {
   /** @param {string} state @param {string} selector of the sliders @param {boolean} handle */
   const drag_in = (state, selector, handle = false) =>
