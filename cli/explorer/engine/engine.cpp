@@ -36,7 +36,10 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 
 std::string said;             // the text that was returned last
+std::string behind;           // what stands in it behind the JSON, each part after a separator
 std::vector<double> numbers;  // the columns that were computed last
+
+constexpr char separator = '\x1e';  // which JSON escapes
 
 bool always() {
   return true;
@@ -60,25 +63,27 @@ Settings given(Command command, const json& options) {
   return scene_and_flags(command, {}, settings);
 }
 
+/// Its report, if wanted, and figures stand behind it.
 template <class Report>
-ordered_json said_of(const Report& report, const json& wanted) {
+ordered_json said_of(const Report& report, const json& request) {
+  behind = separator;
+  if (request.at("report").get<bool>()) {
+    behind += report::json_text(report::json(report));
+  }
   ordered_json drawn = ordered_json::array();
   // The page draws no figure of a design: the region's are the same.
   if constexpr (!std::is_same_v<Report, report::DesignReport>) {
-    if (!wanted.empty()) {
+    if (const json& wanted = request.at("figures"); !wanted.empty()) {
       for (const figures::Figure& figure : drawings(report)) {
         if (std::ranges::find(wanted, json(figure.id)) != wanted.end()) {
-          drawn.push_back({{"id", figure.id},
-                           {"title", figure.title},
-                           {"caption", figure.caption},
-                           {"svg", svg(figure, figures::Frame::in_page)}});
+          drawn.push_back(
+              {{"id", figure.id}, {"title", figure.title}, {"caption", figure.caption}});
+          behind += separator + svg(figure, figures::Frame::in_page);
         }
       }
     }
   }
-  return {{"exit", static_cast<int>(answers::exit_code(report))},
-          {"json", report::json_text(report::json(report))},
-          {"figures", drawn}};
+  return {{"exit", static_cast<int>(answers::exit_code(report))}, {"figures", drawn}};
 }
 
 // A page waits for its answer: both take less than a second.
@@ -98,18 +103,18 @@ Settings within_limits(Settings settings) {
 }
 
 /// Suites of records and sweeps need the installed program.
-ordered_json said_by(Command command, const Settings& settings, const json& wanted) {
+ordered_json said_by(Command command, const Settings& settings, const json& request) {
   switch (command) {
     case Command::design:
       if (asks_for_records(settings)) {
         throw UsageError(
             "a design under records needs the installed program: stillpoint design --record");
       }
-      return said_of(answers::answer(design_input(settings)), wanted);
+      return said_of(answers::answer(design_input(settings)), request);
     case Command::region:
-      return said_of(answers::answer(region_input(settings)), wanted);
+      return said_of(answers::answer(region_input(settings)), request);
     case Command::simulate:
-      return said_of(motion_report(settings, always), wanted);
+      return said_of(motion_report(settings, always), request);
     default:
       throw UsageError(fmt::format("{} works only on the command line", name(command)));
   }
@@ -119,7 +124,7 @@ ordered_json run(const json& request) {
   const auto wanted = request.at("command").get<std::string>();
   const Command command = parse<Command>(wanted).value_or(Command::init);
   const Settings settings = within_limits(given(command, request.at("options")));
-  ordered_json answer = said_by(command, settings, request.at("figures"));
+  ordered_json answer = said_by(command, settings, request);
   answer["doubts"] = warnings(settings, command);
   return answer;
 }
@@ -182,8 +187,10 @@ ordered_json option_rows() {
 /// The text that `work` returns; wrong input as {"error": ...}.
 template <class Work>
 const char* answered(const Work& work) {
+  behind.clear();
   try {
     said = work().dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+    said += behind;
   } catch (const std::exception& error) {
     said = ordered_json{{"error", error.what()}}.dump(-1, ' ', false,
                                                       ordered_json::error_handler_t::replace);
@@ -201,7 +208,8 @@ extern "C" {
 
 /// {version, style, outcomes, options}.
 const char* stillpoint_about();
-/// Of {command, options, figures}, the ids of those to draw: {exit, json, figures, doubts} or
+/// Of {command, options, figures, report}, the ids of the figures to draw and whether a report is
+/// wanted: {exit, figures, doubts}, the report and the drawings, each after a separator; or
 /// {error}.
 const char* stillpoint_run(const char* request);
 /// "{}" or {error}; then the columns tau, x and v are in stillpoint_numbers().

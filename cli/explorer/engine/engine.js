@@ -11,7 +11,8 @@ async function createEngine() {
     const at = module._malloc(size);
     module.stringToUTF8(text, at, size);
     try {
-      return JSON.parse(module.UTF8ToString(work(at)));
+      const [said, ...behind] = module.UTF8ToString(work(at)).split("\x1e");
+      return { answer: JSON.parse(said), behind };
     } finally {
       module._free(at);
     }
@@ -28,19 +29,28 @@ async function createEngine() {
     run(command, options, ask = {}, files = {}) {
       for (const [name, content] of Object.entries(files)) module.FS.writeFile(name, content);
       try {
-        const request = { command, options, figures: ask.figures ?? [] };
-        const answer = withText(JSON.stringify(request), module._stillpoint_run);
-        return answer.error === undefined ? { ...answer, report: JSON.parse(answer.json) } : answer;
+        const request = {
+          command,
+          options,
+          figures: ask.figures ?? [],
+          report: ask.report ?? true,
+        };
+        const { answer, behind } = withText(JSON.stringify(request), module._stillpoint_run);
+        if (answer.error !== undefined) return answer;
+        const [json, ...drawn] = behind;
+        const report = json ? JSON.parse(json) : null;
+        const figures = drawn.map((svg, i) => ({ ...answer.figures[i], svg }));
+        return { ...answer, json, report, figures };
       } finally {
         for (const name of Object.keys(files)) module.FS.unlink(name);
       }
     },
 
     motion(options, points) {
-      const said = withText(JSON.stringify(options), (text) =>
+      const { answer } = withText(JSON.stringify(options), (text) =>
         module._stillpoint_motion(text, points),
       );
-      if (said.error !== undefined) return said;
+      if (answer.error !== undefined) return answer;
       const size = module._stillpoint_count() / 3;
       return { t: column(0, size), x: column(1, size), v: column(2, size) };
     },
@@ -50,10 +60,10 @@ async function createEngine() {
       const at = module._malloc(3 * 8 * Math.max(size, 1));
       try {
         [f, delta, v0].forEach((values, i) => module.HEAPF64.set(values, at / 8 + i * size));
-        const said = withText(JSON.stringify(options), (text) =>
+        const { answer } = withText(JSON.stringify(options), (text) =>
           module._stillpoint_batch(text, size, at),
         );
-        if (said.error !== undefined) return said;
+        if (answer.error !== undefined) return answer;
         return {
           peak: column(0, size),
           rest: column(1, size),

@@ -46,6 +46,14 @@ function svg(tag, attributes = {}, ...parts) {
   return node;
 }
 
+/** @param {string} unit @returns {[number, string][]} */
+const thousands = (unit) => [
+  [1e9, `G${unit}`],
+  [1e6, `M${unit}`],
+  [1e3, `k${unit}`],
+  [1, unit],
+];
+
 /** Units that take a prefix, with the prefixes that are usual for them. */
 const prefixes = /** @type {Record<string, [number, string][]>} */ ({
   m: [
@@ -57,18 +65,10 @@ const prefixes = /** @type {Record<string, [number, string][]>} */ ({
     [1, "s"],
     [1e-3, "ms"],
   ],
-  N: [
-    [1e9, "GN"],
-    [1e6, "MN"],
-    [1e3, "kN"],
-    [1, "N"],
-  ],
-  J: [
-    [1e9, "GJ"],
-    [1e6, "MJ"],
-    [1e3, "kJ"],
-    [1, "J"],
-  ],
+  N: thousands("N"),
+  "N/m": thousands("N/m"),
+  "N s": thousands("N s"),
+  J: thousands("J"),
   kg: [
     [1e3, "t"],
     [1, "kg"],
@@ -126,7 +126,7 @@ function show(node, value, unit = "", sign = "") {
     delete node.dataset.unit;
     return;
   }
-  write(node, sign + words(value, unit).replace(" ", "\u00a0"));
+  write(node, sign + words(value, unit).replaceAll(" ", "\u00a0"));
   node.dataset.value = String(value);
   node.dataset.unit = unit === "%" ? "1" : unit;
 }

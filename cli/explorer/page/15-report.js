@@ -20,12 +20,13 @@ function units_of(physical) {
 }
 
 /** The figures of a motion. @param {any} report of design or simulate */
-function motion_of({ response, physical }) {
+function motion_of({ response, physical, input }) {
   return {
     peak: physical ? physical.peak_m : response.peak_amplitude,
     rest: physical ? physical.stop_position_m : response.stop_position,
     stop_time: physical ? physical.stop_time_s : response.stop_time,
     acceleration: response.peak_absolute_acceleration,
+    felt: input.notch_width ? "the notch included" : "outside the notch",
   };
 }
 

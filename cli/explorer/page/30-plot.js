@@ -100,17 +100,14 @@ class Plot {
     return (1 - (value - this.y.least) / (this.y.most - this.y.least)) * this.height;
   }
 
-  /**
-   * @param {ArrayLike<number>} xs
-   * @param {ArrayLike<number>} ys
-   * @param {number} count
-   */
-  line(xs, ys, count = xs.length) {
-    let path = "";
-    for (let i = 0; i < count; i++) {
-      path += `${i ? "L" : "M"}${this.across(xs[i]).toFixed(2)} ${this.up(ys[i]).toFixed(2)}`;
-    }
-    return path;
+  /** As a path writes them. @param {ArrayLike<number>} xs @param {ArrayLike<number>} ys */
+  points(xs, ys) {
+    return Array.from(xs, (x, i) => `${this.across(x).toFixed(2)} ${this.up(ys[i]).toFixed(2)}`);
+  }
+
+  /** @param {ArrayLike<number>} xs @param {ArrayLike<number>} ys */
+  line(xs, ys) {
+    return `M${this.points(xs, ys).join("L")}`;
   }
 
   /** @param {string} look @param {string} path */

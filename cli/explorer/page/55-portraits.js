@@ -103,18 +103,19 @@ function draw_energy({ t, most }, motion, { p, f }, units) {
       name: "Energy over time: what is left, and what friction and the notch have taken.",
     },
   );
-  const line = (/** @type {Float64Array} */ list) => plot.line(times, scaled(list));
-  const back = (/** @type {Float64Array} */ list) =>
-    plot.line(times.slice().reverse(), scaled(list).slice().reverse()).replace("M", "L");
-  const nothing = new Float64Array(count + 1);
-  const everything = new Float64Array(count + 1).fill(all);
+  const width = plot.width;
+  const nothing = [`0 ${plot.height}`, `${width} ${plot.height}`];
+  const kept = plot.points(times, scaled(left));
+  const not_by_notch = plot.points(times, scaled(with_friction));
+  const top = plot.up(all * units.energy).toFixed(2);
+  const everything = [`0 ${top}`, `${width} ${top}`];
   for (const [look, lower, upper] of /** @type {const} */ ([
-    ["blue", nothing, left],
-    ["orange", left, with_friction],
-    ["green", with_friction, everything],
+    ["blue", nothing, kept],
+    ["orange", kept, not_by_notch],
+    ["green", not_by_notch, everything],
   ])) {
-    plot.add(`area ${look}`, `${line(lower)}${back(upper)}Z`);
-    plot.add(`curve ${look}`, line(upper));
+    plot.add(`area ${look}`, `M${[...lower, ...[...upper].reverse()].join("L")}Z`);
+    plot.add(`curve ${look}`, `M${upper.join("L")}`);
   }
   const now = plot.add("now-line", `M0 0V${plot.height}`);
   // The way is a sum over the instants, so its last digits are wrong: anything below one part in 10^12 counts as 0.

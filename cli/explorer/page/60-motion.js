@@ -138,7 +138,8 @@ function draw_motion({ p, units, width }, series) {
   const steps = 160;
   const times = Array.from({ length: steps + 1 }, (_, i) => (i / steps) * most);
   plot.add("ghost-curve", plot.line(times, times.map(ghost)));
-  plot.add("future", plot.line(t, x) + `H${end}`);
+  const points = plot.points(t, x);
+  plot.add("future", `M${points.join("L")}H${end}`);
   const past = plot.add("past", "");
   const now = svg("circle", { class: "now", r: 5 });
   plot.inner.append(now);
@@ -147,7 +148,7 @@ function draw_motion({ p, units, width }, series) {
   return (time) => {
     const here = between(x, t, time);
     const [across, up] = [plot.across(time), plot.up(here)];
-    past.setAttribute("d", `${plot.line(t, x, instant(t, time) + 1)}L${across} ${up}`);
+    past.setAttribute("d", `M${points.slice(0, instant(t, time) + 1).join("L")}L${across} ${up}`);
     now.setAttribute("transform", `translate(${across} ${up})`);
     move_bench(here, ghost(time));
   };

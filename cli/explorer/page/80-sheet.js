@@ -11,6 +11,8 @@ const assumptions = [
   "One hit: each later one starts where the mass came to rest after the one before.",
 ];
 
+const most_full_rows = 4; // of hits: more do not leave room for the plots
+
 /**
  * @typedef {object} Sheet
  * @property {Options} options
@@ -24,14 +26,32 @@ const assumptions = [
  * @property {string} version
  */
 
-/** @param {[string, Part[] | null][]} rows those without a value are left out */
-function sheet_table(rows) {
+/** @param {[string, ...(Part[] | null)[]][]} rows those without a value are left out @param {string[]} head of the columns */
+function sheet_table(rows, head = []) {
   const body = make("tbody");
-  for (const [name, value] of rows) {
-    if (value)
-      body.append(make("tr", {}, make("th", { scope: "row" }, name), make("td", {}, ...value)));
+  for (const [name, ...values] of rows) {
+    if (values.some(Boolean))
+      body.append(
+        make(
+          "tr",
+          {},
+          make("th", { scope: "row" }, name),
+          ...values.map((value) => make("td", {}, ...(value ?? ["–"]))),
+        ),
+      );
   }
-  return make("table", {}, body);
+  const names = head.map((text) => make("th", { scope: "col" }, text));
+  return make(
+    "table",
+    {},
+    ...(names.length ? [make("thead", {}, make("tr", {}, ...names))] : []),
+    body,
+  );
+}
+
+/** Two rows in a line. @param {HTMLElement} table */
+function sheet_halves(table) {
+  return make("div", { class: "halves" }, table);
 }
 
 /** @param {string[]} head @param {Part[][]} rows */
@@ -90,9 +110,9 @@ function build_rows({ report, motion, tolerance, options }) {
 
 /** @param {Sheet} sheet */
 function performance_rows({ report, motion }) {
-  const { practice, works_for } = report;
+  const { works_for } = report;
   const limit = limit_of(report);
-  const { peak, rest, stop_time, acceleration } = motion_of(motion);
+  const { peak, rest, stop_time, acceleration, felt } = motion_of(motion);
   const { length, time, velocity } = units_of(motion.physical);
   return sheet_table([
     [
@@ -111,7 +131,7 @@ function performance_rows({ report, motion }) {
         ? ["never"]
         : ["at x = ", number(rest, rest === 0 ? "" : length), " after ", number(stop_time, time)],
     ],
-    ["transmitted", [number(acceleration, "g"), " outside the notch"]],
+    ["transmitted", [number(acceleration, "g"), ` ${felt}`]],
     [
       "works for hits of",
       range_parts(report.physical?.works_for_velocity_m_per_s ?? works_for?.v0, velocity),
@@ -120,32 +140,65 @@ function performance_rows({ report, motion }) {
       report.physical ? "and periods of" : "and p of",
       range_parts(report.physical?.works_for_period_s ?? works_for?.p, time),
     ],
-    ["base shear/weight", practice ? [number(practice.base_shear_over_weight)] : null],
-    [
-      "secant stiffness",
-      practice && report.physical?.secant_stiffness_n_per_m
-        ? [number(report.physical.secant_stiffness_n_per_m, "N"), "/m"]
-        : null,
-    ],
-    [
-      "equivalent damping",
-      practice?.equivalent_damping
-        ? [number(practice.equivalent_damping, "%"), " of critical"]
-        : null,
-    ],
-    [
-      "re-centring",
-      practice?.energy_ratio
-        ? [
-            "Eₛ/Eₕ = ",
-            number(practice.energy_ratio),
-            " (EN 15129), d/dᵣₘ = ",
-            number(practice.residual_ratio),
-            " (EN 1998-2)",
-          ]
-        : null,
-    ],
   ]);
+}
+
+/** Of a task with ranges, which motion is shown. @param {any} report */
+function shown_words({ input }) {
+  const ends = [input.v0_range && "strongest hit", input.p_range && "softest spring"];
+  return ends.filter(Boolean).join(", ");
+}
+
+/** @param {string} title @param {string} which may be empty */
+function sheet_heading(title, which) {
+  return make("h2", {}, which ? `${title}: ${which}` : title);
+}
+
+/** The figures used in practice: of the motion shown and, with ranges, the worst at their ends. @param {Sheet} sheet */
+function practice_nodes({ report }) {
+  const { practice, practice_worst, physical, input } = report;
+  if (!practice) return [];
+  const { mass_kg, gravity_m_per_s2, length_unit_m, velocity_unit_m_per_s } = physical ?? {};
+  const impulse = (/** @type {number} */ value) =>
+    mass_kg
+      ? [number(mass_kg * velocity_unit_m_per_s * value, "N s")]
+      : physical
+        ? [number(velocity_unit_m_per_s * value, "N s"), " per kg"]
+        : [number(value), " times the mass"];
+  const columns = [practice, practice_worst].filter(Boolean);
+  /** @param {string} name @param {(now: any) => Part[] | null} cell @returns {[string, ...(Part[] | null)[]]} */
+  const row = (name, cell) => [name, ...columns.map(cell)];
+  const rows = [
+    row("base shear/weight", (now) => [number(now.base_shear_over_weight)]),
+    row("secant stiffness", ({ secant_stiffness: stiffness, ...now }) =>
+      !stiffness
+        ? null
+        : mass_kg
+          ? [number(stiffness * ((mass_kg * gravity_m_per_s2) / length_unit_m), "N/m")]
+          : [number(now.base_shear_over_weight / now.restoring_over_weight), " times the spring's"],
+    ),
+    row("equivalent damping", ({ equivalent_damping: damping }) =>
+      damping ? [number(damping, "%"), " of critical"] : null,
+    ),
+    row("re-centring Eₛ/Eₕ", ({ energy_ratio: ratio }) =>
+      ratio ? [number(ratio), " (EN 15129)"] : null,
+    ),
+    row("re-centring d/dᵣₘ", ({ residual_ratio: ratio }) =>
+      ratio ? [number(ratio), " (EN 1998-2)"] : null,
+    ),
+    row("impulse at a passage", ({ impulse_largest: largest, impulse_at_stop: stop }) =>
+      largest > (stop ?? 0) ? ["at most ", ...impulse(largest)] : null,
+    ),
+    row("impulse at the stop", ({ impulse_at_stop: stop }) => (stop ? impulse(stop) : null)),
+  ];
+  const shown = shown_words(report);
+  if (!practice_worst)
+    return [sheet_heading("In practice", shown), sheet_halves(sheet_table(rows))];
+  const worst =
+    input.v0_range?.[0] === 0
+      ? "strongest hit, worst end of the springs"
+      : "worst end of the ranges";
+  return [sheet_heading("In practice", ""), sheet_table(rows, ["", shown, worst])];
 }
 
 /** How hits of each strength end; if that changes many times, the strengths between which it does. @param {Sheet} sheet */
@@ -159,13 +212,14 @@ function hit_rows({ report }) {
     if (!same) rows.push({ ends, from, to, count: 1 });
     else Object.assign(same, { to, count: same.count + 1 });
   });
-  return sheet_table(
+  const table = sheet_table(
     rows.map(({ ends, from, to, count }) => {
       const range = range_parts([from, to], units_of(report.physical).velocity) ?? [];
       const many = count > 1 ? [number(count), " ranges within "] : [];
       return [ends_words[ends] ?? ends, [...many, ...range]];
     }),
   );
+  return report.practice_worst || rows.length > most_full_rows ? sheet_halves(table) : table;
 }
 
 /** @param {Sheet} sheet */
@@ -239,8 +293,9 @@ function draw_sheet(sheet) {
       make("p", {}, `Damper specification. ${head}`),
       make("h2", {}, "To build"),
       build_rows(sheet),
-      make("h2", {}, "What it does"),
+      sheet_heading("What it does", shown_words(sheet.report)),
       performance_rows(sheet),
+      ...practice_nodes(sheet),
       make("h2", {}, "How the motion ends after other hits"),
       hit_rows(sheet),
       make("div", { class: "plates" }, plate_copy("region"), plate_copy("phase")),
@@ -249,11 +304,7 @@ function draw_sheet(sheet) {
       "div",
       { class: "leaf" },
       make("h2", {}, "Task"),
-      make(
-        "div",
-        { class: "task" },
-        sheet_table(task.map(([name, value]) => [name.replaceAll("-", " "), [value]])),
-      ),
+      sheet_halves(sheet_table(task.map(([name, value]) => [name.replaceAll("-", " "), [value]]))),
       make("h2", {}, "Checks"),
       ...check_nodes(sheet),
       make("h2", {}, "Assumptions"),

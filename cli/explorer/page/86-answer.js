@@ -40,6 +40,7 @@ class AnswerView {
     show(el("peak"), of_motion?.peak, length);
     show(el("stop-time"), of_motion?.stop_time, time);
     show(el("acceleration"), of_motion?.acceleration, "g");
+    write(el("acceleration-sub"), of_motion?.felt ?? "");
     const force = physical?.friction_force_n;
     fill(el("f-sub"), ...(force ? [number(force, "N")] : []));
     fill(el("delta-sub"), ...(physical && damper ? ["dimensionless ", number(damper.delta)] : []));

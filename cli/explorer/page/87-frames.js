@@ -11,8 +11,11 @@ class Frames {
     this.draw = draw;
     this.level = 0;
     this.requested = false;
-    /** @type {Map<string, { work: () => void, since: number }>} */
+    /** @type {Map<string, { work: () => void, since: number, wait: number }>} */
     this.later = new Map();
+    /** @type {Map<string, number>} how long each part took when it was drawn last, in ms */
+    this.took = new Map();
+    this.gave_way = false; // the last frame had no room for the change
   }
 
   /** Draws at least at this level, once, in the next frame. @param {number} level */
@@ -21,9 +24,13 @@ class Frames {
     this.request();
   }
 
-  /** Draws a part when a frame has time; if requested again, it is drawn only once. @param {string} part @param {() => void} work */
-  put_off(part, work) {
-    this.later.set(part, { work, since: this.later.get(part)?.since ?? performance.now() });
+  /**
+   * Draws a part when a frame has time; if requested again, it is drawn only once.
+   * @param {string} part @param {() => void} work @param {number} wait in ms, then it goes before a change
+   */
+  put_off(part, work, wait = longest_wait) {
+    const since = this.later.get(part)?.since ?? performance.now();
+    this.later.set(part, { work, since, wait });
     this.request();
   }
 
@@ -36,17 +43,23 @@ class Frames {
 
   frame() {
     const start = performance.now();
-    const level = this.level;
-    this.level = 0;
     this.requested = false;
-    if (level > 0) this.draw(level);
-    let drawn = level > 0;
-    for (const [part, { work, since }] of this.later) {
-      const now = performance.now();
-      if (drawn && now - start > drawing_time && now - since < longest_wait) break;
-      this.later.delete(part);
-      work();
-      drawn = true;
+    // What has waited too long has a frame of its own, every other one at most.
+    const [late] =
+      (this.level > 0 &&
+        !this.gave_way &&
+        [...this.later].find(([, { since, wait }]) => start - since >= wait)) ||
+      [];
+    this.gave_way = late !== undefined;
+    const level = late === undefined ? this.level : 0;
+    if (late !== undefined) {
+      this.draw_part(late);
+      this.draw_parts(start, true);
+      this.request();
+    } else {
+      this.level = 0;
+      if (level > 0) this.draw(level);
+      this.draw_parts(start, level > 0);
     }
     // For the tests and for developers: the last frames, in the browser's own record of times.
     if (performance.getEntriesByName("redraw").length > 500) performance.clearMeasures("redraw");
@@ -55,14 +68,30 @@ class Frames {
     if (!this.requested) document.body.classList.remove("drawing");
   }
 
+  /** Those that fit into the frame, by the time that they took last. @param {number} start @param {boolean} drawn */
+  draw_parts(start, drawn) {
+    for (const part of this.later.keys()) {
+      const end = performance.now() + (this.took.get(part) ?? 0);
+      if (drawn && end - start > drawing_time) break;
+      this.draw_part(part);
+      drawn = true;
+    }
+  }
+
+  /** @param {string} part */
+  draw_part(part) {
+    const start = performance.now();
+    const work = this.later.get(part)?.work;
+    this.later.delete(part);
+    work?.();
+    this.took.set(part, performance.now() - start);
+  }
+
   /** Draws at once what was requested and what was postponed. */
   finish() {
     const level = this.level;
     this.level = 0;
     if (level > 0) this.draw(level);
-    for (const [part, { work }] of this.later) {
-      this.later.delete(part);
-      work();
-    }
+    for (const part of this.later.keys()) this.draw_part(part);
   }
 }

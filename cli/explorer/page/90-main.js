@@ -5,6 +5,7 @@
 /** How much is drawn anew: another hit, another damper, another task. */
 const Level = { hit: 1, damper: 2, task: 3 };
 const points = 400; // of a motion
+const region_wait = 10; // ms, less than a frame: the region follows a slider
 const most_half_cycles = 2000; // that are drawn: each is as wide as a fifth of a pixel
 
 class Bench {
@@ -197,13 +198,9 @@ class Bench {
     if (level === Level.task) {
       const design = engine.run("design", options_of("design", options));
       if ("error" in design) return design.error;
-      const task = without(options_of("region", options), damper_options);
-      const region = engine.run("region", task, { figures: ["region"] });
-      if ("error" in region) return region.error;
       this.keep_damper(design.report);
       this.design = design.report;
       this.doubts = design.doubts;
-      this.figure = region.figures[0];
     }
     if (level >= Level.damper) {
       this.judged = this.design;
@@ -263,7 +260,9 @@ class Bench {
   show(level) {
     const chosen = this.judged !== this.design;
     if (level === Level.task) {
-      this.region.draw(this.figure, this.design);
+      const task = without(options_of("region", this.options), damper_options);
+      const { design } = this;
+      this.frames.put_off("region", () => this.draw_region(task, design), region_wait);
       this.frames.put_off("end", () => this.fields.show_end(this.least_stroke()));
     }
     document.body.classList.toggle("nothing", !this.damper);
@@ -273,7 +272,7 @@ class Bench {
     }
     if (!this.damper || !this.motion) return this.show_nothing();
     if (level >= Level.damper) {
-      this.region.show({ ...this.damper, tolerance: this.tolerance, admissible: this.admissible });
+      if (level === Level.damper) this.show_damper();
       this.hits.draw(this.judged);
       this.draw_later();
     }
@@ -281,6 +280,19 @@ class Bench {
     if (level === Level.task) this.frames.put_off("motion", () => this.draw_motion());
     else this.draw_motion();
     if (level >= Level.damper) this.frames.put_off("cloud", () => this.draw_cloud());
+  }
+
+  /** The region of a task, and the damper in it. @param {Options} task @param {any} design */
+  draw_region(task, design) {
+    const region = this.engine.run("region", task, { figures: ["region"], report: false });
+    if ("error" in region) return fill(el("region"), region.error);
+    this.region.draw(region.figures[0], design);
+    this.show_damper();
+  }
+
+  show_damper() {
+    if (!this.damper || !this.motion) return;
+    this.region.show({ ...this.damper, tolerance: this.tolerance, admissible: this.admissible });
   }
 
   draw_cloud() {

@@ -22,7 +22,7 @@ interface Figure {
 interface Answer {
   /** The program's exit code: 0, or 3 if no damper is admissible. */
   exit: number;
-  /** The JSON report, as text and read. */
+  /** The JSON report, as text and read; empty and null where none is asked for. */
   json: string;
   report: any;
   /** Values that are absurd together, each with what may have been meant. */
@@ -57,7 +57,7 @@ interface Engine {
   run(
     command: string,
     options: Options,
-    ask?: { figures?: string[] },
+    ask?: { figures?: string[]; report?: boolean },
     files?: Record<string, Uint8Array>,
   ): Answer | Refusal;
   motion(options: Options, points: number): Motion | Refusal;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace stillpoint::figures {
@@ -273,13 +274,19 @@ class Places {
       }
       const double w = upright ? text_height : width;
       const double h = upright ? width : text_height;
-      const std::vector<FigurePoint> places = free_places(inside, w, h);
+      std::optional<std::vector<Place>> places;
       for (const double margin : {40.0, 20.0, 10.0, 3.0, 0.0}) {
-        if (margin < least) {
+        const auto cost_of = [&](double covered) {
+          return covered - tight * margin + (upright ? turned : 0);
+        };
+        if (margin < least || best.cost <= cost_of(0)) {
           break;
         }
-        const auto [covered, at] = fit(places, inside, w, h, margin);
-        const double cost = covered - tight * margin + (upright ? turned : 0);
+        if (!places) {
+          places = free_places(inside, w, h);
+        }
+        const auto [covered, at] = fit(*places, inside, w, h, margin);
+        const double cost = cost_of(covered);
         best_upright = cost < best.cost ? upright : best_upright;
         best.offer(cost, at);
       }
@@ -290,21 +297,42 @@ class Places {
     return static_cast<bool>(best);
   }
 
-  [[nodiscard]] std::vector<FigurePoint> free_places(const Raster& inside, double w,
-                                                     double h) const {
-    std::vector<std::pair<double, Raster::Range>> across;
+  /// Of words that cover nothing that they must not.
+  struct Place {
+    FigurePoint at;
+    int covered;       ///< cells of lines close to it
+    bool fits{false};  ///< with the margin tried last
+  };
+
+  [[nodiscard]] std::vector<Place> free_places(const Raster& inside, double w, double h) const {
+    constexpr double clear = 2;  // pixels around it where a line would be close
+    using Range = Raster::Range;
+    const Range all_rows = inside.rows(0, plane_.height);
+    const Range all_columns = inside.columns(0, plane_.width);
+    std::vector<std::pair<double, Range>> across;
     for (double x = w / 2; x < plane_.width; x += step) {
       if (x - w / 2 >= edge && x + w / 2 <= plane_.width - edge) {
-        across.emplace_back(x, inside.columns(x - w / 2, x + w / 2));
+        const Range columns = inside.columns(x - w / 2, x + w / 2);
+        // Nothing is full that begins or ends beside all that is set.
+        if (inside.set_in({columns.first, columns.first + 1}, all_rows) > 0 &&
+            inside.set_in({columns.last - 1, columns.last}, all_rows) > 0) {
+          across.emplace_back(x, columns);
+        }
       }
     }
-    std::vector<FigurePoint> places;
+    std::vector<Place> places;
     for (double y = h / 2; y < plane_.height; y += step) {
       if (y - h / 2 >= edge && y + h / 2 <= plane_.height - edge) {
-        const Raster::Range rows = inside.rows(y - h / 2, y + h / 2);
+        const Range rows = inside.rows(y - h / 2, y + h / 2);
+        if (inside.set_in(all_columns, {rows.first, rows.first + 1}) == 0 ||
+            inside.set_in(all_columns, {rows.last - 1, rows.last}) == 0) {
+          continue;
+        }
         for (const auto& [x, columns] : across) {
-          if (inside.is_full(columns, rows) && taken_.set_in(columns, rows) == 0) {
-            places.push_back({x, y});
+          if (inside.is_full(columns, rows) && taken_.set_in(columns, rows) == 0 &&
+              !is_on_line({x, y}, w, h)) {
+            places.push_back(
+                {{x, y}, ink_.set_in(box_around({x, y}, w + 2 * clear, h + 2 * clear))});
           }
         }
       }
@@ -320,23 +348,25 @@ class Places {
            ink_.set_in(box_around(at, w - 2 * loose, h - 2 * loose)) > 0;
   }
 
-  /// The middle of the places where a box with a margin fits, is on no line and the least is close.
-  [[nodiscard]] Best fit(const std::vector<FigurePoint>& places, const Raster& inside, double w,
-                         double h, double margin) const {
-    constexpr double clear = 2;  // pixels around it where a line would be close
-    std::vector<std::pair<int, FigurePoint>> fitting;
-    FigurePoint mean;
-    for (const FigurePoint& at : places) {
-      if (inside.is_full(box_around(at, w + 2 * margin, h + 2 * margin)) && !is_on_line(at, w, h)) {
-        fitting.emplace_back(ink_.set_in(box_around(at, w + 2 * clear, h + 2 * clear)), at);
-        mean = {mean.x + at.x, mean.y + at.y};
+  /// The middle of the places where a box with a margin fits and the least is close. What fits with
+  /// a larger margin fits with this one.
+  [[nodiscard]] static Best fit(std::vector<Place>& places, const Raster& inside, double w,
+                                double h, double margin) {
+    double count = 0;
+    FigurePoint sum;
+    for (auto& [at, covered, fits] : places) {
+      fits = fits || inside.is_full(box_around(at, w + 2 * margin, h + 2 * margin));
+      if (fits) {
+        ++count;
+        sum = {sum.x + at.x, sum.y + at.y};
       }
     }
-    const auto count = static_cast<double>(fitting.size());
     Best best;
-    for (const auto& [covered, at] : fitting) {
+    for (const auto& [at, covered, fits] : places) {
       constexpr double aside = 0.05;  // cells covered against pixels from the middle
-      best.offer(covered + aside * std::hypot(at.x - mean.x / count, at.y - mean.y / count), at);
+      if (fits && covered < best.cost) {
+        best.offer(covered + aside * std::hypot(at.x - sum.x / count, at.y - sum.y / count), at);
+      }
     }
     return best;
   }

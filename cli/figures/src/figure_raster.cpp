@@ -80,10 +80,10 @@ void Raster::sum() const {
   const std::size_t wide = columns_ + 1;
   sums_.assign(wide * (rows_ + 1), 0);
   for (std::size_t row = 0; row < rows_; ++row) {
+    int in_row = 0;
     for (std::size_t column = 0; column < columns_; ++column) {
-      sums_[(row + 1) * wide + column + 1] =
-          cells_[row * columns_ + column] + sums_[row * wide + column + 1] +
-          sums_[(row + 1) * wide + column] - sums_[row * wide + column];
+      in_row += cells_[row * columns_ + column];
+      sums_[(row + 1) * wide + column + 1] = sums_[row * wide + column + 1] + in_row;
     }
   }
   summed_ = true;

@@ -302,6 +302,74 @@ test("light and dark are both legible", async () => {
   }
 });
 
+test("while each frame has a change, what is postponed is drawn too, one after the other", () =>
+  with_page(isolator, {}, async (page) => {
+    // A clock by hand: a frame every 16 ms, a change takes 4 of them, the parts 8 and 7.
+    /** @type {string[][]} */
+    const frames = await page.evaluate(`(() => {
+      const clock = performance.now;
+      let now = 0;
+      performance.now = () => now;
+      const drawn = [];
+      const draw = (name, time) => {
+        drawn.at(-1).push(name);
+        now += time;
+      };
+      const frames = new Frames(() => {
+        draw("change", 4);
+        frames.put_off("soon", () => draw("soon", 8), 10);
+        frames.put_off("late", () => draw("late", 7), 200);
+      });
+      frames.request = () => {};
+      for (let i = 0; i < 60; i++) {
+        now = 16 * i;
+        drawn.push([]);
+        frames.ask(1);
+        frames.frame();
+      }
+      performance.now = clock;
+      return drawn;
+    })()`);
+    const gaps = (/** @type {string} */ name) => {
+      const at = frames.flatMap((parts, i) => (parts.includes(name) ? [i] : []));
+      return at.slice(1).map((frame, i) => frame - at[i]);
+    };
+    // How long the parts take is known from the first frames.
+    for (const parts of frames.slice(2)) assert.equal(parts.length, 1, JSON.stringify(frames));
+    assert.ok(Math.max(...gaps("change")) <= 2);
+    assert.ok(Math.max(...gaps("soon")) <= 4);
+    assert.ok(Math.max(...gaps("late")) <= 200 / 16 + 3);
+  }));
+
+test("the transmitted acceleration says whether the notch is in it", () =>
+  with_page(isolator, {}, async (page) => {
+    assert.equal(await bench.words(page, "#acceleration-sub"), "outside the notch");
+    const built = `${isolator}&f=0.03&delta=0.04`;
+    await bench.go(page, built);
+    assert.equal(await bench.words(page, "#acceleration-sub"), "outside the notch");
+    const outside = Number(await page.getAttribute("#acceleration", "data-value"));
+    await bench.go(page, `${built}&notch-width-m=2cm`);
+    assert.equal(await bench.words(page, "#acceleration-sub"), "the notch included");
+    // By about Delta/w, both in metres.
+    const inside = Number(await page.getAttribute("#acceleration", "data-value"));
+    const { delta } = await numbers(page);
+    assert.ok(Math.abs((inside - outside) / (delta / 0.02) - 1) < 0.2, `${inside} ${outside}`);
+  }));
+
+test("no mark of a hit stands in the name of a part", () =>
+  with_page(isolator, {}, async (page) => {
+    const crossed = await page.evaluate(() => {
+      const boxes = (/** @type {string} */ which) =>
+        [...document.querySelectorAll(which)].map((node) => node.getBoundingClientRect());
+      const names = boxes("#lane span").filter(({ width }) => width > 0);
+      const crossed = boxes("#lane .designed").filter((mark) =>
+        names.some((name) => mark.top < name.bottom && name.top < mark.bottom),
+      );
+      return { names: names.length, crossed: crossed.length };
+    });
+    assert.deepEqual(crossed, { names: 3, crossed: 0 });
+  }));
+
 test("a redraw while dragging takes less than a frame", async () => {
   /** @param {string} state @param {string} selector of the sliders @param {boolean} handle */
   const drag_in = (state, selector, handle = false) =>

@@ -9,6 +9,8 @@ import * as bench from "./bench.mjs";
 
 const { drag, go, handle_place, isolator, notice, numbers, settle, type, with_page, words } = bench;
 
+/** @typedef {import("./bench.mjs").Page} Page */
+
 before(bench.start);
 after(bench.end);
 
@@ -203,10 +205,89 @@ test("printed, it is a specification of two pages", () =>
     for (const state of [
       `${isolator}&f=1e-5&delta=1e-5`,
       `velocity=0.36:0.44&period=2.66:2.94&max-displacement=170mm&mass=1200t&${options}&f=0.001&delta=0.002`,
+      `velocity=0.36:0.44&period=2.66:2.94&max-displacement=170mm&mass=1200t&${options}`,
     ]) {
       await go(page, state);
       const long = (await page.pdf({ preferCSSPageSize: true })).toString("latin1");
       assert.equal(long.match(/\/Type\s*\/Page\b/g)?.length, 2, state);
+    }
+  }));
+
+/** The numbers in full of a row of the sheet, by column. @param {Page} page @param {string} name */
+function sheet_row(page, name) {
+  return page.evaluate((wanted) => {
+    const row = [...document.querySelectorAll("#sheet tr")].find(
+      (one) => one.querySelector("th")?.textContent === wanted,
+    );
+    return [...(row?.querySelectorAll("[data-value]") ?? [])].map((node) =>
+      Number(node.getAttribute("data-value")),
+    );
+  }, name);
+}
+
+test("the specification has the figures of practice of the motion shown, and the worst of the ranges", () =>
+  with_page("", {}, async (page) => {
+    const one = `${isolator}&arrivals=2`;
+    const ranges =
+      "velocity=0.36:0.44&period=2.66:2.94&max-displacement=170mm&mass=1200t&criterion=exact";
+    const up_to = `velocity=0:0.4m/s&period=2.8s&max-displacement=150mm&mass=1200t&residual-m=20mm`;
+    for (const [state, headings, columns] of /** @type {[string, string[], string[]][]} */ ([
+      [one, ["What it does", "In practice"], []],
+      [
+        ranges,
+        ["What it does: strongest hit, softest spring", "In practice"],
+        ["", "strongest hit, softest spring", "worst end of the ranges"],
+      ],
+      [up_to, ["What it does: strongest hit", "In practice: strongest hit"], []],
+    ])) {
+      await go(page, state);
+      await page.pdf();
+      const { practice, practice_worst, physical } = bench.program([
+        "design",
+        ...bench.words_of(state),
+      ]);
+      const shown = [practice, practice_worst].filter(Boolean);
+      assert.equal(shown.length, columns.length ? 2 : 1, state);
+      assert.deepEqual(
+        await page.evaluate(() =>
+          [...document.querySelectorAll("#sheet h2")].slice(1, 3).map((node) => node.textContent),
+        ),
+        headings,
+      );
+      assert.deepEqual(
+        await page.evaluate(() =>
+          [...document.querySelectorAll("#sheet .leaf:first-child thead th")].map(
+            (node) => node.textContent,
+          ),
+        ),
+        columns,
+      );
+      for (const [name, field, unit] of /** @type {[string, string, number][]} */ ([
+        ["base shear/weight", "base_shear_over_weight", 1],
+        ["equivalent damping", "equivalent_damping", 1],
+        ["re-centring Eₛ/Eₕ", "energy_ratio", 1],
+        ["re-centring d/dᵣₘ", "residual_ratio", 1],
+        [
+          "secant stiffness",
+          "secant_stiffness",
+          (physical.mass_kg * physical.gravity_m_per_s2) / physical.length_unit_m,
+        ],
+        [
+          "impulse at the stop",
+          "impulse_at_stop",
+          physical.mass_kg * physical.velocity_unit_m_per_s,
+        ],
+      ])) {
+        const wanted = shown.map((now) => now[field] * unit);
+        assert.deepEqual(await sheet_row(page, name), wanted, `${state}: ${name}`);
+      }
+      const [stiffness] = await sheet_row(page, "secant stiffness");
+      assert.equal(stiffness, physical.secant_stiffness_n_per_m);
+      const [impulse] = await sheet_row(page, "impulse at the stop");
+      assert.equal(impulse, physical.impulse_at_stop_n_s);
+      // The stiffest spring has the largest base shear, the softest the motion shown.
+      if (practice_worst)
+        assert.ok(practice_worst.base_shear_over_weight > practice.base_shear_over_weight);
     }
   }));
 

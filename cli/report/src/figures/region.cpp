@@ -229,7 +229,7 @@ std::string region_clause(const std::optional<DrawnDamper>& damper, const Region
 void add_tolerant(Figure& figure, const design::Limits& limits,
                   std::vector<std::vector<FigurePoint>> areas) {
   std::erase_if(areas, [](const auto& area) { return area.empty(); });
-  if (limits.tolerance == 0 || areas.empty()) {
+  if (areas.empty()) {
     return;
   }
   for (std::vector<FigurePoint>& area : areas) {

@@ -42,8 +42,7 @@ std::vector<figures::FigurePoint> outline_over(const Interval& f, double unit,
   std::vector<figures::FigurePoint> lower;
   std::vector<figures::FigurePoint> upper;
   const auto has = [&](double at) { return range_of(at).has_value(); };
-  const auto add = [&](double at) {
-    const std::optional<Interval> range = range_of(at);
+  const auto add = [&](double at, const std::optional<Interval>& range) {
     lower.push_back({at, range->low * unit});
     upper.push_back({at, range->high * unit});
   };
@@ -51,14 +50,15 @@ std::vector<figures::FigurePoint> outline_over(const Interval& f, double unit,
   bool had = false;
   for (int i = 0; f.low <= f.high && i <= parts; ++i) {
     const double at = f.low + (f.high - f.low) * i / parts;
-    const bool now = has(at);
-    if (i > 0 && had != now) {  // it begins or ends between them
-      add(had ? last_inside(last, at, has) : last_inside(at, last, has));
+    const std::optional<Interval> range = range_of(at);
+    if (i > 0 && had != range.has_value()) {  // it begins or ends between them
+      const double edge = had ? last_inside(last, at, has) : last_inside(at, last, has);
+      add(edge, range_of(edge));
     }
-    if (now) {
-      add(at);
+    if (range) {
+      add(at, range);
     }
-    had = now;
+    had = range.has_value();
     last = at;
   }
   if (lower.size() < 2) {

@@ -158,6 +158,9 @@ std::vector<FigureArea> admissible_areas(const DrawnRegion& drawn, const FigureU
 
 std::vector<std::vector<FigurePoint>> tolerant_areas(const DrawnRegion& drawn, double unit) {
   std::vector<std::vector<FigurePoint>> areas;
+  if (drawn.limits.tolerance == 0) {
+    return areas;
+  }
   const auto strips = design::strips(drawn.problem, drawn.limits);
   // Up to this f any rest is within the residual, whatever the arrival.
   const auto rest = std::ranges::find_if(

@@ -193,10 +193,10 @@ struct DrawnRegion {
 /// of each, the damper's own in front.
 [[nodiscard]] std::vector<figures::FigureArea> admissible_areas(const DrawnRegion& drawn,
                                                                 const FigureUnits& units);
-/// Of those that keep the tolerance asked for.
+/// Of those that keep the tolerance asked for; none without one.
 [[nodiscard]] std::vector<std::vector<figures::FigurePoint>> tolerant_areas(
     const DrawnRegion& drawn, double unit);
-/// A line around each, if a tolerance was asked for.
+/// A line around each.
 void add_tolerant(figures::Figure& figure, const design::Limits& limits,
                   std::vector<std::vector<figures::FigurePoint>> areas);
 /// Of a stop at that arrival, in each figure; those of neighbours differ.
