@@ -207,6 +207,10 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
     answer.row("", "friction of more than the weight: a brake, not a bearing", Tone::bad);
   }
   const auto built = felt_in_built_notch(report);
+  const std::string extreme = shown_words(result.request);
+  const std::string of_which = extreme.empty() ? ", with f and delta as given"
+                               : pulse         ? ", under the pulse shown"
+                                               : format(" ({})", extreme);
   ToldMotion told{told_motion(report)};
   told.admissible = !report.built_notch;
   if (!report.built_notch) {
@@ -215,7 +219,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   }
   add_motion(
       answer, task_of(report), told,
-      built ? *built + ", with f and delta as given"
+      built ? *built + of_which
             : felt(task_of(report), finding.point,
                    {finding.response, finding.arrival, pulse ? finding.pulse->worst : std::nullopt},
                    told_practice(result.request, finding.practice, f, delta),

@@ -143,9 +143,10 @@ void add_motion(Section& answer, const ShownTask& task, const ToldMotion& motion
                 const std::string& acceleration) {
   const auto& [problem, limits, pulse, ranges, physical] = task;
   const auto& [response, arrival, worst, admissible] = motion;
+  const bool ranged = pulse && design::pulse_problem(problem, *pulse, ranges).has_ranges();
   // The requirements are about the motion up to its first return.
   const std::string under_pulse =
-      format(", under the pulse{}",
+      format(", under the pulse{}{}", ranged && !worst ? " shown" : "",
              response.zero_passages.value_or(0) > 0 ? ", later swings included" : "");
   answer.row(
       "peak",

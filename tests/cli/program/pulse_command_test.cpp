@@ -109,6 +109,38 @@ BOOST_AUTO_TEST_CASE(a_damper_that_locks_during_its_pulse_is_reported) {
   BOOST_TEST(!contains(run(asked).err, "locked"));
 }
 
+/// A pulse between the ends may leave it farther out than the strongest; the weakest may not move
+/// it.
+BOOST_AUTO_TEST_CASE(the_notch_that_will_be_built_is_tried_with_every_pulse_of_the_ranges) {
+  const Arguments design(
+      "design --pulse half-sine --k 0.4g:0.6g --pulse-duration 0.1:0.12 --period 2.6:2.8 "
+      "--max-displacement 0.5 --delta-max-m 10mm");
+  const json report = reported(design + "--notch-width-m 60mm");
+  const json& built = report["built_notch"];
+  const json& farthest = built["farthest_rest"];
+  const double rest = farthest["stop_position"];
+  BOOST_TEST(farthest["v0"].is_null());
+  BOOST_TEST(std::abs(rest) > 1.1 * std::abs(built["stop_position"].get<double>()));
+  Arguments simulate("simulate --excitation half-sine");
+  for (const char* const field : {"k", "lambda", "p"}) {
+    simulate = simulate + Arguments{std::string("--") + field, in_full(farthest[field])};
+  }
+  for (const char* const field : {"f", "delta"}) {
+    simulate = simulate + Arguments{std::string("--") + field, in_full(report["design"][field])};
+  }
+  const json motion = reported(simulate + Arguments{"--notch-width", in_full(built["width"])});
+  BOOST_TEST(motion["response"]["stop_position"] == rest);
+  const std::string text = one_line(run(design + "--notch-width-m 60mm").out);
+  check_contains(text,
+                 {"the mass rests 30.274 mm off centre after a pulse of 0.55 g and 114.29 ms.",
+                  " g outside it, under the pulse shown "});
+
+  const Arguments holds = design + "--hold 0.4";
+  check_contains(one_line(run(holds).out),
+                 {"with this notch the mass is held throughout the weakest pulse, k = 0.4 g."});
+  BOOST_TEST(!contains(run(design + "--hold 0.3").out, "held throughout"));
+}
+
 /// What holds the mass at x = 0 is the capacity, f + hold, not delta over a width.
 BOOST_AUTO_TEST_CASE(a_pulse_design_with_a_hold_needs_no_width) {
   const std::string text = one_line(

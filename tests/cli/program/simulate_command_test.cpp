@@ -182,6 +182,7 @@ BOOST_AUTO_TEST_CASE(the_notch_that_will_be_built_is_tried_with_every_hit_of_a_r
                       "centre after a hit of 0.3234 m/s."),
              told.out);
   BOOST_TEST(!contains(told.out, "any hit: within"), told.out);  // which the paper's notch keeps
+  BOOST_TEST(contains(one_line(told.out), " g outside it (strongest hit) "), told.out);
 }
 
 // The answer is that of the notch that will be built, and says what it spoils.
