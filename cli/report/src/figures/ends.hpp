@@ -29,7 +29,6 @@ struct DrawnEnds {
   /// By what stronger ones fail that stop within beta.
   std::optional<double> acceleration_max{};
   bool fail_by_criterion{false};
-  bool rests_are_open{false};  ///< off centre may be within the residual
 };
 
 /// Without its title and the name of its axis.

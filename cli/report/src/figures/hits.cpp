@@ -77,8 +77,7 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
                    .works = hit_of(works_for),
                    .refusal = held_at_the_limit(problem, f, units),
                    .acceleration_max = felt ? limits.acceleration_max : std::nullopt,
-                   .fail_by_criterion = exact_works_above(problem, limits, f, delta, works_for),
-                   .rests_are_open = problem.p_high && problem.residual});
+                   .fail_by_criterion = exact_works_above(problem, limits, f, delta, works_for)});
   figure.title = problem.p_high ? "Where the mass stops with the worst spring"
                                 : "Where the mass stops after a hit";
   figure.x.label = units.velocity_unit.empty() ? "velocity of the hit, V₀"
