@@ -97,10 +97,10 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
   };
   if (pulse) {
     const double k = design::peak_load(*pulse);
-    section.row("works for", format("pulses of {} g; {}",
-                                    interval_text(served->hit, {ranges.k_low.value_or(k), k}),
-                                    springs(open_ended(interval, works.period_s.low, of_springs),
-                                            of_springs.high ? " or more" : "")));
+    section.row("works for",
+                format("k of {} g; {}", interval_text(served->hit, {ranges.k_low.value_or(k), k}),
+                       springs(open_ended(interval, works.period_s.low, of_springs),
+                               of_springs.high ? " or more" : "")));
     return;
   }
   const std::string_view hit = problem.v0_low ? "every hit of the range"

@@ -242,7 +242,7 @@ BOOST_AUTO_TEST_CASE(a_point_says_which_pulses_and_springs_it_works_for) {
     BOOST_TEST(near(hits[i]["to"], to.at(i), 1e-12));
   }
   check_contains(one_line(run(point).out),
-                 {" works for pulses of 0.351 to 0.574 g; p of ", " to 10.0 or more "});
+                 {" works for k of 0.351 to 0.574 g; p of ", " to 10.0 or more "});
   const Arguments any("region --pulse half-sine --k 1 --beta 1e6 --f 0 --lambda 20000 --p 1");
   check_contains(one_line(run(any + "--delta 1000").out),
                  {" p of 0.01 or less to 2.00e+05 or more "});
@@ -275,9 +275,10 @@ BOOST_AUTO_TEST_CASE(region_of_a_pulse_is_drawn) {
   succeed(region + "--f 0.175 --delta 0.49 --html page.html --json");
   check_contains(read("page.html"), {"id=\"region-title\"", "least Δ allowed", "point, admissible",
                                      "too weak: exceeds", "too strong", "id=\"pulses-title\""});
-  check_contains(one_line(read("page.html")),
-                 {"The damper works for pulses of 0.351 to 0.574 g; slightly weaker ones rest off "
-                  "centre and stronger ones go too far."});
+  check_contains(
+      one_line(read("page.html")),
+      {"The damper works for pulses with k of 0.351 to 0.574 g; slightly weaker ones rest off "
+       "centre and stronger ones go too far."});
 }
 
 BOOST_AUTO_TEST_CASE(page_for_people_says_it_in_words) {

@@ -157,7 +157,7 @@ Figure ends_figure(const DrawnEnds& drawn) {
     add_box_inset(figure, box);
     figure.areas.push_back({"works for " + range, std::move(box), Ink::blue, AreaLook::box});
     figure.caption =
-        format("The damper works for {}s of {}{}{}.", drawn.noun, range, other_ones(drawn),
+        format("The damper works for {} of {}{}{}.", drawn.measured, range, other_ones(drawn),
                figure.inset ? format("; the corner enlarges {}{}",
                                      interval_digits(figure.inset->x.least, figure.inset->x.most),
                                      with_blank(drawn.unit))

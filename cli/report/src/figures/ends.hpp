@@ -16,10 +16,11 @@
 namespace stillpoint::report {
 
 struct DrawnEnds {
-  std::string_view noun;  ///< "hit"
-  std::string symbol;     ///< of the strength
-  double scale{1};        ///< from a strength to its place on the axis
-  std::string unit;       ///< there, may be empty
+  std::string_view noun;      ///< "hit"
+  std::string_view measured;  ///< "hits"
+  std::string symbol;         ///< of the strength
+  double scale{1};            ///< from a strength to its place on the axis
+  std::string unit;           ///< there, may be empty
   std::vector<design::Hits> list;
   Interval asked;  ///< the strengths of the task
   bool has_range{false};

@@ -68,6 +68,7 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
   const auto felt = above_limit(problem, limits, f, hits);
   Figure figure =
       ends_figure({.noun = "hit",
+                   .measured = "hits",
                    .symbol = "V₀",
                    .scale = unit,
                    .unit = units.velocity_unit,
@@ -97,6 +98,7 @@ Figure strengths_figure(const design::PulseProblem& problem, const design::Limit
   const auto works = hit_of(works_for);
   Figure figure =
       ends_figure({.noun = "pulse",
+                   .measured = "pulses with k",
                    .symbol = "k",
                    .unit = "g",
                    .list = design::shown_strengths(problem, f, delta,
