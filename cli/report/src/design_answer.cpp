@@ -243,7 +243,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
       answer.row("way out", format("free: v0 is the speed with which the mass leaves the notch; if "
                                    "that acts on the way out too, peak {}, rest at x = {}, {}",
                                    length_shown(physical, strip->peak_amplitude),
-                                   length_shown(physical, strip->stop_position.value_or(0)),
+                                   rest_shown(report, strip->stop_position.value_or(0)),
                                    acceleration_shown(strip->peak_absolute_acceleration)));
     }
     answer.row("note", format("what follows is for a notch that {}",

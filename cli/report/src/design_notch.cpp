@@ -2,6 +2,8 @@
 #include "design_parts.hpp"
 #include "format.hpp"
 
+#include <stillpoint/report/digits.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -86,6 +88,11 @@ std::string notch_fault(const design::BuiltNotch& built, const design::DesignReq
   return {};
 }
 
+std::string rest_shown(const DesignReport& report, double x) {
+  const double stroke = report.result.finding->response.peak_amplitude;
+  return length_shown(report.physical, begins_at_nothing(std::abs(x), stroke) ? 0 : x);
+}
+
 const Response& told_motion(const DesignReport& report) {
   return report.built_notch ? report.built_notch->response : report.result.finding->response;
 }
@@ -141,7 +148,7 @@ void add_built_notch(Document& document, const DesignReport& report, const Physi
   }
   if (const auto& farthest = built.farthest) {
     section.row("farthest rest",
-                format("x = {} after {}, with {}", length_shown(physical, farthest->rest),
+                format("x = {} after {}, with {}", rest_shown(report, farthest->rest),
                        cause_words(*farthest, report.result.request, physical),
                        period_words(physical, farthest->p)));
   }

@@ -21,6 +21,9 @@ namespace stillpoint::report {
 /// motion of a task with ranges is shown; empty without.
 [[nodiscard]] std::string shown_motion(const DesignReport& report, const Physical& physical);
 
+/// A position of rest; 0 if that is next to nothing of the stroke.
+[[nodiscard]] std::string rest_shown(const DesignReport& report, double x);
+
 /// What to build.
 [[nodiscard]] std::string verdict(const DesignReport& report, const Physical& physical);
 
