@@ -203,9 +203,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
                     length_shown(physical, delta),
                     failing && !report.built_notch ? format(" ({})", acts_late) : ""),
              Tone::heading);
-  if (physical && f > 1) {
-    answer.row("", "friction of more than the weight: a brake, not a bearing", Tone::bad);
-  }
+  add_brake(answer, physical, f);
   const auto built = felt_in_built_notch(report);
   const std::string extreme = shown_words(result.request);
   const std::string of_which = extreme.empty() ? ", with f and delta as given"

@@ -65,6 +65,7 @@ void add_answer(Section& answer, const design::RecordDesign& result, const Physi
              format("f = {:.{}g}, delta = {}", damper.f, printed_digits,
                     length_shown(physical, damper.delta, printed_digits)),
              Tone::heading);
+  add_brake(answer, physical, damper.f);
   answer.row("spring", spring_words(physical, damper.p, period_digits(result.request)) +
                            end_words(result.request.p, damper.p, physical.has_value()));
   add_rest(answer, result);

@@ -37,6 +37,8 @@ void add_physical_input(Section& section, const design::PhysicalInput& physical,
 /// The same with the stiffness, if the mass is known.
 [[nodiscard]] std::string spring_words(const Physical& physical, double p,
                                        std::optional<int> digits = {});
+/// If friction is above the weight, which a number without a scale may well be.
+void add_brake(Section& answer, const Physical& physical, double f, std::string key = "");
 /// Force and energy of a damper, if the mass is known; the energy if there is a notch.
 void add_damper_physics(Section& section, const Physical& physical, double f, double delta,
                         std::string_view where_f_acts = "");

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace stillpoint::report {
 
@@ -195,6 +196,13 @@ std::string no_notch_words(const StartUnderLoad& start, double peak, std::string
                    "stroke is {}",
                    under, length_limit(physical, start.width(), true), load,
                    length_shown(physical, peak));
+}
+
+void add_brake(Section& answer, const Physical& physical, double f, std::string key) {
+  if (physical && f > 1) {
+    answer.row(std::move(key), "friction of more than the weight: a brake, not a bearing",
+               Tone::bad);
+  }
 }
 
 void add_notch_used(Section& section, const ToldPractice& told, const Physical& physical) {
