@@ -29,10 +29,9 @@ std::string cause_words(const design::RestAfter& now, const design::DesignReques
 /// Of ranges: the worst of them.
 std::string far_rest(const design::BuiltNotch& built, const design::DesignRequest& request,
                      const Physical& physical) {
-  constexpr double rounding = 1 + 1e-9;
   const auto& farthest = built.farthest;
   const double allowed = request.problem.residual.value_or(centred * built.response.peak_amplitude);
-  return farthest && std::abs(farthest->rest) > allowed * rounding
+  return farthest && std::abs(farthest->rest) > allowed * for_rounding
              ? format("the mass rests {} off centre after {}",
                       length_shown(physical, std::abs(farthest->rest)),
                       cause_words(*farthest, request, physical))
@@ -46,7 +45,6 @@ std::string notch_fault(const design::BuiltNotch& built, const design::DesignReq
   const auto& [problem, limits, search, pulse, ranges] = request;
   const ForcedResponse& response = built.response;
   const double peak = response.peak_amplitude;
-  constexpr double rounding = 1 + 1e-9;
   if (response.half_cycles == 0) {
     return "the mass is held throughout the pulse";
   }
@@ -55,14 +53,14 @@ std::string notch_fault(const design::BuiltNotch& built, const design::DesignReq
                   ranges.k_low.value_or(design::peak_load(*pulse)));
   }
   const bool allowed = problem.residual && response.stop_position &&
-                       std::abs(*response.stop_position) <= *problem.residual * rounding;
+                       std::abs(*response.stop_position) <= *problem.residual * for_rounding;
   if (built.shape.width && *built.shape.width / 2 >= peak && !allowed) {
     return "the mass stays inside" +
            (response.stop_position
                 ? format(" and stops at x = {}", length_shown(physical, *response.stop_position))
                 : "");
   }
-  if (peak > problem.beta * rounding) {
+  if (peak > problem.beta * for_rounding) {
     return format("the peak exceeds {}", length_shown(physical, problem.beta));
   }
   if (std::string far = far_rest(built, request, physical); !far.empty()) {
@@ -75,13 +73,13 @@ std::string notch_fault(const design::BuiltNotch& built, const design::DesignReq
     return "the mass " + outcome_phrase(response);
   }
   if (limits.acceleration_max &&
-      response.peak_absolute_acceleration > *limits.acceleration_max * rounding) {
+      response.peak_absolute_acceleration > *limits.acceleration_max * for_rounding) {
     return format("the structure feels {} inside it, more than the limit of {}",
                   acceleration_shown(response.peak_absolute_acceleration),
                   acceleration_shown(*limits.acceleration_max));
   }
   // A notch of the example width, at most a fifth of the peak, cannot do that.
-  if (!problem.residual && std::abs(*response.stop_position) > centred * peak * rounding) {
+  if (!problem.residual && std::abs(*response.stop_position) > centred * peak * for_rounding) {
     return format("the mass rests {} off centre, inside it",
                   length_shown(physical, std::abs(*response.stop_position)));
   }

@@ -99,6 +99,8 @@ void add_excitation(Section& section, const Excitation& excitation,
 void add_real_notch(Section& section, const std::optional<double>& hold,
                     const std::optional<double>& width, const Physical& physical);
 
+/// A value beyond a limit times this exceeds it by more than rounding.
+inline constexpr double for_rounding = 1 + 1e-9;
 inline constexpr int usual_digits = 4;
 /// "34.18 %", which the damper withstands.
 [[nodiscard]] std::string percent_digits(double tolerance, int shown = usual_digits);
