@@ -10,8 +10,8 @@
 #include <stillpoint/design/limit_kinds.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <array>
+#include <cmath>
 
 namespace stillpoint::design {
 
