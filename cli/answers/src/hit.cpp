@@ -22,7 +22,7 @@ report::DesignReport answer(DesignTask task) {
   }
   if (report.result.finding) {
     if (task.notch) {
-      report.built_notch = report::with_notch(report.result, *task.notch);
+      report.built_notch = design::built_notch(report.result, *task.notch);
     } else {
       report.example = report::example_notch(report);
     }

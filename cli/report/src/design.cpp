@@ -189,7 +189,7 @@ Document document(const DesignReport& report) {
   add_answer(document.answer, report, physical);
   add_choices(document, report, physical);
   if (report.built_notch) {
-    add_built_notch(document, *report.built_notch, finding, physical);
+    add_built_notch(document, report, physical);
   }
   add_task(document, result.request, physical);
   add_damper(document.detail("Damper" + with_ideal(report)), finding.point,

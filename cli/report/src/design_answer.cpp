@@ -203,10 +203,12 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
                     length_shown(physical, delta),
                     failing && !report.built_notch ? format(" ({})", acts_late) : ""),
              Tone::heading);
-  if (physical && f > 1) {
-    answer.row("", "friction of more than the weight: a brake, not a bearing", Tone::bad);
-  }
+  add_brake(answer, physical, f);
   const auto built = felt_in_built_notch(report);
+  const std::string extreme = shown_words(result.request);
+  const std::string of_which = extreme.empty() ? ", with f and delta as given"
+                               : pulse         ? ", under the pulse shown"
+                                               : format(" ({})", extreme);
   ToldMotion told{told_motion(report)};
   told.admissible = !report.built_notch;
   if (!report.built_notch) {
@@ -215,7 +217,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   }
   add_motion(
       answer, task_of(report), told,
-      built ? *built + ", with f and delta as given"
+      built ? *built + of_which
             : felt(task_of(report), finding.point,
                    {finding.response, finding.arrival, pulse ? finding.pulse->worst : std::nullopt},
                    told_practice(result.request, finding.practice, f, delta),
@@ -239,7 +241,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
       answer.row("way out", format("free: v0 is the speed with which the mass leaves the notch; if "
                                    "that acts on the way out too, peak {}, rest at x = {}, {}",
                                    length_shown(physical, strip->peak_amplitude),
-                                   length_shown(physical, strip->stop_position.value_or(0)),
+                                   rest_shown(report, strip->stop_position.value_or(0)),
                                    acceleration_shown(strip->peak_absolute_acceleration)));
     }
     answer.row("note", format("what follows is for a notch that {}",

@@ -39,10 +39,16 @@ std::string example_fault(const design::BuiltNotch& example, const DesignReport&
   return notch_fault(example, promised, report.physical);
 }
 
+/// After the motion shown, or the farthest of ranges.
+double rest_of(const design::BuiltNotch& notch) {
+  return std::abs(notch.farthest ? notch.farthest->rest : *notch.response.stop_position);
+}
+
 /// Of the peak; infinite if it does not move, or not stop.
-double off_centre(const ForcedResponse& response) {
+double off_centre(const design::BuiltNotch& notch) {
+  const ForcedResponse& response = notch.response;
   return response.stop_position && response.half_cycles > 0
-             ? std::abs(*response.stop_position) / response.peak_amplitude
+             ? rest_of(notch) / response.peak_amplitude
              : HUGE_VAL;
 }
 
@@ -62,12 +68,12 @@ StartUnderLoad start_under_pulse(const design::DesignResult& result) {
 std::optional<design::BuiltNotch> example_notch(const DesignReport& report) {
   const design::DesignResult& result = report.result;
   const auto badness = [&](const design::BuiltNotch& notch) {
-    return std::pair(!example_fault(notch, report).empty(), off_centre(notch.response));
+    return std::pair(!example_fault(notch, report).empty(), off_centre(notch));
   };
   std::optional<design::BuiltNotch> best;
   for (const double width : widths_to_try(report)) {
     if (can_be_followed(width, result.finding->point.delta, result.request.problem.p)) {
-      const design::BuiltNotch tried = with_notch(result, {width});
+      const design::BuiltNotch tried = design::built_notch(result, {width});
       if (!best || badness(tried) < badness(*best)) {
         best = tried;
       }
@@ -101,7 +107,7 @@ std::string notch_sentence(const DesignReport& report) {
   const ForcedResponse& best = report.example->response;
   const double width = *report.example->shape.width;
   return "no notch width that was tried brings the mass back to x = 0: " +
-         (best.stop_position && best.peak_amplitude > width / 2
+         (best.stop_position && best.peak_amplitude > width / 2 && !report.example->farthest
               ? format("the nearest, {} wide, leaves it {} off centre after a stroke of {}",
                        length_shown(physical, width),
                        length_shown(physical, std::abs(*best.stop_position)),
@@ -122,9 +128,10 @@ std::string example_words(const DesignReport& report, const Physical& physical) 
   return fault.empty()
              ? format(
                    " That is for a notch that {}: one {} wide acts from the start, and leaves the "
-                   "mass {} off centre after a stroke of {}.",
+                   "mass {}{} off centre after a stroke of {}.",
                    acts_late, length_shown(physical, width),
-                   length_shown(physical, std::abs(*report.example->response.stop_position)),
+                   report.example->farthest ? "up to " : "",
+                   length_shown(physical, rest_of(*report.example)),
                    length_shown(physical, report.example->response.peak_amplitude))
              : "";
 }

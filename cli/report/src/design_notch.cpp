@@ -2,6 +2,8 @@
 #include "design_parts.hpp"
 #include "format.hpp"
 
+#include <stillpoint/report/digits.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,16 +13,28 @@ namespace {
 
 constexpr double centred = 0.1;  // of the peak, without a residual
 
-/// Of a range: the worst of its hits.
-std::string far_rest(const design::BuiltNotch& built, const design::Problem& problem,
+/// "a hit of 0.35 m/s", or "a pulse of 0.25 g and 300 ms" of ranges.
+std::string cause_words(const design::RestAfter& now, const design::DesignRequest& request,
+                        const Physical& physical) {
+  if (!now.pulse) {
+    return "a hit of " + FigureUnits(physical).velocity_words(now.v0);
+  }
+  return format(
+      "a pulse of {:.4g} g{}", design::peak_load(*now.pulse),
+      request.pulse_ranges.lambda_high
+          ? " and " + time_shown(physical, duration(design::excitation(*now.pulse)).value())
+          : "");
+}
+
+/// Of ranges: the worst of them.
+std::string far_rest(const design::BuiltNotch& built, const design::DesignRequest& request,
                      const Physical& physical) {
-  constexpr double rounding = 1 + 1e-9;
   const auto& farthest = built.farthest;
-  const double allowed = problem.residual.value_or(centred * built.response.peak_amplitude);
-  return farthest && std::abs(farthest->rest) > allowed * rounding
-             ? format("the mass rests {} off centre after a hit of {}",
+  const double allowed = request.problem.residual.value_or(centred * built.response.peak_amplitude);
+  return farthest && std::abs(farthest->rest) > allowed * for_rounding
+             ? format("the mass rests {} off centre after {}",
                       length_shown(physical, std::abs(farthest->rest)),
-                      FigureUnits(physical).velocity_words(farthest->v0))
+                      cause_words(*farthest, request, physical))
              : "";
 }
 
@@ -31,22 +45,25 @@ std::string notch_fault(const design::BuiltNotch& built, const design::DesignReq
   const auto& [problem, limits, search, pulse, ranges] = request;
   const ForcedResponse& response = built.response;
   const double peak = response.peak_amplitude;
-  constexpr double rounding = 1 + 1e-9;
   if (response.half_cycles == 0) {
     return "the mass is held throughout the pulse";
   }
+  if (built.holds_weakest) {
+    return format("the mass is held throughout the weakest pulse, k = {:.4g} g",
+                  ranges.k_low.value_or(design::peak_load(*pulse)));
+  }
   const bool allowed = problem.residual && response.stop_position &&
-                       std::abs(*response.stop_position) <= *problem.residual * rounding;
+                       std::abs(*response.stop_position) <= *problem.residual * for_rounding;
   if (built.shape.width && *built.shape.width / 2 >= peak && !allowed) {
     return "the mass stays inside" +
            (response.stop_position
                 ? format(" and stops at x = {}", length_shown(physical, *response.stop_position))
                 : "");
   }
-  if (peak > problem.beta * rounding) {
+  if (peak > problem.beta * for_rounding) {
     return format("the peak exceeds {}", length_shown(physical, problem.beta));
   }
-  if (std::string far = far_rest(built, problem, physical); !far.empty()) {
+  if (std::string far = far_rest(built, request, physical); !far.empty()) {
     return far;
   }
   const bool kept = problem.residual ? allowed
@@ -56,26 +73,22 @@ std::string notch_fault(const design::BuiltNotch& built, const design::DesignReq
     return "the mass " + outcome_phrase(response);
   }
   if (limits.acceleration_max &&
-      response.peak_absolute_acceleration > *limits.acceleration_max * rounding) {
+      response.peak_absolute_acceleration > *limits.acceleration_max * for_rounding) {
     return format("the structure feels {} inside it, more than the limit of {}",
                   acceleration_shown(response.peak_absolute_acceleration),
                   acceleration_shown(*limits.acceleration_max));
   }
   // A notch of the example width, at most a fifth of the peak, cannot do that.
-  if (!problem.residual && std::abs(*response.stop_position) > centred * peak * rounding) {
+  if (!problem.residual && std::abs(*response.stop_position) > centred * peak * for_rounding) {
     return format("the mass rests {} off centre, inside it",
                   length_shown(physical, std::abs(*response.stop_position)));
   }
   return {};
 }
 
-design::BuiltNotch with_notch(const design::DesignResult& result, const design::NotchShape& shape) {
-  design::DesignRequest shown = result.request;
-  if (const auto& check = result.finding->pulse) {
-    shown.pulse = check->pulse;
-    shown.problem.p = check->p;
-  }
-  return design::built_notch(shown, result.finding->point, shape);
+std::string rest_shown(const DesignReport& report, double x) {
+  const double stroke = report.result.finding->response.peak_amplitude;
+  return length_shown(report.physical, begins_at_nothing(std::abs(x), stroke) ? 0 : x);
 }
 
 const Response& told_motion(const DesignReport& report) {
@@ -120,8 +133,9 @@ std::string with_ideal(const DesignReport& report) {
   return ideal ? format(", with a notch that {}", *ideal) : "";
 }
 
-void add_built_notch(Document& document, const design::BuiltNotch& built,
-                     const design::Finding& finding, const Physical& physical) {
+void add_built_notch(Document& document, const DesignReport& report, const Physical& physical) {
+  const design::BuiltNotch& built = *report.built_notch;
+  const design::Finding& finding = *report.result.finding;
   Section& section = document.section("The notch as built");
   if (built.shape.width) {
     section.row("width", length_shown(physical, *built.shape.width));
@@ -132,8 +146,8 @@ void add_built_notch(Document& document, const design::BuiltNotch& built,
   }
   if (const auto& farthest = built.farthest) {
     section.row("farthest rest",
-                format("x = {} after a hit of {}, with {}", length_shown(physical, farthest->rest),
-                       FigureUnits(physical).velocity_words(farthest->v0),
+                format("x = {} after {}, with {}", rest_shown(report, farthest->rest),
+                       cause_words(*farthest, report.result.request, physical),
                        period_words(physical, farthest->p)));
   }
   const Response& ideal = finding.response;

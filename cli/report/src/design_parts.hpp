@@ -21,6 +21,9 @@ namespace stillpoint::report {
 /// motion of a task with ranges is shown; empty without.
 [[nodiscard]] std::string shown_motion(const DesignReport& report, const Physical& physical);
 
+/// A position of rest; 0 if that is next to nothing of the stroke.
+[[nodiscard]] std::string rest_shown(const DesignReport& report, double x);
+
 /// What to build.
 [[nodiscard]] std::string verdict(const DesignReport& report, const Physical& physical);
 
@@ -54,8 +57,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
                                            const design::Finding& finding);
 /// ", with a notch that has no width" behind what is not of the notch as built; empty without one.
 [[nodiscard]] std::string with_ideal(const DesignReport& report);
-/// How the notch as built compares with the paper's.
-void add_built_notch(Document& document, const design::BuiltNotch& built,
-                     const design::Finding& finding, const Physical& physical);
+/// How the notch as built, which is given, compares with the paper's.
+void add_built_notch(Document& document, const DesignReport& report, const Physical& physical);
 
 }  // namespace stillpoint::report

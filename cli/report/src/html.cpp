@@ -195,6 +195,9 @@ std::string html(const Section& section) {
 std::string html(const Document& document) {
   std::string text;
   for (const Section& section : document.sections) {
+    if (section.parts.empty()) {
+      continue;
+    }
     const std::string look = is_wide(section) ? " class=\"across\"" : "";
     const std::string title = escaped(section.heading);
     text +=

@@ -234,6 +234,7 @@ Document document(const RegionReport& report) {
     }
     document.verdict = format("{}{} {}", judgement(report), locked, document.verdict);
     document.tone = answer.admissible == true ? Tone::good : Tone::bad;
+    add_brake(document.answer, report.physical, *f, "note");
     if (const auto& response = answer.response; response && moves(*response)) {
       const ToldMotion motion{*response, answer.arrival, answer.worst,
                               answer.tolerance.has_value()};

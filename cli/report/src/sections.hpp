@@ -37,6 +37,8 @@ void add_physical_input(Section& section, const design::PhysicalInput& physical,
 /// The same with the stiffness, if the mass is known.
 [[nodiscard]] std::string spring_words(const Physical& physical, double p,
                                        std::optional<int> digits = {});
+/// If friction is above the weight, which a number without a scale may well be.
+void add_brake(Section& answer, const Physical& physical, double f, std::string key = "");
 /// Force and energy of a damper, if the mass is known; the energy if there is a notch.
 void add_damper_physics(Section& section, const Physical& physical, double f, double delta,
                         std::string_view where_f_acts = "");
@@ -97,6 +99,8 @@ void add_excitation(Section& section, const Excitation& excitation,
 void add_real_notch(Section& section, const std::optional<double>& hold,
                     const std::optional<double>& width, const Physical& physical);
 
+/// A value beyond a limit times this exceeds it by more than rounding.
+inline constexpr double for_rounding = 1 + 1e-9;
 inline constexpr int usual_digits = 4;
 /// "34.18 %", which the damper withstands.
 [[nodiscard]] std::string percent_digits(double tolerance, int shown = usual_digits);

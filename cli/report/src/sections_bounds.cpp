@@ -200,11 +200,11 @@ namespace {
 
 /// What breaks a limit after the first swing, which meets it.
 std::optional<double> later(const design::Constraint& now, const Response& whole) {
-  constexpr double rounding = 1 + 1e-9;
   const double most =
       now.variable == "peak" ? whole.peak_amplitude : whole.peak_absolute_acceleration;
-  return now.satisfied && of_first_swing(now) && most > now.limit * rounding ? std::optional(most)
-                                                                             : std::nullopt;
+  return now.satisfied && of_first_swing(now) && most > now.limit * for_rounding
+             ? std::optional(most)
+             : std::nullopt;
 }
 
 }  // namespace

@@ -17,10 +17,10 @@ std::optional<double> felt_outside(const Response& response, double p, double f,
                                    const std::optional<double>& notch_width) {
   // It slides at the largest acceleration outside, f + p^2 |x|, where it is farthest.
   const double outside = f + p * p * response.peak_amplitude;
-  constexpr double rounding = 1 + 1e-9;
   const bool leaves = notch_width.value_or(0) / 2 < response.peak_amplitude;
-  return leaves && response.peak_absolute_acceleration > rounding * outside ? std::optional(outside)
-                                                                            : std::nullopt;
+  return leaves && response.peak_absolute_acceleration > for_rounding * outside
+             ? std::optional(outside)
+             : std::nullopt;
 }
 
 std::string outcome_phrase(Outcome outcome) {
@@ -144,16 +144,17 @@ void add_motion(Section& answer, const ShownTask& task, const ToldMotion& motion
                 const std::string& acceleration) {
   const auto& [problem, limits, pulse, ranges, physical] = task;
   const auto& [response, arrival, worst, admissible] = motion;
+  const bool ranged = pulse && design::pulse_problem(problem, *pulse, ranges).has_ranges();
   // The requirements are about the motion up to its first return.
   const std::string under_pulse =
-      format(", under the pulse{}",
+      format(", under the pulse{}{}", ranged && !worst ? " shown" : "",
              response.zero_passages.value_or(0) > 0 ? ", later swings included" : "");
   answer.row(
       "peak",
       format("{}, {} of the {} allowed{}", length_shown(physical, response.peak_amplitude),
              share_of(response.peak_amplitude, problem.beta), length_shown(physical, problem.beta),
              pulse ? under_pulse : of_extreme(task, "softest")),
-      response.peak_amplitude > problem.beta * (1 + 1e-9) ? Tone::bad : Tone::plain);
+      response.peak_amplitude > problem.beta * for_rounding ? Tone::bad : Tone::plain);
   if (!response.stop_time || response.half_cycles == 0) {
     answer.row(
         "rest",

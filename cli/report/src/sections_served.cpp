@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace stillpoint::report {
 
@@ -30,26 +31,31 @@ Interval asked_hits(const design::Problem& problem) {
 
 namespace {
 
-/// Which ends are the program's own limit, not the damper's; `turned` if one value falls with the
-/// other, as a period with p.
+/// Which ends are the program's own limit, not the damper's: of what is valid, not where that
+/// begins at next to nothing; `turned` if one value falls with the other, as a period with p.
 struct OwnEnds {
-  OwnEnds(const design::ServedInterval& served, const Interval& valid, bool turned) {
+  OwnEnds(const design::ServedInterval& served, const Interval& valid, bool turned,
+          bool of_search = false) {
     constexpr double rounding = 1e-12;
-    (turned ? high : low) = served.low <= valid.low * (1 + rounding) && served.low > 0 &&
-                            !(served.high && begins_at_nothing(served.low, *served.high));
+    const bool nothing = !of_search && served.high && begins_at_nothing(served.low, *served.high);
+    (turned ? high : low) = served.low <= valid.low * (1 + rounding) && served.low > 0 && !nothing;
     (turned ? low : high) = served.high && *served.high >= valid.high * (1 - rounding);
   }
   bool low{false};
   bool high{false};
 };
 
-/// "0.351 or less to 3.84", shorter than the next.
-std::string open_ended(std::string interval, const OwnEnds& own) {
-  const std::size_t end = interval.find(" to ");
-  if (own.low && !interval.starts_with("up to") && end != std::string::npos) {
+/// "0.351 or less to 3.84", shorter than the next, of an interval from `low` on.
+std::string open_ended(std::string interval, double low, const OwnEnds& own) {
+  constexpr std::string_view from_nothing = "up to ";
+  constexpr int shown = 3;  // as in an interval
+  if (own.low && interval.starts_with(from_nothing)) {
+    interval.replace(0, from_nothing.size(), limit_digits(low, true, shown) + " to ");
+  }
+  if (const std::size_t end = interval.find(" to "); own.low && end != std::string::npos) {
     interval.insert(end, " or less");
   }
-  return interval + (own.high ? " or more" : "");
+  return interval;
 }
 
 /// " (the upper end is the program's own limit)"
@@ -83,16 +89,19 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
   const OwnEnds of_springs(
       served->p,
       pulse ? design::searched_p(pulse_problem(problem, *pulse, ranges)) : design::valid_p(problem),
-      physical.has_value());
+      physical.has_value(), pulse.has_value());
   const std::string interval = text(&design::PhysicalWorksFor::period_s);
-  const auto springs = [in_seconds = physical.has_value()](const std::string& range) {
-    return in_seconds ? format("periods of {} s", range) : format("p of {}", range);
+  const auto springs = [in_seconds = physical.has_value()](const std::string& range,
+                                                           std::string_view more = "") {
+    return format("{} of {}{}{}", in_seconds ? "periods" : "p", range, in_seconds ? " s" : "",
+                  more);
   };
   if (pulse) {
     const double k = design::peak_load(*pulse);
     section.row("works for",
                 format("k of {} g; {}", interval_text(served->hit, {ranges.k_low.value_or(k), k}),
-                       springs(open_ended(interval, of_springs))));
+                       springs(open_ended(interval, works.period_s.low, of_springs),
+                               of_springs.high ? " or more" : "")));
     return;
   }
   const std::string_view hit = problem.v0_low ? "every hit of the range"
@@ -187,6 +196,13 @@ std::string no_notch_words(const StartUnderLoad& start, double peak, std::string
                    "stroke is {}",
                    under, length_limit(physical, start.width(), true), load,
                    length_shown(physical, peak));
+}
+
+void add_brake(Section& answer, const Physical& physical, double f, std::string key) {
+  if (physical && f > 1) {
+    answer.row(std::move(key), "friction of more than the weight: a brake, not a bearing",
+               Tone::bad);
+  }
 }
 
 void add_notch_used(Section& section, const ToldPractice& told, const Physical& physical) {

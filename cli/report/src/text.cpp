@@ -261,6 +261,9 @@ std::string text(const Document& document, const TextOptions& options) {
   }
   bool more = false;
   for (const Section& section : document.sections) {
+    if (section.parts.empty()) {
+      continue;
+    }
     if (section.detail && options.verbosity == Verbosity::normal) {
       more = true;
       continue;

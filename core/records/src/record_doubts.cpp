@@ -50,8 +50,9 @@ void add_doubts(const RecordFile& file, const std::string& path, const RecordTar
   const double scaled = target.peak.value_or(target.spectrum.value_or(peak * std::abs(scale)));
   if ((target.is_given() || scale != 1) && scaled > absurd_peak) {
     doubts.push_back(
-        doubt(path, fmt::format("is scaled to {:.4g} g; few ground motions exceed {} g", scaled,
-                                doubtful_peak)));
+        doubt(path, fmt::format("is scaled to {:.4g} g; more than {} g is doubtful, for few ground "
+                                "motions exceed {} g",
+                                scaled, absurd_peak, doubtful_peak)));
   } else if (file.assumed_g && !target.is_given() && peak > doubtful_peak) {
     doubts.push_back(
         doubt(path, fmt::format("the largest value is {:.4g} g if its values are in g, which "

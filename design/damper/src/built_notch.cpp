@@ -24,7 +24,17 @@ bool same_motion(const Response& a, const Response& b) {
          same(a.stop_position, b.stop_position) && same(a.peak_amplitude, b.peak_amplitude);
 }
 
-/// Of the ranges, or of the one hit and the one spring.
+Pulse with(const Pulse& pulse, double k, double lambda) {
+  return std::visit(
+      [&](auto kind) {
+        kind.k = k;
+        kind.lambda = lambda;
+        return Pulse(kind);
+      },
+      pulse);
+}
+
+/// Of a range, or of its one value.
 std::vector<double> grid(double low, double high, int count) {
   std::vector<double> values;
   for (int i = 0; i < count && (i == 0 || low < high); ++i) {
@@ -33,53 +43,81 @@ std::vector<double> grid(double low, double high, int count) {
   return values;
 }
 
-template <class Motion>
-RestAfter farthest_rest(const Problem& problem, const Motion& motion) {
-  constexpr int hits = 65;
+/// The hits or pulses of the ranges, each with every spring, and the one shown.
+std::vector<RestAfter> of_ranges(const DesignRequest& request, const RestAfter& shown) {
+  const auto& [problem, limits, search, pulse, ranges] = request;
   constexpr int springs = 5;
-  RestAfter farthest{problem.v0, problem.p, 0};
-  for (const double v0 : grid(problem.v0_low.value_or(problem.v0), problem.v0, hits)) {
-    for (const double p : grid(problem.p, problem.stiffest_p(), springs)) {
-      const double rest = v0 > 0 ? motion(v0, p).stop_position.value_or(0) : 0;
-      if (std::abs(rest) > std::abs(farthest.rest)) {
-        farthest = {v0, p, rest};
-      }
+  std::vector<RestAfter> all{shown};
+  const auto add = [&, &of = problem](double v0, const std::optional<Pulse>& now) {
+    for (const double p : grid(of.p, of.stiffest_p(), springs)) {
+      all.push_back({v0, now, p});
+    }
+  };
+  if (!pulse) {
+    constexpr int hits = 65;
+    for (const double v0 : grid(problem.v0_low.value_or(problem.v0), problem.v0, hits)) {
+      add(v0, {});
+    }
+    return all;
+  }
+  constexpr int strengths = 17;
+  constexpr int lengths = 5;
+  const double most = peak_load(*pulse);
+  const double longest = angular_frequency(*pulse);
+  for (const double k : grid(ranges.k_low.value_or(most), most, strengths)) {
+    for (const double lambda : grid(longest, ranges.lambda_high.value_or(longest), lengths)) {
+      add(0, with(*pulse, k, lambda));
     }
   }
-  return farthest;
+  return all;
+}
+
+bool has_ranges(const DesignRequest& request) {
+  const auto& [problem, limits, search, pulse, ranges] = request;
+  return pulse ? pulse_problem(problem, *pulse, ranges).has_ranges()
+               : problem.v0_low || problem.p_high;
 }
 
 }  // namespace
 
-BuiltNotch built_notch(const DesignRequest& request, const DesignPoint& point,
-                       const NotchShape& shape) {
-  const Problem& problem = request.problem;
-  const Excitation load = request.pulse ? excitation(*request.pulse) : NoExcitation();
-  const auto motion = [&](const NotchShape& notch, double v0, double p) {
-    return forced_response({p, point.f, point.delta, notch.hold}, {0, v0}, load, {},
+BuiltNotch built_notch(const DesignResult& design, const NotchShape& shape) {
+  const DesignRequest& request = design.request;
+  const auto& [f, delta, tolerance] = design.finding->point;
+  const auto& check = design.finding->pulse;
+  const RestAfter shown = check ? RestAfter{0, check->pulse, check->p}
+                                : RestAfter{request.problem.v0, {}, request.problem.p};
+  const auto motion = [&, f = f, delta = delta](const NotchShape& notch, const RestAfter& now) {
+    return forced_response({now.p, f, delta, notch.hold}, {0, now.v0},
+                           now.pulse ? excitation(*now.pulse) : NoExcitation(), {},
                            Surface{notch.width, {}});
   };
-  const double v0 = request.pulse ? 0 : problem.v0;
-  BuiltNotch built{shape, {}, motion(shape, v0, problem.p)};
-  built.changes_nothing = same_motion(built.response, motion({}, v0, problem.p));
+  BuiltNotch built{shape, {}, motion(shape, shown)};
+  built.changes_nothing = same_motion(built.response, motion({}, shown));
   if (shape.width) {
-    built.friction = point.f + point.delta / *shape.width;
+    built.friction = f + delta / *shape.width;
   }
-  if (request.pulse) {
-    return built;
-  }
-  const auto strip = [&](double hit, double p) {
-    return forced_response({p, point.f, 0, {}}, {0, hit}, load, {},
+  const auto strip = [&, f = f](const RestAfter& now) {
+    return forced_response({now.p, f, 0, {}}, {0, now.v0}, NoExcitation(), {},
                            Surface{{}, {{*shape.width / 2, *built.friction}}});
   };
-  if (shape.width) {
-    built.from_start = strip(v0, problem.p);
+  if (shape.width && !shown.pulse) {
+    built.from_start = strip(shown);
   }
-  if (problem.v0_low || problem.p_high) {
-    built.farthest = farthest_rest(problem, [&](double hit, double p) {
-      const bool caught = hit * hit <= 2 * point.delta;
-      return caught && shape.width ? strip(hit, p) : motion(shape, hit, p);
-    });
+  if (!has_ranges(request)) {
+    return built;
+  }
+  built.farthest = shown;
+  for (RestAfter& now : of_ranges(request, shown)) {
+    if (now.v0 == 0 && !now.pulse) {
+      continue;
+    }
+    const bool caught = !now.pulse && now.v0 * now.v0 <= 2 * delta;
+    const ForcedResponse response = caught && shape.width ? strip(now) : motion(shape, now);
+    now.rest = response.stop_position.value_or(0);
+    if (std::abs(now.rest) > std::abs(built.farthest->rest)) {
+      built.farthest = now;
+    }
+    built.holds_weakest = built.holds_weakest || (now.pulse && response.half_cycles == 0);
   }
   return built;
 }

@@ -213,9 +213,9 @@ std::optional<Doubt> doubtful_load(const GivenValues& given, const Values& value
       is_far(values, strangest(values))) {
     return std::nullopt;
   }
-  return Doubt{"k", fmt::format("k = {} g moves the mass {:.3g} m without friction; usual is at "
-                                "most 3 m",
-                                *k, values.load->reach_m)};
+  return Doubt{"k", fmt::format("k = {} g moves the mass {:.3g} m without friction; more than {} m "
+                                "is doubtful",
+                                *k, values.load->reach_m, longest_under_load_m)};
 }
 
 /// The notch against the energy of the hit, g Delta against V0^2/2, or of any passage under the

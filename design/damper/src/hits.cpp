@@ -47,11 +47,19 @@ struct Listing {
   Wide lowest;
   Wide highest;
   std::vector<Hits> list;
+  std::vector<int> places;  ///< of each in the order of all edges, see below
 
-  void add(Wide from, Wide to, HitEnd end, const std::optional<double>& arrivals = {}) {
+  void add(Wide from, Wide to, HitEnd end, int place = 0,
+           const std::optional<double>& arrivals = {}) {
     list.push_back({static_cast<double>(from), static_cast<double>(to), end, arrivals, {}});
+    places.push_back(place);
   }
 };
+
+/// Of the n-th half-cycle, in this order; where the dead zone is within the residual, only the last
+/// two. 4 (n - 1) + that is the place of a segment.
+enum HitPart { near_peak, too_far_off, near_centre, stopped };
+constexpr int hit_parts = 4;
 
 /// Up to a rest of `within` p from x = 0, at most phi, off centre is within the residual.
 void add_motions(Listing& now, const Damper& damper, Wide within) {
@@ -64,25 +72,27 @@ void add_motions(Listing& now, const Damper& damper, Wide within) {
     const Wide stop_here = damper.before(stop);
     const Wide low = std::max(now.lowest, damper.speed(stop));
     if (static_cast<int>(now.list.size()) >= most_hit_segments) {
-      now.add(low, now.highest, HitEnd::alternating, n - 1);
+      now.add(low, now.highest, HitEnd::alternating, hit_parts * (n - 1) + too_far_off, n - 1);
       return;
     }
     Wide from = low;
-    const auto up_to = [&](Wide radius, HitEnd end) {
+    const auto up_to = [&](Wide radius, HitEnd end, HitPart part) {
       const Wide to = std::clamp(damper.speed(radius), from, std::max(from, now.highest));
       if (static_cast<double>(from) < static_cast<double>(to)) {
         const bool centred = end == HitEnd::centred;
-        now.add(from, to, end, centred ? n : n - 1);
+        now.add(from, to, end, hit_parts * (n - 1) + part, centred ? n : n - 1);
         if (!centred) {
           now.list.back().rest = rest(damper, n, from, to, damper.speed(far));
         }
       }
       from = to;
     };
-    up_to(within < damper.phi ? near : reach, HitEnd::within_residual);
-    up_to(back, HitEnd::off_centre);
-    up_to(reach, HitEnd::within_residual);
-    up_to(stop_here, HitEnd::centred);
+    if (within < damper.phi) {
+      up_to(near, HitEnd::within_residual, near_peak);
+      up_to(back, HitEnd::off_centre, too_far_off);
+    }
+    up_to(reach, HitEnd::within_residual, near_centre);
+    up_to(stop_here, HitEnd::centred, stopped);
     stop = stop_here;
     for (Wide* const edge : {&near, &far, &back, &reach}) {
       *edge = damper.before(*edge);
@@ -90,22 +100,92 @@ void add_motions(Listing& now, const Damper& damper, Wide within) {
   }
 }
 
-/// Every edge moves one way as p grows. So springs between two that end alike do too, and between
-/// two stops at different arrivals some spring lets the mass rest in the dead zone.
-Hits of_both(const Hits& softest, const Hits& stiffest) {
-  Hits both = softest;
-  both.rest = {};
-  if (softest.end != stiffest.end) {
-    const bool far = softest.end == HitEnd::too_far || stiffest.end == HitEnd::too_far;
-    both.end = far ? HitEnd::too_far : HitEnd::off_centre;
-    both.arrivals = {};
-    both.every_spring = false;
-  } else if (softest.arrivals != stiffest.arrivals) {
-    both.arrivals = {};
-    both.every_spring = softest.end == HitEnd::alternating;
-    both.end = both.every_spring ? softest.end : HitEnd::off_centre;
+Listing listed(const Oscillator& oscillator, double beta, double v0_most, double residual) {
+  const auto& [p, f, delta, hold] = oscillator;
+  const Damper damper{{f / Wide(p), 2 * Wide(delta)}, p};
+  const Wide start = std::min(Wide(v0_most), root(damper.d));
+  const Wide speed = Wide(beta) * p;
+  const Wide peak_limit = root(speed) * root(speed + 2 * damper.phi);
+  Listing now{start, std::clamp(peak_limit, start, Wide(v0_most)), {}, {}};
+  if (start > 0) {
+    now.add(0, start, HitEnd::held);
   }
-  return both;
+  if (now.lowest < now.highest) {
+    if (f == 0 && delta == 0) {
+      now.add(0, now.highest, HitEnd::never_stops);
+    } else {
+      add_motions(now, damper, std::min(Wide(residual) * p, damper.phi));
+    }
+  }
+  if (now.highest < v0_most) {
+    now.add(now.highest, v0_most, HitEnd::too_far);
+  }
+  return now;
+}
+
+/// Whether a segment off centre is between two places or one of them.
+bool passes_off(int one, int other) {
+  const auto [first, last] = std::minmax(one, other);
+  return first + (hit_parts + too_far_off - first % hit_parts) % hit_parts <= last;
+}
+
+/// The worst of softer springs, of a stiffer one and of those between; `off` if some of the latter
+/// let the mass rest off centre.
+Hits worse(Hits softer, const Hits& stiffer, bool off) {
+  const bool end_alike = softer.end == stiffer.end && !off;
+  const bool alternating = softer.end == HitEnd::alternating;
+  softer.rest = {};
+  if (end_alike && softer.arrivals == stiffer.arrivals) {
+    return softer;
+  }
+  softer.arrivals = {};
+  if (end_alike && alternating) {
+    return softer;
+  }
+  const auto is_either = [&](HitEnd end) { return softer.end == end || stiffer.end == end; };
+  softer.every_spring = false;
+  softer.end = is_either(HitEnd::too_far)                            ? HitEnd::too_far
+               : off || alternating || is_either(HitEnd::off_centre) ? HitEnd::off_centre
+                                                                     : HitEnd::within_residual;
+  return softer;
+}
+
+/// Up to which reports show hits.
+double shown_v0(const Problem& problem) {
+  return std::min(2 * problem.v0, largest_speed);
+}
+
+/// A place in the list of a spring.
+struct OfSpring {
+  Listing listing;
+  std::size_t at{0};
+
+  [[nodiscard]] const Hits& hits() const { return listing.list[at]; }
+  [[nodiscard]] int place() const { return listing.places[at]; }
+  [[nodiscard]] bool ended() const { return at == listing.list.size(); }
+};
+
+/// The last spring whose dead zone is not within the residual, but for rounding.
+double last_with_off_centre(const Problem& problem, double f) {
+  constexpr double below = 1 - 1e-12;
+  return problem.residual.value_or(0) > 0 ? below * std::sqrt(f / *problem.residual) : HUGE_VAL;
+}
+
+/// The softest spring, the stiffest, and that one if it is between them. Between two of these every
+/// edge moves one way: docs/theory.md section 10.
+std::vector<OfSpring> decisive_springs(const Problem& problem, double f, double delta) {
+  const double residual = problem.residual.value_or(0);
+  std::vector<OfSpring> springs;
+  const auto add = [&](double p) {
+    springs.push_back({listed({p, f, delta}, problem.beta, shown_v0(problem), residual)});
+  };
+  add(problem.p);
+  const double last = last_with_off_centre(problem, f);
+  if (problem.p < last && last < *problem.p_high) {
+    add(last);
+  }
+  add(*problem.p_high);
+  return springs;
 }
 
 }  // namespace
@@ -128,52 +208,38 @@ std::vector<Hits> hits(const Oscillator& oscillator, double beta, double v0_most
   require_within("beta", beta, smallest_limit, largest_square);
   require_within("v0", v0_most, smallest_speed, largest_speed);
   require_within("residual", residual, 0, largest_square);
-  const auto& [p, f, delta, hold] = oscillator;
-  const Damper damper{{f / Wide(p), 2 * Wide(delta)}, p};
-  const Wide start = std::min(Wide(v0_most), root(damper.d));
-  const Wide speed = Wide(beta) * p;
-  const Wide peak_limit = root(speed) * root(speed + 2 * damper.phi);
-  Listing now{start, std::clamp(peak_limit, start, Wide(v0_most)), {}};
-  if (start > 0) {
-    now.add(0, start, HitEnd::held);
-  }
-  if (now.lowest < now.highest) {
-    if (f == 0 && delta == 0) {
-      now.add(0, now.highest, HitEnd::never_stops);
-    } else {
-      add_motions(now, damper, std::min(Wide(residual) * p, damper.phi));
-    }
-  }
-  if (now.highest < v0_most) {
-    now.add(now.highest, v0_most, HitEnd::too_far);
-  }
-  return now.list;
+  return listed(oscillator, beta, v0_most, residual).list;
 }
 
 std::vector<Hits> shown_hits(const Problem& problem, double f, double delta) {
-  return hits({problem.p, f, delta}, problem.beta, std::min(2 * problem.v0, largest_speed),
-              problem.residual.value_or(0));
+  return hits({problem.p, f, delta}, problem.beta, shown_v0(problem), problem.residual.value_or(0));
 }
 
 std::vector<Hits> shown_hits_of_springs(const Problem& problem, double f, double delta) {
   if (!problem.p_high) {
     return shown_hits(problem, f, delta);
   }
-  Problem one = problem;
-  one.residual.reset();
-  const auto softest = shown_hits(one, f, delta);
-  one.p = *problem.p_high;
-  const auto stiffest = shown_hits(one, f, delta);
+  std::vector<OfSpring> springs = decisive_springs(problem, f, delta);
   std::vector<Hits> list;
   double from = 0;
-  auto soft = softest.begin();
-  auto stiff = stiffest.begin();
-  while (soft != softest.end() && stiff != stiffest.end()) {
-    Hits now = of_both(*soft, *stiff);
+  while (std::ranges::none_of(springs, &OfSpring::ended)) {
+    const OfSpring& softest = springs[0];
+    const OfSpring& next = springs[1];
+    const bool off = problem.p < last_with_off_centre(problem, f) &&
+                     softest.place() != next.place() && passes_off(softest.place(), next.place());
+    Hits now = worse(softest.hits(), next.hits(), off);
+    if (springs.size() > 2) {
+      now = worse(now, springs[2].hits(), false);
+    }
     now.from = from;
-    now.to = from = std::min(soft->to, stiff->to);
-    soft += soft->to == from ? 1 : 0;
-    stiff += stiff->to == from ? 1 : 0;
+    now.to = HUGE_VAL;
+    for (const OfSpring& each : springs) {
+      now.to = std::min(now.to, each.hits().to);
+    }
+    from = now.to;
+    for (OfSpring& each : springs) {
+      each.at += each.hits().to == from ? 1U : 0U;
+    }
     Hits* const last = list.empty() ? nullptr : &list.back();
     if (last != nullptr && last->end == now.end && last->every_spring == now.every_spring &&
         last->arrivals == now.arrivals) {

@@ -319,6 +319,10 @@ BOOST_FIXTURE_TEST_CASE(of_a_design_says_what_delta_and_its_tolerance_are, Sandb
   check_contains(
       run("design --velocity 1.2 --period 0.1 --max-displacement 15mm").out,
       {"\n                    friction of more than the weight: a brake, not a bearing\n"});
+  const Arguments point(
+      "region --velocity 1.2 --period 0.1 --max-displacement 15mm --delta-m 10mm");
+  check_contains(run(point + "--f 2").out, {"  friction of more than the weight: a brake, "});
+  BOOST_TEST(!contains(run(point + "--f 1").out, "brake"));
   // The largest tolerance of delta alone is that at f3, beyond which nothing returns.
   check_contains(one_line(run(design + "--tolerance-delta 0.2").out),
                  {"+-77.77 % of delta, with f exactly as given, which is on an edge "});
@@ -327,6 +331,11 @@ BOOST_FIXTURE_TEST_CASE(of_a_design_says_what_delta_and_its_tolerance_are, Sandb
   // Stiffer springs bring it back.
   BOOST_TEST(
       !contains(run("design --v0 1 --p 1:2.5 --beta 0.9 --residual 0.5").out, "never comes"));
+  // Any rest is, so that only the dead zone bounds f.
+  check_contains(one_line(run("region --v0 1 --p 1 --beta 0.9 --residual 0.9 --f 0.8 --delta 0.2 "
+                              "--verbose")
+                              .out),
+                 {" dead zone f < 0.9 0.1 met", " residual any f - met"});
   // A rest at the first peak is within the residual.
   check_contains(
       one_line(run("design --velocity 0.4 --period 2.8 --max-displacement 190mm "

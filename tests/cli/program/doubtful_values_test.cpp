@@ -64,7 +64,7 @@ const std::vector<Wrong> doubts{
     // A rectangle of 0.5 natural periods moves the mass 2 k g/omega^2 = 3.895 m k.
     {simulate("--period 2.8 --delta 0 --excitation rectangle --pulse-duration 1.4 --k 1.28"), {}},
     {simulate("--period 2.8 --delta 0 --excitation rectangle --pulse-duration 1.4 --k 1.29"),
-     {"k = 1.29 g moves the mass 5.02 m without friction; usual is at most 3 m\n"}},
+     {"k = 1.29 g moves the mass 5.02 m without friction; more than 5 m is doubtful\n"}},
     {"region --pulse rectangle --k 1 --pulse-duration 1.4 --period 2.8 --max-displacement 0.19",
      {"max-displacement = 0.19 m is 0.0488 times 3.89 m, the stroke without friction"}},
     {"region --pulse rectangle --k 1 --pulse-duration 1.4 --period 2.8 --max-displacement 0.2", {}},
@@ -82,7 +82,7 @@ const std::vector<Wrong> doubts{
      {"delta-m = 1.8 m takes more than any passage under this load can have, 1.77 m",
       "mean --delta-m 1.8mm?"}},
     {"simulate --period 2.8 --f 0.1 --record load.csv --delta-m 0 --record-peak 50",
-     {"record load.csv: is scaled to 50 g"}},
+     {"record load.csv: is scaled to 50 g; more than 20 g is doubtful, for few ground motions"}},
     {simulate("--velocity 101 --natural-frequency 100 --delta-m 0"),
      {"velocity = 101 m/s", "usual 0.01 to 10 m/s", "mean --velocity 101mm/s?"}},
     {simulate("--velocity 99 --natural-frequency 100 --delta-m 0"), {}},

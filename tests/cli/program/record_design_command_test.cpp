@@ -95,6 +95,8 @@ BOOST_FIXTURE_TEST_CASE(a_damper_that_does_not_move_transmits_the_load, Recorded
   const std::string mean =
       one_line(run(held + "--records-list list.csv --combine mean --quiet").out);
   BOOST_TEST(contains(mean, "Mean (and largest) of 2 records: 0.8 g (1.2 g) transmitted."), mean);
+  check_contains(run(held).out,
+                 {"\n                    friction of more than the weight: a brake, "});
   const std::string rows = one_line(run(held + "--records-list list.csv --combine mean").out);
   BOOST_TEST(contains(rows, " worst record -3 x a.txt: 1.2 g transmitted, stroke 0"), rows);
 }

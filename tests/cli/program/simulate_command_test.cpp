@@ -156,6 +156,8 @@ BOOST_AUTO_TEST_CASE(a_design_is_simulated_with_the_notch_that_will_be_built) {
   check_contains(one_line(run(design + "--notch-width-m 0.02").out),
                  {" way out free: v0 is the speed with which the mass leaves the notch; if that "
                   "acts on the way out too, peak 103 mm, rest at x = 8.5516 mm"});
+  // The rest in one that is so thin, 4.5e-10 m, is none.
+  check_contains(one_line(run(design + "--notch-width-m 1e-9").out), {" mm, rest at x = 0, "});
 }
 
 // A weak hit that leaves a wide notch comes to rest beyond it.
@@ -182,6 +184,7 @@ BOOST_AUTO_TEST_CASE(the_notch_that_will_be_built_is_tried_with_every_hit_of_a_r
                       "centre after a hit of 0.3234 m/s."),
              told.out);
   BOOST_TEST(!contains(told.out, "any hit: within"), told.out);  // which the paper's notch keeps
+  BOOST_TEST(contains(one_line(told.out), " g outside it (strongest hit) "), told.out);
 }
 
 // The answer is that of the notch that will be built, and says what it spoils.

@@ -45,6 +45,14 @@ BOOST_AUTO_TEST_CASE(as_text_is_aligned_columns) {
              "  A note.\n");
 }
 
+BOOST_AUTO_TEST_CASE(a_section_without_lines_has_no_heading) {
+  Document document = sample();
+  document.detail("Nothing");
+  document.section("Nothing");
+  BOOST_TEST(text(document) == text(sample()));
+  BOOST_TEST(html(document) == html(sample()));
+}
+
 BOOST_AUTO_TEST_CASE(a_long_label_widens_the_column_of_its_section) {
   Document document;
   Section& counts = document.section("Counts");

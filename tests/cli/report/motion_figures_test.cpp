@@ -208,7 +208,7 @@ BOOST_AUTO_TEST_CASE(the_edges_of_a_notch_with_a_width_are_drawn) {
 BOOST_AUTO_TEST_CASE(a_design_is_drawn_with_the_notch_that_will_be_built) {
   const auto drawn = [](const design::NotchShape& shape, const design::DesignRequest& request) {
     DesignReport report{design::design(request), {}};
-    report.built_notch = built_notch(request, report.result.finding->point, shape);
+    report.built_notch = built_notch(report.result, shape);
     return page(report);
   };
   design::DesignRequest hit;

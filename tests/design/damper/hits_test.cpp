@@ -66,6 +66,15 @@ void check_motion(const Case& now, const Hits& hit, double v0) {
   }
 }
 
+/// For the same hit with another spring.
+int severity(HitEnd end) {
+  return end == HitEnd::centred           ? 0
+         : end == HitEnd::within_residual ? 1
+         : end == HitEnd::alternating     ? 2
+         : end == HitEnd::off_centre      ? 3
+                                          : 4;
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(every_motion_ends_as_its_segment_says_up_to_both_edges) {
@@ -196,27 +205,74 @@ BOOST_AUTO_TEST_CASE(the_worst_of_a_range_of_springs_is_that_of_some_spring) {
   RandomSource random(2404);
   constexpr int springs = 50;
   int mixed = 0;
+  int near = 0;
+  int missed = 0;
   for (int i = 0; i < 200; ++i) {
     Problem problem = random_feasible_problem(random);
     problem.p_high = problem.p * random.uniform(1.01, 1.3);
     const double f = admissible_region(problem).f3 * random.uniform(0.1, 1);
+    if (random.pick(2) == 0) {
+      problem.residual = f / problem.p / problem.p * random.uniform(0.1, 1.1);
+    }
     const double delta = problem.v0 * problem.v0 / 2 * random.uniform(0, 1);
     for (const Hits& now : shown_hits_of_springs(problem, f, delta)) {
       const double v0 = now.from + (now.to - now.from) * random.uniform(0.01, 0.99);
+      const auto worse = [](HitEnd one, HitEnd other) { return severity(one) > severity(other); };
       int like_it = 0;
       for (int k = 0; k <= springs; ++k) {
         Problem one = problem;
         one.p += (*problem.p_high - problem.p) * k / springs;
         const Hits its = end_at(shown_hits(one, f, delta), v0);
         like_it += its.end == now.end ? 1 : 0;
+        BOOST_TEST(!worse(its.end, now.end));
       }
       BOOST_TEST((like_it == springs + 1 || !now.every_spring));
-      const auto last = end_at(shown_hits(problem, f, delta), v0);
-      BOOST_TEST((now.end == last.end || now.end == HitEnd::off_centre));
       mixed += now.every_spring ? 0 : 1;
+      near += now.end == HitEnd::within_residual ? 1 : 0;
+      missed += like_it == 0 ? 1 : 0;  // few springs end so
     }
   }
   BOOST_TEST(mixed > 100);
+  BOOST_TEST(near > 100);
+  BOOST_TEST(missed < mixed / 20);
+}
+
+BOOST_AUTO_TEST_CASE(a_rest_within_the_residual_is_told_for_every_spring) {
+  // n = 1, R = 0.1: V0^2 = 2 f R + (R p)^2 at the peak R, 8 (f/p)^2 - 6 f R + (R p)^2 at the last
+  // rest of R. Then the softest spring stays within R and the stiffest stops, until its second
+  // rest is at R.
+  constexpr double f = 0.5;
+  constexpr double p = 1.1;
+  constexpr double d = 0.04;
+  struct Expected {
+    double to;
+    HitEnd end;
+    bool every;
+  };
+  const auto check = [](double residual, const std::vector<Expected>& expected) {
+    const Problem problem{.v0 = 1, .beta = 9, .p_high = p, .residual = residual};
+    const auto list = shown_hits_of_springs(problem, f, d / 2);
+    BOOST_TEST_REQUIRE(list.size() > expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      BOOST_TEST(std::abs(list[i].to - expected[i].to) < 1e-15);
+      BOOST_TEST((list[i].end == expected[i].end));
+      BOOST_TEST(list[i].every_spring == expected[i].every);
+    }
+  };
+  const double r = 0.1 * p;
+  const double phi = f / p;
+  const double second = 2 * phi + std::hypot(phi + r, std::sqrt(d));
+  check(0.1, {{std::sqrt(d), HitEnd::held, true},
+              {std::sqrt(0.11), HitEnd::within_residual, true},
+              {std::sqrt(0.1 + r * r), HitEnd::off_centre, false},
+              {std::sqrt(8 * phi * phi - 0.3 + r * r), HitEnd::off_centre, true},
+              {std::sqrt(1.71), HitEnd::off_centre, false},
+              {std::sqrt(second * second - phi * phi), HitEnd::within_residual, false}});
+  // R = 0.45 is all of the dead zone from p = 1.054 on, so that only softer springs leave it.
+  check(0.45, {{std::sqrt(d), HitEnd::held, true},
+               {std::sqrt(0.6525), HitEnd::within_residual, true},
+               {std::sqrt(0.8525), HitEnd::off_centre, false},
+               {std::sqrt(8) * phi, HitEnd::within_residual, true}});
 }
 
 BOOST_AUTO_TEST_CASE(names_are_read_back_and_wrong_input_is_refused) {

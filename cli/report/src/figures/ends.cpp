@@ -31,13 +31,8 @@ struct Look {
   const char* fate;  ///< of such hits; empty where a limit decides that the figure does not show
 };
 
-const Look& look_of(const DrawnEnds& drawn, HitEnd end) {
+const Look& look_of(HitEnd end) {
   using enum HitEnd;
-  static constexpr Look open{off_centre, "off centre or within the residual", Ink::amber,
-                             AreaLook::hatched, ""};
-  if (end == off_centre && drawn.rests_are_open) {
-    return open;
-  }
   static constexpr auto looks = std::to_array<Look>(
       {{held, "held", Ink::grey, AreaLook::hatched, "are held at the start"},
        {centred, "centred", Ink::sky, AreaLook::filled, ""},
@@ -51,19 +46,18 @@ const Look& look_of(const DrawnEnds& drawn, HitEnd end) {
   return *std::ranges::find(looks, end, &Look::end);
 }
 
-Ink ink_of(const DrawnEnds& drawn, const design::Hits& now) {
-  return now.end == HitEnd::centred ? arrival_ink(now.arrivals.value_or(1))
-                                    : look_of(drawn, now.end).ink;
+Ink ink_of(const design::Hits& now) {
+  return now.end == HitEnd::centred ? arrival_ink(now.arrivals.value_or(1)) : look_of(now.end).ink;
 }
 
 /// "off centre with some spring", "centred at arrival 2", "within the residual after 1 passage"
-std::string named(const DrawnEnds& drawn, const design::Hits& now) {
+std::string named(const design::Hits& now) {
   const double arrivals = now.arrivals.value_or(0);
   const std::string later =
       now.end == HitEnd::centred && arrivals > 1           ? format(" at arrival {}", arrivals)
       : now.end == HitEnd::within_residual && arrivals > 0 ? " after " + plural(arrivals, "passage")
                                                            : "";
-  return format("{}{}{}", look_of(drawn, now.end).name, later,
+  return format("{}{}{}", look_of(now.end).name, later,
                 now.every_spring ? "" : " with some spring");
 }
 
@@ -78,7 +72,7 @@ std::string other_ones(const DrawnEnds& drawn) {
   for (const design::Hits& now : drawn.list) {
     const bool below = now.from < weaker && weaker <= now.to;
     const bool above = now.from <= stronger && stronger < now.to;
-    const std::string_view fate = look_of(drawn, now.end).fate;
+    const std::string_view fate = look_of(now.end).fate;
     if ((below || above) && !fate.empty()) {
       const bool last = below ? now.from == 0 : now.to == drawn.list.back().to;
       add(format("{}{} ones {}{}", last ? "" : "slightly ", below ? "weaker" : "stronger", fate,
@@ -108,7 +102,7 @@ std::string where_it_fails(const DrawnEnds& drawn) {
   const auto now = std::ranges::find_if(drawn.list, [&](const design::Hits& each) {
     return each.from < drawn.asked.high && drawn.asked.high < each.to;
   });
-  const std::string_view fate = now == drawn.list.end() ? "" : look_of(drawn, now->end).fate;
+  const std::string_view fate = now == drawn.list.end() ? "" : look_of(now->end).fate;
   return format("The damper does not work for the {} that was asked for{}.", drawn.noun,
                 fate.empty() ? refusal : format(": such {}s {}", drawn.noun, fate));
 }
@@ -163,7 +157,7 @@ Figure ends_figure(const DrawnEnds& drawn) {
     add_box_inset(figure, box);
     figure.areas.push_back({"works for " + range, std::move(box), Ink::blue, AreaLook::box});
     figure.caption =
-        format("The damper works for {}s of {}{}{}.", drawn.noun, range, other_ones(drawn),
+        format("The damper works for {} of {}{}{}.", drawn.measured, range, other_ones(drawn),
                figure.inset ? format("; the corner enlarges {}{}",
                                      interval_digits(figure.inset->x.least, figure.inset->x.most),
                                      with_blank(drawn.unit))
@@ -174,13 +168,13 @@ Figure ends_figure(const DrawnEnds& drawn) {
   figure.description = format("Ends of the motion by the strength of the {}:", drawn.noun);
   for (const design::Hits& now : drawn.list) {
     const bool seen = now.to - now.from >= narrowest * drawn.list.back().to;
-    figure.areas.push_back({.name = seen ? named(drawn, now) : "",
+    figure.areas.push_back({.name = seen ? named(now) : "",
                             .outline = strip(now.from * scale, now.to * scale, 0, 1),
-                            .ink = ink_of(drawn, now),
-                            .look = look_of(drawn, now.end).look,
+                            .ink = ink_of(now),
+                            .look = look_of(now.end).look,
                             .again = true});
     figure.description += format("{} {} from {} to {}", &now == drawn.list.data() ? "" : ",",
-                                 named(drawn, now), words(drawn, now.from), words(drawn, now.to));
+                                 named(now), words(drawn, now.from), words(drawn, now.to));
   }
   if (known < asked_for) {  // beyond what the program takes
     figure.areas.push_back(

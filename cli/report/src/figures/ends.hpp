@@ -16,10 +16,11 @@
 namespace stillpoint::report {
 
 struct DrawnEnds {
-  std::string_view noun;  ///< "hit"
-  std::string symbol;     ///< of the strength
-  double scale{1};        ///< from a strength to its place on the axis
-  std::string unit;       ///< there, may be empty
+  std::string_view noun;      ///< "hit"
+  std::string_view measured;  ///< "hits"
+  std::string symbol;         ///< of the strength
+  double scale{1};            ///< from a strength to its place on the axis
+  std::string unit;           ///< there, may be empty
   std::vector<design::Hits> list;
   Interval asked;  ///< the strengths of the task
   bool has_range{false};
@@ -29,7 +30,6 @@ struct DrawnEnds {
   /// By what stronger ones fail that stop within beta.
   std::optional<double> acceleration_max{};
   bool fail_by_criterion{false};
-  bool rests_are_open{false};  ///< off centre may be within the residual
 };
 
 /// Without its title and the name of its axis.

@@ -68,6 +68,7 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
   const auto felt = above_limit(problem, limits, f, hits);
   Figure figure =
       ends_figure({.noun = "hit",
+                   .measured = "hits",
                    .symbol = "V₀",
                    .scale = unit,
                    .unit = units.velocity_unit,
@@ -77,8 +78,7 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
                    .works = hit_of(works_for),
                    .refusal = held_at_the_limit(problem, f, units),
                    .acceleration_max = felt ? limits.acceleration_max : std::nullopt,
-                   .fail_by_criterion = exact_works_above(problem, limits, f, delta, works_for),
-                   .rests_are_open = problem.p_high && problem.residual});
+                   .fail_by_criterion = exact_works_above(problem, limits, f, delta, works_for)});
   figure.title = problem.p_high ? "Where the mass stops with the worst spring"
                                 : "Where the mass stops after a hit";
   figure.x.label = units.velocity_unit.empty() ? "velocity of the hit, V₀"
@@ -98,6 +98,7 @@ Figure strengths_figure(const design::PulseProblem& problem, const design::Limit
   const auto works = hit_of(works_for);
   Figure figure =
       ends_figure({.noun = "pulse",
+                   .measured = "pulses with k",
                    .symbol = "k",
                    .unit = "g",
                    .list = design::shown_strengths(problem, f, delta,

@@ -109,7 +109,7 @@ ordered_json file_of(const std::optional<Catalogue>& catalogue) {
 }
 
 ordered_json built_notch_json(const design::BuiltNotch& built, const Physical& physical) {
-  const auto& [shape, friction, response, changes_nothing, from_start, farthest] = built;
+  const auto& [shape, friction, response, changes_nothing, from_start, farthest, holds] = built;
   return {{"width", shape.width},
           {"width_m", metres(physical, shape.width)},
           {"friction", friction},
@@ -131,7 +131,11 @@ ordered_json built_notch_json(const design::BuiltNotch& built, const Physical& p
                                             now.peak_absolute_acceleration}};
                                  })},
           {"farthest_rest", or_null(farthest, [&](const design::RestAfter& now) -> ordered_json {
-             return {{"v0", now.v0},
+             const auto& pulse = now.pulse;
+             return {{"v0", pulse ? ordered_json() : ordered_json(now.v0)},
+                     {"k", or_null(pulse, [](const auto& of) { return design::peak_load(of); })},
+                     {"lambda",
+                      or_null(pulse, [](const auto& of) { return design::angular_frequency(of); })},
                      {"p", now.p},
                      {"stop_position", now.rest},
                      {"stop_position_m", metres(physical, now.rest)}};

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace stillpoint::design {
 
@@ -77,7 +78,10 @@ void compare_way(std::array<Constraint, 5>& list, const Problem& problem, double
     return;
   }
   const auto [reach, pass] = way_speeds(way, f, delta);
+  // With all friction below the dead zone's limit it rests within the residual.
+  const bool any_f = way.n == 0 && way.f_cap >= std::nextafter(list[0].limit, 0.0);
   list[3] = way.at_peak  ? Constraint::compared("residual", "f", ">=", f, way.f2)
+            : any_f      ? Constraint::compared("residual", "f", ">=", f, 0)
             : way.n == 0 ? Constraint::compared("residual", "f", "<=", f, way.f_cap)
             : way.v_low > 0
                 ? Constraint::compared("return", "v0", ">=", way.v_low * problem.v0, reach)

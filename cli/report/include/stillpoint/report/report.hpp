@@ -43,9 +43,6 @@ struct DesignReport {
   std::optional<std::vector<design::TradeOff>> trade_off{};
 };
 
-/// The motion of a design, which exists, with that notch; of ranges under a pulse the motion shown.
-[[nodiscard]] design::BuiltNotch with_notch(const design::DesignResult& result,
-                                            const design::NotchShape& shape);
 /// The same design, which has the paper's notch, with one of an ordinary width; under a pulse,
 /// which begins in the notch, with the best of several widths. Empty if there is none to try.
 [[nodiscard]] std::optional<design::BuiltNotch> example_notch(const DesignReport& report);

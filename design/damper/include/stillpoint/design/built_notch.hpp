@@ -14,9 +14,10 @@ struct NotchShape {
   std::optional<double> hold{};  ///< of one without a width
 };
 
-/// A hit, its spring, and the position where the mass comes to rest.
+/// A hit or a pulse, its spring, and the position where the mass comes to rest.
 struct RestAfter {
   double v0{0};
+  std::optional<Pulse> pulse{};
   double p{1};
   double rest{0};
 };
@@ -30,14 +31,14 @@ struct BuiltNotch {
   /// After a hit, with a width: the motion if the notch acts on the way out too, as a strip of that
   /// friction does. v0 is otherwise the speed with which the mass leaves it.
   std::optional<ForcedResponse> from_start{};
-  /// Of ranges of hits: the one of a grid of them after which the mass rests farthest from x = 0.
-  /// On those that the paper's notch catches, one with a width acts from the start.
+  /// Of ranges: the hit or pulse of a grid after which the mass rests farthest from x = 0. On hits
+  /// that the paper's notch catches, a notch with a width acts from the start.
   std::optional<RestAfter> farthest{};
+  bool holds_weakest{false};  ///< the weakest pulse never moves the mass
 };
 
-/// The motion that the design was made for; with a pulse, the motion under the pulse itself. Throws
-/// InputError for a wrong shape, TooManyHalfCycles.
-[[nodiscard]] BuiltNotch built_notch(const DesignRequest& request, const DesignPoint& point,
-                                     const NotchShape& shape);
+/// The motion of a design, which exists; with a pulse, the motion under the pulse itself, and with
+/// ranges of it the motion shown. Throws InputError for a wrong shape, TooManyHalfCycles.
+[[nodiscard]] BuiltNotch built_notch(const DesignResult& design, const NotchShape& shape);
 
 }  // namespace stillpoint::design

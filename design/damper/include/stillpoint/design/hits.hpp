@@ -55,8 +55,7 @@ inline constexpr int most_hit_segments = 100;
 
 /// Those that reports show: up to twice the problem's v0.
 [[nodiscard]] std::vector<Hits> shown_hits(const Problem& problem, double f, double delta);
-/// The same for the worst of the springs of the problem; where it has a range, without `rest` and
-/// regardless of the residual.
+/// The same for the worst of the springs of the problem; where it has a range, without `rest`.
 [[nodiscard]] std::vector<Hits> shown_hits_of_springs(const Problem& problem, double f,
                                                       double delta);
 
