@@ -68,16 +68,11 @@ void add_answer(Section& answer, const RecordDesignReport& report) {
              format("f = {:.{}g}, delta = {}", damper.f, printed_digits,
                     length_shown(physical, damper.delta, printed_digits)),
              Tone::heading);
-<<<<<<< HEAD
+  add_brake(answer, physical, damper.f);
   if (is_searched(result.request.p)) {
     answer.row("spring", spring_words(physical, damper.p, period_digits(result.request)) +
                              end_words(result.request.p, damper.p, physical.has_value()));
   }
-=======
-  add_brake(answer, physical, damper.f);
-  answer.row("spring", spring_words(physical, damper.p, period_digits(result.request)) +
-                           end_words(result.request.p, damper.p, physical.has_value()));
->>>>>>> built
   add_rest(answer, result);
   add_worst_of_mean(answer, result, physical);
   add_notch(answer, report);

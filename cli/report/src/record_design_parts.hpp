@@ -7,7 +7,6 @@
 
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/record_design.hpp>
-#include <stillpoint/report/record_design.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -15,6 +14,9 @@
 #include <string_view>
 
 namespace stillpoint::report {
+
+struct RealNotchFault;
+struct RecordDesignReport;
 
 /// "the record", "every record", "1 of 2 records"
 [[nodiscard]] std::string of_records(std::size_t count, std::size_t all);

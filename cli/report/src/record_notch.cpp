@@ -3,6 +3,8 @@
 #include "format.hpp"
 #include "record_design_parts.hpp"
 
+#include <stillpoint/report/record_design.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
