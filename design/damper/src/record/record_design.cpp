@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/design/record_design.hpp>
 
-#include "record/sensitivity.hpp"
 #include "record/suite.hpp"
 #include "record/suite_check.hpp"
 #include "record/suite_digits.hpp"
 #include "record/suite_request.hpp"
 #include "record/suite_search.hpp"
+#include "record/suite_sensitivity.hpp"
 #include "record/suite_watch.hpp"
 
 #include <stillpoint/core/input_error.hpp>

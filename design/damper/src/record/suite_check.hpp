@@ -3,7 +3,7 @@
 
 #include "record/suite.hpp"
 
-#include <stillpoint/design/record_design.hpp>
+#include <stillpoint/design/suite_check.hpp>
 
 #include <vector>
 

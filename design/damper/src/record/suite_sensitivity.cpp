@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "record/sensitivity.hpp"
+#include "record/suite_sensitivity.hpp"
 
 #include <algorithm>
 #include <cmath>
