@@ -182,7 +182,8 @@ Document document(const DesignReport& report) {
   }
   const design::Finding& finding = *result.finding;
   document.verdict = verdict(report, physical);
-  const bool sound = finding.cross_check.passed && notch_sentence(report).empty();
+  const bool sound =
+      finding.cross_check.passed && notch_sentence(report).empty() && !is_too_exact(report);
   document.tone = !sound                                             ? Tone::bad
                   : pulse || example_words(report, physical).empty() ? Tone::good
                                                                      : Tone::plain;

@@ -154,6 +154,14 @@ bool wants_no_friction(const DesignReport& report) {
                                                 std::max(*result.region.f_upper, result.region.f3));
 }
 
+bool is_too_exact(const DesignReport& report) {
+  constexpr double built = 1e-3;  // a damper with less is none
+  const design::DesignRequest& request = report.result.request;
+  const design::DesignPoint& point = report.result.finding->point;
+  return !report.catalogue && !wants_no_friction(report) &&
+         (point.tolerance < built || is_f_on_an_edge(request, point));
+}
+
 std::string verdict(const DesignReport& report, const Physical& physical) {
   const design::Finding& finding = *report.result.finding;
   const auto& [f, delta, tolerance] = finding.point;
@@ -162,7 +170,8 @@ std::string verdict(const DesignReport& report, const Physical& physical) {
   if (!wants_no_friction(report)) {
     friction = physical && physical->scales.mass_kg ? f : std::stod(f_digits(report.result));
   }
-  std::string text = format("Build {}.", damper_words(physical, friction, delta, width));
+  std::string text = format("{} {}.", is_too_exact(report) ? "Too exact to be built:" : "Build",
+                            damper_words(physical, friction, delta, width));
   if (report.catalogue) {
     text = format("Order part {}: f = {}, delta = {}.", report.catalogue->parts.front().part.name,
                   digits(f), length_shown(physical, delta));

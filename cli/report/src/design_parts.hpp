@@ -17,6 +17,10 @@ namespace stillpoint::report {
 /// comes near and nobody builds.
 [[nodiscard]] bool wants_no_friction(const DesignReport& report);
 
+/// Whether nobody can build it, because f, or f and delta, have next to no tolerance. A part is
+/// what it is.
+[[nodiscard]] bool is_too_exact(const DesignReport& report);
+
 /// "the strongest hit, 0.44 m/s, and the softest spring, 2.94 s" or "k = 0.5 g": which
 /// motion of a task with ranges is shown; empty without.
 [[nodiscard]] std::string shown_motion(const DesignReport& report, const Physical& physical);

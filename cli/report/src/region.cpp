@@ -89,7 +89,7 @@ std::vector<Interval> feasible_at(const RegionReport& report, double f) {
   const design::RegionRequest& request = report.request;
   std::vector<Interval> all;
   const auto add = [&all](const std::optional<Interval>& delta) {
-    if (delta) {
+    if (delta && (delta->low < delta->high || delta->low == 0)) {  // delta > low
       all.push_back(*delta);
     }
   };

@@ -33,7 +33,8 @@ std::string consequence(const design::Constraint& violated, const ShownTask& tas
              ? task.problem.residual ? "rests too far off" : "rests off centre"
          : name == "stop"      ? violated.by_criterion_alone
                                      ? "stops at x = 0, but not by the published criterion"
-                                     : "passes x = 0"
+                                 : violated.slack == 0 ? "is on the edge of passing x = 0"
+                                                       : "passes x = 0"
          : name == "dead_zone" ? "could be held at " + stroke + " by friction"
                                : "exceeds the " + in_words(name);
 }

@@ -278,6 +278,8 @@ BOOST_FIXTURE_TEST_CASE(of_an_f_alone_says_which_delta_goes_with_it, Sandbox) {
       "  At f = 0.3, delta from " + limit_digits((radius - 0.6) * (radius - 0.6) / 2, true, 6) +
       " to 0.5 is admissible."));
   BOOST_TEST(answer("--f 0.4").starts_with("  At f = 0.4 no delta is admissible. "));
+  // Without f it comes back with v0, and delta > 1/2 is caught at the start.
+  BOOST_TEST(answer("--f 0").starts_with("  At f = 0 no delta is admissible. "));
   BOOST_TEST(answer("--f 0.2 --delta-max 0.15").starts_with("  At f = 0.2 no delta"));
   const double worst = std::hypot(1, 0.27);  // of the box
   BOOST_TEST(answer("--f 0.3 --tolerance 0.1")
@@ -352,7 +354,7 @@ BOOST_FIXTURE_TEST_CASE(of_a_damper_on_an_edge_is_true_and_reads_well, Sandbox) 
                  {"The damper is admissible, but f or delta must be exact: "});
   // Without friction the mass comes back with all of V0^2/2 = 0.5.
   check_contains(answer("--v0 1 --p 1 --beta 0.8 --f 0 --delta 0.5"),
-                 {"It also passes x = 0: delta is just too small (stop)."});
+                 {"It also is on the edge of passing x = 0: delta is just too small (stop)."});
   // A single f is left.
   const std::string single = answer("--v0 1 --p 1 --beta 0.7071067811865476");
   BOOST_TEST(contains(single, "Feasible f: 0.35355339"), single);
