@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/figures/figure.hpp>
+
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,5 +36,15 @@ namespace stillpoint::report {
   const auto inner = std::lower_bound(bounds.begin() + 1, bounds.end() - 1, value);
   return static_cast<std::size_t>(inner - bounds.begin()) - 1;
 }
+
+/// Entries of a palette.
+struct Entries {
+  std::size_t first;
+  std::size_t last;  ///< one beyond
+};
+/// Labels each area of the entries with its values, one for each cell of the map.
+void label_values(figures::FigureMap& map, const Entries& entries,
+                  const std::vector<double>& values,
+                  const std::function<std::string(double)>& words);
 
 }  // namespace stillpoint::report

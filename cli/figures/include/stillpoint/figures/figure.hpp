@@ -3,6 +3,7 @@
 
 // A figure as data. It is described once, here, and drawn once, by figure_svg.cpp.
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -82,6 +83,12 @@ struct MapKey {
   bool crossed{false};  ///< hatched the other way too
 };
 
+/// Words for some cells of a map, in ascending order, written among them if there is room.
+struct MapLabel {
+  std::string text;
+  std::vector<std::size_t> cells;
+};
+
 /// The colours of a grid of cells that fills the axes; row 0 is the lowest. All cells have the same
 /// size in the scales of the axes.
 struct FigureMap {
@@ -94,6 +101,7 @@ struct FigureMap {
   std::vector<std::string> names;   ///< of each entry, under the pointer
   std::vector<std::string> labels;  ///< of each entry, written in its largest areas; or empty
   std::vector<MapKey> key;
+  std::vector<MapLabel> values{};  ///< of single areas
 };
 
 enum class Scale { linear, logarithmic };
