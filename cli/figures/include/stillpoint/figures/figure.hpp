@@ -45,7 +45,8 @@ struct FigureArea {
   std::vector<FigurePoint> outline;
   Ink ink{Ink::blue};
   AreaLook look{AreaLook::filled};
-  bool again{false};  ///< named if there is room, though another area has its name
+  bool again{false};   ///< named if there is room, though another area has its name
+  std::string told{};  ///< under the pointer; empty: its name
 };
 
 /// A shaded span of the horizontal axis, named like an area.
@@ -121,8 +122,9 @@ struct FigureAxis {
 
 /// Round values within the axis, about as many as wanted: 3 to 8 if 6 are wanted.
 [[nodiscard]] std::vector<double> ticks(const FigureAxis& axis, int wanted = 6);
-/// With as many digits as are needed to tell them apart.
-[[nodiscard]] std::vector<std::string> tick_labels(const std::vector<double>& ticks);
+/// With as many digits as are needed to tell them apart, if more than that.
+[[nodiscard]] std::vector<std::string> tick_labels(const std::vector<double>& ticks,
+                                                   int fewest = 6);
 
 /// An axis from the least to the largest value and slightly beyond; its length is never 0.
 [[nodiscard]] FigureAxis axis_around(std::string label, double least, double most);
