@@ -63,7 +63,7 @@ std::vector<double> ticks(const FigureAxis& axis, int wanted) {
   return round_values(axis.least, axis.most, wanted);
 }
 
-std::vector<std::string> tick_labels(const std::vector<double>& ticks) {
+std::vector<std::string> tick_labels(const std::vector<double>& ticks, int fewest) {
   constexpr double visible = 1e-3;  // of the distance between two ticks
   const auto written = [&ticks](int digits) {
     std::vector<std::string> labels;
@@ -73,7 +73,7 @@ std::vector<std::string> tick_labels(const std::vector<double>& ticks) {
     }
     return labels;
   };
-  for (int digits = 6; digits < 17; ++digits) {
+  for (int digits = fewest; digits < 17; ++digits) {
     auto labels = written(digits);
     bool exact = true;
     for (std::size_t i = 0; i < ticks.size() && ticks.size() > 1; ++i) {

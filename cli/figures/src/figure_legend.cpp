@@ -27,6 +27,32 @@ bool is_seen(const std::string& band, const Figure& figure, const Plane& plane) 
   return wide >= narrowest;
 }
 
+/// In pixels, on average.
+double thickness(const Figure& figure, const FigureArea& area) {
+  const Plane plane{figure.x, figure.y, figure_width, figure.height};
+  double twice_area = 0;
+  double perimeter = 0;
+  for (std::size_t i = 0; i < area.outline.size(); ++i) {
+    const FigurePoint a = plane.pixel(area.outline[i]);
+    const FigurePoint b = plane.pixel(area.outline[(i + 1) % area.outline.size()]);
+    twice_area += a.x * b.y - b.x * a.y;
+    perimeter += std::hypot(b.x - a.x, b.y - a.y);
+  }
+  // 2 A/P is the width of a long strip.
+  return perimeter > 0 ? std::abs(twice_area) / perimeter : 0;
+}
+
+constexpr double thinnest = 0.5;  // pixels
+
+/// Areas of the same name count together.
+bool are_seen(const Figure& figure, const FigureArea& one) {
+  double thick = 0;
+  for (const FigureArea& area : figure.areas) {
+    thick += area.name == one.name ? thickness(figure, area) : 0;
+  }
+  return one.look == AreaLook::box || thick > thinnest;
+}
+
 /// Whether the inset shows where an area ends.
 bool is_enlarged(const Figure& figure, const FigureArea& area) {
   return figure.inset && std::ranges::any_of(area.outline, [&](const FigurePoint& at) {
@@ -47,18 +73,7 @@ std::string hatching(const MapKey& key) {
 }  // namespace
 
 bool is_seen(const Figure& figure, const FigureArea& area) {
-  const Plane plane{figure.x, figure.y, figure_width, figure.height};
-  constexpr double thinnest = 0.5;  // pixels
-  double twice_area = 0;
-  double perimeter = 0;
-  for (std::size_t i = 0; i < area.outline.size(); ++i) {
-    const FigurePoint a = plane.pixel(area.outline[i]);
-    const FigurePoint b = plane.pixel(area.outline[(i + 1) % area.outline.size()]);
-    twice_area += a.x * b.y - b.x * a.y;
-    perimeter += std::hypot(b.x - a.x, b.y - a.y);
-  }
-  // 2 A/P is the width of a long strip.
-  return area.look == AreaLook::box || std::abs(twice_area) > thinnest * perimeter;
+  return area.look == AreaLook::box || thickness(figure, area) > thinnest;
 }
 
 void FigureLegend::add(const Figure& figure, const std::set<std::string>& named) {
@@ -74,7 +89,7 @@ void FigureLegend::add(const Figure& figure, const std::set<std::string>& named)
   }
   const Plane plane{figure.x, figure.y, figure_width, figure.height};
   for (const FigureArea& area : figure.areas) {
-    if (!is_seen(figure, area) && !is_enlarged(figure, area)) {
+    if (!are_seen(figure, area) && !is_enlarged(figure, area)) {
       continue;
     }
     const bool box = area.look == AreaLook::box;

@@ -371,6 +371,22 @@ class Places {
     return best;
   }
 
+  /// The cells of the map for which are(index) is true.
+  template <class Are>
+  [[nodiscard]] Raster cells_that(const Are& are) const {
+    const FigureMap& map = figure_.map;
+    Raster inside(plane_.width, plane_.height);
+    inside.set_where([&](const FigurePoint& at) {
+      const auto column =
+          static_cast<std::int64_t>(at.x / plane_.width * static_cast<double>(map.columns));
+      const auto row =
+          map.rows - 1 -
+          static_cast<std::int64_t>(at.y / plane_.height * static_cast<double>(map.rows));
+      return are(static_cast<std::size_t>(row * map.columns + column));
+    });
+    return inside;
+  }
+
   /// Entries that follow one another with the same label are one area.
   void map_labels() {
     const FigureMap& map = figure_.map;
@@ -378,21 +394,19 @@ class Places {
       while (next < map.labels.size() && map.labels[next] == map.labels[entry]) {
         ++next;
       }
-      Raster inside(plane_.width, plane_.height);
-      inside.set_where([&](const FigurePoint& at) {
-        const auto column =
-            static_cast<std::int64_t>(at.x / plane_.width * static_cast<double>(map.columns));
-        const auto row =
-            map.rows - 1 -
-            static_cast<std::int64_t>(at.y / plane_.height * static_cast<double>(map.rows));
-        const std::size_t cell = map.cells[static_cast<std::size_t>(row * map.columns + column)];
-        return entry <= cell && cell < next;
-      });
-      if (!map.labels[entry].empty() && within(map.labels[entry], inside)) {
+      const auto is_labelled = [&](std::size_t cell) {
+        return entry <= map.cells[cell] && map.cells[cell] < next;
+      };
+      if (!map.labels[entry].empty() && within(map.labels[entry], cells_that(is_labelled))) {
         for (std::size_t i = entry; i < next; ++i) {
           found_.named.insert(map.names[i]);
         }
       }
+    }
+    for (const MapLabel& label : map.values) {
+      within(label.text, cells_that([&label](std::size_t cell) {
+               return std::binary_search(label.cells.begin(), label.cells.end(), cell);
+             }));
     }
   }
 

@@ -96,7 +96,7 @@ class Drawing {
                     : "area",
           word(area.ink),
           hatched ? fmt::format(" fill=\"url(#{})\"", hatch_id(figure_, area.name)) : "",
-          path(plot, area.outline), escaped(area.name));
+          path(plot, area.outline), escaped(area.told.empty() ? area.name : area.told));
     }
   }
 

@@ -23,7 +23,7 @@ using design::SpectrumPoint;
 /// At even steps; more do not fit a screen, and a file has them all.
 constexpr std::size_t most_even_periods = 13;
 
-/// Those, and the periods of the largest of each figure.
+/// Those, and the periods of the largest of each figure; all rather than all but a few.
 std::set<std::size_t> shown_periods(const std::vector<SpectrumPoint>& points) {
   std::set<std::size_t> shown;
   const std::size_t even = std::min(points.size(), most_even_periods);
@@ -40,6 +40,10 @@ std::set<std::size_t> shown_periods(const std::vector<SpectrumPoint>& points) {
   add_largest(&SpectrumFigures::acceleration);
   add_largest(&SpectrumFigures::peak);
   add_largest(&SpectrumFigures::residual);
+  constexpr std::size_t few = 6;
+  for (std::size_t i = 0; points.size() <= shown.size() + few && i < points.size(); ++i) {
+    shown.insert(i);
+  }
   return shown;
 }
 

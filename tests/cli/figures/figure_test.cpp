@@ -334,6 +334,16 @@ BOOST_AUTO_TEST_CASE(entries_of_a_map_with_one_label_are_one_area) {
   BOOST_TEST(!contains(text, ">c</text>"));
 }
 
+BOOST_AUTO_TEST_CASE(a_value_in_a_map_lies_in_its_own_cells) {
+  Figure figure;
+  figure.x = {"x", 0, 10};
+  figure.y = {"y", 0, 10};
+  figure.map = {4, 1, {0, 0, 0, 0}, {"#000000"}, {"a"}, {}, {}};
+  figure.map.values = {{"12", {3}}, {"34", {0, 1}}};
+  const double ratio = placed(figure, "12").centre.x / placed(figure, "34").centre.x;
+  BOOST_TEST(ratio > 2);  // the middles are at about 7/8 and 1/4
+}
+
 // Letters are 14 pixels high.
 BOOST_AUTO_TEST_CASE(words_on_a_map_keep_clear_of_a_box) {
   Figure figure;

@@ -172,6 +172,14 @@ BOOST_FIXTURE_TEST_CASE(the_table_has_the_period_of_each_largest_figure, Sandbox
   }
 }
 
+/// Only a table that would be much longer leaves periods out.
+BOOST_FIXTURE_TEST_CASE(the_table_leaves_out_many_periods_or_none, Recorded) {
+  const std::string few = run(but("--period", "1s:4s:15")).out;
+  BOOST_TEST(contains(few, fmt::format("\n  {:.5g} ", 1 + 3 / 14.0 * 13)), few);
+  BOOST_TEST(!contains(few, " of 15 periods, with those of"), few);
+  BOOST_TEST(contains(run(but("--period", "1s:4s:40")).out, " of 40 periods, with those of"));
+}
+
 BOOST_FIXTURE_TEST_CASE(missing_values_are_left_out, Recorded) {
   const Arguments endless("spectrum --record a.txt --period 2s --f 0 --delta-m 0");
   BOOST_TEST(reported(endless)["combined"][0]["residual_m"] == nullptr);

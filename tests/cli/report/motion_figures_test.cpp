@@ -2,8 +2,10 @@
 #include "drawn_pages.hpp"
 #include "testing/test.hpp"
 
+#include <stillpoint/core/half_cycles.hpp>
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/built_notch.hpp>
+#include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/report.hpp>
 
 #include <fmt/format.h>
@@ -82,14 +84,14 @@ BOOST_AUTO_TEST_CASE(many_half_cycles_become_an_envelope_of_the_whole_motion) {
 BOOST_AUTO_TEST_CASE(the_envelope_goes_through_the_peaks) {
   constexpr double f = 0.005;
   const HtmlPage page = motion({1, f, 0});
-  const auto& outline = figure(page, "motion").curves.front().strokes[0];
+  const auto& outline = named(figure(page, "motion").curves, "envelope").strokes[0];
   const auto peak = [](double half_cycles) { return 1 - 2 * f * half_cycles; };
   constexpr double before = 2;  // half-cycles: a column has the largest of its time
   constexpr double behind = 2;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const double now = outline[i].x / std::numbers::pi;
     const double away = i < outline.size() / 2 ? outline[i].y : -outline[i].y;
-    if (now < 90) {
+    if (2 < now && now < 90) {  // beyond the first turn of either side
       BOOST_TEST(away >= peak(now + behind), away << " after " << now << " half-cycles");
       BOOST_TEST(away <= peak(now - before), away << " after " << now << " half-cycles");
     }
@@ -112,6 +114,44 @@ BOOST_AUTO_TEST_CASE(the_envelope_of_a_motion_that_goes_on_does_not_end) {
       BOOST_TEST(outline[i].y >= 0.95 * settled, "column " << i << " up to " << end);
     }
   }
+}
+
+/// The load frees the mass after 0.36 and pushes it to x < 0, so the upper side is at x = 0 first
+/// and rises to the first turn there.
+BOOST_AUTO_TEST_CASE(the_envelope_begins_where_the_motion_does) {
+  SimulationRequest request;
+  request.oscillator = {1, 0.05, 0};
+  request.excitation = Harmonic{.k = 0.2, .lambda = 0.7};
+  request.t_end = 250;
+  constexpr double column = 250 / 180.0;
+  const auto half_cycles =
+      forced_half_cycles(request.oscillator, request.start, request.excitation, 20, 10);
+  const auto& turn =
+      *std::ranges::find_if(half_cycles, [](const HalfCycle& one) { return one.side > 0; });
+  BOOST_TEST_REQUIRE(turn.peak_time > 4 * column);
+  const Figure drawn = figure(page_of(request), "motion");
+  const auto& outline = named(drawn.curves, "envelope").strokes[0];
+  BOOST_TEST(outline.front().y == 0);
+  BOOST_TEST(outline.back().y == 0);
+  for (const figures::FigurePoint& at : outline) {
+    if (at.x < turn.peak_time && at.y > 0) {
+      BOOST_TEST(at.y <= turn.peak * (at.x + column) / turn.peak_time, at.y << " at " << at.x);
+    }
+  }
+}
+
+/// Without friction every peak is V0/p = 1, and so are both sides behind the first column.
+BOOST_AUTO_TEST_CASE(an_envelope_without_friction_lies_beside_that_with_it) {
+  const auto ghost = ghost_of(figure(motion({1, 1e-3, 1e-4}), "motion"));
+  BOOST_TEST(ghost.name == "without friction (envelope)");
+  BOOST_TEST((ghost.dash == figures::Dash::dotted));
+  BOOST_TEST_REQUIRE(ghost.strokes.size() == 2U);
+  for (const auto& side : ghost.strokes) {
+    for (const figures::FigurePoint& at : side) {
+      BOOST_TEST((at.x == 0 || std::abs(std::abs(at.y) - 1) < 5e-3), at.y << " at " << at.x);
+    }
+  }
+  BOOST_TEST(ghost_of(figure(motion({1, 0, 0}), "motion")).strokes.empty());
 }
 
 /// Without friction it swings on when the pulse is over and the damper has stopped.
@@ -348,8 +388,26 @@ BOOST_AUTO_TEST_CASE(a_notch_that_lets_go_is_marked_apart_from_a_passage) {
 BOOST_AUTO_TEST_CASE(a_motion_without_friction_is_left_out_where_it_only_crosses_the_figure) {
   const Harmonic load{.k = 0.35, .lambda = 1, .duration = 20};
   const auto drawn = [&](double f) { return figure(motion({1, f, 0}, load, {0, 0}), "motion"); };
-  BOOST_TEST(ghost_of(drawn(0.345)).strokes.empty());
+  const Figure barely = drawn(0.345);
+  BOOST_TEST(ghost_of(barely).strokes.empty());
+  BOOST_TEST(contains(barely.caption, "; without friction it would reach 3."), barely.caption);
+  BOOST_TEST(!contains(drawn(0.1).caption, "without friction"));
   BOOST_TEST(!ghost_of(drawn(0.1)).strokes.empty());
+}
+
+/// It would be 0.095, far beyond the peak of 0.014.
+BOOST_AUTO_TEST_CASE(a_motion_without_friction_is_drawn_where_the_limit_makes_room) {
+  design::RecordDesignRequest request;
+  request.records = {{"three", Record{{0.4, -0.2, 0}, 1, {}}, 1}};
+  request.f = Interval{0.2, 0.2};
+  request.delta = Interval{0, 0};
+  for (const double limit : {0.08, 0.02}) {
+    request.limits.peak = limit;
+    const Figure drawn = figure(page(RecordDesignReport{design::design(request), {}}), "record-1");
+    const bool room = limit == 0.08;
+    BOOST_TEST(contains(drawn.caption, "it would reach 0.095") != room, drawn.caption);
+    BOOST_TEST(ghost_of(drawn).strokes.empty() != room);
+  }
 }
 
 /// f = 0.6 holds the mass at its first peak, at tau = atan(1/0.6); a quarter more is shown, where
@@ -416,6 +474,26 @@ BOOST_AUTO_TEST_CASE(the_phase_portrait_is_smooth_and_directed) {
   const HtmlPage page = isolator();
   BOOST_TEST(figure(page, "phase").curves.front().smooth);
   BOOST_TEST(figure(page, "phase").curves.front().directed);
+}
+
+/// Of 40 turns only the widest, from the start to the second turn, has arrows.
+BOOST_AUTO_TEST_CASE(a_phase_portrait_of_many_turns_is_directed) {
+  const Figure drawn = figure(motion({1, 1e-3, 1e-4}), "phase");
+  std::vector<figures::FigureCurve> directed = drawn.curves;
+  std::erase_if(directed, [](const figures::FigureCurve& curve) { return !curve.directed; });
+  BOOST_TEST_REQUIRE(directed.size() == 1U);
+  const auto& strokes = directed.front().strokes;
+  BOOST_TEST(strokes.front().front().x == 0);
+  BOOST_TEST(strokes.front().front().y == 1);
+  BOOST_TEST(strokes.back().back().x < -0.99);
+  BOOST_TEST(std::abs(strokes.back().back().y) < 0.1);
+  const std::string text = svg(drawn, figures::Frame::in_page);
+  std::size_t arrows = 0;
+  for (std::size_t i = text.find("arrow"); i != std::string::npos; i = text.find("arrow", i + 1)) {
+    ++arrows;
+  }
+  BOOST_TEST(arrows >= 3U);
+  BOOST_TEST(arrows <= 10U);
 }
 
 /// A motion over 3 under a load that lasts 2000: too few points would be joined by a curve that

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <regex>
+#include <set>
 
 // What a reader must see in the figures of a page.
 
@@ -336,6 +337,32 @@ BOOST_AUTO_TEST_CASE(the_hits_are_told_with_the_digits_that_tell_them_apart) {
   const std::string& caption = figure(drawn, "hits").caption;
   BOOST_TEST(contains(caption, "0.9998"), caption);
   BOOST_TEST(contains(caption, "1.0000"), caption);
+}
+
+BOOST_AUTO_TEST_CASE(both_ends_of_a_narrow_range_of_hits_are_told) {
+  const design::RegionRequest request{
+      .problem = {.v0 = 0.3000001, .p = 1, .beta = 0.25, .v0_low = 0.3}, .f = 0.08, .delta = 0.03};
+  const Figure drawn = figure(page(RegionReport{request, design::answer(request)}), "hits");
+  BOOST_TEST(has(drawn.curves, "V₀ = 0.3 to 0.3000001"));
+}
+
+/// Most are 2 f or less of 2 V0 wide, two pixels. Those of a kind share an entry of the key.
+BOOST_AUTO_TEST_CASE(hits_of_narrow_strips_are_named_by_their_kind) {
+  const design::RegionRequest request{
+      .problem = {.v0 = 1, .p = 1, .beta = 1.2, .residual = 0.001}, .f = 0.004, .delta = 0.002};
+  const Figure drawn = figure(page(RegionReport{request, design::answer(request)}), "hits");
+  std::set<std::string> names;
+  for (const figures::FigureArea& area : drawn.areas) {
+    BOOST_TEST(!area.name.empty());
+    names.insert(area.name);
+  }
+  BOOST_TEST(names.size() < 10U);
+  const std::string text = svg(drawn, figures::Frame::in_page);
+  for (const char* const kind : {"centred at a later arrival", "off centre"}) {
+    BOOST_TEST(contains(text, std::string(">") + kind + "</text>"), kind);
+  }
+  BOOST_TEST(contains(text, "<title>centred at arrival 7, "));
+  BOOST_TEST(!contains(text, "<title></title>"));
 }
 
 /// Of 2 V0 the hits that it works for are 1e-4 wide, or 0.11 m/s of 0.8.

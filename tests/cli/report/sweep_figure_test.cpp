@@ -7,6 +7,7 @@
 #include <stillpoint/sweep/spec.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <string>
@@ -115,6 +116,9 @@ BOOST_AUTO_TEST_CASE(has_an_entry_of_its_own_where_the_notch_locks) {
   BOOST_TEST(lock->crossed);
   BOOST_TEST(contains(svg(figure, figures::Frame::in_page), ">locked at x = 0</text>"));
   BOOST_TEST(std::ranges::count(figure.map.key, true, &figures::MapKey::crossed) == 3);
+  BOOST_TEST(figure.caption.starts_with(
+                 "The mass stops at x = 0 in blue areas and off centre in those hatched one way; "),
+             figure.caption);
   BOOST_TEST(contains(figure.caption, "here the hatching is crossed, the notch holds the mass"));
   BOOST_TEST(!contains(page(swept("0.1:0.4:4", "0:1:3")).figures.at(0).caption, "crossed"));
 }
@@ -141,6 +145,39 @@ BOOST_AUTO_TEST_CASE(shades_motions_that_lock_by_their_peaks) {
   BOOST_TEST(std::ranges::any_of(figure.map.key, [](const figures::MapKey& key) {
     return key.crossed && key.name.starts_with("locked, peak from ");
   }));
+}
+
+/// "≈ 0.3", within a factor of 2 and the rounding of three digits, or "≈ 0.1 to 0.3".
+BOOST_AUTO_TEST_CASE(numbers_in_areas_are_those_of_their_own_cells) {
+  const report::SweepReport report = shaken("0.02:0.28:20", "0:0.3:10");
+  const figures::FigureMap map = page(report).figures.at(0).map;
+  constexpr double rounding = 1.01;
+  BOOST_TEST(map.values.size() > 3U);
+  std::set<std::size_t> labelled;
+  for (const figures::MapLabel& label : map.values) {
+    const std::string& text = label.text;
+    double least = HUGE_VAL;
+    double most = 0;
+    for (const std::size_t cell : label.cells) {
+      BOOST_TEST(map.cells[cell] == map.cells[label.cells.front()]);
+      BOOST_TEST(labelled.insert(cell).second);
+      least = std::min(least, report.map->peaks()[cell]);
+      most = std::max(most, report.map->peaks()[cell]);
+    }
+    BOOST_TEST_CONTEXT(text << " of " << least << " to " << most) {
+      const std::string about = "≈ ";
+      BOOST_TEST_REQUIRE(text.starts_with(about));
+      const double first = std::stod(text.substr(about.size()));
+      const std::size_t to = text.find(" to ");
+      if (to == std::string::npos) {
+        BOOST_TEST(first <= 2 * rounding * least);
+        BOOST_TEST(most <= 2 * rounding * first);
+      } else {
+        BOOST_TEST(std::abs(first - least) <= 5e-3 * least);
+        BOOST_TEST(std::abs(std::stod(text.substr(to + 4)) - most) <= 5e-3 * most);
+      }
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(names_the_record) {

@@ -35,33 +35,30 @@ std::optional<double> end_of_beginning(const std::vector<HalfCycle>& listed) {
              : std::optional(listed.back().end_time);
 }
 
-/// The same start without friction, if that has few half-cycles and a similar size.
+/// The longest time that is drawn.
+double longest_shown(double rate) {
+  return most_drawn_periods * 2 * std::numbers::pi / rate;
+}
+
+/// The same start without friction.
 void add_frictionless(DrawnMotion& motion, const SimulationRequest& request) {
-  const double p = request.oscillator.p;
-  if (motion.shown_to == 0 || motion.turns.size() > most_single_half_cycles) {
+  const auto& [p, f, delta, hold] = request.oscillator;
+  const double rate = fastest_rate(p, request.excitation);
+  const bool loses = f > 0 || delta > 0 || !request.surface.zones.empty();
+  if (!loses || motion.shown_to == 0 || motion.shown_to > longest_shown(rate)) {
     return;
   }
   ForcedTrajectoryOptions limits;
   limits.horizon = motion.shown_to;
-  const double rate = fastest_rate(p, request.excitation);
   const ForcedTrajectory path({p, 0, 0}, request.start, request.excitation, limits);
-  const auto turns = static_cast<std::size_t>(std::ranges::count(
-      path.events(), EventKind::turn, [](const Event& event) { return event.kind; }));
-  if (turns > most_single_half_cycles) {
-    return;
-  }
-  std::vector<State> states = path.sampled(sample_count(rate, motion.shown_to));
-  const auto largest = [](const std::vector<State>& all) {
-    double most = 0;
-    for (const State& state : all) {
-      most = std::max(most, std::abs(state.x));
+  OtherMotion other{"without friction", path.sampled(sample_count(rate, motion.shown_to))};
+  for (const Event& event : path.events()) {
+    if (event.kind == EventKind::turn) {
+      other.turns.push_back(event.state);
     }
-    return most;
-  };
-  constexpr double comparable = 3;  // beyond that it would only cross the figure
-  if (largest(states) <= comparable * largest(motion.states)) {
-    motion.others.push_back({"without friction", std::move(states), figures::Ink::grey});
   }
+  other.if_comparable = true;
+  motion.others.push_back(std::move(other));
 }
 
 /// The end of the figure for a motion that comes to rest: the whole load is shown, and of one that
@@ -176,7 +173,7 @@ void draw_forced(DrawnMotion& motion, const SimulationRequest& request, const Si
   const Excitation& excitation = request.excitation;
   const auto& stop_time = answer.response.stop_time;
   const double rate = fastest_rate(request.oscillator.p, excitation);
-  const double longest = most_drawn_periods * 2 * std::numbers::pi / rate;
+  const double longest = longest_shown(rate);
   const double horizon = answer.horizon.value_or(longest);
   double last = std::min(horizon, longest);
   const auto listed = forced_half_cycles(request.oscillator, request.start, excitation, last,

@@ -46,8 +46,18 @@ const Look& look_of(HitEnd end) {
   return *std::ranges::find(looks, end, &Look::end);
 }
 
+bool is_later(const design::Hits& now) {
+  return now.end == HitEnd::centred && now.arrivals.value_or(1) > 1;
+}
+
 Ink ink_of(const design::Hits& now) {
   return now.end == HitEnd::centred ? arrival_ink(now.arrivals.value_or(1)) : look_of(now.end).ink;
+}
+
+/// Without the number of passages, which differs from strip to strip.
+std::string kind_of(const design::Hits& now) {
+  return format("{}{}{}", look_of(now.end).name, is_later(now) ? " at a later arrival" : "",
+                now.every_spring ? "" : " with some spring");
 }
 
 /// "off centre with some spring", "centred at arrival 2", "within the residual after 1 passage"
@@ -111,22 +121,29 @@ std::string words(const DrawnEnds& drawn, double strength) {
   return format("{:.4g}{}", strength * drawn.scale, with_blank(drawn.unit));
 }
 
+/// "0.3 to 0.35 m/s", in as many digits as tell them apart.
+std::string words(const DrawnEnds& drawn, double from, double to) {
+  constexpr int fewest = 4;
+  const auto ends = figures::tick_labels({from * drawn.scale, to * drawn.scale}, fewest);
+  return format("{} to {}{}", ends[0], ends[1], with_blank(drawn.unit));
+}
+
 /// Those of the task as lines.
 figures::FigureCurve asked(const DrawnEnds& drawn) {
   const auto& [low, high] = drawn.asked;
   figures::FigureCurve curve;
-  curve.name = format("{} {}", drawn.symbol, low == 0 ? "up to " : "= ");
+  const bool from_low = 0 < low && drawn.has_range;
+  curve.name = format("{} {}{}", drawn.symbol, low == 0 ? "up to " : "= ",
+                      from_low ? words(drawn, low, high) : words(drawn, high));
   curve.ink = Ink::blue;
   curve.dash = figures::Dash::dashed;
   curve.hover = false;
   const auto add = [&](double strength) {
     const double place = strength * drawn.scale;
-    curve.name += words(drawn, strength);
     curve.strokes.push_back({{place, 0}, {place, 1}});
   };
-  if (0 < low && drawn.has_range) {
+  if (from_low) {
     add(low);
-    curve.name += " to ";
   }
   add(high);
   return curve;
@@ -139,7 +156,7 @@ std::vector<FigurePoint> strip(double from, double to, double low, double high) 
 }
 
 Figure ends_figure(const DrawnEnds& drawn) {
-  constexpr double narrowest = 0.005;  // of the figure, to be seen
+  constexpr double narrowest = 0.02;  // of the figure, to be one of few
   const double scale = drawn.scale;
   const double known = drawn.list.back().to * scale;
   const double asked_for = 2 * drawn.asked.high * scale;
@@ -167,14 +184,17 @@ Figure ends_figure(const DrawnEnds& drawn) {
   }
   figure.description = format("Ends of the motion by the strength of the {}:", drawn.noun);
   for (const design::Hits& now : drawn.list) {
-    const bool seen = now.to - now.from >= narrowest * drawn.list.back().to;
-    figure.areas.push_back({.name = seen ? named(now) : "",
+    const bool wide = now.to - now.from >= narrowest * drawn.list.back().to;
+    const std::string name = named(now);
+    const std::string range = words(drawn, now.from, now.to);
+    figure.areas.push_back({.name = wide ? name : kind_of(now),
                             .outline = strip(now.from * scale, now.to * scale, 0, 1),
-                            .ink = ink_of(now),
+                            .ink = wide || !is_later(now) ? ink_of(now) : Ink::purple,
                             .look = look_of(now.end).look,
-                            .again = true});
-    figure.description += format("{} {} from {} to {}", &now == drawn.list.data() ? "" : ",",
-                                 named(now), words(drawn, now.from), words(drawn, now.to));
+                            .again = true,
+                            .told = format("{}, {}", name, range)});
+    figure.description +=
+        format("{} {} from {}", &now == drawn.list.data() ? "" : ",", name, range);
   }
   if (known < asked_for) {  // beyond what the program takes
     figure.areas.push_back(

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
+#include <iterator>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -23,27 +23,40 @@ using figures::Ink;
 
 namespace {
 
+/// One side of a motion, the farthest point in each column of time, in `x` and upwards.
+using Side = std::vector<FigurePoint>;
+
 /// Raises what lies between two crests, each the highest in a swing to either side, to the line
-/// from one to the next; before the first, and behind the last if the motion goes on, to its
-/// height.
-void join_crests(std::vector<double>& heights, std::size_t swing, bool rests) {
-  const std::vector<double> own = heights;
-  const auto raise = [&](std::size_t from, std::size_t to, double first, double last) {
+/// from one to the next, before the first to that from the start of the motion, and behind the last
+/// if the motion goes on to its height.
+void join_crests(Side& side, const FigurePoint& start, double column, std::size_t swing,
+                 bool rests) {
+  const Side own = side;
+  const auto raise = [&](std::size_t from, std::size_t to, const FigurePoint& first,
+                         const FigurePoint& last) {
+    const auto height = [&](double x) {
+      return std::lerp(first.y, last.y, (x - first.x) / (last.x - first.x));
+    };
     for (std::size_t i = from; i < to; ++i) {
-      const double done = static_cast<double>(i - from) / static_cast<double>(to - from);
-      heights[i] = std::max(own[i], std::lerp(first, last, done));
+      if (own[i].y < height(own[i].x)) {
+        const double middle = column * (static_cast<double>(i) + 0.5);
+        side[i] = {middle, height(middle)};
+      }
     }
   };
-  std::optional<std::size_t> before;
-  for (std::size_t i = 0; i + swing < own.size(); ++i) {
+  auto from = static_cast<std::size_t>(start.x / column);
+  FigurePoint before = start;
+  for (std::size_t i = from; i + swing < own.size(); ++i) {
     const std::size_t first = i - std::min(i, swing);
-    if (own[i] == std::ranges::max(std::span(own).subspan(first, 2 * swing + 1))) {
-      raise(before.value_or(0), i, own[before.value_or(i)], own[i]);
-      before = i;
+    if (own[i].y >=
+        std::ranges::max(std::span(own).subspan(first, 2 * swing + 1), {}, &FigurePoint::y).y) {
+      raise(from, i, before, own[i]);
+      from = i + 1;
+      before = own[i];
     }
   }
-  if (before && !rests) {
-    raise(*before, own.size(), own[*before], own[*before]);
+  if (!rests) {
+    raise(from, own.size(), before, {before.x + 1, before.y});
   }
 }
 
@@ -52,34 +65,43 @@ void join_crests(std::vector<double>& heights, std::size_t swing, bool rests) {
 std::vector<FigurePoint> envelope(const std::vector<FigurePoint>& points, std::size_t turns,
                                   double last_turn, bool rests) {
   constexpr std::size_t columns = 180;
-  std::vector<double> above(columns, -HUGE_VAL);
-  std::vector<double> below = above;
+  const double end = points.back().x;
+  const double width = end / columns;
+  Side above(columns, {0, -HUGE_VAL});
+  Side below = above;
   const auto column = [&](const FigurePoint& at) {
-    return std::min(static_cast<std::size_t>(at.x / points.back().x * columns), columns - 1);
+    return std::min(static_cast<std::size_t>(at.x / end * columns), columns - 1);
+  };
+  const auto include = [&](std::size_t i, const FigurePoint& at) {
+    const double left = width * static_cast<double>(i);
+    const double x = std::clamp(at.x, left, left + width);
+    above[i] = at.y > above[i].y ? FigurePoint{x, at.y} : above[i];
+    below[i] = -at.y > below[i].y ? FigurePoint{x, -at.y} : below[i];
   };
   const FigurePoint* before = &points.front();
   for (const FigurePoint& at : points) {
     for (std::size_t i = column(*before); i <= column(at); ++i) {
-      above[i] = std::max({above[i], before->y, at.y});
-      below[i] = std::max({below[i], -before->y, -at.y});
+      include(i, *before);
+      include(i, at);
     }
     before = &at;
   }
-  const auto swing = static_cast<std::size_t>(
-      std::lround(columns * last_turn / points.back().x / static_cast<double>(turns)));
-  join_crests(above, swing, rests);
-  join_crests(below, swing, rests);
-  std::vector<FigurePoint> outline;
-  outline.reserve(2 * columns);
-  const auto place = [&](std::size_t i) {
-    return points.back().x * static_cast<double>(i) / (columns - 1);
-  };
-  for (std::size_t i = 0; i < columns; ++i) {
-    outline.push_back({place(i), above[i]});
-  }
+  const auto swing =
+      static_cast<std::size_t>(std::lround(last_turn / width / static_cast<double>(turns)));
+  const FigurePoint& first = points.front();
+  const FigurePoint start = *std::prev(std::ranges::find_if(
+      points, [&](const FigurePoint& at) { return at.y != first.y; }));  // the last that is held
+  join_crests(above, start, width, swing, rests);
+  join_crests(below, {start.x, -start.y}, width, swing, rests);
+  std::vector<FigurePoint> outline{first};
+  outline.reserve(2 * columns + 4);
+  outline.insert(outline.end(), above.begin(), above.end());
+  outline.push_back({end, above.back().y});
+  outline.push_back({end, -below.back().y});
   for (std::size_t i = columns; i-- > 0;) {
-    outline.push_back({place(i), -below[i]});
+    outline.push_back({below[i].x, -below[i].y});
   }
+  outline.push_back(first);
   return outline;
 }
 
@@ -117,6 +139,28 @@ std::string words_of_rest(const DrawnMotion& motion, const FigureUnits& units) {
                 inside ? ", inside the notch," : "", units.time_words(motion.rest->tau));
 }
 
+bool is_long(const std::vector<State>& turns) {
+  return turns.size() > most_single_half_cycles;
+}
+
+/// The largest |x|.
+double reach(const std::vector<State>& states) {
+  const auto [least, most] = extent(states, &State::x);
+  return std::max(most, -least);
+}
+
+/// Another motion is cut off at so many times the peak or the limit.
+constexpr double farthest_shown = 1.4;
+
+/// Whether another motion is drawn; an envelope only if all of it is seen.
+bool is_drawn(const DrawnMotion& motion, const OtherMotion& other) {
+  constexpr double crossing = 3;  // times the peak: beyond that it would only cross the figure
+  return !other.if_comparable ||
+         reach(other.states) <=
+             std::max((is_long(other.turns) ? farthest_shown : crossing) * reach(motion.states),
+                      farthest_shown * motion.beta.value_or(0));
+}
+
 /// Up to the motion and the limit, and to the motion without friction if that is not much larger.
 figures::FigureAxis displacement_axis(const DrawnMotion& motion, const FigureUnits& units) {
   auto [least, most] = extent(motion.states, &State::x);
@@ -128,13 +172,15 @@ figures::FigureAxis displacement_axis(const DrawnMotion& motion, const FigureUni
     least = least < 0 ? std::min(least, -*motion.beta) : 0;
     most = most > 0 ? std::max(most, *motion.beta) : 0;
   }
-  constexpr double much = 1.4;
   constexpr double words = 0.08;  // room for the peak
   const double largest = std::max(most, -least);
   for (const OtherMotion& other : motion.others) {
+    if (!is_drawn(motion, other)) {
+      continue;
+    }
     for (const State& state : other.states) {
-      least = least < 0 ? std::min(least, std::max(state.x, -much * largest)) : 0;
-      most = most > 0 ? std::max(most, std::min(state.x, much * largest)) : 0;
+      least = least < 0 ? std::min(least, std::max(state.x, -farthest_shown * largest)) : 0;
+      most = most > 0 ? std::max(most, std::min(state.x, farthest_shown * largest)) : 0;
     }
   }
   const double room = words * (most - least);
@@ -145,13 +191,26 @@ figures::FigureAxis displacement_axis(const DrawnMotion& motion, const FigureUni
 /// "without friction, beyond the frame to -158 mm", if the frame cuts it off.
 std::string name_of(const OtherMotion& other, const figures::FigureAxis& axis,
                     const FigureUnits& units) {
+  const std::string name = other.name + (is_long(other.turns) ? " (envelope)" : "");
   const auto [least, most] = extent(other.states, &State::x);
   const bool below = least * units.length < axis.least;
   const bool above = most * units.length > axis.most;
   return below || above
-             ? format("{}, beyond the frame to {}", other.name,
+             ? format("{}, beyond the frame to {}", name,
                       units.place_words(above && (!below || most > -least) ? most : least))
-             : other.name;
+             : name;
+}
+
+/// Of one with too many half-cycles to be told apart the lines through its crests.
+template <class Place>
+std::vector<std::vector<FigurePoint>> strokes_of(const OtherMotion& other, const Place& place) {
+  std::vector<FigurePoint> points = places(other.states, place);
+  if (!is_long(other.turns)) {
+    return {std::move(points)};
+  }
+  const auto outline = envelope(points, other.turns.size(), place(other.turns.back()).x, false);
+  const auto lower = outline.begin() + static_cast<std::ptrdiff_t>(outline.size() / 2);
+  return {{outline.begin(), lower}, {lower, outline.end()}};
 }
 
 void add_limits(Figure& figure, const DrawnMotion& motion, const FigureUnits& units) {
@@ -226,7 +285,7 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   const auto place = [&](const State& state) {
     return FigurePoint{state.tau * units.time, state.x * units.length};
   };
-  const bool long_one = motion.turns.size() > most_single_half_cycles;
+  const bool long_one = is_long(motion.turns);
   const State& peak = farthest(motion);
   const std::string peak_words = "peak " + units.length_words(std::abs(peak.x));
   const std::string rest_words = words_of_rest(motion, units);
@@ -255,25 +314,32 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   if (motion.beta) {
     add_limits(figure, motion, units);
   }
+  std::string beyond;
+  for (const OtherMotion& other : motion.others) {
+    if (!is_drawn(motion, other)) {
+      beyond = format("; {} it would reach {}, beyond this figure", other.name,
+                      units.length_words(reach(other.states)));
+      continue;
+    }
+    figure.curves.push_back({.name = name_of(other, figure.y, units),
+                             .strokes = strokes_of(other, place),
+                             .ink = other.ink,
+                             .dash = other.dash,
+                             .hover = false});
+  }
   if (long_one) {
     auto outline = envelope(places(motion.states, place), motion.turns.size(),
                             place(motion.turns.back()).x, motion.rest.has_value());
     figure.curves.push_back({"envelope", {outline}, Ink::blue});
-    figure.areas.push_back({"", std::move(outline), Ink::blue});
-    figure.caption.back() = ',';
-    figure.caption += " swinging within the shaded envelope.";
+    figure.areas.push_back(
+        {.name = "", .outline = std::move(outline), .ink = Ink::blue, .told = "envelope"});
+    beyond = ", swinging within the shaded envelope" + beyond;
     figure.marks.push_back(
         {"peak", {place(peak)}, figures::Shape::disc, Ink::blue, figures::Fill::hollow});
   } else {
-    for (const OtherMotion& other : motion.others) {
-      figure.curves.push_back({.name = name_of(other, figure.y, units),
-                               .strokes = {places(other.states, place)},
-                               .ink = other.ink,
-                               .dash = other.dash,
-                               .hover = false});
-    }
     figure.curves.push_back({"x", {places(motion.states, place)}, Ink::blue});
   }
+  figure.caption.insert(figure.caption.size() - 1, beyond);
   mark_events(figure, motion, place, long_one ? 0 : motion.shown_to);
   if (long_one && motion.rest) {
     figure.marks.push_back({"rest", {place(*motion.rest)}, figures::Shape::square, Ink::green});

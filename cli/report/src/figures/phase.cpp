@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace stillpoint::report {
@@ -25,6 +26,16 @@ bool is_at_edge(const Surface& surface, double x) {
          std::ranges::find(surface.zones, std::abs(x), &FrictionZone::to) != surface.zones.end();
 }
 
+/// From the turn before the farthest one to the turn after it, up to the last that is drawn.
+Interval widest_loop(const DrawnMotion& motion, double last) {
+  const auto end = std::ranges::find(motion.turns, last, &State::tau);
+  const auto farthest = std::max_element(
+      motion.turns.begin(), end,
+      [](const State& one, const State& other) { return std::abs(one.x) < std::abs(other.x); });
+  return {farthest == motion.turns.begin() ? 0 : std::prev(farthest)->tau,
+          std::min(std::next(farthest)->tau, last)};
+}
+
 }  // namespace
 
 Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
@@ -39,17 +50,31 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
   const auto [x_least, x_most] = extent(states, &State::x);
   const auto [v_least, v_most] = extent(states, &State::v);
   FigureCurve arcs{
-      .name = "motion", .strokes = {{}}, .ink = Ink::blue, .smooth = true, .directed = !long_one};
+      .name = "motion", .strokes = {}, .ink = Ink::blue, .smooth = true, .directed = !long_one};
+  FigureCurve loop = arcs;  // that shows the direction of them all
+  loop.name = "widest turn";
+  loop.ink = Ink::purple;
+  loop.directed = true;
   FigureCurve jumps{"jump at x = 0", {}, Ink::orange, Dash::dotted, false};
+  const Interval widest = long_one ? widest_loop(motion, last) : Interval{0, 0};
+  FigureCurve* curve = nullptr;
   const State* before = nullptr;
   for (const State& state : states) {
-    if (before != nullptr && before->tau == state.tau && before->v != state.v) {
+    const bool jumped = before != nullptr && before->tau == state.tau && before->v != state.v;
+    if (jumped) {
       jumps.strokes.push_back({place(*before), place(state)});
-      arcs.strokes.emplace_back();
     }
-    arcs.strokes.back().push_back(place(state));
+    FigureCurve* const next = widest.low <= state.tau && state.tau < widest.high ? &loop : &arcs;
+    if (next != curve || jumped) {
+      if (curve != nullptr && !jumped) {
+        curve->strokes.back().push_back(place(state));
+      }
+      next->strokes.emplace_back();
+      curve = next;
+    }
+    curve->strokes.back().push_back(place(state));
     if (is_at_edge(motion.surface, state.x)) {
-      arcs.strokes.push_back({place(state)});  // a kink: the friction changes
+      curve->strokes.push_back({place(state)});  // a kink: the friction changes
     }
     before = &state;
   }
@@ -66,6 +91,9 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
       plural(static_cast<double>(jumps.strokes.size()), "jump"));
   add_zones(figure, motion, units.length, Along::y);
   figure.curves = {std::move(arcs)};
+  if (!loop.strokes.empty()) {
+    figure.curves.push_back(std::move(loop));
+  }
   if (!jumps.strokes.empty()) {
     figure.caption = "At x = 0 the velocity jumps because the notch takes energy.";
     figure.curves.push_back(std::move(jumps));

@@ -94,46 +94,33 @@ void add_cells(figures::FigureMap& drawn, const design::SuiteMap& map, const Sho
   }
 }
 
-/// Of the cells of each shade, the value in the middle; 0 without cells.
-std::array<double, shades.size()> middle_values(const figures::FigureMap& drawn,
-                                                const design::SuiteMap& map,
-                                                const design::RecordDesignRequest& task) {
-  std::array<std::vector<double>, shades.size()> values;
+/// Of each cell.
+std::vector<double> values_of(const design::SuiteMap& map,
+                              const design::RecordDesignRequest& task) {
+  std::vector<double> values;
   for (std::size_t row = 0; row < map.delta.size(); ++row) {
     for (std::size_t column = 0; column < map.f.size(); ++column) {
-      const std::size_t shade = drawn.cells[row * map.f.size() + column];
-      if (shade < shades.size()) {
-        values.at(shade).push_back(
-            value_of(map.figures[column * map.delta.size() + row], task.objective));
-      }
+      values.push_back(value_of(map.figures[column * map.delta.size() + row], task.objective));
     }
   }
-  std::array<double, shades.size()> middles{};
-  for (std::size_t i = 0; i < shades.size(); ++i) {
-    if (std::vector<double>& all = values.at(i); !all.empty()) {
-      const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-      std::nth_element(all.begin(), middle, all.end());
-      middles.at(i) = *middle;
-    }
-  }
-  return middles;
+  return values;
 }
 
 void add_shades(figures::FigureMap& drawn, const design::SuiteMap& map, const ShownValues& shown,
                 const design::RecordDesignRequest& task, const FigureUnits& units) {
   const auto words = [&](double value) { return objective_words(task, value, units); };
   const auto& [least, most] = shown;
-  const auto middles = middle_values(drawn, map, task);
   for (std::size_t i = 0; i < shades.size(); ++i) {
     drawn.palette.emplace_back(shades.at(i));
     const double from = least + shade_width(shown) * static_cast<double>(i);
-    drawn.labels.push_back(least < most ? "≈ " + words(middles.at(i)) : "");
+    drawn.labels.emplace_back();
     drawn.names.push_back(least < most
                               ? format("{} to {}", words(from), words(from + shade_width(shown)))
                           : least == most && i == 0 ? words(least)
                                                     : "");
   }
   if (least < most) {
+    label_values(drawn, {0, shades.size()}, values_of(map, task), words);
     drawn.key.push_back({"from " + words(least), shades.front()});
     drawn.key.push_back({"to " + words(most), shades.back()});
   } else if (least == most) {

@@ -131,7 +131,7 @@ void shade(figures::FigureMap& drawn, const sweep::SweepMap& map, const ShadedCl
   const std::size_t first = drawn.palette.size();
   for (std::size_t i = 0; i < peak_shades; ++i) {
     drawn.palette.push_back(shade_of(by.shades, i));
-    drawn.labels.push_back("≈ " + words(bounds[2 * i + 1]));
+    drawn.labels.emplace_back();
     drawn.names.push_back(format("{}, peak {} to {}", drawn.names[by.index], words(bounds[2 * i]),
                                  words(bounds[2 * i + 2])));
   }
@@ -140,6 +140,7 @@ void shade(figures::FigureMap& drawn, const sweep::SweepMap& map, const ShadedCl
       drawn.cells[i] = static_cast<std::uint8_t>(first + class_of(map.peaks()[i], bounds) / 2);
     }
   }
+  label_values(drawn, {first, drawn.palette.size()}, map.peaks(), words);
   drawn.key.push_back({format("{}, peak from {}", by.word, words(bounds.front())),
                        shade_of(by.shades, 0), crossed, crossed});
   drawn.key.push_back({format("{}, to {}", by.word, words(bounds.back())),
@@ -160,14 +161,16 @@ FigureAxis figure_axis(const std::string& label, const MapAxis& swept, double un
 std::string caption(const ClassCounts& counts, const std::string& place) {
   const bool centred = any_rests(counts, 0);
   const bool off = any_rests(counts, SweepClass::ranges);
-  const std::string words =
-      centred && off
-          ? format("The mass stops {} in blue areas and off centre in hatched ones", place)
-      : centred ? format("The mass stops {} in every blue area", place)
-      : off     ? "The mass stops off centre in every hatched area"
-                : "";
+  const bool locks = counts.at(SweepClass::locked) > 0;
+  const std::string words = centred && off
+                                ? format("The mass stops {} in blue areas and off centre in {}",
+                                         place, locks ? "those hatched one way" : "hatched ones")
+                            : centred ? format("The mass stops {} in every blue area", place)
+                            : off     ? format("The mass stops off centre in every {}",
+                                           locks ? "area hatched one way" : "hatched area")
+                                      : "";
   std::string text = words.empty() ? "" : words + "; the darker, the fewer half-cycles it takes";
-  if (counts.at(SweepClass::locked) > 0) {
+  if (locks) {
     text += format("{} the hatching is crossed, the notch holds the mass while the load goes on",
                    text.empty() ? "Where" : "; where");
   }

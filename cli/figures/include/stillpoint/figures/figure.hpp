@@ -3,6 +3,7 @@
 
 // A figure as data. It is described once, here, and drawn once, by figure_svg.cpp.
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -44,7 +45,8 @@ struct FigureArea {
   std::vector<FigurePoint> outline;
   Ink ink{Ink::blue};
   AreaLook look{AreaLook::filled};
-  bool again{false};  ///< named if there is room, though another area has its name
+  bool again{false};   ///< named if there is room, though another area has its name
+  std::string told{};  ///< under the pointer; empty: its name
 };
 
 /// A shaded span of the horizontal axis, named like an area.
@@ -82,6 +84,12 @@ struct MapKey {
   bool crossed{false};  ///< hatched the other way too
 };
 
+/// Words for some cells of a map, in ascending order, written among them if there is room.
+struct MapLabel {
+  std::string text;
+  std::vector<std::size_t> cells;
+};
+
 /// The colours of a grid of cells that fills the axes; row 0 is the lowest. All cells have the same
 /// size in the scales of the axes.
 struct FigureMap {
@@ -94,6 +102,7 @@ struct FigureMap {
   std::vector<std::string> names;   ///< of each entry, under the pointer
   std::vector<std::string> labels;  ///< of each entry, written in its largest areas; or empty
   std::vector<MapKey> key;
+  std::vector<MapLabel> values{};  ///< of single areas
 };
 
 enum class Scale { linear, logarithmic };
@@ -113,8 +122,9 @@ struct FigureAxis {
 
 /// Round values within the axis, about as many as wanted: 3 to 8 if 6 are wanted.
 [[nodiscard]] std::vector<double> ticks(const FigureAxis& axis, int wanted = 6);
-/// With as many digits as are needed to tell them apart.
-[[nodiscard]] std::vector<std::string> tick_labels(const std::vector<double>& ticks);
+/// With as many digits as are needed to tell them apart, if more than that.
+[[nodiscard]] std::vector<std::string> tick_labels(const std::vector<double>& ticks,
+                                                   int fewest = 6);
 
 /// An axis from the least to the largest value and slightly beyond; its length is never 0.
 [[nodiscard]] FigureAxis axis_around(std::string label, double least, double most);
