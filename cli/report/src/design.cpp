@@ -94,8 +94,8 @@ void add_motion(Document& document, const DesignReport& report, const Physical& 
   const auto heading = [&report](std::string_view title, const std::string& which) {
     return format("{}{}{}{}", title, which.empty() ? "" : ": ", which, with_ideal(report));
   };
-  Section& motion = document.detail(heading(finding.pulse ? "Under the pulse itself" : "Motion",
-                                            shown_words(report.result.request)));
+  Section& motion = document.detail(
+      heading(finding.pulse ? "Under the pulse itself" : "Motion", shown_words(task_of(report))));
   Response response = finding.response;
   if (!finding.pulse) {
     response.decision_margin = {};
@@ -105,11 +105,11 @@ void add_motion(Document& document, const DesignReport& report, const Physical& 
     add_margin(motion, report.result, physical);
   }
   const ToldPractice told =
-      told_practice(report.result.request, finding.practice, finding.point.f, finding.point.delta);
+      told_practice(task_of(report), finding.practice, finding.point.f, finding.point.delta);
   add_practice(document.detail(heading("In practice", told.which)), told, physical);
   if (const design::Problem& problem = report.result.request.problem; problem.arrivals > 1) {
     const auto& [f, delta, tolerance] = finding.point;
-    add_half_cycles(document.detail(heading("Half-cycles", shown_words(report.result.request))),
+    add_half_cycles(document.detail(heading("Half-cycles", shown_words(task_of(report)))),
                     first_half_cycles({problem.p, f, delta}, {0, problem.v0}, most_half_cycles),
                     response.half_cycles, "lists all impulses", physical);
   }
@@ -195,7 +195,7 @@ Document document(const DesignReport& report) {
   add_task(document, result.request, physical);
   add_damper(document.detail("Damper" + with_ideal(report)), finding.point,
              stops_by_delta1(finding.constraints) ? delta_needs(result) : DeltaNeeds(),
-             told_practice(result.request, finding.practice, finding.point.f, finding.point.delta),
+             told_practice(task_of(report), finding.practice, finding.point.f, finding.point.delta),
              physical);
   Section& constraints =
       add_constraints(document, finding.constraints, limits, finding.response, physical);

@@ -88,8 +88,10 @@ void add_worst(Section& answer, const DesignReport& report, const Physical& phys
       format(
           "all of this holds for every pulse{} of the ranges{}", springs ? " and spring" : "",
           springs || lengths ? "; durations and periods between those tried are estimated" : ""));
-  answer.row(
-      "", format("the motion shown has the largest peak, with {}", shown_motion(report, physical)));
+  if (!report.built_notch) {
+    answer.row("", format("the motion shown has the largest peak, with {}",
+                          shown_motion(report, physical)));
+  }
 }
 
 /// Under a pulse, where only the tolerance asks for a strong notch. A part has the one that it has.
@@ -214,11 +216,8 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
              Tone::heading);
   add_brake(answer, physical, f);
   const auto built = felt_in_built_notch(report);
-  const std::string extreme = shown_words(result.request);
-  const std::string of_which = extreme.empty() ? ", with f and delta as given"
-                               : pulse         ? ", under the pulse shown"
-                                               : format(" ({})", extreme);
   ToldMotion told{told_motion(report)};
+  told.tried = tried_in_built_notch(report, physical);
   told.admissible = !report.built_notch;
   if (!report.built_notch) {
     told.arrival = finding.arrival;
@@ -226,35 +225,36 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   }
   add_motion(
       answer, task_of(report), told,
-      built ? *built + of_which
+      built ? *built
             : felt(task_of(report), finding.point,
                    {finding.response, finding.arrival, pulse ? finding.pulse->worst : std::nullopt},
-                   told_practice(result.request, finding.practice, f, delta),
-                   pulse && delta > 0 ? inside_example(report, physical) : ""));
+                   told_practice(task_of(report), finding.practice, f, delta),
+                   inside_example(report, physical)));
   if (!pulse && !problem.v0_low && !problem.p_high && !finding.arrival && !report.built_notch &&
       delta > 0 && finding.response.zero_passages == 0.0) {
     answer.row("note", "the mass never comes back to the notch: delta has no effect on this hit");
   }
-  if (pulse && !report.built_notch) {
+  if (pulse && !report.built_notch && !no_notch_works(report)) {
     add_start(answer, start_under_pulse(result), "delta/(k - f)", failing, physical);
   }
   const bool of_ranges = pulse && finding.pulse->worst;
   if (of_ranges && !report.built_notch) {
     add_worst(answer, report, physical);
-  } else if (!pulse && built && problem.p_high) {  // the motion shown is that of the softest spring
-    const double stiffest = std::hypot(f, *problem.p_high * problem.v0);
-    answer.row("", format("{} outside it with the stiffest spring", acceleration_shown(stiffest)));
   }
   if (report.built_notch) {
     if (const auto& strip = report.built_notch->from_start) {
-      answer.row("way out", format("free: v0 is the speed with which the mass leaves the notch; if "
-                                   "that acts on the way out too, peak {}, rest at x = {}, {}",
+      const std::string extreme = shown_words(task_of(report));
+      answer.row("way out", format("if the notch acts: peak {}, rest {}, {}{}",
                                    length_shown(physical, strip->peak_amplitude),
                                    rest_shown(report, strip->stop_position.value_or(0)),
-                                   acceleration_shown(strip->peak_absolute_acceleration)));
+                                   acceleration_shown(strip->peak_absolute_acceleration),
+                                   extreme.empty() ? "" : format(" ({})", extreme)));
     }
-    answer.row("note", format("what follows is for a notch that {}",
-                              ideal_words(*report.built_notch, finding)));
+    const std::string_view ideal = ideal_words(*report.built_notch, finding);
+    answer.row("note",
+               report.built_notch->changes_nothing
+                   ? format("the mass moves as with a notch that {}: nothing changes", ideal)
+                   : format("what follows is for a notch that {}", ideal));
     if (of_ranges) {
       add_worst(answer, report, physical);
     }

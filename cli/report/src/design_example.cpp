@@ -3,45 +3,71 @@
 #include "design_parts.hpp"
 #include "format.hpp"
 
+#include <stillpoint/report/digits.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace stillpoint::report {
 
 namespace {
 
-/// Under a pulse from those that hold the mass to those that it would not leave.
+/// A width that keeps the limit of the acceleration inside it, as it is printed, if one is known.
+std::optional<double> limiting_width(const DesignReport& report) {
+  const design::Finding& finding = *report.result.finding;
+  const auto lines =
+      told_practice(task_of(report), finding.practice, finding.point.f, finding.point.delta).lines;
+  return lines && lines->notch_width_min
+             ? std::optional(limit_of_digits(report.physical, *lines->notch_width_min))
+             : std::nullopt;
+}
+
+/// Under a pulse from those that hold the mass to those that it would not leave, and from those
+/// that keep the limit.
 std::vector<double> widths_to_try(const DesignReport& report) {
   const design::DesignResult& result = report.result;
   const double peak = result.finding->response.peak_amplitude;
   if (result.finding->point.delta == 0) {
     return {};
   }
+  const auto limiting = limiting_width(report);
   if (!result.request.pulse) {
-    return {example_width(report.physical, peak)};
+    return {limiting ? *limiting : example_width(report.physical, peak)};
   }
   constexpr int count = 12;
-  const double least = start_under_pulse(result).width();
   std::vector<double> widths;
-  for (int i = 1; i <= count && least < 2 * peak; ++i) {
-    const double width = least * std::pow(2 * peak / least, i / (count + 1.0));
-    widths.push_back(of_two_digits(report.physical, width));
+  const auto add_from = [&](double least) {
+    for (int i = 1; i <= count && least < 2 * peak; ++i) {
+      const double width = least * std::pow(2 * peak / least, i / (count + 1.0));
+      widths.push_back(of_two_digits(report.physical, width));
+    }
+  };
+  add_from(start_under_pulse(result).width());
+  if (limiting) {
+    add_from(*limiting);
   }
   return widths;
 }
 
-/// Accelerations apart: those of a design are those outside the notch.
+/// Those of a design are outside the notch, unless its width is said to keep the limit inside too.
 std::string example_fault(const design::BuiltNotch& example, const DesignReport& report) {
   design::DesignRequest promised = report.result.request;
-  promised.limits.acceleration_max.reset();
+  if (promised.pulse || !limiting_width(report)) {
+    promised.limits.acceleration_max.reset();
+  }
   return notch_fault(example, promised, report.physical);
+}
+
+bool exceeds_limit(const design::BuiltNotch& example, const DesignReport& report) {
+  const auto& limit = report.result.request.limits.acceleration_max;
+  return limit && most_felt(example) > *limit * for_rounding;
 }
 
 /// After the motion shown, or the farthest of ranges.
 double rest_of(const design::BuiltNotch& notch) {
-  return std::abs(notch.farthest ? notch.farthest->rest : *notch.response.stop_position);
+  return std::abs(notch.worst ? notch.worst->farthest.rest() : *notch.response.stop_position);
 }
 
 /// Of the peak; infinite if it does not move, or not stop.
@@ -52,7 +78,25 @@ double off_centre(const design::BuiltNotch& notch) {
              : HUGE_VAL;
 }
 
+std::string none_works(const DesignReport& report) {
+  return no_notch_words(start_under_pulse(report.result),
+                        report.result.finding->response.peak_amplitude, "", "this pulse",
+                        report.physical);
+}
+
 }  // namespace
+
+bool no_notch_works(const DesignReport& report) {
+  const auto& finding = report.result.finding;
+  return finding && finding->point.delta > 0 && !none_works(report).empty();
+}
+
+double limit_of_digits(const Physical& physical, double length) {
+  constexpr int with_a_unit = 5;
+  constexpr int plain = 6;
+  const double unit = physical ? physical->scales.length_m : 1;
+  return std::stod(limit_digits(length * unit, true, physical ? with_a_unit : plain)) / unit;
+}
 
 double of_two_digits(const Physical& physical, double length) {
   const double unit = physical ? physical->scales.length_m : 1;
@@ -68,7 +112,8 @@ StartUnderLoad start_under_pulse(const design::DesignResult& result) {
 std::optional<design::BuiltNotch> example_notch(const DesignReport& report) {
   const design::DesignResult& result = report.result;
   const auto badness = [&](const design::BuiltNotch& notch) {
-    return std::pair(!example_fault(notch, report).empty(), off_centre(notch));
+    return std::tuple(!example_fault(notch, report).empty(), exceeds_limit(notch, report),
+                      off_centre(notch));
   };
   std::optional<design::BuiltNotch> best;
   for (const double width : widths_to_try(report)) {
@@ -92,13 +137,10 @@ std::string notch_sentence(const DesignReport& report) {
     const std::string fault = built_notch_fault(report, physical);
     return fault.empty() ? "" : "with this notch " + fault;
   }
-  const double peak = result.finding->response.peak_amplitude;
   if (!result.request.pulse || result.finding->point.delta == 0) {
     return {};
   }
-  if (std::string none =
-          no_notch_words(start_under_pulse(result), peak, "", "this pulse", physical);
-      !none.empty()) {
+  if (std::string none = none_works(report); !none.empty()) {
     return none;
   }
   if (!report.example || example_fault(*report.example, report).empty()) {
@@ -107,7 +149,7 @@ std::string notch_sentence(const DesignReport& report) {
   const ForcedResponse& best = report.example->response;
   const double width = *report.example->shape.width;
   return "no notch width that was tried brings the mass back to x = 0: " +
-         (best.stop_position && best.peak_amplitude > width / 2 && !report.example->farthest
+         (best.stop_position && best.peak_amplitude > width / 2 && !report.example->worst
               ? format("the nearest, {} wide, leaves it {} off centre after a stroke of {}",
                        length_shown(physical, width),
                        length_shown(physical, std::abs(*best.stop_position)),
@@ -116,34 +158,57 @@ std::string notch_sentence(const DesignReport& report) {
                        example_fault(*report.example, report)));
 }
 
-std::string example_words(const DesignReport& report, const Physical& physical) {
+std::string example_words(const DesignReport& report, const Physical& physical,
+                          std::string_view command) {
   if (!report.example) {
     return {};
   }
   const double width = *report.example->shape.width;
   const std::string fault = example_fault(*report.example, report);
   if (!report.result.request.pulse) {
-    return fault.empty() ? "" : example_sentence("with next to no width", width, fault, physical);
+    return fault.empty() ? ""
+                         : format(
+                               " That is for a notch with next to no width: with one {} wide, "
+                               "{}. Try others with {}--notch-width{}.",
+                               length_shown(physical, width), fault, command, physical ? "-m" : "");
   }
   return fault.empty()
              ? format(
                    " That is for a notch that {}: one {} wide acts from the start, and leaves the "
                    "mass {}{} off centre after a stroke of {}.",
-                   acts_late, length_shown(physical, width),
-                   report.example->farthest ? "up to " : "",
+                   acts_late, length_shown(physical, width), report.example->worst ? "up to " : "",
                    length_shown(physical, rest_of(*report.example)),
                    length_shown(physical, report.example->response.peak_amplitude))
              : "";
 }
 
 std::string inside_example(const DesignReport& report, const Physical& physical) {
-  return report.example
-             ? format("{} with one {} wide{}",
-                      acceleration_shown(report.example->response.peak_absolute_acceleration),
-                      length_shown(physical, *report.example->shape.width),
-                      report.result.finding->pulse->worst ? " under the pulse shown" : "")
-             : format("{} if it holds the mass",
-                      acceleration_shown(design::peak_load(*report.result.request.pulse)));
+  const auto& [problem, limits, search, pulse, ranges] = report.result.request;
+  const auto& finding = report.result.finding;
+  if (!finding || finding->point.delta == 0 || (!pulse && !report.example)) {
+    return {};
+  }
+  if (!report.example) {
+    return acceleration_shown(design::peak_load(*pulse)) + " if it holds the mass";
+  }
+  const std::string up_to = report.example->worst ? "up to " : "";
+  const std::string wide = length_shown(physical, *report.example->shape.width) + " wide";
+  const bool exceeds = exceeds_limit(*report.example, report);
+  const std::string most = acceleration_shown(most_felt(*report.example));
+  if (pulse) {
+    return format("{}{} with one {}{}", up_to, most, wide, exceeds ? ", more than the limit" : "");
+  }
+  if (!limiting_width(report)) {
+    return {};
+  }
+  const std::string leaves = example_fault(*report.example, report).empty()
+                                 ? format(", which leaves it {}{} off centre", up_to,
+                                          length_shown(physical, rest_of(*report.example)))
+                                 : "";
+  return format("{} at most inside one {}{}, with {} as given{}",
+                exceeds ? most : acceleration_shown(*limits.acceleration_max),
+                problem.has_caught_hits(finding->point.delta) || exceeds ? "" : "at least ", wide,
+                problem.v0_low ? "f and delta" : "f, delta and the hit", leaves);
 }
 
 }  // namespace stillpoint::report

@@ -13,32 +13,62 @@ namespace {
 
 constexpr double centred = 0.1;  // of the peak, without a residual
 
-/// "a hit of 0.35 m/s", or "a pulse of 0.25 g and 300 ms" of ranges.
-std::string cause_words(const design::RestAfter& now, const design::DesignRequest& request,
+/// "hit of 0.35 m/s", or "pulse of 0.25 g and 300 ms" of ranges.
+std::string cause_words(const design::TriedMotion& now, const design::DesignRequest& request,
                         const Physical& physical) {
   if (!now.pulse) {
-    return "a hit of " + FigureUnits(physical).velocity_words(now.v0);
+    return "hit of " + FigureUnits(physical).velocity_words(now.v0);
   }
   return format(
-      "a pulse of {:.4g} g{}", design::peak_load(*now.pulse),
+      "pulse of {:.4g} g{}", design::peak_load(*now.pulse),
       request.pulse_ranges.lambda_high
           ? " and " + time_shown(physical, duration(design::excitation(*now.pulse)).value())
           : "");
 }
 
+/// " after a hit of 0.35 m/s, with a period of 2.8 s".
+std::string after_words(const design::TriedMotion& now, const design::DesignRequest& request,
+                        const Physical& physical) {
+  return format(" after a {}{}", cause_words(now, request, physical),
+                request.problem.p_high ? ", with " + period_words(physical, now.p) : "");
+}
+
+/// " (weakest hit, stiffest spring)": which motion of the ranges it is, shortly.
+std::string which_words(const design::TriedMotion& now, const design::DesignRequest& request,
+                        const Physical& physical) {
+  const auto& [problem, limits, search, pulse, ranges] = request;
+  std::string words;
+  if (pulse ? ranges.k_low || ranges.lambda_high : problem.v0_low.has_value()) {
+    words = pulse                       ? cause_words(now, request, physical)
+            : now.v0 == problem.v0      ? "strongest hit"
+            : now.v0 == *problem.v0_low ? "weakest hit"
+                                        : cause_words(now, request, physical);
+  }
+  if (problem.p_high) {
+    words += words.empty() ? "" : ", ";
+    words += now.p == problem.p         ? "softest spring"
+             : now.p == *problem.p_high ? "stiffest spring"
+                                        : period_words(physical, now.p);
+  }
+  return format(" ({})", words);
+}
+
 /// Of ranges: the worst of them.
 std::string far_rest(const design::BuiltNotch& built, const design::DesignRequest& request,
                      const Physical& physical) {
-  const auto& farthest = built.farthest;
   const double allowed = request.problem.residual.value_or(centred * built.response.peak_amplitude);
-  return farthest && std::abs(farthest->rest) > allowed * for_rounding
-             ? format("the mass rests {} off centre after {}",
-                      length_shown(physical, std::abs(farthest->rest)),
-                      cause_words(*farthest, request, physical))
+  const double farthest = built.worst ? std::abs(built.worst->farthest.rest()) : 0;
+  return farthest > allowed * for_rounding
+             ? format("the mass rests {} off centre{}", length_shown(physical, farthest),
+                      after_words(built.worst->farthest, request, physical))
              : "";
 }
 
 }  // namespace
+
+double most_felt(const design::BuiltNotch& built) {
+  return (built.worst ? built.worst->felt.response : built.response).peak_absolute_acceleration;
+}
 
 std::string notch_fault(const design::BuiltNotch& built, const design::DesignRequest& request,
                         const Physical& physical) {
@@ -60,8 +90,13 @@ std::string notch_fault(const design::BuiltNotch& built, const design::DesignReq
                 ? format(" and stops at x = {}", length_shown(physical, *response.stop_position))
                 : "");
   }
-  if (peak > problem.beta * for_rounding) {
-    return format("the peak exceeds {}", length_shown(physical, problem.beta));
+  const auto after = [&](design::TriedMotion design::WorstMotions::*of) {
+    return built.worst ? after_words(*built.worst.*of, request, physical) : "";
+  };
+  const double largest = built.worst ? built.worst->peak.response.peak_amplitude : peak;
+  if (largest > problem.beta * for_rounding) {
+    return format("the peak exceeds {}{}", length_shown(physical, problem.beta),
+                  after(&design::WorstMotions::peak));
   }
   if (std::string far = far_rest(built, request, physical); !far.empty()) {
     return far;
@@ -72,10 +107,9 @@ std::string notch_fault(const design::BuiltNotch& built, const design::DesignReq
   if (!kept) {
     return "the mass " + outcome_phrase(response);
   }
-  if (limits.acceleration_max &&
-      response.peak_absolute_acceleration > *limits.acceleration_max * for_rounding) {
-    return format("the structure feels {} inside it, more than the limit of {}",
-                  acceleration_shown(response.peak_absolute_acceleration),
+  if (limits.acceleration_max && most_felt(built) > *limits.acceleration_max * for_rounding) {
+    return format("the structure feels {} inside it{}, more than the limit of {}",
+                  acceleration_shown(most_felt(built)), after(&design::WorstMotions::felt),
                   acceleration_shown(*limits.acceleration_max));
   }
   // A notch of the example width, at most a fifth of the peak, cannot do that.
@@ -95,24 +129,49 @@ const Response& told_motion(const DesignReport& report) {
   return report.built_notch ? report.built_notch->response : report.result.finding->response;
 }
 
+std::optional<ToldMotion::Tried> tried_in_built_notch(const DesignReport& report,
+                                                      const Physical& physical) {
+  if (!report.built_notch || !report.built_notch->worst) {
+    return std::nullopt;
+  }
+  const design::WorstMotions& worst = *report.built_notch->worst;
+  const design::DesignRequest& request = report.result.request;
+  const std::string rest = rest_shown(report, std::abs(worst.farthest.rest()));
+  return ToldMotion::Tried{worst.peak.response.peak_amplitude,
+                           which_words(worst.peak, request, physical),
+                           rest == "0" ? "at x = 0 in every motion that was tried"
+                                       : format("at most {} off centre{}", rest,
+                                                which_words(worst.farthest, request, physical))};
+}
+
 std::optional<std::string> felt_in_built_notch(const DesignReport& report) {
   if (!report.built_notch) {
     return std::nullopt;
   }
-  const design::NotchShape& shape = report.built_notch->shape;
-  const ForcedResponse& built = report.built_notch->response;
-  const std::string most = acceleration_shown(built.peak_absolute_acceleration);
+  const auto& [shape, friction, built, same, strip, worst, holds] = *report.built_notch;
+  const design::DesignRequest& request = report.result.request;
+  const std::string most = acceleration_shown(most_felt(*report.built_notch));
   if (built.half_cycles == 0) {
     return most + ", all of the load";
   }
   const design::Finding& finding = *report.result.finding;
-  const double p = finding.pulse ? finding.pulse->p : report.result.request.problem.p;
-  const auto outside = felt_outside(built, p, finding.point.f, shape.width);
-  return outside         ? format("{} {}, {} outside it", most,
-                          shape.width ? "inside the notch" : "while the notch holds it",
-                                  acceleration_shown(*outside))
-         : shape.width   ? std::optional(most)
-         : finding.pulse ? std::optional(most + " outside the notch")
+  const auto which = [&](const design::TriedMotion& now) {
+    return which_words(now, request, report.physical);
+  };
+  const std::string of_most = worst ? which(worst->felt) : ", with f and delta as given";
+  const double p = worst ? worst->outside.p : finding.pulse ? finding.pulse->p : request.problem.p;
+  const Response& slides = worst ? worst->outside.response : built;
+  const double outside = finding.point.f + p * slides.peak_amplitude * p;
+  const bool leaves = shape.width.value_or(0) / 2 < slides.peak_amplitude;
+  if (leaves && most_felt(*report.built_notch) > for_rounding * outside) {
+    const std::string of_outside = worst ? which(worst->outside) : of_most;
+    return format("{} {}{}, {} outside it{}", most,
+                  shape.width ? "inside the notch" : "while the notch holds it",
+                  of_most == of_outside ? "" : of_most, acceleration_shown(outside), of_outside);
+  }
+  return shape.width ? std::optional(
+                           most + (leaves ? " outside the notch, no more inside it" : "") + of_most)
+         : finding.pulse ? std::optional(most + " outside the notch" + of_most)
                          : std::nullopt;
 }
 
@@ -136,7 +195,7 @@ std::string with_ideal(const DesignReport& report) {
 void add_built_notch(Document& document, const DesignReport& report, const Physical& physical) {
   const design::BuiltNotch& built = *report.built_notch;
   const design::Finding& finding = *report.result.finding;
-  Section& section = document.section("The notch as built");
+  Section& section = document.detail("The notch as built");
   if (built.shape.width) {
     section.row("width", length_shown(physical, *built.shape.width));
     section.row("friction inside", format("f + delta/width = {:.6g}", *built.friction));
@@ -144,17 +203,20 @@ void add_built_notch(Document& document, const DesignReport& report, const Physi
     section.row("holds",
                 format("f + hold = {:.4g} g at x = 0", finding.point.f + built.shape.hold.value()));
   }
-  if (const auto& farthest = built.farthest) {
+  if (built.from_start) {
+    section.row("way out",
+                "free: v0 is the speed with which the mass leaves the notch; the row of the answer "
+                "is for one that acts on the way out too");
+  }
+  if (built.worst) {
+    const design::TriedMotion& farthest = built.worst->farthest;
     section.row("farthest rest",
-                format("x = {} after {}, with {}", rest_shown(report, farthest->rest),
-                       cause_words(*farthest, report.result.request, physical),
-                       period_words(physical, farthest->p)));
+                format("x = {} after a {}, with {}", rest_shown(report, farthest.rest()),
+                       cause_words(farthest, report.result.request, physical),
+                       period_words(physical, farthest.p)));
   }
   const Response& ideal = finding.response;
-  if (built.changes_nothing) {
-    section.line(format("The mass moves as with a notch that {}: nothing changes.",
-                        ideal_words(built, finding)));
-  } else if (ideal.stop_time) {
+  if (!built.changes_nothing && ideal.stop_time) {
     section.row("compare",
                 format("with a notch that {} it rests at x = {} after {}",
                        ideal_words(built, finding), length_shown(physical, *ideal.stop_position),

@@ -39,7 +39,13 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
 
 /// The motion that the answer describes: with the notch that will be built, if that is given.
 [[nodiscard]] const Response& told_motion(const DesignReport& report);
-/// What the structure feels with a built notch that has a width or holds the mass throughout.
+/// With ranges and a built notch, in place of that.
+[[nodiscard]] std::optional<ToldMotion::Tried> tried_in_built_notch(const DesignReport& report,
+                                                                    const Physical& physical);
+/// In any motion that was tried.
+[[nodiscard]] double most_felt(const design::BuiltNotch& built);
+/// What the structure feels with a built notch that has a width or holds the mass throughout, and
+/// of which motion that is.
 [[nodiscard]] std::optional<std::string> felt_in_built_notch(const DesignReport& report);
 /// "the peak exceeds 150 mm": what the notch that was asked for spoils; empty if nothing.
 [[nodiscard]] std::string built_notch_fault(const DesignReport& report, const Physical& physical);
@@ -47,12 +53,18 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
 [[nodiscard]] std::string notch_fault(const design::BuiltNotch& built,
                                       const design::DesignRequest& request,
                                       const Physical& physical);
-/// If none was asked for, what the example does, in a sentence; empty if a hit needs none.
-[[nodiscard]] std::string example_words(const DesignReport& report, const Physical& physical);
-/// What the mass feels in a notch after the start from rest, likewise.
+/// If none was asked for, what the example does, in a sentence, and which command tries others;
+/// empty if a hit needs none.
+[[nodiscard]] std::string example_words(const DesignReport& report, const Physical& physical,
+                                        std::string_view command = "");
+/// What the mass feels in the example, under a pulse or if that has a limit; else empty.
 [[nodiscard]] std::string inside_example(const DesignReport& report, const Physical& physical);
+/// Rounded up as a limit is printed.
+[[nodiscard]] double limit_of_digits(const Physical& physical, double length);
 /// As it would be ordered: 29 mm.
 [[nodiscard]] double of_two_digits(const Physical& physical, double length);
+/// Under a pulse, as the sentence of the notch then says.
+[[nodiscard]] bool no_notch_works(const DesignReport& report);
 /// From rest under the weakest pulse.
 [[nodiscard]] StartUnderLoad start_under_pulse(const design::DesignResult& result);
 /// What a notch as built is compared with: "has no width", "holds any load", "acts only after the

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
+#include "design_parts.hpp"
 #include "format.hpp"
 #include "sections.hpp"
 
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <numeric>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -180,6 +182,37 @@ void add_strips(Document& document, const design::Problem& problem,
   }
 }
 
+/// An admissible damper as a design whose notch is tried; without a finding if it is not.
+DesignReport as_design(const RegionReport& report) {
+  const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
+  const design::RegionAnswer& answer = report.answer;
+  DesignReport design;
+  if (answer.admissible != true || !answer.practice || !answer.response) {
+    return design;
+  }
+  design.physical = report.physical;
+  design.result.request = {problem, limits, {}, pulse, ranges};
+  design::Finding& finding = design.result.finding.emplace();
+  finding.point = {*f, *delta, *answer.tolerance};
+  finding.response = *answer.response;
+  finding.practice = answer.practice;
+  if (answer.shown) {
+    finding.pulse.emplace();
+    std::tie(finding.pulse->pulse, finding.pulse->p) = *answer.shown;
+  }
+  design.example = example_notch(design);
+  return design;
+}
+
+/// What a notch with a width does to that damper, behind the judgement.
+std::string of_real_notch(const DesignReport& design) {
+  std::string words = notch_sentence(design);
+  if (!words.empty()) {
+    words = format(" N{}.", words.substr(1));
+  }
+  return words + example_words(design, design.physical, "simulate ");
+}
+
 }  // namespace
 
 Document document(const RegionReport& report) {
@@ -216,7 +249,7 @@ Document document(const RegionReport& report) {
     return document;
   }
   Section& section = document.section(format("At f = {:.9g}", *f));
-  const ToldPractice told = told_practice(report.request, answer.practice, *f, delta.value_or(0));
+  const ToldPractice told = told_practice(task_of(report), answer.practice, *f, delta.value_or(0));
   const bool by_delta1 = !delta || stops_by_delta1(answer.constraints);
   if (by_delta1 && !answer.delta1_exact) {
     section.row("Delta1(f)", "none: the motion does not return");
@@ -232,18 +265,24 @@ Document document(const RegionReport& report) {
     if (!locked.empty()) {
       locked = format(" L{}.", locked.substr(1));
     }
-    document.verdict = format("{}{} {}", judgement(report), locked, document.verdict);
-    document.tone = answer.admissible == true ? Tone::good : Tone::bad;
+    const DesignReport design = as_design(report);
+    const bool fails = !notch_sentence(design).empty();
+    const std::string real = of_real_notch(design);
+    document.verdict = format("{}{}{} {}", judgement(report), real, locked, document.verdict);
+    document.tone = answer.admissible != true || fails ? Tone::bad
+                    : pulse || real.empty()            ? Tone::good
+                                                       : Tone::plain;
     add_brake(document.answer, report.physical, *f, "note");
     if (const auto& response = answer.response; response && moves(*response)) {
       const ToldMotion motion{*response, answer.arrival, answer.worst,
                               answer.tolerance.has_value()};
       add_motion(document.answer, task_of(report), motion,
-                 felt(task_of(report), {*f, *delta, 0}, motion, told, ""));
+                 felt(task_of(report), {*f, *delta, 0}, motion, told,
+                      inside_example(design, report.physical)));
     }
-    if (pulse) {
+    if (pulse && !no_notch_works(design)) {
       add_start(document.answer, {*f, *delta, ranges.k_low.value_or(design::peak_load(*pulse))},
-                "delta/(k - f)", false, report.physical);
+                "delta/(k - f)", fails, report.physical);
     }
     add_works_for(document.answer, answer.works_for, task_of(report));
     add_weak_hits(document.answer, problem, *delta, report.physical);

@@ -195,6 +195,13 @@ std::string extreme_words(const design::Problem& problem, std::string_view sprin
                 problem.p_high ? format("{} spring", spring) : "");
 }
 
+std::string shown_words(const ShownTask& task) {
+  const auto& [problem, limits, pulse, ranges, physical] = task;
+  return !pulse ? extreme_words(problem, "softest")
+         : design::pulse_problem(problem, *pulse, ranges).has_ranges() ? "largest peak"
+                                                                       : "";
+}
+
 void add_limits(Section& section, const design::Limits& limits, const Physical& physical) {
   std::string limit;
   const auto add = [&](const std::string& text) { limit += (limit.empty() ? "" : ", ") + text; };

@@ -22,6 +22,22 @@
 
 namespace stillpoint::report {
 
+/// What a damper is asked for, and the units to say so in.
+struct ShownTask {
+  const design::Problem& problem;
+  const design::Limits& limits;
+  const std::optional<design::Pulse>& pulse;
+  const design::PulseRanges& ranges;
+  const Physical& physical;
+};
+[[nodiscard]] inline ShownTask task_of(const DesignReport& report) {
+  const design::DesignRequest& request = report.result.request;
+  return {request.problem, request.limits, request.pulse, request.pulse_ranges, report.physical};
+}
+[[nodiscard]] inline ShownTask task_of(const RegionReport& report) {
+  const design::RegionRequest& request = report.request;
+  return {request.problem, request.limits, request.pulse, request.pulse_ranges, report.physical};
+}
 /// With springs up to p times `stiffest`.
 void add_physical_input(Section& section, const design::PhysicalInput& physical,
                         double stiffest = 1);
@@ -56,10 +72,6 @@ void add_damper_physics(Section& section, const Physical& physical, double f, do
                                        double peak, double load = HUGE_VAL);
 /// Whether the kernel follows a motion through it.
 [[nodiscard]] bool can_be_followed(double width, double delta, double p);
-/// Which requirement a notch of that width violates, behind a headline for one that does not do
-/// what `without` says.
-[[nodiscard]] std::string example_sentence(std::string_view without, double width,
-                                           std::string_view fault, const Physical& physical);
 /// The paper's notch under a pulse, of which the motion starts in it.
 inline constexpr std::string_view acts_late = "acts only after the start";
 struct StartUnderLoad {
@@ -124,30 +136,17 @@ inline constexpr int usual_digits = 4;
 /// "strongest hit, softest spring", or stiffest: an end of the ranges; empty without ranges.
 [[nodiscard]] std::string extreme_words(const design::Problem& problem, std::string_view spring);
 /// Which motion of a task with ranges is shown, shortly; empty without ranges.
-template <class Request>
-[[nodiscard]] std::string shown_words(const Request& request) {
-  return !request.pulse ? extreme_words(request.problem, "softest")
-         : design::pulse_request(request).problem.has_ranges() ? "largest peak"
-                                                               : "";
-}
-/// Of a free motion with ranges the practice at their ends, else `own`; and of which motions.
+[[nodiscard]] std::string shown_words(const ShownTask& task);
+/// Of a free motion with ranges the practice at their ends, else `own`; and of which motions. The
+/// width of the notch is enough for all ranges.
 struct ToldPractice {
   std::optional<design::Practice> lines;
   std::string which;
   bool at_ends{false};  ///< each line is the worst of the ends
 };
-template <class Request>
-[[nodiscard]] ToldPractice told_practice(const Request& request,
+[[nodiscard]] ToldPractice told_practice(const ShownTask& task,
                                          const std::optional<design::Practice>& own, double f,
-                                         double delta) {
-  const design::Problem& problem = request.problem;
-  return !own || request.pulse || (!problem.p_high && problem.v0_low.value_or(0) == 0)
-             ? ToldPractice{own, shown_words(request)}
-             : ToldPractice{design::worst_practice(problem, request.limits, f, delta),
-                            problem.v0_low == 0.0 ? "strongest hit, worst end of the springs"
-                                                  : "worst end of the ranges",
-                            true};
-}
+                                         double delta);
 void add_practice(Section& section, const ToldPractice& told, const Physical& physical);
 /// How much of its notch the stop uses.
 void add_notch_used(Section& section, const ToldPractice& told, const Physical& physical);
@@ -204,22 +203,6 @@ struct Optimum {
 /// NLopt's status in words.
 [[nodiscard]] std::string status_words(std::string_view status);
 
-/// What a damper is asked for, and the units to say so in.
-struct ShownTask {
-  const design::Problem& problem;
-  const design::Limits& limits;
-  const std::optional<design::Pulse>& pulse;
-  const design::PulseRanges& ranges;
-  const Physical& physical;
-};
-[[nodiscard]] inline ShownTask task_of(const DesignReport& report) {
-  const design::DesignRequest& request = report.result.request;
-  return {request.problem, request.limits, request.pulse, request.pulse_ranges, report.physical};
-}
-[[nodiscard]] inline ShownTask task_of(const RegionReport& report) {
-  const design::RegionRequest& request = report.request;
-  return {request.problem, request.limits, request.pulse, request.pulse_ranges, report.physical};
-}
 /// The hits or pulses, and the periods, for which it works, if known.
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
                    const ShownTask& task);
@@ -249,6 +232,13 @@ struct ToldMotion {
   std::optional<std::int64_t> arrival{};      ///< at which it stops at x = 0
   std::optional<design::PulseWorst> worst{};  ///< over the ranges of a pulse
   bool admissible{true};                      ///< so every rest of the ranges is as asked
+  /// In place of those of `response`, the largest of the motions that were tried.
+  struct Tried {
+    double peak;
+    std::string of_peak;  ///< which of them: " (strongest hit)"
+    std::string rest;
+  };
+  std::optional<Tried> tried{};
 };
 /// What the structure feels: outside the notch, at most over the ranges, and inside one that has a
 /// width, as `inside` says if it is given.

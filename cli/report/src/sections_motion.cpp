@@ -75,26 +75,18 @@ std::string felt(const ShownTask& task, const design::DesignPoint& damper, const
   const std::string outside =
       format("{} outside the notch{}", acceleration_shown(most), of_extreme(task, "stiffest"));
   const auto& lines = practice.lines;
-  if (lines && lines->notch_width_min) {
-    const double width = *lines->notch_width_min;
-    return format(
-        "{}; {} at most inside one at least {} wide, with {} as given, where it may rest up to {} "
-        "off centre",
-        outside, acceleration_shown(limits.acceleration_max.value()),
-        length_limit(physical, width, true),
-        problem.v0_low ? "f and delta" : "f, delta and the hit",
-        length_limit(physical, width / 2, true));
-  }
   if (delta == 0) {
     return acceleration_shown(most) + of_extreme(task, "stiffest");
   }
-  if (pulse && !inside.empty()) {
+  if (!inside.empty()) {
     return format("{}; {}", outside, inside);
   }
   if (lines && limits.acceleration_max && !pulse) {
     // The least width is known only for a stop at x = 0.
     return format("{}; inside it, {} {}", outside,
-                  motion.arrival ? "at any width more than" : "no width is known to keep it within",
+                  motion.arrival && !problem.has_caught_hits(delta)
+                      ? "at any width more than"
+                      : "no width is known to keep it within",
                   acceleration_shown(*limits.acceleration_max));
   }
   return format(
@@ -143,23 +135,27 @@ std::string rest_of_ranges(const ShownTask& task, const ToldMotion& motion) {
 void add_motion(Section& answer, const ShownTask& task, const ToldMotion& motion,
                 const std::string& acceleration) {
   const auto& [problem, limits, pulse, ranges, physical] = task;
-  const auto& [response, arrival, worst, admissible] = motion;
+  const auto& [response, arrival, worst, admissible, tried] = motion;
   const bool ranged = pulse && design::pulse_problem(problem, *pulse, ranges).has_ranges();
   // The requirements are about the motion up to its first return.
   const std::string under_pulse =
       format(", under the pulse{}{}", ranged && !worst ? " shown" : "",
              response.zero_passages.value_or(0) > 0 ? ", later swings included" : "");
-  answer.row(
-      "peak",
-      format("{}, {} of the {} allowed{}", length_shown(physical, response.peak_amplitude),
-             share_of(response.peak_amplitude, problem.beta), length_shown(physical, problem.beta),
-             pulse ? under_pulse : of_extreme(task, "softest")),
-      response.peak_amplitude > problem.beta * for_rounding ? Tone::bad : Tone::plain);
+  const double peak = tried ? tried->peak : response.peak_amplitude;
+  answer.row("peak",
+             format("{}, {} of the {} allowed{}", length_shown(physical, peak),
+                    share_of(peak, problem.beta), length_shown(physical, problem.beta),
+                    tried   ? tried->of_peak
+                    : pulse ? under_pulse
+                            : of_extreme(task, "softest")),
+             peak > problem.beta * for_rounding ? Tone::bad : Tone::plain);
   if (!response.stop_time || response.half_cycles == 0) {
     answer.row(
         "rest",
         response.stop_time ? "at x = 0 throughout" : "none: it " + outcome_phrase(response.outcome),
         Tone::bad);
+  } else if (tried) {
+    answer.row("rest", tried->rest);
   } else if (const std::string all = rest_of_ranges(task, motion); !all.empty()) {
     answer.row("rest", all);
   } else {

@@ -171,12 +171,6 @@ bool can_be_followed(double width, double delta, double p) {
   return std::min(width, p * width) >= smallest_speed && delta / width / p <= largest_speed;
 }
 
-std::string example_sentence(std::string_view without, double width, std::string_view fault,
-                             const Physical& physical) {
-  return format(" That is for a notch {}: with one {} wide, {}. Try others with --notch-width{}.",
-                without, length_shown(physical, width), fault, physical ? "-m" : "");
-}
-
 void add_start(Section& section, const StartUnderLoad& start, std::string_view formula, bool bad,
                const Physical& physical) {
   if (start.delta > 0 && start.load > start.f) {
@@ -217,6 +211,25 @@ void add_notch_used(Section& section, const ToldPractice& told, const Physical& 
   }
 }
 
+ToldPractice told_practice(const ShownTask& task, const std::optional<design::Practice>& own,
+                           double f, double delta) {
+  const auto& [problem, limits, pulse, ranges, physical] = task;
+  if (own && !pulse && (problem.p_high || problem.v0_low)) {
+    return {design::worst_practice(problem, limits, f, delta),
+            problem.v0_low != 0.0 ? "worst end of the ranges"
+            : problem.p_high      ? "strongest hit, worst end of the springs"
+                                  : "strongest hit",
+            true};
+  }
+  ToldPractice told{own, shown_words(task)};
+  if (own && own->notch_width_min && pulse) {
+    told.lines->notch_width_min = design::least_notch_width_from_rest(
+        f, delta, *limits.acceleration_max, problem.stiffest_p(),
+        ranges.k_low.value_or(design::peak_load(*pulse)));
+  }
+  return told;
+}
+
 void add_damper(Section& section, const design::DesignPoint& damper, const DeltaNeeds& needs,
                 const ToldPractice& told, const Physical& physical) {
   if (needs.published) {
@@ -229,7 +242,7 @@ void add_damper(Section& section, const design::DesignPoint& damper, const Delta
   add_notch_used(section, told, physical);
   if (const auto& lines = told.lines; lines && lines->notch_width_min) {
     section.row("notch width",
-                format("at least {} keeps the limit of the acceleration inside it too",
+                format("{} is enough to keep the limit of the acceleration inside it too",
                        length_limit(physical, *lines->notch_width_min, true)));
   }
 }

@@ -38,25 +38,27 @@ Pulse with(const Pulse& pulse, double k, double lambda) {
 std::vector<double> grid(double low, double high, int count) {
   std::vector<double> values;
   for (int i = 0; i < count && (i == 0 || low < high); ++i) {
-    values.push_back(low + (high - low) * i / (count - 1));
+    values.push_back(i == count - 1 ? high : low + (high - low) * i / (count - 1));
   }
   return values;
 }
 
 /// The hits or pulses of the ranges, each with every spring, and the one shown.
-std::vector<RestAfter> of_ranges(const DesignRequest& request, const RestAfter& shown) {
+std::vector<TriedMotion> of_ranges(const DesignRequest& request, const TriedMotion& shown) {
   const auto& [problem, limits, search, pulse, ranges] = request;
   constexpr int springs = 5;
-  std::vector<RestAfter> all{shown};
+  std::vector<TriedMotion> all{shown};
   const auto add = [&, &of = problem](double v0, const std::optional<Pulse>& now) {
     for (const double p : grid(of.p, of.stiffest_p(), springs)) {
-      all.push_back({v0, now, p});
+      all.push_back({v0, now, p, {}});
     }
   };
   if (!pulse) {
     constexpr int hits = 65;
     for (const double v0 : grid(problem.v0_low.value_or(problem.v0), problem.v0, hits)) {
-      add(v0, {});
+      if (v0 > 0) {
+        add(v0, {});
+      }
     }
     return all;
   }
@@ -78,25 +80,32 @@ bool has_ranges(const DesignRequest& request) {
                : problem.v0_low || problem.p_high;
 }
 
+/// The first of those with the largest value.
+const TriedMotion& largest(const std::vector<TriedMotion>& tried,
+                           double (*value)(const TriedMotion&)) {
+  return *std::ranges::max_element(tried, {}, value);
+}
+
 }  // namespace
 
 BuiltNotch built_notch(const DesignResult& design, const NotchShape& shape) {
   const DesignRequest& request = design.request;
   const auto& [f, delta, tolerance] = design.finding->point;
   const auto& check = design.finding->pulse;
-  const RestAfter shown = check ? RestAfter{0, check->pulse, check->p}
-                                : RestAfter{request.problem.v0, {}, request.problem.p};
-  const auto motion = [&, f = f, delta = delta](const NotchShape& notch, const RestAfter& now) {
+  TriedMotion shown = check ? TriedMotion{0, check->pulse, check->p, {}}
+                            : TriedMotion{request.problem.v0, {}, request.problem.p, {}};
+  const auto motion = [&, f = f, delta = delta](const NotchShape& notch, const TriedMotion& now) {
     return forced_response({now.p, f, delta, notch.hold}, {0, now.v0},
                            now.pulse ? excitation(*now.pulse) : NoExcitation(), {},
                            Surface{notch.width, {}});
   };
-  BuiltNotch built{shape, {}, motion(shape, shown)};
+  shown.response = motion(shape, shown);
+  BuiltNotch built{shape, {}, shown.response};
   built.changes_nothing = same_motion(built.response, motion({}, shown));
   if (shape.width) {
     built.friction = f + delta / *shape.width;
   }
-  const auto strip = [&, f = f](const RestAfter& now) {
+  const auto strip = [&, f = f](const TriedMotion& now) {
     return forced_response({now.p, f, 0, {}}, {0, now.v0}, NoExcitation(), {},
                            Surface{{}, {{*shape.width / 2, *built.friction}}});
   };
@@ -106,19 +115,18 @@ BuiltNotch built_notch(const DesignResult& design, const NotchShape& shape) {
   if (!has_ranges(request)) {
     return built;
   }
-  built.farthest = shown;
-  for (RestAfter& now : of_ranges(request, shown)) {
-    if (now.v0 == 0 && !now.pulse) {
-      continue;
-    }
+  std::vector<TriedMotion> tried = of_ranges(request, shown);
+  for (TriedMotion& now : tried) {
     const bool caught = !now.pulse && now.v0 * now.v0 <= 2 * delta;
-    const ForcedResponse response = caught && shape.width ? strip(now) : motion(shape, now);
-    now.rest = response.stop_position.value_or(0);
-    if (std::abs(now.rest) > std::abs(built.farthest->rest)) {
-      built.farthest = now;
-    }
-    built.holds_weakest = built.holds_weakest || (now.pulse && response.half_cycles == 0);
+    now.response = caught && shape.width ? strip(now) : motion(shape, now);
+    built.holds_weakest = built.holds_weakest || (now.pulse && now.response.half_cycles == 0);
   }
+  built.worst = {
+      largest(tried, [](const TriedMotion& of) { return std::abs(of.rest()); }),
+      largest(tried, [](const TriedMotion& of) { return of.response.peak_amplitude; }),
+      largest(tried, [](const TriedMotion& of) { return of.response.peak_absolute_acceleration; }),
+      largest(tried,
+              [](const TriedMotion& of) { return of.p * of.response.peak_amplitude * of.p; })};
   return built;
 }
 

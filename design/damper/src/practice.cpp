@@ -86,6 +86,23 @@ std::optional<double> least_notch_width(double f, double delta, double limit, do
   return width;
 }
 
+std::optional<double> least_notch_width_from_rest(double f, double delta, double limit, double p,
+                                                  double load) {
+  const auto least = least_notch_width(f, delta, limit, p);
+  if (!(load > f)) {
+    return std::nullopt;
+  }
+  if (!least || delta == 0) {
+    return least;
+  }
+  double width = std::max(*least, delta / (load - f));
+  constexpr int roundings = 100;
+  for (int i = 0; i < roundings && f + delta / width >= load; ++i) {
+    width = std::nextafter(width, HUGE_VAL);
+  }
+  return notch_acceleration(f, delta, width, p) <= limit ? std::optional(width) : std::nullopt;
+}
+
 // From the last arrival on by (7) backwards: one with the speed w has the radius r, and v+^2 = r^2
 // - phi^2.
 std::vector<double> impulses(const Oscillator& oscillator, const Response& response) {
@@ -117,7 +134,8 @@ std::vector<double> impulses(const Oscillator& oscillator, const Response& respo
 }
 
 std::optional<Practice> practice(const Oscillator& oscillator, const Response& response,
-                                 const std::optional<double>& acceleration_max, SetOff set_off) {
+                                 const std::optional<double>& acceleration_max,
+                                 const std::optional<double>& load) {
   const auto& [p, f, delta, hold] = oscillator;
   const double peak = response.peak_amplitude;
   if (peak == 0) {
@@ -143,9 +161,10 @@ std::optional<Practice> practice(const Oscillator& oscillator, const Response& r
   }
   if (acceleration_max) {
     const bool arrives = lines.impulse_largest.has_value();
-    lines.notch_width_min = set_off == SetOff::hit && arrives
-                                ? least_width_of_hit(oscillator, peak, *acceleration_max)
-                                : least_notch_width(f, delta, *acceleration_max, p);
+    lines.notch_width_min = load
+                                ? least_notch_width_from_rest(f, delta, *acceleration_max, p, *load)
+                            : arrives ? least_width_of_hit(oscillator, peak, *acceleration_max)
+                                      : least_notch_width(f, delta, *acceleration_max, p);
   }
   return lines;
 }
@@ -162,6 +181,10 @@ std::optional<Practice> worst_practice(const Problem& problem, const Limits& lim
     } else if (now) {
       worst = now;
     }
+  }
+  if (worst && worst->notch_width_min && problem.has_caught_hits(delta)) {
+    worst->notch_width_min =
+        least_notch_width(f, delta, limits.acceleration_max.value(), problem.stiffest_p());
   }
   return worst;
 }

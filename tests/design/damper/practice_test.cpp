@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(beyond_critical_there_is_no_equivalent_damping) {
   motion.peak_amplitude = 0.5;
   const double critical = std::numbers::pi / 4;
   const auto damping = [&](double delta) {
-    return practice({1, 0, delta}, motion, {}, SetOff::load)->equivalent_damping;
+    return practice({1, 0, delta}, motion, {}, 1.0)->equivalent_damping;
   };
   check_close(damping(0.999 * critical), 0.999);
   BOOST_TEST(!damping(1.001 * critical));
@@ -263,6 +263,50 @@ BOOST_AUTO_TEST_CASE(a_notch_of_the_least_width_transmits_the_limit) {
   BOOST_TEST(rests_beyond > 100);
   BOOST_TEST(passes > 100);  // the whole notch
   BOOST_TEST(stopped_earlier > 100);
+}
+
+/// A load of 0.5 is 0.3 more than f: wider than 0.09/0.3 = 0.3, where 0.2 + 0.3 + p^2
+/// 0.15 are felt.
+BOOST_AUTO_TEST_CASE(a_load_from_rest_needs_a_notch_that_lets_the_mass_go) {
+  const auto least = [](double limit, double p, double load = 0.5) {
+    return least_notch_width_from_rest(0.2, 0.09, limit, p, load);
+  };
+  const double width = least(1, 1).value();
+  BOOST_TEST(width == 0.3, tt::tolerance(1e-14));
+  BOOST_TEST(0.2 + 0.09 / width < 0.5);
+  // With p = 2 that is 1.1, and every wider one is felt more.
+  BOOST_TEST(!least(1.09, 2));
+  BOOST_TEST(least(1.11, 2).value() == 0.3, tt::tolerance(1e-14));
+  BOOST_TEST(!least(1, 1, 0.2));  // friction alone holds it
+  // With 0.2 + 0.09/w <= 0.4 the limit needs more.
+  BOOST_TEST(least(0.4, 0).value() == 0.45, tt::tolerance(1e-14));
+}
+
+/// Of every hit up to the strongest, those below sqrt(2 delta) leave a wide notch against its
+/// friction, and feel f + delta/w + p^2 w/2 at its edge.
+BOOST_AUTO_TEST_CASE(the_width_of_ranges_is_enough_for_hits_that_the_notch_catches) {
+  const double f = 0.2;
+  const double delta = 0.45;
+  Problem problem{.v0 = 1, .p = 1, .beta = 1};
+  const double limit = 1.2;
+  const auto width = [&] {
+    return worst_practice(problem, {.acceleration_max = limit}, f, delta)->notch_width_min.value();
+  };
+  const double of_one = width();
+  problem.v0_low = 0;
+  const double of_all = width();
+  BOOST_TEST(of_all == least_notch_width(f, delta, limit, 1).value());
+  const auto felt = [&](double wide) {
+    double most = 0;
+    for (double v0 = 0.01; v0 * v0 < 2 * delta; v0 += 0.01) {
+      const auto motion = forced_response({1, f, 0}, {0, v0}, NoExcitation(), {},
+                                          Surface{{}, {{wide / 2, f + delta / wide}}});
+      most = std::max(most, motion.peak_absolute_acceleration);
+    }
+    return most;
+  };
+  BOOST_TEST(felt(of_all) <= limit * (1 + 1e-12));
+  BOOST_TEST(felt(of_one) > limit);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -108,8 +108,27 @@ ordered_json file_of(const std::optional<Catalogue>& catalogue) {
   return or_null(catalogue, [](const Catalogue& given) { return spelled_out(given.file); });
 }
 
+/// Of ranges; null without any.
+ordered_json tried_json(const design::TriedMotion* now, const Physical& physical) {
+  if (now == nullptr) {
+    return nullptr;
+  }
+  const auto& [v0, pulse, p, response] = *now;
+  ordered_json json;
+  json["v0"] = pulse ? ordered_json() : ordered_json(v0);
+  json["k"] = or_null(pulse, [](const auto& of) { return design::peak_load(of); });
+  json["lambda"] = or_null(pulse, [](const auto& of) { return design::angular_frequency(of); });
+  json["p"] = p;
+  json["stop_position"] = now->rest();
+  json["stop_position_m"] = metres(physical, now->rest());
+  json["peak_amplitude"] = response.peak_amplitude;
+  json["peak_m"] = metres(physical, response.peak_amplitude);
+  json["peak_absolute_acceleration"] = response.peak_absolute_acceleration;
+  return json;
+}
+
 ordered_json built_notch_json(const design::BuiltNotch& built, const Physical& physical) {
-  const auto& [shape, friction, response, changes_nothing, from_start, farthest, holds] = built;
+  const auto& [shape, friction, response, changes_nothing, from_start, worst, holds] = built;
   return {{"width", shape.width},
           {"width_m", metres(physical, shape.width)},
           {"friction", friction},
@@ -130,23 +149,15 @@ ordered_json built_notch_json(const design::BuiltNotch& built, const Physical& p
                                            {"peak_absolute_acceleration",
                                             now.peak_absolute_acceleration}};
                                  })},
-          {"farthest_rest", or_null(farthest, [&](const design::RestAfter& now) -> ordered_json {
-             const auto& pulse = now.pulse;
-             return {{"v0", pulse ? ordered_json() : ordered_json(now.v0)},
-                     {"k", or_null(pulse, [](const auto& of) { return design::peak_load(of); })},
-                     {"lambda",
-                      or_null(pulse, [](const auto& of) { return design::angular_frequency(of); })},
-                     {"p", now.p},
-                     {"stop_position", now.rest},
-                     {"stop_position_m", metres(physical, now.rest)}};
-           })}};
+          {"farthest_rest", tried_json(worst ? &worst->farthest : nullptr, physical)},
+          {"largest_peak", tried_json(worst ? &worst->peak : nullptr, physical)},
+          {"largest_acceleration", tried_json(worst ? &worst->felt : nullptr, physical)}};
 }
 
 /// At the ends of the ranges; null without any.
-template <class Request>
-ordered_json practice_worst_json(const Request& request, const std::optional<design::Practice>& own,
+ordered_json practice_worst_json(const ShownTask& task, const std::optional<design::Practice>& own,
                                  double f, double delta) {
-  const ToldPractice told = told_practice(request, own, f, delta);
+  const ToldPractice told = told_practice(task, own, f, delta);
   return told.at_ends ? practice_json(told.lines) : nullptr;
 }
 
@@ -168,7 +179,7 @@ void add_finding(ordered_json& json, const DesignReport& report) {
   json["practice"] = practice_json(
       now.practice, design::impulses({problem.p, now.point.f, now.point.delta}, now.response));
   json["practice_worst"] =
-      practice_worst_json(result.request, now.practice, now.point.f, now.point.delta);
+      practice_worst_json(task_of(report), now.practice, now.point.f, now.point.delta);
   if (now.pulse) {
     json["response"] = forced_json(now.pulse->response);
     json["pulse"] = pulse_check_json(*now.pulse);
@@ -249,7 +260,7 @@ ordered_json json(const RegionReport& report) {
                                                                         *answer.response)
                                                      : std::vector<double>())},
           {"practice_worst",
-           practice_worst_json(report.request, answer.practice, f.value_or(0), delta.value_or(0))},
+           practice_worst_json(task_of(report), answer.practice, f.value_or(0), delta.value_or(0))},
           {"catalogue", parts_json(report)},
           {"physical", physical_json(report)}};
 }

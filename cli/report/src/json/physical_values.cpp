@@ -105,7 +105,9 @@ class Values {
     });
   }
 
-  void add_practice(const std::optional<design::Practice>& lines) {
+  /// The least notch width is that of the worst of ranges.
+  void add_practice(const std::optional<design::Practice>& lines,
+                    const std::optional<design::Practice>& worst) {
     const design::Practice now = lines.value_or(design::Practice());
     const auto weight = scales().friction_force_n(1);
     (*this)("secant_stiffness_n_per_m", now.secant_stiffness,
@@ -113,7 +115,7 @@ class Values {
     (*this)("impulse_at_stop_n_s", now.impulse_at_stop, scales().impulse_n_s(1));
     (*this)("impulse_largest_n_s", now.impulse_largest, scales().impulse_n_s(1));
     (*this)("energy_at_stop_j", now.notch_used, scales().energy_per_passage_j(now.notch_capacity));
-    length("notch_width_min_m", now.notch_width_min);
+    length("notch_width_min_m", worst ? worst->notch_width_min : std::nullopt);
   }
 
   void add_response(const Response* response) {
@@ -172,7 +174,9 @@ ordered_json physical_json(const DesignReport& report) {
   values.add_damper(f, delta);
   values.add_served(finding != nullptr ? finding->works_for : std::nullopt, pulse.has_value());
   values.add_hits(problem, pulse ? std::nullopt : f, delta);
-  values.add_practice(finding != nullptr ? finding->practice : std::nullopt);
+  const auto practice = finding != nullptr ? finding->practice : std::nullopt;
+  values.add_practice(
+      practice, told_practice(task_of(report), practice, f.value_or(0), delta.value_or(0)).lines);
   values.add_response(finding != nullptr ? &finding->response : nullptr);
   values.add_excitation(excitation_of(pulse));
   return values.json;
@@ -190,7 +194,9 @@ ordered_json physical_json(const RegionReport& report) {
   values.add_damper(f, delta);
   values.add_served(answer.works_for, pulse.has_value());
   values.add_hits(problem, pulse ? std::nullopt : f, delta);
-  values.add_practice(answer.practice);
+  values.add_practice(
+      answer.practice,
+      told_practice(task_of(report), answer.practice, f.value_or(0), delta.value_or(0)).lines);
   values.length("delta1_published_m", answer.delta1_published);
   values.length("delta1_exact_m", answer.delta1_exact);
   values.add_excitation(excitation_of(pulse));
@@ -206,7 +212,7 @@ ordered_json physical_json(const MotionReport& report) {
   values.add_scales(report.physical->velocity_m_per_s);
   values.add_damper(f, delta);
   values.add_response(&report.answer.response);
-  values.add_practice(practice_of(report));
+  values.add_practice(practice_of(report), {});
   values("caught_impulse_n_s", caught_impulse(report), values.scales().impulse_n_s(1));
   values.add_excitation(report.request.excitation);
   if (report.answer.forced) {

@@ -50,6 +50,7 @@ void judge(RegionAnswer& answer, const PulseRequest& request, const PulseRegion&
   const Oscillator oscillator{shown.p, f, delta};
   answer.forced = forced_response(oscillator, {}, excitation(shown.pulse));
   answer.response = answer.forced;
+  answer.shown = {shown.pulse, shown.p};
   if (!*answer.admissible) {
     return;
   }
@@ -60,7 +61,8 @@ void judge(RegionAnswer& answer, const PulseRequest& request, const PulseRegion&
   // side.
   constexpr double edge = 1e-12;
   answer.admissible = limits.tolerance <= widest + edge;
-  answer.practice = practice(oscillator, *answer.response, limits.acceleration_max, SetOff::load);
+  answer.practice =
+      practice(oscillator, *answer.response, limits.acceleration_max, peak_load(shown.pulse));
   answer.worst = worst_of(problem, region, motion);
   answer.works_for = works_for(problem, limits, f, delta);
 }

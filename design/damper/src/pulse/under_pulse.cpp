@@ -111,7 +111,8 @@ Finding finding_under_pulse(const PulseProblem& problem, const Limits& limits,
   add_reduction(check, problem, f);
   check.warnings = warnings(check);
   finding.response = response;
-  finding.practice = practice(oscillator, response, limits.acceleration_max, SetOff::load);
+  finding.practice =
+      practice(oscillator, response, limits.acceleration_max, peak_load(problem.pulse));
   finding.cross_check = {forced.passed && integrated.passed, {forced, integrated}};
   finding.pulse = std::move(check);
   return finding;

@@ -14,12 +14,22 @@ struct NotchShape {
   std::optional<double> hold{};  ///< of one without a width
 };
 
-/// A hit or a pulse, its spring, and the position where the mass comes to rest.
-struct RestAfter {
+/// A hit or a pulse, its spring, and what the mass then does.
+struct TriedMotion {
   double v0{0};
   std::optional<Pulse> pulse{};
   double p{1};
-  double rest{0};
+  ForcedResponse response{};
+
+  [[nodiscard]] double rest() const { return response.stop_position.value_or(0); }
+};
+
+/// Of all motions that were tried.
+struct WorstMotions {
+  TriedMotion farthest;  ///< it rests farthest from x = 0
+  TriedMotion peak;      ///< these have the largest peak, the largest transmitted acceleration
+  TriedMotion felt;
+  TriedMotion outside;  ///< and the largest p^2 |x|, which with f is felt outside the notch
 };
 
 /// A design with that notch.
@@ -31,9 +41,9 @@ struct BuiltNotch {
   /// After a hit, with a width: the motion if the notch acts on the way out too, as a strip of that
   /// friction does. v0 is otherwise the speed with which the mass leaves it.
   std::optional<ForcedResponse> from_start{};
-  /// Of ranges: the hit or pulse of a grid after which the mass rests farthest from x = 0. On hits
-  /// that the paper's notch catches, a notch with a width acts from the start.
-  std::optional<RestAfter> farthest{};
+  /// Of ranges: of a grid of their hits or pulses and springs. On hits that the paper's notch
+  /// catches, a notch with a width acts from the start.
+  std::optional<WorstMotions> worst{};
   bool holds_weakest{false};  ///< the weakest pulse never moves the mass
 };
 

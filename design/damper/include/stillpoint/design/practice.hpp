@@ -30,22 +30,20 @@ struct Practice {
   std::optional<double> notch_width_min;
 };
 
-/// What moves the mass: a hit, after which it leaves the notch freely, or a load, which moves it
-/// from rest.
-enum class SetOff { hit, load };
-
-/// For a motion with that response. Empty if nothing moves.
+/// For a motion with that response. Empty if nothing moves. A hit leaves the notch freely; a load,
+/// of which `load` is the largest, must move the mass out of its notch from rest.
 [[nodiscard]] std::optional<Practice> practice(const Oscillator& oscillator,
                                                const Response& response,
                                                const std::optional<double>& acceleration_max,
-                                               SetOff set_off = SetOff::hit);
+                                               const std::optional<double>& load = {});
 
 /// Of a free motion with that response: the impulse of each passage and of the stop at x = 0, in
 /// turn; at most the last 1000.
 [[nodiscard]] std::vector<double> impulses(const Oscillator& oscillator, const Response& response);
 
 /// Each line as the worst of the hits and springs at the ends of the ranges; the secant stiffness
-/// is that of the largest base shear.
+/// is that of the largest base shear. Where the paper's notch catches the weakest hits, the width
+/// is enough for them too: the notch acts on them from the start.
 [[nodiscard]] std::optional<Practice> worst_practice(const Problem& problem, const Limits& limits,
                                                      double f, double delta);
 
@@ -55,5 +53,9 @@ enum class SetOff { hit, load };
 /// The least width that keeps that at or below `limit`; empty if none does.
 [[nodiscard]] std::optional<double> least_notch_width(double f, double delta, double limit,
                                                       double p);
+/// The same if a load of up to `load` must move the mass from rest: wider than Delta/(load - f).
+[[nodiscard]] std::optional<double> least_notch_width_from_rest(double f, double delta,
+                                                                double limit, double p,
+                                                                double load);
 
 }  // namespace stillpoint::design

@@ -44,6 +44,10 @@ struct Problem {
 
   /// The weakest hit that must move the mass.
   [[nodiscard]] double starting_v0() const { return v0_low.value_or(0) > 0 ? *v0_low : v0; }
+  /// Whether the paper's notch catches some hits of the range at the start.
+  [[nodiscard]] bool has_caught_hits(double delta) const {
+    return v0_low && *v0_low * *v0_low <= 2 * delta;
+  }
   [[nodiscard]] double stiffest_p() const { return p_high.value_or(p); }
 };
 

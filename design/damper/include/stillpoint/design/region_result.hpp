@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::design {
@@ -78,7 +79,9 @@ struct RegionAnswer : RegionVerdict {
   /// too many half-cycles.
   std::optional<Response> response{};
   std::optional<ForcedResponse> forced{};  ///< the same under a pulse
-  std::optional<PulseWorst> worst{};       ///< for ranges of a pulse, if the point is admissible
+  /// The pulse of that motion and its p, with ranges those of the largest peak.
+  std::optional<std::pair<Pulse, double>> shown{};
+  std::optional<PulseWorst> worst{};  ///< for ranges of a pulse, if the point is admissible
 };
 
 }  // namespace stillpoint::design
