@@ -296,9 +296,8 @@ BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_reported, Recorded) {
 
 // Friction and notch let go of the mass for an instant, and what it feels is the load of the lock.
 BOOST_FIXTURE_TEST_CASE(a_lock_is_in_the_headline, Sandbox) {
-  const Arguments asked{"design",   "--record", STILLPOINT_DATA_DIR "/records/strong_motion.AT2",
-                        "--period", "2.8",      "--scan-points",
-                        "1"};
+  const std::string record = STILLPOINT_DATA_DIR "/records/strong_motion.AT2";
+  const Arguments asked{"design", "--record", record, "--period", "2.8", "--scan-points", "1"};
   const auto text = [&](const Arguments& more) { return one_line(run(asked + more).out); };
   const std::string held = text("--search-f 0.038069:0.038069 --search-delta-m 13.444mm:13.444mm");
   check_contains(held, {" Under the record: 0.35 g transmitted while it is locked, stroke ",

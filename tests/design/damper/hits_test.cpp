@@ -249,7 +249,7 @@ BOOST_AUTO_TEST_CASE(a_rest_within_the_residual_is_told_for_every_spring) {
     HitEnd end;
     bool every;
   };
-  const auto check = [](double residual, const std::vector<Expected>& expected) {
+  const auto check = [&](double residual, const std::vector<Expected>& expected) {
     const Problem problem{.v0 = 1, .beta = 9, .p_high = p, .residual = residual};
     const auto list = shown_hits_of_springs(problem, f, d / 2);
     BOOST_TEST_REQUIRE(list.size() > expected.size());
