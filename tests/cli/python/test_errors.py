@@ -118,7 +118,7 @@ def test_interrupt_ends_a_sweep_without_rows(interrupt):
 
 def test_interrupt_ends_a_design_under_records(interrupt):
     with pytest.raises(KeyboardInterrupt):
-        stillpoint.design(record=[RECORD] * 100, period="2:4", max_displacement=0.4, hold=0.1)
+        stillpoint.design(record=[RECORD] * 100, period=4, max_displacement=0.4, hold=0.1)
 
 
 def test_interrupt_ends_a_spectrum(interrupt):
