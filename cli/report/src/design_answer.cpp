@@ -157,11 +157,10 @@ bool wants_no_friction(const DesignReport& report) {
 }
 
 bool is_too_exact(const DesignReport& report) {
-  constexpr double built = 1e-3;  // a damper with less is none
   const design::DesignRequest& request = report.result.request;
   const design::DesignPoint& point = report.result.finding->point;
   return !report.catalogue && !wants_no_friction(report) &&
-         (point.tolerance < built || is_f_on_an_edge(request, point));
+         (point.tolerance < least_built || is_f_on_an_edge(request, point));
 }
 
 std::string verdict(const DesignReport& report, const Physical& physical) {

@@ -182,6 +182,17 @@ std::string example_words(const DesignReport& report, const Physical& physical,
              : "";
 }
 
+std::string told_notch_fault(const DesignReport& report) {
+  const std::string words = notch_sentence(report);
+  if (!words.empty() || !report.example || report.result.request.pulse) {
+    return words;
+  }
+  const std::string fault = example_fault(*report.example, report);
+  return fault.empty() ? ""
+                       : format("with one {} wide {}",
+                                length_shown(report.physical, *report.example->shape.width), fault);
+}
+
 std::string inside_example(const DesignReport& report, const Physical& physical) {
   const auto& [problem, limits, search, pulse, ranges] = report.result.request;
   const auto& finding = report.result.finding;

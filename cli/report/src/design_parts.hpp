@@ -57,6 +57,10 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
 /// empty if a hit needs none.
 [[nodiscard]] std::string example_words(const DesignReport& report, const Physical& physical,
                                         std::string_view command = "");
+/// Why the damper is not for notches with a width, in a few words; empty if nothing was found.
+[[nodiscard]] std::string told_notch_fault(const DesignReport& report);
+/// An admissible damper as a design whose notch is tried; without a finding if it is not.
+[[nodiscard]] DesignReport as_design(const RegionReport& report);
 /// What the mass feels in the example, under a pulse or if that has a limit; else empty.
 [[nodiscard]] std::string inside_example(const DesignReport& report, const Physical& physical);
 /// Rounded up as a limit is printed.

@@ -182,7 +182,17 @@ void add_strips(Document& document, const design::Problem& problem,
   }
 }
 
-/// An admissible damper as a design whose notch is tried; without a finding if it is not.
+/// What a notch with a width does to that damper, behind the judgement.
+std::string of_real_notch(const DesignReport& design) {
+  std::string words = notch_sentence(design);
+  if (!words.empty()) {
+    words = format(" N{}.", words.substr(1));
+  }
+  return words + example_words(design, design.physical, "simulate ");
+}
+
+}  // namespace
+
 DesignReport as_design(const RegionReport& report) {
   const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
   const design::RegionAnswer& answer = report.answer;
@@ -203,17 +213,6 @@ DesignReport as_design(const RegionReport& report) {
   design.example = example_notch(design);
   return design;
 }
-
-/// What a notch with a width does to that damper, behind the judgement.
-std::string of_real_notch(const DesignReport& design) {
-  std::string words = notch_sentence(design);
-  if (!words.empty()) {
-    words = format(" N{}.", words.substr(1));
-  }
-  return words + example_words(design, design.physical, "simulate ");
-}
-
-}  // namespace
 
 Document document(const RegionReport& report) {
   const auto& [problem, limits, f, delta, pulse, ranges] = report.request;

@@ -273,6 +273,13 @@ BOOST_AUTO_TEST_CASE(an_admissible_point_says_what_a_notch_with_a_width_spoils) 
   check_contains(hits, {"That is for a notch with next to no width: with one 20 mm wide, the mass "
                         "rests 45.724 mm off centre after a hit of 0.3 m/s. Try others with "
                         "simulate --notch-width-m."});
+  const auto fault = [this](const char* velocity) {
+    return reported({"region", "--velocity", velocity, "--period", "2.8", "--max-displacement",
+                     "150mm", "--f", "0.0241", "--delta-m", "5.9mm"})["notch_fault"];
+  };
+  BOOST_TEST(fault("0:0.4") ==
+             "with one 20 mm wide the mass rests 45.724 mm off centre after a hit of 0.3 m/s");
+  BOOST_TEST(fault("0.4").is_null());
   BOOST_TEST(
       !contains(said("region --velocity 0.4 --period 2.8 --max-displacement 150mm --f 0.0241 "
                      "--delta-m 5.9mm"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/report/report.hpp>
 #include "choices.hpp"
+#include "design_parts.hpp"
 #include "json/parts.hpp"
 #include "sections.hpp"
 
@@ -193,6 +194,11 @@ void add_finding(ordered_json& json, const DesignReport& report) {
                          {"methods", list_json(now.cross_check.methods, method_json)}};
 }
 
+ordered_json notch_fault_json(const DesignReport& report) {
+  const std::string words = told_notch_fault(report);
+  return words.empty() ? ordered_json(nullptr) : ordered_json(words);
+}
+
 }  // namespace
 
 ordered_json json(const DesignReport& report) {
@@ -222,8 +228,7 @@ ordered_json json(const DesignReport& report) {
   json["built_notch"] = or_null(report.built_notch, [&](const design::BuiltNotch& built) {
     return built_notch_json(built, report.physical);
   });
-  const std::string fault = notch_sentence(report);
-  json["notch_fault"] = fault.empty() ? ordered_json(nullptr) : ordered_json(fault);
+  json["notch_fault"] = notch_fault_json(report);
   json["catalogue"] = parts_json(report);
   json["trade_off"] = or_null(
       report.trade_off, [&](const auto& front) { return trade_off_json(front, report.physical); });
@@ -261,6 +266,7 @@ ordered_json json(const RegionReport& report) {
                                                      : std::vector<double>())},
           {"practice_worst",
            practice_worst_json(task_of(report), answer.practice, f.value_or(0), delta.value_or(0))},
+          {"notch_fault", notch_fault_json(as_design(report))},
           {"catalogue", parts_json(report)},
           {"physical", physical_json(report)}};
 }

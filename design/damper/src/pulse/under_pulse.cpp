@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace stillpoint::design {
@@ -21,6 +22,7 @@ constexpr double small_friction = 0.2;
 
 /// The rounding of a run in other units, over about ten pieces.
 constexpr double map_tolerance = 1e-12;
+constexpr double map_rounding = 16 * std::numeric_limits<double>::epsilon();
 constexpr double kutta_tolerance = 1e-12;
 constexpr double runge_kutta_tolerance = 1e-9;
 /// The energy error that a thousand steps at that tolerance may add up to.
@@ -57,18 +59,33 @@ void add_reduction(PulseCheck& check, const PulseProblem& problem, double f) {
   }
 }
 
+/// How much larger than the motion the velocity is that a pulse gives and takes back: an error of
+/// that velocity is this much larger beside what is left.
+double taken_back(const PulseProblem& problem, const FirstReturn& expected) {
+  const double given =
+      (1 - expected.f) / std::max(angular_frequency(problem.pulse) / problem.p, 1.0);
+  return given / expected.peak;
+}
+
+struct Tolerance {
+  double end;           ///< of what is compared
+  double along{};       ///< of the velocity during the pulse
+  double resolution{};  ///< a margin below it decides nothing
+};
+
 /// Completes a method. An error e of the arrival's energy moves the stop by sqrt(e) where the
 /// arrival grazes, (31) of docs/theory.md; f barely below k amplifies errors by 1/(1 - f/k).
-void compare(CheckMethod& method, double tolerance, double resolution, const FirstReturn& expected,
+void compare(CheckMethod& method, const Tolerance& tolerance, const FirstReturn& expected,
              const PulseProblem& problem, double margin) {
   const double length = peak_load(problem.pulse) / problem.p / problem.p;
   const double peak = expected.peak * length;
   const double speed = expected.speed * length * problem.p;
-  const double graze = std::max(expected.speed, std::sqrt(tolerance) * expected.f);
-  method.tolerance =
-      tolerance * std::max(1.0, expected.f / graze) / std::max(1 - expected.f, tolerance);
+  const double graze = std::max(expected.speed, std::sqrt(tolerance.end) * expected.f);
+  method.tolerance = std::max(
+      tolerance.end * std::max(1.0, expected.f / graze) / std::max(1 - expected.f, tolerance.end),
+      tolerance.along * taken_back(problem, expected));
   const bool same_end = method.half_cycles == 1 && method.stop_position == 0;
-  method.decided = same_end || margin > resolution;
+  method.decided = same_end || margin > tolerance.resolution;
   conclude(method, same_end, std::abs(method.peak_amplitude / peak - 1),
            {std::abs(method.stop_time * problem.p / expected.time - 1),
             std::abs(method.arrival_speed - speed) / (problem.p * peak),
@@ -96,7 +113,7 @@ Finding finding_under_pulse(const PulseProblem& problem, const Limits& limits,
   });
   forced.name = "forced_pulse";
   const double margin = response.decision_margin.value_or(0);
-  compare(forced, map_tolerance, 0, expected, problem, margin);
+  compare(forced, {map_tolerance, map_rounding}, expected, problem, margin);
   // What was asked for, whatever the margin.
   forced.passed = forced.passed && response.stops_at_zero && response.half_cycles == 1.0 &&
                   response.peak_amplitude <= problem.beta;
@@ -106,7 +123,8 @@ Finding finding_under_pulse(const PulseProblem& problem, const Limits& limits,
                                  kutta_tolerance);
   });
   integrated.name = "runge_kutta";
-  compare(integrated, runge_kutta_tolerance, runge_kutta_resolution, expected, problem, margin);
+  compare(integrated, {runge_kutta_tolerance, kutta_tolerance, runge_kutta_resolution}, expected,
+          problem, margin);
 
   add_reduction(check, problem, f);
   check.warnings = warnings(check);

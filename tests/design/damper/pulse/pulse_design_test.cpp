@@ -222,6 +222,18 @@ BOOST_AUTO_TEST_CASE(a_full_sine_leaves_no_velocity_and_has_designs_all_the_same
   BOOST_TEST(result.finding->cross_check.passed);
 }
 
+/// Of the velocity k/lambda only about p/lambda is left at the end, and with it the error of
+/// rounding is so much larger.
+BOOST_AUTO_TEST_CASE(checks_know_the_rounding_of_a_short_full_sine) {
+  for (const double lambda : {1e3, 3e4, 1e6, 1e8}) {
+    const DesignResult result = design::design(request_of(FullSine{100, lambda}, 1));
+    const CrossCheck& check = result.finding.value().cross_check;
+    BOOST_TEST(check.passed);
+    const double rounding = std::max(1.1e-12, 1e-15 * lambda);
+    BOOST_TEST(check.methods.at(0).tolerance <= rounding);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(each_reason_names_the_two_that_conflict) {
   const auto conflict = [](double beta, const Limits& limits) {
     PulseRequest request = request_of(Rectangle{0.5, 1}, beta);
