@@ -166,13 +166,13 @@ bool is_too_exact(const DesignReport& report) {
 std::string verdict(const DesignReport& report, const Physical& physical) {
   const design::Finding& finding = *report.result.finding;
   const auto& [f, delta, tolerance] = finding.point;
-  const auto width = report.built_notch ? report.built_notch->shape.width : std::nullopt;
+  const auto shape = report.built_notch ? report.built_notch->shape : design::NotchShape();
   std::optional<double> friction;
   if (!wants_no_friction(report)) {
     friction = physical && physical->scales.mass_kg ? f : std::stod(f_digits(report.result));
   }
   std::string text = format("{} {}.", is_too_exact(report) ? "Too exact to be built:" : "Build",
-                            damper_words(physical, friction, delta, width));
+                            damper_words(physical, friction, delta, shape));
   if (report.catalogue) {
     text = format("Order part {}: f = {}, delta = {}.", report.catalogue->parts.front().part.name,
                   digits(f), length_shown(physical, delta));

@@ -169,10 +169,8 @@ std::optional<std::string> felt_in_built_notch(const DesignReport& report) {
                   shape.width ? "inside the notch" : "while the notch holds it",
                   of_most == of_outside ? "" : of_most, acceleration_shown(outside), of_outside);
   }
-  return shape.width ? std::optional(
-                           most + (leaves ? " outside the notch, no more inside it" : "") + of_most)
-         : finding.pulse ? std::optional(most + " outside the notch" + of_most)
-                         : std::nullopt;
+  return shape.width ? most + (leaves ? " outside the notch, no more inside it" : "") + of_most
+                     : most + " outside the notch" + of_most;
 }
 
 std::string built_notch_fault(const DesignReport& report, const Physical& physical) {

@@ -175,8 +175,15 @@ void add_answer(Section& answer, const MotionReport& report) {
   }
   if (report.answer.forced && report.answer.forced->left_notch_from_rest) {
     const double centre = friction_at_centre(report.request);
-    add_start(answer, {centre, delta, peak_load(report.request.excitation)},
-              format("delta/(load - {})", zones.empty() ? "f" : digits(centre)), false, physical);
+    const StartUnderLoad start{centre, delta, peak_load(report.request.excitation)};
+    const std::string none =
+        no_notch_words(start, response.peak_amplitude, "", "the load", physical);
+    if (!none.empty()) {
+      answer.row("start", none, Tone::bad);
+    } else {
+      add_start(answer, start, format("delta/(load - {})", zones.empty() ? "f" : digits(centre)),
+                false, physical);
+    }
   }
   if (caught) {
     answer.row("impulse", format("{}: the notch transmits the hit in full, like any hit below {}",

@@ -61,13 +61,16 @@ std::string end_words(const Interval& searched, double p, bool of_period) {
   return {};
 }
 
+/// With the digits with which its figures come true.
+std::string exact_words(const Physical& physical, const design::SuiteDamper& damper) {
+  return format("f = {:.{}g}, delta = {}", damper.f, printed_digits,
+                length_shown(physical, damper.delta, printed_digits));
+}
+
 void add_answer(Section& answer, const RecordDesignReport& report) {
   const auto& [result, physical, notch_fault] = report;
   const design::SuiteDamper& damper = result.finding->point.damper;
-  answer.row("damper",
-             format("f = {:.{}g}, delta = {}", damper.f, printed_digits,
-                    length_shown(physical, damper.delta, printed_digits)),
-             Tone::heading);
+  answer.row("damper", exact_words(physical, damper), Tone::heading);
   add_brake(answer, physical, damper.f);
   if (is_searched(result.request.p)) {
     answer.row("spring", spring_words(physical, damper.p, period_digits(result.request)) +
@@ -117,8 +120,8 @@ void add_shortfalls(Document& document, const RecordDesignReport& report) {
   }
   const design::SuiteDamper& damper = report.result.nearest.damper;
   section.row("nearest",
-              format("f = {}, delta = {}, {}", digits(damper.f),
-                     length_shown(physical, damper.delta), spring_words(physical, damper.p)));
+              format("{}, {}", exact_words(physical, damper),
+                     spring_words(physical, damper.p, period_digits(report.result.request))));
   for (const auto& [which, limit, nearest, relaxed] : report.result.shortfalls) {
     const auto [near, allowed] = told_apart(physical, which, nearest, limit);
     section.row(row_name(which), format("{}; {} is allowed", near, allowed),

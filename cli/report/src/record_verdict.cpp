@@ -45,8 +45,8 @@ std::string does_words(const design::RecordDesign& result, const Physical& physi
     return words(combined.*figure) + (most ? format(" ({})", words((*most).*figure)) : "");
   };
   const auto length = [&](double value) { return displacement_shown(physical, value); };
-  const bool apart =
-      combined.peak > 0 && result.finding->point.damper.delta > 0 && !result.request.notch_width;
+  const bool apart = combined.peak > 0 && result.finding->point.damper.delta > 0 &&
+                     !result.request.notch_width && !result.request.hold;
   const std::string_view where = is_of_a_lock(result) ? " while it is locked"
                                  : apart              ? " outside the notch"
                                                       : "";
@@ -117,8 +117,8 @@ std::string record_verdict(const RecordDesignReport& report) {
                 hardly_moves(result) ? "The damper found has"
                 : is_needle(result)  ? "Too exact to be built:"
                                      : "Build",
-                damper_words(physical, damper.f, damper.delta, result.request.notch_width,
-                             printed_digits),
+                damper_words(physical, damper.f, damper.delta,
+                             {result.request.notch_width, result.request.hold}, printed_digits),
                 period_words(physical, damper.p, period_digits(result.request)),
                 does_words(result, physical), caveat(report),
                 result.finding->check.passed

@@ -45,18 +45,22 @@ void add_physical_input(Section& section, const design::PhysicalInput& physical,
 }
 
 std::string damper_words(const Physical& physical, const std::optional<double>& f, double delta,
-                         const std::optional<double>& notch_width, std::optional<int> digits) {
+                         const design::NotchShape& shape, std::optional<int> digits) {
   const auto scales = physical ? std::optional(physical->scales) : std::nullopt;
   const auto force = scales ? scales->friction_force_n(f.value_or(0)) : std::nullopt;
   const auto energy = scales ? scales->energy_per_passage_j(delta) : std::nullopt;
   const bool weighed = force && energy && std::isfinite(*energy);
-  const std::string wide =
-      notch_width ? format(" {} wide", length_shown(physical, *notch_width)) : "";
+  const std::string which =
+      shape.width ? format("a notch {} wide", length_shown(physical, *shape.width))
+      : shape.hold
+          ? format("a notch that lets go at {} above the friction", acceleration_shown(*shape.hold))
+          : "a notch";
   const std::string notch =
       weighed && delta == 0 ? "no notch"
-      : weighed ? format("a notch{} that takes {} at a passage", wide, with_unit(*energy, "J"))
-                : format("delta = {}{}{}", length_shown(physical, delta, digits),
-                         wide.empty() ? "" : " in a notch", wide);
+      : weighed ? format("{} {} takes {} at a passage", which, shape.hold ? "and" : "that",
+                         with_unit(*energy, "J"))
+                : format("delta = {}{}", length_shown(physical, delta, digits),
+                         delta > 0 && (shape.width || shape.hold) ? " in " + which : "");
   return !f                   ? notch + " and as little constant friction as you can"
          : weighed && *f == 0 ? "no constant friction and " + notch
          : weighed ? format("a friction force of {} and {}", with_unit(*force, "N"), notch)

@@ -6,6 +6,7 @@
 #include "units.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/design/built_notch.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/region.hpp>
@@ -45,10 +46,10 @@ struct ShownTask {
 void add_physical_input(Section& section, const design::PhysicalInput& physical,
                         double stiffest = 1);
 /// "a friction force of 283.81 kN and a notch that takes 69.423 kJ at a passage" if the mass is
-/// known, else "f = 0.26 and delta = 0.37", with the digits that f has unless others are asked for;
-/// as little friction as possible without an `f`.
+/// known, else "f = 0.26 and delta = 0.37", with the digits that f has unless others are asked for,
+/// and how the notch differs from the paper's; as little friction as possible without an `f`.
 [[nodiscard]] std::string damper_words(const Physical& physical, const std::optional<double>& f,
-                                       double delta, const std::optional<double>& notch_width = {},
+                                       double delta, const design::NotchShape& shape = {},
                                        std::optional<int> digits = {});
 /// "a period of 2.8 s", or "p = 1".
 [[nodiscard]] std::string period_words(const Physical& physical, double p,

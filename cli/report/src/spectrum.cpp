@@ -203,7 +203,7 @@ void add_damper(Section& answer, const SpectrumReport& report) {
   answer.row("damper", format("f = {}, delta = {}, the same at every period", digits(task.f),
                               length_shown(report.physical, task.delta)));
   add_real_notch(answer, task.hold, task.notch_width, report.physical);
-  if (task.delta > 0 && !task.notch_width) {
+  if (task.delta > 0 && !task.notch_width && !task.hold) {
     const double peak = std::ranges::max(report.result.combined, {}, [](const SpectrumPoint& now) {
                           return now.with_notch.peak;
                         }).with_notch.peak;

@@ -81,6 +81,11 @@ BOOST_AUTO_TEST_CASE(from_rest_the_answer_says_which_notch_would_hold_the_start)
   write("load.csv", "0 0\n1 -0.3\n2 0.2\n");
   BOOST_TEST(contains(run("simulate --p 1 --f 0.1 --delta 0.01 --record load.csv").out, start));
   BOOST_TEST(!contains(run(motion + "half-sine --k 0.3 --v0 1").out, "  start  "));
+  // A short load moves it by less than half of that.
+  const ProgramRun shaken =
+      run("simulate --p 1 --f 0.1 --delta 0.01 --excitation half-sine --k 0.3 --lambda 20");
+  check_contains(one_line(shaken.out), {" start no notch works: only one wider than 0.05 would let "
+                                        "the load move the mass, but the stroke is 0.0"});
 }
 
 BOOST_AUTO_TEST_CASE(the_answer_names_zones_and_the_notch_that_was_given) {
@@ -276,6 +281,8 @@ BOOST_AUTO_TEST_CASE(the_answer_of_a_design_is_with_the_notch_that_will_be_built
   BOOST_TEST(!contains(run(design + "--notch-width-m 0.2").out, "stays inside"));
   BOOST_TEST(!contains(run(design + "--notch-width-m 0.02").out, "But "));
   BOOST_TEST(!contains(run(design + "--hold 0").out, "But "));
+  says("--hold 0.05", {" in a notch that lets go at 0.05 g above the friction.",
+                       " acceleration 0.09465 g outside the notch, with f and delta as given "});
 }
 
 // Off centre, but that is admissible.

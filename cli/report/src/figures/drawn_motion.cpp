@@ -40,6 +40,25 @@ double longest_shown(double rate) {
   return most_drawn_periods * 2 * std::numbers::pi / rate;
 }
 
+/// From the least x to the largest of a motion without friction under all of a load that ends, and
+/// after it, or up to `end`.
+Interval reach_of(const ForcedTrajectory& path, const Excitation& excitation, double p,
+                  double end) {
+  Interval reach{0, 0};
+  const auto include = [&](double x) { reach = {std::min(reach.low, x), std::max(reach.high, x)}; };
+  include(path.at(0).x);
+  for (const Event& event : path.events()) {
+    include(event.state.x);
+  }
+  if (const double load = duration(excitation).value_or(HUGE_VAL); load <= end) {
+    const State last = path.at(load);
+    const double amplitude = std::hypot(last.x, last.v / p);
+    include(amplitude);
+    include(-amplitude);
+  }
+  return reach;
+}
+
 /// The same start without friction.
 void add_frictionless(DrawnMotion& motion, const SimulationRequest& request) {
   const auto& [p, f, delta, hold] = request.oscillator;
@@ -48,16 +67,24 @@ void add_frictionless(DrawnMotion& motion, const SimulationRequest& request) {
   if (!loses || motion.shown_to == 0 || motion.shown_to > longest_shown(rate)) {
     return;
   }
-  ForcedTrajectoryOptions limits;
-  limits.horizon = motion.shown_to;
-  const ForcedTrajectory path({p, 0, 0}, request.start, request.excitation, limits);
-  OtherMotion other{"without friction", path.sampled(sample_count(rate, motion.shown_to))};
+  const auto path_to = [&](double horizon) {
+    ForcedTrajectoryOptions limits;
+    limits.horizon = horizon;
+    return ForcedTrajectory({p, 0, 0}, request.start, request.excitation, limits);
+  };
+  const ForcedTrajectory path = path_to(motion.shown_to);
+  const bool slides = f > 0 || !request.surface.zones.empty();
+  OtherMotion other{slides ? "without friction" : "without the notch",
+                    path.sampled(sample_count(rate, motion.shown_to))};
   for (const Event& event : path.events()) {
     if (event.kind == EventKind::turn) {
       other.turns.push_back(event.state);
     }
   }
   other.if_comparable = true;
+  const double load = duration(request.excitation).value_or(HUGE_VAL);
+  const double end = std::min({load, request.t_end.value_or(load), longest_shown(rate)});
+  other.reach = reach_of(end > motion.shown_to ? path_to(end) : path, request.excitation, p, end);
   motion.others.push_back(std::move(other));
 }
 
@@ -195,8 +222,9 @@ void draw_forced(DrawnMotion& motion, const SimulationRequest& request, const Si
     }
     show_rest(motion, rest, seen_until(excitation, *stop_time, last));
     motion.locked_from = locked_from;
-    if (locked_from && answer.horizon.value_or(0) > motion.shown_to) {
-      motion.locked_to = answer.horizon;
+    const double end = std::min(horizon, duration(excitation).value_or(horizon));
+    if (locked_from && end > motion.shown_to) {
+      motion.locked_to = end;
     }
   }
   motion.whole = last >= horizon || rest_is_seen;

@@ -121,7 +121,7 @@ const State& farthest(const DrawnMotion& motion) {
 
 /// "starts at its peak of 0.5" or "reaches its peak of 137 mm after 0.585 s".
 std::string reached(const State& peak, const FigureUnits& units) {
-  const std::string length = units.length_words(std::abs(peak.x));
+  const std::string length = units.length_words(peak.x);
   return peak.tau > 0
              ? format("reaches its peak of {} after {}", length, units.time_words(peak.tau))
              : format("starts at its peak of {}", length);
@@ -188,6 +188,11 @@ figures::FigureAxis displacement_axis(const DrawnMotion& motion, const FigureUni
                      (most > 0 ? most + room : most) * units.length);
 }
 
+/// The least and the largest x of another motion.
+Interval whole_reach(const OtherMotion& other) {
+  return other.reach.value_or(extent(other.states, &State::x));
+}
+
 /// "without friction, beyond the frame to -158 mm", if the frame cuts it off.
 std::string name_of(const OtherMotion& other, const figures::FigureAxis& axis,
                     const FigureUnits& units) {
@@ -195,10 +200,10 @@ std::string name_of(const OtherMotion& other, const figures::FigureAxis& axis,
   const auto [least, most] = extent(other.states, &State::x);
   const bool below = least * units.length < axis.least;
   const bool above = most * units.length > axis.most;
-  return below || above
-             ? format("{}, beyond the frame to {}", name,
-                      units.place_words(above && (!below || most > -least) ? most : least))
-             : name;
+  const auto [low, high] = whole_reach(other);
+  return below || above ? format("{}, beyond the frame to {}", name,
+                                 units.place_words(above && (!below || high > -low) ? high : low))
+                        : name;
 }
 
 /// Of one with too many half-cycles to be told apart the lines through its crests.
@@ -287,7 +292,7 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   };
   const bool long_one = is_long(motion.turns);
   const State& peak = farthest(motion);
-  const std::string peak_words = "peak " + units.length_words(std::abs(peak.x));
+  const std::string peak_words = "peak " + units.length_words(peak.x);
   const std::string rest_words = words_of_rest(motion, units);
   Figure figure;
   figure.id = "motion";
@@ -314,11 +319,14 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   if (motion.beta) {
     add_limits(figure, motion, units);
   }
-  std::string beyond;
+  std::string beyond = motion.locked_to ? format(", locked to {}, beyond this figure",
+                                                 units.time_words(*motion.locked_to))
+                                        : "";
   for (const OtherMotion& other : motion.others) {
     if (!is_drawn(motion, other)) {
-      beyond = format("; {} it would reach {}, beyond this figure", other.name,
-                      units.length_words(reach(other.states)));
+      const auto [low, high] = whole_reach(other);
+      beyond += format("; {} it would reach {}, beyond this figure", other.name,
+                       units.length_words(std::max(high, -low)));
       continue;
     }
     figure.curves.push_back({.name = name_of(other, figure.y, units),

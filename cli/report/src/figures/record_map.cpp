@@ -222,8 +222,10 @@ Figure drawn_map(const design::RecordDesign& result, const Window& window,
                   : "The darker, the better";
   constexpr std::uint8_t best_shade = 0;
   if (result.finding && shade_at(figure, place) != best_shade) {
-    figure.caption +=
-        "; a cell has the shade of the damper in its middle, and the chosen one is better";
+    const bool edge = result.finding->sensitivity.with_least_friction.has_value();
+    figure.caption += format("; a cell has the shade of the damper in its middle{}",
+                             edge ? ": the chosen one is better, one with a little friction worse"
+                                  : ", and the chosen one is better");
   }
   return figure;
 }

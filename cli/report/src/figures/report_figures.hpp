@@ -58,8 +58,9 @@ struct OtherMotion {
   std::vector<State> states;
   figures::Ink ink{figures::Ink::grey};
   figures::Dash dash{figures::Dash::dotted};
-  std::vector<State> turns{};  ///< of one that may be drawn as its envelope
-  bool if_comparable{false};   ///< drawn only if it would not just cross the figure
+  std::vector<State> turns{};       ///< of one that may be drawn as its envelope
+  bool if_comparable{false};        ///< drawn only if it would not just cross the figure
+  std::optional<Interval> reach{};  ///< if it goes on beyond what is drawn
 };
 
 /// A motion in the form that its figures need.

@@ -87,17 +87,16 @@ RecordDesign design(const RecordDesignRequest& request, const std::vector<SuiteF
                                            return admissible(figures, task.limits);
                                          }),
                    false};
-  result.nearest = found.point;
-  const bool feasible = admissible(found.point.figures, task.limits);
+  const SuitePoint point = with_few_digits(suite, task, found.point);
+  result.nearest = point;
+  const bool feasible = admissible(point.figures, task.limits);
   if (!feasible) {
     result.shortfalls =
-        shortfalls(suite, box, scan, task, found.point.figures, result.search.evaluations, watch);
+        shortfalls(suite, box, scan, task, point.figures, result.search.evaluations, watch);
   }
   result.search.interrupted = watch.stopped();
   result.search.wall_time_s = seconds_now() - begun;
   if (feasible) {
-    const SuitePoint point = with_few_digits(suite, task, found.point);
-    result.nearest = point;
     RecordFinding finding{point, suite.responses(point.damper), {}, {}};
     finding.sensitivity = sensitivity(suite, task, point);
     finding.check = check(suite, point.damper, finding.responses);

@@ -144,8 +144,8 @@ std::string summary(const Spectrum& spectrum) {
         raised > 0 ? fmt::format(" (raises it at {})", raised) : "");
   };
   add("residual", [](const SpectrumFigures& one) { return one.residual.value_or(HUGE_VAL); });
-  add(spectrum.request.notch_width ? "transmitted acceleration"
-                                   : "transmitted acceleration outside the notch",
+  const bool ideal = !spectrum.request.notch_width && !spectrum.request.hold;
+  add(ideal ? "transmitted acceleration outside the notch" : "transmitted acceleration",
       [](const SpectrumFigures& one) { return one.acceleration; });
   add("peak", [](const SpectrumFigures& one) { return one.peak; });
   return suite_words(*spectrum.request.combine, spectrum.records.size()) + text + ".";

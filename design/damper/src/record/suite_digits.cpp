@@ -39,19 +39,20 @@ SuitePoint with_few_digits(const Suite& suite, const RecordDesignRequest& task,
   const auto& [p, f, delta] = found.damper;
   const auto& [length, time] = *task.printed;
   const double turn = 2 * std::numbers::pi * time.value_or(1);  // over p: the period
-  const double value = value_of(found.figures, task.objective);
-  constexpr double next_to_nothing = 1e-3;  // a notch that gains less is not worth building
-  if (delta > 0 && includes(*task.delta, 0)) {
-    const SuitePoint bare{{p, f, 0}, suite.figures({p, f, 0})};
-    if (admissible(bare.figures, task.limits) &&
-        value_of(bare.figures, task.objective) <= value * (1 + next_to_nothing)) {
-      return with_few_digits(suite, task, bare);
-    }
-  }
-  const double worst = value * (1 + costs_nothing);
   const auto rank_of = [&](const SuitePoint& point) {
     return rank(point.figures, task.objective, task.limits);
   };
+  const auto is_as_good = [&, whole = rank_of(found)](const SuitePoint& point, double part) {
+    const SuiteRank now = rank_of(point);
+    return now.off <= whole.off * (1 + part) && now.value <= whole.value * (1 + part);
+  };
+  constexpr double next_to_nothing = 1e-3;  // a notch that gains less is not worth building
+  if (delta > 0 && includes(*task.delta, 0)) {
+    const SuitePoint bare{{p, f, 0}, suite.figures({p, f, 0})};
+    if (is_as_good(bare, next_to_nothing)) {
+      return with_few_digits(suite, task, bare);
+    }
+  }
   for (int digits = fewest; digits <= most; ++digits) {
     Neighbours springs = neighbours(p, 1, digits, task.p);
     if (time && task.p.low < task.p.high) {
@@ -72,7 +73,7 @@ SuitePoint with_few_digits(const Suite& suite, const RecordDesignRequest& task,
         }
       }
     }
-    if (admissible(best.figures, task.limits) && value_of(best.figures, task.objective) <= worst) {
+    if (is_as_good(best, costs_nothing)) {
       return best;
     }
   }
