@@ -18,8 +18,6 @@ namespace {
 constexpr double decided_margin = 1e-9;
 // Relative to the largest of the motion. The worst of 10^5 scenes is said in docs/forced.md.
 constexpr double metric_tolerance = 1e-11;
-// A slip by next to nothing: in ulps of where the load would hold the mass.
-constexpr double slip_tolerance = 8;
 // Edges of friction amplify: above the tolerance an error is compared with what rounded inputs do.
 constexpr double allowed_units = 16;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -50,10 +48,7 @@ double error(const ForcedScene<>& scene, const ForcedState<double>& of,
   const auto off = [](const Real& value, const Exact& expected) {
     return std::abs(static_cast<double>(value - expected));
   };
-  const double loaded =
-      (largest_load(scene.excitation) + scene.motion.f) / scene.motion.p / scene.motion.p;
-  const double length = std::max({of.farthest, std::abs(of.u), std::abs(of.v),
-                                  slip_tolerance * epsilon / metric_tolerance * loaded});
+  const double length = std::max({of.farthest, std::abs(of.u), std::abs(of.v)});
   const double of_length =
       std::max({off(got.u, right.u), off(got.v, right.v), off(got.farthest, right.farthest)});
   const double force =

@@ -65,6 +65,23 @@ auto first_event_in_zone(Drive& drive, Piece& piece, const Sliding<Real>& from, 
   return drive.first_event(piece, limit, edge_ahead);
 }
 
+/// Where a piece without an arrival ends. As seen from a far edge it loses the digits of a motion
+/// that stays near x = 0.
+template <class Real, class Drive>
+Real end_of(Drive& drive, const Sliding<Real>& whole, const Real& edge, const Real& h,
+            const Real& before_edge) {
+  const Real y = before_edge + edge;
+  if (magnitude(y) >= magnitude(edge) / 2) {
+    return y;
+  }
+  const auto piece = drive.piece(whole);
+  if constexpr (requires { piece.flow(); }) {
+    return piece.flow().at(h).y;
+  } else {
+    return piece.at(h).y;
+  }
+}
+
 template <class Run, class Drive, class Real>
 void slide_in_zone(Run& run, Drive& drive, ExactSum<Real>& left) {
   ForcedState<Real>& s = run.state();
@@ -86,6 +103,9 @@ void slide_in_zone(Run& run, Drive& drive, ExactSum<Real>& left) {
   if constexpr (Run::AnyWatcher::watches) {
     run.watcher().piece(s.now, whole.direction, drive.piece(whole));
   }
+  const Real y = edge_ahead && end.event != PieceEvent::arrival
+                     ? end_of(drive, whole, edge, end.h, end.at.y)
+                     : end.at.y;
   left.add(-end.h);
   s.now.add(end.h);
   drive.advance_to(end, from.direction);
@@ -99,7 +119,7 @@ void slide_in_zone(Run& run, Drive& drive, ExactSum<Real>& left) {
     reach_edge(run);
     return;
   }
-  s.u = sign * (edge_ahead ? Real(end.at.y + edge) : end.at.y);
+  s.u = sign * y;
   s.v = sign * end.at.v;
   s.transmitted.slides(Real(sign * s.u), phi);
   if (end.event == PieceEvent::turn) {
