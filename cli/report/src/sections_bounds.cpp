@@ -147,14 +147,19 @@ void add_feasible(Section& section, const design::RegionVerdict& verdict,
                        others ? ", if only the stroke were limited" : ""));
   }
   const std::string feasible = region.feasible ? feasible_words(verdict, problem, limits) : "";
-  for (const auto& [low, high] : verdict.intervals.value_or(std::vector<Interval>())) {
+  const auto intervals = verdict.intervals.value_or(std::vector<Interval>());
+  const bool all_meet = region.feasible && limits.tolerance == 0;
+  if (all_meet) {
+    section.row("feasible f",
+                feasible + (intervals.size() > 1 ? ", with the most tolerant damper" : ""));
+  }
+  for (const auto& [low, high] : intervals) {
     if (const std::string all = range_digits(low, high); all != feasible) {
-      section.row("admissible f", all);  // without the tolerance, or of other islands
+      section.row(all_meet ? "" : "admissible f", format("{}{}", all_meet ? "or " : "", all));
     }
   }
-  if (region.feasible) {
-    section.row("feasible f",
-                feasible + (limits.tolerance > 0 ? ", with the tolerance asked for" : ""));
+  if (region.feasible && !all_meet) {
+    section.row("feasible f", feasible + ", with the tolerance asked for");
   }
 }
 
@@ -171,7 +176,7 @@ Section& add_region(Document& document, const design::RegionVerdict& verdict,
               region.f2 <= 0 ? "  (does not bind)" : "", shown);
   }
   if (pulsed && region.beta_min == 0) {
-    section.row("return", "for every f with which it starts");
+    section.row("return", "even with f just below the peak load");
   } else if (!problem.residual || !design::dead_zone_binds(problem)) {
     add_bound(section, units, problem.residual ? "residual" : "return", "f",
               "<=", problem.residual ? design::largest_stopping_f(problem) : region.f3, "", shown);
