@@ -168,7 +168,7 @@ void add_strips(Document& document, const design::Problem& problem,
   Table table{{"arrival", "feasible f", "largest tolerance"}, {}};
   for (const design::Strip& strip : std::span(strips).first(std::min(most_listed, strips.size()))) {
     table.rows.push_back({{strip.at_peak        ? "none, peak within the residual"
-                           : strip.arrival == 0 ? "any, within the residual"
+                           : strip.arrival == 0 ? "none needed, rest within the residual"
                                                 : format("{}", strip.arrival),
                            strip.f_lower ? range_digits(*strip.f_lower, *strip.f_upper)
                                          : "none with the tolerance asked for",

@@ -143,7 +143,7 @@ void add_feasible(Section& section, const design::RegionVerdict& verdict,
                 "as small as you like: with f just below the peak load the mass hardly moves");
   } else if (region.conflict != design::Conflict::no_arrival) {  // where no stroke helps
     section.row(physical ? "least stroke" : "least beta",
-                format("{}{}", length_limit(physical, region.beta_min, true),
+                format("{}{}", length_shown(physical, region.beta_min),
                        others ? ", if only the stroke were limited" : ""));
   }
   const std::string feasible = region.feasible ? feasible_words(verdict, problem, limits) : "";
@@ -193,8 +193,11 @@ Section& add_region(Document& document, const design::RegionVerdict& verdict,
                 "f below the peak load k; a notch no wider than delta/(k - f) holds the mass");
   }
   for (const design::LimitKind& kind : design::limit_kinds()) {
-    if (const auto& most = limits.*kind.value; most && !kind.figure) {
-      add_bound(section, units, kind.constraint, kind.bounds_f() ? "f" : "delta", "<=", *most);
+    if (const auto& most = limits.*kind.value; most && (pulsed || !kind.figure)) {
+      const std::string_view bounded = kind.figure       ? kind.constraint
+                                       : kind.bounds_f() ? "f"
+                                                         : "delta";
+      add_bound(section, units, kind.constraint, bounded, "<=", *most);
     }
   }
   add_feasible(section, verdict, problem, limits, physical);
@@ -229,10 +232,12 @@ Section& add_constraints(Document& document, std::span<const design::Constraint>
       table.rows.push_back({{"stop", "-", "-", "not reached"}});
       continue;
     }
+    // With more friction than that it may still stop at x = 0.
+    const bool of_any_rest = now.name == "residual" && now.satisfied && now.relation == "<=";
     const auto [unit, unit_name] = unit_of(now.variable, units);
     const auto then = later(now, whole);
     table.rows.push_back(
-        {{in_words(now.name), requirement(now, units, shown),
+        {{in_words(now.name) + (of_any_rest ? ", any rest" : ""), requirement(now, units, shown),
           bounds_nothing(now) ? "-" : few_digits(now.slack * unit) + with_blank(unit_name),
           then ? format("met, but {} later", few_digits(*then * unit) + with_blank(unit_name))
           : now.satisfied ? "met"

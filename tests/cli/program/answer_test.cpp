@@ -86,11 +86,11 @@ BOOST_FIXTURE_TEST_CASE(of_ranges_says_what_the_notch_within_an_acceleration_doe
   const std::string text = one_line(run(asked).out);
   std::smatch found;
   BOOST_TEST_REQUIRE(
-      std::regex_search(
-          text, found,
-          std::regex("with one ([.0-9]+) mm wide, the mass rests ([.0-9]+) mm off "
-                     "centre after a hit of ([.0-9]+) m/s\\. .*; 0.2 g at most inside "
-                     "one ([.0-9]+) mm wide, with f and delta as given ")),
+      std::regex_search(text, found,
+                        std::regex("with one ([.0-9]+) mm wide, the mass rests ([.0-9]+) mm off "
+                                   "centre after a hit of ([.0-9]+) m/s from inside the notch\\. "
+                                   ".*; 0.2 g at most inside "
+                                   "one ([.0-9]+) mm wide, with f and delta as given ")),
       text);
   BOOST_TEST(found[1] == found[4]);
   const auto built = [&](double width) {
@@ -356,7 +356,7 @@ BOOST_FIXTURE_TEST_CASE(of_a_region_says_which_delta_goes_with_some_f, Sandbox) 
 BOOST_FIXTURE_TEST_CASE(of_a_design_says_what_delta_and_its_tolerance_are, Sandbox) {
   const Arguments design("design --velocity 0.4 --period 2.8 --max-displacement 150mm");
   const std::string energy =
-      "Delta is an energy, not a size: each passage takes what lifts the mass";
+      "Delta is an energy, not a size: each passage takes as much as lifting the mass";
   check_contains(one_line(run(design).out), {energy});
   BOOST_TEST(!contains(one_line(run(design + "--mass 1200t").out), energy));  // it is in kJ
   check_contains(

@@ -231,7 +231,7 @@ BOOST_AUTO_TEST_CASE(that_needs_more_arrivals_says_how_many) {
   write("weak.csv", "name,f,delta\nsecond,0.05,0.2\n");
   const ProgramRun text =
       ending(3, Arguments("design --v0 1 --p 1 --beta 1.1 --catalogue weak.csv"));
-  BOOST_TEST(contains(one_line(text.out), "The way out: at least 2 arrivals."), text.out);
+  BOOST_TEST(contains(one_line(text.out), "One way out: at least 2 arrivals."), text.out);
   ending(3, Arguments("design --v0 1 --p 1 --beta 1.1 --f-max 0.06 --delta-max 0.3 "
                       "--catalogue weak.csv --html page.html"));
   BOOST_TEST(contains(read("page.html"), ">No part with fewer than 2 arrivals<"));

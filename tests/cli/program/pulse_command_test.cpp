@@ -389,7 +389,8 @@ BOOST_AUTO_TEST_CASE(the_headline_says_that_no_notch_brings_the_mass_back) {
   const ProgramRun none = run(design);
   const std::string text = one_line(none.out);
   const std::regex best(
-      "No notch width that was tried brings the mass back to x = 0: the nearest, ([.0-9]+ mm) "
+      "No notch width that was tried brings the mass back to x = 0: the nearest for its stroke, "
+      "([.0-9]+ mm) "
       "wide, leaves "
       "it ([.0-9]+ mm) off centre after a stroke of [.0-9]+ mm. With a notch that acts only after "
       "the start, build f = ");
@@ -416,7 +417,8 @@ BOOST_AUTO_TEST_CASE(the_headline_says_where_the_best_notch_keeps_the_mass) {
       "150mm");
   const std::string text = one_line(run(design).out);
   const std::regex best(
-      "brings the mass back to x = 0: with the nearest, ([.0-9]+) mm wide, the mass stays inside "
+      "brings the mass back to x = 0: with the nearest for its stroke, ([.0-9]+) mm wide, the mass "
+      "stays inside "
       "and stops "
       "at x = (-[.0-9]+) mm\\. With a notch");
   std::smatch found;

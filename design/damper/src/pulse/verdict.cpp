@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pulse/verdict.hpp"
 
+#include "region/reason.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -126,20 +128,22 @@ std::string reason_of(const Region& found, const PulseRegion& region, const Puls
       return fmt::format(
           "amplitude and return conflict: a peak within beta needs f >= {:.6g}, coming "
           "back to x = 0 needs f <= {:.6g}{}",
-          amplitude.islands().front().low * k, amplitude.islands().back().high * k, box);
+          amplitude.islands().front().low * k, amplitude.islands().back().high * k,
+          none_between("f", amplitude.islands().front().low, amplitude.islands().back().high, box));
     case Conflict::limit_alone:
       return fmt::format("no f brings the mass back and keeps the {} within {:.6g}{}{}",
                          kind->quantity, limit, kind->unit, box);
     case Conflict::amplitude_against_limit:
-      return kind->figure ? fmt::format(
-                                "amplitude and {} conflict: no f brings the mass back and keeps "
-                                "the peak within beta and the {} within {:.6g}{}{}",
-                                kind->constraint, kind->quantity, limit, kind->unit, box)
-                          : fmt::format(
-                                "amplitude and {} conflict: a peak within beta needs f >= {:.6g}, "
-                                "{} is {:.6g}{}",
-                                kind->constraint, amplitude.islands().front().low * k, kind->field,
-                                limit, box);
+      return kind->figure
+                 ? fmt::format(
+                       "amplitude and {} conflict: no f brings the mass back and keeps "
+                       "the peak within beta and the {} within {:.6g}{}{}",
+                       kind->constraint, kind->quantity, limit, kind->unit, box)
+                 : fmt::format(
+                       "amplitude and {} conflict: a peak within beta needs f >= {:.6g}, "
+                       "{} is {:.6g}{}",
+                       kind->constraint, amplitude.islands().front().low * k, kind->field, limit,
+                       none_between("f", amplitude.islands().front().low * k, limit, box));
     default:
       return fmt::format(
           "stop and {} conflict: no f that meets the other requirements arrives "
