@@ -48,6 +48,7 @@ bool bounds_nothing(const design::Constraint& now) {
 }
 
 constexpr int digits_of_bounds = 6;
+constexpr int digits_of_tables = 6;  // rounded to the nearest, a stroke must not be below the least
 
 /// With which f >= f2 and f <= f3, so rounded, can both be met where the region is not empty.
 int digits_between(double f2, double f3) {
@@ -143,7 +144,7 @@ void add_feasible(Section& section, const design::RegionVerdict& verdict,
                 "as small as you like: with f just below the peak load the mass hardly moves");
   } else if (region.conflict != design::Conflict::no_arrival) {  // where no stroke helps
     section.row(physical ? "least stroke" : "least beta",
-                format("{}{}", length_shown(physical, region.beta_min),
+                format("{}{}", length_limit(physical, region.beta_min, true, digits_of_tables + 1),
                        others ? ", if only the stroke were limited" : ""));
   }
   const std::string feasible = region.feasible ? feasible_words(verdict, problem, limits) : "";

@@ -415,7 +415,7 @@ BOOST_FIXTURE_TEST_CASE(of_too_large_an_f_with_a_residual_names_f, Sandbox) {
       {"It rests too far off: f is 5.83 times the limit (residual)", "residual f <= 0.0342924 -"});
   check_contains(
       one_line(run("region --v0 1 --p 1 --beta 0.9 --residual 0.05 --f 0.4 --delta 0.3").out),
-      {"It rests too far off: f is 7.4 % too large (residual)", "residual f <= 0.372358 -",
+      {"It rests too far off: f is 7.5 % too large (residual)", "residual f <= 0.372358 -",
        "stop - - not reached"});
   check_contains(
       one_line(run("region --v0 0:1 --p 1 --beta 2 --residual 0.05 --f 0.5 --delta 0.9").out),
@@ -432,6 +432,19 @@ BOOST_FIXTURE_TEST_CASE(a_rest_within_a_residual_is_told_for_every_hit_of_a_rang
   BOOST_TEST(contains(told("design --residual-m 50mm --arrivals 2"), every));
   BOOST_TEST(!contains(told("region --residual-m 50mm --f 0.02 --delta-m 1mm"), "any hit"));
   BOOST_TEST(!contains(told("region --f 0.03 --delta-m 1mm"), "any hit"));
+}
+
+/// More f would do for a stop at x = 0.
+BOOST_FIXTURE_TEST_CASE(of_a_bound_says_what_it_belongs_to, Sandbox) {
+  check_contains(
+      one_line(run({"design", STILLPOINT_DATA_DIR "/scenes/residual.json", "--verbose"}).out),
+      {" residual, any rest f <= 0.00513479 ", " feasible f up to 0.0342924 "});
+  check_contains(one_line(run("design --v0 1e150 --p 1 --beta 1e150 --verbose").out),
+                 {"it works for hits of 8.57e+149 to 1.00e+150 (the upper end is the program's own "
+                  "limit) "});
+  const std::string free = one_line(run("simulate --v0 1 --p 1 --f 0.1 --delta 0 --verbose").out);
+  check_contains(free, {" % of critical, in a cycle at this peak "});
+  BOOST_TEST(!contains(free, "a limit may be exceeded"), free);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -184,11 +184,9 @@ BOOST_AUTO_TEST_CASE(the_notch_that_will_be_built_is_tried_with_every_hit_of_a_r
                       " But with this notch the mass rests 40.499 mm off "
                       "centre after a hit of 0.3234 m/s from inside the notch."),
              told.out);
-  BOOST_TEST(contains(one_line(told.out),
-                      " rest up to 40.499 mm off centre in the motions tried (hit of 0.3234 m/s"),
-             told.out);
   BOOST_TEST(!contains(told.out, "any hit: within"), told.out);  // which the paper's notch keeps
-  check_contains(one_line(told.out), {" rest at most 40.499 mm off centre (hit of 0.3234 m/s) ",
+  check_contains(one_line(told.out), {" rest up to 40.499 mm off centre in the motions tried (hit "
+                                      "of 0.3234 m/s from inside the notch) ",
                                       " g outside it (strongest hit) "});
 }
 
@@ -233,7 +231,7 @@ BOOST_AUTO_TEST_CASE(the_limit_inside_the_notch_holds_for_every_spring) {
   BOOST_TEST(report["notch_fault"] == "w" + fault);
   check_contains(
       one_line(run(design + "--acceleration-max 0.2").out),
-      {" But w" + fault + ". ", " (strongest hit, softest spring) rest at most ",
+      {" But w" + fault + ". ", " (strongest hit, softest spring) rest up to ",
        " 0.2008 g inside the notch, 0.1085 g outside it (strongest hit, stiffest spring)",
        " g (strongest hit, softest spring) note "});
   BOOST_TEST(reported(design + "--acceleration-max 0.201")["notch_fault"].is_null());
