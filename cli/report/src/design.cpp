@@ -76,11 +76,12 @@ void add_margin(Section& section, const design::DesignResult& result, const Phys
   if (const auto& works = finding.works_for) {
     const FigureUnits units(physical);
     const Interval asked = asked_hits(result.request.problem);
+    const std::string own = own_limit_of_hits(*works, result.request.problem);
     serves =
-        format("; it works only for hits of {}{}",
+        format("; it works {}for hits of {}{}{}", own.empty() ? "only " : "",
                interval_text({works->hit.low * units.velocity, *works->hit.high * units.velocity},
                              {asked.low * units.velocity, asked.high * units.velocity}),
-               with_blank(units.velocity_unit));
+               with_blank(units.velocity_unit), own);
   }
   section.row(
       "decision margin",

@@ -184,7 +184,9 @@ std::string verdict(const DesignReport& report, const Physical& physical) {
     text = format("{}. With a notch that {}, {}", fault, acts_late, text);
   }
   if (physical && !physical->scales.mass_kg && delta > 0 && fault.empty()) {
-    text += " Delta is an energy, not a size: each passage takes what lifts the mass by Delta.";
+    text +=
+        " Delta is an energy, not a size: each passage takes as much as lifting the mass by that "
+        "height.";
   }
   text += unbounded_words(report, physical);
   if (!fault.empty() && report.built_notch) {

@@ -150,12 +150,13 @@ std::string notch_sentence(const DesignReport& report) {
   const double width = *report.example->shape.width;
   return "no notch width that was tried brings the mass back to x = 0: " +
          (best.stop_position && best.peak_amplitude > width / 2 && !report.example->worst
-              ? format("the nearest, {} wide, leaves it {} off centre after a stroke of {}",
+              ? format("the nearest for its stroke, {} wide, leaves it {} off centre after a "
+                       "stroke of {}",
                        length_shown(physical, width),
                        length_shown(physical, std::abs(*best.stop_position)),
                        length_shown(physical, best.peak_amplitude))
-              : format("with the nearest, {} wide, {}", length_shown(physical, width),
-                       example_fault(*report.example, report)));
+              : format("with the nearest for its stroke, {} wide, {}",
+                       length_shown(physical, width), example_fault(*report.example, report)));
 }
 
 std::string example_words(const DesignReport& report, const Physical& physical,
@@ -166,11 +167,15 @@ std::string example_words(const DesignReport& report, const Physical& physical,
   const double width = *report.example->shape.width;
   const std::string fault = example_fault(*report.example, report);
   if (!report.result.request.pulse) {
+    const bool ranges_by_one = report.example->worst && !command.empty();
     return fault.empty() ? ""
                          : format(
                                " That is for a notch with next to no width: with one {} wide, "
-                               "{}. Try others with {}--notch-width{}.",
-                               length_shown(physical, width), fault, command, physical ? "-m" : "");
+                               "{}.{}",
+                               length_shown(physical, width), fault,
+                               ranges_by_one ? ""
+                                             : format(" Try others with {}--notch-width{}.",
+                                                      command, physical ? "-m" : ""));
   }
   return fault.empty()
              ? format(

@@ -13,11 +13,13 @@ namespace {
 
 constexpr double centred = 0.1;  // of the peak, without a residual
 
-/// "hit of 0.35 m/s", or "pulse of 0.25 g and 300 ms" of ranges.
+/// "hit of 0.35 m/s", "hit of 0.2 m/s from inside the notch", or "pulse of 0.25 g and 300 ms" of
+/// ranges.
 std::string cause_words(const design::TriedMotion& now, const design::DesignRequest& request,
                         const Physical& physical) {
   if (!now.pulse) {
-    return "hit of " + FigureUnits(physical).velocity_words(now.v0);
+    return format("hit of {}{}", FigureUnits(physical).velocity_words(now.v0),
+                  now.from_inside ? " from inside the notch" : "");
   }
   return format(
       "pulse of {:.4g} g{}", design::peak_load(*now.pulse),
@@ -53,15 +55,10 @@ std::string which_words(const design::TriedMotion& now, const design::DesignRequ
   return format(" ({})", words);
 }
 
-/// Of ranges: the worst of them.
-std::string far_rest(const design::BuiltNotch& built, const design::DesignRequest& request,
-                     const Physical& physical) {
-  const double allowed = request.problem.residual.value_or(centred * built.response.peak_amplitude);
-  const double farthest = built.worst ? std::abs(built.worst->farthest.rest()) : 0;
-  return farthest > allowed * for_rounding
-             ? format("the mass rests {} off centre{}", length_shown(physical, farthest),
-                      after_words(built.worst->farthest, request, physical))
-             : "";
+/// Of ranges: whether the worst of them rests too far off centre.
+bool rests_far(const design::BuiltNotch& built, const design::Problem& problem) {
+  const double allowed = problem.residual.value_or(centred * built.response.peak_amplitude);
+  return built.worst && std::abs(built.worst->farthest.rest()) > allowed * for_rounding;
 }
 
 }  // namespace
@@ -98,8 +95,10 @@ std::string notch_fault(const design::BuiltNotch& built, const design::DesignReq
     return format("the peak exceeds {}{}", length_shown(physical, problem.beta),
                   after(&design::WorstMotions::peak));
   }
-  if (std::string far = far_rest(built, request, physical); !far.empty()) {
-    return far;
+  if (rests_far(built, problem)) {
+    return format("the mass rests {} off centre{}",
+                  length_shown(physical, std::abs(built.worst->farthest.rest())),
+                  after(&design::WorstMotions::farthest));
   }
   const bool kept = problem.residual ? allowed
                                      : response.outcome == Outcome::stopped_at_zero ||
@@ -140,8 +139,9 @@ std::optional<ToldMotion::Tried> tried_in_built_notch(const DesignReport& report
   return ToldMotion::Tried{worst.peak.response.peak_amplitude,
                            which_words(worst.peak, request, physical),
                            rest == "0" ? "at x = 0 in every motion that was tried"
-                                       : format("at most {} off centre{}", rest,
-                                                which_words(worst.farthest, request, physical))};
+                                       : format("up to {} off centre in the motions tried{}", rest,
+                                                which_words(worst.farthest, request, physical)),
+                           rests_far(*report.built_notch, request.problem)};
 }
 
 std::optional<std::string> felt_in_built_notch(const DesignReport& report) {
@@ -202,9 +202,11 @@ void add_built_notch(Document& document, const DesignReport& report, const Physi
                 format("f + hold = {:.4g} g at x = 0", finding.point.f + built.shape.hold.value()));
   }
   if (built.from_start) {
+    const bool caught = report.result.request.problem.has_caught_hits(finding.point.delta);
     section.row("way out",
-                "free: v0 is the speed with which the mass leaves the notch; the row of the answer "
-                "is for one that acts on the way out too");
+                format("free: v0 is the speed with which the mass leaves the notch; the row of the "
+                       "answer is for one that acts on the way out too{}",
+                       caught ? ", as on the weak hits of the range" : ""));
   }
   if (built.worst) {
     const design::TriedMotion& farthest = built.worst->farthest;

@@ -138,6 +138,15 @@ std::vector<Figure> drawings_of(const MotionReport& report, const DrawnMotion& m
   return figures;
 }
 
+/// Of a design with which notch the captions are.
+void add_ideal(std::vector<Figure>& figures, const DesignReport& design) {
+  for (Figure& figure : figures) {
+    if (std::string& caption = figure.caption; !caption.empty()) {  // it ends with a full stop
+      caption.insert(std::min(caption.find(';'), caption.size() - 1), with_ideal(design));
+    }
+  }
+}
+
 /// Of a mass that stands still, only a load that it withstands.
 bool has_figures(const DrawnMotion& motion) {
   return motion.states.back().tau > 0;
@@ -160,11 +169,7 @@ HtmlPage page(const DesignReport& report) {
     return page;
   }
   std::ranges::move(damper_figures(report, units), std::back_inserter(page.figures));
-  for (Figure& figure : page.figures) {
-    if (std::string& caption = figure.caption; !caption.empty()) {  // it ends with a full stop
-      caption.insert(std::min(caption.find(';'), caption.size() - 1), with_ideal(report));
-    }
-  }
+  add_ideal(page.figures, report);
   std::ranges::move(told_figures(report, units), std::back_inserter(page.figures));
   return page;
 }
@@ -182,6 +187,7 @@ std::vector<Figure> drawings(const RegionReport& report) {
   if (f && delta) {
     figures.push_back(
         damper_figure(report.request, *f, *delta, answer.works_for, FigureUnits(report.physical)));
+    add_ideal(figures, as_design(report));
   }
   return figures;
 }

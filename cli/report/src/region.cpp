@@ -168,7 +168,7 @@ void add_strips(Document& document, const design::Problem& problem,
   Table table{{"arrival", "feasible f", "largest tolerance"}, {}};
   for (const design::Strip& strip : std::span(strips).first(std::min(most_listed, strips.size()))) {
     table.rows.push_back({{strip.at_peak        ? "none, peak within the residual"
-                           : strip.arrival == 0 ? "any, within the residual"
+                           : strip.arrival == 0 ? "none needed, rest within the residual"
                                                 : format("{}", strip.arrival),
                            strip.f_lower ? range_digits(*strip.f_lower, *strip.f_upper)
                                          : "none with the tolerance asked for",
@@ -247,7 +247,9 @@ Document document(const RegionReport& report) {
   if (!f) {
     return document;
   }
-  Section& section = document.section(format("At f = {:.9g}", *f));
+  const DesignReport design = delta ? as_design(report) : DesignReport();
+  const std::string with = with_ideal(design);
+  Section& section = document.section(format("At f = {:.9g}{}", *f, with));
   const ToldPractice told = told_practice(task_of(report), answer.practice, *f, delta.value_or(0));
   const bool by_delta1 = !delta || stops_by_delta1(answer.constraints);
   if (by_delta1 && !answer.delta1_exact) {
@@ -264,7 +266,6 @@ Document document(const RegionReport& report) {
     if (!locked.empty()) {
       locked = format(" L{}.", locked.substr(1));
     }
-    const DesignReport design = as_design(report);
     const bool fails = !notch_sentence(design).empty();
     const std::string real = of_real_notch(design);
     document.verdict = format("{}{}{} {}", judgement(report), real, locked, document.verdict);
@@ -286,11 +287,13 @@ Document document(const RegionReport& report) {
     add_works_for(document.answer, answer.works_for, task_of(report));
     add_weak_hits(document.answer, problem, *delta, report.physical);
     if (told.lines) {
-      add_practice(document.detail("In practice" + (told.which.empty() ? "" : ": " + told.which)),
+      add_practice(document.detail(format("In practice{}{}",
+                                          told.which.empty() ? "" : ": " + told.which, with)),
                    told, report.physical);
     }
     add_constraints(document, answer.constraints, limits, answer.response.value_or(Response()),
-                    report.physical);
+                    report.physical)
+        .heading += with;
   }
   return document;
 }

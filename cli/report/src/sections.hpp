@@ -207,6 +207,9 @@ struct Optimum {
 /// NLopt's status in words.
 [[nodiscard]] std::string status_words(std::string_view status);
 
+/// " (the upper end is the program's own limit)", if an end is.
+[[nodiscard]] std::string own_limit_of_hits(const design::WorksFor& served,
+                                            const design::Problem& problem);
 /// The hits or pulses, and the periods, for which it works, if known.
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
                    const ShownTask& task);
@@ -241,6 +244,7 @@ struct ToldMotion {
     double peak;
     std::string of_peak;  ///< which of them: " (strongest hit)"
     std::string rest;
+    bool rests_far;  ///< farther than allowed
   };
   std::optional<Tried> tried{};
 };

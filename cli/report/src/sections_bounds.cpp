@@ -48,6 +48,7 @@ bool bounds_nothing(const design::Constraint& now) {
 }
 
 constexpr int digits_of_bounds = 6;
+constexpr int digits_of_tables = 6;  // rounded to the nearest, a stroke must not be below the least
 
 /// With which f >= f2 and f <= f3, so rounded, can both be met where the region is not empty.
 int digits_between(double f2, double f3) {
@@ -143,18 +144,23 @@ void add_feasible(Section& section, const design::RegionVerdict& verdict,
                 "as small as you like: with f just below the peak load the mass hardly moves");
   } else if (region.conflict != design::Conflict::no_arrival) {  // where no stroke helps
     section.row(physical ? "least stroke" : "least beta",
-                format("{}{}", length_limit(physical, region.beta_min, true),
+                format("{}{}", length_limit(physical, region.beta_min, true, digits_of_tables + 1),
                        others ? ", if only the stroke were limited" : ""));
   }
   const std::string feasible = region.feasible ? feasible_words(verdict, problem, limits) : "";
-  for (const auto& [low, high] : verdict.intervals.value_or(std::vector<Interval>())) {
+  const auto intervals = verdict.intervals.value_or(std::vector<Interval>());
+  const bool all_meet = region.feasible && limits.tolerance == 0;
+  if (all_meet) {
+    section.row("feasible f",
+                feasible + (intervals.size() > 1 ? ", with the most tolerant damper" : ""));
+  }
+  for (const auto& [low, high] : intervals) {
     if (const std::string all = range_digits(low, high); all != feasible) {
-      section.row("admissible f", all);  // without the tolerance, or of other islands
+      section.row(all_meet ? "" : "admissible f", format("{}{}", all_meet ? "or " : "", all));
     }
   }
-  if (region.feasible) {
-    section.row("feasible f",
-                feasible + (limits.tolerance > 0 ? ", with the tolerance asked for" : ""));
+  if (region.feasible && !all_meet) {
+    section.row("feasible f", feasible + ", with the tolerance asked for");
   }
 }
 
@@ -171,7 +177,7 @@ Section& add_region(Document& document, const design::RegionVerdict& verdict,
               region.f2 <= 0 ? "  (does not bind)" : "", shown);
   }
   if (pulsed && region.beta_min == 0) {
-    section.row("return", "for every f with which it starts");
+    section.row("return", "even with f just below the peak load");
   } else if (!problem.residual || !design::dead_zone_binds(problem)) {
     add_bound(section, units, problem.residual ? "residual" : "return", "f",
               "<=", problem.residual ? design::largest_stopping_f(problem) : region.f3, "", shown);
@@ -188,8 +194,11 @@ Section& add_region(Document& document, const design::RegionVerdict& verdict,
                 "f below the peak load k; a notch no wider than delta/(k - f) holds the mass");
   }
   for (const design::LimitKind& kind : design::limit_kinds()) {
-    if (const auto& most = limits.*kind.value; most && !kind.figure) {
-      add_bound(section, units, kind.constraint, kind.bounds_f() ? "f" : "delta", "<=", *most);
+    if (const auto& most = limits.*kind.value; most && (pulsed || !kind.figure)) {
+      const std::string_view bounded = kind.figure       ? kind.constraint
+                                       : kind.bounds_f() ? "f"
+                                                         : "delta";
+      add_bound(section, units, kind.constraint, bounded, "<=", *most);
     }
   }
   add_feasible(section, verdict, problem, limits, physical);
@@ -224,10 +233,12 @@ Section& add_constraints(Document& document, std::span<const design::Constraint>
       table.rows.push_back({{"stop", "-", "-", "not reached"}});
       continue;
     }
+    // With more friction than that it may still stop at x = 0.
+    const bool of_any_rest = now.name == "residual" && now.satisfied && now.relation == "<=";
     const auto [unit, unit_name] = unit_of(now.variable, units);
     const auto then = later(now, whole);
     table.rows.push_back(
-        {{in_words(now.name), requirement(now, units, shown),
+        {{in_words(now.name) + (of_any_rest ? ", any rest" : ""), requirement(now, units, shown),
           bounds_nothing(now) ? "-" : few_digits(now.slack * unit) + with_blank(unit_name),
           then ? format("met, but {} later", few_digits(*then * unit) + with_blank(unit_name))
           : now.satisfied ? "met"

@@ -34,20 +34,24 @@ std::string consequence(const design::Constraint& violated, const ShownTask& tas
          : name == "stop"      ? violated.by_criterion_alone
                                      ? "stops at x = 0, but not by the published criterion"
                                  : violated.slack == 0 ? "is on the edge of passing x = 0"
-                                                       : "passes x = 0"
+                                 : task.problem.residual
+                                     ? format("passes x = 0, and only {} (--arrivals)",
+                                         task.problem.arrivals == 1
+                                                  ? "the first arrival counts"
+                                                  : format("{} arrivals count", task.problem.arrivals))
+                                     : "passes x = 0"
          : name == "dead_zone" ? "could be held at " + stroke + " by friction"
                                : "exceeds the " + in_words(name);
 }
 
-/// "f is 12 % too small", "delta is 3.4 times the limit".
+/// "f is 12 % too small": so much more is enough; "delta is 3.4 times the limit".
 std::string by_how_much(const design::Constraint& violated) {
   const auto& [name, measured, relation, value, limit, slack, satisfied, by_criterion] = violated;
   const std::string variable = of_first_swing(violated)
                                    ? format("the {} of the first swing", measured)
                                    : std::string(measured);
   const bool too_large = relation.front() == '<';
-  const double off = std::abs(slack) / limit;
-  constexpr double in_percent_up_to = 1;
+  const double off = std::abs(slack) / (too_large ? limit : value);
   if (limit <= 0 && too_large) {
     return format("no {} is small enough", variable);
   }
@@ -57,14 +61,17 @@ std::string by_how_much(const design::Constraint& violated) {
   if (off == 0) {
     return format("{} is just too {}", variable, too_large ? "large" : "small");
   }
-  constexpr double next_to_all = 0.995;  // which two digits would call all of it
-  if (!too_large && off >= next_to_all) {
-    return format("{} is far too small", variable);
+  constexpr double next_to_all = 0.99;  // which two digits may call all of it
+  constexpr double far = 200;
+  if (off <= 1) {
+    return format("{} is {} % too {}", variable,
+                  off < next_to_all ? limit_digits(100 * off * (1 - 1e-12), true, 2) : "100",
+                  too_large ? "large" : "small");
   }
-  return off <= in_percent_up_to ? format("{} is {} % too {}", variable,
-                                          off < next_to_all ? format("{:.2g}", 100 * off) : "100",
-                                          too_large ? "large" : "small")
-                                 : format("{} is {:.3g} times the limit", variable, value / limit);
+  return too_large   ? format("{} is {:.3g} times the limit", variable, value / limit)
+         : off < far ? format("{} must be {} times as large", variable,
+                              limit_digits(limit / value * (1 - 1e-12), true, 3))
+                     : format("{} is far too small", variable);
 }
 
 /// What fills the columns of the tolerance, with what stands before and behind it.
@@ -118,11 +125,13 @@ void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& 
   if (parts.size() > shown) {
     section.line(format("{} more; --json lists them all.", parts.size() - shown), Tone::faint);
   }
-  std::map<std::string, std::size_t> reasons;  // each part once, by the first
+  std::map<std::string, std::size_t> reasons;  // a part may have several
   for (const design::RatedPart& rated : parts) {
-    if (!rated.admissible) {
-      ++reasons[rated.violated.empty() ? "too little tolerance"
-                                       : in_words(rated.violated.front().name)];
+    if (!rated.admissible && rated.violated.empty()) {
+      ++reasons["too little tolerance"];
+    }
+    for (const design::Constraint& violated : rated.violated) {
+      ++reasons[in_words(violated.name)];
     }
   }
   std::string ruled_out;

@@ -151,17 +151,16 @@ std::string way_out(const design::RegionVerdict& empty, const ShownTask& task) {
     const design::Mend& mend = named_mend(empty.mends);
     return empty.most_tolerant && mend.field == "tolerance"
                ? ""  // which the verdict says
-               : format(" {} way out: {}.", empty.mends.size() > 1 ? "One" : "The",
-                        words_of(way_of(mend, task)));
+               : format(" One way out: {}.", words_of(way_of(mend, task)));
   }
   if (empty.criterion_mend) {
-    return " The way out: the exact criterion.";
+    return " One way out: the exact criterion.";
   }
   std::string both;
   if (empty.joint_mend) {
     for (const design::Mend& mend : empty.joint_mend->mends) {
       both +=
-          format("{}{}", both.empty() ? " The way out: " : " and ", words_of(way_of(mend, task)));
+          format("{}{}", both.empty() ? " One way out: " : " and ", words_of(way_of(mend, task)));
     }
     both += ".";
   }
@@ -187,7 +186,7 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty, const
                      "damper has more than a tolerance of {}, and without a tolerance there is "
                      "none either. Both of these changes together make it feasible:",
                      box_text(task.limits, joint->largest_tolerance))
-      : ways == 0 ? "No change of a single input makes it feasible."
+      : ways == 0 ? "No change of a single input was found that makes it feasible."
       : ways == 1
           ? "This change makes it feasible; the value is the nearest that does:"
           : "Changing any one of these makes it feasible; each value is the nearest that does:");

@@ -155,7 +155,7 @@ void add_motion(Section& answer, const ShownTask& task, const ToldMotion& motion
         response.stop_time ? "at x = 0 throughout" : "none: it " + outcome_phrase(response.outcome),
         Tone::bad);
   } else if (tried) {
-    answer.row("rest", tried->rest);
+    answer.row("rest", tried->rest, tried->rests_far ? Tone::bad : Tone::plain);
   } else if (const std::string all = rest_of_ranges(task, motion); !all.empty()) {
     answer.row("rest", all);
   } else {
@@ -191,8 +191,7 @@ void add_counts(Section& section, const Response& response, const Physical& phys
                        !margin_of_inputs ? closest_decision()
                        : response.outcome == Outcome::caught_at_start
                            ? "it may start if all inputs shift by about this much"
-                           : "it may stop elsewhere if all inputs shift by about this much; a "
-                             "limit may be exceeded much earlier"));
+                           : "it may stop elsewhere if all inputs shift by about this much"));
   }
 }
 

@@ -69,6 +69,10 @@ std::string own_limit(const OwnEnds& own) {
 
 }  // namespace
 
+std::string own_limit_of_hits(const design::WorksFor& served, const design::Problem& problem) {
+  return own_limit({served.hit, design::valid_v0(problem), false});
+}
+
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
                    const ShownTask& task) {
   if (!served) {
@@ -107,7 +111,7 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
   const std::string_view hit = problem.v0_low ? "every hit of the range"
                                : physical     ? "the hit as given"
                                               : "v0 as given";
-  std::string of_hit = own_limit({served->hit, design::valid_v0(problem), false});
+  std::string of_hit = own_limit_of_hits(*served, problem);
   constexpr double rounding = 1e-6;
   if (of_hit.empty() && served->hit.low < problem.v0 * (1 - rounding) &&
       *served->hit.high <= problem.v0 * (1 + rounding)) {
@@ -187,7 +191,7 @@ std::string no_notch_words(const StartUnderLoad& start, double peak, std::string
              ? ""
              : format(
                    "no notch works{}: only one wider than {} would let {} move the mass, but the "
-                   "stroke is {}",
+                   "peak is {}",
                    under, length_limit(physical, start.width(), true), load,
                    length_shown(physical, peak));
 }
@@ -206,7 +210,7 @@ void add_notch_used(Section& section, const ToldPractice& told, const Physical& 
     const auto joules = physical ? physical->scales.energy_per_passage_j(energy) : std::nullopt;
     section.row("used at the stop",
                 format("{}, {:.3g} % of the notch's capacity{}",
-                       joules ? with_unit(*joules, "J") : length_shown(physical, energy),
+                       joules ? with_unit(*joules, "J") : length_limit(physical, energy, true),
                        100 * *lines->notch_used, which.empty() ? "" : format(" ({})", which)));
   }
 }
@@ -285,8 +289,9 @@ void add_practice(Section& section, const ToldPractice& told, const Physical& ph
           : format("{:.4g} times the spring's{}", lines->base_shear / lines->restoring, of_end));
   section.row("equiv. damping",
               lines->equivalent_damping
-                  ? format("{:.3g} % of critical with the notch, in a cycle at this peak",
-                           100 * *lines->equivalent_damping)
+                  ? format("{:.3g} % of critical{}, in a cycle at this peak",
+                           100 * *lines->equivalent_damping,
+                           lines->notch_capacity > 0 ? " with the notch" : "")
                   : "none: a full cycle at this peak would be damped beyond critical");
   if (lines->energy_ratio && lines->residual_ratio) {
     constexpr double asked = 0.25;  // EN 15129

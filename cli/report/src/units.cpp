@@ -28,19 +28,20 @@ std::string acceleration_shown(double acceleration) {
   return format("{:.4g} g", acceleration);
 }
 
-std::string length_limit(const Physical& physical, double length, bool upwards) {
+std::string length_limit(const Physical& physical, double length, bool upwards,
+                         std::optional<int> digits) {
   constexpr int with_a_unit = 5;
   constexpr int plain = 6;
   constexpr double all_its_digits = 1e5;  // mm; beyond, metres
   if (!physical) {
-    return limit_digits(length, upwards, plain);
+    return limit_digits(length, upwards, digits.value_or(plain));
   }
   const FigureUnits units(physical);
   const double shown = length * units.length;
   const double metres = length * physical->scales.length_m;
   return shown < all_its_digits
-             ? limit_digits(shown, upwards, with_a_unit) + " " + units.length_unit
-             : limit_digits(metres, upwards, with_a_unit) + " m";
+             ? limit_digits(shown, upwards, digits.value_or(with_a_unit)) + " " + units.length_unit
+             : limit_digits(metres, upwards, digits.value_or(with_a_unit)) + " m";
 }
 
 std::string frequency_shown(const Physical& physical, double lambda) {

@@ -20,7 +20,8 @@ using Physical = std::optional<design::PhysicalInput>;
 [[nodiscard]] std::string acceleration_shown(double acceleration);
 
 /// A length that keeps a limit as printed, with five digits or, without physical input, six.
-[[nodiscard]] std::string length_limit(const Physical& physical, double length, bool upwards);
+[[nodiscard]] std::string length_limit(const Physical& physical, double length, bool upwards,
+                                       std::optional<int> digits = {});
 
 /// "7.1429 Hz", or "lambda = 20" without physical input.
 [[nodiscard]] std::string frequency_shown(const Physical& physical, double lambda);

@@ -50,7 +50,7 @@ std::vector<TriedMotion> of_ranges(const DesignRequest& request, const TriedMoti
   std::vector<TriedMotion> all{shown};
   const auto add = [&, &of = problem](double v0, const std::optional<Pulse>& now) {
     for (const double p : grid(of.p, of.stiffest_p(), springs)) {
-      all.push_back({v0, now, p, {}});
+      all.push_back({v0, now, p});
     }
   };
   if (!pulse) {
@@ -92,8 +92,8 @@ BuiltNotch built_notch(const DesignResult& design, const NotchShape& shape) {
   const DesignRequest& request = design.request;
   const auto& [f, delta, tolerance] = design.finding->point;
   const auto& check = design.finding->pulse;
-  TriedMotion shown = check ? TriedMotion{0, check->pulse, check->p, {}}
-                            : TriedMotion{request.problem.v0, {}, request.problem.p, {}};
+  TriedMotion shown = check ? TriedMotion{0, check->pulse, check->p}
+                            : TriedMotion{request.problem.v0, {}, request.problem.p};
   const auto motion = [&, f = f, delta = delta](const NotchShape& notch, const TriedMotion& now) {
     return forced_response({now.p, f, delta, notch.hold}, {0, now.v0},
                            now.pulse ? excitation(*now.pulse) : NoExcitation(), {},
@@ -117,8 +117,8 @@ BuiltNotch built_notch(const DesignResult& design, const NotchShape& shape) {
   }
   std::vector<TriedMotion> tried = of_ranges(request, shown);
   for (TriedMotion& now : tried) {
-    const bool caught = !now.pulse && now.v0 * now.v0 <= 2 * delta;
-    now.response = caught && shape.width ? strip(now) : motion(shape, now);
+    now.from_inside = shape.width && !now.pulse && now.v0 * now.v0 <= 2 * delta;
+    now.response = now.from_inside ? strip(now) : motion(shape, now);
     built.holds_weakest = built.holds_weakest || (now.pulse && now.response.half_cycles == 0);
   }
   built.worst = {

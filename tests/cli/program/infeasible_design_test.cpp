@@ -173,4 +173,17 @@ BOOST_FIXTURE_TEST_CASE(the_stroke_that_a_residual_asks_for_makes_a_design, Sand
   BOOST_TEST(run("design --v0 1 --p 1 --beta 0.57736 --residual 0.6").exit_code == 0);
 }
 
+BOOST_AUTO_TEST_CASE(a_tolerance_is_named_only_where_it_makes_the_conflict) {
+  const auto of = [&](const char* period) {
+    return one_line(run({"design", STILLPOINT_DATA_DIR "/scenes/isolator.json", "--catalogue",
+                         STILLPOINT_DATA_DIR "/scenes/parts.csv", "--tolerance", "0.15",
+                         "--max-displacement", "100mm", "--period", period})
+                        .out);
+  };
+  const std::string alone = of("2.8s");
+  check_contains(alone, {"needs f <= 0.0323605. One way out: ", "amplitude 30, return 5, "});
+  check_contains(of("2.1s"), {"needs f >= 0.0359347, but coming back to x = 0 needs f <= "
+                              "0.0431474, and no f with a tolerance of 15 % fits between."});
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -70,9 +70,10 @@ BOOST_AUTO_TEST_CASE(a_notch_within_the_limit_is_tried_under_the_pulse) {
   const std::string text = one_line(run(design).out);
   std::smatch found;
   BOOST_TEST_REQUIRE(
-      std::regex_search(text, found,
-                        std::regex("the nearest, ([0-9]+) mm wide, leaves it ([.0-9]+) mm off .*"
-                                   "outside the notch; ([.0-9]+) g with one ([0-9]+) mm wide ")),
+      std::regex_search(
+          text, found,
+          std::regex("the nearest for its stroke, ([0-9]+) mm wide, leaves it ([.0-9]+) mm off .*"
+                     "outside the notch; ([.0-9]+) g with one ([0-9]+) mm wide ")),
       text);
   BOOST_TEST(found[1] == found[4]);
   const json built =
@@ -141,7 +142,7 @@ BOOST_AUTO_TEST_CASE(a_damper_that_locks_during_its_pulse_is_reported) {
       {"design", STILLPOINT_DATA_DIR "/scenes/near_fault_pulse.json", "--html", "page.html"});
   BOOST_TEST(answer.err ==
              "stillpoint: no notch works: only one wider than 440.88 mm would let this pulse move "
-             "the mass, but the stroke is 34.384 mm\n"
+             "the mass, but the peak is 34.384 mm\n"
              "stillpoint: locked at x = 0 from 2.717 s of 3.5 s; the structure then feels up to "
              "0.0789 g\n");
   const std::string page = read("page.html");
@@ -150,7 +151,7 @@ BOOST_AUTO_TEST_CASE(a_damper_that_locks_during_its_pulse_is_reported) {
   BOOST_TEST(contains(answer.out, " mm. Locked at x = 0 from 2.717 s"), answer.out);
   check_contains(one_line(answer.out),
                  {"No notch works: only one wider than 440.88 mm would let this pulse move",
-                  "the stroke is 34.384 mm.", "; 0.08 g if it holds the mass"});
+                  "the peak is 34.384 mm.", "; 0.08 g if it holds the mass"});
   const json report =
       run({"design", STILLPOINT_DATA_DIR "/scenes/near_fault_pulse.json", "--json"}).json();
   BOOST_TEST(
@@ -389,7 +390,8 @@ BOOST_AUTO_TEST_CASE(the_headline_says_that_no_notch_brings_the_mass_back) {
   const ProgramRun none = run(design);
   const std::string text = one_line(none.out);
   const std::regex best(
-      "No notch width that was tried brings the mass back to x = 0: the nearest, ([.0-9]+ mm) "
+      "No notch width that was tried brings the mass back to x = 0: the nearest for its stroke, "
+      "([.0-9]+ mm) "
       "wide, leaves "
       "it ([.0-9]+ mm) off centre after a stroke of [.0-9]+ mm. With a notch that acts only after "
       "the start, build f = ");
@@ -416,7 +418,8 @@ BOOST_AUTO_TEST_CASE(the_headline_says_where_the_best_notch_keeps_the_mass) {
       "150mm");
   const std::string text = one_line(run(design).out);
   const std::regex best(
-      "brings the mass back to x = 0: with the nearest, ([.0-9]+) mm wide, the mass stays inside "
+      "brings the mass back to x = 0: with the nearest for its stroke, ([.0-9]+) mm wide, the mass "
+      "stays inside "
       "and stops "
       "at x = (-[.0-9]+) mm\\. With a notch");
   std::smatch found;

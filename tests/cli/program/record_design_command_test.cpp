@@ -545,7 +545,7 @@ BOOST_FIXTURE_TEST_CASE(the_headline_says_that_no_notch_works, Sandbox) {
   const Arguments asked("--period 2.8 --search-f 0.1:0.1 --search-delta-m 60mm:60mm");
   const ProgramRun one = run(Arguments{"design", "--record", file} + asked);
   const std::string why =
-      "only one wider than 318.62 mm would let the record move the mass, but the stroke is ";
+      "only one wider than 318.62 mm would let the record move the mass, but the peak is ";
   check_contains(one_line(one.out),
                  {". No notch works. damper ", " real notch no notch works: " + why});
   BOOST_TEST(one.err.starts_with("stillpoint: no notch works: " + why), one.err);

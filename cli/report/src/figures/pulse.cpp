@@ -170,8 +170,8 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
   const double limit = design::largest_delta_allowed(drawn.limits) * units.length;
   figure.y = {units.delta_label, 0, headroom * topmost(curve, far.y, limit)};
   figure.description = format(
-      "The plane of f and Δ under the pulse. The mass returns up to f = {:.4g}; every Δ "
-      "above the curve stops it there. ",
+      "The plane of f and Δ under the pulse. No f above {:.4g} lets the mass return; "
+      "where it does, every Δ above the curve stops it. ",
       drawn.region.f3);
   const bool bounded = std::isfinite(design::largest_delta_allowed(drawn.limits));
   figure.caption =

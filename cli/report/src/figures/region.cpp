@@ -158,6 +158,19 @@ std::string plane_words(const Region& region, const FigureUnits& units) {
       region.feasible ? "" : "Nothing is left: no design is admissible. ");
 }
 
+/// In so few digits that it still lies well within its box.
+std::string within_box(double value, double tolerance) {
+  constexpr double well = 0.1;
+  constexpr int fewest = 4;
+  constexpr int every = 17;  // that a double has
+  std::string text = few_digits(value);
+  for (int shown = fewest + 1;
+       shown <= every && std::abs(std::stod(text) - value) > well * tolerance * value; ++shown) {
+    text = format("{:.{}g}", value, shown);
+  }
+  return text;
+}
+
 /// "±34.2 %", or "-10 to +20 %" where the sides differ.
 std::string percent(double low, double high) {
   const std::string above = percent_digits(high);
@@ -213,11 +226,18 @@ std::string region_clause(const std::optional<DrawnDamper>& damper, const Region
       return "f or Δ must be exact: the damper is within a millionth of an edge of the admissible "
              "region";
     }
-    const std::string delta = "Δ = " + units.length_words(damper->delta);
-    return begins_at_nothing(damper->f, region.f_upper.value_or(0))
-               ? format("The box shows how far {} may be off", delta)
-               : format("The box shows how far f = {:.4g} and {} may both be off", damper->f,
-                        delta);
+    const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
+    const std::string delta =
+        format("Δ = {}{}", within_box(damper->delta * units.length, damper->tolerance),
+               with_blank(units.length_unit));
+    const std::string f = "f = " + within_box(damper->f, damper->tolerance);
+    const bool exact_f = f_low + f_high == 0;
+    return exact_f || begins_at_nothing(damper->f, region.f_upper.value_or(0))
+               ? format("The box shows how far {} may be off{}", delta,
+                        exact_f ? ", with f exactly as given" : "")
+           : delta_low + delta_high == 0
+               ? format("The box shows how far {} may be off, with Δ exactly as given", f)
+               : format("The box shows how far {} and {} may both be off", f, delta);
   }
   if (limits.tolerance > 0 && region.feasible) {
     return "A damper inside the dotted line keeps the tolerance asked for";

@@ -114,12 +114,13 @@ ordered_json tried_json(const design::TriedMotion* now, const Physical& physical
   if (now == nullptr) {
     return nullptr;
   }
-  const auto& [v0, pulse, p, response] = *now;
+  const auto& [v0, pulse, p, response, from_inside] = *now;
   ordered_json json;
   json["v0"] = pulse ? ordered_json() : ordered_json(v0);
   json["k"] = or_null(pulse, [](const auto& of) { return design::peak_load(of); });
   json["lambda"] = or_null(pulse, [](const auto& of) { return design::angular_frequency(of); });
   json["p"] = p;
+  json["from_inside"] = from_inside;
   json["stop_position"] = now->rest();
   json["stop_position_m"] = metres(physical, now->rest());
   json["peak_amplitude"] = response.peak_amplitude;

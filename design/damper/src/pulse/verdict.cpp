@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pulse/verdict.hpp"
 
+#include "region/reason.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -126,20 +128,22 @@ std::string reason_of(const Region& found, const PulseRegion& region, const Puls
       return fmt::format(
           "amplitude and return conflict: a peak within beta needs f >= {:.6g}, coming "
           "back to x = 0 needs f <= {:.6g}{}",
-          amplitude.islands().front().low * k, amplitude.islands().back().high * k, box);
+          amplitude.islands().front().low * k, amplitude.islands().back().high * k,
+          none_between("f", amplitude.islands().front().low, amplitude.islands().back().high, box));
     case Conflict::limit_alone:
       return fmt::format("no f brings the mass back and keeps the {} within {:.6g}{}{}",
                          kind->quantity, limit, kind->unit, box);
     case Conflict::amplitude_against_limit:
-      return kind->figure ? fmt::format(
-                                "amplitude and {} conflict: no f brings the mass back and keeps "
-                                "the peak within beta and the {} within {:.6g}{}{}",
-                                kind->constraint, kind->quantity, limit, kind->unit, box)
-                          : fmt::format(
-                                "amplitude and {} conflict: a peak within beta needs f >= {:.6g}, "
-                                "{} is {:.6g}{}",
-                                kind->constraint, amplitude.islands().front().low * k, kind->field,
-                                limit, box);
+      return kind->figure
+                 ? fmt::format(
+                       "amplitude and {} conflict: no f brings the mass back and keeps "
+                       "the peak within beta and the {} within {:.6g}{}{}",
+                       kind->constraint, kind->quantity, limit, kind->unit, box)
+                 : fmt::format(
+                       "amplitude and {} conflict: a peak within beta needs f >= {:.6g}, "
+                       "{} is {:.6g}{}",
+                       kind->constraint, amplitude.islands().front().low * k, kind->field, limit,
+                       none_between("f", amplitude.islands().front().low * k, limit, box));
     default:
       return fmt::format(
           "stop and {} conflict: no f that meets the other requirements arrives "
@@ -148,32 +152,33 @@ std::string reason_of(const Region& found, const PulseRegion& region, const Puls
   }
 }
 
-/// For an f between two intervals that return, the nearer end of either.
+/// The end, nearest to f, of the interval of returning f that it is in, or of either beside it.
 Constraint return_of(const PulseRegion& region, const FirstReturn& motion, double f) {
-  const double last =
-      (motion.returns ? largest_f(region) : last_return(region).f) * region.f_unit();
-  Constraint back{"return", "f", "<=", f, last, last - f, motion.returns};
-  if (motion.returns || f > last) {
-    return back;
-  }
-  double below = 0;
-  double above = last;
-  for (const FirstReturn& now : region.profile()->samples()) {
-    const double here = now.f * region.f_unit();
-    if (now.returns) {
-      below = here <= f ? std::max(below, here) : below;
-      above = here > f ? std::min(above, here) : above;
+  std::vector<FirstReturn> all = region.profile()->samples();
+  insert(all, {motion});
+  Constraint nearest{"return", "f", "<=", f, HUGE_VAL, 0, motion.returns};
+  const auto consider = [&](double end, bool upper) {
+    const double limit = end == motion.f ? f : end * region.f_unit();
+    const auto apart = [f](double from) { return std::max(from / f, f / from); };
+    if (std::isinf(nearest.limit) || apart(limit) < apart(nearest.limit)) {
+      nearest.limit = limit;
+      nearest.relation = upper ? "<=" : ">=";
+      nearest.slack = upper ? limit - f : f - limit;
+    }
+  };
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const FirstReturn& a = all[i - 1];
+    const FirstReturn& b = all[i];
+    const bool upper = a.returns;
+    const double end = (upper ? a : b).f;
+    if (a.returns != b.returns && (end >= motion.f) == (upper == motion.returns)) {
+      consider(end, upper);
     }
   }
-  if (below > 0 && f / below < above / f) {
-    back.limit = below;
-    back.slack = below - f;
-  } else {
-    back.relation = ">=";
-    back.limit = above;
-    back.slack = f - above;
+  if (all.back().returns) {
+    consider(largest_f(region), true);
   }
-  return back;
+  return nearest;
 }
 
 }  // namespace

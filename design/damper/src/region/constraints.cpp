@@ -41,9 +41,11 @@ constexpr std::array<Condition, 5> conditions{{
      [](const Asked& asked) { return delta1(asked.problem, asked.f).value_or(0); }},
 }};
 
-/// `return` and `stop` of a later arrival, as in constraints.hpp.
+/// `return` and `stop` of a later arrival, as in constraints.hpp: of the one where the motion
+/// stops, even if the criterion asks for more, or else of the one that it misses.
 void compare_hits(std::array<Constraint, 5>& list, const Problem& problem, double f, double delta) {
-  const int n = deciding_arrival(problem, f, delta).n;
+  const auto [at, stops] = deciding_arrival(strongest_hit(problem), f, delta);
+  const int n = stops ? at : deciding_arrival(problem, f, delta).n;
   if (n > 1) {
     const auto [reach, pass] = way_speeds(Way(problem, {}, n), f, delta);
     list[3] = Constraint::compared("return", "v0", ">=", problem.v0, reach);

@@ -2,6 +2,7 @@
 #include <stillpoint/design/admissible_region.hpp>
 
 #include "region/edges.hpp"
+#include "region/reason.hpp"
 #include "way/way.hpp"
 
 #include <fmt/format.h>
@@ -53,13 +54,13 @@ std::string stroke(const Problem& problem, const ReasonUnits& units) {
              : fmt::format("{:.6g} {}", problem.beta * units.delta, units.delta_unit);
 }
 
-/// f2 is above `most`, which is `what`.
+/// f2 is above `most`, which is `what`, or leaves too little below it.
 std::string too_much_friction(const Region& region, double most, const std::string& stroke,
                               std::string_view rival, std::string_view what,
                               const std::string& box) {
   const auto [least, allowed] = told_apart(region.f2, most);
   return fmt::format("amplitude and {} conflict: a peak within {} needs f >= f2 = {}, but {} {}{}",
-                     rival, stroke, least, what, allowed, box);
+                     rival, stroke, least, what, allowed, none_between("f", region.f2, most, box));
 }
 
 /// A figure that is above its limit without friction.
@@ -106,14 +107,19 @@ std::string no_arrival(const Problem& problem, const Limits& limits, const Reaso
 std::string too_fast(const Problem& problem, const Limits& limits, const ReasonUnits& units,
                      std::string_view rival, std::string_view what, const std::string& box) {
   const Edges edge = edges(problem, limits);
-  const double f = highest_centre(edge.f_cap, limits.tolerance);
+  const auto needed = [&](double f) { return delta1(problem, f).value_or(0); };
+  const bool alone = needed(edge.f_cap) >= edge.delta_cap;
+  const double f = alone ? edge.f_cap : highest_centre(edge.f_cap, limits.tolerance);
+  const double needs = needed(alone ? f : f * (1 - limits.tolerance));
   const auto [least, most] =
-      told_apart(delta1(problem, f * (1 - limits.tolerance)).value_or(0) * units.delta,
-                 edge.delta_cap * units.delta, units.delta_unit);
+      told_apart(needs * units.delta, edge.delta_cap * units.delta, units.delta_unit);
   return fmt::format(
       "stop and {} conflict: even at the largest f, {:.6g}, stopping needs delta > {}, "
       "but {} {}{}",
-      rival, f, least, what, most, box);
+      rival, f, least, what, most,
+      alone                    ? ""
+      : needs < edge.delta_cap ? none_between("delta", needs, edge.delta_cap, box)
+                               : box);
 }
 
 }  // namespace

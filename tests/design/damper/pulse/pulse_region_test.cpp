@@ -334,6 +334,28 @@ BOOST_AUTO_TEST_CASE(with_ranges_every_pulse_counts) {
   BOOST_TEST(at(task, 0.1625, 0.63).tolerance.value() == 0.0625 / 0.1625, close);
 }
 
+// Where the f that return have gaps, `return` compares f with the end of an interval next to it, not
+// with the last f of all. The stroke is ten times the peak, so the intervals end where it returns.
+BOOST_AUTO_TEST_CASE(return_has_the_nearest_end_of_an_interval) {
+  RegionRequest task = half_period(0.05);
+  task.pulse = FullSine{0.5, 20};
+  const auto intervals = answer(task).intervals.value();
+  BOOST_TEST_REQUIRE(intervals.size() == 2U);
+  const auto compared = [&](double f, std::string_view relation, double limit) {
+    const auto all = at(task, f, 1).constraints;
+    const auto now = std::ranges::find(all, "return", &Constraint::name);
+    BOOST_TEST(now->relation == relation);
+    BOOST_TEST(now->limit == limit, tt::tolerance(1e-6));
+    BOOST_TEST(now->satisfied == (now->slack >= 0));
+  };
+  const auto& [first, second] = std::pair(intervals[0], intervals[1]);
+  compared(first.high * 0.5, "<=", first.high);
+  compared(first.high * 1.1, "<=", first.high);
+  compared(second.low * 0.9, ">=", second.low);
+  compared(second.low * 1.1, ">=", second.low);
+  compared(second.high * 0.99, "<=", 0.5);
+}
+
 BOOST_AUTO_TEST_CASE(wrong_input_names_its_field) {
   const auto field_of = [](const std::function<void(RegionRequest&)>& spoil) {
     RegionRequest wrong = half_period();

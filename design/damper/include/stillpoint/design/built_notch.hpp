@@ -20,6 +20,7 @@ struct TriedMotion {
   std::optional<Pulse> pulse{};
   double p{1};
   ForcedResponse response{};
+  bool from_inside{false};  ///< the paper's notch catches it at the start, so this one acted there
 
   [[nodiscard]] double rest() const { return response.stop_position.value_or(0); }
 };

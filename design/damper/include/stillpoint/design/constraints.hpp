@@ -22,10 +22,10 @@ namespace stillpoint::design {
 /// slack is the distance from value to limit, positive inside; the strict ones need slack > 0. Each
 /// is compared alone: where `return` is violated there is no arrival that `stop` could judge.
 ///
-/// For a damper that stops at a later arrival, `return` and `stop` compare V0 with the least one
-/// that reaches that arrival and the least that passes it, (47) of docs/theory.md. With an f beyond
-/// every damper of the task, `return`, or `residual` with one, compares f with the largest that one
-/// has.
+/// For a damper whose motion stops at a later arrival, `return` and `stop` compare V0 with the
+/// least one that reaches that arrival and the least that passes it, (47) of docs/theory.md. With
+/// an f beyond every damper of the task, `return`, or `residual` with one, compares f with the
+/// largest that one has.
 struct Constraint {
   std::string_view name;
   std::string_view variable;  ///< what `value` is: f or delta; v0 for a later arrival
