@@ -93,6 +93,23 @@ BOOST_AUTO_TEST_CASE(a_rest_at_the_very_edge_is_held_by_the_side_that_it_would_m
   close(run({1, 0.25, 0}, zone, {0.5, 0}, Harmonic{-1, 1}, 1).stick_time, std::asin(0.75));
 }
 
+/// The mass slips by about the square of what the load is above friction, far from the next edge.
+BOOST_AUTO_TEST_CASE(a_slip_by_next_to_nothing_keeps_its_digits_in_a_wide_zone) {
+  constexpr double f = 0.1;
+  const Surface wide{{}, {{5, f}}};
+  for (const double above : {1e-5, 1e-4, 1e-3, 1e-2}) {
+    const double k = f * (1 + above);
+    for (const Excitation& load :
+         {Excitation{Harmonic{k, 0.7}}, Excitation{Record{{0, k, 0}, 2, {}}}}) {
+      const auto peak = [&](const Surface& surface) {
+        return run({1, f, 0.01}, surface, {}, load, 4).peak_amplitude;
+      };
+      BOOST_TEST(peak(wide) > 0);
+      BOOST_TEST(peak(wide) == peak({}), tt::tolerance(1e-12));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(zones_of_one_friction_are_no_zones) {
   const Surface zones{{}, {{0.1, 0.02}, {0.3, 0.02}, {5, 0.02}}};
   for (const Start& start : {Start{0, 1}, Start{-0.7, 0.4}, Start{0.9, 0}}) {

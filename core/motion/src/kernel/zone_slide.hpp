@@ -66,12 +66,13 @@ auto first_event_in_zone(Drive& drive, Piece& piece, const Sliding<Real>& from, 
 }
 
 /// Where a piece without an arrival ends. As seen from a far edge it loses the digits of a motion
-/// that stays near x = 0.
+/// that stays near x = 0: at most ten bits here. From nearer edges sums of decimal inputs stay what
+/// they are, as ties need.
 template <class Real, class Drive>
 Real end_of(Drive& drive, const Sliding<Real>& whole, const Real& edge, const Real& h,
             const Real& before_edge) {
   const Real y = before_edge + edge;
-  if (magnitude(y) >= magnitude(edge) / 2) {
+  if (magnitude(y) >= magnitude(edge) / 1024) {
     return y;
   }
   const auto piece = drive.piece(whole);
