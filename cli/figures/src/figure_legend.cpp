@@ -27,28 +27,16 @@ bool is_seen(const std::string& band, const Figure& figure, const Plane& plane) 
   return wide >= narrowest;
 }
 
-/// In pixels, on average.
-double thickness(const Figure& figure, const FigureArea& area) {
-  const Plane plane{figure.x, figure.y, figure_width, figure.height};
-  double twice_area = 0;
-  double perimeter = 0;
-  for (std::size_t i = 0; i < area.outline.size(); ++i) {
-    const FigurePoint a = plane.pixel(area.outline[i]);
-    const FigurePoint b = plane.pixel(area.outline[(i + 1) % area.outline.size()]);
-    twice_area += a.x * b.y - b.x * a.y;
-    perimeter += std::hypot(b.x - a.x, b.y - a.y);
-  }
-  // 2 A/P is the width of a long strip.
-  return perimeter > 0 ? std::abs(twice_area) / perimeter : 0;
+const std::string& key_of(const FigureArea& area) {
+  return area.key.empty() ? area.name : area.key;
 }
 
-constexpr double thinnest = 0.5;  // pixels
-
-/// Areas of the same name count together.
+/// Areas of the same entry count together.
 bool are_seen(const Figure& figure, const FigureArea& one) {
+  constexpr double thinnest = 1.5;  // pixels that show a colour
   double thick = 0;
   for (const FigureArea& area : figure.areas) {
-    thick += area.name == one.name ? thickness(figure, area) : 0;
+    thick += key_of(area) == key_of(one) ? thickness(figure, area) : 0;
   }
   return one.look == AreaLook::box || thick > thinnest;
 }
@@ -72,7 +60,22 @@ std::string hatching(const MapKey& key) {
 
 }  // namespace
 
+double thickness(const Figure& figure, const FigureArea& area) {
+  const Plane plane{figure.x, figure.y, figure_width, figure.height};
+  double twice_area = 0;
+  double perimeter = 0;
+  for (std::size_t i = 0; i < area.outline.size(); ++i) {
+    const FigurePoint a = plane.pixel(area.outline[i]);
+    const FigurePoint b = plane.pixel(area.outline[(i + 1) % area.outline.size()]);
+    twice_area += a.x * b.y - b.x * a.y;
+    perimeter += std::hypot(b.x - a.x, b.y - a.y);
+  }
+  // 2 A/P is the width of a long strip.
+  return perimeter > 0 ? std::abs(twice_area) / perimeter : 0;
+}
+
 bool is_seen(const Figure& figure, const FigureArea& area) {
+  constexpr double thinnest = 0.5;  // pixels
   return area.look == AreaLook::box || thickness(figure, area) > thinnest;
 }
 
@@ -89,18 +92,16 @@ void FigureLegend::add(const Figure& figure, const std::set<std::string>& named)
   }
   const Plane plane{figure.x, figure.y, figure_width, figure.height};
   for (const FigureArea& area : figure.areas) {
-    if (!are_seen(figure, area) && !is_enlarged(figure, area)) {
+    if (named.contains(area.name) || (!are_seen(figure, area) && !is_enlarged(figure, area))) {
       continue;
     }
-    const bool box = area.look == AreaLook::box;
     enter_unless_named(
-        area.name,
+        key_of(area),
         area.look == AreaLook::hatched
             ? fmt::format(R"x(<path fill="url(#{0})" d="{1}"/><path class="hatch {2}" d="{1}"/>)x",
                           hatch_id(figure, area.name), "M2-10h20v12h-20Z", word(area.ink))
-            : fmt::format(R"({}<path class="{} {}" d="M2-10h20v12h-20Z"/>)",
-                          box ? R"(<path class="area sky" d="M2-10h20v12h-20Z"/>)" : "",
-                          box ? "box" : "area", word(area.ink)));
+            : fmt::format(R"(<path class="{} {}" d="M2-10h20v12h-20Z"/>)",
+                          area.look == AreaLook::box ? "box" : "area", word(area.ink)));
   }
   for (const FigureBand& band : figure.bands) {
     if (is_seen(band.name, figure, plane)) {
@@ -109,8 +110,10 @@ void FigureLegend::add(const Figure& figure, const std::set<std::string>& named)
     }
   }
   for (const FigureCurve& curve : figure.curves) {
-    enter_unless_named(curve.name, fmt::format(R"(<path class="curve {}{}" d="M0-4h24"/>)",
-                                               word(curve.ink), word(curve.dash)));
+    if (!curve.strokes.empty()) {
+      enter_unless_named(curve.name, fmt::format(R"(<path class="curve {}{}" d="M0-4h24"/>)",
+                                                 word(curve.ink), word(curve.dash)));
+    }
   }
   for (const FigureMarks& marks : figure.marks) {
     if (!marks.points.empty()) {

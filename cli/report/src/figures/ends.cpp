@@ -46,18 +46,8 @@ const Look& look_of(HitEnd end) {
   return *std::ranges::find(looks, end, &Look::end);
 }
 
-bool is_later(const design::Hits& now) {
-  return now.end == HitEnd::centred && now.arrivals.value_or(1) > 1;
-}
-
 Ink ink_of(const design::Hits& now) {
   return now.end == HitEnd::centred ? arrival_ink(now.arrivals.value_or(1)) : look_of(now.end).ink;
-}
-
-/// Without the number of passages, which differs from strip to strip.
-std::string kind_of(const design::Hits& now) {
-  return format("{}{}{}", look_of(now.end).name, is_later(now) ? " at a later arrival" : "",
-                now.every_spring ? "" : " with some spring");
 }
 
 /// "off centre with some spring", "centred at arrival 2", "within the residual after 1 passage"
@@ -156,7 +146,6 @@ std::vector<FigurePoint> strip(double from, double to, double low, double high) 
 }
 
 Figure ends_figure(const DrawnEnds& drawn) {
-  constexpr double narrowest = 0.02;  // of the figure, to be one of few
   const double scale = drawn.scale;
   const double known = drawn.list.back().to * scale;
   const double asked_for = 2 * drawn.asked.high * scale;
@@ -184,17 +173,21 @@ Figure ends_figure(const DrawnEnds& drawn) {
   }
   figure.description = format("Ends of the motion by the strength of the {}:", drawn.noun);
   for (const design::Hits& now : drawn.list) {
-    const bool wide = now.to - now.from >= narrowest * drawn.list.back().to;
     const std::string name = named(now);
     const std::string range = words(drawn, now.from, now.to);
-    figure.areas.push_back({.name = wide ? name : kind_of(now),
+    const bool too_late =
+        now.end == HitEnd::within_residual && now.arrivals.value_or(0) >= drawn.arrivals;
+    figure.areas.push_back({.name = name,
                             .outline = strip(now.from * scale, now.to * scale, 0, 1),
-                            .ink = wide || !is_later(now) ? ink_of(now) : Ink::purple,
-                            .look = look_of(now.end).look,
+                            .ink = ink_of(now),
+                            .look = too_late ? AreaLook::hatched : look_of(now.end).look,
                             .again = true,
                             .told = format("{}, {}", name, range)});
     figure.description +=
         format("{} {} from {}", &now == drawn.list.data() ? "" : ",", name, range);
+  }
+  for (figures::FigureArea& area : figure.areas) {
+    area.key = key_of_arrivals(figure.areas, area, "centred at arrival");
   }
   if (known < asked_for) {  // beyond what the program takes
     figure.areas.push_back(

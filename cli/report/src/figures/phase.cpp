@@ -26,6 +26,17 @@ bool is_at_edge(const Surface& surface, double x) {
          std::ranges::find(surface.zones, std::abs(x), &FrictionZone::to) != surface.zones.end();
 }
 
+/// Whether all turns are equally far and there are more than two.
+bool is_one_orbit(const DrawnMotion& motion) {
+  constexpr double alike = 1e-9;
+  const auto distance = [](const State& turn) { return std::abs(turn.x); };
+  if (motion.turns.size() < 3) {
+    return false;
+  }
+  const auto [least, most] = std::ranges::minmax(motion.turns, {}, distance);
+  return distance(most) - distance(least) <= alike * distance(most);
+}
+
 /// From the turn before the farthest one to the turn after it, up to the last that is drawn.
 Interval widest_loop(const DrawnMotion& motion, double last) {
   const auto end = std::ranges::find(motion.turns, last, &State::tau);
@@ -42,9 +53,12 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
   const auto place = [&](const State& state) {
     return FigurePoint{state.x * units.length, state.v * units.velocity};
   };
-  const bool long_one = motion.turns.size() > most_single_half_cycles;
-  const double last =
-      long_one ? motion.turns[most_single_half_cycles - 1].tau : motion.states.back().tau;
+  // Without friction a free motion only repeats its first two turns.
+  const bool repeats = is_one_orbit(motion);
+  const bool long_one = !repeats && motion.turns.size() > most_single_half_cycles;
+  const double last = repeats    ? motion.turns[2].tau
+                      : long_one ? motion.turns[most_single_half_cycles - 1].tau
+                                 : motion.states.back().tau;
   std::vector<State> states = motion.states;
   std::erase_if(states, [last](const State& state) { return state.tau > last; });
   const auto [x_least, x_most] = extent(states, &State::x);
@@ -56,6 +70,7 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
   loop.ink = Ink::purple;
   loop.directed = true;
   FigureCurve jumps{"jump at x = 0", {}, Ink::orange, Dash::dotted, false};
+  double largest_jump = 0;
   const Interval widest = long_one ? widest_loop(motion, last) : Interval{0, 0};
   FigureCurve* curve = nullptr;
   const State* before = nullptr;
@@ -63,6 +78,7 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
     const bool jumped = before != nullptr && before->tau == state.tau && before->v != state.v;
     if (jumped) {
       jumps.strokes.push_back({place(*before), place(state)});
+      largest_jump = std::max(largest_jump, std::abs(state.v - before->v));
     }
     FigureCurve* const next = widest.low <= state.tau && state.tau < widest.high ? &loop : &arcs;
     if (next != curve || jumped) {
@@ -82,6 +98,7 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
   figure.id = "phase";
   figure.title =
       "Phase portrait" + (long_one ? fmt::format(" (the first {} turns)", most_single_half_cycles)
+                         : repeats ? ""
                                    : beginning(motion));
   figure.x = axis_around(units.x_label, x_least * units.length, x_most * units.length);
   figure.y = axis_around(units.velocity_label, v_least * units.velocity, v_most * units.velocity);
@@ -94,9 +111,13 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
   if (!loop.strokes.empty()) {
     figure.curves.push_back(std::move(loop));
   }
-  if (!jumps.strokes.empty()) {
+  constexpr double visible = 0.01;  // of the height, some pixels
+  if (largest_jump > visible * (v_most - v_least)) {
     figure.caption = "At x = 0 the velocity jumps because the notch takes energy.";
     figure.curves.push_back(std::move(jumps));
+  } else if (!jumps.strokes.empty()) {
+    figure.caption =
+        "The notch takes energy at x = 0, where the jump of the velocity is too small to see.";
   } else if (motion.surface.notch_width) {
     const State& start = states.front();
     figure.caption = fmt::format(

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -104,18 +105,51 @@ Ink strip_ink(const DrawnStrip& strip) {
                             : arrival_ink(static_cast<double>(strip.first));
 }
 
+constexpr std::string_view with_gaps = ", thin strips with gaps";
+
 std::string strip_name(const DrawnRegion& drawn, const DrawnStrip& strip) {
   return strip.first == 0   ? "any rest within the residual"
-         : strip.with_later ? format("arrivals {} to {}, thin strips with gaps", strip.first,
-                                     drawn.problem.arrivals)
+         : strip.with_later ? format("arrivals {} to {}{}", strip.first,
+                                     drawn.problem.arrivals, with_gaps)
                             : format("arrival {}", strip.first);
 }
 
 }  // namespace
 
+bool has_gaps(const FigureArea& strip) {
+  return strip.name.ends_with(with_gaps);
+}
+
 Ink arrival_ink(double arrival) {
   constexpr std::array inks{Ink::sky, Ink::green, Ink::purple};
   return inks.at(static_cast<std::size_t>(std::fmod(arrival - 1, inks.size())));
+}
+
+std::string key_of_arrivals(const std::vector<FigureArea>& areas, const FigureArea& one,
+                            std::string_view prefix) {
+  constexpr std::size_t most = 6;
+  const std::string beginning = format("{} ", prefix);
+  const auto is_numbered = [&](const FigureArea& area) {
+    return area.name.starts_with(beginning) &&
+           area.name.find(' ', beginning.size()) == std::string::npos;
+  };
+  std::vector<int> arrivals;
+  for (const FigureArea& area : areas) {
+    if (area.ink == one.ink && is_numbered(area)) {
+      arrivals.push_back(std::stoi(area.name.substr(beginning.size())));
+    }
+  }
+  std::ranges::sort(arrivals);
+  const auto repeated = std::ranges::unique(arrivals);
+  arrivals.erase(repeated.begin(), repeated.end());
+  if (!is_numbered(one) || arrivals.size() < 2) {
+    return "";
+  }
+  std::string text = format("{}s {}", prefix, arrivals.front());
+  for (std::size_t i = 1; i < std::min(arrivals.size(), most); ++i) {
+    text += format(", {}", arrivals[i]);
+  }
+  return text + (arrivals.size() > most ? format(", …, {}", arrivals.back()) : "");
 }
 
 bool is_one_area(const design::Problem& problem, std::size_t areas) {
@@ -146,6 +180,9 @@ std::vector<FigureArea> admissible_areas(const DrawnRegion& drawn, const FigureU
   }
   if (own > 0) {
     add({own});
+  }
+  for (FigureArea& area : areas) {
+    area.key = key_of_arrivals(areas, area, "arrival");
   }
   if (is_one_area(drawn.problem, areas.size())) {
     areas.front().name = drawn.region.feasible && drawn.limits.tolerance == 0

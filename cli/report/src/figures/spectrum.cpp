@@ -128,6 +128,9 @@ std::string caption(const Kind& kind, const Figure& figure, const design::Spectr
                   most == 0 ? "zero" : "at most " + value(most));
   }
   const auto words = [&](const FigureCurve& curve) {
+    if (curve.strokes.empty()) {
+      return std::string("there is none, because the mass never comes to rest");
+    }
     const FigurePoint most = highest(curve);
     const bool same = std::ranges::all_of(curve.strokes, [&](const auto& stroke) {
       return std::ranges::all_of(
