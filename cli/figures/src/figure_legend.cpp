@@ -33,7 +33,6 @@ const std::string& key_of(const FigureArea& area) {
 
 /// Areas of the same entry count together.
 bool are_seen(const Figure& figure, const FigureArea& one) {
-  constexpr double thinnest = 1.5;  // pixels that show a colour
   double thick = 0;
   for (const FigureArea& area : figure.areas) {
     thick += key_of(area) == key_of(one) ? thickness(figure, area) : 0;
@@ -43,10 +42,17 @@ bool are_seen(const Figure& figure, const FigureArea& one) {
 
 /// Whether the inset shows where an area ends.
 bool is_enlarged(const Figure& figure, const FigureArea& area) {
-  return figure.inset && std::ranges::any_of(area.outline, [&](const FigurePoint& at) {
-           return std::abs(figure.inset->x.position(at.x) - 0.5) < 0.5 &&
-                  std::abs(figure.inset->y.position(at.y) - 0.5) < 0.5;
-         });
+  const auto ends = [&](const FigureAxis& axis, const FigureAxis& other, double FigurePoint::*along,
+                        double FigurePoint::*across) {
+    const auto [low, high] = std::ranges::minmax(area.outline, {}, across);
+    return std::ranges::any_of(area.outline, [&](const FigurePoint& at) {
+      return std::abs(axis.position(at.*along) - 0.5) < 0.5 && low.*across < other.most &&
+             high.*across > other.least;
+    });
+  };
+  return figure.inset &&
+         (ends(figure.inset->x, figure.inset->y, &FigurePoint::x, &FigurePoint::y) ||
+          ends(figure.inset->y, figure.inset->x, &FigurePoint::y, &FigurePoint::x));
 }
 
 /// Over the sample of an entry.
@@ -75,8 +81,8 @@ double thickness(const Figure& figure, const FigureArea& area) {
 }
 
 bool is_seen(const Figure& figure, const FigureArea& area) {
-  constexpr double thinnest = 0.5;  // pixels
-  return area.look == AreaLook::box || thickness(figure, area) > thinnest;
+  constexpr double least = 0.5;  // pixels
+  return area.look == AreaLook::box || thickness(figure, area) > least;
 }
 
 void FigureLegend::add(const Figure& figure, const std::set<std::string>& named) {

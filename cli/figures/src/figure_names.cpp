@@ -235,13 +235,14 @@ class Places {
   }
 
   /// Beside, above or below one of the points: clear of every line, if that is not too far from it,
-  /// and on its side of a limit, which words beyond it would call exceeded and words on it would name, or of another motion.
+  /// and on its side of a limit, which words beyond it would call exceeded and words on it would
+  /// name, or of another motion.
   void near(const std::string& text, const std::vector<FigurePoint>& points) {
     constexpr double clear = 2;        // pixels above and below
     constexpr double farther = 0.15;   // of a cell covered, a pixel
     constexpr double covering = 12;    // cells: 80 pixels away rather than on a line
     constexpr double misleading = 60;  // cells: rather on a line than on or beyond a limit
-    constexpr double strange = 10;  // cells: rather beyond a motion to compare with than on a line
+    constexpr double strange = 10;   // cells: rather beyond a motion to compare with than on a line
     constexpr double crossing = 30;  // cells: rather on a line than with a leader through a mark
     const double width = text_width(text);
     Best best;

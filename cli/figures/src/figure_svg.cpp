@@ -91,7 +91,8 @@ class Drawing {
       }
       const bool hatched = area.look == AreaLook::hatched;
       // Between the lines of its hatching a thin one would not be seen.
-      const bool thin = hatched && thickness(figure_, area) < hatch_spacing;
+      const double thick = hatched ? thickness(figure_, area) : 0;
+      const bool thin = thinnest < thick && thick < hatch_spacing;
       add("<path class=\"{} {}\"{} d=\"{}Z\"><title>{}</title></path>\n",
           boxes     ? "box"
           : thin    ? "hatched thin"

@@ -62,7 +62,7 @@ void add_parts(Figure& figure, const Catalogue& catalogue, const FigureUnits& un
       figure.marks.insert(figure.marks.begin(), {name, std::move(points), shape, ink, fill});
     }
   };
-  add("parts that fail", std::move(fail), Shape::cross, Ink::orange, Fill::solid);
+  add("parts that fail", std::move(fail), Shape::cross, Ink::purple, Fill::solid);
   add("parts that tolerate too little", std::move(too_little), Shape::triangle, Ink::amber,
       Fill::hollow);
   add("parts that fit", std::move(fit), Shape::disc, Ink::green, Fill::hollow);
@@ -93,10 +93,6 @@ std::vector<Figure> trade_off_figures(const std::vector<design::TradeOff>& front
   tolerance.caption =
       "Each point is the most tolerant damper of its stroke: none is better in one of the three "
       "without being worse in another; inside a notch the acceleration is f + Δ/w + spring.";
-  acceleration.caption = format(
-      "The least acceleration for each stroke; the design has {:.4g} g at {}.",
-      chosen.response.peak_absolute_acceleration,
-      units.length_words(chosen.response.peak_amplitude));
   acceleration.description = format(
       "The least transmitted acceleration for each stroke, from {} at {:.4g} g to {} at "
       "{:.4g} g. The design has {} at {:.4g} g.",

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 namespace stillpoint::report {
@@ -50,6 +51,10 @@ Ink ink_of(const design::Hits& now) {
   return now.end == HitEnd::centred ? arrival_ink(now.arrivals.value_or(1)) : look_of(now.end).ink;
 }
 
+std::string some_spring(const design::Hits& now) {
+  return now.every_spring ? "" : " with some spring";
+}
+
 /// "off centre with some spring", "centred at arrival 2", "within the residual after 1 passage"
 std::string named(const design::Hits& now) {
   const double arrivals = now.arrivals.value_or(0);
@@ -57,8 +62,7 @@ std::string named(const design::Hits& now) {
       now.end == HitEnd::centred && arrivals > 1           ? format(" at arrival {}", arrivals)
       : now.end == HitEnd::within_residual && arrivals > 0 ? " after " + plural(arrivals, "passage")
                                                            : "";
-  return format("{}{}{}", look_of(now.end).name, later,
-                now.every_spring ? "" : " with some spring");
+  return look_of(now.end).name + later + some_spring(now);
 }
 
 /// "; weaker ones are held at the start and stronger ones go too far"
@@ -76,8 +80,14 @@ std::string other_ones(const DrawnEnds& drawn) {
     if ((below || above) && !fate.empty()) {
       const bool last = below ? now.from == 0 : now.to == drawn.list.back().to;
       add(format("{}{} ones {}{}", last ? "" : "slightly ", below ? "weaker" : "stronger", fate,
-                 now.every_spring ? "" : " with some spring"));
+                 some_spring(now)));
       says_above = says_above || above;
+      constexpr double hidden = 0.004;  // of the figure, a pixel
+      if (below && &now != drawn.list.data() && now.to - now.from < hidden * drawn.list.back().to) {
+        const design::Hits& next = *std::prev(&now);
+        add(format("{} ones {}", next.from == 0 ? "weaker" : "somewhat weaker",
+                   look_of(next.end).fate));
+      }
     }
   }
   if (drawn.fail_by_criterion) {
@@ -177,17 +187,24 @@ Figure ends_figure(const DrawnEnds& drawn) {
     const std::string range = words(drawn, now.from, now.to);
     const bool too_late =
         now.end == HitEnd::within_residual && now.arrivals.value_or(0) >= drawn.arrivals;
-    figure.areas.push_back({.name = name,
-                            .outline = strip(now.from * scale, now.to * scale, 0, 1),
-                            .ink = ink_of(now),
-                            .look = too_late ? AreaLook::hatched : look_of(now.end).look,
-                            .again = true,
-                            .told = format("{}, {}", name, range)});
+    figure.areas.push_back(
+        {.name = name,
+         .outline = strip(now.from * scale, now.to * scale, 0, 1),
+         .ink = ink_of(now),
+         .look = too_late ? AreaLook::hatched : look_of(now.end).look,
+         .again = true,
+         .told = format("{}, {}", name, range),
+         .key = now.end != HitEnd::within_residual
+                    ? ""
+                    : (too_late ? "within the residual, but too late" : "within the residual") +
+                          some_spring(now)});
     figure.description +=
         format("{} {} from {}", &now == drawn.list.data() ? "" : ",", name, range);
   }
   for (figures::FigureArea& area : figure.areas) {
-    area.key = key_of_arrivals(figure.areas, area, "centred at arrival");
+    if (area.key.empty()) {
+      area.key = key_of_arrivals(figure.areas, area, "centred at arrival ");
+    }
   }
   if (known < asked_for) {  // beyond what the program takes
     figure.areas.push_back(

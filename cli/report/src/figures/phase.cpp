@@ -37,14 +37,23 @@ bool is_one_orbit(const DrawnMotion& motion) {
   return distance(most) - distance(least) <= alike * distance(most);
 }
 
-/// From the turn before the farthest one to the turn after it, up to the last that is drawn.
-Interval widest_loop(const DrawnMotion& motion, double last) {
-  const auto end = std::ranges::find(motion.turns, last, &State::tau);
-  const auto farthest = std::max_element(
-      motion.turns.begin(), end,
-      [](const State& one, const State& other) { return std::abs(one.x) < std::abs(other.x); });
-  return {farthest == motion.turns.begin() ? 0 : std::prev(farthest)->tau,
-          std::min(std::next(farthest)->tau, last)};
+/// From turn to turn but one of a motion with more than can be told apart: those that lie visibly
+/// farther in or out than the one before.
+std::vector<Interval> loops_apart(const DrawnMotion& motion) {
+  constexpr double apart = 0.05;  // of the largest, some pixels
+  const double most = std::abs(
+      std::ranges::max(motion.turns, {}, [](const State& turn) { return std::abs(turn.x); }).x);
+  std::vector<Interval> loops;
+  double before = HUGE_VAL;
+  for (std::size_t i = 0; i + 2 < motion.turns.size() && loops.size() < most_single_half_cycles / 2;
+       i += 2) {
+    const double now = std::abs(motion.turns[i].x);
+    if (std::abs(now - before) >= apart * most) {
+      loops.push_back({motion.turns[i].tau, motion.turns[i + 2].tau});
+      before = now;
+    }
+  }
+  return loops;
 }
 
 }  // namespace
@@ -56,23 +65,22 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
   // Without friction a free motion only repeats its first two turns.
   const bool repeats = is_one_orbit(motion);
   const bool long_one = !repeats && motion.turns.size() > most_single_half_cycles;
-  const double last = repeats    ? motion.turns[2].tau
-                      : long_one ? motion.turns[most_single_half_cycles - 1].tau
-                                 : motion.states.back().tau;
+  const double last = repeats ? motion.turns[2].tau : motion.states.back().tau;
+  const std::vector<Interval> loops =
+      long_one ? loops_apart(motion) : std::vector<Interval>{{0, last}};
+  const auto loop_of = [&](const State& state) {
+    return std::ranges::find_if(loops, [&](const Interval& loop) {
+      return loop.low <= state.tau && state.tau <= loop.high;
+    });
+  };
   std::vector<State> states = motion.states;
-  std::erase_if(states, [last](const State& state) { return state.tau > last; });
+  std::erase_if(states, [&](const State& state) { return loop_of(state) == loops.end(); });
   const auto [x_least, x_most] = extent(states, &State::x);
   const auto [v_least, v_most] = extent(states, &State::v);
   FigureCurve arcs{
-      .name = "motion", .strokes = {}, .ink = Ink::blue, .smooth = true, .directed = !long_one};
-  FigureCurve loop = arcs;  // that shows the direction of them all
-  loop.name = "widest turn";
-  loop.ink = Ink::purple;
-  loop.directed = true;
+      .name = "motion", .strokes = {}, .ink = Ink::blue, .smooth = true, .directed = true};
   FigureCurve jumps{"jump at x = 0", {}, Ink::orange, Dash::dotted, false};
   double largest_jump = 0;
-  const Interval widest = long_one ? widest_loop(motion, last) : Interval{0, 0};
-  FigureCurve* curve = nullptr;
   const State* before = nullptr;
   for (const State& state : states) {
     const bool jumped = before != nullptr && before->tau == state.tau && before->v != state.v;
@@ -80,26 +88,20 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
       jumps.strokes.push_back({place(*before), place(state)});
       largest_jump = std::max(largest_jump, std::abs(state.v - before->v));
     }
-    FigureCurve* const next = widest.low <= state.tau && state.tau < widest.high ? &loop : &arcs;
-    if (next != curve || jumped) {
-      if (curve != nullptr && !jumped) {
-        curve->strokes.back().push_back(place(state));
-      }
-      next->strokes.emplace_back();
-      curve = next;
+    if (before == nullptr || jumped || loop_of(*before) != loop_of(state)) {
+      arcs.strokes.emplace_back();
     }
-    curve->strokes.back().push_back(place(state));
+    arcs.strokes.back().push_back(place(state));
     if (is_at_edge(motion.surface, state.x)) {
-      curve->strokes.push_back({place(state)});  // a kink: the friction changes
+      arcs.strokes.push_back({place(state)});  // a kink: the friction changes
     }
     before = &state;
   }
   Figure figure;
   figure.id = "phase";
-  figure.title =
-      "Phase portrait" + (long_one ? fmt::format(" (the first {} turns)", most_single_half_cycles)
-                         : repeats ? ""
-                                   : beginning(motion));
+  figure.title = "Phase portrait" + (long_one  ? " (some of the turns)"
+                                     : repeats ? ""
+                                               : beginning(motion));
   figure.x = axis_around(units.x_label, x_least * units.length, x_most * units.length);
   figure.y = axis_around(units.velocity_label, v_least * units.velocity, v_most * units.velocity);
   figure.description = fmt::format(
@@ -108,9 +110,6 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
       plural(static_cast<double>(jumps.strokes.size()), "jump"));
   add_zones(figure, motion, units.length, Along::y);
   figure.curves = {std::move(arcs)};
-  if (!loop.strokes.empty()) {
-    figure.curves.push_back(std::move(loop));
-  }
   constexpr double visible = 0.01;  // of the height, some pixels
   if (largest_jump > visible * (v_most - v_least)) {
     figure.caption = "At x = 0 the velocity jumps because the notch takes energy.";

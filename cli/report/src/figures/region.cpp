@@ -124,7 +124,8 @@ void add_point_inset(Figure& figure, const Problem& problem, const DrawnDamper& 
     }
   }
   const double tall = (around.high - around.low) * unit;
-  if (!figure.inset && around.low <= damper.delta && tall < hidden * (figure.y.most - figure.y.least)) {
+  if (!figure.inset && around.low <= damper.delta &&
+      tall < hidden * (figure.y.most - figure.y.least)) {
     const double half = hidden / 2 * (figure.x.most - figure.x.least);
     add_inset(figure, {std::max(damper.f - half, figure.x.least), around.low * unit},
               {damper.f + half, around.high * unit});

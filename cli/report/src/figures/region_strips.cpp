@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -108,10 +109,10 @@ Ink strip_ink(const DrawnStrip& strip) {
 constexpr std::string_view with_gaps = ", thin strips with gaps";
 
 std::string strip_name(const DrawnRegion& drawn, const DrawnStrip& strip) {
-  return strip.first == 0   ? "any rest within the residual"
-         : strip.with_later ? format("arrivals {} to {}{}", strip.first,
-                                     drawn.problem.arrivals, with_gaps)
-                            : format("arrival {}", strip.first);
+  return strip.first == 0 ? "any rest within the residual"
+         : strip.with_later
+             ? format("arrivals {} to {}{}", strip.first, drawn.problem.arrivals, with_gaps)
+             : format("arrival {}", strip.first);
 }
 
 }  // namespace
@@ -128,28 +129,27 @@ Ink arrival_ink(double arrival) {
 std::string key_of_arrivals(const std::vector<FigureArea>& areas, const FigureArea& one,
                             std::string_view prefix) {
   constexpr std::size_t most = 6;
-  const std::string beginning = format("{} ", prefix);
-  const auto is_numbered = [&](const FigureArea& area) {
-    return area.name.starts_with(beginning) &&
-           area.name.find(' ', beginning.size()) == std::string::npos;
+  const auto behind_number = [&](const FigureArea& area) {
+    return std::min(area.name.find(' ', prefix.size()), area.name.size());
   };
-  std::vector<int> arrivals;
+  const auto rest = [&](const FigureArea& area) { return area.name.substr(behind_number(area)); };
+  std::set<double> arrivals;
   for (const FigureArea& area : areas) {
-    if (area.ink == one.ink && is_numbered(area)) {
-      arrivals.push_back(std::stoi(area.name.substr(beginning.size())));
+    if (area.name.starts_with(prefix) && area.ink == one.ink && rest(area) == rest(one)) {
+      arrivals.insert(std::stod(area.name.substr(prefix.size())));
     }
   }
-  std::ranges::sort(arrivals);
-  const auto repeated = std::ranges::unique(arrivals);
-  arrivals.erase(repeated.begin(), repeated.end());
-  if (!is_numbered(one) || arrivals.size() < 2) {
+  if (!one.name.starts_with(prefix) || arrivals.size() < 2) {
     return "";
   }
-  std::string text = format("{}s {}", prefix, arrivals.front());
-  for (std::size_t i = 1; i < std::min(arrivals.size(), most); ++i) {
-    text += format(", {}", arrivals[i]);
+  std::string text = format("{}s", prefix.substr(0, prefix.size() - 1));
+  std::size_t listed = 0;
+  for (const double arrival : arrivals) {
+    if (++listed <= most || arrival == *arrivals.rbegin()) {
+      text += format("{} {}", listed == 1 ? "" : listed > most + 1 ? ", …," : ",", arrival);
+    }
   }
-  return text + (arrivals.size() > most ? format(", …, {}", arrivals.back()) : "");
+  return text + rest(one);
 }
 
 bool is_one_area(const design::Problem& problem, std::size_t areas) {
@@ -182,7 +182,7 @@ std::vector<FigureArea> admissible_areas(const DrawnRegion& drawn, const FigureU
     add({own});
   }
   for (FigureArea& area : areas) {
-    area.key = key_of_arrivals(areas, area, "arrival");
+    area.key = key_of_arrivals(areas, area, "arrival ");
   }
   if (is_one_area(drawn.problem, areas.size())) {
     areas.front().name = drawn.region.feasible && drawn.limits.tolerance == 0
