@@ -381,7 +381,7 @@ BOOST_FIXTURE_TEST_CASE(without_a_damper_the_map_names_the_limit_to_relax, Recor
       "100 --acceleration-max 0.1 --html p.html");
   const std::string page = read("p.html");
   check_contains(
-      page, {">No damper: allow 0.4", "Each area is named after the first limit violated there"});
+      page, {">No damper: allow 0.4", "Each area is named after the limit exceeded most there"});
 }
 
 BOOST_FIXTURE_TEST_CASE(a_damper_without_friction_is_reported_never_to_rest, Recorded) {
