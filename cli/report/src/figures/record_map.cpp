@@ -79,8 +79,7 @@ std::vector<double> excess_bounds(const design::SuiteMap& map, const SuiteLimits
     }
   }
   std::ranges::sort(all);  // a value that many have is in one shade
-  const auto repeated = std::ranges::unique(all);
-  all.erase(repeated.begin(), repeated.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   return even_bounds(std::move(all), excesses);
 }
 
