@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 
@@ -27,9 +28,9 @@ std::size_t first_of(const Figure& figure, const std::string& name) {
   return static_cast<std::size_t>(found - figure.areas.begin());
 }
 
-/// Hatched areas that meet have different directions.
+/// Each kind of hatched area has its own direction.
 double hatch_angle(std::size_t index) {
-  constexpr std::array angles{45, -45, 15, -15, 75, -75};
+  constexpr std::array angles{45, -45, 15, -15, 75, -75, 0, 90};
   return angles.at(index % angles.size());
 }
 
@@ -53,6 +54,31 @@ std::string cell_names(const FigureMap& map) {
     names += fmt::format("{}{} {}", i == 0 ? "" : "|", map.palette[i], escaped(map.names[i]));
   }
   return names;
+}
+
+/// The path of the cells, each 1 wide and high, of whose colour that channel, from red, is more
+/// than so far above blue, of 255.
+std::string cells_that_exceed(const FigureMap& map, std::size_t channel, int most) {
+  const auto exceeds = [&](std::int64_t row, std::int64_t column) {
+    const std::string& colour =
+        map.palette[map.cells[static_cast<std::size_t>(row * map.columns + column)]];
+    const auto part = [&colour](std::size_t index) {
+      return std::stoi(colour.substr(1 + 2 * index, 2), nullptr, 16);
+    };
+    return part(channel) - part(2) > most;
+  };
+  std::string text;
+  for (std::int64_t row = 0; row < map.rows; ++row) {
+    for (std::int64_t from = 0, to = 0; from < map.columns; from = to + 1) {
+      for (to = from; to < map.columns && exceeds(row, to);) {
+        ++to;
+      }
+      if (from < to) {
+        add(text, "M{} {}h{}v1H{}Z", from, map.rows - 1 - row, to - from, from);
+      }
+    }
+  }
+  return text;
 }
 
 }  // namespace
@@ -90,13 +116,14 @@ std::string axes(const Figure& figure, const Layout& layout) {
 
 std::string hatches(const Figure& figure) {
   std::string text;
+  std::size_t kinds = 0;
   for (std::size_t i = 0; i < figure.areas.size(); ++i) {
     const FigureArea& area = figure.areas[i];
     if (area.look == AreaLook::hatched && first_of(figure, area.name) == i) {
       add(text,
-          "<pattern id=\"{}\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\" "
-          "patternTransform=\"rotate({})\"><path class=\"hatch {}\" d=\"M3.5 0V7\"/></pattern>\n",
-          hatch_id(figure, area.name), hatch_angle(i), word(area.ink));
+          "<pattern id=\"{0}\" width=\"{1}\" height=\"{1}\" patternUnits=\"userSpaceOnUse\" "
+          "patternTransform=\"rotate({2})\"><path class=\"hatch {3}\" d=\"M3.5 0V7\"/></pattern>\n",
+          hatch_id(figure, area.name), hatch_spacing, hatch_angle(kinds++), word(area.ink));
     }
   }
   return text;
@@ -117,19 +144,22 @@ std::string map(const Figure& figure, const Layout& layout) {
       "<image id=\"{}-map\" {} preserveAspectRatio=\"none\" data-names=\"{}\" "
       "href=\"data:image/png;base64,{}\"/>\n",
       id, size, cell_names(figure.map), map_base64(figure.map));
-  const auto hatch = [&](std::string_view colour, std::string_view channel, int angle) {
+  const auto hatch = [&](std::string_view colour, std::size_t channel, int most, int angle) {
+    const std::string cells = cells_that_exceed(figure.map, channel, most);
+    if (cells.empty()) {
+      return;
+    }
     add(text,
-        "<filter id=\"{0}-{2}\" x=\"0\" y=\"0\" width=\"1\" height=\"1\" "
-        "color-interpolation-filters=\"sRGB\"><feColorMatrix values=\"{3} {3} {3} 0 0 0 0 "
-        "1\"/></filter>\n<mask id=\"{0}-{2}-mask\"><use href=\"#{0}-map\" "
-        "filter=\"url(#{0}-{2})\"/></mask>\n<pattern id=\"{0}-{2}-over\" width=\"8\" height=\"8\" "
-        "patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate({4})\"><path class=\"over\" "
+        "<clipPath id=\"{0}-{2}\"><path transform=\"scale({3} {4})\" d=\"{5}\"/></clipPath>\n"
+        "<pattern id=\"{0}-{2}-over\" width=\"8\" height=\"8\" "
+        "patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate({6})\"><path class=\"over\" "
         "d=\"M4 0V8\"/><path class=\"over light\" d=\"M5 0V8\"/></pattern>\n<rect {1} "
-        "fill=\"url(#{0}-{2}-over)\" mask=\"url(#{0}-{2}-mask)\"/>\n",
-        id, size, colour, channel, angle);
+        "fill=\"url(#{0}-{2}-over)\" clip-path=\"url(#{0}-{2})\"/>\n",
+        id, size, colour, layout.width / static_cast<double>(figure.map.columns),
+        figure.height / static_cast<double>(figure.map.rows), cells, angle);
   };
-  hatch("red", "20 0 -20 0 -1", 45);      // from 5 % more red than blue on
-  hatch("yellow", "0 20 -20 0 -9", -45);  // from 45 % more green than blue on
+  hatch("red", 0, 12, 45);
+  hatch("yellow", 1, 114, -45);
   return text;
 }
 

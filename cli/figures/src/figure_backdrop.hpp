@@ -15,8 +15,10 @@ namespace stillpoint::figures {
 [[nodiscard]] std::string hatches(const Figure& figure);
 /// The pattern of all hatched areas of a name.
 [[nodiscard]] std::string hatch_id(const Figure& figure, const std::string& name);
-/// The picture of its map. A filter finds colours with more red than blue, which are hatched: the
-/// difference must survive printing in grey.
+inline constexpr double hatch_spacing = 7;  // pixels
+inline constexpr double thinnest = 1.5;     // pixels of an area that show its colour
+/// The picture of its map. Colours with more red than blue are hatched: the difference must survive
+/// printing in grey.
 [[nodiscard]] std::string map(const Figure& figure, const Layout& layout);
 
 }  // namespace stillpoint::figures

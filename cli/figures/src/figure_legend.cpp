@@ -27,7 +27,45 @@ bool is_seen(const std::string& band, const Figure& figure, const Plane& plane) 
   return wide >= narrowest;
 }
 
-/// In pixels, on average.
+const std::string& key_of(const FigureArea& area) {
+  return area.key.empty() ? area.name : area.key;
+}
+
+/// Areas of the same entry count together.
+bool are_seen(const Figure& figure, const FigureArea& one) {
+  double thick = 0;
+  for (const FigureArea& area : figure.areas) {
+    thick += key_of(area) == key_of(one) ? thickness(figure, area) : 0;
+  }
+  return one.look == AreaLook::box || thick > thinnest;
+}
+
+/// Whether the inset shows where an area ends.
+bool is_enlarged(const Figure& figure, const FigureArea& area) {
+  const auto ends = [&](const FigureAxis& axis, const FigureAxis& other, double FigurePoint::*along,
+                        double FigurePoint::*across) {
+    const auto [low, high] = std::ranges::minmax(area.outline, {}, across);
+    return std::ranges::any_of(area.outline, [&](const FigurePoint& at) {
+      return std::abs(axis.position(at.*along) - 0.5) < 0.5 && low.*across < other.most &&
+             high.*across > other.least;
+    });
+  };
+  return figure.inset &&
+         (ends(figure.inset->x, figure.inset->y, &FigurePoint::x, &FigurePoint::y) ||
+          ends(figure.inset->y, figure.inset->x, &FigurePoint::y, &FigurePoint::x));
+}
+
+/// Over the sample of an entry.
+std::string hatching(const MapKey& key) {
+  return !key.hatched
+             ? ""
+             : fmt::format(
+                   R"(<path class="over" d="M2 2L14-10M10 2L22-10{}"/><path class="over light" d="M3 2L15-10M11 2L22-9"/>)",
+                   key.crossed ? "M2-10L14 2M10-10L22 2" : "");
+}
+
+}  // namespace
+
 double thickness(const Figure& figure, const FigureArea& area) {
   const Plane plane{figure.x, figure.y, figure_width, figure.height};
   double twice_area = 0;
@@ -42,38 +80,9 @@ double thickness(const Figure& figure, const FigureArea& area) {
   return perimeter > 0 ? std::abs(twice_area) / perimeter : 0;
 }
 
-constexpr double thinnest = 0.5;  // pixels
-
-/// Areas of the same name count together.
-bool are_seen(const Figure& figure, const FigureArea& one) {
-  double thick = 0;
-  for (const FigureArea& area : figure.areas) {
-    thick += area.name == one.name ? thickness(figure, area) : 0;
-  }
-  return one.look == AreaLook::box || thick > thinnest;
-}
-
-/// Whether the inset shows where an area ends.
-bool is_enlarged(const Figure& figure, const FigureArea& area) {
-  return figure.inset && std::ranges::any_of(area.outline, [&](const FigurePoint& at) {
-           return std::abs(figure.inset->x.position(at.x) - 0.5) < 0.5 &&
-                  std::abs(figure.inset->y.position(at.y) - 0.5) < 0.5;
-         });
-}
-
-/// Over the sample of an entry.
-std::string hatching(const MapKey& key) {
-  return !key.hatched
-             ? ""
-             : fmt::format(
-                   R"(<path class="over" d="M2 2L14-10M10 2L22-10{}"/><path class="over light" d="M3 2L15-10M11 2L22-9"/>)",
-                   key.crossed ? "M2-10L14 2M10-10L22 2" : "");
-}
-
-}  // namespace
-
 bool is_seen(const Figure& figure, const FigureArea& area) {
-  return area.look == AreaLook::box || thickness(figure, area) > thinnest;
+  constexpr double least = 0.5;  // pixels
+  return area.look == AreaLook::box || thickness(figure, area) > least;
 }
 
 void FigureLegend::add(const Figure& figure, const std::set<std::string>& named) {
@@ -89,18 +98,16 @@ void FigureLegend::add(const Figure& figure, const std::set<std::string>& named)
   }
   const Plane plane{figure.x, figure.y, figure_width, figure.height};
   for (const FigureArea& area : figure.areas) {
-    if (!are_seen(figure, area) && !is_enlarged(figure, area)) {
+    if (named.contains(area.name) || (!are_seen(figure, area) && !is_enlarged(figure, area))) {
       continue;
     }
-    const bool box = area.look == AreaLook::box;
     enter_unless_named(
-        area.name,
+        key_of(area),
         area.look == AreaLook::hatched
             ? fmt::format(R"x(<path fill="url(#{0})" d="{1}"/><path class="hatch {2}" d="{1}"/>)x",
                           hatch_id(figure, area.name), "M2-10h20v12h-20Z", word(area.ink))
-            : fmt::format(R"({}<path class="{} {}" d="M2-10h20v12h-20Z"/>)",
-                          box ? R"(<path class="area sky" d="M2-10h20v12h-20Z"/>)" : "",
-                          box ? "box" : "area", word(area.ink)));
+            : fmt::format(R"(<path class="{} {}" d="M2-10h20v12h-20Z"/>)",
+                          area.look == AreaLook::box ? "box" : "area", word(area.ink)));
   }
   for (const FigureBand& band : figure.bands) {
     if (is_seen(band.name, figure, plane)) {
@@ -109,8 +116,10 @@ void FigureLegend::add(const Figure& figure, const std::set<std::string>& named)
     }
   }
   for (const FigureCurve& curve : figure.curves) {
-    enter_unless_named(curve.name, fmt::format(R"(<path class="curve {}{}" d="M0-4h24"/>)",
-                                               word(curve.ink), word(curve.dash)));
+    if (!curve.strokes.empty()) {
+      enter_unless_named(curve.name, fmt::format(R"(<path class="curve {}{}" d="M0-4h24"/>)",
+                                                 word(curve.ink), word(curve.dash)));
+    }
   }
   for (const FigureMarks& marks : figure.marks) {
     if (!marks.points.empty()) {

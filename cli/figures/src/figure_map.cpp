@@ -3,7 +3,9 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <cassert>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -29,10 +31,16 @@ void add_chunk(std::string& png, std::string_view type, std::string_view data) {
            static_cast<std::uint32_t>(::crc32(0, bytes_of(body), static_cast<uInt>(body.size()))));
 }
 
+/// The pixels of a cell, across and down: many, because a printed image is smoothed by one pixel.
+std::int64_t scale_of(const FigureMap& map) {
+  constexpr std::int64_t fine = 1200;
+  return std::max<std::int64_t>(1, fine / std::max(map.columns, map.rows));
+}
+
 std::string header(const FigureMap& map) {
   std::string data;
-  add_word(data, static_cast<std::uint32_t>(map.columns));
-  add_word(data, static_cast<std::uint32_t>(map.rows));
+  add_word(data, static_cast<std::uint32_t>(scale_of(map) * map.columns));
+  add_word(data, static_cast<std::uint32_t>(scale_of(map) * map.rows));
   return data + std::string("\x08\x03\0\0\0", 5);  // 8 bits, palette
 }
 
@@ -46,14 +54,20 @@ std::string palette(const FigureMap& map) {
   return data;
 }
 
-/// From the top row down, each after its filter byte (none).
+/// From the top row down, each after its filter byte: none, or for the same row again, the
+/// difference from the one above.
 std::string compressed_rows(const FigureMap& map) {
   std::string plain;
+  const auto scale = static_cast<std::size_t>(scale_of(map));
   const auto columns = static_cast<std::size_t>(map.columns);
-  for (std::int64_t row = map.rows; row-- > 0;) {
+  for (auto row = static_cast<std::size_t>(map.rows); row-- > 0;) {
     plain += '\0';
-    const auto begin = map.cells.begin() + row * map.columns;
-    plain.append(begin, begin + static_cast<std::ptrdiff_t>(columns));
+    for (std::size_t column = 0; column < columns; ++column) {
+      plain.append(scale, static_cast<char>(map.cells[row * columns + column]));
+    }
+    for (std::size_t again = 1; again < scale; ++again) {
+      plain += '\2' + std::string(scale * columns, '\0');
+    }
   }
   uLongf size = ::compressBound(plain.size());
   std::string packed(size, '\0');

@@ -25,6 +25,11 @@ FigurePoint nearest_of(const Box& box, const FigurePoint& at) {
   return {std::clamp(at.x, box.left, box.right), std::clamp(at.y, box.top, box.bottom)};
 }
 
+FigurePoint farthest_of(const Box& box, const FigurePoint& at) {
+  return {at.x < (box.left + box.right) / 2 ? box.right : box.left,
+          at.y < (box.top + box.bottom) / 2 ? box.bottom : box.top};
+}
+
 /// Whether the line through a and b separates two points.
 bool is_between(const FigurePoint& a, const FigurePoint& b, const FigurePoint& one,
                 const FigurePoint& other) {
@@ -67,10 +72,8 @@ class Places {
       inside.fill(pixels(area.outline));
       // Words from edge to edge of a box would hide that it is one.
       const double least = area.look == AreaLook::box ? 3 : 0;
-      const std::string name =
-          area.again || !found_.named.contains(area.name) ? area.name : std::string();
-      if (!within(name, outside_boxes(area, inside), least)) {
-        within(name, inside, least);
+      if (area.again || !found_.named.contains(area.name)) {
+        within(area.name, outside_boxes(area, inside), least);
       }
     }
     for (auto band = figure_.bands.begin(); band != figure_.bands.end(); ++band) {
@@ -147,6 +150,12 @@ class Places {
         ink_.set_line(outline);
       }
     }
+    for (const FigureBand& band : figure_.bands) {
+      const Box stripe = strip(band);
+      if (stripe.right - stripe.left < text_height) {
+        ink_.set(stripe);
+      }
+    }
     for (const FigureMarks& marks : figure_.marks) {
       for (const FigurePoint& at : marks.points) {
         taken_.set(box_around(at_frame(plane_, at), 12, 12));
@@ -164,6 +173,7 @@ class Places {
     if (!figure_.inset) {
       return;
     }
+    constexpr double covering = 8;  // pixels farther away, a cell covered
     const double wide = 0.36 * plane_.width;
     const double high = 0.36 * plane_.height;
     const auto& [x, y] = *figure_.inset;
@@ -172,7 +182,7 @@ class Places {
     for (const double cx : {plane_.width - wide / 2 - 8, wide / 2 + 8}) {
       for (const double cy : {high / 2 + 8, plane_.height - high / 2 - 8}) {
         const double apart = std::hypot(cx - middle.x, cy - middle.y);
-        best.offer(ink_.set_in(box_around({cx, cy}, wide, high)) - apart, {cx, cy});
+        best.offer(covering * ink_.set_in(box_around({cx, cy}, wide, high)) - apart, {cx, cy});
       }
     }
     found_.inset = box_around(best.at, wide, high);
@@ -181,7 +191,7 @@ class Places {
     const FigurePoint low = plane_.pixel({x.least, y.least});
     const FigurePoint high_end = plane_.pixel({x.most, y.most});
     ink_.set_line({low, {high_end.x, low.y}, high_end, {low.x, high_end.y}, low});
-    ink_.set_line({middle, best.at});
+    ink_.set_line({middle, {best.at.x + (best.at.x < middle.x ? wide : -wide) / 2, best.at.y}});
   }
 
   [[nodiscard]] bool is_free(const Box& box) const {
@@ -200,10 +210,9 @@ class Places {
 
   using Lines = std::vector<std::vector<FigurePoint>>;
 
-  /// Whether a line lies between a point and its words, however close to the point.
+  /// Whether a line lies between a point and a place of its words, however close to the point.
   [[nodiscard]] static bool is_beyond(const Lines& lines, const FigurePoint& point,
-                                      const Box& words) {
-    const FigurePoint nearest = nearest_of(words, point);
+                                      const FigurePoint& nearest) {
     return std::ranges::any_of(lines, [&](const std::vector<FigurePoint>& line) {
       return std::ranges::adjacent_find(line, [&](const FigurePoint& a, const FigurePoint& b) {
                return is_between(a, b, point, nearest) && is_between(point, nearest, a, b);
@@ -211,14 +220,30 @@ class Places {
     });
   }
 
+  /// Whether a leader would run through a mark that is not at its point.
+  [[nodiscard]] bool is_marked(const FigurePoint& point, const FigurePoint& words) const {
+    constexpr double own = 12;  // pixels
+    const double length = std::hypot(words.x - point.x, words.y - point.y);
+    for (double along = own; along < length; along += Raster::cell) {
+      const FigurePoint at{std::lerp(point.x, words.x, along / length),
+                           std::lerp(point.y, words.y, along / length)};
+      if (taken_.set_in(box_around(at, 1, 1)) > 0) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /// Beside, above or below one of the points: clear of every line, if that is not too far from it,
-  /// and on its side of a limit, which words beyond it would call exceeded, or of another motion.
+  /// and on its side of a limit, which words beyond it would call exceeded and words on it would
+  /// name, or of another motion.
   void near(const std::string& text, const std::vector<FigurePoint>& points) {
     constexpr double clear = 2;        // pixels above and below
     constexpr double farther = 0.15;   // of a cell covered, a pixel
     constexpr double covering = 12;    // cells: 80 pixels away rather than on a line
-    constexpr double misleading = 60;  // cells: rather on a line than beyond a limit
-    constexpr double strange = 10;  // cells: rather beyond a motion to compare with than on a line
+    constexpr double misleading = 60;  // cells: rather on a line than on or beyond a limit
+    constexpr double strange = 10;   // cells: rather beyond a motion to compare with than on a line
+    constexpr double crossing = 30;  // cells: rather on a line than with a leader through a mark
     const double width = text_width(text);
     Best best;
     for (double gap = 7; gap < 70; gap += 4) {
@@ -231,8 +256,9 @@ class Places {
             if ((std::abs(right) == 1 || down != 0) && is_free(box)) {
               const int covered = ink_.set_in(box_around(centre, width, text_height + 2 * clear));
               best.offer(covered + (covered > 0 ? covering : 0) + farther * gap +
-                             (is_beyond(limits_, point, box) ? misleading : 0) +
-                             (is_beyond(others_, point, box) ? strange : 0),
+                             (is_beyond(limits_, point, farthest_of(box, point)) ? misleading : 0) +
+                             (is_beyond(others_, point, nearest_of(box, point)) ? strange : 0) +
+                             (is_marked(point, nearest_of(box, point)) ? crossing : 0),
                          centre);
             }
           }
@@ -240,7 +266,9 @@ class Places {
       }
     }
     if (best) {
-      put(text, best.at, false, leader(points, box_around(best.at, width, text_height)));
+      const Box box = box_around(best.at, width, text_height);
+      put(text, best.at, false, leader(points, box));
+      found_.words.back().on_lines = ink_.set_in(box) > 0;
     }
   }
 
@@ -398,6 +426,7 @@ class Places {
         return entry <= map.cells[cell] && map.cells[cell] < next;
       };
       if (!map.labels[entry].empty() && within(map.labels[entry], cells_that(is_labelled))) {
+        found_.named.erase(map.labels[entry]);  // its key is that of the names
         for (std::size_t i = entry; i < next; ++i) {
           found_.named.insert(map.names[i]);
         }

@@ -18,6 +18,7 @@ struct PlacedName {
   FigurePoint centre;  ///< in pixels of the plot
   bool upright{false};
   std::vector<FigurePoint> leader{};  ///< a line to the point, from words that are not close to it
+  bool on_lines{false};               ///< needs a ground to be read
 };
 
 struct NamesInPlace {

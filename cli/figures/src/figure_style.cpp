@@ -20,8 +20,9 @@ std::string_view figure_style() noexcept {
 .figure .dotted{stroke-dasharray:2 3}
 .figure .area{fill:currentColor;fill-opacity:.3;stroke:currentColor;stroke-opacity:.6;vector-effect:non-scaling-stroke}
 .figure .area.green{fill-opacity:.15}.figure .area.amber{fill-opacity:.42}.figure .area.purple{fill-opacity:.54}.figure .area.orange{fill-opacity:.68}
-.figure .box{fill:currentColor;fill-opacity:.35;stroke:currentColor;stroke-width:1.8;vector-effect:non-scaling-stroke}
+.figure .box{fill:#7fb9da;stroke:currentColor;stroke-width:1.8;vector-effect:non-scaling-stroke}
 .figure .hatch{stroke:currentColor;stroke-width:1;fill:none;stroke-opacity:.8}
+.figure .thin{stroke:currentColor;stroke-width:.8;vector-effect:non-scaling-stroke}
 .figure .over{stroke:#222;stroke-width:1;stroke-opacity:.6;fill:none}.figure .over.light{stroke:#fff}
 .figure .leader{stroke:#777;stroke-width:.8;vector-effect:non-scaling-stroke}
 .figure .lens{fill:none;stroke:#777;stroke-dasharray:3 2}
@@ -46,6 +47,7 @@ std::string_view dark_figure_style() noexcept {
 .figure .grid{stroke:#2c3239}
 .figure .halo{stroke:#14181d}
 .figure .disc{stroke:#14181d}
+.figure .box{fill:#436f91}
 .figure .blue{color:#56a8f0}.figure .orange{color:#ff8a3d}.figure .green{color:#2bc492}
 .figure .purple{color:#e39ac4}.figure .sky{color:#8fd3f5}.figure .amber{color:#f0b429}
 .figure .grey{color:#a8a8a8}

@@ -69,6 +69,7 @@ class Drawing {
           plot.pixel({band.to, figure_.y.least}).x);
     }
     areas(plot, false);
+    areas(plot, true);
     for (const FigureCurve& curve : figure_.curves) {
       std::string d;
       for (const auto& stroke : curve.strokes) {
@@ -81,7 +82,6 @@ class Drawing {
           curve.hover ? " hover" : "", d,
           curve.hover ? fmt::format(" data-name=\"{}\"", escaped(curve.name)) : "");
     }
-    areas(plot, true);
   }
 
   void areas(const Plane& plot, bool boxes) {
@@ -90,8 +90,12 @@ class Drawing {
         continue;
       }
       const bool hatched = area.look == AreaLook::hatched;
+      // Between the lines of its hatching a thin one would not be seen.
+      const double thick = hatched ? thickness(figure_, area) : 0;
+      const bool thin = thinnest < thick && thick < hatch_spacing;
       add("<path class=\"{} {}\"{} d=\"{}Z\"><title>{}</title></path>\n",
           boxes     ? "box"
+          : thin    ? "hatched thin"
           : hatched ? "hatched"
                     : "area",
           word(area.ink),
@@ -101,14 +105,19 @@ class Drawing {
   }
 
   void marks() {
+    constexpr double apart = 24;  // pixels between arrows
     const Plane plot = plane();
+    std::vector<FigurePoint> arrows;
     for (const FigureCurve& curve : figure_.curves) {
       for (const auto& stroke : curve.strokes) {
         for (const auto& [at, angle] :
              curve.directed ? headings(plot, stroke) : std::vector<Heading>{}) {
-          if (is_marked(plot, at)) {
+          if (is_marked(plot, at) || std::ranges::any_of(arrows, [&](const FigurePoint& other) {
+                return std::hypot(other.x - at.x, other.y - at.y) < apart;
+              })) {
             continue;
           }
+          arrows.push_back(at);
           add("<g class=\"pin\" transform=\"translate({:.2f} {:.2f})\"><path class=\"disc arrow "
               "{}\" "
               "transform=\"rotate({:.1f})\" d=\"M-5-4.5L5 0L-5 4.5Z\"/></g>\n",
@@ -152,14 +161,19 @@ class Drawing {
 
   void words() {
     const std::string_view look = figure_.map.cells.empty() ? "note" : "note on-map";
-    for (const auto& [text, centre, upright, leader] : names_.words) {
+    for (const auto& [text, centre, upright, leader, on_lines] : names_.words) {
       if (!leader.empty()) {
         add("<path class=\"leader\" d=\"M{:.2f} {:.2f}L{:.2f} {:.2f}\"/>\n", leader[0].x,
             leader[0].y, leader[1].x, leader[1].y);
       }
-      add("<g class=\"pin\" transform=\"translate({:.2f} {:.2f})\"><text class=\"{}\" "
+      const double width = text_width(text);
+      add("<g class=\"pin\" transform=\"translate({:.2f} {:.2f})\">{}<text class=\"{}\" "
           "text-anchor=\"middle\" dy=\"4.5\"{}>{}</text></g>\n",
-          centre.x, centre.y, look, upright ? " transform=\"rotate(-90)\"" : "", escaped(text));
+          centre.x, centre.y,
+          on_lines ? fmt::format(R"(<path class="paper" d="M{:.1f}-8h{:.1f}v15H{:.1f}Z"/>)",
+                                 -width / 2, width, -width / 2)
+                   : "",
+          look, upright ? " transform=\"rotate(-90)\"" : "", escaped(text));
     }
   }
 

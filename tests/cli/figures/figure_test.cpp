@@ -178,7 +178,8 @@ BOOST_AUTO_TEST_CASE(the_legend_leaves_out_what_is_too_thin_to_see) {
   Figure figure = one_of_everything();
   figure.map = {};
   figure.areas = {{"sliver", {{0, 0}, {9, 0}, {9, 0.01}, {0, 0.01}}, Ink::sky},
-                  {"thin", {{0, 2}, {9, 2}, {9, 2.04}, {0, 2.04}}, Ink::sky},
+                  {"pixel", {{0, 1}, {9, 1}, {9, 1.04}, {0, 1.04}}, Ink::sky},
+                  {"thin", {{0, 2}, {9, 2}, {9, 2.07}, {0, 2.07}}, Ink::sky},
                   {"tiny box", {{5, 0}, {5.001, 0}, {5.001, 1}, {5, 1}}, Ink::blue, AreaLook::box}};
   figure.bands = {{"blink", 2, 2.01, Ink::grey},
                   {"often", 3, 3.01, Ink::amber},
@@ -188,7 +189,7 @@ BOOST_AUTO_TEST_CASE(the_legend_leaves_out_what_is_too_thin_to_see) {
   for (const char* name : {"thin", "tiny box", "often"}) {
     BOOST_TEST(contains(text, "<text x=\"30\">" + std::string(name)), name);
   }
-  for (const char* name : {"sliver", "blink"}) {
+  for (const char* name : {"sliver", "pixel", "blink"}) {
     BOOST_TEST(!contains(text, "<text x=\"30\">" + std::string(name)), name);
   }
 }
@@ -273,7 +274,7 @@ BOOST_AUTO_TEST_CASE(an_area_is_named_in_the_legend_rather_than_on_a_line) {
   BOOST_TEST(contains(text, "<text x=\"30\">centred"));
 }
 
-BOOST_AUTO_TEST_CASE(an_area_is_named_outside_a_box_on_it_if_there_is_room) {
+BOOST_AUTO_TEST_CASE(an_area_is_never_named_on_a_box) {
   Figure figure;
   figure.x = {"x", 0, 10};
   figure.y = {"y", 0, 10};
@@ -282,7 +283,143 @@ BOOST_AUTO_TEST_CASE(an_area_is_named_outside_a_box_on_it_if_there_is_room) {
   BOOST_TEST(placed(figure, "admissible").centre.y > 240);  // below y = 2
   BOOST_TEST(placed(figure, "tolerance").centre.y < 240);
   figure.areas[1].outline = {{1, 0.3}, {9, 0.3}, {9, 9.7}, {1, 9.7}};
-  BOOST_TEST(placed(figure, "admissible").centre.y < 240);
+  BOOST_TEST(contains(svg(figure, Frame::in_page), "<text x=\"30\">admissible"));
+}
+
+/// The box hides what is below it; lines lie on it.
+BOOST_AUTO_TEST_CASE(a_box_lies_between_areas_and_curves) {
+  Figure figure = one_of_everything();
+  figure.areas = {{"box", {{1, 2}, {9, 2}, {9, 3}, {1, 3}}, Ink::blue, AreaLook::box},
+                  {"area", {{1, 0}, {9, 0}, {9, 4}, {1, 4}}, Ink::sky}};
+  const std::string text = svg(figure, Frame::in_page);
+  const std::size_t box = text.find("class=\"box");
+  BOOST_TEST(text.find("class=\"area") < box);
+  BOOST_TEST(box < text.find("class=\"curve"));
+  BOOST_TEST(!contains(figure_style(), ".figure .box{fill:currentColor"));
+}
+
+BOOST_AUTO_TEST_CASE(areas_share_an_entry_of_the_key) {
+  Figure figure = one_of_everything();
+  figure.map = {};
+  figure.areas = {{.name = "arrival 3",
+                   .outline = {{1, 0}, {1.2, 0}, {1.2, 1}, {1, 1}},
+                   .ink = Ink::purple,
+                   .key = "arrivals 3, 6"},
+                  {.name = "arrival 6",
+                   .outline = {{2, 0}, {2.2, 0}, {2.2, 1}, {2, 1}},
+                   .ink = Ink::purple,
+                   .key = "arrivals 3, 6"}};
+  const std::string text = svg(figure, Frame::in_page);
+  const std::size_t entry = text.find(">arrivals 3, 6</text>");
+  BOOST_TEST(entry != std::string::npos);
+  BOOST_TEST(entry == text.rfind(">arrivals 3, 6</text>"));
+  BOOST_TEST(!contains(text, ">arrival 6</text>"));
+}
+
+BOOST_AUTO_TEST_CASE(a_curve_without_points_is_not_in_the_key) {
+  Figure figure = one_of_everything();
+  figure.curves = {{"never at rest", {}, Ink::blue}};
+  BOOST_TEST(!contains(svg(figure, Frame::in_page), "never at rest</text>"));
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t i = text.find(part); i != std::string::npos; i = text.find(part, i + 1)) {
+    ++found;
+  }
+  return found;
+}
+
+/// Of eight kinds, each with areas of the first between them.
+BOOST_AUTO_TEST_CASE(kinds_of_hatched_areas_have_their_own_directions) {
+  Figure figure = one_of_everything();
+  figure.areas.clear();
+  for (const char* kind : {"a", "b", "c", "d", "e", "f", "g", "h"}) {
+    for (const char* name : {"a", kind}) {
+      figure.areas.push_back(
+          {name, {{1, 0}, {9, 0}, {9, 4}, {1, 4}}, Ink::grey, AreaLook::hatched});
+    }
+  }
+  const std::string text = svg(figure, Frame::in_page);
+  for (const char* angle : {"45", "-45", "15", "-15", "75", "-75", "0", "90"}) {
+    BOOST_TEST(count(text, std::string("patternTransform=\"rotate(") + angle + ")\"") == 1U);
+  }
+}
+
+/// A pixel is 0.037 mm high: the strips are 4, 20 and 1 pixels thick, the lines 7 apart.
+BOOST_AUTO_TEST_CASE(a_gap_thinner_than_its_hatching_has_an_edge) {
+  Figure figure = one_of_everything();
+  const auto thin = [&](double high) {
+    figure.areas = {
+        {"gap", {{0, 1}, {9, 1}, {9, 1 + high}, {0, 1 + high}}, Ink::grey, AreaLook::hatched}};
+    return contains(svg(figure, Frame::in_page), "class=\"hatched thin grey\"");
+  };
+  BOOST_TEST(thin(0.15));
+  BOOST_TEST(!thin(0.75));
+  BOOST_TEST(!thin(0.037));
+}
+
+BOOST_AUTO_TEST_CASE(arrows_do_not_pile_up) {
+  Figure figure = one_of_everything();
+  const std::vector<FigurePoint> line{{0, 1}, {5, 1}, {9, 1}};
+  figure.curves = {{.name = "", .strokes = {line}, .directed = true}};
+  const std::size_t once = count(svg(figure, Frame::in_page), "arrow");
+  BOOST_TEST(once > 0U);
+  figure.curves[0].strokes.push_back(line);
+  BOOST_TEST(count(svg(figure, Frame::in_page), "arrow") == once);
+}
+
+/// A limit 21 pixels below the point has room on both sides, and there are lines everywhere else.
+BOOST_AUTO_TEST_CASE(words_do_not_lie_on_a_limit) {
+  Figure figure;
+  figure.x = {"x", 0, 10};
+  figure.y = {"y", 0, 10};
+  figure.notes = {{"peak", {5, 5}}};
+  figure.curves = {{.name = "limit", .strokes = {{{0, 4.3}, {10, 4.3}}}, .labelled = true},
+                   {.name = "", .strokes = {}}};
+  for (double y = 0; y < 10; y += 0.2) {
+    if (std::abs(y - 4.3) > 0.6) {
+      figure.curves[1].strokes.push_back({{0, y}, {10, y}});
+    }
+  }
+  BOOST_TEST(placed(figure, "peak").centre.y <= 150);
+}
+
+/// Lines everywhere.
+BOOST_AUTO_TEST_CASE(words_on_lines_have_a_ground) {
+  Figure figure;
+  figure.x = {"x", 0, 10};
+  figure.y = {"y", 0, 10};
+  figure.notes = {{"peak", {5, 5}}};
+  BOOST_TEST(!placed(figure, "peak").on_lines);
+  figure.curves = {{.name = "", .strokes = {}}};
+  for (double y = 0; y < 10; y += 0.2) {
+    figure.curves[0].strokes.push_back({{0, y}, {10, y}});
+  }
+  BOOST_TEST(placed(figure, "peak").on_lines);
+  BOOST_TEST(contains(svg(figure, Frame::in_page), ")\"><path class=\"paper\""));
+}
+
+/// Lines leave room only far above the point and far below.
+BOOST_AUTO_TEST_CASE(a_leader_keeps_clear_of_marks) {
+  Figure figure;
+  figure.x = {"x", 0, 10};
+  figure.y = {"y", 0, 10};
+  figure.notes = {{"rest", {5, 5}}};
+  figure.curves = {{.name = "", .strokes = {}}};
+  for (double y = 3.8; y < 6.3; y += 0.1) {
+    figure.curves[0].strokes.push_back({{0, y}, {10, y}});
+  }
+  // Halfway along the line to the words, and so off the next one.
+  const auto leader = placed(figure, "rest").leader;
+  BOOST_TEST_REQUIRE(leader.size() == 2U);
+  const FigurePoint middle{(leader[0].x + 200) / 2, (leader[0].y + 150) / 2};
+  figure.marks = {{"", {{5, 5}, {middle.x / 40, 10 - middle.y / 30}}, Shape::cross, Ink::orange}};
+  const auto next = placed(figure, "rest").leader;
+  BOOST_TEST_REQUIRE(next.size() == 2U);
+  const double along_x = (next[0].x - 200) / std::hypot(next[0].x - 200, next[0].y - 150);
+  const double along_y = (next[0].y - 150) / std::hypot(next[0].x - 200, next[0].y - 150);
+  BOOST_TEST(std::abs((middle.x - 200) * along_y - (middle.y - 150) * along_x) > 5);
 }
 
 BOOST_AUTO_TEST_CASE(marks_are_not_clipped_at_the_frame) {
@@ -314,6 +451,28 @@ BOOST_AUTO_TEST_CASE(the_key_of_a_map_explains_what_no_label_does) {
   figure.map.cells[5] = 1;  // room for the 3
   BOOST_TEST(!contains(svg(figure, Frame::in_page), ">b</text>"));
   BOOST_TEST(contains(svg(figure, Frame::in_page), ">a</text>"));
+}
+
+/// Row 0 is the lowest.
+BOOST_AUTO_TEST_CASE(the_hatching_of_a_map_ends_with_its_cells) {
+  Figure figure = one_of_everything();
+  figure.map.palette[1] = "#c04a00";
+  const std::string text = svg(figure, Frame::in_page);
+  BOOST_TEST(contains(text, "d=\"M1 1h1v1H1ZM0 0h1v1H0Z\""));
+  BOOST_TEST(contains(text, "clip-path="));
+  BOOST_TEST(!contains(text, "-yellow"));
+}
+
+BOOST_AUTO_TEST_CASE(a_kind_with_several_areas_stays_in_the_key_of_a_map) {
+  Figure figure = one_of_everything();
+  figure.map = {1,
+                2,
+                {0, 1},
+                {"#c04a00", "#ffffff"},
+                {"too large, 1 %", "b"},
+                {"too large", ""},
+                {{"too large", "#c04a00"}}};
+  BOOST_TEST(count(svg(figure, Frame::in_page), ">too large</text>") == 2U);  // and in place
 }
 
 // A row is 12 pixels high, too low for the 3; two are not.
@@ -438,7 +597,8 @@ BOOST_AUTO_TEST_CASE(words_on_a_map_keep_their_colours) {
 
 BOOST_AUTO_TEST_CASE(map_is_a_png) {
   // base64 of the signature and of the header's length and name.
-  BOOST_TEST(map_base64(one_of_everything().map).starts_with("iVBORw0KGgoAAAANSUhEUg"));
+  // 1200 = 0x4b0 pixels across and down, though it has 2 by 2 cells: they stay sharp in print.
+  BOOST_TEST(map_base64(one_of_everything().map).starts_with("iVBORw0KGgoAAAANSUhEUgAABLAAAASw"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -382,7 +382,19 @@ BOOST_FIXTURE_TEST_CASE(without_a_damper_the_map_names_the_limit_to_relax, Recor
       "100 --acceleration-max 0.1 --html p.html");
   const std::string page = read("p.html");
   check_contains(
-      page, {">No damper: allow 0.4", "Each area is named after the first limit violated there"});
+      page, {">No damper: allow 0.4", "Each area is named after the limit exceeded most there"});
+}
+
+/// Up to f = 0.4, from where on it locks and feels 0.4 g, 300 % too much, it moves by less than
+/// 2 mm, 100 % too far.
+BOOST_FIXTURE_TEST_CASE(a_map_names_the_limit_that_is_exceeded_most, Recorded) {
+  ending(3,
+         "design --record a.txt --period 2.8 --search-f 0.35:1 --search-delta-m 0:1mm "
+         "--scan-points 100 --acceleration-max 0.1 --max-displacement 1mm --html p.html");
+  const std::string page = read("p.html");
+  BOOST_TEST(contains(page, ">transmits too much</text>"));
+  BOOST_TEST(!contains(page, ">stroke too large</text>"));
+  BOOST_TEST(!contains(page, "300 % to 300 %"));  // most of them are in one shade
 }
 
 /// On a knife edge: six digits give a sixth of the stroke.

@@ -221,6 +221,17 @@ BOOST_FIXTURE_TEST_CASE(text_and_page_show_it, Recorded) {
   }
 }
 
+/// Nothing but the notch takes energy.
+BOOST_FIXTURE_TEST_CASE(a_line_that_does_not_exist_is_not_in_the_key, Recorded) {
+  succeed("spectrum --record a.txt --period 1s:3s:5 --f 0 --delta-m 20mm --svg figures");
+  const std::string drawn = read("figures/spectrum-residual.svg");
+  BOOST_TEST(contains(drawn, "with the notch</text>"));
+  BOOST_TEST(!contains(drawn, "without the notch</text>"));
+  succeed("spectrum --record a.txt --period 1s:3s:5 --f 0 --delta-m 20mm --html p.html");
+  BOOST_TEST(contains(read("p.html"),
+                      "; without the notch undefined, because the mass never comes to rest."));
+}
+
 BOOST_FIXTURE_TEST_CASE(without_a_notch_nothing_is_compared, Recorded) {
   const std::string text = run(but("--delta-m", "0")).out;
   BOOST_TEST(contains(text, "\nFriction alone\n"), text);

@@ -62,7 +62,7 @@ void add_parts(Figure& figure, const Catalogue& catalogue, const FigureUnits& un
       figure.marks.insert(figure.marks.begin(), {name, std::move(points), shape, ink, fill});
     }
   };
-  add("parts that fail", std::move(fail), Shape::cross, Ink::orange, Fill::solid);
+  add("parts that fail", std::move(fail), Shape::cross, Ink::purple, Fill::solid);
   add("parts that tolerate too little", std::move(too_little), Shape::triangle, Ink::amber,
       Fill::hollow);
   add("parts that fit", std::move(fit), Shape::disc, Ink::green, Fill::hollow);

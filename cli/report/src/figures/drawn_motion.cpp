@@ -277,7 +277,7 @@ void add_if_visible(DrawnMotion& motion, OtherMotion other) {
     most = std::max(most, std::abs(state.x));
   }
   constexpr double visible = 0.02;  // of the peak: a few pixels
-  if (apart < visible * most || motion.turns.size() > most_single_half_cycles) {
+  if (apart < visible * most || is_long(motion)) {
     return;
   }
   std::erase_if(other.states, [&](const State& state) { return state.tau > motion.shown_to; });

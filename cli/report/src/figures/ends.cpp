@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 namespace stillpoint::report {
@@ -46,18 +47,12 @@ const Look& look_of(HitEnd end) {
   return *std::ranges::find(looks, end, &Look::end);
 }
 
-bool is_later(const design::Hits& now) {
-  return now.end == HitEnd::centred && now.arrivals.value_or(1) > 1;
-}
-
 Ink ink_of(const design::Hits& now) {
   return now.end == HitEnd::centred ? arrival_ink(now.arrivals.value_or(1)) : look_of(now.end).ink;
 }
 
-/// Without the number of passages, which differs from strip to strip.
-std::string kind_of(const design::Hits& now) {
-  return format("{}{}{}", look_of(now.end).name, is_later(now) ? " at a later arrival" : "",
-                now.every_spring ? "" : " with some spring");
+std::string some_spring(const design::Hits& now) {
+  return now.every_spring ? "" : " with some spring";
 }
 
 /// "off centre with some spring", "centred at arrival 2", "within the residual after 1 passage"
@@ -67,8 +62,7 @@ std::string named(const design::Hits& now) {
       now.end == HitEnd::centred && arrivals > 1           ? format(" at arrival {}", arrivals)
       : now.end == HitEnd::within_residual && arrivals > 0 ? " after " + plural(arrivals, "passage")
                                                            : "";
-  return format("{}{}{}", look_of(now.end).name, later,
-                now.every_spring ? "" : " with some spring");
+  return look_of(now.end).name + later + some_spring(now);
 }
 
 /// "; weaker ones are held at the start and stronger ones go too far"
@@ -86,8 +80,14 @@ std::string other_ones(const DrawnEnds& drawn) {
     if ((below || above) && !fate.empty()) {
       const bool last = below ? now.from == 0 : now.to == drawn.list.back().to;
       add(format("{}{} ones {}{}", last ? "" : "slightly ", below ? "weaker" : "stronger", fate,
-                 now.every_spring ? "" : " with some spring"));
+                 some_spring(now)));
       says_above = says_above || above;
+      constexpr double hidden = 0.004;  // of the figure, a pixel
+      if (below && &now != drawn.list.data() && now.to - now.from < hidden * drawn.list.back().to) {
+        const design::Hits& next = *std::prev(&now);
+        add(format("{} ones {}", next.from == 0 ? "weaker" : "somewhat weaker",
+                   look_of(next.end).fate));
+      }
     }
   }
   if (drawn.fail_by_criterion) {
@@ -156,7 +156,6 @@ std::vector<FigurePoint> strip(double from, double to, double low, double high) 
 }
 
 Figure ends_figure(const DrawnEnds& drawn) {
-  constexpr double narrowest = 0.02;  // of the figure, to be one of few
   const double scale = drawn.scale;
   const double known = drawn.list.back().to * scale;
   const double asked_for = 2 * drawn.asked.high * scale;
@@ -184,17 +183,28 @@ Figure ends_figure(const DrawnEnds& drawn) {
   }
   figure.description = format("Ends of the motion by the strength of the {}:", drawn.noun);
   for (const design::Hits& now : drawn.list) {
-    const bool wide = now.to - now.from >= narrowest * drawn.list.back().to;
     const std::string name = named(now);
     const std::string range = words(drawn, now.from, now.to);
-    figure.areas.push_back({.name = wide ? name : kind_of(now),
-                            .outline = strip(now.from * scale, now.to * scale, 0, 1),
-                            .ink = wide || !is_later(now) ? ink_of(now) : Ink::purple,
-                            .look = look_of(now.end).look,
-                            .again = true,
-                            .told = format("{}, {}", name, range)});
+    const bool too_late =
+        now.end == HitEnd::within_residual && now.arrivals.value_or(0) >= drawn.arrivals;
+    figure.areas.push_back(
+        {.name = name,
+         .outline = strip(now.from * scale, now.to * scale, 0, 1),
+         .ink = ink_of(now),
+         .look = too_late ? AreaLook::hatched : look_of(now.end).look,
+         .again = true,
+         .told = format("{}, {}", name, range),
+         .key = now.end != HitEnd::within_residual
+                    ? ""
+                    : (too_late ? "within the residual, but too late" : "within the residual") +
+                          some_spring(now)});
     figure.description +=
         format("{} {} from {}", &now == drawn.list.data() ? "" : ",", name, range);
+  }
+  for (figures::FigureArea& area : figure.areas) {
+    if (area.key.empty()) {
+      area.key = key_of_arrivals(figure.areas, area, "centred at arrival ");
+    }
   }
   if (known < asked_for) {  // beyond what the program takes
     figure.areas.push_back(

@@ -22,7 +22,8 @@ struct DrawnEnds {
   double scale{1};            ///< from a strength to its place on the axis
   std::string unit;           ///< there, may be empty
   std::vector<design::Hits> list;
-  Interval asked;  ///< the strengths of the task
+  Interval asked;      ///< the strengths of the task
+  double arrivals{1};  ///< at which it may rest
   bool has_range{false};
   std::optional<design::ServedInterval> works;
   /// Why the damper works for none, if no end says so.

@@ -139,8 +139,8 @@ std::string words_of_rest(const DrawnMotion& motion, const FigureUnits& units) {
                 inside ? ", inside the notch," : "", units.time_words(motion.rest->tau));
 }
 
-bool is_long(const std::vector<State>& turns) {
-  return turns.size() > most_single_half_cycles;
+bool is_long(const OtherMotion& other) {
+  return other.turns.size() > most_single_half_cycles;
 }
 
 /// The largest |x|.
@@ -157,7 +157,7 @@ bool is_drawn(const DrawnMotion& motion, const OtherMotion& other) {
   constexpr double crossing = 3;  // times the peak: beyond that it would only cross the figure
   return !other.if_comparable ||
          reach(other.states) <=
-             std::max((is_long(other.turns) ? farthest_shown : crossing) * reach(motion.states),
+             std::max((is_long(other) ? farthest_shown : crossing) * reach(motion.states),
                       farthest_shown * motion.beta.value_or(0));
 }
 
@@ -196,7 +196,7 @@ Interval whole_reach(const OtherMotion& other) {
 /// "without friction, beyond the frame to -158 mm", if the frame cuts it off.
 std::string name_of(const OtherMotion& other, const figures::FigureAxis& axis,
                     const FigureUnits& units) {
-  const std::string name = other.name + (is_long(other.turns) ? " (envelope)" : "");
+  const std::string name = other.name + (is_long(other) ? " (envelope)" : "");
   const auto [least, most] = extent(other.states, &State::x);
   const bool below = least * units.length < axis.least;
   const bool above = most * units.length > axis.most;
@@ -210,7 +210,7 @@ std::string name_of(const OtherMotion& other, const figures::FigureAxis& axis,
 template <class Place>
 std::vector<std::vector<FigurePoint>> strokes_of(const OtherMotion& other, const Place& place) {
   std::vector<FigurePoint> points = places(other.states, place);
-  if (!is_long(other.turns)) {
+  if (!is_long(other)) {
     return {std::move(points)};
   }
   const auto outline = envelope(points, other.turns.size(), place(other.turns.back()).x, false);
@@ -290,7 +290,7 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   const auto place = [&](const State& state) {
     return FigurePoint{state.tau * units.time, state.x * units.length};
   };
-  const bool long_one = is_long(motion.turns);
+  const bool long_one = is_long(motion);
   const State& peak = farthest(motion);
   const std::string peak_words = "peak " + units.length_words(peak.x);
   const std::string rest_words = words_of_rest(motion, units);

@@ -26,14 +26,34 @@ bool is_at_edge(const Surface& surface, double x) {
          std::ranges::find(surface.zones, std::abs(x), &FrictionZone::to) != surface.zones.end();
 }
 
-/// From the turn before the farthest one to the turn after it, up to the last that is drawn.
-Interval widest_loop(const DrawnMotion& motion, double last) {
-  const auto end = std::ranges::find(motion.turns, last, &State::tau);
-  const auto farthest = std::max_element(
-      motion.turns.begin(), end,
-      [](const State& one, const State& other) { return std::abs(one.x) < std::abs(other.x); });
-  return {farthest == motion.turns.begin() ? 0 : std::prev(farthest)->tau,
-          std::min(std::next(farthest)->tau, last)};
+/// Whether all turns are equally far and there are more than two.
+bool is_one_orbit(const DrawnMotion& motion) {
+  constexpr double alike = 1e-9;
+  const auto distance = [](const State& turn) { return std::abs(turn.x); };
+  if (motion.turns.size() < 3) {
+    return false;
+  }
+  const auto [least, most] = std::ranges::minmax(motion.turns, {}, distance);
+  return distance(most) - distance(least) <= alike * distance(most);
+}
+
+/// From turn to turn but one of a motion with more than can be told apart: those that lie visibly
+/// farther in or out than the one before.
+std::vector<Interval> loops_apart(const DrawnMotion& motion) {
+  constexpr double apart = 0.05;  // of the largest, some pixels
+  const double most = std::abs(
+      std::ranges::max(motion.turns, {}, [](const State& turn) { return std::abs(turn.x); }).x);
+  std::vector<Interval> loops;
+  double before = HUGE_VAL;
+  for (std::size_t i = 0; i + 2 < motion.turns.size() && loops.size() < most_single_half_cycles / 2;
+       i += 2) {
+    const double now = std::abs(motion.turns[i].x);
+    if (std::abs(now - before) >= apart * most) {
+      loops.push_back({motion.turns[i].tau, motion.turns[i + 2].tau});
+      before = now;
+    }
+  }
+  return loops;
 }
 
 }  // namespace
@@ -42,47 +62,46 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
   const auto place = [&](const State& state) {
     return FigurePoint{state.x * units.length, state.v * units.velocity};
   };
-  const bool long_one = motion.turns.size() > most_single_half_cycles;
-  const double last =
-      long_one ? motion.turns[most_single_half_cycles - 1].tau : motion.states.back().tau;
+  // Without friction a free motion only repeats its first two turns.
+  const bool repeats = is_one_orbit(motion);
+  const bool long_one = !repeats && motion.turns.size() > most_single_half_cycles;
+  const double last = repeats ? motion.turns[2].tau : motion.states.back().tau;
+  const std::vector<Interval> loops =
+      long_one ? loops_apart(motion) : std::vector<Interval>{{0, last}};
+  const auto loop_of = [&](const State& state) {
+    return std::ranges::find_if(loops, [&](const Interval& loop) {
+      return loop.low <= state.tau && state.tau <= loop.high;
+    });
+  };
   std::vector<State> states = motion.states;
-  std::erase_if(states, [last](const State& state) { return state.tau > last; });
+  std::erase_if(states, [&](const State& state) { return loop_of(state) == loops.end(); });
   const auto [x_least, x_most] = extent(states, &State::x);
   const auto [v_least, v_most] = extent(states, &State::v);
   FigureCurve arcs{
-      .name = "motion", .strokes = {}, .ink = Ink::blue, .smooth = true, .directed = !long_one};
-  FigureCurve loop = arcs;  // that shows the direction of them all
-  loop.name = "widest turn";
-  loop.ink = Ink::purple;
-  loop.directed = true;
+      .name = "motion", .strokes = {}, .ink = Ink::blue, .smooth = true, .directed = true};
   FigureCurve jumps{"jump at x = 0", {}, Ink::orange, Dash::dotted, false};
-  const Interval widest = long_one ? widest_loop(motion, last) : Interval{0, 0};
-  FigureCurve* curve = nullptr;
+  double largest_jump = 0;
   const State* before = nullptr;
   for (const State& state : states) {
     const bool jumped = before != nullptr && before->tau == state.tau && before->v != state.v;
     if (jumped) {
       jumps.strokes.push_back({place(*before), place(state)});
+      largest_jump = std::max(largest_jump, std::abs(state.v - before->v));
     }
-    FigureCurve* const next = widest.low <= state.tau && state.tau < widest.high ? &loop : &arcs;
-    if (next != curve || jumped) {
-      if (curve != nullptr && !jumped) {
-        curve->strokes.back().push_back(place(state));
-      }
-      next->strokes.emplace_back();
-      curve = next;
+    if (before == nullptr || jumped || loop_of(*before) != loop_of(state)) {
+      arcs.strokes.emplace_back();
     }
-    curve->strokes.back().push_back(place(state));
+    arcs.strokes.back().push_back(place(state));
     if (is_at_edge(motion.surface, state.x)) {
-      curve->strokes.push_back({place(state)});  // a kink: the friction changes
+      arcs.strokes.push_back({place(state)});  // a kink: the friction changes
     }
     before = &state;
   }
   Figure figure;
   figure.id = "phase";
-  figure.title =
-      "Phase portrait" + (long_one ? fmt::format(" (the first {} turns)", most_single_half_cycles)
-                                   : beginning(motion));
+  figure.title = "Phase portrait" + (long_one  ? " (some of the turns)"
+                                     : repeats ? ""
+                                               : beginning(motion));
   figure.x = axis_around(units.x_label, x_least * units.length, x_most * units.length);
   figure.y = axis_around(units.velocity_label, v_least * units.velocity, v_most * units.velocity);
   figure.description = fmt::format(
@@ -91,12 +110,13 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
       plural(static_cast<double>(jumps.strokes.size()), "jump"));
   add_zones(figure, motion, units.length, Along::y);
   figure.curves = {std::move(arcs)};
-  if (!loop.strokes.empty()) {
-    figure.curves.push_back(std::move(loop));
-  }
-  if (!jumps.strokes.empty()) {
+  constexpr double visible = 0.01;  // of the height, some pixels
+  if (largest_jump > visible * (v_most - v_least)) {
     figure.caption = "At x = 0 the velocity jumps because the notch takes energy.";
     figure.curves.push_back(std::move(jumps));
+  } else if (!jumps.strokes.empty()) {
+    figure.caption =
+        "The notch takes energy at x = 0, where the jump of the velocity is too small to see.";
   } else if (motion.surface.notch_width) {
     const State& start = states.front();
     figure.caption = fmt::format(

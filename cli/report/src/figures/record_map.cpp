@@ -37,17 +37,25 @@ constexpr std::array broken_names{"stroke too large", "transmits too much", "res
                                   "never rests, or may stop elsewhere"};
 constexpr std::size_t never = broken.size() - 1;
 
-/// The first of broken_names, in the order of design::suite_figure_kinds, that is true; their
-/// number where the limits are met.
+/// Of broken_names, in the order of design::suite_figure_kinds, the one whose limit is exceeded
+/// most; their number where the limits are met.
 std::size_t broken_index(const SuiteFigures& figures, const SuiteLimits& limits) {
-  const auto& kinds = design::suite_figure_kinds;
-  const auto* const violated =
-      std::ranges::find_if(kinds, [&](const design::SuiteFigureKind& kind) {
-        const std::optional<double>& limit = limits.*kind.limit;
-        return figures.settled && limit && figures.*kind.value > *limit;
-      });
-  return admissible(figures, limits) ? broken.size()
-                                     : static_cast<std::size_t>(violated - kinds.begin());
+  if (admissible(figures, limits)) {
+    return broken.size();
+  }
+  std::size_t worst = never;
+  double most = 0;
+  for (std::size_t i = 0; figures.settled && i < never; ++i) {
+    SuiteLimits one;
+    one.*design::suite_figure_kinds.at(i).limit = limits.*design::suite_figure_kinds.at(i).limit;
+    SuiteFigures safe = figures;
+    safe.margin = design::least_suite_margin;
+    if (const double over = excess(safe, one); over > most) {
+      most = over;
+      worst = i;
+    }
+  }
+  return worst;
 }
 
 std::string objective_words(const design::RecordDesignRequest& task, double value,
@@ -70,11 +78,13 @@ std::vector<double> excess_bounds(const design::SuiteMap& map, const SuiteLimits
       all.push_back(excess(figures, limits));
     }
   }
+  std::ranges::sort(all);  // a value that many have is in one shade
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   return even_bounds(std::move(all), excesses);
 }
 
-/// Each cell has the shade of its value, or that of its excess in the colour of the first limit
-/// that it violates.
+/// Each cell has the shade of its value, or that of its excess in the colour of the limit that it
+/// exceeds most.
 void add_cells(figures::FigureMap& drawn, const design::SuiteMap& map, const ShownValues& shown,
                const std::vector<double>& bounds, const design::RecordDesignRequest& task) {
   drawn.columns = static_cast<std::int64_t>(map.f.size());
@@ -216,7 +226,7 @@ Figure drawn_map(const design::RecordDesign& result, const Window& window,
              quantity(task.objective));
   figure.caption =
       !(values.least <= values.most)
-          ? "Each area is named after the first limit violated there" + excess_clause(bounds, "")
+          ? "Each area is named after the limit exceeded most there" + excess_clause(bounds, "")
       : any_fails ? "What is not hatched meets every limit, the darker the better" +
                         excess_clause(bounds, "where it is hatched, ")
                   : "The darker, the better";

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "figures/region_column.hpp"
 #include "figures/report_figures.hpp"
 #include "format.hpp"
 #include "sections.hpp"
@@ -110,6 +111,27 @@ void add_strip_inset(Figure& figure, const FigureArea& strip) {
   add_inset(figure, low, high);
 }
 
+/// Of a point whose mark would hide the strip, or the gap between strips, that it lies in.
+void add_point_inset(Figure& figure, const Problem& problem, const DrawnDamper& damper,
+                     double unit) {
+  constexpr double hidden = 0.06;  // of the plot
+  const RegionColumn column = region_column(problem, damper.f);
+  Interval around{column.stop, HUGE_VAL};
+  for (const auto& strip : column.strips) {
+    for (const double edge : strip ? std::vector{strip->low, strip->high} : std::vector<double>{}) {
+      (edge <= damper.delta ? around.low : around.high) =
+          edge <= damper.delta ? std::max(around.low, edge) : std::min(around.high, edge);
+    }
+  }
+  const double tall = (around.high - around.low) * unit;
+  if (!figure.inset && around.low <= damper.delta &&
+      tall < hidden * (figure.y.most - figure.y.least)) {
+    const double half = hidden / 2 * (figure.x.most - figure.x.least);
+    add_inset(figure, {std::max(damper.f - half, figure.x.least), around.low * unit},
+              {damper.f + half, around.high * unit});
+  }
+}
+
 void add_edge(Figure& figure, std::string name, FigurePoint from, FigurePoint to) {
   figure.curves.push_back({.name = std::move(name),
                            .strokes = {{from, to}},
@@ -119,14 +141,24 @@ void add_edge(Figure& figure, std::string name, FigurePoint from, FigurePoint to
 }
 
 /// The strips of later arrivals lie below those of earlier ones.
-std::string caption_of(const DrawnRegion& drawn, std::size_t areas, const FigureUnits& units) {
+std::string caption_of(const DrawnRegion& drawn, const std::vector<FigureArea>& strips_drawn,
+                       const FigureUnits& units) {
   const Problem& problem = drawn.problem;
+  const std::size_t areas = strips_drawn.size();
+  const auto is_of_arrival = [](const FigureArea& area) {
+    return area.name.starts_with("arrival ");
+  };
+  const bool any_rest = problem.residual && !is_of_arrival(strips_drawn.front());
   const std::string strips =
-      is_one_area(problem, areas)
+      is_one_area(problem, areas) || std::ranges::none_of(strips_drawn, is_of_arrival)
           ? ""
-          : format("; in each strip the mass {} at that arrival{}",
+          : format("; in {} strip{} the mass {} at that arrival{}{}", any_rest ? "the" : "each",
+                   any_rest ? " of an arrival" : "",
                    problem.residual ? "rests within the residual" : "stops at x = 0",
-                   areas > 1 && !problem.residual ? ", in a lower strip at a later one" : "");
+                   areas > 1 && !problem.residual ? ", in a lower strip at a later one" : "",
+                   std::ranges::any_of(strips_drawn, has_gaps)
+                       ? "; the grey area is admissible only in thin strips"
+                       : "");
   const std::string_view ranges = problem.v0_low && problem.p_high
                                       ? " with every hit and spring of the ranges"
                                   : problem.v0_low ? " with every hit of the range"
@@ -306,7 +338,7 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   const Region& region = drawn.region;
   const auto& damper = drawn.damper;
   const bool several = drawn.problem.arrivals > 1 || !is_plain(drawn.problem, {});
-  auto admissible = admissible_areas(drawn, units);
+  const auto admissible = admissible_areas(drawn, units);
   const design::BoxShape& shape = drawn.limits.shape;
   const auto box = damper ? tolerance_box(*damper, shape, unit) : std::vector<FigurePoint>{};
   Extent seen;
@@ -314,8 +346,9 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
     seen.add(area.outline);
   }
   Extent all = seen;
+  constexpr double gap = 20;  // times f3: up to there its far end is seen
   all.add(
-      {{std::max(region.f3, std::min(region.f2, 4 * region.f3)), region.delta2.value() * unit}});
+      {{std::max(region.f3, std::min(region.f2, gap * region.f3)), region.delta2.value() * unit}});
   constexpr double far = 1.6;  // farther out, a damper would flatten the region
   if (damper && damper->f <= far * all.most.x && damper->delta * unit <= far * all.most.y) {
     seen.add(box);
@@ -330,16 +363,19 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   figure.description =
       several ? "The plane of f and Δ with the strip of each arrival at which the mass may rest. "
               : plane_words(region, units);
-  figure.areas = std::move(admissible);
-  const std::size_t strips = figure.areas.size();
+  figure.areas = admissible;
+  const std::size_t strips = admissible.size();
   add_sides(figure, drawn, units);
-  figure.caption = strips > 0 ? caption_of(drawn, strips, units) : empty_caption(figure);
+  figure.caption = strips > 0 ? caption_of(drawn, admissible, units) : empty_caption(figure);
   if (!several) {
     add_delta1(figure, drawn.problem, region.f3, unit);
   }
   add_tolerant(figure, drawn.limits, tolerant_areas(drawn, unit));
   if (damper) {
     add_damper(figure, *damper, shape, units);
+  }
+  if (damper && strips > 1) {
+    add_point_inset(figure, drawn.problem, *damper, unit);
   }
   for (std::size_t i = 0; i < strips && !figure.inset; ++i) {
     if (!is_seen(figure, figure.areas[i])) {

@@ -11,7 +11,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -104,18 +106,50 @@ Ink strip_ink(const DrawnStrip& strip) {
                             : arrival_ink(static_cast<double>(strip.first));
 }
 
+constexpr std::string_view with_gaps = ", thin strips with gaps";
+
 std::string strip_name(const DrawnRegion& drawn, const DrawnStrip& strip) {
-  return strip.first == 0   ? "any rest within the residual"
-         : strip.with_later ? format("arrivals {} to {}, thin strips with gaps", strip.first,
-                                     drawn.problem.arrivals)
-                            : format("arrival {}", strip.first);
+  return strip.first == 0 ? "any rest within the residual"
+         : strip.with_later
+             ? format("arrivals {} to {}{}", strip.first, drawn.problem.arrivals, with_gaps)
+             : format("arrival {}", strip.first);
 }
 
 }  // namespace
 
+bool has_gaps(const FigureArea& strip) {
+  return strip.name.ends_with(with_gaps);
+}
+
 Ink arrival_ink(double arrival) {
   constexpr std::array inks{Ink::sky, Ink::green, Ink::purple};
   return inks.at(static_cast<std::size_t>(std::fmod(arrival - 1, inks.size())));
+}
+
+std::string key_of_arrivals(const std::vector<FigureArea>& areas, const FigureArea& one,
+                            std::string_view prefix) {
+  constexpr std::size_t most = 6;
+  const auto behind_number = [&](const FigureArea& area) {
+    return std::min(area.name.find(' ', prefix.size()), area.name.size());
+  };
+  const auto rest = [&](const FigureArea& area) { return area.name.substr(behind_number(area)); };
+  std::set<double> arrivals;
+  for (const FigureArea& area : areas) {
+    if (area.name.starts_with(prefix) && area.ink == one.ink && rest(area) == rest(one)) {
+      arrivals.insert(std::stod(area.name.substr(prefix.size())));
+    }
+  }
+  if (!one.name.starts_with(prefix) || arrivals.size() < 2) {
+    return "";
+  }
+  std::string text = format("{}s", prefix.substr(0, prefix.size() - 1));
+  std::size_t listed = 0;
+  for (const double arrival : arrivals) {
+    if (++listed <= most || arrival == *arrivals.rbegin()) {
+      text += format("{} {}", listed == 1 ? "" : listed > most + 1 ? ", …," : ",", arrival);
+    }
+  }
+  return text + rest(one);
 }
 
 bool is_one_area(const design::Problem& problem, std::size_t areas) {
@@ -146,6 +180,9 @@ std::vector<FigureArea> admissible_areas(const DrawnRegion& drawn, const FigureU
   }
   if (own > 0) {
     add({own});
+  }
+  for (FigureArea& area : areas) {
+    area.key = key_of_arrivals(areas, area, "arrival ");
   }
   if (is_one_area(drawn.problem, areas.size())) {
     areas.front().name = drawn.region.feasible && drawn.limits.tolerance == 0

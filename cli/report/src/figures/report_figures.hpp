@@ -85,8 +85,13 @@ struct DrawnMotion {
 /// spring or of the load, whichever is faster.
 inline constexpr std::int64_t most_drawn_half_cycles = 2000;
 inline constexpr double most_drawn_periods = 1000;
-/// With more half-cycles than can be distinguished, the envelope is drawn.
+/// With more half-cycles than can be distinguished, the envelope is drawn. A load turns the mass
+/// several times in some of them.
 inline constexpr std::size_t most_single_half_cycles = 40;
+[[nodiscard]] inline bool is_long(const DrawnMotion& motion) {
+  constexpr std::size_t most_turns = 3 * most_single_half_cycles;
+  return motion.passages.size() > most_single_half_cycles || motion.turns.size() > most_turns;
+}
 
 /// Evenly spaced points that make a curve of an angular frequency look smooth up to tau =
 /// `horizon`.
@@ -204,10 +209,17 @@ void add_tolerant(figures::Figure& figure, const design::Limits& limits,
                   std::vector<std::vector<figures::FigurePoint>> areas);
 /// Of a stop at that arrival, in each figure; those of neighbours differ.
 [[nodiscard]] figures::Ink arrival_ink(double arrival);
+/// "arrivals 3, 6, 9" of the areas with the ink of this one, each named by the prefix and a number;
+/// empty if there is only one.
+[[nodiscard]] std::string key_of_arrivals(const std::vector<figures::FigureArea>& areas,
+                                          const figures::FigureArea& one, std::string_view prefix);
 /// Of so many admissible areas: no strips to tell apart.
 [[nodiscard]] bool is_one_area(const design::Problem& problem, std::size_t areas);
 /// Strips that can be told apart; those of later arrivals are drawn as one.
 inline constexpr std::int64_t most_drawn_strips = 12;
+
+/// Whether only a part of a strip is admissible, that of several later arrivals.
+[[nodiscard]] bool has_gaps(const figures::FigureArea& strip);
 
 /// Where the exact criterion admits a damper that the published one does not.
 inline constexpr std::string_view by_criterion_alone = "stops, but not by the published criterion";

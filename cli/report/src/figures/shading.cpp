@@ -34,21 +34,20 @@ std::vector<std::size_t> area_of(const figures::FigureMap& map, std::size_t cell
   return area;
 }
 
-/// "≈ 20.8 mm", or "≈ 0.72 to 20.8 mm" where the middle would say too little.
+/// "≈ 20.8 mm", or "0.72–20.8 mm" where they differ by more than a tenth.
 std::string words_of(std::vector<double> values, const std::function<std::string(double)>& words) {
-  constexpr double much = 2;
+  constexpr double much = 1.1;
   std::ranges::sort(values);
-  const double middle = values[values.size() / 2];
   std::string least = words(values.front());
   const std::string most = words(values.back());
-  if (least == most || (values.back() <= much * middle && middle <= much * values.front())) {
-    return "≈ " + words(middle);
+  if (least == most || values.back() <= much * values.front()) {
+    return "≈ " + words(values[values.size() / 2]);
   }
   const std::size_t unit = std::min(most.find(' '), most.size());
   if (least.ends_with(most.substr(unit))) {
     least.resize(least.size() - (most.size() - unit));
   }
-  return format("≈ {} to {}", least, most);
+  return format("{}–{}", least, most);
 }
 
 }  // namespace

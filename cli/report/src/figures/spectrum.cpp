@@ -128,6 +128,9 @@ std::string caption(const Kind& kind, const Figure& figure, const design::Spectr
                   most == 0 ? "zero" : "at most " + value(most));
   }
   const auto words = [&](const FigureCurve& curve) {
+    if (curve.strokes.empty()) {
+      return std::string("undefined, because the mass never comes to rest");
+    }
     const FigurePoint most = highest(curve);
     const bool same = std::ranges::all_of(curve.strokes, [&](const auto& stroke) {
       return std::ranges::all_of(
@@ -197,10 +200,16 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
         kind.name, shortest, longest);
     all.push_back(std::move(figure));
   }
-  const auto never_rests = [](const SpectrumPoint& point) {
-    return !point.with_notch.residual || !point.without.residual;
+  const auto moves_without = [](const SpectrumPoint& point) { return !point.without.residual; };
+  const auto moves = [&](const SpectrumPoint& point) {
+    return !point.with_notch.residual || moves_without(point);
   };
-  if (std::ranges::any_of(spectrum.combined, never_rests)) {
+  if (std::ranges::all_of(spectrum.combined, moves_without)) {
+    if (chosen) {  // else it is said
+      all.back().caption.back() = ';';
+      all.back().caption += " without the notch the mass never comes to rest.";
+    }
+  } else if (std::ranges::any_of(spectrum.combined, moves)) {
     all.back().caption.back() = ';';
     all.back().caption += " a line has a gap where the mass does not come to rest.";
   }

@@ -50,7 +50,7 @@ std::string count_label(std::size_t index) {
 std::string class_name(std::size_t index, bool from_rest) {
   constexpr std::size_t ranges = SweepClass::ranges;
   if (index >= 2 * ranges) {
-    const std::array<const char*, 5> others{from_rest ? "stays at rest" : "never starts",
+    const std::array<const char*, 5> others{from_rest ? "stays at x = 0" : "never starts",
                                             "never stops", "not known to have stopped", "locked",
                                             "perhaps too many half-cycles"};
     return others.at(index - 2 * ranges);
@@ -64,12 +64,11 @@ std::string class_name(std::size_t index, bool from_rest) {
 constexpr std::size_t peak_shades = 5;
 struct ShadedClass {
   std::size_t index;
-  std::string_view word;
   std::string_view shades;
 };
 constexpr std::array shaded{
-    ShadedClass{SweepClass::locked, "locked", "#8a8100#ada100#ccbf08#e8dc22#faf060"},
-    ShadedClass{SweepClass::locked - 1, "not stopped", "#4b2a78#7550a6#9a70c4#c9aae4#e8daf5"}};
+    ShadedClass{SweepClass::locked, "#8a8100#ada100#ccbf08#e8dc22#faf060"},
+    ShadedClass{SweepClass::locked - 1, "#4b2a78#7550a6#9a70c4#c9aae4#e8daf5"}};
 
 using ClassCounts = std::array<std::int64_t, SweepClass::count>;
 
@@ -106,9 +105,9 @@ figures::FigureMap drawn(const sweep::SweepMap& map, const ClassCounts& counts, 
   return drawn;
 }
 
-/// In three digits; next to nothing beside the largest is 0.
+/// In three digits; rounding beside the largest is 0.
 std::string peak_words(double peak, double most, const FigureUnits& units) {
-  constexpr double nothing = 1e-3;
+  constexpr double nothing = 1e-6;
   return format("{:.3g}{}", peak < nothing * most ? 0 : peak * units.length,
                 with_blank(units.length_unit));
 }
@@ -141,9 +140,9 @@ void shade(figures::FigureMap& drawn, const sweep::SweepMap& map, const ShadedCl
     }
   }
   label_values(drawn, {first, drawn.palette.size()}, map.peaks(), words);
-  drawn.key.push_back({format("{}, peak from {}", by.word, words(bounds.front())),
+  drawn.key.push_back({format("{}, peak from {}", drawn.names[by.index], words(bounds.front())),
                        shade_of(by.shades, 0), crossed, crossed});
-  drawn.key.push_back({format("{}, to {}", by.word, words(bounds.back())),
+  drawn.key.push_back({format("{}, peak to {}", drawn.names[by.index], words(bounds.back())),
                        shade_of(by.shades, peak_shades - 1), crossed, crossed});
 }
 
@@ -208,13 +207,18 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
   const std::string place = given(spec, Quantity::notch_width) ? "in the notch" : "at x = 0";
   Figure figure;
   figure.id = "map";
-  figure.title = "How the motions end, after how many half-cycles";
   figure.x = figure_axis("constant friction f", map.f());
   figure.y = figure_axis(units.delta_label, map.delta(), units.length);
   figure.map = drawn(map, counts, v0 == 0, place);
   for (const ShadedClass& by : shaded) {
     shade(figure.map, map, by, units);
   }
+  const bool any_rest = any_rests(counts, 0) || any_rests(counts, SweepClass::ranges);
+  const bool any_peaks = figure.map.palette.size() > SweepClass::count;
+  figure.title = format("How the motions end{}", any_rest && any_peaks ? ""
+                                                 : any_rest  ? ", after how many half-cycles"
+                                                 : any_peaks ? ", and their peaks"
+                                                             : "");
   figure.description = format(
       "The plane of f and Δ. Centred means a rest {}, off centre one in the dead zone.", place);
   for (std::size_t i = 0; i < SweepClass::count; ++i) {
@@ -226,9 +230,8 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
   }
   figure.caption =
       caption(counts, place) +
-      (figure.map.palette.size() > SweepClass::count
-           ? "; ≈ is the peak of the motion, the darker, the smaller where its end is the same"
-           : "");
+      (any_peaks ? "; the values are peaks, the darker, the smaller where the motions end alike"
+                 : "");
   const double p = only_value(spec, Quantity::p);
   if (spec.kind == SweepKind::free && from_zero(spec) && plain_surface(spec) && v0 > 0 && p > 0) {
     add_boundaries(figure, {.v0 = v0, .p = p, .beta = v0 / p}, units,

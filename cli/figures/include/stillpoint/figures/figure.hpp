@@ -35,8 +35,7 @@ struct FigureCurve {
   bool labelled{false};  ///< named beside its line
 };
 
-/// A box lies on top of curves and of an area of sky, which its sample in the legend shows too, and
-/// has an edge.
+/// A box hides the areas below it and has an edge.
 enum class AreaLook { filled, hatched, box };
 
 /// A polygon. It is named inside if there is room, else in the legend if it can be seen.
@@ -47,6 +46,7 @@ struct FigureArea {
   AreaLook look{AreaLook::filled};
   bool again{false};   ///< named if there is room, though another area has its name
   std::string told{};  ///< under the pointer; empty: its name
+  std::string key{};   ///< in the legend, for all areas that have it; empty: its name
 };
 
 /// A shaded span of the horizontal axis, named like an area.
@@ -154,8 +154,9 @@ struct Figure {
   std::optional<FigureInset> inset;
 };
 
-/// Whether an area is thick enough on average to be seen in the plot; a box may be small, since it
-/// is enlarged.
+/// The width of an area in pixels, on average.
+[[nodiscard]] double thickness(const Figure& figure, const FigureArea& area);
+/// Whether that is enough to be seen; a box may be small, since it is enlarged.
 [[nodiscard]] bool is_seen(const Figure& figure, const FigureArea& area);
 
 /// Several figures that share one legend.
