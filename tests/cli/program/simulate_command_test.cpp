@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(from_rest_the_answer_says_which_notch_would_hold_the_start)
   const ProgramRun shaken =
       run("simulate --p 1 --f 0.1 --delta 0.01 --excitation half-sine --k 0.3 --lambda 20");
   check_contains(one_line(shaken.out), {" start no notch works: only one wider than 0.05 would let "
-                                        "the load move the mass, but the stroke is 0.0"});
+                                        "the load move the mass, but the peak is 0.0"});
 }
 
 BOOST_AUTO_TEST_CASE(the_answer_names_zones_and_the_notch_that_was_given) {
