@@ -334,8 +334,9 @@ BOOST_AUTO_TEST_CASE(with_ranges_every_pulse_counts) {
   BOOST_TEST(at(task, 0.1625, 0.63).tolerance.value() == 0.0625 / 0.1625, close);
 }
 
-// Where the f that return have gaps, `return` compares f with the end of an interval next to it, not
-// with the last f of all. The stroke is ten times the peak, so the intervals end where it returns.
+// Where the f that return have gaps, `return` compares f with the end of an interval next to it,
+// not with the last f of all. The stroke is ten times the peak, so the intervals end where it
+// returns.
 BOOST_AUTO_TEST_CASE(return_has_the_nearest_end_of_an_interval) {
   RegionRequest task = half_period(0.05);
   task.pulse = FullSine{0.5, 20};
