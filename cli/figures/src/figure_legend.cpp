@@ -42,17 +42,18 @@ bool are_seen(const Figure& figure, const FigureArea& one) {
 
 /// Whether the inset shows where an area ends.
 bool is_enlarged(const Figure& figure, const FigureArea& area) {
-  const auto ends = [&](const FigureAxis& axis, const FigureAxis& other, double FigurePoint::*along,
-                        double FigurePoint::*across) {
-    const auto [low, high] = std::ranges::minmax(area.outline, {}, across);
+  const auto ends_in = [&](const FigureAxis& axis, const FigureAxis& other,
+                           double FigurePoint::*along, double FigurePoint::*across) {
+    const auto ends = std::ranges::minmax(area.outline, {}, across);
     return std::ranges::any_of(area.outline, [&](const FigurePoint& at) {
-      return std::abs(axis.position(at.*along) - 0.5) < 0.5 && low.*across < other.most &&
-             high.*across > other.least;
+      return std::abs(axis.position(at.*along) - 0.5) < 0.5 && ends.min.*across < other.most &&
+             ends.max.*across > other.least;
     });
   };
-  return figure.inset &&
-         (ends(figure.inset->x, figure.inset->y, &FigurePoint::x, &FigurePoint::y) ||
-          ends(figure.inset->y, figure.inset->x, &FigurePoint::y, &FigurePoint::x));
+  constexpr double thickest = 0.01;  // pixels, of an area that no inset shows
+  return figure.inset && thickness(figure, area) > thickest &&
+         (ends_in(figure.inset->x, figure.inset->y, &FigurePoint::x, &FigurePoint::y) ||
+          ends_in(figure.inset->y, figure.inset->x, &FigurePoint::y, &FigurePoint::x));
 }
 
 /// Over the sample of an entry.

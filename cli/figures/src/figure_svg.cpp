@@ -110,8 +110,9 @@ class Drawing {
     std::vector<FigurePoint> arrows;
     for (const FigureCurve& curve : figure_.curves) {
       for (const auto& stroke : curve.strokes) {
-        for (const auto& [at, angle] :
+        for (const Heading& heading :
              curve.directed ? headings(plot, stroke) : std::vector<Heading>{}) {
+          const auto& at = heading.at;
           if (is_marked(plot, at) || std::ranges::any_of(arrows, [&](const FigurePoint& other) {
                 return std::hypot(other.x - at.x, other.y - at.y) < apart;
               })) {
@@ -121,7 +122,7 @@ class Drawing {
           add("<g class=\"pin\" transform=\"translate({:.2f} {:.2f})\"><path class=\"disc arrow "
               "{}\" "
               "transform=\"rotate({:.1f})\" d=\"M-5-4.5L5 0L-5 4.5Z\"/></g>\n",
-              at.x, at.y, word(curve.ink), angle);
+              at.x, at.y, word(curve.ink), heading.angle);
         }
       }
     }

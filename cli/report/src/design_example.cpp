@@ -188,7 +188,7 @@ std::string example_words(const DesignReport& report, const Physical& physical,
 }
 
 std::string told_notch_fault(const DesignReport& report) {
-  const std::string words = notch_sentence(report);
+  std::string words = notch_sentence(report);
   if (!words.empty() || !report.example || report.result.request.pulse) {
     return words;
   }

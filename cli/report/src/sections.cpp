@@ -144,7 +144,7 @@ void add_excitation(Section& section, const Excitation& excitation,
   std::visit(
       [&]<class Kind>(const Kind& kind) {
         if constexpr (requires { kind.lambda; }) {
-          what += format(", k = {:.6g}, {}", kind.k, frequency_shown(physical, kind.lambda));
+          what += format(", k = {:.6g} g, {}", kind.k, frequency_shown(physical, kind.lambda));
         } else if constexpr (requires { kind.values; }) {
           const auto [least, most] = std::ranges::minmax(kind.values);
           what += format(", {} values from {:.6g} g to {:.6g} g", kind.values.size(), least + 0.0,

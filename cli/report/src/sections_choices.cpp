@@ -32,7 +32,8 @@ std::string consequence(const design::Constraint& violated, const ShownTask& tas
          : name == "return" || name == "residual"
              ? task.problem.residual ? "rests too far off" : "rests off centre"
          : name == "stop"      ? violated.by_criterion_alone
-                                     ? "stops at x = 0, but not by the published criterion"
+                                     ? format("stops{}, but not by the published criterion",
+                                         task.problem.residual ? "" : " at x = 0")
                                  : violated.slack == 0 ? "is on the edge of passing x = 0"
                                  : task.problem.residual
                                      ? format("passes x = 0, and only {} (--arrivals)",
@@ -44,7 +45,7 @@ std::string consequence(const design::Constraint& violated, const ShownTask& tas
                                : "exceeds the " + in_words(name);
 }
 
-/// "f is 12 % too small": so much more is enough; "delta is 3.4 times the limit".
+/// "f must be 12 % larger", "f is 12 % too large", "delta is 3.4 times the limit".
 std::string by_how_much(const design::Constraint& violated) {
   const auto& [name, measured, relation, value, limit, slack, satisfied, by_criterion] = violated;
   const std::string variable = of_first_swing(violated)
@@ -64,9 +65,10 @@ std::string by_how_much(const design::Constraint& violated) {
   constexpr double next_to_all = 0.99;  // which two digits may call all of it
   constexpr double far = 200;
   if (off <= 1) {
-    return format("{} is {} % too {}", variable,
-                  off < next_to_all ? limit_digits(100 * off * (1 - 1e-12), true, 2) : "100",
-                  too_large ? "large" : "small");
+    const std::string part =
+        off < next_to_all ? limit_digits(100 * off * (1 - 1e-12), true, 2) : "100";
+    return too_large ? format("{} is {} % too large", variable, part)
+                     : format("{} must be {} % larger", variable, part);
   }
   return too_large   ? format("{} is {:.3g} times the limit", variable, value / limit)
          : off < far ? format("{} must be {} times as large", variable,
@@ -136,7 +138,8 @@ void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& 
   }
   std::string ruled_out;
   for (const auto& [reason, count] : reasons) {
-    ruled_out += format("{}{} {}", ruled_out.empty() ? "Ruled out by: " : ", ", reason, count);
+    ruled_out += format("{}{} {}", ruled_out.empty() ? "Ruled out, some by several, by: " : ", ",
+                        reason, count);
   }
   if (!ruled_out.empty()) {
     section.line(ruled_out + ".");

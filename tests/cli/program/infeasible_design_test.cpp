@@ -182,8 +182,10 @@ BOOST_AUTO_TEST_CASE(a_tolerance_is_named_only_where_it_makes_the_conflict) {
   };
   const std::string alone = of("2.8s");
   check_contains(alone, {"needs f <= 0.0323605. One way out: ", "amplitude 30, return 5, "});
-  check_contains(of("2.1s"), {"needs f >= 0.0359347, but coming back to x = 0 needs f <= "
-                              "0.0431474, and no f with a tolerance of 15 % fits between."});
+  const std::string between =
+      "needs f >= 0.0359347, but coming back to x = 0 needs f <= 0.0431474, and no f with a "
+      "tolerance of 15 % fits between.";
+  check_contains(of("2.1s"), {between});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

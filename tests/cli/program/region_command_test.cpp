@@ -191,7 +191,7 @@ BOOST_AUTO_TEST_CASE(text_shows_bounds_and_judgement) {
 BOOST_AUTO_TEST_CASE(between_both_delta1_the_words_are_those_of_the_criterion) {
   const Arguments beside("region --v0 1 --p 1 --beta 0.9 --f 0.2 --delta");
   check_contains(succeed(beside + "0.18").out, {"It stops at x = 0, but not by"});
-  check_contains(succeed(beside + "0.17").out, {"It passes x = 0: delta is"});
+  check_contains(succeed(beside + "0.17").out, {"It passes x = 0: delta must be"});
 }
 
 BOOST_AUTO_TEST_CASE(a_friction_alone_has_no_notch) {
@@ -380,7 +380,8 @@ BOOST_AUTO_TEST_CASE(what_is_too_small_must_grow_by_so_much_which_is_enough) {
   const std::string text = one_line(run(at(1)).out);
   std::smatch found;
   BOOST_TEST_REQUIRE(
-      std::regex_search(text, found, std::regex("v0 is ([.0-9]+) % too small \\(return\\)")), text);
+      std::regex_search(text, found, std::regex("v0 must be ([.0-9]+) % larger \\(return\\)")),
+      text);
   const double percent = std::stod(found[1]);
   const auto returns = [&](double more) {
     return reported(at(1 + more / 100))["constraints"][3]["satisfied"] == true;

@@ -486,7 +486,7 @@ BOOST_AUTO_TEST_CASE(a_damper_unlike_its_cell_of_the_map_is_told_apart) {
   request.records = {{"three", Record{{0.4, -0.2, 0}, 1, {}}, 1}};
   request.f = Interval{0, 0.4};
   request.delta = Interval{0, 1};
-  const std::string words = "the damper in its middle, and the chosen one is better";
+  const std::string words = "the damper found is better than the middle of its cell";
   RecordDesignReport unlike{design::design(request), {}};
   unlike.result.nearest.damper = {1, 0.4, 1};
   const Figure apart = figure(page(unlike), "map");

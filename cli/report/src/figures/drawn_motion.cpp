@@ -61,9 +61,10 @@ Interval reach_of(const ForcedTrajectory& path, const Excitation& excitation, do
 
 /// The same start without friction.
 void add_frictionless(DrawnMotion& motion, const SimulationRequest& request) {
-  const auto& [p, f, delta, hold] = request.oscillator;
+  const double p = request.oscillator.p;
+  const double f = request.oscillator.f;
   const double rate = fastest_rate(p, request.excitation);
-  const bool loses = f > 0 || delta > 0 || !request.surface.zones.empty();
+  const bool loses = f > 0 || request.oscillator.delta > 0 || !request.surface.zones.empty();
   if (!loses || motion.shown_to == 0 || motion.shown_to > longest_shown(rate)) {
     return;
   }

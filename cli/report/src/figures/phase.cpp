@@ -88,8 +88,12 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
       jumps.strokes.push_back({place(*before), place(state)});
       largest_jump = std::max(largest_jump, std::abs(state.v - before->v));
     }
-    if (before == nullptr || jumped || loop_of(*before) != loop_of(state)) {
+    const bool new_loop = before != nullptr && loop_of(*before) != loop_of(state);
+    if (before == nullptr || jumped || new_loop) {
       arcs.strokes.emplace_back();
+    }
+    if (new_loop && before->tau == loop_of(state)->low) {
+      arcs.strokes.back().push_back(place(*before));
     }
     arcs.strokes.back().push_back(place(state));
     if (is_at_edge(motion.surface, state.x)) {

@@ -227,15 +227,15 @@ Figure drawn_map(const design::RecordDesign& result, const Window& window,
   figure.caption =
       !(values.least <= values.most)
           ? "Each area is named after the limit exceeded most there" + excess_clause(bounds, "")
-      : any_fails ? "What is not hatched meets every limit, the darker the better" +
-                        excess_clause(bounds, "where it is hatched, ")
-                  : "The darker, the better";
+      : any_fails
+          ? "A cell that is not hatched meets every limit in its middle, the darker the better" +
+                excess_clause(bounds, "where it is hatched, ")
+          : "The darker, the better";
   constexpr std::uint8_t best_shade = 0;
   if (result.finding && shade_at(figure, place) != best_shade) {
     const bool edge = result.finding->sensitivity.with_least_friction.has_value();
-    figure.caption += format("; a cell has the shade of the damper in its middle{}",
-                             edge ? ": the chosen one is better, one with a little friction worse"
-                                  : ", and the chosen one is better");
+    figure.caption += format("; the damper found is better than the middle of its cell{}",
+                             edge ? ", and one with a little more friction worse" : "");
   }
   return figure;
 }

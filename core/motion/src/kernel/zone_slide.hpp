@@ -71,7 +71,7 @@ auto first_event_in_zone(Drive& drive, Piece& piece, const Sliding<Real>& from, 
 template <class Real, class Drive>
 Real end_of(Drive& drive, const Sliding<Real>& whole, const Real& edge, const Real& h,
             const Real& before_edge) {
-  const Real y = before_edge + edge;
+  Real y = before_edge + edge;
   if (magnitude(y) >= magnitude(edge) / 1024) {
     return y;
   }

@@ -68,7 +68,7 @@ double taken_back(const PulseProblem& problem, const FirstReturn& expected) {
 }
 
 struct Tolerance {
-  double end;           ///< of what is compared
+  double end{};         ///< of what is compared
   double along{};       ///< of the velocity during the pulse
   double resolution{};  ///< a margin below it decides nothing
 };
