@@ -203,9 +203,9 @@ BOOST_AUTO_TEST_CASE(of_a_motion_that_locks_says_so_on_standard_error_too) {
 
 BOOST_AUTO_TEST_CASE(for_people_names_the_excitation_and_the_end) {
   const ProgramRun sticking = succeed(s4 + "--verbose");
-  check_contains(sticking.out,
-                 {"Forced motion", "harmonic, k = 0.2 g, lambda = 0.35", "is still moving at the end",
-                  "22 sticks, tau = 102.9", "tau = 200, x = 0.078877"});
+  check_contains(sticking.out, {"Forced motion", "harmonic, k = 0.2 g, lambda = 0.35",
+                                "is still moving at the end", "22 sticks, tau = 102.9",
+                                "tau = 200, x = 0.078877"});
   // x and v by a Runge-Kutta method of step 1e-4: 92.08 mm, 0.3672 m/s
   const ProgramRun metric = succeed(
       "simulate --period 2.8s --f 0.05 --delta-m 0 --excitation harmonic --k 0.1 "

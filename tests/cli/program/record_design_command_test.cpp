@@ -510,9 +510,10 @@ BOOST_FIXTURE_TEST_CASE(a_design_without_friction_is_tried_with_that_of_a_rollin
   BOOST_TEST(contains(one_line(text.out), " With f = 0.002, about the least of any part: "),
              text.out);
   BOOST_TEST(contains(one_line(text.out), fmt::format(" stroke {:.5g} mm, ", peak)), text.out);
-  check_contains(read("page.html"),
-                 {"<p class=\"answer bad\">",
-                  " better than the middle of its cell, and one with a little more friction worse"});
+  check_contains(
+      read("page.html"),
+      {"<p class=\"answer bad\">",
+       " better than the middle of its cell, and one with a little more friction worse"});
   const json tried = run(asked + "--json").json()["sensitivity"]["with_least_friction"];
   BOOST_TEST(tried["f"] == 0.002);
   BOOST_TEST(std::abs(1000 * tried["figures"]["peak_m"].get<double>() / peak - 1) <= 1e-4);

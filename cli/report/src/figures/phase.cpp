@@ -64,7 +64,7 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
   };
   // Without friction a free motion only repeats its first two turns.
   const bool repeats = is_one_orbit(motion);
-  const bool long_one = !repeats && motion.turns.size() > most_single_half_cycles;
+  const bool long_one = !repeats && is_long(motion);
   const double last = repeats ? motion.turns[2].tau : motion.states.back().tau;
   const std::vector<Interval> loops =
       long_one ? loops_apart(motion) : std::vector<Interval>{{0, last}};
