@@ -174,9 +174,10 @@ BOOST_FIXTURE_TEST_CASE(the_stroke_that_a_residual_asks_for_makes_a_design, Sand
 }
 
 BOOST_AUTO_TEST_CASE(a_tolerance_is_named_only_where_it_makes_the_conflict) {
+  const std::string isolator = STILLPOINT_DATA_DIR "/scenes/isolator.json";
+  const std::string parts = STILLPOINT_DATA_DIR "/scenes/parts.csv";
   const auto of = [&](const char* period) {
-    return one_line(run({"design", STILLPOINT_DATA_DIR "/scenes/isolator.json", "--catalogue",
-                         STILLPOINT_DATA_DIR "/scenes/parts.csv", "--tolerance", "0.15",
+    return one_line(run({"design", isolator, "--catalogue", parts, "--tolerance", "0.15",
                          "--max-displacement", "100mm", "--period", period})
                         .out);
   };
