@@ -160,7 +160,7 @@ bool is_too_exact(const DesignReport& report) {
   const design::DesignRequest& request = report.result.request;
   const design::DesignPoint& point = report.result.finding->point;
   return !report.catalogue && !wants_no_friction(report) &&
-         (point.tolerance < least_built || is_f_on_an_edge(request, point));
+         (point.tolerance < buildable || is_f_on_an_edge(request, point));
 }
 
 std::string verdict(const DesignReport& report, const Physical& physical) {

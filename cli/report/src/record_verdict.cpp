@@ -98,8 +98,9 @@ std::string caveat(const RecordDesignReport& report) {
 
 /// A damper that changes this much less than anyone can build it is none.
 bool is_needle(const design::RecordDesign& result) {
+  constexpr double built = 1e-3;
   const auto& worse = result.finding->sensitivity.much_worse;
-  return worse && worse->change < least_built;
+  return worse && worse->change < built;
 }
 
 }  // namespace

@@ -174,7 +174,9 @@ void add_strips(Document& document, const design::Problem& problem,
                                          : "none with the tolerance asked for",
                            "+-" + percent_digits(strip.tolerance)}});
   }
-  Section& section = document.section("Dampers that stop at each arrival");
+  Section& section = document.section(
+      problem.residual ? "Dampers that stop at each arrival, or before it within the residual"
+                       : "Dampers that stop at each arrival");
   section.parts.emplace_back(std::move(table));
   if (strips.size() > most_listed) {
     section.line(format("{} more arrivals have a damper; --json lists them all.",

@@ -23,9 +23,6 @@
 
 namespace stillpoint::report {
 
-/// Relative; nobody builds a damper to less.
-inline constexpr double least_built = 1e-3;
-
 /// What a damper is asked for, and the units to say so in.
 struct ShownTask {
   const design::Problem& problem;
