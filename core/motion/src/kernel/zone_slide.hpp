@@ -65,16 +65,10 @@ auto first_event_in_zone(Drive& drive, Piece& piece, const Sliding<Real>& from, 
   return drive.first_event(piece, limit, edge_ahead);
 }
 
-/// Where a piece without an arrival ends. As seen from a far edge it loses the digits of a motion
-/// that stays near x = 0: at most ten bits here. From nearer edges sums of decimal inputs stay what
-/// they are, as ties need.
+/// Where a piece ends that stays near x = 0. As seen from a far edge it would lose its digits; from
+/// nearer ones, at most ten bits, sums of decimal inputs stay what they are, as ties need.
 template <class Real, class Drive>
-Real end_of(Drive& drive, const Sliding<Real>& whole, const Real& edge, const Real& h,
-            const Real& before_edge) {
-  Real y = before_edge + edge;
-  if (magnitude(y) >= magnitude(edge) / 1024) {
-    return y;
-  }
+[[gnu::noinline]] Real end_near_zero(Drive& drive, const Sliding<Real>& whole, const Real& h) {
   const auto piece = drive.piece(whole);
   if constexpr (requires { piece.flow(); }) {
     return piece.flow().at(h).y;
@@ -104,9 +98,13 @@ void slide_in_zone(Run& run, Drive& drive, ExactSum<Real>& left) {
   if constexpr (Run::AnyWatcher::watches) {
     run.watcher().piece(s.now, whole.direction, drive.piece(whole));
   }
-  const Real y = edge_ahead && end.event != PieceEvent::arrival
-                     ? end_of(drive, whole, edge, end.h, end.at.y)
-                     : end.at.y;
+  Real y = end.at.y;
+  if (edge_ahead && end.event != PieceEvent::arrival) {
+    y += edge;
+    if (magnitude(y) < magnitude(edge) / 1024) {
+      y = end_near_zero(drive, whole, end.h);
+    }
+  }
   left.add(-end.h);
   s.now.add(end.h);
   drive.advance_to(end, from.direction);
