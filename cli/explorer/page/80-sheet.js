@@ -156,8 +156,10 @@ function sheet_heading(title, which) {
 
 /** The figures used in practice: of the motion shown and, with ranges, the worst at their ends. @param {Sheet} sheet */
 function practice_nodes({ report }) {
-  const { practice, practice_worst, physical, input } = report;
+  const { practice, physical, input } = report;
   if (!practice) return [];
+  // Of all hits up to one, with one spring, the strongest is the worst.
+  const practice_worst = input.v0_range?.[0] === 0 && !input.p_range ? null : report.practice_worst;
   const { mass_kg, gravity_m_per_s2, length_unit_m, velocity_unit_m_per_s } = physical ?? {};
   const impulse = (/** @type {number} */ value) =>
     mass_kg
