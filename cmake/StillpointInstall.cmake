@@ -1,4 +1,4 @@
-# Installs its parts. "program": the program, its manual page, completions, schemas and scenes.
+# Installs its parts. "program": the program, its manual page, completions, schemas, scenes and records.
 # "development": the libraries of core and design, their headers, the CMake package "stillpoint" with
 # the targets stillpoint::core and stillpoint::design, and the same for pkg-config. "python", where it is
 # built: the package for import.
@@ -28,7 +28,9 @@ install(DIRECTORY data/schemas/ DESTINATION "${CMAKE_INSTALL_DATADIR}/stillpoint
 # The page, where ./dev explorer has made it.
 install(FILES "${PROJECT_SOURCE_DIR}/build/explorer/stillpoint.html"
         DESTINATION "${CMAKE_INSTALL_DATADIR}/stillpoint" COMPONENT program OPTIONAL)
-install(DIRECTORY data/scenes DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT program)
+# The scenes name the records beside them.
+install(DIRECTORY data/scenes data/records DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT program
+        PATTERN make_records.py EXCLUDE)
 install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME copyright COMPONENT program)
 
 # The libraries. The headers are C++20, so the code that includes them must be too.

@@ -46,7 +46,7 @@ check_package(stillpoint "libnlopt[^\n]*libstdc"
   bash-completion/completions/stillpoint zsh/vendor-completions/_stillpoint
   fish/vendor_completions.d/stillpoint.fish
   stillpoint/schemas/scene.schema.json stillpoint/schemas/design-report-1.schema.json
-  doc/stillpoint/scenes/isolator.json)
+  doc/stillpoint/scenes/isolator.json doc/stillpoint/records/strong_motion.AT2)
 check_package(libstillpoint-dev
   "libeigen3-dev[^\n]*libfmt-dev .>= [0-9]+.,[^\n]*libhwy-dev[^\n]*libnlopt-cxx-dev"
   include/stillpoint/core/free_motion.hpp include/stillpoint/design/design.hpp
@@ -54,6 +54,21 @@ check_package(libstillpoint-dev
   libstillpoint_motion.a libstillpoint_records.a libstillpoint_integrators.a libstillpoint_damper.a libstillpoint_sweep.a
   cmake/stillpoint/stillpointConfig.cmake cmake/stillpoint/FindNLopt.cmake
   pkgconfig/stillpoint.pc pkgconfig/stillpoint-core.pc)
+
+# Each scene works, whatever the working directory: all that it names is beside it.
+file(GLOB scenes "${WORK_DIR}/root/usr/share/doc/stillpoint/scenes/*.json")
+foreach(scene IN LISTS scenes)
+  cmake_path(GET scene STEM name)
+  set(command design)
+  if(name STREQUAL "spectrum")
+    set(command spectrum)
+  endif()
+  execute_process(COMMAND "${WORK_DIR}/root/usr/bin/stillpoint" ${command} "${scene}" --json
+    WORKING_DIRECTORY "${WORK_DIR}" RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE said)
+  if(NOT code EQUAL 0 AND NOT (name STREQUAL "infeasible" AND code EQUAL 3))
+    message(SEND_ERROR "${command} ${scene} ends with ${code}: ${said}")
+  endif()
+endforeach()
 
 # The module, where it was built: the interpreter that it depends on finds it.
 file(GLOB module "${WORK_DIR}/python3-stillpoint_*.deb")

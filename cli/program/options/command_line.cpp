@@ -101,11 +101,21 @@ void add_merge(CLI::App& command, MergeFiles& files) {
   merge.set_help_flag("-h,--help", "print this text");
   merge.fallthrough();
   merge.add_option("OUT", files.output, sweep ? "the file of the whole sweep" : "the JSON report")
-      ->required()
       ->type_name("");
-  merge.add_option("PART", files.parts, "the file of each part, in any order")
-      ->required()
-      ->type_name("");
+  merge.add_option("PART", files.parts, "the file of each part, in any order")->type_name("");
+}
+
+/// With the files behind a "--".
+MergeFiles whole_merge(MergeFiles files, const std::vector<std::string>& operands) {
+  files.parts.insert(files.parts.end(), operands.begin(), operands.end());
+  if (files.output.empty() && !files.parts.empty()) {
+    files.output = files.parts.front();
+    files.parts.erase(files.parts.begin());
+  }
+  if (files.parts.empty()) {
+    throw UsageError("merge needs the file to write and the file of each part: merge OUT PART...");
+  }
+  return files;
 }
 
 /// The second word of "--velocity 400 mm/s".
@@ -113,6 +123,12 @@ void refuse_unit(const std::string& word) {
   if (records::is_unit(word) && !std::filesystem::exists(word)) {
     throw UsageError(fmt::format("{0}: a unit must follow its number without a space: 1{0}", word));
   }
+}
+
+[[noreturn]] void refuse_second(const std::string& word, Command command) {
+  throw UsageError(fmt::format(
+      "{}: unexpected, only one {} can be given", records::shortened(word, records::longest_word),
+      command == Command::init || command == Command::explore ? "word" : "scene"));
 }
 
 void refuse_extras(const CLI::App& app, Command command) {
@@ -123,9 +139,7 @@ void refuse_extras(const CLI::App& app, Command command) {
   const std::string first = records::shortened(extras.front(), records::longest_word);
   refuse_unit(first);
   if (!first.starts_with("-")) {
-    throw UsageError(
-        fmt::format("{}: unexpected, only one {} can be given", first,
-                    command == Command::init || command == Command::explore ? "word" : "scene"));
+    refuse_second(first, command);
   }
   std::string_view bare = first;
   bare.remove_prefix(std::min(bare.find_first_not_of('-'), bare.size()));
@@ -170,10 +184,10 @@ Settings from_flags(const CLI::App& app, const Collected& collected, Command com
 }
 
 /// The parts contain the task. Only how to show the design remains to be given.
-void refuse_beside_merge(const Invocation& invocation) {
+void refuse_beside_merge(const Invocation& invocation, const CLI::App& app) {
   const bool design = invocation.command == Command::design;
   const auto is_wrong = [&](const Option& option) { return !design || !option.traits.merges; };
-  if (!invocation.scene && invocation.flags.first(is_wrong) == nullptr) {
+  if (app.get_option("scene")->count() == 0 && invocation.flags.first(is_wrong) == nullptr) {
     return;
   }
   std::vector<std::string_view> taken;
@@ -226,16 +240,23 @@ std::vector<std::string> without_help_command(int argc, const char* const* argv)
     }
     words.emplace_back("--help");
   }
-  std::ranges::reverse(words);  // as CLI11 takes them
   return words;
 }
 
-/// What CLI11 says of a missing value, a value of a flag or a missing file as a sentence; anything
-/// else as it is.
-std::string in_words(const std::string& message) {
-  if (message == "OUT is required" || message == "PART is required") {
-    return "merge needs the file to write and the file of each part: merge OUT PART...";
+/// The words behind "--", which is removed with them. They name files, even if they begin with a
+/// dash.
+std::vector<std::string> take_operands(std::vector<std::string>& words) {
+  const auto mark = std::ranges::find(words, "--");
+  if (mark == words.begin() || mark == words.end()) {  // require_command refuses the first word
+    return {};
   }
+  std::vector<std::string> operands(mark + 1, words.end());
+  words.erase(mark, words.end());
+  return operands;
+}
+
+/// What CLI11 says of a missing value or a value of a flag as a sentence; anything else as it is.
+std::string in_words(const std::string& message) {
   if (constexpr std::string_view flag = "Could not convert: "; message.starts_with(flag)) {
     return message.substr(flag.size()) + ": this option takes no value";
   }
@@ -278,6 +299,8 @@ Invocation parse_command_line(int argc, const char* const* argv) {
   app.allow_extras();
   app.footer(std::string(footer("stillpoint")));
   std::vector<std::string> words = without_help_command(argc, argv);
+  std::vector<std::string> operands = take_operands(words);
+  std::ranges::reverse(words);  // as CLI11 takes them
   std::map<Command, Collected> collected;
   MergeFiles merge;
   for (const CommandHelp& help : command_helps) {
@@ -317,9 +340,20 @@ Invocation parse_command_line(int argc, const char* const* argv) {
   const Collected& given = collected.at(invocation.command);
   refuse_extras(chosen, invocation.command);
   invocation.flags = from_flags(chosen, given, invocation.command);
+  if (!chosen.get_subcommands().empty()) {
+    refuse_beside_merge(invocation, chosen);
+    invocation.merge = whole_merge(std::move(merge), operands);
+    return invocation;
+  }
   if (chosen.get_option("scene")->count() > 0) {
     refuse_unit(given.scene);
-    invocation.scene = given.scene;
+    operands.insert(operands.begin(), given.scene);
+  }
+  if (operands.size() > 1) {
+    refuse_second(operands[1], invocation.command);
+  }
+  if (!operands.empty()) {
+    invocation.scene = operands[0];
   }
   const auto& known =
       std::ranges::find(command_helps, invocation.command, &CommandHelp::command)->words;
@@ -329,10 +363,6 @@ Invocation parse_command_line(int argc, const char* const* argv) {
       throw InputError(chosen.get_name(), word, must_be(word, known));
     }
     invocation.scene = word;
-  }
-  if (!chosen.get_subcommands().empty()) {
-    refuse_beside_merge(invocation);
-    invocation.merge = std::move(merge);
   }
   return invocation;
 }

@@ -186,6 +186,20 @@ void add_keys(Settings& settings, const nlohmann::json& object, Command command,
   }
 }
 
+/// The files that a scene names are looked for beside it first.
+void find_files(Settings& settings, const std::string& scene) {
+  for (const Option& option : options()) {
+    if (option.traits.file != FileUse::read || !settings.has(option.name)) {
+      continue;
+    }
+    std::string found;
+    for (const std::string& name : settings.texts(option.name)) {
+      found += (found.empty() ? "" : "\n") + (name == "-" ? name : records::beside(scene, name));
+    }
+    settings.set(option, found);
+  }
+}
+
 }  // namespace
 
 Settings parse_scene(std::string_view text, std::string_view source, Command command) {
@@ -202,10 +216,14 @@ Settings scene_settings(const nlohmann::json& scene, Command command) {
 }
 
 Settings read_scene(const std::string& path, Command command) {
-  return path == "-"
-             ? parse_scene(records::read_text_stream("scene", standard_input, largest_scene, stdin),
-                           standard_input, command)
-             : parse_scene(records::read_text_file("scene", path, largest_scene), path, command);
+  if (path == "-") {
+    return parse_scene(records::read_text_stream("scene", standard_input, largest_scene, stdin),
+                       standard_input, command);
+  }
+  Settings settings =
+      parse_scene(records::read_text_file("scene", path, largest_scene), path, command);
+  find_files(settings, path);
+  return settings;
 }
 
 }  // namespace stillpoint::cli

@@ -11,9 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 namespace stillpoint::records {
@@ -21,18 +19,6 @@ namespace stillpoint::records {
 namespace {
 
 constexpr std::size_t largest_list = std::size_t{1} << 20U;
-
-/// A file or folder beside the list, or else from where the program runs. FILE#2 is as good.
-std::string beside(const std::string& list, const std::string& file) {
-  const std::filesystem::path folder = std::filesystem::path(list).parent_path();
-  std::error_code unreachable;
-  for (const std::string& name : {file, file.substr(0, file.rfind('#'))}) {
-    if (std::filesystem::exists(folder / name, unreachable)) {
-      return (folder / file).string();
-    }
-  }
-  return file;
-}
 
 /// What the second column of a list contains.
 enum class Column { scale, peak, spectrum };

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 #include <vector>
 
 namespace stillpoint::records {
@@ -37,6 +39,22 @@ std::string read_text_file(std::string_view kind, const std::string& path, std::
     throw FileError::unreadable({std::string(kind), path}, errno);
   }
   return read_text_stream(kind, path, largest, file.get());
+}
+
+std::string beside(const std::string& by, const std::string& name) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(by).parent_path();
+  std::error_code unreachable;
+  for (const std::size_t length : {name.size(), name.rfind('#')}) {
+    const std::string file = name.substr(0, length);
+    if (!file.empty() && fs::exists(folder / file, unreachable)) {
+      // scenes/../records is records, unless scenes is a link.
+      const fs::path plain = (folder / file).lexically_normal();
+      const bool same = fs::equivalent(plain, folder / file, unreachable);
+      return (same ? plain : folder / file).string() + name.substr(file.size());
+    }
+  }
+  return name;
 }
 
 }  // namespace stillpoint::records

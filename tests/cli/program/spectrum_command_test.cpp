@@ -157,7 +157,6 @@ BOOST_FIXTURE_TEST_CASE(each_record_is_folded_away, Recorded) {
 
 /// The headline names these periods, so the table has them, whatever the steps of its rows.
 BOOST_FIXTURE_TEST_CASE(the_table_has_the_period_of_each_largest_figure, Sandbox) {
-  fs::create_directory_symlink(STILLPOINT_DATA_DIR, path("data"));
   const Arguments scene{"spectrum", STILLPOINT_DATA_DIR "/scenes/spectrum.json"};
   const json points = reported(scene)["combined"];
   const std::string text = run(scene).out;

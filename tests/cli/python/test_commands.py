@@ -54,9 +54,7 @@ def test_report_matches_the_program(program, command, options):
 @pytest.mark.parametrize("command,name", [
     ("design", "isolator"), ("design", "pulse"), ("design", "parts"), ("design", "varying_hits"),
     ("region", "plain"), ("spectrum", "spectrum")])
-def test_scene_matches_the_program(program, command, name, monkeypatch):
-    program.folder = ROOT  # where the files of the scenes are
-    monkeypatch.chdir(ROOT)
+def test_scene_matches_the_program(program, command, name):
     scene = ROOT / f"data/scenes/{name}.json"
     wanted = timeless(program.report(command, scene=scene))
     assert timeless(getattr(stillpoint, command)(scene).report) == wanted

@@ -20,4 +20,8 @@ inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 [[nodiscard]] std::string read_text_stream(std::string_view kind, std::string_view source,
                                            std::size_t largest, std::FILE* file);
 
+/// A file or folder that the file `by` names: beside it if it is there, else as it is named, from
+/// where the program runs. FILE#2 is as good as FILE.
+[[nodiscard]] std::string beside(const std::string& by, const std::string& name);
+
 }  // namespace stillpoint::records
