@@ -20,9 +20,8 @@ ExitCode run(Command command, const Settings& settings, Output& output);
 /// Those with their own file.
 ExitCode run_record_design(const Settings& settings, Output& output);
 ExitCode run_sweep(const Settings& settings, Output& output);
-/// Joins the parts of a sweep, and those of a design; `shown` says how to show the design.
+/// Joins the parts of a sweep.
 ExitCode run_merge(const MergeFiles& files, Output& output);
-ExitCode run_design_merge(const MergeFiles& files, const Settings& shown, Output& output);
 ExitCode run_accuracy(const Settings& settings, Output& output);
 
 }  // namespace stillpoint::cli

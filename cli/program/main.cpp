@@ -50,9 +50,7 @@ ExitCode merge(const Invocation& invocation, Output& output) {
   if (invocation.flags.flag("quiet")) {
     hush();
   }
-  return invocation.command == Command::sweep
-             ? run_merge(*invocation.merge, output)
-             : run_design_merge(*invocation.merge, invocation.flags, output);
+  return run_merge(*invocation.merge, output);
 }
 
 /// A command that has settings.

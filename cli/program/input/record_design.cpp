@@ -3,16 +3,11 @@
 
 #include "input/motion.hpp"
 #include "input/record.hpp"
-#include "options/scene.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/record_file.hpp>
-#include <stillpoint/report/version.hpp>
-#include <stillpoint/sweep/identity.hpp>
-#include <stillpoint/sweep/part_label.hpp>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <string_view>
 
@@ -48,11 +43,6 @@ MotionInput suite_motion(const Settings& settings, const std::optional<Interval>
                      "must be one number with records; --search-period searches a range");
   }
   return motion;
-}
-
-std::string identity(const Settings& settings, const design::RecordDesignRequest& request) {
-  return sweep::identity_of(request, inputs(settings, Command::design).dump(),
-                            report::program_version());
 }
 
 }  // namespace
@@ -111,28 +101,6 @@ report::RecordDesignInput record_design_input(const Settings& settings) {
   request.threads = threads(settings);
   request.printed = {length,
                      start.physical ? std::optional(start.physical->scales.time_s) : std::nullopt};
-  return input;
-}
-
-Settings record_design_settings(const std::string& identity) {
-  nlohmann::json scene = nlohmann::json::parse(identity);
-  scene.erase("version");
-  scene.erase("record_digest");
-  return scene_settings(scene, Command::design);
-}
-
-sweep::PartLabel record_part_label(const Settings& settings,
-                                   const design::RecordDesignRequest& request) {
-  return {settings.text("output").value_or(""),
-          sweep::parse_part(*settings.text("part")),
-          identity(settings, request),
-          {design::scan_size(request), 0}};
-}
-
-report::RecordDesignInput record_design_input(const Settings& settings,
-                                              const report::RecordScan& scan) {
-  report::RecordDesignInput input = record_design_input(settings);
-  sweep::require_made_for(identity(settings, input.request), scan.label);
   return input;
 }
 

@@ -10,7 +10,6 @@
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/design/search.hpp>
 #include <stillpoint/report/record_design.hpp>
-#include <stillpoint/report/record_scan.hpp>
 #include <stillpoint/report/report.hpp>
 #include <stillpoint/report/spectrum.hpp>
 #include <stillpoint/sweep/catalogue_file.hpp>
@@ -53,18 +52,6 @@ namespace stillpoint::cli {
 
 /// The request, and what a report needs besides. Throws UsageError, InputError and FileError.
 [[nodiscard]] report::RecordDesignInput record_design_input(const Settings& settings);
-
-/// The settings that its identity came from, see sweep/identity.hpp.
-[[nodiscard]] Settings record_design_settings(const std::string& identity);
-
-/// The part that --part asks for, which must be resolved.
-[[nodiscard]] sweep::PartLabel record_part_label(const Settings& settings,
-                                                 const design::RecordDesignRequest& request);
-
-/// The request of the design whose parts `scan` has. Throws FileError as well if the records, or
-/// the version of the program, are no longer those of the parts.
-[[nodiscard]] report::RecordDesignInput record_design_input(const Settings& settings,
-                                                            const report::RecordScan& scan);
 
 /// Throws UsageError for an option that only the other kind of design takes.
 void require_options_for(const Settings& settings, DesignFor design);

@@ -91,17 +91,12 @@ void add_options(CLI::App& app, const CommandHelp& help, Collected& collected) {
   app.allow_extras();
 }
 
-/// "merge OUT PART..." behind "sweep" and "design".
-void add_merge(CLI::App& command, MergeFiles& files) {
-  const bool sweep = command.get_name() == "sweep";
-  CLI::App& merge = *command.add_subcommand(
-      "merge", sweep ? "join the parts of a sweep, see --part"
-                     : "make a design under records from its parts, see --part; --html, --json and "
-                       "the like may follow");
+/// "merge OUT PART..." behind "sweep".
+void add_merge(CLI::App& sweep, MergeFiles& files) {
+  CLI::App& merge = *sweep.add_subcommand("merge", "join the parts of a sweep, see --part");
   merge.set_help_flag("-h,--help", "print this text");
   merge.fallthrough();
-  merge.add_option("OUT", files.output, sweep ? "the file of the whole sweep" : "the JSON report")
-      ->type_name("");
+  merge.add_option("OUT", files.output, "the file of the whole sweep")->type_name("");
   merge.add_option("PART", files.parts, "the file of each part, in any order")->type_name("");
 }
 
@@ -183,22 +178,11 @@ Settings from_flags(const CLI::App& app, const Collected& collected, Command com
   return settings;
 }
 
-/// The parts contain the task. Only how to show the design remains to be given.
+/// The parts contain the task.
 void refuse_beside_merge(const Invocation& invocation, const CLI::App& app) {
-  const bool design = invocation.command == Command::design;
-  const auto is_wrong = [&](const Option& option) { return !design || !option.traits.merges; };
-  if (app.get_option("scene")->count() == 0 && invocation.flags.first(is_wrong) == nullptr) {
-    return;
+  if (app.get_option("scene")->count() > 0 || !invocation.flags.entries().empty()) {
+    throw UsageError("sweep merge: takes OUT and the files of the parts, no scene and no options");
   }
-  std::vector<std::string_view> taken;
-  for (const Option& option : options()) {
-    if (option.traits.merges) {
-      taken.push_back(option.name);
-    }
-  }
-  throw UsageError(fmt::format(
-      "{} merge: takes OUT and the files of the parts, no scene{}", name(invocation.command),
-      design ? fmt::format(", and of the options only {}", listed(taken)) : " and no options"));
 }
 
 void require_command(const std::optional<std::string>& given) {
@@ -309,7 +293,7 @@ Invocation parse_command_line(int argc, const char* const* argv) {
     // Setting up the options of all commands would take longer than most answers do.
     if (std::ranges::find(words, command.get_name()) != words.end()) {
       add_options(command, help, collected[help.command]);
-      if (help.command == Command::sweep || help.command == Command::design) {
+      if (help.command == Command::sweep) {
         add_merge(command, merge);
       }
     }

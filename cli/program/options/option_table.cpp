@@ -113,11 +113,6 @@ OptionTraits also(std::vector<std::string_view> words, OptionTraits traits) {
   traits.also = std::move(words);
   return traits;
 }
-/// Of design merge too.
-OptionTraits merges(OptionTraits traits) {
-  traits.merges = true;
-  return traits;
-}
 
 std::vector<Option> rows() {
   const std::vector<std::string_view> of_pages{"open", "html", "svg"};
@@ -351,7 +346,7 @@ std::vector<Option> rows() {
       row("times", flag, "", sweeping, "write stop_time as well", sweep, {.role = content}),
       row("threads", integer, "N", sweeping,
           "number of threads; default 0, all; results do not depend on it", of_suites | sweep,
-          merges(under_records({.role = execution, .bounds = {0, 1024}}))),
+          under_records({.role = execution, .bounds = {0, 1024}})),
       row("reduce", flag, "", sweeping,
           "report counts, extremes, quantiles, histograms and the best rows instead of writing all "
           "rows",
@@ -364,15 +359,13 @@ std::vector<Option> rows() {
           "tolerance:10:largest",
           sweep, {.repeats = true, .needs = of_a_reduction}),
       row("part", text, "I/N", sweeping,
-          "compute one of N parts, for sweep merge or, under records, design merge; auto or auto/N "
-          "takes I from the launcher; {part} in the output's name becomes I-of-N",
-          design | sweep,
-          under_records({.role = execution,
-                         .excludes = {{sweep, of_pages, "a map shows a whole sweep"},
-                                      {design, of_pages, "design merge writes the page"}}})),
+          "compute one of N parts, for sweep merge; auto or auto/N takes I from the launcher; "
+          "{part} "
+          "in the output's name becomes I-of-N",
+          sweep, {.role = execution, .excludes = {{sweep, of_pages, "a map shows a whole sweep"}}}),
       row("resume", flag, "", sweeping,
-          "continue an interrupted sweep; leave a complete part as it is", design | sweep,
-          under_records({.role = execution, .needs = {design, {"part"}, "a part of a design"}})),
+          "continue an interrupted sweep; leave a complete part as it is", sweep,
+          {.role = execution}),
 
       row("max-half-cycles", integer, "N", writing,
           "list at most this many half-cycles (default 1000)", simulate,
@@ -399,24 +392,24 @@ std::vector<Option> rows() {
           ".npy, else CSV; - prints CSV instead of the report",
           spectrum, goes(FileUse::written)),
       row("html", text, "FILE", writing, "write a page with figures that needs no network", drawn,
-          merges(goes(FileUse::written))),
+          goes(FileUse::written)),
       row("svg", text, "DIR", writing, "write each figure to this directory", drawn,
-          merges(goes(FileUse::directory))),
+          goes(FileUse::directory)),
       row("open", flag, "", writing, "open the page of --html, or a temporary one, in a browser",
           drawn, goes()),
       row("title", text, "TEXT", writing, "a heading for the report", reporting,
-          merges({.role = content, .python = InPython{}})),
-      row("json", flag, "", writing, "print the JSON report, and nothing else", reporting,
-          merges(goes())),
+          {.role = content, .python = InPython{}}),
+      row("json", flag, "", writing, "print the JSON report, and nothing else", reporting, goes()),
       row("output", text, "FILE", writing,
           "write the JSON report (for a sweep, the rows) to FILE, whole or not at all", reporting,
           {.role = output,
            .file = FileUse::written,
-           .python = InPython{design | sweep, "a file for the rows of a sweep, or for a part"}}),
+           .python =
+               InPython{sweep, "a file for the rows, or for the report of a part without rows"}}),
       row("quiet", flag, "", writing, "print only errors on standard error", reporting,
-          merges({.rivals = Rivals::verbosity, .role = output})),
+          {.rivals = Rivals::verbosity, .role = output}),
       row("verbose", flag, "", writing, "print the whole report", reporting,
-          merges({.rivals = Rivals::verbosity, .role = output})),
+          {.rivals = Rivals::verbosity, .role = output}),
   };
 }
 

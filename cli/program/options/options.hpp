@@ -133,7 +133,6 @@ struct OptionTraits {
   Load load{Load::none};
   Bounds bounds{};  ///< of an integer
   InScene in_scene{InScene::plain};
-  bool merges{false};  ///< design merge takes it, which has the task from the parts
   Beside needs{};
   std::vector<Beside> excludes{};
   std::vector<std::string_view> also{};  ///< other words for it

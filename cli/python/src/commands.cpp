@@ -6,7 +6,6 @@
 #include "input/request.hpp"
 #include "interruptible.hpp"
 #include "parts.hpp"
-#include "record_parts.hpp"
 #include "result.hpp"
 #include "values.hpp"
 
@@ -110,8 +109,7 @@ struct Row {
 constexpr std::array rows{
     Row{Command::design, found_design,
         "Designs a damper: the admissible region, the search in it, its motion and its check; with "
-        "record, for a suite of acceleration records. With part and output it computes one part; "
-        "merge joins the parts."},
+        "record, for a suite of acceleration records."},
     Row{Command::region, found_region,
         "The admissible region of f and delta, without a search; with f and delta, where this "
         "damper stands in it. With v0, p and beta alone, as floats, it takes less than a "
@@ -170,9 +168,6 @@ PyObject* fast_region(PyObject* /*module*/, PyObject* const* values, Py_ssize_t 
 
 std::unique_ptr<Result> run(const Row& row, const py::object& scene, const py::dict& options) {
   const cli::Settings given = settings(row.command, scene, options);
-  if (row.command == Command::design && given.has("part") && cli::designs_under_records(given)) {
-    return with_places(given, [&] { return design_part(given); });
-  }
   std::unique_ptr<answers::Answer> found = interruptible([&](const std::stop_token& stop) {
     return with_places(given,
                        [&] { return row.answer(given, [&] { return !stop.stop_requested(); }); });

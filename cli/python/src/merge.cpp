@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What all parts of a sweep, or of a design under records, make.
+// What all parts of a sweep make.
 
 #include "output.hpp"
 #include "parts.hpp"
-#include "record_parts.hpp"
 #include "sweep_rows.hpp"
 #include "values.hpp"
 
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/report/record_scan.hpp>
 #include <stillpoint/report/reduction.hpp>
 #include <stillpoint/sweep/merge.hpp>
 
@@ -39,8 +37,7 @@ std::vector<std::string> paths(const py::object& given) {
 }
 
 /// Where it was asked for, as the program writes it.
-template <class Found>
-py::object written(std::unique_ptr<Found> found, const std::optional<std::string>& path) {
+py::object written(std::unique_ptr<Sweep> found, const std::optional<std::string>& path) {
   if (path) {
     cli::Output output;
     output.write_file("output", *path, report::json_text(found->answer().json()));
@@ -55,9 +52,6 @@ py::object merge(const py::object& parts, const py::object& output) {
   if (to) {
     sweep::require_apart({"output", *to}, files);
   }
-  if (report::is_record_scan(files.front())) {
-    return written(merged_design(files), to);
-  }
   if (report::is_reduction(files.front())) {
     return written(merged_reduction(files), to);
   }
@@ -71,15 +65,13 @@ void add_merge(py::module_& module) {
              R"(merge(parts, *, output=None)
 --
 
-Joins the parts that sweep(part=..., output=...) or design(part=..., output=...) under records made,
-on any machine, into the result of one run. A design continues with the searches, which need
-the whole scan; a reduced sweep gives the report of the whole; any other sweep has its rows as table.
+Joins the parts that sweep(part=..., output=...) made, on any machine, into the result of one run. A
+reduced sweep gives the report of the whole; any other sweep has its rows as table.
 
 parts   paths of all the parts, in any order
 output  a file for the rows, or the report; without it rows must be in NumPy's format
 
-Raises InputError for a part that is missing, given twice, cut short or of another run, and if the
-records of a design have changed.)");
+Raises InputError for a part that is missing, given twice, cut short or of another run.)");
 }
 
 }  // namespace stillpoint::python

@@ -25,16 +25,4 @@ std::string identity_of(const SweepSpec& spec, const std::string& inputs,
   return result.dump();
 }
 
-std::string identity_of(const design::RecordDesignRequest& request, const std::string& inputs,
-                        std::string_view version) {
-  Digest digest;
-  for (const design::SuiteRecord& record : request.records) {
-    digest.add(sweep::digest(Excitation(design::scaled(record))));
-  }
-  auto result = nlohmann::ordered_json::parse(inputs);
-  result["version"] = version;
-  result["record_digest"] = digest.value();
-  return result.dump();
-}
-
 }  // namespace stillpoint::sweep

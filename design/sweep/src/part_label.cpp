@@ -49,21 +49,15 @@ std::string difference(const PartLabel& one, const PartLabel& other) {
   return one.whole.digest == other.whole.digest ? "" : "the list has changed";
 }
 
-void require_made_for(const std::string& task, const PartLabel& part) {
-  if (const std::string differs = difference(part.task, task); !differs.empty()) {
-    refuse_part(part, "was made from other records, or by another version: " + differs);
-  }
-}
-
-bool is_that_part(const PartLabel& found, const PartLabel& wanted, std::string_view whole) {
+bool is_that_part(const PartLabel& found, const PartLabel& wanted) {
   if (found.part.count != wanted.part.count || !difference(found, wanted).empty()) {
     return false;
   }
   if (found.part != wanted.part) {
-    throw LeftoverError(
-        fmt::format("output {}: is part {} of this {}: give each part its own file, for instance "
-                    "with {{part}} in its name",
-                    wanted.path, text(found.part), whole));
+    throw LeftoverError(fmt::format(
+        "output {}: is part {} of this sweep: give each part its own file, for instance "
+        "with {{part}} in its name",
+        wanted.path, text(found.part)));
   }
   return true;
 }
@@ -73,8 +67,8 @@ void PartOrder::add(PartLabel label) {
     const PartLabel& first = labels_.front();
     const std::string differs = difference(first, label);
     if (!differs.empty()) {
-      refuse_part(
-          label, fmt::format("belongs to a different {} from {}: {}", whole_, first.path, differs));
+      refuse_part(label,
+                  fmt::format("belongs to a different sweep from {}: {}", first.path, differs));
     }
     if (first.part.count != label.part.count) {
       refuse_part(label, fmt::format("is part {}, but {} is part {}", text(label.part), first.path,

@@ -65,7 +65,7 @@ const std::string betas = "beta\n0.8\n0.5\n0.9\n0.95\n1.2\n";
 }  // namespace
 
 struct Listed : Parts {
-  Listed() : Parts("sweep", "csv") { write("list.csv", betas); }
+  Listed() : Parts("csv") { write("list.csv", betas); }
 
   [[nodiscard]] std::string rows_of(const Arguments& more) const {
     succeed(task + "--output whole.csv" + more);

@@ -42,7 +42,7 @@ class WriteLimit {
 }  // namespace
 
 struct SweepParts : Parts {
-  SweepParts() : Parts("sweep", "csv") {}
+  SweepParts() : Parts("csv") {}
 };
 
 BOOST_FIXTURE_TEST_SUITE(parts, SweepParts)

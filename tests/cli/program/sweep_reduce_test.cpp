@@ -129,7 +129,7 @@ void check_best(const json& best, const SweepTable& table) {
 }  // namespace
 
 struct Reduced : Parts {
-  Reduced() : Parts("sweep", "json") {}
+  Reduced() : Parts("json") {}
 
   /// Asserts that what it says about its rows is true.
   void check_true(const Arguments& sweep, const Arguments& more) const {

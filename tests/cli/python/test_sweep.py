@@ -160,6 +160,9 @@ def test_wrong_parts_of_a_sweep_are_refused_as_the_program_does(program):
     for output in (first, 5):
         with pytest.raises(stillpoint.InputError, match="^output "):
             stillpoint.merge([first, "p-2-of-2.npy"], output=output)
+    for parts in ([], 5, [None]):
+        with pytest.raises(stillpoint.InputError, match="^parts = "):
+            stillpoint.merge(parts)
 
 
 @pytest.mark.parametrize("more", [

@@ -8,8 +8,7 @@
 
 namespace stillpoint::cli_test {
 
-Parts::Parts(std::string command, std::string extension)
-    : command_(std::move(command)), extension_(std::move(extension)) {}
+Parts::Parts(std::string extension) : extension_(std::move(extension)) {}
 
 ProgramRun Parts::part(const Arguments& task, int i, int n, const Arguments& more,
                        const std::string& extension) const {
@@ -32,7 +31,7 @@ Arguments Parts::split(const Arguments& task, int n, const std::string& extensio
 }
 
 ProgramRun Parts::merge(const Arguments& parts, const Arguments& more) const {
-  return run(Arguments{command_, "merge", "merged"} + parts + more);
+  return run(Arguments{"sweep", "merge", "merged"} + parts + more);
 }
 
 void Parts::check_merged(const Arguments& task, int n, const std::string& extension) const {

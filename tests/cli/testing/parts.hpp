@@ -8,10 +8,10 @@
 
 namespace stillpoint::cli_test {
 
-/// Tasks in parts, and the parts joined again.
+/// Sweeps in parts, and the parts joined again.
 struct Parts : Sandbox {
-  /// The command whose "merge" joins them, and how the names of their files end.
-  Parts(std::string command, std::string extension);
+  /// How the names of their files end.
+  explicit Parts(std::string extension);
 
   /// Computes part i of n into I-of-N.EXTENSION.
   [[nodiscard]] ProgramRun part(const Arguments& task, int i, int n, const Arguments& more = {},
@@ -28,7 +28,6 @@ struct Parts : Sandbox {
   void check_refused(const Arguments& parts, const Texts& says, const Arguments& more = {}) const;
 
  private:
-  std::string command_;
   std::string extension_;
 };
 

@@ -220,20 +220,6 @@ BOOST_AUTO_TEST_CASE(a_damper_that_does_not_move_passes_the_load_on) {
   BOOST_TEST(std::abs(mean.finding->point.figures.acceleration - 0.8) <= hand_tolerance);
 }
 
-/// Its pieces joined are record_part_test's.
-BOOST_AUTO_TEST_CASE(a_scan_must_be_whole) {
-  const RecordDesignRequest request = with_capacity();
-  const std::int64_t size = scan_size(request);
-  BOOST_TEST(size == 400);
-  std::vector<SuiteFigures> figures = scan_part(request, 0, size);
-  BOOST_TEST(std::ssize(figures) == size);
-  figures.pop_back();
-  BOOST_CHECK_THROW(static_cast<void>(design::design(request, figures)), InputError);
-  BOOST_CHECK_THROW(static_cast<void>(scan_part(request, 1, size)), InputError);
-  BOOST_CHECK_THROW(static_cast<void>(scan_part(request, -1, 1)), InputError);
-  BOOST_TEST(scan_part(request, size, 0).empty());
-}
-
 BOOST_AUTO_TEST_CASE(a_damper_without_friction_never_rests) {
   RecordDesignRequest request = three_samples();
   request.f = Interval{0, 0};

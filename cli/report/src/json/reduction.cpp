@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A reduced sweep as JSON; reduction_parts.cpp reads it.
 
-#include "json/part_files.hpp"
+#include "json/part_digest.hpp"
 #include "json/parts.hpp"
 #include "sweep_parts.hpp"
 

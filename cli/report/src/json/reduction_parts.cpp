@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Reads the parts of a reduced sweep, as reduction.cpp writes them, and joins them.
 
-#include "json/part_files.hpp"
+#include "json/part_digest.hpp"
 #include "sweep_parts.hpp"
 
+#include <stillpoint/core/cancellation.hpp>
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/file_error.hpp>
+#include <stillpoint/records/text_file.hpp>
 #include <stillpoint/report/reduction.hpp>
 #include <stillpoint/sweep/json_text.hpp>
 
 #include <algorithm>
+#include <exception>
 #include <fstream>
 #include <limits>
 #include <stdexcept>
@@ -120,6 +124,9 @@ std::vector<RowColumn> columns_from(const ordered_json& columns) {
 
 ReductionReport report_from(const ordered_json& document) {
   ReductionReport report;
+  report.label.task = document.at("task").dump();
+  sweep::read_integers(document.at("part").at("number"), report.label.part.number);
+  sweep::read_integers(document.at("part").at("count"), report.label.part.count);
   document.at("kind").get_to(report.kind);
   report.split = true;
   sweep::read_integers(document.at("entries"), report.label.whole.entries);
@@ -169,8 +176,28 @@ bool is_reduction(const std::string& path) {
 }
 
 ReductionReport read_reduction(const std::string& path) {
-  return read_part(path, reduction_schema, "a reduced sweep", report_from,
-                   [](const ReductionReport& report) { return report.state.rows; });
+  constexpr std::size_t largest_file = std::size_t{1} << 30U;
+  cancellation_point();
+  const std::string text = records::read_text_file("part", path, largest_file);
+  try {
+    sweep::require_json_object(text, {.kind = "part", .path = path});
+    auto document = ordered_json::parse(text);
+    const ordered_json digest = document.at("digest");
+    document.erase("digest");
+    if (document.at("schema") != reduction_schema || digest != digest_json(document)) {
+      throw std::runtime_error("not a part");
+    }
+    ReductionReport report = report_from(document);
+    report.label.path = path;
+    if (!report.label.is_whole(report.state.rows)) {
+      throw std::runtime_error("not that part");
+    }
+    return report;
+  } catch (const std::exception&) {
+    throw records::FileError({.kind = "part", .path = path},
+                             "is not a complete part of a reduced sweep: it is another kind of "
+                             "file, was cut short, or has changed");
+  }
 }
 
 std::optional<ReductionReport> find_reduction(const sweep::SweepSpec& spec) {
@@ -180,7 +207,7 @@ std::optional<ReductionReport> find_reduction(const sweep::SweepSpec& spec) {
     }
     return std::nullopt;
   }
-  auto found = sweep::find_part(label_of(spec), "sweep", read_reduction);
+  auto found = sweep::find_part(label_of(spec), read_reduction);
   return spec.resume ? std::move(found) : std::nullopt;
 }
 

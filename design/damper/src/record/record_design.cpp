@@ -53,9 +53,9 @@ std::vector<SuiteShortfall> shortfalls(const Suite& suite, const SuiteBox& box,
   return list;
 }
 
-/// With the figures of a scan, if there are any.
-RecordDesign design(const RecordDesignRequest& request, const std::vector<SuiteFigures>* scanned,
-                    const RecordWatch& go_on) {
+}  // namespace
+
+RecordDesign design(const RecordDesignRequest& request, const RecordWatch& go_on) {
   require_valid(request);
   const double begun = seconds_now();
   RecordDesign result{completed(request), {}, {}, {}, {}};
@@ -64,15 +64,9 @@ RecordDesign design(const RecordDesignRequest& request, const std::vector<SuiteF
   const SuiteBox box(task);
   SuiteWatch watch(task, go_on);
   const auto [side, all] = grid_size(box, task.scan_points);
-  watch.expect((scanned != nullptr ? 0 : all) + usual_evaluations(box));
-  SuiteScan scan{side, scanned != nullptr
-                           ? *scanned
-                           : grid_figures(suite, box, side, 0, all, task.threads, watch)};
+  watch.expect(all + usual_evaluations(box));
+  SuiteScan scan{side, grid_figures(suite, box, side, all, task.threads, watch)};
   const auto evaluated = std::ssize(scan.figures);
-  if (scanned != nullptr && evaluated != all) {
-    throw InputError("scanned", fmt::format("{} dampers", evaluated),
-                     fmt::format("must be {}, the number of the scan", all));
-  }
   SuiteFigures unknown;
   unknown.settled = false;
   scan.figures.resize(static_cast<std::size_t>(all), unknown);
@@ -103,35 +97,6 @@ RecordDesign design(const RecordDesignRequest& request, const std::vector<SuiteF
     result.finding = std::move(finding);
   }
   return result;
-}
-
-}  // namespace
-
-RecordDesign design(const RecordDesignRequest& request, const RecordWatch& go_on) {
-  return design(request, nullptr, go_on);
-}
-
-RecordDesign design(const RecordDesignRequest& request, const std::vector<SuiteFigures>& scanned,
-                    const RecordWatch& go_on) {
-  return design(request, &scanned, go_on);
-}
-
-std::int64_t scan_size(const RecordDesignRequest& request) {
-  require_valid(request);
-  return grid_size(SuiteBox(completed(request)), request.scan_points).all;
-}
-
-std::vector<SuiteFigures> scan_part(const RecordDesignRequest& request, std::int64_t first,
-                                    std::int64_t count, const RecordWatch& go_on) {
-  require_valid(request);
-  const RecordDesignRequest task = completed(request);
-  const SuiteBox box(task);
-  const GridSize size = grid_size(box, task.scan_points);
-  require_within("first", static_cast<double>(first), 0, static_cast<double>(size.all));
-  require_within("count", static_cast<double>(count), 0, static_cast<double>(size.all - first));
-  SuiteWatch watch(task, go_on);
-  watch.expect(count);
-  return grid_figures(Suite(task), box, size.side, first, count, task.threads, watch);
 }
 
 SuiteFigures figures_of(const RecordDesignRequest& request, const SuiteDamper& damper) {

@@ -79,8 +79,8 @@ GridSize grid_size(const SuiteBox& box, std::int64_t points) {
 }
 
 std::vector<SuiteFigures> grid_figures(const Suite& suite, const SuiteBox& box, std::int64_t side,
-                                       std::int64_t first, std::int64_t count,
-                                       const Threads& threads, SuiteWatch& watch) {
+                                       std::int64_t count, const Threads& threads,
+                                       SuiteWatch& watch) {
   const SuiteScan grid{side, {}};
   std::vector<SuiteFigures> all;
   all.reserve(static_cast<std::size_t>(count));
@@ -88,7 +88,7 @@ std::vector<SuiteFigures> grid_figures(const Suite& suite, const SuiteBox& box, 
   for (std::int64_t begin = 0; begin < count && !watch.stopped(); begin += scan_block) {
     block.clear();
     for (std::int64_t i = begin; i < std::min(begin + scan_block, count); ++i) {
-      block.push_back(box.at(grid.unit(static_cast<std::size_t>(first + i), box.variables())));
+      block.push_back(box.at(grid.unit(static_cast<std::size_t>(i), box.variables())));
     }
     const std::vector<SuiteFigures> figures = suite.figures(block, threads);
     all.insert(all.end(), figures.begin(), figures.end());

@@ -50,10 +50,9 @@ struct GridSize {
 };
 [[nodiscard]] GridSize grid_size(const SuiteBox& box, std::int64_t points);
 
-/// The figures of the points first <= i < first + count of a grid; fewer after a stop.
+/// The figures of the `count` points of a grid; fewer after a stop.
 [[nodiscard]] std::vector<SuiteFigures> grid_figures(const Suite& suite, const SuiteBox& box,
-                                                     std::int64_t side, std::int64_t first,
-                                                     std::int64_t count, const Threads& threads,
-                                                     SuiteWatch& watch);
+                                                     std::int64_t side, std::int64_t count,
+                                                     const Threads& threads, SuiteWatch& watch);
 
 }  // namespace stillpoint::design

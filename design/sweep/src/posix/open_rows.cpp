@@ -106,7 +106,7 @@ std::unique_ptr<RowSink> open_rows(const SweepSpec& spec) {
     return open_stream(*spec.output);
   }
   if (spec.part) {
-    if (const auto found = find_part(label_of(spec), "sweep", read_seal); found && spec.resume) {
+    if (const auto found = find_part(label_of(spec), read_seal); found && spec.resume) {
       return std::make_unique<RowSink>(found->state, true);
     }
   }

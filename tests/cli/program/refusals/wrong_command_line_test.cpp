@@ -52,9 +52,10 @@ BOOST_FIXTURE_TEST_CASE(commands_that_take_no_options_say_what_they_take, Sandbo
                 {"init = bulding", "building, machine or equipment", "mean building?"});
   check_refusal(run("init building machine"), {"machine: unexpected, only one word"});
   check_refusal(run("scene.json"), {"command scene.json", "did you mean design scene.json?"});
-  for (const char* const merge : {"sweep merge", "sweep merge out.csv", "design merge"}) {
+  for (const char* const merge : {"sweep merge", "sweep merge out.csv"}) {
     check_refusal(run(merge), {"merge needs the file to write and the file of each part"});
   }
+  check_refusal(run("design --part 1/2"), {"--part: is not an option of design, only of sweep"});
   check_refusal(run("init --json"), {"--json", "not an option of init"});
 }
 

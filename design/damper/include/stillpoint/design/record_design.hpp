@@ -56,19 +56,6 @@ struct RecordDesign {
 [[nodiscard]] RecordDesign design(const RecordDesignRequest& request,
                                   const RecordWatch& go_on = {});
 
-/// How many dampers the scan of that design has.
-[[nodiscard]] std::int64_t scan_size(const RecordDesignRequest& request);
-/// The figures of the dampers first <= i < first + count of that scan; fewer after a stop. They do
-/// not depend on other dampers, so a scan may be computed in parts. Throws InputError.
-[[nodiscard]] std::vector<SuiteFigures> scan_part(const RecordDesignRequest& request,
-                                                  std::int64_t first, std::int64_t count,
-                                                  const RecordWatch& go_on = {});
-/// The same design from the figures of its whole scan, to the last bit. Throws InputError, also if
-/// their number is not scan_size(request).
-[[nodiscard]] RecordDesign design(const RecordDesignRequest& request,
-                                  const std::vector<SuiteFigures>& scanned,
-                                  const RecordWatch& go_on = {});
-
 /// The figures of a damper for `request` as in a RecordDesign. Throws InputError.
 [[nodiscard]] SuiteFigures figures_of(const RecordDesignRequest& request,
                                       const SuiteDamper& damper);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/design/record_design.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
 #include <string>
@@ -16,8 +15,5 @@ namespace stillpoint::sweep {
 /// SweepSpec::identity of a spec that is otherwise complete.
 [[nodiscard]] std::string identity_of(const SweepSpec& spec, const std::string& inputs,
                                       std::string_view version);
-
-[[nodiscard]] std::string identity_of(const design::RecordDesignRequest& request,
-                                      const std::string& inputs, std::string_view version);
 
 }  // namespace stillpoint::sweep

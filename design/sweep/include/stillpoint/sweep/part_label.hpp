@@ -10,7 +10,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -35,25 +34,21 @@ struct PartLabel {
 /// Empty if both belong to the same sweep, else how they differ: "f was 0:1:10, is 0:1:20".
 [[nodiscard]] std::string difference(const PartLabel& one, const PartLabel& other);
 
-/// Throws FileError unless the part was made for this task.
-void require_made_for(const std::string& task, const PartLabel& part);
-
-/// Whether an existing file, `found`, holds the part `wanted` of a `whole`: "sweep" or whatever
-/// else is split. Throws LeftoverError for another part of the same whole.
-[[nodiscard]] bool is_that_part(const PartLabel& found, const PartLabel& wanted,
-                                std::string_view whole);
+/// Whether an existing file, `found`, holds the part `wanted`. Throws LeftoverError for another
+/// part of the same sweep.
+[[nodiscard]] bool is_that_part(const PartLabel& found, const PartLabel& wanted);
 
 /// What `read` makes of the file of the part `wanted`, with a `label`; empty if the file does not
 /// exist or holds anything else. Throws as is_that_part does.
 template <class Read>
-[[nodiscard]] auto find_part(const PartLabel& wanted, std::string_view whole, const Read& read) {
+[[nodiscard]] auto find_part(const PartLabel& wanted, const Read& read) {
   std::optional<std::invoke_result_t<const Read&, const std::string&>> found;
   try {
     found = std::invoke(read, wanted.path);
   } catch (const records::FileError&) {
     return found;
   }
-  if (!is_that_part(found->label, wanted, whole)) {
+  if (!is_that_part(found->label, wanted)) {
     found.reset();
   }
   return found;
@@ -62,17 +57,13 @@ template <class Read>
 /// Puts parts in order.
 class PartOrder {
  public:
-  /// A "sweep" or whatever else is split, for messages.
-  explicit PartOrder(std::string_view whole = "sweep") : whole_(whole) {}
-
-  /// Throws records::FileError for a part that belongs to a different whole from the first one.
+  /// Throws records::FileError for a part that belongs to a different sweep from the first one.
   void add(PartLabel label);
   /// The indices of the parts as they were added, from the first part to the last. Throws FileError
   /// for a part that appears twice, and InputError for one that is missing.
   [[nodiscard]] std::vector<std::size_t> places() const;
 
  private:
-  std::string_view whole_;
   std::vector<PartLabel> labels_;
 };
 
