@@ -35,13 +35,14 @@ namespace {
 constexpr Eigen::Index dampers = 256;
 constexpr double never = 1e300;
 
-/// A range of dampers; f in g, delta in g s^2.
+/// A range of dampers; f in g, delta and width in g s^2, so that 0.01 is 98 mm.
 struct Kind {
   std::string_view name;
   double least_f;
   double greatest_f;  ///< of the largest load where it is below 0: -0.5 is half of it
   double greatest_delta;
   std::optional<double> hold;
+  double greatest_width{0};
 };
 
 constexpr Kind kinds[] = {
@@ -49,6 +50,8 @@ constexpr Kind kinds[] = {
     {"f from 0 to the largest load, no notch", 0, -1, 0, {}},
     {"f from 0 to half of it, Delta up to 0.01", 0, -0.5, 0.01, {}},
     {"f from 0.005 to 0.05, Delta up to 0.001, a notch that holds 0.1 g", 0.005, 0.05, 0.001, 0.1},
+    {"f from 0.005 to 0.05, Delta up to 0.001, 0.001 to 0.01 wide", 0.005, 0.05, 0.001, {}, 0.01},
+    {"f from 0 to half of the largest load, Delta up to 0.01, as wide", 0, -0.5, 0.01, {}, 0.01},
     {"no friction at all", 0, 0, 0, {}},
 };
 
@@ -65,6 +68,12 @@ struct Case {
       f[i] = random(kind.least_f, greatest);
       delta[i] = random(0, kind.greatest_delta);
     }
+    if (kind.greatest_width > 0) {
+      width.resize(dampers);
+      for (double& one : width) {
+        one = random(kind.greatest_width / 10, kind.greatest_width);
+      }
+    }
   }
 
   const Record& record;
@@ -72,6 +81,7 @@ struct Case {
   Eigen::ArrayXd p{dampers};
   Eigen::ArrayXd f{dampers};
   Eigen::ArrayXd delta{dampers};
+  Eigen::ArrayXd width;
 };
 
 /// Processor time in nanoseconds for a sample and damper.
@@ -85,7 +95,8 @@ double timed(const Record& record, const Action& action) {
 
 double in_lanes(const Case& one, RecordBatchResult& result) {
   return timed(one.record, [&] {
-    record_batch(0, one.p, one.f, one.delta, one.record, {.hold = one.hold, .threads = 1}, result);
+    record_batch(0, one.p, one.f, one.delta, one.record,
+                 {.hold = one.hold, .notch_width = one.width, .threads = 1}, result);
   });
 }
 
@@ -95,7 +106,11 @@ double one_by_one(const Case& one) {
     for (Eigen::Index i = 0; i < dampers; ++i) {
       Oscillator oscillator{one.p[i], one.f[i], one.delta[i]};
       oscillator.hold = one.hold;
-      (void)forced_response(oscillator, {}, load);
+      Surface surface;
+      if (one.width.size() > 0) {
+        surface.notch_width = one.width[i];
+      }
+      (void)forced_response(oscillator, {}, load, {}, surface);
     }
   });
 }

@@ -24,6 +24,7 @@ struct BatchEntries {
   EntryValues f;
   EntryValues delta;
   std::ptrdiff_t size;
+  EntryValues notch_width{nullptr, 0};  ///< if given, for each entry
 };
 
 struct EntryRange {

@@ -21,18 +21,11 @@ EntryValues each(const BatchValues& values) {
   return {values.data(), 1};
 }
 
-void require_size(const char* field, const BatchValues& values, std::ptrdiff_t size) {
-  if (values.size() != size) {
-    throw InputError(field, fmt::format("an array of {}", values.size()),
-                     fmt::format("must have as many entries as f, {}", size));
-  }
-}
-
 /// `error` in entry i; a value that stands for all entries is not an error of that entry alone.
 InputError in_entry(const InputError& error, std::ptrdiff_t i, const BatchEntries& entries) {
   for (const auto& [field, values] :
        {std::pair("v0", &entries.v0), std::pair("p", &entries.p), std::pair("f", &entries.f),
-        std::pair("delta", &entries.delta)}) {
+        std::pair("delta", &entries.delta), std::pair("notch-width", &entries.notch_width)}) {
     if (error.field() == field && values->stride != 0) {
       return error.in_entry(i);
     }
@@ -52,17 +45,24 @@ std::string message_of(const std::exception_ptr& cause) {
 
 }  // namespace
 
+void require_entries(const char* field, const BatchValues& values, std::ptrdiff_t size) {
+  if (values.size() != size) {
+    throw InputError(field, fmt::format("an array of {}", values.size()),
+                     fmt::format("must have as many entries as f, {}", size));
+  }
+}
+
 BatchEntries entries_of(const double& v0, const double& p, const BatchValues& f,
                         const BatchValues& delta) {
-  require_size("delta", delta, f.size());
+  require_entries("delta", delta, f.size());
   return {{&v0, 0}, {&p, 0}, each(f), each(delta), f.size()};
 }
 
 BatchEntries entries_of(const BatchValues& v0, const BatchValues& p, const BatchValues& f,
                         const BatchValues& delta) {
-  require_size("v0", v0, f.size());
-  require_size("p", p, f.size());
-  require_size("delta", delta, f.size());
+  require_entries("v0", v0, f.size());
+  require_entries("p", p, f.size());
+  require_entries("delta", delta, f.size());
   return {each(v0), each(p), each(f), each(delta), f.size()};
 }
 

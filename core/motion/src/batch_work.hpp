@@ -52,6 +52,9 @@ BatchEntries entries_of(const double& v0, const double& p, const BatchValues& f,
 BatchEntries entries_of(const BatchValues& v0, const BatchValues& p, const BatchValues& f,
                         const BatchValues& delta);
 
+/// Throws InputError if there are not as many as entries.
+void require_entries(const char* field, const BatchValues& values, std::ptrdiff_t size);
+
 /// Calls worker(EntryThreads&) on several threads; it draws its entries and runs each in a guard.
 /// Then throws the first error, with the entry in it.
 void run_batch(const BatchEntries& entries, std::ptrdiff_t block, const Threads& threads,

@@ -25,9 +25,10 @@ void resize(RecordBatchResult& result, Eigen::Index size) {
   result.outcome.resize(size);
   for (Eigen::ArrayXd RecordBatchResult::*const column :
        {&RecordBatchResult::peak_amplitude, &RecordBatchResult::peak_absolute_acceleration,
-        &RecordBatchResult::stop_position, &RecordBatchResult::locked_from,
-        &RecordBatchResult::half_cycles, &RecordBatchResult::turning_points,
-        &RecordBatchResult::sticks, &RecordBatchResult::decision_margin}) {
+        &RecordBatchResult::stop_position, &RecordBatchResult::stop_time,
+        &RecordBatchResult::locked_from, &RecordBatchResult::half_cycles,
+        &RecordBatchResult::turning_points, &RecordBatchResult::sticks,
+        &RecordBatchResult::decision_margin}) {
     (result.*column).resize(size);
   }
 }
@@ -39,6 +40,7 @@ void keep(RecordBatchResult& result, Eigen::Index i, const std::optional<ForcedR
   result.peak_amplitude[i] = response.peak_amplitude;
   result.peak_absolute_acceleration[i] = response.peak_absolute_acceleration;
   result.stop_position[i] = response.stop_position.value_or(0);
+  result.stop_time[i] = response.stop_time.value_or(infinite);
   result.locked_from[i] = response.locked_from.value_or(infinite);
   result.half_cycles[i] = response.half_cycles.value_or(0);
   result.turning_points[i] = response.turning_points.value_or(0);
@@ -47,15 +49,17 @@ void keep(RecordBatchResult& result, Eigen::Index i, const std::optional<ForcedR
 }
 
 /// The motions of one block of entries.
-class RecordBlock final : public RecordEvents {
+class RecordBlock {
  public:
   RecordBlock(const Excitation& excitation, const ForcedOptions& options)
       : excitation_(excitation), record_(std::get<Record>(excitation)), options_(options) {}
 
-  void add(std::size_t lane, const Oscillator& oscillator, const Start& start) {
-    RecordMotion& motion =
-        motions_.at(lane).emplace(oscillator, start, excitation_, options_, columns_, lane);
-    if (motion.begin()) {
+  void add(std::size_t lane, const Oscillator& oscillator, const Start& start,
+           const Surface& surface) {
+    const LaneTask task{oscillator, start, excitation_, options_, columns_, lane};
+    motions_.at(lane) = surface.plain() ? record_motion(task) : zoned_record_motion(task, surface);
+    events_.at(lane) = motions_.at(lane).get();
+    if (motions_.at(lane)->begin()) {
       live_.at(count_++) = lane;
     }
   }
@@ -65,10 +69,11 @@ class RecordBlock final : public RecordEvents {
     std::size_t begin = 0;
     while (count_ > 0) {
       const std::size_t end = std::min(begin + samples_between_looks, reach());
-      run_record_lanes(record_.values.data(), begin, end, live_.data(), count_, columns_, *this);
+      run_record_lanes(record_.values.data(), begin, end, live_.data(), count_, columns_,
+                       events_.data());
       begin = end;
       const auto ended = [&](std::size_t lane) {
-        return motion(lane).over() || motion(lane).last() == begin;
+        return motions_[lane]->over() || motions_[lane]->last() == begin;
       };
       auto* const live_end = live_.data() + count_;
       auto* const rest = std::remove_if(live_.data(), live_end, ended);
@@ -81,25 +86,18 @@ class RecordBlock final : public RecordEvents {
 
   /// For a lane since it was added.
   std::optional<ForcedResponse> take(std::size_t lane) {
-    std::optional<ForcedResponse> response = motion(lane).response();
+    std::optional<ForcedResponse> response = motions_.at(lane)->response();
     motions_.at(lane).reset();
     return response;
   }
-  [[nodiscard]] bool has(std::size_t lane) const { return motions_.at(lane).has_value(); }
-
-  bool passes(std::size_t lane) override { return motion(lane).passes(); }
-  void through_interval(std::size_t lane, std::size_t i) override {
-    motion(lane).through_interval(i);
-  }
+  [[nodiscard]] bool has(std::size_t lane) const { return motions_.at(lane) != nullptr; }
 
  private:
-  RecordMotion& motion(std::size_t lane) { return *motions_[lane]; }
-
   /// The first sample at which a lane is through the record: by rounding, they may differ by one.
   std::size_t reach() {
     std::size_t first = record_.values.size() - 1;
     for (std::size_t k = 0; k < count_; ++k) {
-      first = std::min(first, motion(live_.at(k)).last());
+      first = std::min(first, motions_[live_.at(k)]->last());
     }
     return first;
   }
@@ -108,7 +106,8 @@ class RecordBlock final : public RecordEvents {
   const Record& record_;
   const ForcedOptions& options_;
   RecordColumns columns_{};
-  std::array<std::optional<RecordMotion>, record_lanes> motions_;
+  std::array<std::unique_ptr<RecordMotion>, record_lanes> motions_;
+  std::array<LaneEvents*, record_lanes> events_{};
   std::array<std::size_t, record_lanes> live_{};
   std::size_t count_{0};
 };
@@ -136,7 +135,7 @@ class SceneCheck {
   double most_p_{0};
 };
 
-/// One by one: other surfaces, and records with times of their own.
+/// One by one: under records with times of their own.
 std::optional<ForcedResponse> alone(const Oscillator& oscillator, const Start& start,
                                     const Excitation& excitation, const ForcedOptions& options,
                                     const Surface& surface) {
@@ -159,22 +158,33 @@ void record_batch(double v0, const BatchValues& p, const BatchValues& f, const B
   resize(result, entries.size);
   const ForcedOptions scene{.half_cycle_limit = options.half_cycle_limit};
   const Excitation excitation = record;
-  const bool in_lanes = options.surface.plain() && record.times.empty();
+  const bool in_lanes = record.times.empty();
+  if (options.notch_width.size() > 0) {
+    require_entries("notch-width", options.notch_width, entries.size);
+    entries.notch_width = {options.notch_width.data(), 1};
+  }
   run_batch(entries, record_lanes, options.threads, [&](EntryThreads& work) {
     SceneCheck check(excitation);
     const auto block = std::make_unique<RecordBlock>(excitation, scene);
     const Start start{0, v0};
+    Surface surface = options.surface;
     for (EntryRange range = work.next(); range.begin < range.end; range = work.next()) {
       const auto lane = [&](Eigen::Index i) { return static_cast<std::size_t>(i - range.begin); };
       for (Eigen::Index i = range.begin; i < range.end; ++i) {
         work.guard(i, [&] {
           const Oscillator oscillator{entries.p[i], entries.f[i], entries.delta[i], options.hold};
           check.require(oscillator, start);
-          require_valid(oscillator, options.surface);
+          if (entries.notch_width.stride != 0) {
+            surface.notch_width.reset();
+            if (entries.notch_width[i] != 0) {
+              surface.notch_width = entries.notch_width[i];
+            }
+          }
+          require_valid(oscillator, surface);
           if (in_lanes) {
-            block->add(lane(i), oscillator, start);
+            block->add(lane(i), oscillator, start, surface);
           } else {
-            keep(result, i, alone(oscillator, start, excitation, scene, options.surface));
+            keep(result, i, alone(oscillator, start, excitation, scene, surface));
           }
         });
       }

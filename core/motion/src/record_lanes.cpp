@@ -35,7 +35,7 @@ constexpr std::size_t afresh = 16;
 class RecordGroup {
  public:
   RecordGroup(const double* record, const std::size_t* lanes, Index count, RecordColumns& columns,
-              RecordEvents& events)
+              LaneEvents* const* events)
       : record_(record), lanes_(lanes), count_(count), columns_(columns), events_(events) {}
 
   HWY_INLINE void run(std::size_t i, std::size_t end) {
@@ -98,7 +98,7 @@ class RecordGroup {
     const V sign = at(sign_, 0);
     const V mirror = hn::And(sign, hn::SignBit(D()));
     const V phi = at(phi_, 0);
-    const V edge = at(edge_, 0);
+    const V look = at(look_, 0);
     const M slides = hn::Ne(sign, hn::Zero(D()));
     Point now{at(u_, 0), at(v_, 0), at(a_, 0)};
     V w = hn::Mul(all(record_[i]), inverse_p);
@@ -110,7 +110,7 @@ class RecordGroup {
       const V slower = hn::Min(hn::Xor(now.v, mirror), hn::Xor(next.v, mirror));
       const V least = hn::Max(t.least_v, hn::Xor(hn::Mul(t.fall, rise), mirror));
       M goes_on = hn::Gt(slower, least);
-      M calm = hn::And(goes_on, hn::Lt(hn::Xor(next.u, mirror), edge));
+      M calm = hn::And(goes_on, hn::Lt(hn::Xor(next.u, mirror), look));
       if constexpr (rests) {
         const M held = goes_on_resting(now.u, w, next_w, hn::Not(slides));
         goes_on = hn::And(goes_on, slides);
@@ -197,14 +197,15 @@ class RecordGroup {
     for (; waiting_ != 0; waiting_ &= waiting_ - 1) {
       const auto k = static_cast<Index>(__builtin_ctz(waiting_));
       const std::size_t lane = lanes_[k];
-      if ((goes_on_ & waiting_ & (0 - waiting_)) != 0 && events_.passes(lane)) {
+      const bool before_edge = sign_[k] * next_u_[k] < edge_[k];
+      if ((goes_on_ & waiting_ & (0 - waiting_)) != 0 && before_edge && events_[lane]->passes()) {
         u_[k] = next_u_[k];
         v_[k] = next_v_[k];
         a_[k] = next_a_[k];
-        edge_[k] = std::numeric_limits<double>::max();
+        look_[k] = edge_[k];
       } else {
         store_state(k, lane);
-        events_.through_interval(lane, i);
+        events_[lane]->through_interval(i);
         load_state(k, lane);
       }
     }
@@ -243,6 +244,7 @@ class RecordGroup {
     a_[k] = columns_.a[lane];
     sign_[k] = columns_.sign[lane];
     phi_[k] = columns_.phi[lane];
+    look_[k] = columns_.look[lane];
     edge_[k] = columns_.edge[lane];
     certain_[k] = columns_.certain[lane];
     crest_[k] = columns_.crest[lane];
@@ -260,7 +262,7 @@ class RecordGroup {
     columns_.u[lane] = u_[k];
     columns_.v[lane] = v_[k];
     columns_.a[lane] = a_[k];
-    columns_.edge[lane] = edge_[k];
+    columns_.look[lane] = look_[k];
     columns_.crest[lane] = crest_[k];
     columns_.slack[lane] = slack_[k];
     columns_.scale[lane] = scale_[k];
@@ -276,7 +278,7 @@ class RecordGroup {
   const std::size_t* lanes_;
   Index count_;
   RecordColumns& columns_;
-  RecordEvents& events_;
+  LaneEvents* const* events_;
   bool any_rests_{false};
   bool all_rest_{false};
   unsigned waiting_{0};  ///< those with an event
@@ -287,6 +289,7 @@ class RecordGroup {
   Column<width> a_{};
   Column<width> sign_{};
   Column<width> phi_{};
+  Column<width> look_{};
   Column<width> edge_{};
   Column<width> certain_{};
   Column<width> crest_{};
@@ -306,7 +309,7 @@ class RecordGroup {
 };
 
 void run_groups(const double* record, std::size_t begin, std::size_t end, const std::size_t* lanes,
-                std::size_t count, RecordColumns& columns, RecordEvents& events) {
+                std::size_t count, RecordColumns& columns, LaneEvents* const* events) {
   const auto all = static_cast<Index>(count);
   for (Index first = 0; first < all; first += width) {
     RecordGroup(record, lanes + first, all - first < width ? all - first : width, columns, events)
@@ -328,7 +331,7 @@ HWY_EXPORT(run_groups);
 
 void run_record_lanes(const double* record, std::size_t begin, std::size_t end,
                       const std::size_t* lanes, std::size_t count, RecordColumns& columns,
-                      RecordEvents& events) {
+                      LaneEvents* const* events) {
   HWY_DYNAMIC_DISPATCH(run_groups)(record, begin, end, lanes, count, columns, events);
 }
 

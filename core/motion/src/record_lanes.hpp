@@ -22,7 +22,8 @@ struct RecordColumns {
   Column a;
   Column sign;     ///< of v on a slide; 0 at rest
   Column phi;      ///< friction, on a slide with that sign
-  Column edge;     ///< on a slide, the y from which it is examined: x = 0 or never
+  Column look;     ///< on a slide, the y from which it is examined: x = 0, the edge or never
+  Column edge;     ///< on a slide, the y where friction changes or a notch is; or never
   Column certain;  ///< at rest: up to this, |w + u| is certainly held
   Column crest;    ///< at rest: no smaller |w + u| matters to the margin
   Column slack;    ///< of the margin, TippingMargin; infinite where nothing was decided
@@ -39,24 +40,26 @@ struct RecordColumns {
   Column least_v;
 };
 
-/// Handles what the vectors do not decide for a lane.
-class RecordEvents {
+/// Handles what the vectors do not decide for a motion.
+class LaneEvents {
  public:
-  RecordEvents() = default;
-  RecordEvents(const RecordEvents&) = delete;
-  RecordEvents& operator=(const RecordEvents&) = delete;
-  virtual ~RecordEvents() = default;
+  LaneEvents() = default;
+  LaneEvents(const LaneEvents&) = delete;
+  LaneEvents& operator=(const LaneEvents&) = delete;
+  virtual ~LaneEvents() = default;
 
-  /// x = 0 is reached in an interval and nothing else happens: whether the lane goes on.
-  virtual bool passes(std::size_t lane) = 0;
+  /// x = 0 is passed in an interval, without a notch there, and nothing else happens: whether the
+  /// motion goes on.
+  virtual bool passes() = 0;
 
-  /// Takes a lane from sample i to the next, with all rules, and its columns as well.
-  virtual void through_interval(std::size_t lane, std::size_t i) = 0;
+  /// Takes it from sample i to the next, with all rules, and its columns as well.
+  virtual void through_interval(std::size_t i) = 0;
 };
 
-/// Takes the `count` lanes listed from sample `begin` to sample `end` of the record.
+/// Takes the `count` lanes listed from sample `begin` to sample `end` of the record; `events` is
+/// indexed by lane.
 void run_record_lanes(const double* record, std::size_t begin, std::size_t end,
                       const std::size_t* lanes, std::size_t count, RecordColumns& columns,
-                      RecordEvents& events);
+                      LaneEvents* const* events);
 
 }  // namespace stillpoint

@@ -126,8 +126,8 @@ void end_free(ForcedResponse& response, const Run& run, const Oscillator& oscill
 
 /// Before the run begins: its limit, and what is requested.
 template <class Run>
-void prepare(Run& run, const Oscillator& oscillator, const Excitation& excitation,
-             const ForcedOptions& options) {
+[[gnu::noinline]] void prepare(Run& run, const Oscillator& oscillator, const Excitation& excitation,
+                               const ForcedOptions& options) {
   constexpr bool in_zones = std::decay_t<decltype(run.law())>::in_zones;
   if (options.half_cycle_limit || (in_zones && !options.t_end)) {
     run.allow_half_cycles(options.half_cycle_limit.value_or(FreeOptions().half_cycle_limit));
@@ -137,8 +137,8 @@ void prepare(Run& run, const Oscillator& oscillator, const Excitation& excitatio
 
 /// After the run, which ended at tau = `end` or went on free from there.
 template <class Run>
-ForcedResponse response_to(Run& run, double end, const Oscillator& oscillator,
-                           const ForcedOptions& options) {
+[[gnu::noinline]] ForcedResponse response_to(Run& run, double end, const Oscillator& oscillator,
+                                             const ForcedOptions& options) {
   feel_the_end(run.state(), run.law(), ExactSum<double>::product(oscillator.p, end));
   ForcedResponse response = so_far(run);
   const ForcedState<double>& state = run.state();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "forced_response_of_valid.hpp"
 #include "kernel/on_surface.hpp"
+#include "lane_motion.hpp"
+#include "record_motion.hpp"
 #include "response_of_run.hpp"
 
 namespace stillpoint {
@@ -11,6 +13,12 @@ ForcedResponse zoned_response_of_valid(const Oscillator& oscillator, const Start
   NoWatcher nobody;
   return in_zones(oscillator, surface, start, nobody, Patience{options.go_on, options.ask_every},
                   [&](auto& run) { return response_of(run, oscillator, excitation, options); });
+}
+
+std::unique_ptr<RecordMotion> zoned_record_motion(const LaneTask& task, const Surface& surface) {
+  using Law = ZonedFriction<double>;
+  return std::make_unique<LaneMotion<Law>>(task, without_zone(task.oscillator, surface),
+                                           Law(task.oscillator, surface, task.start));
 }
 
 }  // namespace stillpoint

@@ -32,11 +32,20 @@ struct Dampers {
     delta[i] = oscillator.delta;
   }
 
+  [[nodiscard]] Surface surface(Eigen::Index i) const {
+    Surface under = options.surface;
+    if (options.notch_width.size() > 0) {
+      const double width = options.notch_width[i];
+      under.notch_width = width > 0 ? std::optional(width) : std::nullopt;
+    }
+    return under;
+  }
+
   /// Empty where it has too many half-cycles.
   [[nodiscard]] std::optional<ForcedResponse> alone(Eigen::Index i, const Record& record) const {
     try {
       return forced_response({p[i], f[i], delta[i], options.hold}, {0, v0}, record,
-                             {.half_cycle_limit = half_cycles}, options.surface);
+                             {.half_cycle_limit = half_cycles}, surface(i));
     } catch (const TooManyHalfCycles&) {
       return std::nullopt;
     }
@@ -48,7 +57,8 @@ void same(const char* what, double got, double expected, Eigen::Index i, const D
   if (got != expected) {
     BOOST_ERROR(what << " = " << got << ", alone " << expected << ", entry " << i << ": p "
                      << dampers.p[i] << ", f " << dampers.f[i] << ", delta " << dampers.delta[i]
-                     << ", v0 " << dampers.v0);
+                     << ", v0 " << dampers.v0 << ", width "
+                     << dampers.surface(i).notch_width.value_or(0));
   }
 }
 
@@ -65,6 +75,7 @@ void is_that_of(const std::optional<ForcedResponse>& alone, const RecordBatchRes
   same("peak_amplitude", result.peak_amplitude[i], alone->peak_amplitude, i, dampers);
   same("peak_absolute_acceleration", result.peak_absolute_acceleration[i],
        alone->peak_absolute_acceleration, i, dampers);
+  same("stop_time", result.stop_time[i], alone->stop_time.value(), i, dampers);
   same("stop_position", result.stop_position[i], alone->stop_position.value(), i, dampers);
   same("locked_from", result.locked_from[i], alone->locked_from.value_or(infinite), i, dampers);
   same("half_cycles", result.half_cycles[i], alone->half_cycles.value(), i, dampers);
@@ -131,6 +142,15 @@ Dampers any_dampers(Eigen::Index size, Dice& dice, double k) {
   return dampers;
 }
 
+/// Narrow ones that a mass passes within one interval, wide ones that it hardly leaves, and none.
+void give_widths(Dampers& dampers, Dice& dice, double k) {
+  dampers.options.notch_width.resize(dampers.f.size());
+  for (Eigen::Index i = 0; i < dampers.f.size(); ++i) {
+    const double length = k / (dampers.p[i] * dampers.p[i]);
+    dampers.options.notch_width[i] = dice.once_in(6) ? 0 : length * dice.power_of_ten(-4, 0.5);
+  }
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(random_dampers_under_a_record_are_those_of_the_scalar_kernel) {
@@ -146,6 +166,38 @@ BOOST_AUTO_TEST_CASE(random_dampers_under_a_record_are_those_of_the_scalar_kerne
   is_identical(dampers, record);
 }
 
+BOOST_AUTO_TEST_CASE(each_damper_has_a_notch_of_its_own_width) {
+  const Record record = strong_motion();
+  Dice dice(915);
+  Dampers dampers = any_dampers(300, dice, 0.35);
+  give_widths(dampers, dice, 0.35);
+  is_identical(dampers, record, {1, 3});
+  dampers.v0 = 0.02;  // leaves its notch freely
+  is_identical(dampers, record);
+  // Beside zones, inside of the notch or not.
+  dampers.options.surface.zones = {{1e-3, 0.01}, {0.05, 0.2}};
+  is_identical(dampers, record);
+}
+
+BOOST_AUTO_TEST_CASE(a_rest_at_an_edge_is_held_by_the_friction_of_either_side) {
+  // p = 1: a start with v0 = 1/2 against f = 3/8, and one with 1/4 against none, turn at x = 1/4 =
+  // w/2. There f + Delta/w holds what pushes inwards, f what pushes outwards.
+  const Record record{
+      {0, 0, 0.125, -0.125, 0.25, -0.375, 0.375, -0.5, 0.25, -0.625, 0.625, 0.5, 0}, 2, {}};
+  for (const auto& [f, v0] : {std::pair(0.0, 0.25), std::pair(0.375, 0.5)}) {
+    Dampers dampers(24);
+    dampers.v0 = v0;
+    dampers.options.notch_width = Eigen::ArrayXd::Constant(24, 0.5);
+    for (Eigen::Index i = 0; i < 24; ++i) {
+      dampers.set(i, {1, f, static_cast<double>(i) / 32});
+    }
+    is_identical(dampers, record);
+    const ForcedResponse rests = dampers.alone(23, {{0, 0}, 2, {}}).value();
+    BOOST_TEST(rests.stop_position == 0.25);
+    BOOST_TEST((rests.outcome == Outcome::stopped_in_notch));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(random_records_of_any_length) {
   Dice dice(912);
   for (int scene = 0; scene < 150; ++scene) {
@@ -156,6 +208,9 @@ BOOST_AUTO_TEST_CASE(random_records_of_any_length) {
       dampers.v0 = dice.once_in(2) ? 0 : k * dice.power_of_ten(-2, 0);
       dampers.options.hold =
           dice.once_in(2) ? std::nullopt : std::optional(k * dice.power_of_ten(-2, 0));
+      is_identical(dampers, record);
+      dampers.options.hold.reset();
+      give_widths(dampers, dice, k);
       is_identical(dampers, record);
     }
   }
@@ -228,6 +283,12 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_named_with_its_entry) {
   dampers.f[1] = -1;
   refused("f[1]", record);
   dampers.f[1] = 0;
+  dampers.options.notch_width = Eigen::ArrayXd::Zero(3);
+  dampers.options.notch_width[2] = -1;
+  refused("notch-width[2]", record);
+  dampers.options.notch_width = Eigen::ArrayXd::Ones(2);
+  refused("notch-width", record);
+  dampers.options.notch_width.resize(0);
   dampers.p[2] = 0;
   refused("p[2]", record);
 }

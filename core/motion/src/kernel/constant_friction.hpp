@@ -31,9 +31,9 @@ class ConstantFriction {
   /// Friction from y on.
   [[nodiscard]] const Real& phi_ahead(const Real& /*y*/) const { return phi_; }
 
-  /// Where the motion must be examined: x = 0, or never.
+  /// Where the notch takes its part: x = 0, or never.
   [[nodiscard]] Real edge_ahead(const Real& y) const {
-    return y < 0 ? Real(0) : std::numeric_limits<Real>::max();
+    return notched_ && y < 0 ? Real(0) : std::numeric_limits<Real>::max();
   }
 
   /// The load that a rest at u can hold in the direction `sign`.

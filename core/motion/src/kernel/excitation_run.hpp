@@ -101,7 +101,7 @@ void run_until(ForcedRun<Real, Watcher, Law>& run, const AnyExcitation& excitati
 /// The motion after an excitation that ended with `load`, up to the next turn or to its rest; in
 /// zones always to its rest, if there is one.
 template <class Real, class Watcher, class Law>
-void to_free_turn(ForcedRun<Real, Watcher, Law>& run, const Load<Real>& load) {
+[[gnu::noinline]] void to_free_turn(ForcedRun<Real, Watcher, Law>& run, const Load<Real>& load) {
   if (run.over()) {
     return;
   }

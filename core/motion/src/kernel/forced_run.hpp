@@ -275,7 +275,7 @@ class ForcedRun {
   template <class Drive>
   void slide(Drive& drive, ExactSum<Real>& left, std::optional<Crossing<Drive, Real>>& last) {
     if constexpr (Law::in_zones) {
-      slide_in_zone(*this, drive, left);
+      slide_in_zone(*this, drive, left, last);
       return;
     }
     const Sliding<Real> from = own_direction(drive.w());

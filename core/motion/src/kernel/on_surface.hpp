@@ -13,17 +13,24 @@
 
 namespace stillpoint {
 
+/// Without the notch that is a zone of the surface.
+template <class Real>
+BasicOscillator<Real> without_zone(BasicOscillator<Real> oscillator,
+                                   const BasicSurface<Real>& surface) {
+  if (surface.notch_width) {
+    oscillator.delta = Real(0);
+  }
+  return oscillator;
+}
+
 /// What `follow` returns for the run in zones, which is at its start.
 template <class Real, class Watcher, class Follow>
 auto in_zones(const BasicOscillator<Real>& oscillator, const BasicSurface<Real>& surface,
               const BasicStart<Real>& start, Watcher& watcher, Patience patience,
               const Follow& follow) {
-  BasicOscillator<Real> bare = oscillator;
-  if (surface.notch_width) {
-    bare.delta = Real(0);  // the notch is a zone
-  }
-  ForcedRun<Real, Watcher, ZonedFriction<Real>> run(
-      bare, ZonedFriction<Real>(oscillator, surface, start), start, watcher, std::move(patience));
+  ForcedRun<Real, Watcher, ZonedFriction<Real>> run(without_zone(oscillator, surface),
+                                                    ZonedFriction<Real>(oscillator, surface, start),
+                                                    start, watcher, std::move(patience));
   return follow(run);
 }
 

@@ -37,7 +37,7 @@ class RecordRun {
   // One interval at a time: record_motion.hpp.
 
   /// Up to the first sample; whether any interval follows.
-  bool begin(const ExactSum<Real>& end) {
+  [[gnu::noinline]] bool begin(const ExactSum<Real>& end) {
     before_first_sample(end);
     if (samples_.size() < 2 || !(end.minus(samples_.times().at(0)) > 0)) {
       return false;
@@ -100,7 +100,7 @@ class RecordRun {
     return i;
   }
 
-  void to_end(std::size_t i, const ExactSum<Real>& end) {
+  [[gnu::noinline]] void to_end(std::size_t i, const ExactSum<Real>& end) {
     if (run_.over()) {
       return;
     }

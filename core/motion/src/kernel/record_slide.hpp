@@ -77,8 +77,8 @@ template <bool even, class Run, class Real, class AnyCrossing>
   const Real phi = run.law().phi_ahead(now.y);
   now.a = -(now.y + phi + now.w);
   Real largest = s.acceleration;
-  Real arrival = run.law().edge_ahead(now.y);
-  const bool passes = !Run::AnyLaw::in_zones && run.map().notch == 0;
+  const Real edge = run.law().edge_ahead(now.y);
+  Real look = now.y < 0 ? std::min(edge, Real(0)) : edge;
   update(terms, samples.times().length(i));
   IntervalTerms<Real> t = terms;  // a copy, which may stay in registers
   // An interval may hold the largest |a| only where |a| exceeds `matters` at one of its ends:
@@ -100,15 +100,15 @@ template <bool even, class Run, class Real, class AnyCrossing>
       break;
     }
     if constexpr (Run::AnyWatcher::watches) {
-      if (passes || next.y < arrival) {
+      if (next.y < edge) {
         run.watcher().piece(samples.times().at(i), s.direction, now.piece_to(next, t));
       }
     }
-    if (next.y >= arrival) [[unlikely]] {
-      if (!passes) {
+    if (next.y >= look) [[unlikely]] {
+      if (next.y >= edge) {
         break;
       }
-      arrival = std::numeric_limits<Real>::max();
+      look = edge;
       s.now = samples.times().at(i);
       run.cross(now.piece_to(next, t), next.as_end(t), crossing);
     }

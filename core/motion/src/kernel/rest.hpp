@@ -40,7 +40,7 @@ void set_off(Run& run, int direction, const Real& acceleration) {
   if (waited > 0) {
     ++s.sticks;
     s.stick_time.add(waited);
-    is_held(s, run.law(), s.now);
+    is_held(s, run.law(), s.now, false);
     s.transmitted.locked = Real(0);
     run.event(EventKind::release);
   }
@@ -58,18 +58,18 @@ void set_off(Run& run, int direction, const Real& acceleration) {
 template <class Run, class Drive, class Real>
 void rest(Run& run, Drive& drive, ExactSum<Real>& left, bool for_ever) {
   ForcedState<Real>& s = run.state();
-  const auto& law = run.law();
+  const auto hold = run.law().hold_at(s.u);
   const Real w = drive.w();
   const Real load = s.u + w;
   const int sign = load > 0 ? 1 : -1;
-  const Real phi = law.capacity(s.u, sign);
+  const Real phi = hold.phi(sign);
   const Real size = magnitude(s.u) + magnitude(w) + phi;
   Real excess = magnitude(load) - phi;
   if (s.fresh) {
     s.margin.decide(magnitude(excess), std::max(size, Real(drive.amplitude())));
   }
   if (Hold<Real>::may_tie(excess, size)) {
-    excess = law.hold_at(s.u).excess(drive.load(), sign);
+    excess = hold.excess(drive.load(), sign);
   }
   if (excess > 0) {
     set_off(run, -sign, excess);
@@ -79,7 +79,6 @@ void rest(Run& run, Drive& drive, ExactSum<Real>& left, bool for_ever) {
     s.fresh = false;
     run.event(EventKind::stick);
   }
-  const auto hold = law.hold_at(s.u);
   if (for_ever) {
     const Real largest = drive.largest_load(s.u);
     s.margin.decide(magnitude(Real(largest - phi)), largest + phi);

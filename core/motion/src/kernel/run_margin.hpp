@@ -52,7 +52,7 @@ void decide_arrival_before_change(Run& run, const Real& w, const Real& left) {
 
 /// W jumps here: docs/forced.md (F26).
 template <class Run, class Real>
-void decide_jump(Run& run, const Load<Real>& from, const Load<Real>& to) {
+[[gnu::noinline]] void decide_jump(Run& run, const Load<Real>& from, const Load<Real>& to) {
   if (run.over()) {
     return;
   }

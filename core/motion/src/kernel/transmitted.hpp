@@ -38,11 +38,11 @@ void slides(ForcedState<Real>& s, const Law& law) {
   s.transmitted.slides(y, law.phi_ahead(y));
 }
 
-/// (F29): from rest_begin until `end`.
+/// (F29): from rest_begin until `end`; `stays`: the run ends there.
 template <class Real, class Law>
-void is_held(ForcedState<Real>& s, const Law& law, const ExactSum<Real>& end) {
+void is_held(ForcedState<Real>& s, const Law& law, const ExactSum<Real>& end, bool stays) {
   using std::max;
-  const bool locks = law.notch_holds(s.u, s.moved || s.caught);
+  const bool locks = stays && law.notch_holds(s.u, s.moved || s.caught);
   const bool may_count = locks || Real(magnitude(s.u) + law.most_held(s.u)) > s.transmitted.slid;
   if (may_count && s.transmitted.largest_load) {
     const Real load = s.transmitted.largest_load(s.rest_begin, end);
@@ -57,7 +57,7 @@ void feel_the_end(ForcedState<Real>& s, const Law& law, const ExactSum<Real>& en
   if (s.v != 0) {
     slides(s, law);
   } else {
-    is_held(s, law, s.outcome ? end : s.now);
+    is_held(s, law, s.outcome ? end : s.now, true);
   }
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A sliding piece where friction steps with |x|: up to the next edge, x = 0 included.
-// docs/notches.md section 3. The piece is that of constant friction, with the edge as its origin:
-// its acceleration knows the friction and the spring.
+// A sliding piece where friction steps with |x|: up to the next edge. docs/notches.md section 3.
+// x = 0 is one only with a notch there; else it is passed on the way, and counted. The piece is
+// that of constant friction, with the edge as its origin: its acceleration knows the friction and
+// the spring.
 
 #include "kernel/drives.hpp"
 #include "kernel/exact_sum.hpp"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 namespace stillpoint {
@@ -25,21 +27,14 @@ namespace stillpoint {
 template <class Run>
 void reach_edge(Run& run) {
   auto& s = run.state();
-  if (s.u == 0 && run.map().notch > 0) {
+  if (s.u == 0) {
     run.arrive();
     return;
   }
   const auto energy = decltype(s.v)(s.v * s.v);
   s.margin.decide(energy, decltype(s.v)(energy + s.farthest * s.farthest));
-  if (s.u == 0) {
-    s.arrival_speed = magnitude(s.v);
-    run.event(EventKind::arrival);
-  }
   if (s.v == 0) {
     run.turn();
-  } else if (s.u == 0) {
-    run.pass();
-    run.event(EventKind::passage);
   }
 }
 
@@ -77,8 +72,19 @@ template <class Real, class Drive>
   }
 }
 
+/// Counts x = 0 where the piece ends at `y`, beyond it.
+template <class Run, class Drive, class Real, class End, class AnyCrossing>
+void pass_zero(Run& run, Drive& drive, const Sliding<Real>& whole, End end, const Real& y,
+               std::optional<AnyCrossing>& last) {
+  if (whole.y < 0 && run.map().notch == 0 && (y > 0 || (y == 0 && end.event != PieceEvent::turn))) {
+    end.at.y = y;
+    run.cross(drive.piece(whole), end, last);
+  }
+}
+
 template <class Run, class Drive, class Real>
-void slide_in_zone(Run& run, Drive& drive, ExactSum<Real>& left) {
+void slide_in_zone(Run& run, Drive& drive, ExactSum<Real>& left,
+                   std::optional<Crossing<Drive, Real>>& last) {
   ForcedState<Real>& s = run.state();
   const Sliding<Real> whole = run.own_direction(drive.w());
   const Real edge = run.law().edge_ahead(whole.y);
@@ -99,12 +105,15 @@ void slide_in_zone(Run& run, Drive& drive, ExactSum<Real>& left) {
     run.watcher().piece(s.now, whole.direction, drive.piece(whole));
   }
   Real y = end.at.y;
-  if (edge_ahead && end.event != PieceEvent::arrival) {
+  if (end.event == PieceEvent::arrival) {
+    y = edge;
+  } else if (edge_ahead) {
     y += edge;
     if (magnitude(y) < magnitude(edge) / 1024) {
       y = end_near_zero(drive, whole, end.h);
     }
   }
+  pass_zero(run, drive, whole, end, y, last);
   left.add(-end.h);
   s.now.add(end.h);
   drive.advance_to(end, from.direction);

@@ -93,9 +93,10 @@ class ZonedFriction {
     return leaving_ ? zone.phi_leaving : zone.phi;
   }
 
+  /// Where friction changes next, or a notch at x = 0 takes its part.
   [[nodiscard]] Real edge_ahead(const Real& y) const {
     const std::size_t zone = ahead(y);
-    if (y < 0) {
+    if (y < 0 && (zone > 0 || notched_)) {
       return 0 - zones_[zone].from;
     }
     return zone + 1 < zones_.size() ? zones_[zone + 1].from : std::numeric_limits<Real>::max();

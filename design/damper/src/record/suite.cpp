@@ -157,7 +157,7 @@ std::vector<SuiteFigures> Suite::figures(std::span<const SuiteDamper> dampers,
   const Eigen::ArrayXd p = column(&SuiteDamper::p);
   const Eigen::ArrayXd f = column(&SuiteDamper::f);
   const Eigen::ArrayXd delta = column(&SuiteDamper::delta);
-  const RecordBatchOptions options{hold_, surface_, most_suite_half_cycles, threads};
+  const RecordBatchOptions options{hold_, surface_, {}, most_suite_half_cycles, threads};
   std::vector<SuiteFigures> list(dampers.size());
   RecordBatchResult found;
   for (const Excitation& load : loads_) {

@@ -15,7 +15,10 @@ namespace stillpoint {
 
 struct RecordBatchOptions {
   std::optional<double> hold{};  ///< for every oscillator
-  Surface surface{};             ///< for every entry; any but the paper's runs without lanes
+  Surface surface{};             ///< for every entry
+  /// If not empty, the notch of each entry has this width in place of that of the surface, and
+  /// where it is 0 none.
+  Eigen::ArrayXd notch_width{};
   /// As in ForcedOptions, but a motion with more half-cycles is not an error: its outcome is
   /// `running`.
   double half_cycle_limit{1e8};
@@ -31,6 +34,7 @@ struct RecordBatchResult {
   Eigen::ArrayXd peak_amplitude;
   Eigen::ArrayXd peak_absolute_acceleration;
   Eigen::ArrayXd stop_position;
+  Eigen::ArrayXd stop_time;
   Eigen::ArrayXd locked_from;
   Eigen::ArrayXd half_cycles;
   Eigen::ArrayXd turning_points;
