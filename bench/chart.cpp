@@ -6,6 +6,7 @@
 
 #include <stillpoint/figures/figure.hpp>
 #include <stillpoint/figures/html_page.hpp>
+#include <stillpoint/records/decimal.hpp>
 
 #include <fmt/format.h>
 
@@ -66,7 +67,7 @@ FigureAxis time_axis(const Comparison& comparison) {
 
 /// Two digits, "1400" and not "1.4e+03".
 std::string microseconds(const Row& row) {
-  return fmt::format("{} µs", std::stod(fmt::format("{:.2g}", place(row).y)));
+  return fmt::format("{} µs", records::decimal(place(row).y, 2));
 }
 
 std::string description(const SceneRows& scene) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reports.hpp"
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <stillpoint/records/decimal.hpp>
 
 #include <string>
 
@@ -14,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 /// Measured figures with their significant digits.
 double four_digits(double value) {
-  return std::stod(fmt::format("{:.4g}", value));
+  return records::decimal(value, 4);
 }
 
 Json time(const peers::Timing& timing) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A component is a header with the source file of its name. No component uses itself by way of
 // others.
-#include "testing/test.hpp"
+#include "sources.hpp"
 
 #include <regex>
 
@@ -10,20 +10,6 @@ BOOST_AUTO_TEST_SUITE(include_cycles_test)
 namespace {
 
 using namespace stillpoint::test;
-
-const fs::path root = fs::path(STILLPOINT_DATA_DIR).parent_path();
-
-std::vector<fs::path> sources() {
-  std::vector<fs::path> found;
-  for (const char* layer : {"core", "design", "cli"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(root / layer)) {
-      if (entry.path().extension() == ".hpp" || entry.path().extension() == ".cpp") {
-        found.push_back(entry.path());
-      }
-    }
-  }
-  return found;
-}
 
 /// core/motion of a file in it.
 fs::path room_of(const fs::path& file) {

@@ -38,6 +38,15 @@ std::vector<double> decades(double least, double most, int wanted) {
   return values;
 }
 
+/// How far a value is from the nearest number with so many digits.
+double lost(double value, int digits) {
+  if (value == 0) {
+    return 0;
+  }
+  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - (digits - 1));
+  return std::abs(std::remainder(value, unit));
+}
+
 }  // namespace
 
 double FigureAxis::position(double value) const {
@@ -65,27 +74,25 @@ std::vector<double> ticks(const FigureAxis& axis, int wanted) {
 
 std::vector<std::string> tick_labels(const std::vector<double>& ticks, int fewest) {
   constexpr double visible = 1e-3;  // of the distance between two ticks
-  const auto written = [&ticks](int digits) {
-    std::vector<std::string> labels;
-    labels.reserve(ticks.size());
-    for (const double tick : ticks) {
-      labels.push_back(fmt::format("{:.{}g}", tick, digits));
-    }
-    return labels;
-  };
-  for (int digits = fewest; digits < 17; ++digits) {
-    auto labels = written(digits);
+  constexpr int every = 17;         // that a double has
+  const auto shows_all = [&ticks](int digits) {
     bool exact = true;
     for (std::size_t i = 0; i < ticks.size() && ticks.size() > 1; ++i) {
       const double next = i > 0 ? ticks[i - 1] : ticks[1];
-      exact =
-          exact && std::abs(std::stod(labels[i]) - ticks[i]) <= visible * std::abs(ticks[i] - next);
+      exact = exact && lost(ticks[i], digits) <= visible * std::abs(ticks[i] - next);
     }
-    if (exact) {
-      return labels;
-    }
+    return exact;
+  };
+  int digits = fewest;
+  while (digits < every && !shows_all(digits)) {
+    ++digits;
   }
-  return written(17);
+  std::vector<std::string> labels;
+  labels.reserve(ticks.size());
+  for (const double tick : ticks) {
+    labels.push_back(fmt::format("{:.{}g}", tick, digits));
+  }
+  return labels;
 }
 
 FigureAxis axis_around(std::string label, double least, double most) {

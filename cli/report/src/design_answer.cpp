@@ -3,6 +3,7 @@
 #include "format.hpp"
 
 #include <stillpoint/design/tolerance.hpp>
+#include <stillpoint/records/decimal.hpp>
 #include <stillpoint/report/digits.hpp>
 
 #include <cmath>
@@ -16,20 +17,20 @@ constexpr double buildable = 0.01;  // a smaller tolerance is too little for a r
 
 /// The friction of the design, rounded so that it is still feasible: to six digits, or to more
 /// where none of six is.
-std::string f_digits(const design::DesignResult& result) {
+double shown_f(const design::DesignResult& result) {
   constexpr int fewest = 6;
   constexpr int every = 17;  // that a double has
+  using enum records::Rounding;
   const double f = result.finding->point.f;
   for (int shown = fewest; shown < every; ++shown) {
-    for (const std::string& text : {format("{:.{}g}", f, shown), limit_digits(f, true, shown),
-                                    limit_digits(f, false, shown)}) {
-      const double as_shown = std::stod(text);
-      if (*result.region.f_lower <= as_shown && as_shown <= *result.region.f_upper) {
-        return text;
+    for (const records::Rounding rounding : {nearest, up, down}) {
+      const double found = records::decimal(f, shown, rounding);
+      if (*result.region.f_lower <= found && found <= *result.region.f_upper) {
+        return found;
       }
     }
   }
-  return format("{}", f);
+  return f;
 }
 
 /// Beside next to no friction: what is left of it with friction that can be built.
@@ -40,7 +41,7 @@ std::string tolerance_without_friction(const design::DesignResult& result) {
   if (!result.request.pulse) {
     constexpr double kept = 0.9;
     const auto& [problem, limits, search, pulse, ranges] = result.request;
-    const double less = std::stod(format("{:.2g}", kept * tolerance));
+    const double less = records::decimal(kept * tolerance, 2);
     if (const auto largest = design::any_f_up_to(problem, limits, delta, less)) {
       constexpr int shown = 3;
       text += format(", by +-{} with any f up to {}", percent_digits(less),
@@ -169,7 +170,7 @@ std::string verdict(const DesignReport& report, const Physical& physical) {
   const auto shape = report.built_notch ? report.built_notch->shape : design::NotchShape();
   std::optional<double> friction;
   if (!wants_no_friction(report)) {
-    friction = physical && physical->scales.mass_kg ? f : std::stod(f_digits(report.result));
+    friction = physical && physical->scales.mass_kg ? f : shown_f(report.result);
   }
   std::string text = format("{} {}.", is_too_exact(report) ? "Too exact to be built:" : "Build",
                             damper_words(physical, friction, delta, shape));
@@ -211,7 +212,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   answer.row("damper",
              format("{}, delta = {}{}",
                     wants_no_friction(report) ? "f as small as you can make it"
-                                              : "f = " + f_digits(result),
+                                              : format("f = {}", shown_f(result)),
                     length_shown(physical, delta),
                     failing && !report.built_notch ? format(" ({})", acts_late) : ""),
              Tone::heading);

@@ -3,7 +3,7 @@
 #include "design_parts.hpp"
 #include "format.hpp"
 
-#include <stillpoint/report/digits.hpp>
+#include <stillpoint/records/decimal.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -95,12 +95,13 @@ double limit_of_digits(const Physical& physical, double length) {
   constexpr int with_a_unit = 5;
   constexpr int plain = 6;
   const double unit = physical ? physical->scales.length_m : 1;
-  return std::stod(limit_digits(length * unit, true, physical ? with_a_unit : plain)) / unit;
+  return records::decimal(length * unit, physical ? with_a_unit : plain, records::Rounding::up) /
+         unit;
 }
 
 double of_two_digits(const Physical& physical, double length) {
   const double unit = physical ? physical->scales.length_m : 1;
-  return std::stod(format("{:.2g}", length * unit)) / unit;
+  return records::decimal(length * unit, 2) / unit;
 }
 
 StartUnderLoad start_under_pulse(const design::DesignResult& result) {

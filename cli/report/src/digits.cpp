@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <stillpoint/records/decimal.hpp>
 #include <stillpoint/report/digits.hpp>
 
 #include <fmt/format.h>
@@ -9,21 +10,8 @@
 
 namespace stillpoint::report {
 
-namespace {
-
-/// As `shown` writes it, rounded up or down. The value is not negative.
-template <class Shown>
-std::string rounded(double value, bool upwards, const Shown& shown) {
-  std::string text = shown(value);
-  const auto misses = [&] { return upwards ? std::stod(text) < value : std::stod(text) > value; };
-  // The nearest is at most half of its last digit away.
-  for (double part = 0x1p-52; misses(); part *= 2) {
-    text = shown(value * (upwards ? 1 + part : 1 - part));
-  }
-  return text;
-}
-
-}  // namespace
+using records::decimal;
+using records::Rounding;
 
 std::string digits(double value) {
   return fmt::format("{:.6g}", value);
@@ -35,9 +23,9 @@ std::string digits(const std::optional<double>& value) {
 
 std::string few_digits(double value) {
   constexpr double million = 1e6;
-  std::string text = fmt::format("{:.4g}", value);
-  const double shown = std::stod(text);
-  return std::abs(shown) >= 1 && std::abs(shown) < million ? fmt::format("{:.6g}", shown) : text;
+  const double shown = decimal(value, 4);
+  return std::abs(shown) >= 1 && std::abs(shown) < million ? fmt::format("{:.6g}", shown)
+                                                           : fmt::format("{:.4g}", shown);
 }
 
 std::string with_unit(double value, std::string_view unit, int digits) {
@@ -49,7 +37,7 @@ std::string with_unit(double value, std::string_view unit, int digits) {
                                        Prefix{1, ""},    Prefix{1e-3, "m"}, Prefix{1e-6, "u"},
                                        Prefix{1e-9, "n"}};
   // As it will be displayed: 0.99999999 mm is 1 mm, not 1000 um.
-  const double magnitude = std::stod(fmt::format("{:.{}g}", std::abs(value), digits));
+  const double magnitude = decimal(std::abs(value), digits);
   const bool in_range = magnitude >= 1e-9 && magnitude < 1e12;
   if (in_range) {
     for (const Prefix& prefix : prefixes) {
@@ -72,38 +60,37 @@ bool begins_at_nothing(double low, double high) {
 }
 
 std::string limit_digits(double value, bool upwards, int shown) {
-  return rounded(value, upwards,
-                 [shown](double now) { return fmt::format("{:.{}g}", now, shown); });
+  return fmt::format("{:.{}g}", decimal(value, shown, upwards ? Rounding::up : Rounding::down),
+                     shown);
 }
 
 double end_or_asked(double end, double asked) {
   const auto alike = [asked](double value) { return std::abs(value - asked) <= 1e-12 * asked; };
-  const double decimal = std::stod(fmt::format("{:.9g}", asked));
-  return !alike(end) ? end : alike(decimal) ? decimal : asked;
+  const double typed = decimal(asked, 9);
+  return !alike(end) ? end : alike(typed) ? typed : asked;
 }
 
-std::string digits_within(double low, double high) {
+double decimal_within(double low, double high) {
   constexpr int every = 17;  // that a double has
-  int shown = 6;
-  std::string text = limit_digits(high, false, shown);
-  while (std::stod(text) < low && shown < every) {
-    text = limit_digits(high, false, ++shown);
+  int digits = 6;
+  double found = decimal(high, digits, Rounding::down);
+  while (found < low && digits < every) {
+    found = decimal(high, ++digits, Rounding::down);
   }
-  return text;
+  return found;
 }
 
 std::string range_digits(double low, double high) {
   constexpr int shown = 6;
-  const std::string to = limit_digits(high, false, shown);
+  const double to = decimal(high, shown, Rounding::down);
   if (begins_at_nothing(low, high)) {
-    return "up to " + to;
+    return "up to " + digits(to);
   }
   if (!(low < high)) {
     return fmt::format("{}", high);
   }
-  const std::string from = limit_digits(low, true, shown);
-  return std::stod(from) < std::stod(to) ? fmt::format("{} to {}", from, to)
-                                         : interval_digits(low, high);
+  const double from = decimal(low, shown, Rounding::up);
+  return from < to ? fmt::format("{} to {}", digits(from), digits(to)) : interval_digits(low, high);
 }
 
 std::string interval_digits(double low, double high) {
@@ -111,11 +98,12 @@ std::string interval_digits(double low, double high) {
   constexpr int every = 17;  // that a double has
   constexpr double lost = 0.02;
   for (int shown = fewest; shown < every; ++shown) {
-    const auto with_zeros = [shown](double now) { return fmt::format("{:#.{}g}", now, shown); };
-    const std::string from = rounded(low, true, with_zeros);
-    const std::string to = rounded(high, false, with_zeros);
-    if (std::max(std::stod(from) - low, high - std::stod(to)) <= lost * (high - low)) {
-      return begins_at_nothing(low, high) ? "up to " + to : fmt::format("{} to {}", from, to);
+    const double from = decimal(low, shown, Rounding::up);
+    const double to = decimal(high, shown, Rounding::down);
+    if (std::max(from - low, high - to) <= lost * (high - low)) {
+      return begins_at_nothing(low, high)
+                 ? fmt::format("up to {:#.{}g}", to, shown)
+                 : fmt::format("{0:#.{2}g} to {1:#.{2}g}", from, to, shown);
     }
   }
   return fmt::format("{} to {}", low, high);

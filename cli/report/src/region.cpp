@@ -153,7 +153,7 @@ std::string feasible_delta(const RegionReport& report) {
   const Interval of_f = strip == report.answer.strips.end()
                             ? Interval{*region.f_lower, *region.f_upper}
                             : Interval{*strip->f_lower, *strip->f_upper};
-  const double middle = std::stod(digits_within(of_f.low, std::midpoint(of_f.low, of_f.high)));
+  const double middle = decimal_within(of_f.low, std::midpoint(of_f.low, of_f.high));
   const auto all = feasible_at(report, middle);
   return hardly_any(all) ? "" : at(middle, all);
 }

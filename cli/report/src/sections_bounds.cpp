@@ -2,6 +2,7 @@
 #include "format.hpp"
 #include "sections.hpp"
 
+#include <stillpoint/records/decimal.hpp>
 #include <stillpoint/report/digits.hpp>
 
 #include <algorithm>
@@ -47,6 +48,9 @@ bool bounds_nothing(const design::Constraint& now) {
   return now.relation.front() == '>' && now.limit <= 0;
 }
 
+using records::decimal;
+using records::Rounding;
+
 constexpr int digits_of_bounds = 6;
 constexpr int digits_of_tables = 6;  // rounded to the nearest, a stroke must not be below the least
 
@@ -55,7 +59,7 @@ int digits_between(double f2, double f3) {
   constexpr int every = 17;  // that a double has
   int shown = digits_of_bounds;
   while (f2 > 0 && f2 <= f3 && shown < every &&
-         std::stod(limit_digits(f2, true, shown)) > std::stod(limit_digits(f3, false, shown))) {
+         decimal(f2, shown, Rounding::up) > decimal(f3, shown, Rounding::down)) {
     ++shown;
   }
   return shown;

@@ -2,6 +2,7 @@
 #include "format.hpp"
 #include "sections.hpp"
 
+#include <stillpoint/records/decimal.hpp>
 #include <stillpoint/report/digits.hpp>
 
 #include <algorithm>
@@ -109,7 +110,7 @@ std::string share_of(double value, double limit) {
   constexpr double rounding = 1e-9;
   int shown = 4;
   while (std::abs(share - all) > rounding && shown < every &&
-         std::stod(format("{:.{}g}", share, shown)) == all) {
+         records::decimal(share, shown) == all) {
     ++shown;
   }
   return format("{:.{}g} %", share, shown);

@@ -20,7 +20,7 @@ std::string interval_text(const design::ServedInterval& interval, const Interval
   const double high = end_or_asked(*interval.high, asked.high);
   constexpr double apart = 1e-6;
   if (high - low <= apart * high) {
-    return "exactly " + digits_within(low, high);
+    return format("exactly {}", decimal_within(low, high));
   }
   return interval_digits(low, high);
 }

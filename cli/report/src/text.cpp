@@ -115,7 +115,7 @@ class Text {
   /// Columns as wide as their widest cell, to the right; to the left the first and, unless it has
   /// only numbers, the last one, whose words continue below. A table that is too wide gets its
   /// heads in two lines, with only the units below if that is enough, and where even that is not,
-  /// fewer digits of 8.19804e+149, or long names above their rows.
+  /// long names above their rows.
   std::string operator()(Table table) {
     std::vector<std::size_t> cells(table.head.size());
     ends_in_numbers_ = std::ranges::all_of(table.rows, [](const TableRow& row) {
@@ -142,9 +142,6 @@ class Text {
       const bool fits = breaks == HeadBreak::none || width(widths, usual_gap) <= page_width;
       std::size_t gap = fits ? usual_gap : narrow_gap;
       if (breaks == HeadBreak::words && width(widths, gap) > page_width) {
-        if (shorten(table)) {
-          return (*this)(table);
-        }
         gap = 1;
         if (width(widths, gap) > page_width) {
           gap = narrow_gap;
@@ -182,21 +179,6 @@ class Text {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       widths[i] = std::max(widths[i], cells[i].size());
     }
-  }
-
-  /// Numbers like 8.19804e+149 with three digits; whether there are any.
-  static bool shorten(Table& table) {
-    bool any = false;
-    for (TableRow& row : table.rows) {
-      for (std::string& cell : row.cells) {
-        if (cell.find('e') != std::string::npos &&
-            cell.find_first_not_of("0123456789.e+-") == std::string::npos) {
-          const std::string longer = std::exchange(cell, fmt::format("{:.3g}", std::stod(cell)));
-          any = any || cell != longer;
-        }
-      }
-    }
-    return any;
   }
 
   /// "peak, mm" and "stop time" in two lines; one line where no head has a unit, or words.

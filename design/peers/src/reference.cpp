@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/peers/reference.hpp>
 
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 namespace stillpoint::peers {
@@ -47,7 +48,12 @@ Row row(const std::string& file_name, const std::string& name) {
 }
 
 double number(const Row& row, const std::string& column) {
-  return std::strtod(row.at(column).c_str(), nullptr);
+  const std::string& text = row.at(column);
+  double value = 0;
+  if (std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc()) {
+    throw std::runtime_error(column + " is no number: " + text);
+  }
+  return value;
 }
 
 std::int64_t count(const Row& row, const std::string& column) {

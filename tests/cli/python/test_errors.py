@@ -3,6 +3,8 @@
 
 import os
 import signal
+import subprocess
+import sys
 import threading
 import time
 import types
@@ -194,3 +196,30 @@ def test_axes_may_be_any_sequence():
 def test_arrays_are_of_numbers(wrong):
     with pytest.raises(stillpoint.InputError, match="^f: must be a number or an array of numbers$"):
         stillpoint.peak(wrong, 0.1, 1.0, 1.0)
+
+
+COMMAS = """
+import locale, sys
+if len(sys.argv) > 1:
+    locale.setlocale(locale.LC_NUMERIC, sys.argv[1])
+    assert locale.str(0.5) == "0,5"
+import stillpoint
+for options in ({"velocity": "400.5mm/s", "period": "2.8s", "max_displacement": "150mm"},
+                {"v0": 1, "p": 1, "beta": 0.7}):
+    for command in stillpoint.design, stillpoint.region:
+        found = command(**options)
+        print(found.report["region"], found, found._repr_html_())
+print(stillpoint.sweep(v0="0.5:1:3", p=1, f="0.01,0.02", delta="1e-3:0.1:4:log").table.tobytes())
+"""
+
+
+def test_decimal_commas_of_the_host_change_nothing(tmp_path):
+    (tmp_path / "source").write_text(
+        'LC_NUMERIC\ndecimal_point ","\nthousands_sep "."\ngrouping 3;3\nEND LC_NUMERIC\n')
+    # It complains because the source defines nothing else.
+    subprocess.run(["localedef", "-c", "--quiet", "-i", "source", "-f", "UTF-8", "./comma"], cwd=tmp_path, check=False)
+    plain, commas = (
+        subprocess.run([sys.executable, "-c", COMMAS, *name], env={**os.environ, "LOCPATH": str(tmp_path)},
+                       capture_output=True, text=True, check=True).stdout for name in ((), ("comma",)))
+    assert "f >= f2 = 0.364286" in plain  # (1 - 0.49) / 1.4
+    assert commas == plain

@@ -63,13 +63,13 @@ BOOST_AUTO_TEST_CASE(printed_ranges_lie_within) {
       BOOST_TEST(from <= to, text);
       BOOST_TEST(to <= high, text);
     }
-    const double within = std::stod(digits_within(low, high));
+    const double within = decimal_within(low, high);
     BOOST_TEST(low <= within);
     BOOST_TEST(within <= high);
   }
-  BOOST_TEST(digits_within(0.35355338937, 0.35355339059) == "0.35355339");
-  BOOST_TEST(digits_within(0.5, 0.5) == "0.5");
-  BOOST_TEST(digits_within(1.0 / 3, 1.0 / 3) == "0.3333333333333333");
+  BOOST_TEST(decimal_within(0.35355338937, 0.35355339059) == 0.35355339);
+  BOOST_TEST(decimal_within(0.5, 0.5) == 0.5);
+  BOOST_TEST(decimal_within(1.0 / 3, 1.0 / 3) == 1.0 / 3);
 }
 
 BOOST_AUTO_TEST_CASE(units_take_the_prefix_that_fits) {

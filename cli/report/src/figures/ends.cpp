@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <set>
 #include <utility>
 
 namespace stillpoint::report {
@@ -55,13 +56,17 @@ std::string some_spring(const design::Hits& now) {
   return now.every_spring ? "" : " with some spring";
 }
 
+bool is_later(const design::Hits& now) {
+  return now.end == HitEnd::centred && now.arrivals.value_or(0) > 1;
+}
+
 /// "off centre with some spring", "centred at arrival 2", "within the residual after 1 passage"
 std::string named(const design::Hits& now) {
   const double arrivals = now.arrivals.value_or(0);
-  const std::string later =
-      now.end == HitEnd::centred && arrivals > 1           ? format(" at arrival {}", arrivals)
-      : now.end == HitEnd::within_residual && arrivals > 0 ? " after " + plural(arrivals, "passage")
-                                                           : "";
+  const std::string later = is_later(now) ? format(" at arrival {}", arrivals)
+                            : now.end == HitEnd::within_residual && arrivals > 0
+                                ? " after " + plural(arrivals, "passage")
+                                : "";
   return look_of(now.end).name + later + some_spring(now);
 }
 
@@ -115,6 +120,18 @@ std::string where_it_fails(const DrawnEnds& drawn) {
   const std::string_view fate = now == drawn.list.end() ? "" : look_of(now->end).fate;
   return format("The damper does not work for the {} that was asked for{}.", drawn.noun,
                 fate.empty() ? refusal : format(": such {}s {}", drawn.noun, fate));
+}
+
+/// "centred at arrivals 2, 5", which have one ink; empty if no other has it.
+std::string key_of_later(const DrawnEnds& drawn, const design::Hits& one) {
+  std::set<double> arrivals;
+  for (const design::Hits& now : drawn.list) {
+    if (is_later(now) && now.every_spring == one.every_spring) {
+      arrivals.insert(*now.arrivals);
+    }
+  }
+  const std::string key = is_later(one) ? key_of_arrivals(arrivals, *one.arrivals) : "";
+  return key.empty() ? "" : "centred at " + key + some_spring(one);
 }
 
 std::string words(const DrawnEnds& drawn, double strength) {
@@ -195,16 +212,11 @@ Figure ends_figure(const DrawnEnds& drawn) {
          .again = true,
          .told = format("{}, {}", name, range),
          .key = now.end != HitEnd::within_residual
-                    ? ""
+                    ? key_of_later(drawn, now)
                     : (too_late ? "within the residual, but too late" : "within the residual") +
                           some_spring(now)});
     figure.description +=
         format("{} {} from {}", &now == drawn.list.data() ? "" : ",", name, range);
-  }
-  for (figures::FigureArea& area : figure.areas) {
-    if (area.key.empty()) {
-      area.key = key_of_arrivals(figure.areas, area, "centred at arrival ");
-    }
   }
   if (known < asked_for) {  // beyond what the program takes
     figure.areas.push_back(

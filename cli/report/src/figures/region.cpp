@@ -4,6 +4,7 @@
 #include "format.hpp"
 #include "sections.hpp"
 
+#include <stillpoint/records/decimal.hpp>
 #include <stillpoint/report/digits.hpp>
 
 #include <algorithm>
@@ -195,12 +196,12 @@ std::string within_box(double value, double tolerance) {
   constexpr double well = 0.1;
   constexpr int fewest = 4;
   constexpr int every = 17;  // that a double has
-  std::string text = few_digits(value);
-  for (int shown = fewest + 1;
-       shown <= every && std::abs(std::stod(text) - value) > well * tolerance * value; ++shown) {
-    text = format("{:.{}g}", value, shown);
+  int shown = fewest;
+  while (shown < every &&
+         std::abs(records::decimal(value, shown) - value) > well * tolerance * value) {
+    ++shown;
   }
-  return text;
+  return shown == fewest ? few_digits(value) : format("{:.{}g}", value, shown);
 }
 
 /// "±34.2 %", or "-10 to +20 %" where the sides differ.

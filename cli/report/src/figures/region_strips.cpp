@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <string>
@@ -126,30 +127,21 @@ Ink arrival_ink(double arrival) {
   return inks.at(static_cast<std::size_t>(std::fmod(arrival - 1, inks.size())));
 }
 
-std::string key_of_arrivals(const std::vector<FigureArea>& areas, const FigureArea& one,
-                            std::string_view prefix) {
+std::string key_of_arrivals(const std::set<double>& arrivals, double one) {
   constexpr std::size_t most = 6;
-  const auto behind_number = [&](const FigureArea& area) {
-    return std::min(area.name.find(' ', prefix.size()), area.name.size());
-  };
-  const auto rest = [&](const FigureArea& area) { return area.name.substr(behind_number(area)); };
-  std::set<double> arrivals;
-  for (const FigureArea& area : areas) {
-    if (area.name.starts_with(prefix) && area.ink == one.ink && rest(area) == rest(one)) {
-      arrivals.insert(std::stod(area.name.substr(prefix.size())));
-    }
-  }
-  if (!one.name.starts_with(prefix) || arrivals.size() < 2) {
+  std::vector<double> alike;
+  std::ranges::copy_if(arrivals, std::back_inserter(alike),
+                       [one](double arrival) { return arrival_ink(arrival) == arrival_ink(one); });
+  if (alike.size() < 2) {
     return "";
   }
-  std::string text = format("{}s", prefix.substr(0, prefix.size() - 1));
-  std::size_t listed = 0;
-  for (const double arrival : arrivals) {
-    if (++listed <= most || arrival == *arrivals.rbegin()) {
-      text += format("{} {}", listed == 1 ? "" : listed > most + 1 ? ", …," : ",", arrival);
+  std::string text = "arrivals";
+  for (std::size_t i = 0; i < alike.size(); ++i) {
+    if (i < most || i + 1 == alike.size()) {
+      text += format("{} {}", i == 0 ? "" : i > most ? ", …," : ",", alike[i]);
     }
   }
-  return text + rest(one);
+  return text;
 }
 
 bool is_one_area(const design::Problem& problem, std::size_t areas) {
@@ -160,9 +152,11 @@ std::vector<FigureArea> admissible_areas(const DrawnRegion& drawn, const FigureU
   const Strips strips(drawn, units.length);
   const std::int64_t own = strips.own();
   std::vector<FigureArea> areas;
+  std::vector<double> arrival_of;  // each area; 0 where it is not that of one arrival
   const auto add = [&](const DrawnStrip& strip) {
     if (auto outline = strips.outline(strip); !outline.empty()) {
       areas.push_back({strip_name(drawn, strip), std::move(outline), strip_ink(strip)});
+      arrival_of.push_back(strip.with_later ? 0 : static_cast<double>(strip.first));
     }
   };
   if (drawn.problem.residual) {
@@ -181,8 +175,10 @@ std::vector<FigureArea> admissible_areas(const DrawnRegion& drawn, const FigureU
   if (own > 0) {
     add({own});
   }
-  for (FigureArea& area : areas) {
-    area.key = key_of_arrivals(areas, area, "arrival ");
+  std::set<double> listed(arrival_of.begin(), arrival_of.end());
+  listed.erase(0);
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    areas[i].key = arrival_of[i] > 0 ? key_of_arrivals(listed, arrival_of[i]) : "";
   }
   if (is_one_area(drawn.problem, areas.size())) {
     areas.front().name = drawn.region.feasible && drawn.limits.tolerance == 0

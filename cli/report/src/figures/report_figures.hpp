@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -209,10 +210,8 @@ void add_tolerant(figures::Figure& figure, const design::Limits& limits,
                   std::vector<std::vector<figures::FigurePoint>> areas);
 /// Of a stop at that arrival, in each figure; those of neighbours differ.
 [[nodiscard]] figures::Ink arrival_ink(double arrival);
-/// "arrivals 3, 6, 9" of the areas with the ink of this one, each named by the prefix and a number;
-/// empty if there is only one.
-[[nodiscard]] std::string key_of_arrivals(const std::vector<figures::FigureArea>& areas,
-                                          const figures::FigureArea& one, std::string_view prefix);
+/// "arrivals 3, 6, 9": those of `arrivals` that have the ink of `one`; empty if it is the only one.
+[[nodiscard]] std::string key_of_arrivals(const std::set<double>& arrivals, double one);
 /// Of so many admissible areas: no strips to tell apart.
 [[nodiscard]] bool is_one_area(const design::Problem& problem, std::size_t areas);
 /// Strips that can be told apart; those of later arrivals are drawn as one.

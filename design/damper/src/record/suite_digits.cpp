@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "record/suite_digits.hpp"
 
+#include <stillpoint/records/decimal.hpp>
+
 #include <array>
-#include <cmath>
 #include <numbers>
 
 namespace stillpoint::design {
@@ -16,10 +17,8 @@ Neighbours neighbours(double value, double unit, int digits, const Interval& ran
   if (value == 0 || range.low == range.high) {
     return {value, value};
   }
-  // A power of ten up to 1e22 is exact, so that a quotient is the double nearest to its decimal.
-  const double scale = std::pow(10, digits - 1 - std::floor(std::log10(value * unit)));
-  return {std::floor(value * unit * scale) / scale / unit,
-          std::ceil(value * unit * scale) / scale / unit};
+  return {records::decimal(value * unit, digits, records::Rounding::down) / unit,
+          records::decimal(value * unit, digits, records::Rounding::up) / unit};
 }
 
 bool includes(const Interval& range, double value) {

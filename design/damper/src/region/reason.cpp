@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/design/admissible_region.hpp>
+#include <stillpoint/records/decimal.hpp>
 
 #include "region/edges.hpp"
 #include "region/reason.hpp"
@@ -27,21 +28,17 @@ std::string no_way(const Problem& problem, const std::string& box) {
 }
 
 /// With six digits, rounded up or down: a number as printed is enough.
-std::string six_digits(double value, bool upwards) {
+std::string six_digits(double value, records::Rounding rounding) {
   constexpr double conversion = 1e-12;  // the rounding of 150 mm to dimensionless and back
-  const double edge = value * (upwards ? 1 - conversion : 1 + conversion);
-  std::string text = fmt::format("{:.6g}", value);
-  for (double part = 0x1p-52; upwards ? std::stod(text) < edge : std::stod(text) > edge;
-       part *= 2) {
-    text = fmt::format("{:.6g}", value * (upwards ? 1 + part : 1 - part));
-  }
-  return text;
+  const double edge = value * (rounding == records::Rounding::up ? 1 - conversion : 1 + conversion);
+  return fmt::format("{:.6g}", records::decimal(edge, 6, rounding));
 }
 
 /// What is needed and what is allowed, which is less, or all digits if six do not distinguish them.
 std::pair<std::string, std::string> told_apart(double a, double b, const std::string& unit = {}) {
   const std::string behind = unit.empty() ? "" : " " + unit;
-  std::pair six{six_digits(a, true) + behind, six_digits(b, false) + behind};
+  std::pair six{six_digits(a, records::Rounding::up) + behind,
+                six_digits(b, records::Rounding::down) + behind};
   return six.first != six.second
              ? six
              : std::pair{fmt::format("{}{}", a, behind), fmt::format("{}{}", b, behind)};

@@ -32,8 +32,8 @@ inline constexpr int every_digit = 10;
 /// The end of a range, or the value asked for, as it was typed, if only the conversion of units is
 /// between them.
 [[nodiscard]] double end_or_asked(double end, double asked);
-/// A number of the range: six digits, or as many as it takes.
-[[nodiscard]] std::string digits_within(double low, double high);
+/// A number of the range that six digits write, or as many as it takes.
+[[nodiscard]] double decimal_within(double low, double high);
 /// A count: every digit up to 2^53, six for larger ones; or "none".
 [[nodiscard]] std::string whole(const std::optional<double>& count);
 /// "1 turning point", "2 turning points".
