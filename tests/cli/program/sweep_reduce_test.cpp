@@ -216,6 +216,7 @@ BOOST_AUTO_TEST_CASE(of_wrong_parts_are_refused) {
   check_refused("1-of-2.json torn.json", {"torn.json", "not a complete part"});
   check_refused("1-of-2.json changed.json", {"changed.json", "not a complete part"});
   check_refused("1-of-2.json whole.json", {"whole.json", "not a complete part"});
+  check_refused("1-of-2.json /dev/zero", {"/dev/zero", "not a complete part"});
   check_refused("1-of-2.json foreign.json", {"foreign.json", "1-of-2.json", "best"});
 }
 

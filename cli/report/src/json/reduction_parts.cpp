@@ -13,9 +13,11 @@
 
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <stdexcept>
+#include <system_error>
 
 namespace stillpoint::report {
 
@@ -122,6 +124,12 @@ std::vector<RowColumn> columns_from(const ordered_json& columns) {
   return result;
 }
 
+[[noreturn]] void refuse_part(const std::string& path) {
+  throw records::FileError({.kind = "part", .path = path},
+                           "is not a complete part of a reduced sweep: it is another kind of file, "
+                           "was cut short, or has changed");
+}
+
 ReductionReport report_from(const ordered_json& document) {
   ReductionReport report;
   report.label.task = document.at("task").dump();
@@ -178,6 +186,9 @@ bool is_reduction(const std::string& path) {
 ReductionReport read_reduction(const std::string& path) {
   constexpr std::size_t largest_file = std::size_t{1} << 30U;
   cancellation_point();
+  if (std::error_code unknown; std::filesystem::exists(path, unknown) && !is_reduction(path)) {
+    refuse_part(path);
+  }
   const std::string text = records::read_text_file("part", path, largest_file);
   try {
     sweep::require_json_object(text, {.kind = "part", .path = path});
@@ -194,9 +205,7 @@ ReductionReport read_reduction(const std::string& path) {
     }
     return report;
   } catch (const std::exception&) {
-    throw records::FileError({.kind = "part", .path = path},
-                             "is not a complete part of a reduced sweep: it is another kind of "
-                             "file, was cut short, or has changed");
+    refuse_part(path);
   }
 }
 

@@ -13,7 +13,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -104,18 +103,20 @@ int write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
   const std::string next = path + ".new";
   // Our own file, even if somebody has put a link under its name.
   ::unlink(next.c_str());
-  const int descriptor = ::open(next.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor < 0) {
+  const Descriptor file(create_file(next));
+  if (!file.is_open()) {
     return errno;
   }
-  int error = write_and_close(descriptor, to_json(checkpoint).dump(2) + "\n");
-  if (error == 0 && std::rename(next.c_str(), path.c_str()) != 0) {
+  int error = write_all(file.number(), to_json(checkpoint).dump(2) + "\n");
+  // In this order, or after a power cut the name may lead to nothing.
+  if (error == 0 && (::fsync(file.number()) != 0 || std::rename(next.c_str(), path.c_str()) != 0)) {
     error = errno;
   }
   if (error != 0) {
     ::unlink(next.c_str());
+    return error;
   }
-  return error;
+  return synchronize_name(path);
 }
 
 std::string difference(const std::string& old_task, const std::string& new_task) {

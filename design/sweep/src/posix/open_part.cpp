@@ -47,9 +47,7 @@ void save(const OpenPart& files) {
 }
 
 void create(OpenPart& files) {
-  constexpr mode_t permissions = 0666;
-  files.descriptor =
-      Descriptor(::open(files.part().c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, permissions));
+  files.descriptor = Descriptor(create_file(files.part()));
   if (!files.descriptor.is_open()) {
     if (errno == EEXIST && open_existing(files)) {
       throw LeftoverError(fmt::format(

@@ -2,27 +2,16 @@
 #include <stillpoint/sweep/output.hpp>
 #include <stillpoint/sweep/output_file.hpp>
 
+#include <fmt/format.h>
+
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <system_error>
 
 namespace stillpoint::sweep {
-
-namespace {
-
-/// The mode of a new file: mkstemp makes it readable only by its owner.
-mode_t permissions_for_new_files() {
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return static_cast<mode_t>(0666) & ~mask;
-}
-
-}  // namespace
 
 Output::~Output() {
   for (const Staged& file : staged_) {
@@ -44,17 +33,19 @@ void Output::write_file(std::string_view field, const std::string& path, std::st
 
 void Output::stage(std::string_view field, const std::filesystem::path& target,
                    std::string_view text) {
-  std::string temporary = target.string() + ".XXXXXX";
-  const int descriptor = ::mkstemp(temporary.data());
+  std::string temporary;
+  int descriptor = -1;
+  // The first name that is free, even from what a killed run left.
+  for (int i = 0; descriptor < 0 && (i == 0 || errno == EEXIST); ++i) {
+    temporary = fmt::format("{}.{}.new", target.string(), i);
+    descriptor = create_file(temporary);
+  }
   if (descriptor < 0) {
     refuse_writing(field, target.string(), errno);
   }
   staged_.push_back({std::string(field), temporary, target});
-  const bool permitted = ::fchmod(descriptor, permissions_for_new_files()) == 0;
-  const int refused = permitted ? 0 : errno;
-  const int error = write_and_close(descriptor, text);
-  if (error != 0 || refused != 0) {
-    refuse_writing(field, target.string(), error != 0 ? error : refused);
+  if (const int error = write_and_close(descriptor, text); error != 0) {
+    refuse_writing(field, target.string(), error);
   }
 }
 

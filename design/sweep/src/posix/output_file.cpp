@@ -67,6 +67,11 @@ void require_directory_of(std::string_view field, const std::string& path) {
   }
 }
 
+int create_file(const std::string& path) {
+  constexpr mode_t permissions = 0666;
+  return ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
+}
+
 int write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(descriptor, text.data(), text.size());
@@ -82,6 +87,17 @@ int write_all(int descriptor, std::string_view text) {
 int write_and_close(int descriptor, std::string_view text) {
   const int error = write_all(descriptor, text);
   return ::close(descriptor) != 0 && error == 0 ? errno : error;
+}
+
+int synchronize_name(const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) {
+    return errno == EACCES ? 0 : errno;  // one that can be written and not read
+  }
+  const int error = ::fsync(descriptor) != 0 ? errno : 0;
+  ::close(descriptor);
+  return error == EINVAL ? 0 : error;  // some file systems cannot, and need not
 }
 
 bool is_standard_output(const std::string& path) {

@@ -84,6 +84,10 @@ void PartFile::finish(const SweepState& state, std::string_view header) {
   if (exists(files_.part()) && std::rename(files_.part().c_str(), files_.target.c_str()) != 0) {
     refuse_writing("output", files_.target, errno);
   }
+  // Until then the checkpoint is needed.
+  if (const int error = synchronize_name(files_.target); error != 0) {
+    refuse_writing("output", files_.target, error);
+  }
   std::error_code ignored;
   std::filesystem::remove(files_.checkpoint(), ignored);
 }

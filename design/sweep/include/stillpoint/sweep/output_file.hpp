@@ -21,9 +21,17 @@ void make_directory(std::string_view field, const std::string& path);
 /// Throws FileError unless the directory of the file exists.
 void require_directory_of(std::string_view field, const std::string& path);
 
+/// Opens a new file, with the permissions that the mask of the process leaves; -1 and errno if
+/// there is one, or even a link, under that name.
+[[nodiscard]] int create_file(const std::string& path);
+
 /// Writes everything; returns 0 or the errno.
 [[nodiscard]] int write_all(int descriptor, std::string_view text);
 [[nodiscard]] int write_and_close(int descriptor, std::string_view text);
+
+/// Waits until the disk has what a directory says of the file: its name, after a rename. Returns 0
+/// or the errno.
+[[nodiscard]] int synchronize_name(const std::string& path);
 
 /// Whether the path leads to the same file as standard output.
 [[nodiscard]] bool is_standard_output(const std::string& path);
