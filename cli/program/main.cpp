@@ -6,6 +6,7 @@
 #include "options/command_line.hpp"
 #include "options/scene.hpp"
 #include "progress.hpp"
+#include "standard_streams.hpp"
 #include "written_files.hpp"
 
 #include <stillpoint/core/input_error.hpp>
@@ -108,6 +109,8 @@ ExitCode answer(const Invocation& invocation, Output& output) {
 
 int run_program(int argc, const char* const* argv) {
   try {
+    open_closed_streams();
+    outlive_failed_writes();
     if (argc <= 1) {
       write_error(short_help());
       return exit_wrong_input;
@@ -120,7 +123,8 @@ int run_program(int argc, const char* const* argv) {
   } catch (const std::bad_alloc&) {
     say("there is not enough memory for this");
   } catch (const std::exception& error) {
-    say(error.what());
+    end_if_nobody_reads();
+    say(words_of(error));
   }
   return exit_wrong_input;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <exception>
 #include <string>
 
 namespace stillpoint::cli {
@@ -11,6 +12,9 @@ void hush();
 
 /// On standard error, as it is.
 void write_error(const std::string& text);
+
+/// What an error says, and what to do about it where it comes from the system.
+[[nodiscard]] std::string words_of(const std::exception& error);
 
 /// An error, on standard error, as one line.
 void say(const std::string& text);

@@ -5,6 +5,7 @@
 
 #include <stillpoint/core/seconds.hpp>
 #include <stillpoint/report/progress_words.hpp>
+#include <stillpoint/report/terminal.hpp>
 
 #include <fmt/format.h>
 
@@ -43,7 +44,7 @@ Progress::Progress(Line line, double end, double begun_with)
     : line_(std::move(line)),
       end_(end),
       begun_with_(begun_with),
-      shown_(::isatty(STDERR_FILENO) == 1 && !hushed()),
+      shown_(::isatty(STDERR_FILENO) == 1 && report::terminal_has_escapes() && !hushed()),
       announced_(hushed()),
       started_s_(seconds_now()),
       previous_(handle_interrupts()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 #include "input/request.hpp"
+#include "messages.hpp"
 #include "progress.hpp"
 
 #include <stillpoint/records/file_error.hpp>
@@ -55,7 +56,8 @@ SweepSummary run_watched(const SweepSpec& spec, sweep::RowSink& sink, sweep::Swe
     if (left.count == 0) {
       throw;
     }
-    throw UsageError(fmt::format("{}; {}{}", error.what(), description(left), advice(error, left)));
+    throw UsageError(
+        fmt::format("{}; {}{}", words_of(error), description(left), advice(error, left)));
   }
 }
 

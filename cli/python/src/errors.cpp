@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "errors.hpp"
 
+#include "messages.hpp"
 #include "options/settings.hpp"
 
 #include <stillpoint/core/for_each_entry.hpp>
@@ -10,6 +11,7 @@
 #include <stillpoint/sweep/sink.hpp>
 
 #include <exception>
+#include <system_error>
 #include <utility>
 
 namespace stillpoint::python {
@@ -47,6 +49,13 @@ void add_errors(py::module_& module) {
   refuse<cli::UsageError>();
   refuse<records::FileError>();
   refuse<sweep::LeftoverError>();
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      std::rethrow_exception(std::move(thrown));
+    } catch (const std::system_error& error) {
+      PyErr_SetString(PyExc_RuntimeError, cli::words_of(error).c_str());
+    }
+  });
 }
 
 }  // namespace stillpoint::python

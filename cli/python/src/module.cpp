@@ -2,10 +2,12 @@
 #include "errors.hpp"
 #include "parts.hpp"
 #include "result.hpp"
+#include "standard_streams.hpp"
 
 #include <stillpoint/report/version.hpp>
 
 PYBIND11_MODULE(_stillpoint, module) {
+  stillpoint::cli::open_closed_streams();
   module.attr("__version__") = stillpoint::report::program_version();
   pybind11::options signatures;
   signatures.disable_function_signatures();  // each text begins with its own

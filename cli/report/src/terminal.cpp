@@ -36,9 +36,12 @@ std::size_t terminal_width() {
   return known ? std::max<std::size_t>(size.ws_col, least) : usual;
 }
 
+bool terminal_has_escapes() {
+  return std::getenv("TERM") != nullptr && environment("TERM") != "dumb";
+}
+
 bool terminal_has_colours() {
-  const bool dumb = std::getenv("TERM") == nullptr || environment("TERM") == "dumb";
-  return environment("NO_COLOR").empty() && !dumb && ::isatty(STDOUT_FILENO) == 1;
+  return environment("NO_COLOR").empty() && terminal_has_escapes() && ::isatty(STDOUT_FILENO) == 1;
 }
 
 }  // namespace stillpoint::report

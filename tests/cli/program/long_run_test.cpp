@@ -75,6 +75,17 @@ BOOST_AUTO_TEST_CASE(of_free_motion_warns_beforehand_that_it_takes_minutes) {
   BOOST_TEST(refused.err_lines().size() == 1U, refused.err);
 }
 
+/// A terminal that would print the escapes shows what a log does.
+BOOST_AUTO_TEST_CASE(of_a_dumb_terminal_has_no_escapes,
+                     *boost::unit_test::precondition(if_terminals)) {
+  const ProgramRun stopped = run(
+      endless({}, "1e12"),
+      {.environment = {{"TERM", "dumb"}}, .error_is_terminal = true, .interrupt_once_heard = true});
+  BOOST_TEST(stopped.exit_code == 130);
+  BOOST_TEST(contains(stopped.err, " minutes to go"), stopped.err);
+  BOOST_TEST(!contains(stopped.err, "\x1b"), stopped.err);
+}
+
 BOOST_AUTO_TEST_CASE(short_run_shows_none, *boost::unit_test::precondition(if_terminals)) {
   const ProgramRun brief = succeed(harmonic, {.error_is_terminal = true});
   BOOST_TEST(brief.err.empty(), brief.err);

@@ -2,6 +2,9 @@
 """The rows of a sweep in memory against those that the program writes."""
 
 import json
+import os
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -224,3 +227,12 @@ def test_output_must_not_be_the_list(program):
     with pytest.raises(stillpoint.InputError) as caught:
         stillpoint.sweep(**options)
     assert str(caught.value) == program.error("sweep", **options)
+
+
+@pytest.mark.parametrize("stream", [0, 1, 2])
+def test_a_closed_standard_stream_is_no_file(program, stream):
+    axes = {"v0": 1, "p": 1, "f": 0.1, "delta": "0:1:5"}
+    stillpoint.sweep(**axes, output="whole.csv")
+    host = f"import os, stillpoint; stillpoint.sweep(**{axes}, output='rows.csv'); os.write({stream}, b'from the host')"
+    subprocess.run([sys.executable, "-c", host], preexec_fn=lambda: os.close(stream), check=True)
+    assert (program.folder / "rows.csv").read_bytes() == (program.folder / "whole.csv").read_bytes()

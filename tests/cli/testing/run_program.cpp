@@ -80,6 +80,8 @@ Channel output_channel(const Surroundings& surroundings) {
       return terminal_channel();
     case StandardOutput::file:
       return file_channel(surroundings.output_file);
+    case StandardOutput::unread:
+      return {descriptor(-1), pipe_channel().writer};
   }
   return pipe_channel();
 }
@@ -134,12 +136,15 @@ void require_spawn(int error) {
   require(error == 0, "posix_spawn", error);
 }
 
-/// The directory, and the three streams from standard input on.
+/// The directory, and the three streams from standard input on, less those that are to be closed.
 void connect(posix_spawn_file_actions_t& actions, const std::filesystem::path& directory,
-             const std::array<int, 3>& streams) {
+             const std::array<int, 3>& streams, const std::vector<int>& closed) {
   require_spawn(::posix_spawn_file_actions_addchdir_np(&actions, directory.c_str()));
   for (std::size_t i = 0; i < streams.size(); ++i) {
     require_spawn(::posix_spawn_file_actions_adddup2(&actions, streams[i], static_cast<int>(i)));
+  }
+  for (const int stream : closed) {
+    require_spawn(::posix_spawn_file_actions_addclose(&actions, stream));
   }
 }
 
@@ -281,7 +286,8 @@ ProgramRun Sandbox::run(const Arguments& arguments, const Surroundings& surround
   require_spawn(::posix_spawn_file_actions_init(&actions));
   const Owned<posix_spawn_file_actions_t> owned_actions(&actions,
                                                         &::posix_spawn_file_actions_destroy);
-  connect(actions, path(""), {::fileno(input.get()), *out.writer, *err.writer});
+  connect(actions, path(""), {::fileno(input.get()), *out.writer, *err.writer},
+          surroundings.closed);
   pid_t child = 0;
   const int error = ::posix_spawn(&child, program.c_str(), &actions, &attributes,
                                   pointers(words).data(), pointers(variables).data());

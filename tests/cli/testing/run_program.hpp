@@ -44,7 +44,8 @@ struct ProgramRun {
 /// The file of the program that is tested.
 [[nodiscard]] std::string built_program();
 
-enum class StandardOutput { pipe, terminal, file };
+/// Nobody reads an unread one.
+enum class StandardOutput { pipe, terminal, file, unread };
 
 struct Surroundings {
   std::string input{};    ///< on standard input
@@ -54,6 +55,7 @@ struct Surroundings {
   StandardOutput output{StandardOutput::pipe};
   std::string output_file{};  ///< appended to, with StandardOutput::file
   bool error_is_terminal{false};
+  std::vector<int> closed{};  ///< descriptors of standard streams
   /// Sends SIGINT as soon as the program handles it; with error_is_terminal once it has said
   /// something there.
   bool interrupt{false};

@@ -11,7 +11,10 @@ namespace stillpoint::report {
 /// least 50.
 [[nodiscard]] std::size_t terminal_width();
 
-/// Only where standard output is a terminal, NO_COLOR is not set (or empty) and TERM is not "dumb".
+/// Whether a terminal, if there is one, understands escape sequences: TERM is set, and not "dumb".
+[[nodiscard]] bool terminal_has_escapes();
+
+/// Only where standard output is such a terminal, and NO_COLOR is not set (or empty).
 [[nodiscard]] bool terminal_has_colours();
 
 }  // namespace stillpoint::report
