@@ -82,13 +82,6 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(0, text.find_last_not_of(blanks) + 1);  // npos + 1 = 0: nothing but blanks
 }
 
-std::string_view unquoted(std::string_view text) {
-  text = trimmed(text);
-  return text.size() >= 2 && text.front() == '"' && text.back() == '"'
-             ? trimmed(text.substr(1, text.size() - 2))
-             : text;
-}
-
 std::string_view take_word(std::string_view& text) {
   text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
   const std::string_view word = text.substr(0, text.find_first_of(blanks));

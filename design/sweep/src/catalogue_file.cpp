@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
+#include <string>
 #include <unordered_map>
 
 namespace stillpoint::sweep {
@@ -54,7 +56,7 @@ class CatalogueReader {
     if (!lines_.next(line, {})) {
       return false;
     }
-    fields_ = csv_fields(line, lines_);
+    fields_ = csv_fields(line, lines_, row_);
     return true;
   }
 
@@ -89,17 +91,17 @@ class CatalogueReader {
   }
 
   [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const {
-    if (std::ranges::count(fields_, name) > 1) {
+    if (std::ranges::count(fields_, name, records::trimmed) > 1) {
       refuse(fmt::format("the column {} appears twice", name));
     }
-    const auto found = std::ranges::find(fields_, name);
+    const auto found = std::ranges::find(fields_, name, records::trimmed);
     return found == fields_.end()
                ? std::nullopt
                : std::optional(static_cast<std::size_t>(found - fields_.begin()));
   }
 
   design::Part part() {
-    const std::string name(fields_[*name_]);
+    const std::string& name = fields_[*name_];
     if (name.empty()) {
       refuse("name is empty: every part must have one");
     }
@@ -110,9 +112,9 @@ class CatalogueReader {
     if (const auto [first, alone] = line_of_.emplace(name, lines_.number()); !alone) {
       refuse(fmt::format("name = {}: appears twice, first on line {}", name, first->second));
     }
-    design::Part part{name, number("f", fields_[*f_], 1), 0};
-    part.delta = delta_ ? number("delta", fields_[*delta_], 1)
-                        : number("delta_m", fields_[*delta_m_], *units_.length_m);
+    design::Part part{name, number("f", *f_, 1), 0};
+    part.delta =
+        delta_ ? number("delta", *delta_, 1) : number("delta_m", *delta_m_, *units_.length_m);
     try {
       if (units_.p) {
         require_valid(Oscillator{*units_.p, part.f, part.delta});
@@ -124,7 +126,8 @@ class CatalogueReader {
   }
 
   /// The value of a cell in dimensionless units, of which one is `unit` in the cell's units.
-  [[nodiscard]] double number(std::string_view field, std::string_view text, double unit) const {
+  [[nodiscard]] double number(std::string_view field, std::size_t column, double unit) const {
+    const std::string_view text = records::trimmed(fields_[column]);
     double value = 0;
     try {
       value = field == "delta_m" ? units_.parse_metres(text) : records::parse_number(field, text);
@@ -143,7 +146,8 @@ class CatalogueReader {
 
   LineReader lines_;
   const CatalogueUnits& units_;
-  std::vector<std::string_view> fields_;
+  records::CsvRow row_;
+  std::span<const std::string> fields_;  ///< of the row
   std::size_t columns_{0};
   std::optional<std::size_t> name_, f_, delta_, delta_m_;
   std::unordered_map<std::string, std::int64_t> line_of_;

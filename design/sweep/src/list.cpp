@@ -91,7 +91,8 @@ void List::refuse(std::string_view what) const {
 }
 
 void List::read_header(std::string_view line) {
-  for (const std::string_view field : csv_fields(line, *lines_)) {
+  for (const std::string& name_of : csv_fields(line, *lines_, row_)) {
+    const std::string_view field = trimmed(name_of);
     const auto quantity = find_named(listed_inputs, field, units_);
     if (!quantity) {
       refuse(not_a("column", field, units_));
@@ -104,7 +105,7 @@ void List::read_header(std::string_view line) {
 }
 
 void List::read_row(std::string_view line, std::vector<double>& values) {
-  const std::vector<std::string_view> fields = csv_fields(line, *lines_);
+  const std::span<const std::string> fields = csv_fields(line, *lines_, row_);
   if (fields.size() != columns_.size()) {
     refuse(fmt::format("has {}, but the header names {}", counted(fields.size(), "value"),
                        counted(columns_.size(), "column")));
@@ -112,7 +113,7 @@ void List::read_row(std::string_view line, std::vector<double>& values) {
   values.resize(fields.size());
   for (std::size_t i = 0; i < fields.size(); ++i) {
     try {
-      values[i] = records::parse_number(name(columns_[i], units_), fields[i]);
+      values[i] = records::parse_number(name(columns_[i], units_), trimmed(fields[i]));
     } catch (const InputError& error) {
       const bool has_unit = dimension(columns_[i], units_) != records::Dimension::none;
       refuse(printable(error.what(), 4 * longest_word) + (has_unit ? " in SI units" : ""));

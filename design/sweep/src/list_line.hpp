@@ -3,15 +3,18 @@
 
 #include "line_reader.hpp"
 
+#include <stillpoint/records/csv.hpp>
+
+#include <span>
+#include <string>
 #include <string_view>
-#include <vector>
 
 namespace stillpoint::sweep {
 
-/// The fields of a line of CSV, the last one of `lines`, without blanks and quotes. A field may be
-/// in double quotes, and then a comma between them belongs to it (RFC 4180). Throws FileError if a
-/// quote is opened and not closed.
-[[nodiscard]] std::vector<std::string_view> csv_fields(std::string_view line,
-                                                       const LineReader& lines);
+/// The fields of the row that begins with `line`, the last one of `lines`, which gives the lines in
+/// which a quoted field goes on. They are in `row`, until its next use. Throws FileError for a
+/// wrong row.
+[[nodiscard]] std::span<const std::string> csv_fields(std::string_view line, LineReader& lines,
+                                                      records::CsvRow& row);
 
 }  // namespace stillpoint::sweep

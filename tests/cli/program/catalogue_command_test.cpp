@@ -118,6 +118,17 @@ BOOST_AUTO_TEST_CASE(may_be_written_in_many_ways) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(names_may_have_quotes_and_commas) {
+  const json report = reported(design("--catalogue -"),
+                               {.input = "name,note,f,delta\n\"Slider 8\"\" disc, "
+                                         "long\",\"two\nlines, \"\"x\"\"\",0.26,\"0.37\"\n"});
+  BOOST_TEST(report["design"]["name"] == R"(Slider 8" disc, long)");
+  check_refusal(run(design("--catalogue -"), {.input = "name,f,delta\n\"a\" b,0.1,0.2\n"}),
+                {"line 2", "text follows a closing quote"});
+  check_refusal(run(design("--catalogue -"), {.input = "name,f,delta\n\"a\nb\",0.1,0.2\n"}),
+                {"line 3", "name = a?b", "printable"});
+}
+
 BOOST_AUTO_TEST_CASE(is_ranked_and_explained) {
   const json report = reported(design("--catalogue few.csv"));
   const std::vector<std::string> order{"good", "fair", "strong", "weak"};

@@ -12,9 +12,6 @@ namespace stillpoint::records {
 /// `text` without the blanks and tabs at its ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
-/// The same, and without the double quotes around what is left.
-[[nodiscard]] std::string_view unquoted(std::string_view text);
-
 /// Removes the first word, delimited by blanks and tabs, from `text` and returns it; "" if there is
 /// none.
 std::string_view take_word(std::string_view& text);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stillpoint/core/names.hpp>
+#include <stillpoint/records/csv.hpp>
 #include <stillpoint/sweep/quantity.hpp>
 #include <stillpoint/sweep/units.hpp>
 
@@ -71,6 +72,7 @@ class List {
   std::optional<SweepUnits> units_;
   ListFormat format_{ListFormat::csv};
   std::vector<Quantity> columns_;
+  records::CsvRow row_;
   std::optional<std::vector<double>> first_;  ///< read with the keys, not yet given
 };
 
