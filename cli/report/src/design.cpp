@@ -119,8 +119,9 @@ void add_motion(Document& document, const DesignReport& report, const Physical& 
 void add_search(Document& document, const design::SearchRecord& search,
                 const design::DesignResult& result) {
   Section& sought = document.detail("Search");
-  sought.row("NLopt", format("{} {}, {} after {} evaluations, {:.2g} ms", design::nlopt_version(),
-                             search.algorithm, status_words(search.status), search.evaluations,
+  sought.row("NLopt", format("{} {}, {} after {}, {:.2g} ms", design::nlopt_version(),
+                             search.algorithm, status_words(search.status),
+                             plural(static_cast<double>(search.evaluations), "evaluation"),
                              1e3 * search.wall_time_s));
   const auto [found, along_f] = optimum_of(result);
   if (along_f) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "design_parts.hpp"
 #include "format.hpp"
+#include "sentence.hpp"
 
 #include <stillpoint/design/tolerance.hpp>
 #include <stillpoint/records/decimal.hpp>
@@ -172,18 +173,20 @@ std::string verdict(const DesignReport& report, const Physical& physical) {
   if (!wants_no_friction(report)) {
     friction = physical && physical->scales.mass_kg ? f : shown_f(report.result);
   }
-  std::string text = format("{} {}.", is_too_exact(report) ? "Too exact to be built:" : "Build",
-                            damper_words(physical, friction, delta, shape));
-  if (report.catalogue) {
-    text = format("Order part {}: f = {}, delta = {}.", report.catalogue->parts.front().part.name,
-                  digits(f), length_shown(physical, delta));
-  }
-  std::string fault = notch_sentence(report);
-  if (!fault.empty() && !report.built_notch) {
-    fault.front() = 'N';
-    text.front() = report.catalogue ? 'o' : 'b';
-    text = format("{}. With a notch that {}, {}", fault, acts_late, text);
-  }
+  const std::string fault = notch_sentence(report);
+  const bool none_works = !fault.empty() && !report.built_notch;
+  const std::string what =
+      report.catalogue
+          ? format("order part {}: f = {}, delta = {}", report.catalogue->parts.front().part.name,
+                   digits(f), length_shown(physical, delta))
+          : format("{} {}",
+                   !is_too_exact(report) ? "build"
+                   : none_works          ? "the damper found is too exact to be built:"
+                                         : "too exact to be built:",
+                   damper_words(physical, friction, delta, shape));
+  std::string text = none_works
+                         ? format("{} With a notch that {}, {}.", sentence(fault), acts_late, what)
+                         : sentence(what);
   if (physical && !physical->scales.mass_kg && delta > 0 && fault.empty()) {
     text +=
         " Delta is an energy, not a size: each passage takes as much as lifting the mass by that "
@@ -192,9 +195,8 @@ std::string verdict(const DesignReport& report, const Physical& physical) {
   text += unbounded_words(report, physical);
   if (!fault.empty() && report.built_notch) {
     text += format(" But {}.", fault);
-  } else if (std::string locked = lock_sentence(report); !locked.empty()) {
-    locked.front() = 'L';
-    text += format(" {}.", locked);
+  } else {
+    text += next_sentence(lock_sentence(report));
   }
   text += example_words(report, physical);
   if (!finding.cross_check.passed) {

@@ -41,11 +41,13 @@ std::string with_unit(double value, std::string_view unit, int digits) {
   const bool in_range = magnitude >= 1e-9 && magnitude < 1e12;
   if (in_range) {
     for (const Prefix& prefix : prefixes) {
-      // For lengths neither kilometres nor micrometres, so that those of one report compare at a
-      // glance; for times no kiloseconds.
+      // For lengths neither kilometres nor micrometres, for times seconds down to a thousandth, as
+      // in tables: those of one report compare at a glance.
       const bool length = unit == "m";
-      const bool least = length && prefix.factor == 1e-3;
-      const bool unusual = (length || unit == "s") && prefix.factor > 1;
+      const bool time = unit == "s";
+      const bool least =
+          (length && prefix.factor == 1e-3) || (time && prefix.factor == 1 && magnitude >= 1e-3);
+      const bool unusual = (length || time) && prefix.factor > 1;
       if ((magnitude >= prefix.factor || least) && !unusual) {
         return fmt::format("{:.{}g} {}{}", value / prefix.factor, digits, prefix.sign, unit);
       }

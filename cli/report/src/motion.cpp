@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "format.hpp"
 #include "sections.hpp"
+#include "sentence.hpp"
 
 #include <stillpoint/core/nearby_ends.hpp>
 #include <stillpoint/records/record_scaling.hpp>
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <variant>
@@ -70,8 +72,8 @@ std::string verdict(const MotionReport& report) {
   const Response& response = report.answer.response;
   const Physical& physical = report.physical;
   if (const std::string held = lock_sentence(report); !held.empty()) {
-    return (held.starts_with("locked") ? "L" + held.substr(1) + "." : "It " + held + ".") +
-           cut_words(report);
+    const bool locked = report.answer.forced && report.answer.forced->locked_from;
+    return sentence(locked ? held : "it " + held) + cut_words(report);
   }
   std::string text =
       response.stop_position.value_or(0) != 0
@@ -146,9 +148,10 @@ std::string nearby_words(const MotionReport& report) {
                                                         : "";
   const std::string damper = report.request.oscillator.delta > 0 ? "f and delta" : "f";
   if (ends->rests && lie_far_apart(*ends->rests, report.answer.response.peak_amplitude)) {
+    constexpr int digits = 3;
     return format("with {} 1 % off either way it rests from x = {} to {}{}{}", damper,
-                  length_shown(report.physical, ends->rests->low),
-                  length_shown(report.physical, ends->rests->high),
+                  length_shown(report.physical, ends->rests->low, digits),
+                  length_shown(report.physical, ends->rests->high, digits),
                   changes.empty() ? "" : ", and that may change ", changes);
   }
   return changes.empty() ? "" : format("{} 1 % off may change {}", damper, changes);
@@ -195,14 +198,15 @@ void add_answer(Section& answer, const MotionReport& report) {
   const bool of_inputs = !report.answer.forced && report.request.surface.plain();
   const double worth_saying = of_inputs ? 0.01 : 1e-9;
   if (response.decision_margin && *response.decision_margin < worth_saying) {
-    const double percent = 100 * *response.decision_margin;
+    const double margin = *response.decision_margin;
     answer.row("note",
                format("{} could change {}",
                       response.outcome == Outcome::caught_at_start
                           ? "whether it starts"
                           : "the number of half-cycles or where it stops",
-                      of_inputs && percent > 0 ? format("if all inputs shift by {:.2g} %", percent)
-                                               : "by rounding"),
+                      of_inputs && margin > std::numeric_limits<double>::epsilon()
+                          ? format("if all inputs shift by {:.2g} %", 100 * margin)
+                          : "by rounding"),
                Tone::bad);
   }
   if (const std::string words = of_inputs ? "" : nearby_words(report); !words.empty()) {

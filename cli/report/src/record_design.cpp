@@ -20,23 +20,6 @@ namespace {
 
 using design::SuiteObjective;
 
-/// Both, in enough digits to be told apart if the first is larger.
-std::pair<std::string, std::string> told_apart(const Physical& physical, SuiteObjective which,
-                                               double one, double other) {
-  constexpr int every = 17;  // that a double has
-  const FigureUnits units(physical);
-  const bool felt = which == SuiteObjective::acceleration;
-  std::pair both{figure_shown(physical, which, one), figure_shown(physical, which, other)};
-  for (int digits = 6; one > other && both.first == both.second && digits <= every; ++digits) {
-    const auto more = [&](double value) {
-      return format("{:.{}g}{}", value * (felt ? 1 : units.length), digits,
-                    felt ? " g" : with_blank(units.length_unit));
-    };
-    both = {more(one), more(other)};
-  }
-  return both;
-}
-
 std::string row_name(SuiteObjective which) {
   return which == SuiteObjective::acceleration ? "transmitted" : std::string(quantity(which));
 }
@@ -168,7 +151,8 @@ void add_search(Document& document, const design::SuiteSearch& search) {
   Section& section = document.detail("Search");
   section.row("scan", format("{} damper{}, {} within the limits", search.scan_points,
                              search.scan_points == 1 ? "" : "s", search.scan_feasible));
-  section.row("NLopt", format("{} evaluations; the best by {}", search.evaluations,
+  section.row("NLopt", format("{}; the best by {}",
+                              plural(static_cast<double>(search.evaluations), "evaluation"),
                               search.algorithm == "scan" ? "the scan"
                                                          : format("{}, which {}", search.algorithm,
                                                                   status_words(search.status))));
@@ -187,6 +171,22 @@ std::string of_records(std::size_t count, std::size_t all) {
 std::string figure_shown(const Physical& physical, design::SuiteObjective which, double value) {
   return which == design::SuiteObjective::acceleration ? acceleration_shown(value)
                                                        : length_shown(physical, value);
+}
+
+std::pair<std::string, std::string> told_apart(const Physical& physical, SuiteObjective which,
+                                               double one, double other) {
+  constexpr int every = 17;  // that a double has
+  const FigureUnits units(physical);
+  const bool felt = which == SuiteObjective::acceleration;
+  std::pair both{figure_shown(physical, which, one), figure_shown(physical, which, other)};
+  for (int digits = 6; one > other && both.first == both.second && digits <= every; ++digits) {
+    const auto more = [&](double value) {
+      return format("{:.{}g}{}", value * (felt ? 1 : units.length), digits,
+                    felt ? " g" : with_blank(units.length_unit));
+    };
+    both = {more(one), more(other)};
+  }
+  return both;
 }
 
 std::string record_label(const design::SuiteRecord& record) {

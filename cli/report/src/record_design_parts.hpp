@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace stillpoint::report {
 
@@ -24,8 +25,14 @@ struct RecordDesignReport;
 [[nodiscard]] std::string figure_shown(const Physical& physical, design::SuiteObjective which,
                                        double value);
 
+/// Both, in enough digits to be told apart if the first is larger.
+[[nodiscard]] std::pair<std::string, std::string> told_apart(const Physical& physical,
+                                                             design::SuiteObjective which,
+                                                             double one, double other);
+
 /// A stroke or a residual; "less than 0.001 mm" of what nobody can measure.
-[[nodiscard]] std::string displacement_shown(const Physical& physical, double length);
+[[nodiscard]] std::string displacement_shown(const Physical& physical, double length,
+                                             std::optional<int> digits = {});
 
 /// What to build and what it does, or what is in the way.
 [[nodiscard]] std::string record_verdict(const RecordDesignReport& report);
@@ -56,6 +63,8 @@ void add_records(Document& document, const design::RecordDesign& result, const P
 [[nodiscard]] std::string change_words(double change);
 /// "f and delta", or the one that can be off: a zero stays zero.
 [[nodiscard]] std::string_view inexact_parts(const design::RecordDesign& result);
+/// "7 of 64 samples fail"
+[[nodiscard]] std::string samples_words(const design::Sensitivity& near);
 /// Within the tolerance, more than a quarter of the dampers fail, or one is much worse.
 [[nodiscard]] bool is_delicate(const design::RecordDesign& result);
 /// Of the motion that came closest to another outcome.
@@ -68,7 +77,7 @@ inline constexpr int printed_digits = 12;
 /// In which a period is printed; the usual ones unless it was searched.
 [[nodiscard]] std::optional<int> period_digits(const design::RecordDesignRequest& task);
 
-/// "0.1991 g, stroke 307.18 mm, residual 35.709 mm"
+/// "0.199 g, stroke 307 mm, residual 35.7 mm"
 [[nodiscard]] std::string worst_words(const design::RecordDesign& result,
                                       const design::SuiteFigures& worst, const Physical& physical);
 

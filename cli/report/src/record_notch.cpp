@@ -45,7 +45,8 @@ std::optional<RealNotchFault> fault_of_any(const design::RecordDesign& result,
     return {};
   }
   const bool one = records.size() == 1;
-  const std::string under = " under " + of_records(count, records.size());
+  const std::string under =
+      " under " + (count == records.size() ? "any record" : of_records(count, records.size()));
   return RealNotchFault{
       true, "No notch works" + (one ? "" : under),
       no_notch_words(weakest->first, result.finding->responses[weakest->second].peak_amplitude,
@@ -84,10 +85,10 @@ std::string fault_of_width(const design::RecordDesign& result, double width,
   for (const design::SuiteFigureKind& kind : design::suite_figure_kinds) {
     const std::optional<double>& limit = result.request.limits.*kind.limit;
     const double value = all.*kind.value;
-    if (limit && kind.objective != design::SuiteObjective::acceleration && value > *limit) {
-      return format("the {} is {}, where {} is allowed", kind.words,
-                    figure_shown(physical, kind.objective, value),
-                    figure_shown(physical, kind.objective, *limit));
+    if (limit && kind.objective != design::SuiteObjective::acceleration &&
+        value > *limit * for_rounding) {
+      const auto [is, allowed] = told_apart(physical, kind.objective, value, *limit);
+      return format("the {} is {}, where {} is allowed", kind.words, is, allowed);
     }
   }
   return {};

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,9 +62,9 @@ double most_while_locked(const std::vector<ForcedResponse>& all) {
 
 }  // namespace
 
-std::string displacement_shown(const Physical& physical, double length) {
+std::string displacement_shown(const Physical& physical, double length, std::optional<int> digits) {
   return is_too_small(physical, length) ? "less than " + with_unit(least_m, "m")
-                                        : length_shown(physical, length);
+                                        : length_shown(physical, length, digits);
 }
 
 std::string lock_words(const design::RecordDesign& result) {

@@ -12,16 +12,12 @@
 
 namespace stillpoint::report {
 
-namespace {
-
 std::string samples_words(const design::Sensitivity& near) {
   return near.admissible == near.samples
              ? format("{0} of {0} samples meet the limits", near.samples)
              : format("{} of {} samples fail{}", near.samples - near.admissible, near.samples,
                       near.samples - near.admissible == 1 ? "s" : "");
 }
-
-}  // namespace
 
 void add_decision_margin(Section& section, const design::RecordDesign& result) {
   const std::vector<ForcedResponse>& all = result.finding->responses;
@@ -50,12 +46,12 @@ bool is_mean(const design::RecordDesignRequest& task) {
 
 std::string worst_words(const design::RecordDesign& result, const design::SuiteFigures& worst,
                         const Physical& physical) {
-  return worst.settled
-             ? format("{}{}, stroke {}, residual {}", is_mean(result.request) ? "a mean of " : "",
-                      acceleration_shown(worst.acceleration),
-                      displacement_shown(physical, worst.peak),
-                      displacement_shown(physical, worst.residual))
-             : "no rest within 10 000 half-cycles";
+  constexpr int digits = 3;  // of a damper that is some per cent off
+  return worst.settled ? format("{}{:.{}g} g, stroke {}, residual {}",
+                                is_mean(result.request) ? "a mean of " : "", worst.acceleration,
+                                digits, displacement_shown(physical, worst.peak, digits),
+                                displacement_shown(physical, worst.residual, digits))
+                       : "no rest within 10 000 half-cycles";
 }
 
 std::string_view inexact_parts(const design::RecordDesign& result) {

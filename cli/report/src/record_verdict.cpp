@@ -3,6 +3,7 @@
 // go wrong. The rest is in the rows below it.
 #include "format.hpp"
 #include "record_design_parts.hpp"
+#include "sentence.hpp"
 
 #include <stillpoint/report/record_design.hpp>
 
@@ -71,12 +72,7 @@ std::string stands_still(const design::RecordDesign& result) {
 
 /// " Locked in the notch to the end of the record; ..."; empty if it does not lock or never moves.
 std::string lock_caveat(const design::RecordDesign& result) {
-  std::string words = lock_words(result);
-  if (words.empty() || result.finding->point.figures.peak == 0) {
-    return "";
-  }
-  words.front() = 'L';
-  return format(" {}.", words);
+  return result.finding->point.figures.peak == 0 ? "" : next_sentence(lock_words(result));
 }
 
 /// What a lock, a real notch and an inexact damper spoil, in a few words.
@@ -90,10 +86,10 @@ std::string caveat(const RecordDesignReport& report) {
                       : "") +
          (near.much_worse
               ? format(" Off by {}, it is much worse.", change_words(near.much_worse->change))
-          : is_delicate(result)
-              ? format(" Off by up to {:.3g} %, {} of {} samples fail.", 100 * near.tolerance,
-                       near.samples - near.admissible, near.samples)
-              : "");
+          : is_delicate(result) ? format(" Off by up to {:.3g} %, {}.", 100 * near.tolerance,
+                                         near.admissible < near.samples ? samples_words(near)
+                                                                        : "it may be much worse")
+                                : "");
 }
 
 /// A damper that changes this much less than anyone can build it is none.
@@ -107,13 +103,13 @@ bool is_needle(const design::RecordDesign& result) {
 
 std::string record_verdict(const RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;
-  const std::string so_far = result.search.interrupted ? "Interrupted, the best so far: " : "";
+  const bool interrupted = result.search.interrupted;
   if (!result.finding) {
-    return so_far + shortfall_sentence(report);
+    return (interrupted ? "Interrupted. " : "") + shortfall_sentence(report);
   }
   const Physical& physical = report.physical;
   const design::SuiteDamper& damper = result.finding->point.damper;
-  return so_far + stands_still(result) +
+  return (interrupted ? "Interrupted: the best so far. " : "") + stands_still(result) +
          format("{} {}, with {}. {}.{}{}",
                 hardly_moves(result) ? "The damper found has"
                 : is_needle(result)  ? "Too exact to be built:"

@@ -3,6 +3,7 @@
 #include "design_parts.hpp"
 #include "format.hpp"
 #include "sections.hpp"
+#include "sentence.hpp"
 
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/report.hpp>
@@ -52,7 +53,7 @@ std::string violations(const RegionReport& report) {
   }
   const std::string last = others.back();
   others.pop_back();
-  return text + format(" It also violates {}{}{}.", fmt::join(others, ", "),
+  return text + format(" Also violated: {}{}{}.", fmt::join(others, ", "),
                        others.empty() ? "" : " and ", last);
 }
 
@@ -82,7 +83,7 @@ std::string feasible_f(const RegionReport& report) {
   return format("Feasible f{}: {}{}.", limits.tolerance > 0 ? " with the tolerance asked for" : "",
                 feasible_words(answer, problem, limits),
                 intervals > 1
-                    ? format(", of {} intervals that with the most tolerant damper", intervals)
+                    ? format("; of {} intervals this one has the most tolerant damper", intervals)
                     : "");
 }
 
@@ -186,11 +187,8 @@ void add_strips(Document& document, const design::Problem& problem,
 
 /// What a notch with a width does to that damper, behind the judgement.
 std::string of_real_notch(const DesignReport& design) {
-  std::string words = notch_sentence(design);
-  if (!words.empty()) {
-    words = format(" N{}.", words.substr(1));
-  }
-  return words + example_words(design, design.physical, "simulate ");
+  return next_sentence(notch_sentence(design)) +
+         example_words(design, design.physical, "simulate ");
 }
 
 }  // namespace
@@ -264,10 +262,7 @@ Document document(const RegionReport& report) {
              told, report.physical);
   if (delta) {
     section.row("delta", length_shown(report.physical, *delta));
-    std::string locked = lock_sentence(report);
-    if (!locked.empty()) {
-      locked = format(" L{}.", locked.substr(1));
-    }
+    const std::string locked = next_sentence(lock_sentence(report));
     const bool fails = !notch_sentence(design).empty();
     const std::string real = of_real_notch(design);
     document.verdict = format("{}{}{} {}", judgement(report), real, locked, document.verdict);

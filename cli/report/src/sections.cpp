@@ -56,16 +56,18 @@ std::string damper_words(const Physical& physical, const std::optional<double>& 
           ? format("a notch that lets go at {} above the friction", acceleration_shown(*shape.hold))
           : "a notch";
   const std::string notch =
-      weighed && delta == 0 ? "no notch"
-      : weighed ? format("{} {} takes {} at a passage", which, shape.hold ? "and" : "that",
-                         with_unit(*energy, "J"))
-                : format("delta = {}{}", length_shown(physical, delta, digits),
-                         delta > 0 && (shape.width || shape.hold) ? " in " + which : "");
-  return !f                   ? notch + " and as little constant friction as you can"
-         : weighed && *f == 0 ? "no constant friction and " + notch
-         : weighed ? format("a friction force of {} and {}", with_unit(*force, "N"), notch)
-         : digits  ? format("f = {:.{}g} and {}", *f, *digits, notch)
-                   : format("f = {} and {}", *f, notch);
+      weighed ? format("{} {} takes {} at a passage", which, shape.hold ? "and" : "that",
+                       with_unit(*energy, "J"))
+              : format("delta = {}{}", length_shown(physical, delta, digits),
+                       delta > 0 && (shape.width || shape.hold) ? " in " + which : "");
+  const std::string friction = weighed ? "a friction force of " + with_unit(*force, "N") : "";
+  return !f ? notch + " and as little constant friction as you can"
+         : weighed && delta == 0
+             ? *f == 0 ? "neither friction nor a notch" : friction + " without a notch"
+         : weighed && *f == 0 ? notch + ", without constant friction"
+         : weighed            ? friction + " and " + notch
+         : digits             ? format("f = {:.{}g} and {}", *f, *digits, notch)
+                              : format("f = {} and {}", *f, notch);
 }
 
 std::string period_words(const Physical& physical, double p, std::optional<int> digits) {

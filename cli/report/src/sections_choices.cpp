@@ -63,17 +63,19 @@ std::string by_how_much(const design::Constraint& violated) {
     return format("{} is just too {}", variable, too_large ? "large" : "small");
   }
   constexpr double next_to_all = 0.99;  // which two digits may call all of it
-  constexpr double far = 200;
+  constexpr double far = 200;           // times
   if (off <= 1) {
     const std::string part =
         off < next_to_all ? limit_digits(100 * off * (1 - 1e-12), true, 2) : "100";
     return too_large ? format("{} is {} % too large", variable, part)
                      : format("{} must be {} % larger", variable, part);
   }
-  return too_large   ? format("{} is {:.3g} times the limit", variable, value / limit)
-         : off < far ? format("{} must be {} times as large", variable,
-                              limit_digits(limit / value * (1 - 1e-12), true, 3))
-                     : format("{} is far too small", variable);
+  if (off >= far) {
+    return format("{} is far too {}", variable, too_large ? "large" : "small");
+  }
+  return too_large ? format("{} is {:.3g} times the limit", variable, value / limit)
+                   : format("{} must be {} times as large", variable,
+                            limit_digits(limit / value * (1 - 1e-12), true, 3));
 }
 
 /// What fills the columns of the tolerance, with what stands before and behind it.

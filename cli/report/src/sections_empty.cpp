@@ -21,12 +21,8 @@ struct Way {
 };
 
 Way tolerance_way(double tolerance, const design::Limits& limits) {
-  const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
-  const std::string_view of = std::max(delta_low, delta_high) == 0 ? " f"
-                              : std::max(f_low, f_high) == 0       ? " delta"
-                                                                   : "";
   return {
-      format("tolerance{}", of),
+      "tolerance",
       limits.shape == design::BoxShape{} ? percent_digits(tolerance) : box_text(limits, tolerance),
       false};
 }

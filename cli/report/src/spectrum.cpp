@@ -2,11 +2,11 @@
 #include <stillpoint/report/spectrum.hpp>
 #include "format.hpp"
 #include "sections.hpp"
+#include "sentence.hpp"
 
 #include <stillpoint/report/digits.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -87,13 +87,12 @@ std::string period_words(const SpectrumReport& report, std::size_t i) {
 }
 
 /// "Friction alone ...", or of a suite "Largest of 2 records: friction alone ...".
-std::string of_all_records(const SpectrumReport& report, std::string words) {
+std::string of_all_records(const SpectrumReport& report, const std::string& words) {
   const std::size_t count = report.result.records.size();
-  if (count > 1) {
-    return format("{}: {}", design::suite_words(*report.result.request.combine, count), words);
-  }
-  words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-  return words;
+  return sentence(
+      count > 1
+          ? format("{}: {}", design::suite_words(*report.result.request.combine, count), words)
+          : words);
 }
 
 /// The figures at the only period, with the notch and without it.
@@ -106,7 +105,7 @@ std::string words_of_one(const SpectrumReport& report) {
                                : "and the mass never comes to rest");
   };
   const SpectrumPoint& point = report.result.combined.front();
-  const std::string friction = format("friction alone {}.", words(point.without));
+  const std::string friction = "friction alone " + words(point.without);
   const std::string at = "at " + period_words(report, 0);
   return of_all_records(report, report.result.request.delta == 0
                                     ? format("{} {}", at, friction)
@@ -132,7 +131,7 @@ std::string friction_words(const SpectrumReport& report) {
                     largest([](const SpectrumFigures& one) { return *one.residual; }, length)
               : "and at some period the mass never comes to rest";
   return of_all_records(
-      report, format("{}friction alone transmits at most {}; its largest peak is {}, {}.",
+      report, format("{}friction alone transmits at most {}; its largest peak is {}, {}",
                      report.result.request.delta > 0 ? "without the notch, " : "",
                      largest([](const SpectrumFigures& one) { return one.acceleration; },
                              acceleration_shown),

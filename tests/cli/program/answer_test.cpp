@@ -300,7 +300,7 @@ BOOST_FIXTURE_TEST_CASE(of_a_point_says_what_it_violates, Sandbox) {
   const std::string text = run("region --v0 1 --p 1 --beta 0.9 --f 0.5 --delta 0.6").out;
   check_contains(
       text, {"  The damper is not admissible. It is held by the notch: delta is 20 % too large",
-             "(start). It also violates return."});
+             "(start). Also violated: return."});
   BOOST_TEST(!contains(text, "violates return and"), text);  // whether it stops is not reached
   check_contains(one_line(run("region --v0 1 --p 1 --beta 0.9 --f 0.3 --delta 1e-6").out),
                  {"It passes x = 0: delta is far too small (stop)."});

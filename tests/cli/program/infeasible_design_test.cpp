@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(a_two_sided_tolerance_is_mended_on_each_side) {
   // Of one alone, with the option that gives it; and of factors.
   const std::string of_f = run(design(0.75, "--tolerance-f 0.245")).out;
   std::smatch least;
-  const std::regex mend("\n  tolerance f +at most \\+-([0-9.]+) % of f\n");
+  const std::regex mend("\n  tolerance +at most \\+-([0-9.]+) % of f\n");
   BOOST_TEST_REQUIRE(std::regex_search(of_f, least, mend), of_f);
   succeed(design(0.75, Arguments{"--tolerance-f", in_full(std::stod(least[1]) / 100)}));
   check_contains(run(design(1, "--tolerance-f 0.8:1.1 --verbose")).out,

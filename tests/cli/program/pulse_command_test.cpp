@@ -182,9 +182,9 @@ BOOST_AUTO_TEST_CASE(the_notch_that_will_be_built_is_tried_with_every_pulse_of_t
   BOOST_TEST(motion["response"]["stop_position"] == rest);
   const std::string text = one_line(run(design + "--notch-width-m 60mm").out);
   check_contains(text,
-                 {"the mass rests 30.274 mm off centre after a pulse of 0.55 g and 114.29 ms, with "
+                 {"the mass rests 30.274 mm off centre after a pulse of 0.55 g and 0.11429 s, with "
                   "a period of 2.8 s.",
-                  " g outside it (pulse of 0.6 g and 120 ms, stiffest spring) "});
+                  " g outside it (pulse of 0.6 g and 0.12 s, stiffest spring) "});
 
   const Arguments holds = design + "--hold 0.4";
   check_contains(one_line(run(holds).out),

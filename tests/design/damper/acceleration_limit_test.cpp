@@ -52,6 +52,12 @@ BOOST_AUTO_TEST_CASE(no_friction_is_small_enough_where_the_spring_alone_exceeds_
       (reason(region, problem, limits)
            ->find("even without friction the transmitted acceleration is p V0 = 13 g, above the "
                   "limit of 12 g") != std::string::npos));
+  // Of springs with p of 12 to 13, the stiffest decides.
+  const Problem springs{.v0 = 1, .p = 12, .beta = 30, .p_high = 13};
+  const auto of_stiffest =
+      reason(admissible_region(springs, at_most(12.5)), springs, at_most(12.5));
+  BOOST_TEST((of_stiffest->find("is p V0 = 13 g, above the limit of 12.5 g") != std::string::npos),
+             *of_stiffest);
   BOOST_TEST(!constraints(problem, limits, 0, 50).back().satisfied);
   BOOST_TEST(!largest_tolerance(problem, limits, 1, 80));
   // At equality S = A needs f = 0, which leaves no Delta.

@@ -235,7 +235,7 @@ Figure drawn_map(const design::RecordDesign& result, const Window& window,
   if (result.finding && shade_at(figure, place) != best_shade) {
     const bool edge = result.finding->sensitivity.with_least_friction.has_value();
     figure.caption += format("; the damper found is better than the middle of its cell{}",
-                             edge ? ", and one with a little more friction worse" : "");
+                             edge ? ", and one with a little more friction is worse" : "");
   }
   return figure;
 }

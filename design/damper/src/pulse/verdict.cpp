@@ -126,7 +126,7 @@ std::string reason_of(const Region& found, const PulseRegion& region, const Puls
             last.f * k, last.peak * region.length_unit() / problem.beta);
       }
       return fmt::format(
-          "amplitude and return conflict: a peak within beta needs f >= {:.6g}, coming "
+          "amplitude and return conflict: a peak within beta needs f >= {:.6g}, but coming "
           "back to x = 0 needs f <= {:.6g}{}",
           amplitude.islands().front().low * k, amplitude.islands().back().high * k,
           none_between("f", amplitude.islands().front().low, amplitude.islands().back().high, box));
@@ -141,7 +141,7 @@ std::string reason_of(const Region& found, const PulseRegion& region, const Puls
                        kind->constraint, kind->quantity, limit, kind->unit, box)
                  : fmt::format(
                        "amplitude and {} conflict: a peak within beta needs f >= {:.6g}, "
-                       "{} is {:.6g}{}",
+                       "but {} is {:.6g}{}",
                        kind->constraint, amplitude.islands().front().low * k, kind->field, limit,
                        none_between("f", amplitude.islands().front().low * k, limit, box));
     default:

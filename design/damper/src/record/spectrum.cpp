@@ -138,10 +138,11 @@ std::string summary(const Spectrum& spectrum) {
     const auto raised = count_less(&SpectrumPoint::without, &SpectrumPoint::with_notch);
     const auto lowered = count_less(&SpectrumPoint::with_notch, &SpectrumPoint::without);
     const bool everywhere = static_cast<std::size_t>(lowered) == points.size();
-    text += fmt::format(
-        "{} the {} at {}{}", text.empty() ? ": the notch lowers" : ",", name,
-        everywhere ? "every period" : fmt::format("{} of {} periods", lowered, points.size()),
-        raised > 0 ? fmt::format(" (raises it at {})", raised) : "");
+    text += fmt::format("{} the {} at {}{}", text.empty() ? ": the notch lowers" : ",", name,
+                        everywhere     ? "every period"
+                        : lowered == 0 ? "no period"
+                                       : fmt::format("{} of {} periods", lowered, points.size()),
+                        raised > 0 ? fmt::format(" (raises it at {})", raised) : "");
   };
   add("residual", [](const SpectrumFigures& one) { return one.residual.value_or(HUGE_VAL); });
   const bool ideal = !spectrum.request.notch_width && !spectrum.request.hold;

@@ -18,7 +18,7 @@ double acceleration_edge(const Problem& problem, double limit) {
 }
 
 double least_acceleration(const Problem& problem) {
-  return problem.p * problem.v0;
+  return problem.stiffest_p() * problem.v0;
 }
 
 double roomiest_p(const Problem& problem, const Limits& limits, double limit) {

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Sentences that are put together from clauses: each reads as if it were written whole.
+#include "cli_test.hpp"
+
+#include <cmath>
+#include <regex>
+#include <string>
+
+BOOST_FIXTURE_TEST_SUITE(sentences_test, stillpoint::cli_test::Sandbox)
+
+namespace {
+
+using namespace stillpoint::cli_test;
+
+const Arguments two_records{"--record", STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt",
+                            "--record", STILLPOINT_DATA_DIR "/records/strong_motion.AT2"};
+
+/// The title and the verdict.
+std::string headline(const ProgramRun& run) {
+  return one_line(run.out.substr(0, run.out.find("\n\n")));
+}
+
+}  // namespace
+
+// No notch works, and besides the damper has a hundredth of a per cent of tolerance.
+BOOST_AUTO_TEST_CASE(a_damper_for_which_no_notch_works_may_be_too_exact_as_well) {
+  const std::string text =
+      headline(run("design --pulse half-sine --k 30g --pulse-duration 5ms --natural-frequency 10Hz "
+                   "--mass 350kg --max-displacement 12mm --delta-max-m 5mm"));
+  check_contains(text, {" With a notch that acts only after the start, the damper found is too "
+                        "exact to be built: a friction force of "});
+  BOOST_TEST(text.ends_with(" at a passage."), text);
+}
+
+BOOST_AUTO_TEST_CASE(what_a_pulse_needs_and_what_is_allowed_are_opposed) {
+  check_contains(headline(run("design --pulse full-sine --k 30 --lambda 2 --p 1 --beta 0.5 --f-max "
+                              "0.3")),
+                 {" a peak within beta needs f >= ", ", but f may be at most 0.3. "});
+  const json report =
+      run("design --pulse rectangle --k 0.5 --lambda 1 --p 1 --beta 0.6 --tolerance 0.5 --json")
+          .json();
+  check_contains(report["region"]["reason"].get<std::string>(),
+                 {", but coming back to x = 0 needs f <= "});
+}
+
+BOOST_AUTO_TEST_CASE(what_else_is_violated_is_listed) {
+  check_contains(headline(run("region --v0 1 --p 1 --beta 0.9 --f 0.8 --delta 0.9")),
+                 {" It is held by the notch: delta is 80 % too large (start). Also violated: "});
+}
+
+BOOST_AUTO_TEST_CASE(one_of_a_kind_is_singular) {
+  check_contains(one_line(run("design --v0 1 --p 0.95:1.05 --beta 1.2 --criterion exact --residual "
+                              "0.1 --f-max 0.03 --objective amplitude --verbose")
+                              .out),
+                 {" after 1 evaluation, "});
+}
+
+// 0.3 g of friction hold the mass through the weaker record.
+BOOST_AUTO_TEST_CASE(a_notch_that_helps_nowhere_helps_at_no_period) {
+  check_contains(
+      headline(run("spectrum --period 2.4s:3.2s:3 --f 0.3 --delta-m 20mm" + two_records)),
+      {": the notch lowers the residual at no period, "});
+}
+
+BOOST_AUTO_TEST_CASE(under_records_none_and_all_are_told_apart) {
+  const Arguments search =
+      "design --period 2.8s --max-displacement 300mm --search-delta-m 50mm:50mm --scan-points 400" +
+      two_records;
+  const std::string none = headline(run(search + "--tolerance 0.02"));
+  BOOST_TEST(none.ends_with(" No notch works under any record."), none);
+  const std::string all = headline(run(search + "--objective residual"));
+  BOOST_TEST(all.ends_with(" Off by up to 10 %, it may be much worse."), all);
+}
+
+// A damper that is some per cent off has no figures of five digits.
+BOOST_AUTO_TEST_CASE(what_a_damper_off_its_numbers_does_has_three_digits) {
+  const std::string text = one_line(
+      run("design --period 2.8s --max-displacement 400mm --residual-m 5mm --hold 0.1 --search-f "
+          "0.03:0.03 --search-delta-m 70mm:70mm" +
+          two_records)
+          .out);
+  const std::regex off(
+      " off by up to 10 %: 0\\.[0-9]{3} g, stroke [0-9]{3} mm, residual 0\\.[0-9]{3} mm; ");
+  BOOST_TEST(std::regex_search(text, off), text);
+}
+
+// A notch 20 mm wide, the example, leaves a residual that is above its limit by next to nothing, or
+// by rounding.
+BOOST_AUTO_TEST_CASE(what_exceeds_a_limit_is_told_apart_from_it) {
+  const Arguments record{"--period", "2.8s", "--record",
+                         STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt"};
+  const json motion =
+      run("simulate --f 0.06 --delta-m 1mm --notch-width-m 20mm --json" + record).json();
+  const double residual = std::abs(motion["physical"]["stop_position_m"].get<double>());
+  const auto judged = [&](double limit) {
+    return one_line(run("design --search-f 0.06:0.06 --search-delta-m 1mm:1mm --max-displacement "
+                        "1m --tolerance 0 --residual-m" +
+                        Arguments{in_full(limit)} + record)
+                        .out);
+  };
+  const std::regex fault(" the residual is ([0-9.]+) mm, where ([0-9.]+) mm is allowed");
+  std::smatch found;
+  const std::string text = judged(residual * (1 - 1e-7));
+  BOOST_TEST_REQUIRE(std::regex_search(text, found, fault), text);
+  BOOST_TEST(found[1].str() != found[2].str(), text);
+  BOOST_TEST(!contains(judged(residual * (1 - 1e-12)), " real notch "));
+}
+
+BOOST_AUTO_TEST_CASE(a_damper_without_friction_or_notch_is_named_by_what_it_has) {
+  check_contains(headline(run("design --period 2.8s --mass 1200t --max-displacement 1m --search-f "
+                              "0.05:0.05 --search-delta-m 0:0" +
+                              two_records)),
+                 {"Build a friction force of 588.4 kN without a notch, with a period of 2.8 s."});
+}
+
+// 5 % of a period of 0.1 s and all of it are in seconds, as in the tables.
+BOOST_AUTO_TEST_CASE(times_of_a_report_have_one_unit) {
+  const std::string text =
+      run("simulate --velocity 0.4 --natural-frequency 10Hz --f 2 --delta-m 1mm --verbose").out;
+  BOOST_TEST(std::regex_search(text, std::regex("stop time +0\\.0[0-9]+ s")), text);
+  BOOST_TEST(!contains(text, " ms"), text);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
