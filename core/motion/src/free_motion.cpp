@@ -57,6 +57,7 @@ Response free_response(const Oscillator& oscillator, const Start& start,
                               : options.margin                ? run_with(keeper)
                                                               : run_with();
   Response response = metrics(run, oscillator.p);
+  response.jump = largest_jump(oscillator, start, run);
   if (options.times && run.outcome != Outcome::never_stops) {
     response.stop_time = stop_time(clock, run, oscillator.p);
   }

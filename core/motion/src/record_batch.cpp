@@ -25,7 +25,7 @@ void resize(RecordBatchResult& result, Eigen::Index size) {
   result.outcome.resize(size);
   for (Eigen::ArrayXd RecordBatchResult::*const column :
        {&RecordBatchResult::peak_amplitude, &RecordBatchResult::peak_absolute_acceleration,
-        &RecordBatchResult::stop_position, &RecordBatchResult::stop_time,
+        &RecordBatchResult::jump, &RecordBatchResult::stop_position, &RecordBatchResult::stop_time,
         &RecordBatchResult::locked_from, &RecordBatchResult::half_cycles,
         &RecordBatchResult::turning_points, &RecordBatchResult::sticks,
         &RecordBatchResult::decision_margin}) {
@@ -39,6 +39,7 @@ void keep(RecordBatchResult& result, Eigen::Index i, const std::optional<ForcedR
   result.outcome[i] = found ? response.outcome : Outcome::running;
   result.peak_amplitude[i] = response.peak_amplitude;
   result.peak_absolute_acceleration[i] = response.peak_absolute_acceleration;
+  result.jump[i] = response.jump;
   result.stop_position[i] = response.stop_position.value_or(0);
   result.stop_time[i] = response.stop_time.value_or(infinite);
   result.locked_from[i] = response.locked_from.value_or(infinite);

@@ -40,6 +40,7 @@ ForcedResponse so_far(const Run& run) {
   response.turning_points = static_cast<double>(state.turning_points);
   response.zero_passages = static_cast<double>(state.passages);
   response.arrival_speed = state.arrival_speed;
+  response.jump = state.jump;
   if (state.margin.any()) {
     response.decision_margin = state.margin.value();
   }
@@ -94,12 +95,13 @@ void end_free(ForcedResponse& response, const Run& run, const Oscillator& oscill
   }
   PhaseClock<double> clock;
   MarginKeeper<double> keeper;
-  const FreeRun<double> free =
-      free_run(oscillator, Start{run.state().u / p, 0}, half_cycle_limit, clock, keeper);
+  const Start turn{run.state().u / p, 0};
+  const FreeRun<double> free = free_run(oscillator, turn, half_cycle_limit, clock, keeper);
   response.peak_amplitude = std::max(response.peak_amplitude, free.farthest / p);
   response.peak_acceleration = std::max(response.peak_acceleration, free.acceleration * p);
   response.peak_absolute_acceleration =
       std::max(response.peak_absolute_acceleration, free.acceleration * p);
+  response.jump = std::max(response.jump, largest_jump(oscillator, turn, free));
   if (keeper.margin()) {
     response.decision_margin =
         std::min(*keeper.margin(), response.decision_margin.value_or(*keeper.margin()));

@@ -56,6 +56,7 @@ BOOST_FIXTURE_TEST_CASE(values_of_practice_are_those_of_the_motion_in_units, San
   const double square = omega * omega * peak * peak - 2 * force / mass * peak;
   check_near(quantities,
              {{"arrival_speed_m_per_s", std::sqrt(square)},
+              {"jump_m_per_s", std::sqrt(square)},
               {"impulse_at_stop_n_s", mass * std::sqrt(square)},
               {"energy_at_stop_j", mass * square / 2},
               {"secant_stiffness_n_per_m", mass * omega * omega + force / peak},

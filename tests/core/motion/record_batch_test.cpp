@@ -75,6 +75,7 @@ void is_that_of(const std::optional<ForcedResponse>& alone, const RecordBatchRes
   same("peak_amplitude", result.peak_amplitude[i], alone->peak_amplitude, i, dampers);
   same("peak_absolute_acceleration", result.peak_absolute_acceleration[i],
        alone->peak_absolute_acceleration, i, dampers);
+  same("jump", result.jump[i], alone->jump, i, dampers);
   same("stop_time", result.stop_time[i], alone->stop_time.value(), i, dampers);
   same("stop_position", result.stop_position[i], alone->stop_position.value(), i, dampers);
   same("locked_from", result.locked_from[i], alone->locked_from.value_or(infinite), i, dampers);

@@ -118,6 +118,7 @@ ordered_json response_json(const Response& response) {
   return {{"peak_amplitude", response.peak_amplitude},
           {"peak_acceleration", response.peak_acceleration},
           {"peak_absolute_acceleration", response.peak_absolute_acceleration},
+          {"jump", response.jump},
           {"half_cycles", count(response.half_cycles)},
           {"turning_points", count(response.turning_points)},
           {"zero_passages", count(response.zero_passages)},

@@ -126,6 +126,7 @@ class Values {
     length("peak_m", existing(now.peak_amplitude));
     acceleration("peak_acceleration_m_per_s2", existing(now.peak_acceleration));
     acceleration("peak_absolute_acceleration_m_per_s2", existing(now.peak_absolute_acceleration));
+    speed("jump_m_per_s", existing(now.jump));
     time("stop_time_s", now.stop_time);
     length("stop_position_m", now.stop_position);
     speed("arrival_speed_m_per_s", now.arrival_speed);

@@ -168,12 +168,14 @@ class ForcedRun {
   void arrive() {
     const Real energy = s_.v * s_.v;
     const Real left = map_.departure(energy);
+    const Real speed = magnitude(s_.v);
     s_.u = Real(0);
-    s_.arrival_speed = magnitude(s_.v);
+    s_.arrival_speed = speed;
     event(EventKind::arrival);
     s_.margin.decide(magnitude(left), energy + map_.notch);
     s_.margin.decide(energy, energy + s_.farthest * s_.farthest);  // against a turn before x = 0
     if (!(left > 0)) {
+      s_.jump = std::max(s_.jump, speed);
       come_to_rest();
       if (!law_.lets_go()) {
         stop(Outcome::stopped_at_zero);
@@ -181,7 +183,9 @@ class ForcedRun {
       return;
     }
     using std::sqrt;
-    s_.v = Real(s_.direction) * sqrt(left);
+    const Real departure = sqrt(left);
+    s_.jump = std::max(s_.jump, Real(map_.notch / (speed + departure)));
+    s_.v = Real(s_.direction) * departure;
     pass();
     event(EventKind::passage);
   }
@@ -257,6 +261,7 @@ class ForcedRun {
       s_.margin.decide(magnitude(Real(energy - map_.notch)), energy + map_.notch);
     }
     if (notched && map_.catches(s_.v)) {
+      s_.jump = magnitude(s_.v);
       s_.v = Real(0);
       s_.caught = true;
       if (!law_.lets_go()) {

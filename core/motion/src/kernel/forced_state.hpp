@@ -50,6 +50,7 @@ struct ForcedState {
   Real farthest{0};                   ///< largest |u| at events
   Real acceleration{0};               ///< largest |x''| / p
   std::optional<Real> arrival_speed;  ///< at the last arrival at x = 0
+  Real jump{0};                       ///< largest |v-| - |v+| at x = 0
   bool left_notch_from_rest{false};   ///< rule 4: left x = 0 from rest although Delta > 0
   Transmitted<Real> transmitted;
   TippingMargin<Real> margin;

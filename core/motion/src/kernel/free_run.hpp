@@ -8,6 +8,7 @@
 
 #include "kernel/ending.hpp"
 #include "kernel/first_leg.hpp"
+#include "kernel/functions.hpp"
 #include "kernel/half_cycle_map.hpp"
 
 #include <stillpoint/core/state.hpp>
@@ -119,6 +120,27 @@ FreeRun<Real> free_run(const BasicOscillator<Real>& oscillator, const BasicStart
   (watchers.first_passage(map, energy, radius), ...);
   detail::finish(run, -leg.side, map, crest, half_cycle_limit, watchers...);
   return run;
+}
+
+/// The largest |v-| - |v+| at x = 0. A passage takes the more of v the less there is, so the last
+/// one takes the most; but a stop may take more, or less. `run` must have ended.
+template <class Real>
+[[gnu::noinline]] Real largest_jump(const BasicOscillator<Real>& oscillator,
+                                    const BasicStart<Real>& start, const FreeRun<Real>& run) {
+  using std::max;
+  using std::sqrt;
+  const HalfCycleMap<Real> map(oscillator);
+  if (run.outcome == Outcome::caught_at_start) {
+    return magnitude(start.v0);
+  }
+  if (map.notch == 0 || !run.arrival) {
+    return Real(0);
+  }
+  if (run.outcome != Outcome::stopped_at_zero) {
+    return map.jump_before(map.departure(*run.arrival));
+  }
+  const Real at_stop = sqrt(*run.arrival);
+  return run.passages > 0 ? max(at_stop, map.jump_before(map.departure_to(*run.arrival))) : at_stop;
 }
 
 }  // namespace stillpoint

@@ -55,6 +55,18 @@ struct HalfCycleMap {
   /// (8): the energy after an arrival; the motion continues only if this is > 0.
   [[nodiscard]] Real departure(const Real& arrival_energy) const { return arrival_energy - notch; }
 
+  /// (7) backwards: the energy with which the half-cycle left x = 0.
+  [[nodiscard]] Real departure_to(const Real& arrival_energy) const {
+    const Real r = 2 * phi + radius(arrival_energy);
+    return (r - phi) * (r + phi);
+  }
+
+  /// v- - v+ of a passage that leaves x = 0 with this energy.
+  [[nodiscard]] Real jump_before(const Real& departure) const {
+    using std::sqrt;
+    return notch / (sqrt(departure + notch) + sqrt(departure));
+  }
+
   /// (2): the next radius.
   [[nodiscard]] Real radius(const Real& energy) const {
     using std::sqrt;

@@ -19,15 +19,16 @@ struct FreeOptions {
   double half_cycle_limit{1e8};
 };
 
-/// The metrics of one motion, dimensionless. What does not exist is empty: all but the peaks where
-/// the motion never stops; arrival_speed where it never arrives at x = 0; decision_margin where
-/// nothing was decided.
+/// The metrics of one motion, dimensionless. What does not exist is empty: all but the peaks and
+/// the jump where the motion never stops; arrival_speed where it never arrives at x = 0;
+/// decision_margin where nothing was decided.
 struct Response {
   Outcome outcome{Outcome::never_stops};
   bool stops_at_zero{false};
   double peak_amplitude{0};               ///< largest |x|, the start included
   double peak_acceleration{0};            ///< largest |x''| away from the notch, relative
   double peak_absolute_acceleration{0};   ///< as the structure feels it: docs/forced.md section 10
+  double jump{0};                         ///< the largest, of |x'|, at a notch without width
   std::optional<double> half_cycles;      ///< 1 + zero_passages; 0 where nothing moves
   std::optional<double> turning_points;   ///< x' = 0 at x != 0, reached from motion, rest included
   std::optional<double> zero_passages;    ///< arrivals at x = 0 after which the motion goes on

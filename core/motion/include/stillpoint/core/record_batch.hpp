@@ -33,6 +33,7 @@ struct RecordBatchResult {
   Eigen::Array<Outcome, Eigen::Dynamic, 1> outcome;
   Eigen::ArrayXd peak_amplitude;
   Eigen::ArrayXd peak_absolute_acceleration;
+  Eigen::ArrayXd jump;
   Eigen::ArrayXd stop_position;
   Eigen::ArrayXd stop_time;
   Eigen::ArrayXd locked_from;
