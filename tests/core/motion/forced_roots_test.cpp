@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "kernel/positivity.hpp"
 #include "motion.hpp"
 
 // The instants found for turns, arrivals and releases under a harmonic, for lambda/p from 0.01 to
@@ -211,6 +212,28 @@ BOOST_AUTO_TEST_CASE(a_release_is_found_to_the_digits_of_its_distance_from_the_c
   }
   BOOST_TEST_MESSAGE(releases << " releases, worst " << worst << " ulp");
   BOOST_TEST(releases > 100U);
+}
+
+// The slack of (F12) is 8 epsilon of the sum of what is added and taken away. At r = h = k = q = 1,
+// w = a = 0, G = v cos 1 - (1 - cos 1), each with its polynomial bound, and v is within some ulp of
+// where that is 0.
+BOOST_AUTO_TEST_CASE(v_is_not_said_to_stay_positive_where_rounding_may_have_made_it_so) {
+  const SineBounds<double> bound(1);
+  const double least = bound.versine_high / bound.cosine_low;
+  std::size_t refused = 0;
+  for (int i = 0; i <= 100; ++i) {
+    const double v = least * (1 + i * epsilon);
+    const Exact spare = Exact(v) * bound.cosine_low - bound.versine_high;
+    const Exact slack = 8 * epsilon * (Exact(v) + bound.versine_high);
+    const bool proved = stays_positive(HarmonicPoint<double>{0, v, 0, 0, 1}, 1.0, 1.0, 1.0);
+    // The products themselves are rounded.
+    if (abs(Exact(spare - slack)) > 2 * epsilon) {
+      BOOST_TEST(proved == (spare > slack), "spare " << spare / epsilon << " ulp of 1");
+    }
+    refused += proved ? 0U : 1U;
+  }
+  BOOST_TEST(refused > 10U);
+  BOOST_TEST(refused < 60U);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
