@@ -54,6 +54,12 @@ p{margin:2px 0}p,footer,tr:nth-last-child(-n+5){break-before:avoid}.wide{overflo
 .only,.input{column-span:all}.only{width:125mm}.input p{display:none}.input h2,.input pre{display:inline;font-size:10px;line-height:1.1}pre{background:none;padding:0 4px;font-size:10px}.input pre{white-space:normal}footer{margin-top:4px;font-size:10px}
 )";
 
+/// The page loads nothing, whatever text is in it: its script and style are its own, and the images
+/// of its maps are data.
+constexpr std::string_view security_policy =
+    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; "
+    "base-uri 'none'; form-action 'none'";
+
 /// One figure, and those that belong below it, with plots that begin at the same place.
 std::string column(std::span<const Figure> group, bool only) {
   double left = 0;
@@ -93,10 +99,12 @@ std::string html(const HtmlPage& page) {
   std::string text = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\"/>\n"
       "<title>{}</title>\n<style>{}{}@media screen and (prefers-color-scheme: dark){{{}{}}}\n"
       "@media print{{{}}}</style>\n</head>\n<body>\n<h1>{}</h1>\n<p class=\"answer{}\">{}</p>\n",
-      escaped(page.title), page_style, figure_style(), dark_page_style, dark_figure_style(),
-      print_style, prose(page.title), page.alarming ? " bad" : "", prose(page.verdict));
+      security_policy, escaped(page.title), page_style, figure_style(), dark_page_style,
+      dark_figure_style(), print_style, prose(page.title), page.alarming ? " bad" : "",
+      prose(page.verdict));
   text += page.answer + "<main>\n" + figures(page.figures) + page.body;
   if (!page.report.empty()) {
     text += fmt::format(

@@ -56,6 +56,19 @@ BOOST_AUTO_TEST_CASE(text_page_and_json_agree) {
   }
 }
 
+/// A browser applies a policy only to what stands behind it.
+BOOST_AUTO_TEST_CASE(a_page_may_load_nothing) {
+  const std::string file = figures::html(page(isolator()));
+  const std::size_t policy = file.find(
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src "
+      "'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; ");
+  BOOST_TEST_REQUIRE(policy != std::string::npos, file.substr(0, 500));
+  for (const char* const begin : {"<title", "<style", "<script", "<body", "<image", "<link"}) {
+    BOOST_TEST(file.find(begin) > policy, begin);
+  }
+  BOOST_TEST(!std::regex_search(file, std::regex("(src|href)=\"(?!data:|#)")));
+}
+
 BOOST_AUTO_TEST_CASE(pages_have_the_figures_that_they_announce) {
   for (const figures::Figure& figure : page(isolator()).figures) {
     BOOST_TEST(std::ranges::count(design_figures, figure.id) == 1, figure.id);
