@@ -39,6 +39,13 @@ struct RecordDesignReport;
 
 [[nodiscard]] std::optional<RealNotchFault> real_notch_fault(const design::RecordDesign& result,
                                                              const Physical& physical);
+/// The largest change of velocity at a notch without a width, and under which record; none of a
+/// mass that hardly moves.
+struct VelocityJump {
+  double speed{0};
+  std::size_t record{0};
+};
+[[nodiscard]] VelocityJump largest_jump(const design::RecordDesign& result);
 /// The impulses of a notch without a width; and if it is the paper's, what the mass feels in one
 /// with a width, and how wide that must be.
 void add_notch(Section& answer, const RecordDesignReport& report);

@@ -97,23 +97,11 @@ std::string fault_of_width(const design::RecordDesign& result, double width,
 /// "impulses of up to 1.21 MN s (a.txt)": the largest of all records, and of which; empty if the
 /// mass never comes back to x = 0.
 std::string impulse_words(const design::RecordDesign& result, const Physical& physical) {
-  double most = 0;
-  std::size_t under = 0;
-  for (std::size_t i = 0; i < result.request.records.size(); ++i) {
-    SimulationRequest request = motion_request(result, i);
-    request.max_half_cycles = 10'000;  // a design has no more: docs/records-design.md section 2
-    for (const HalfCycle& now : simulate(request).half_cycles) {
-      if (now.impulse.value_or(0) > most) {
-        most = *now.impulse;
-        under = i;
-      }
-    }
-  }
-  return most == 0 ? ""
-                   : format("impulses of up to {}{}", impulse_shown(physical, most),
-                            result.request.records.size() == 1
-                                ? ""
-                                : " (" + record_label(result.request.records[under]) + ")");
+  const auto [speed, record] = largest_jump(result);
+  const auto& records = result.request.records;
+  return speed == 0 ? ""
+                    : format("impulses of up to {}{}", impulse_shown(physical, speed),
+                             records.size() == 1 ? "" : " (" + record_label(records[record]) + ")");
 }
 
 StartUnderLoad under_the_weakest(const design::RecordDesign& result) {
@@ -126,6 +114,12 @@ StartUnderLoad under_the_weakest(const design::RecordDesign& result) {
 }
 
 }  // namespace
+
+VelocityJump largest_jump(const design::RecordDesign& result) {
+  const std::vector<ForcedResponse>& all = result.finding->responses;
+  const auto most = std::ranges::max_element(all, {}, &ForcedResponse::jump);
+  return {hardly_moves(result) ? 0 : most->jump, static_cast<std::size_t>(most - all.begin())};
+}
 
 std::optional<RealNotchFault> real_notch_fault(const design::RecordDesign& result,
                                                const Physical& physical) {

@@ -124,7 +124,9 @@ void add_records(Document& document, const design::RecordDesign& result, const P
           format("{:.5g}", *response.stop_time * units.time),
           rests.at(static_cast<std::size_t>(record_end(record.record, response)))}});
   }
-  document.section("Records").parts.emplace_back(std::move(table));
+  Section& section = document.section("Records");
+  section.parts.emplace_back(std::move(table));
+  add_jumps_note(section, result.finding->point.damper.delta, result.request.notch_width);
 }
 
 }  // namespace stillpoint::report

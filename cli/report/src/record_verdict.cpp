@@ -28,8 +28,20 @@ bool is_of_a_lock(const design::RecordDesign& result) {
          });
 }
 
+/// Of which acceleration the figure is: " between the velocity jumps at the notch (up to 0.89
+/// m/s)", which it does not count.
+std::string which_acceleration(const RecordDesignReport& report) {
+  const std::string_view locked = is_of_a_lock(report.result) ? " while it is locked" : "";
+  const double jump = largest_jump(report.result).speed;
+  return jump == 0 ? std::string(locked)
+                   : format("{}{}{} (up to {})", locked, locked.empty() ? "" : " and",
+                            jumps_words(report.result.finding->point.damper.delta, {}),
+                            FigureUnits(report.physical).velocity_words(jump));
+}
+
 /// The figures of the records combined, those of a mean with the largest of any record.
-std::string does_words(const design::RecordDesign& result, const Physical& physical) {
+std::string does_words(const RecordDesignReport& report) {
+  const auto& [result, physical, fault] = report;
   const SuiteFigures& combined = result.finding->point.figures;
   const std::size_t count = result.request.records.size();
   std::optional<SuiteFigures> most;
@@ -46,15 +58,10 @@ std::string does_words(const design::RecordDesign& result, const Physical& physi
     return words(combined.*figure) + (most ? format(" ({})", words((*most).*figure)) : "");
   };
   const auto length = [&](double value) { return displacement_shown(physical, value); };
-  const bool apart = combined.peak > 0 && result.finding->point.damper.delta > 0 &&
-                     !result.request.notch_width && !result.request.hold;
-  const std::string_view where = is_of_a_lock(result) ? " while it is locked"
-                                 : apart              ? " outside the notch"
-                                                      : "";
   return format("{}: {} transmitted{}{}",
                 most ? format("Mean (and largest) of {} records", count)
                      : design::suite_words(*result.request.combine, count),
-                shown(&SuiteFigures::acceleration, acceleration_shown), where,
+                shown(&SuiteFigures::acceleration, acceleration_shown), which_acceleration(report),
                 combined.peak == 0
                     ? ""
                     : format(", stroke {}, residual {}", shown(&SuiteFigures::peak, length),
@@ -116,8 +123,8 @@ std::string record_verdict(const RecordDesignReport& report) {
                                      : "Build",
                 damper_words(physical, damper.f, damper.delta,
                              {result.request.notch_width, result.request.hold}, printed_digits),
-                period_words(physical, damper.p, period_digits(result.request)),
-                does_words(result, physical), caveat(report),
+                period_words(physical, damper.p, period_digits(result.request)), does_words(report),
+                caveat(report),
                 result.finding->check.passed
                     ? ""
                     : " But the check DISAGREES: do not rely on this design.");

@@ -108,6 +108,11 @@ void add_excitation(Section& section, const Excitation& excitation,
 
 /// "2 x a.AT2": the factor and the file of a record of a suite.
 [[nodiscard]] std::string record_label(const design::SuiteRecord& record);
+/// " between the velocity jumps at the notch", of an acceleration that does not count them; empty
+/// of a notch with a width, and without a notch.
+[[nodiscard]] std::string_view jumps_words(double delta, const std::optional<double>& width);
+/// Below a table whose accelerations do not count them.
+void add_jumps_note(Section& section, double delta, const std::optional<double>& width);
 /// Where a notch under records differs from the paper's.
 void add_real_notch(Section& section, const std::optional<double>& hold,
                     const std::optional<double>& width, const Physical& physical);

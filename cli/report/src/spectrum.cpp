@@ -79,6 +79,13 @@ std::string lock_words(const SpectrumReport& report) {
       where, report.result.records.size() == 1 ? "the" : "a", acceleration_shown(most));
 }
 
+/// A notch that lets go, or has a width, is to hold the mass at the end, unless that is what the
+/// structure feels most.
+bool locks_for_the_worse(const SpectrumReport& report) {
+  const design::SpectrumRequest& task = report.result.request;
+  return !lock_words(report).empty() && (!(task.hold || task.notch_width) || only_locked(report));
+}
+
 std::string period_words(const SpectrumReport& report, std::size_t i) {
   const FigureUnits units(report.physical);
   return format("a period of {:.4g}{}",
@@ -98,8 +105,10 @@ std::string of_all_records(const SpectrumReport& report, const std::string& word
 /// The figures at the only period, with the notch and without it.
 std::string words_of_one(const SpectrumReport& report) {
   const FigureUnits units(report.physical);
-  const auto words = [&](const SpectrumFigures& one) {
-    return format("transmits {}; the peak is {}, {}", acceleration_shown(one.acceleration),
+  const design::SpectrumRequest& task = report.result.request;
+  const auto words = [&](const SpectrumFigures& one, double delta = 0) {
+    return format("transmits {}{}; the peak is {}, {}", acceleration_shown(one.acceleration),
+                  only_locked(report) ? "" : jumps_words(delta, task.notch_width),
                   units.length_words(one.peak),
                   one.residual ? "the residual " + units.length_words(*one.residual)
                                : "and the mass never comes to rest");
@@ -107,10 +116,10 @@ std::string words_of_one(const SpectrumReport& report) {
   const SpectrumPoint& point = report.result.combined.front();
   const std::string friction = "friction alone " + words(point.without);
   const std::string at = "at " + period_words(report, 0);
-  return of_all_records(report, report.result.request.delta == 0
+  return of_all_records(report, task.delta == 0
                                     ? format("{} {}", at, friction)
                                     : format("{} the damper {}. Without the notch, {}", at,
-                                             words(point.with_notch), friction));
+                                             words(point.with_notch, task.delta), friction));
 }
 
 /// The largest of each figure of friction alone, and the period at which it occurs.
@@ -189,6 +198,7 @@ void add_points(Section& section, const SpectrumReport& report,
   Table table = spectrum_table(report, points);
   const std::size_t shown = table.rows.size();
   section.parts.emplace_back(std::move(table));
+  add_jumps_note(section, report.result.request.delta, report.result.request.notch_width);
   if (points.size() > shown) {
     section.line(format("{} of {} periods, with those of the largest of each figure; --table FILE "
                         "has all.",
@@ -221,22 +231,22 @@ void add_damper(Section& answer, const SpectrumReport& report) {
 }  // namespace
 
 std::string lock_sentence(const SpectrumReport& report) {
-  const std::string words = lock_words(report);
-  return words.empty() ? "" : "locked: " + words;
+  return !locks_for_the_worse(report) ? "" : "locked: " + lock_words(report);
 }
 
 Document document(const SpectrumReport& report) {
   const design::Spectrum& result = report.result;
   Document document;
   document.title = "Response spectrum";
-  const std::string locked = lock_words(report);
+  const bool worse = locks_for_the_worse(report);
   const bool alone = result.request.delta == 0;
   const bool held = only_locked(report);
-  document.verdict = (locked.empty() ? "" : format("Locked: {}. ", locked)) +
-                     (result.combined.size() == 1 ? words_of_one(report)
-                      : held || alone             ? friction_words(report)
-                                                  : design::summary(result));
-  document.tone = locked.empty() ? Tone::plain : Tone::bad;
+  const std::string does = result.combined.size() == 1 ? words_of_one(report)
+                           : held || alone             ? friction_words(report)
+                                                       : design::summary(result);
+  document.verdict = worse ? format("{} {}", sentence(lock_sentence(report)), does)
+                           : does + next_sentence(lock_words(report));
+  document.tone = worse ? Tone::bad : Tone::plain;
   add_damper(document.answer, report);
   const std::size_t count = result.records.size();
   add_points(document.section(heading(report)), report, result.combined);

@@ -158,7 +158,10 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
   }
   const auto [shortest, longest] = std::ranges::minmax(periods);
   const std::vector<Kind> kinds{
-      {spectrum_figure_names[0], "transmitted acceleration", "acceleration, g", "g", 1,
+      {spectrum_figure_names[0],
+       format("transmitted acceleration{}",
+              jumps_words(spectrum.request.delta, spectrum.request.notch_width)),
+       "acceleration, g", "g", 1,
        [](const SpectrumFigures& one) { return std::optional(one.acceleration); }},
       {spectrum_figure_names[1], "peak displacement", in("peak", units.length_unit),
        units.length_unit, units.length,

@@ -145,8 +145,9 @@ std::string summary(const Spectrum& spectrum) {
                         raised > 0 ? fmt::format(" (raises it at {})", raised) : "");
   };
   add("residual", [](const SpectrumFigures& one) { return one.residual.value_or(HUGE_VAL); });
-  const bool ideal = !spectrum.request.notch_width && !spectrum.request.hold;
-  add(ideal ? "transmitted acceleration outside the notch" : "transmitted acceleration",
+  add(spectrum.request.notch_width
+          ? "transmitted acceleration"
+          : "transmitted acceleration between the velocity jumps at the notch",
       [](const SpectrumFigures& one) { return one.acceleration; });
   add("peak", [](const SpectrumFigures& one) { return one.peak; });
   return suite_words(*spectrum.request.combine, spectrum.records.size()) + text + ".";
