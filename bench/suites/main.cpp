@@ -140,7 +140,7 @@ void print_gains(const std::vector<NamedSuite>& all) {
     for (const auto& [words, best] :
          {std::pair("none", best_of({0}, [&](double) { return none; })),
           std::pair("the paper's", best_of({0}, [&](double) { return paper; })),
-          std::pair("any capacity", best_of({0, 0.0125, 0.025, 0.05, 0.1, 0.2, 0.4}, with_hold)),
+          std::pair("any hold", best_of({0, 0.0125, 0.025, 0.05, 0.1, 0.2, 0.4}, with_hold)),
           std::pair("any width", best_of({5, 10, 20, 50, 100, 200, 400}, with_width))}) {
       const bool is_none = words == std::string_view("none");
       if (!best) {

@@ -191,7 +191,7 @@ inline ForcedScene<> random_forced_scene(Dice& dice) {
   return scene;
 }
 
-/// The same with a notch with a capacity, one with a width, steps of friction, or all that
+/// The same with a notch that lets go, one with a width, steps of friction, or all that
 /// goes together.
 inline ForcedScene<> random_notched_scene(Dice& dice) {
   ForcedScene<> scene = random_forced_scene(dice);

@@ -63,6 +63,20 @@ Settings given(Command command, const json& options) {
   return scene_and_flags(command, {}, settings);
 }
 
+/// Nothing of a motion.
+ordered_json advice_of(const report::MotionReport& /*report*/) {
+  return nullptr;
+}
+
+template <class Report>
+ordered_json advice_of(const Report& report) {
+  const auto& [alarming, too_exact, little_friction, remarks] = report::advice(report);
+  return {{"alarming", alarming},
+          {"too_exact", too_exact},
+          {"little_friction", little_friction},
+          {"remarks", remarks}};
+}
+
 /// Its report, if wanted, and figures stand behind it.
 template <class Report>
 ordered_json said_of(const Report& report, const json& request) {
@@ -83,7 +97,9 @@ ordered_json said_of(const Report& report, const json& request) {
       }
     }
   }
-  return {{"exit", static_cast<int>(answers::exit_code(report))}, {"figures", drawn}};
+  return {{"exit", static_cast<int>(answers::exit_code(report))},
+          {"figures", drawn},
+          {"advice", advice_of(report)}};
 }
 
 // A page waits for its answer: both take less than a second.

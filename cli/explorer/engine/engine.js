@@ -4,6 +4,9 @@
 /** @returns {Promise<Engine>} */
 async function createEngine() {
   const module = await createModule({ wasmBinary: stillpointWasm });
+  // Apart from what the file system has of its own.
+  module.FS.mkdir("/files");
+  module.FS.chdir("/files");
 
   /** @param {string} text @param {(text: number) => number} work */
   const withText = (text, work) => {
@@ -27,8 +30,16 @@ async function createEngine() {
     ...JSON.parse(module.UTF8ToString(module._stillpoint_about())),
 
     run(command, options, ask = {}, files = {}) {
-      for (const [name, content] of Object.entries(files)) module.FS.writeFile(name, content);
+      const written = [];
       try {
+        for (const [name, content] of Object.entries(files)) {
+          try {
+            module.FS.writeFile(name, content);
+          } catch {
+            return { error: `${name} is not the name of a file` };
+          }
+          written.push(name);
+        }
         const request = {
           command,
           options,
@@ -42,7 +53,7 @@ async function createEngine() {
         const figures = drawn.map((svg, i) => ({ ...answer.figures[i], svg }));
         return { ...answer, json, report, figures };
       } finally {
-        for (const name of Object.keys(files)) module.FS.unlink(name);
+        for (const name of written) module.FS.unlink(name);
       }
     },
 

@@ -97,7 +97,7 @@ function words(value, unit, count = 5) {
   if (unit === "%") return `${digits(100 * value, 4)} %`;
   const list = prefixes[unit];
   if (!list || value === 0) return digits(value, count) + (unit && ` ${unit}`);
-  const from = unit === "s" ? 0.1 : 1; // 0.81 s reads better than 810 ms
+  const from = unit === "s" ? 1e-3 : 1; // times of a page in one unit, as in the program's reports
   const [factor, name] =
     list.find(([size]) => Math.abs(value) >= from * size) ?? list[list.length - 1];
   return `${digits(value / factor, count)} ${name}`;
@@ -149,6 +149,11 @@ function number(value, unit = "", sign = "") {
  */
 function fill(node, ...parts) {
   node.replaceChildren(...parts);
+}
+
+/** "delta max" of --delta-max-m. @param {string} name of an option */
+function option_words(name) {
+  return name.replace(/-m$/, "").replaceAll("-", " ");
 }
 
 /** An entry of a legend. @param {string} ink @param {Part[]} parts */

@@ -130,9 +130,9 @@ const notch_fields = {
     unit: physical ? "m" : "",
     read: () => [],
   }),
-  "with a capacity": () => ({
+  "that lets go": () => ({
     name: "hold",
-    label: "capacity of the notch",
+    label: "hold of the notch",
     least: 0,
     most: 0.5,
     unit: "g",

@@ -175,7 +175,7 @@ class Fields {
     write(
       el(`hint-${name}`),
       own && own !== name
-        ? `given as the ${own.replaceAll("-", " ")}`
+        ? `given as the ${option_words(own)}`
         : name === "hold"
           ? "acts under a record; a hit is the same without it"
           : "",
@@ -223,11 +223,7 @@ class Fields {
     const chips = Object.keys(options)
       .filter((name) => !shown.includes(name))
       .map((name) => {
-        const chip = make(
-          "button",
-          { type: "button" },
-          `${name.replaceAll("-", " ")} ${options[name]} ×`,
-        );
+        const chip = make("button", { type: "button" }, `${option_words(name)} ${options[name]} ×`);
         chip.setAttribute("aria-label", `Remove ${name} ${options[name]}`);
         chip.addEventListener("click", () => this.edit((all) => without(all, [name]), true));
         return chip;

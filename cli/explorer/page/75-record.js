@@ -43,7 +43,7 @@ class RecordView {
       return;
     }
     this.record = {
-      name: file.name.replace(/[#,]/g, "_"),
+      name: file.name.replace(/[#,]/g, "_").replace(/^\.*$/, "record"),
       bytes: new Uint8Array(await file.arrayBuffer()),
     };
     this.changed();
@@ -83,10 +83,11 @@ class RecordView {
   }
 
   /** @param {string} name @param {Answer} answer */
-  show(name, { report, figures }) {
+  show(name, { report, figures, doubts }) {
     const { response, physical } = report;
     const { length, time } = units_of(physical);
     const { peak, acceleration } = motion_of(report);
+    const load = report.input.excitation;
     const value = (/** @type {string} */ of_physical, /** @type {string} */ plain) =>
       physical ? physical[of_physical] : response[plain];
     const fact = (
@@ -124,9 +125,12 @@ class RecordView {
         "p",
         { class: "faint" },
         `${name}: `,
-        number(report.input.excitation.samples),
-        " values.",
+        number(load.samples),
+        ` values in ${load.record_units_read}; the largest load is `,
+        number(load.pga, "g"),
+        ".",
       ),
+      ...doubts.map((text) => make("p", { class: "bad" }, `${text.replace("--", "")}.`)),
     );
     const plates = figures.map((figure) => {
       const plate = make("div", { class: "plate" });

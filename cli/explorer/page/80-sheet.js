@@ -11,6 +11,17 @@ const assumptions = [
   "One hit: each later one starts where the mass came to rest after the one before.",
 ];
 
+const method_words = /** @type {Record<string, string>} */ ({
+  half_cycle_map: "half-cycle map",
+  runge_kutta: "Runge-Kutta",
+});
+
+const constraint_words = /** @type {Record<string, string>} */ ({
+  dead_zone: "dead zone",
+  f_max: "largest f",
+  delta_max: "largest Δ",
+});
+
 const most_full_rows = 4; // of hits: more do not leave room for the plots
 
 /**
@@ -20,6 +31,7 @@ const most_full_rows = 4; // of hits: more do not leave room for the plots
  * @property {any} motion
  * @property {boolean} chosen the damper was set by hand
  * @property {boolean} admissible
+ * @property {Advice | null} advice
  * @property {number | null} tolerance
  * @property {string} command
  * @property {string} link
@@ -87,7 +99,7 @@ function build_rows({ report, motion, tolerance, options }) {
     ],
     ["notch", ["Δ = ", number(delta), ...(physical ? [" = ", number(physical.delta_m, "m")] : [])]],
     [
-      "capacity",
+      "notch capacity",
       physical?.energy_per_passage_j
         ? [number(physical.energy_per_passage_j, "J"), " at a passage"]
         : null,
@@ -155,7 +167,7 @@ function sheet_heading(title, which) {
 }
 
 /** The figures used in practice: of the motion shown and, with ranges, the worst at their ends. @param {Sheet} sheet */
-function practice_nodes({ report }) {
+function practice_nodes({ report, options }) {
   const { practice, physical, input } = report;
   if (!practice) return [];
   // Of all hits up to one, with one spring, the strongest is the worst.
@@ -194,13 +206,16 @@ function practice_nodes({ report }) {
     row("impulse at the stop", ({ impulse_at_stop: stop }) => (stop ? impulse(stop) : null)),
   ];
   const shown = shown_words(report);
-  if (!practice_worst)
-    return [sheet_heading("In practice", shown), sheet_halves(sheet_table(rows))];
+  // As the program says it: these are not of the notch that will be built.
+  const title = !notch_options.some((name) => name in options)
+    ? "In practice"
+    : `In practice, with a notch that ${"hold" in options ? "holds any load" : "has no width"}`;
+  if (!practice_worst) return [sheet_heading(title, shown), sheet_halves(sheet_table(rows))];
   const worst =
     input.v0_range?.[0] === 0
       ? "strongest hit, worst end of the springs"
       : "worst end of the ranges";
-  return [sheet_heading("In practice", ""), sheet_table(rows, ["", shown, worst])];
+  return [sheet_heading(title, ""), sheet_table(rows, ["", shown, worst])];
 }
 
 /** How hits of each strength end; if that changes many times, the strengths between which it does. @param {Sheet} sheet */
@@ -232,7 +247,7 @@ function check_nodes({ report }) {
       sheet_columns(
         ["computed again by", "relative error", "allowed", ""],
         report.cross_check.methods.map((/** @type {any} */ method) => [
-          method.name.replaceAll("_", " "),
+          method_words[method.name] ?? method.name,
           number(method.relative_error),
           number(method.tolerance),
           method.passed ? "agrees" : "DISAGREES",
@@ -244,7 +259,7 @@ function check_nodes({ report }) {
     sheet_columns(
       ["condition", "variable", "value", "", "bound", ""],
       report.constraints.map((/** @type {any} */ one) => [
-        one.name.replaceAll("_", " "),
+        constraint_words[one.name] ?? one.name,
         one.variable,
         number(one.value),
         one.relation.replace("<=", "≤").replace(">=", "≥"),
@@ -273,7 +288,7 @@ function whole_words(text) {
 
 /** @param {Sheet} sheet */
 function draw_sheet(sheet) {
-  const { options, chosen, admissible, command, link, version } = sheet;
+  const { options, chosen, admissible, advice, command, link, version } = sheet;
   const task = Object.entries(without(options, ["title", ...damper_options]));
   const title = options.title ?? "Damper with constant and point friction";
   const day = new Date().toLocaleDateString("en-GB", {
@@ -283,9 +298,11 @@ function draw_sheet(sheet) {
   });
   const head = chosen
     ? `Damper chosen by hand; ${admissible ? "it meets every condition" : "it is NOT admissible"}.`
-    : options.objective && options.objective !== "robust"
-      ? `The best damper for the objective ${options.objective}.`
-      : "Of all dampers, this one tolerates the largest manufacturing errors.";
+    : advice?.too_exact
+      ? "The damper found is too exact to be built."
+      : options.objective && options.objective !== "robust"
+        ? `The best damper for the objective ${options.objective}.`
+        : "Of all dampers, this one tolerates the largest manufacturing errors.";
   fill(
     el("sheet"),
     make(
@@ -295,6 +312,7 @@ function draw_sheet(sheet) {
       make("p", {}, `Damper specification. ${head}`),
       make("h2", {}, "To build"),
       build_rows(sheet),
+      make("p", {}, advice?.remarks ?? ""),
       sheet_heading("What it does", shown_words(sheet.report)),
       performance_rows(sheet),
       ...practice_nodes(sheet),
@@ -306,7 +324,7 @@ function draw_sheet(sheet) {
       "div",
       { class: "leaf" },
       make("h2", {}, "Task"),
-      sheet_halves(sheet_table(task.map(([name, value]) => [name.replaceAll("-", " "), [value]]))),
+      sheet_halves(sheet_table(task.map(([name, value]) => [option_words(name), [value]]))),
       make("h2", {}, "Checks"),
       ...check_nodes(sheet),
       make("h2", {}, "Assumptions"),

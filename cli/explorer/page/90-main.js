@@ -24,6 +24,7 @@ class Bench {
     /** @type {string[]} */
     this.doubts = []; // about it
     this.opened = false;
+    this.answered = false; // once
     this.source = ""; // the control that made the change
     this.last_source = "";
     this.last_time = 0;
@@ -31,6 +32,8 @@ class Bench {
     this.unknown = [];
     /** @type {any} */ this.design = null;
     /** @type {any} */ this.judged = null;
+    /** @type {Advice | null} */ this.advice_of_design = null;
+    /** @type {Advice | null} */ this.advice = null; // of the damper that is shown
     /** @type {any} */ this.motion = null;
     /** @type {{ f: number, delta: number } | null} */ this.damper = null;
     this.tolerance = /** @type {number | null} */ (null);
@@ -180,16 +183,19 @@ class Bench {
     if (el("notice").textContent !== notice) el("notice").textContent = notice;
     input("dimensionless").checked = !is_physical(this.options);
     input("dimensionless").disabled = message !== null; // its numbers are not known
+    const set = damper_options.some((name) => name in this.options);
+    /** @type {HTMLButtonElement} */ (el("release")).disabled = !set;
     if (level === Level.task || message) {
       this.fields.show(this.options, message ? null : this.design);
       this.frames.put_off("preset", () => this.show_preset());
     }
-    if (message !== null && !this.design) {
+    if (message !== null && !this.answered) {
       el("verdict").textContent = "Nothing is computed until that is corrected.";
       document.body.classList.add("nothing");
     }
     this.fields.blame(message);
     if (message === null) this.show(level);
+    this.answered ||= message === null;
   }
 
   /** Asks the engine; returns what is wrong with the input, or nothing. @param {number} level */
@@ -200,14 +206,19 @@ class Bench {
       if ("error" in design) return design.error;
       this.keep_damper(design.report);
       this.design = design.report;
+      this.advice_of_design = design.advice;
       this.doubts = design.doubts;
     }
     if (level >= Level.damper) {
       this.judged = this.design;
-      if (has_damper(this.options)) {
+      this.advice = this.advice_of_design;
+      if (damper_options.some((name) => name in this.options)) {
         const judged = engine.run("region", options_of("region", this.options));
         if ("error" in judged) return judged.error;
-        this.judged = judged.report;
+        if (has_damper(this.options)) {
+          this.judged = judged.report;
+          this.advice = judged.advice;
+        }
       }
       this.take_damper();
     }
@@ -268,7 +279,6 @@ class Bench {
     document.body.classList.toggle("nothing", !this.damper);
     if (level >= Level.damper) {
       this.answer.show({ ...this, chosen });
-      /** @type {HTMLButtonElement} */ (el("release")).disabled = !chosen;
     }
     if (!this.damper || !this.motion) return this.show_nothing();
     if (level >= Level.damper) {
@@ -310,9 +320,10 @@ class Bench {
 
   /** The stroke below which no damper works, for a task with a far smaller one. */
   least_stroke() {
-    const [name, small] = is_physical(this.options)
-      ? ["max-displacement", 0.2 * this.design.physical.max_displacement_min_m]
-      : ["beta", 0.2 * this.design.region.beta_min];
+    const { physical: units, region: bounds } = this.design;
+    const [name, small] = units
+      ? ["max-displacement", 0.2 * units.max_displacement_min_m]
+      : ["beta", 0.2 * bounds.beta_min];
     const task = without(options_of("region", this.options), damper_options);
     const answer = this.engine.run("region", { ...task, [name]: String(small) });
     if ("error" in answer) return null;
@@ -389,6 +400,7 @@ class Bench {
       motion: this.motion,
       chosen: this.judged !== this.design,
       admissible: this.admissible,
+      advice: this.advice,
       tolerance: this.tolerance,
       command: this.commands().trim(),
       link: to_fragment(this.options),

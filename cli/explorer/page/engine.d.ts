@@ -19,12 +19,24 @@ interface Figure {
   svg: string;
 }
 
+interface Advice {
+  alarming: boolean;
+  /** Nobody can build it. */
+  too_exact: boolean;
+  /** f is to be as small as possible. */
+  little_friction: boolean;
+  /** Sentences: the notch that will be built, a lock, what the structure feels. */
+  remarks: string;
+}
+
 interface Answer {
   /** The program's exit code: 0, or 3 if no damper is admissible. */
   exit: number;
   /** The JSON report, as text and read; empty and null where none is asked for. */
   json: string;
   report: any;
+  /** What the program says of the damper of a design or a region besides its numbers. */
+  advice: Advice | null;
   /** Values that are absurd together, each with what may have been meant. */
   doubts: string[];
   figures: Figure[];
@@ -67,7 +79,12 @@ interface Engine {
 /** The part of Emscripten's module that engine.js needs. */
 interface Module {
   HEAPF64: Float64Array;
-  FS: { writeFile(name: string, content: Uint8Array): void; unlink(name: string): void };
+  FS: {
+    mkdir(name: string): void;
+    chdir(name: string): void;
+    writeFile(name: string, content: Uint8Array): void;
+    unlink(name: string): void;
+  };
   UTF8ToString(at: number): string;
   stringToUTF8(text: string, at: number, size: number): void;
   lengthBytesUTF8(text: string): number;

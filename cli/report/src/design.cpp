@@ -2,6 +2,7 @@
 #include "choices.hpp"
 #include "design_parts.hpp"
 #include "format.hpp"
+#include "sentence.hpp"
 
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/report.hpp>
@@ -158,6 +159,25 @@ Optimum optimum_of(const design::DesignResult& result) {
   return optimum;
 }
 
+Tone tone_of(const DesignReport& report) {
+  const bool sound = report.result.finding && report.result.finding->cross_check.passed &&
+                     notch_sentence(report).empty() && !is_too_exact(report);
+  return !sound ? Tone::bad
+         : report.result.request.pulse || example_words(report, report.physical).empty()
+             ? Tone::good
+             : Tone::plain;
+}
+
+Advice advice(const DesignReport& report) {
+  if (!report.result.finding) {
+    return {.alarming = true, .remarks = {}};
+  }
+  const std::string fault = report.built_notch ? "" : notch_sentence(report);
+  return {tone_of(report) == Tone::bad, is_too_exact(report), wants_no_friction(report),
+          sentence(fault) + remarks(report, report.physical) +
+              next_sentence("the structure feels " + felt_words(report, report.physical))};
+}
+
 Document document(const DesignReport& report) {
   const design::DesignResult& result = report.result;
   const auto& [problem, limits, search, pulse, ranges] = result.request;
@@ -184,11 +204,7 @@ Document document(const DesignReport& report) {
   }
   const design::Finding& finding = *result.finding;
   document.verdict = verdict(report, physical);
-  const bool sound =
-      finding.cross_check.passed && notch_sentence(report).empty() && !is_too_exact(report);
-  document.tone = !sound                                             ? Tone::bad
-                  : pulse || example_words(report, physical).empty() ? Tone::good
-                                                                     : Tone::plain;
+  document.tone = tone_of(report);
   add_answer(document.answer, report, physical);
   add_choices(document, report, physical);
   if (report.built_notch) {

@@ -184,9 +184,15 @@ std::string verdict(const DesignReport& report, const Physical& physical) {
                    : none_works          ? "the damper found is too exact to be built:"
                                          : "too exact to be built:",
                    damper_words(physical, friction, delta, shape));
-  std::string text = none_works
-                         ? format("{} With a notch that {}, {}.", sentence(fault), acts_late, what)
-                         : sentence(what);
+  return (none_works ? format("{} With a notch that {}, {}.", sentence(fault), acts_late, what)
+                     : sentence(what)) +
+         remarks(report, physical);
+}
+
+std::string remarks(const DesignReport& report, const Physical& physical) {
+  const std::string fault = notch_sentence(report);
+  const double delta = report.result.finding->point.delta;
+  std::string text;
   if (physical && !physical->scales.mass_kg && delta > 0 && fault.empty()) {
     text +=
         " Delta is an energy, not a size: each passage takes as much as lifting the mass by that "
@@ -199,10 +205,22 @@ std::string verdict(const DesignReport& report, const Physical& physical) {
     text += next_sentence(lock_sentence(report));
   }
   text += example_words(report, physical);
-  if (!finding.cross_check.passed) {
+  if (!report.result.finding->cross_check.passed) {
     text += " But the cross-check DISAGREES: do not rely on this design.";
   }
   return text;
+}
+
+std::string felt_words(const DesignReport& report, const Physical& physical) {
+  const design::Finding& finding = *report.result.finding;
+  const auto& [f, delta, tolerance] = finding.point;
+  const auto built = felt_in_built_notch(report);
+  return built ? *built
+               : felt(task_of(report), finding.point,
+                      {finding.response, finding.arrival,
+                       finding.pulse ? finding.pulse->worst : std::nullopt},
+                      told_practice(task_of(report), finding.practice, f, delta),
+                      inside_example(report, physical));
 }
 
 void add_answer(Section& answer, const DesignReport& report, const Physical& physical) {
@@ -219,7 +237,6 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
                     failing && !report.built_notch ? format(" ({})", acts_late) : ""),
              Tone::heading);
   add_brake(answer, physical, f);
-  const auto built = felt_in_built_notch(report);
   ToldMotion told{told_motion(report)};
   told.tried = tried_in_built_notch(report, physical);
   told.admissible = !report.built_notch;
@@ -227,13 +244,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
     told.arrival = finding.arrival;
     told.worst = pulse ? finding.pulse->worst : std::nullopt;
   }
-  add_motion(
-      answer, task_of(report), told,
-      built ? *built
-            : felt(task_of(report), finding.point,
-                   {finding.response, finding.arrival, pulse ? finding.pulse->worst : std::nullopt},
-                   told_practice(task_of(report), finding.practice, f, delta),
-                   inside_example(report, physical)));
+  add_motion(answer, task_of(report), told, felt_words(report, physical));
   if (!pulse && !problem.v0_low && !problem.p_high && !finding.arrival && !report.built_notch &&
       delta > 0 && finding.response.zero_passages == 0.0) {
     answer.row("note", "the mass never comes back to the notch: delta has no effect on this hit");

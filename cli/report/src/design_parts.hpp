@@ -30,6 +30,12 @@ namespace stillpoint::report {
 
 /// What to build.
 [[nodiscard]] std::string verdict(const DesignReport& report, const Physical& physical);
+/// The sentences behind that, each after a blank.
+[[nodiscard]] std::string remarks(const DesignReport& report, const Physical& physical);
+/// What the structure feels, and where.
+[[nodiscard]] std::string felt_words(const DesignReport& report, const Physical& physical);
+/// Of the document of a design.
+[[nodiscard]] Tone tone_of(const DesignReport& report);
 
 /// What it does, and how far it can be trusted.
 void add_answer(Section& answer, const DesignReport& report, const Physical& physical);

@@ -193,6 +193,47 @@ std::string of_real_notch(const DesignReport& design) {
 
 }  // namespace
 
+namespace {
+
+/// What is said of the damper that is judged, as a design with the notches that were tried.
+Advice judged(const RegionReport& report, const DesignReport& design) {
+  const std::string real = of_real_notch(design);
+  Advice advice;
+  advice.alarming = report.answer.admissible != true || !notch_sentence(design).empty();
+  advice.remarks = judgement(report) + real + next_sentence(lock_sentence(report));
+  return advice;
+}
+
+/// What the structure feels; nothing of a mass that stands still.
+std::string felt_words(const RegionReport& report, const DesignReport& design,
+                       const ToldPractice& told) {
+  const design::RegionAnswer& answer = report.answer;
+  return answer.response && moves(*answer.response)
+             ? felt(task_of(report), {*report.request.f, *report.request.delta, 0},
+                    {*answer.response, answer.arrival, answer.worst}, told,
+                    inside_example(design, report.physical))
+             : "";
+}
+
+ToldPractice practice_told(const RegionReport& report) {
+  return told_practice(task_of(report), report.answer.practice, *report.request.f,
+                       report.request.delta.value_or(0));
+}
+
+}  // namespace
+
+Advice advice(const RegionReport& report) {
+  if (!report.request.delta) {
+    return {};
+  }
+  const DesignReport design = as_design(report);
+  Advice advice = judged(report, design);
+  if (const std::string words = felt_words(report, design, practice_told(report)); !words.empty()) {
+    advice.remarks += next_sentence("the structure feels " + words);
+  }
+  return advice;
+}
+
 DesignReport as_design(const RegionReport& report) {
   const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
   const design::RegionAnswer& answer = report.answer;
@@ -250,7 +291,7 @@ Document document(const RegionReport& report) {
   const DesignReport design = delta ? as_design(report) : DesignReport();
   const std::string with = with_ideal(design);
   Section& section = document.section(format("At f = {:.9g}{}", *f, with));
-  const ToldPractice told = told_practice(task_of(report), answer.practice, *f, delta.value_or(0));
+  const ToldPractice told = practice_told(report);
   const bool by_delta1 = !delta || stops_by_delta1(answer.constraints);
   if (by_delta1 && !answer.delta1_exact) {
     section.row("Delta1(f)", "none: the motion does not return");
@@ -262,20 +303,17 @@ Document document(const RegionReport& report) {
              told, report.physical);
   if (delta) {
     section.row("delta", length_shown(report.physical, *delta));
-    const std::string locked = next_sentence(lock_sentence(report));
+    const Advice said = judged(report, design);
     const bool fails = !notch_sentence(design).empty();
-    const std::string real = of_real_notch(design);
-    document.verdict = format("{}{}{} {}", judgement(report), real, locked, document.verdict);
-    document.tone = answer.admissible != true || fails ? Tone::bad
-                    : pulse || real.empty()            ? Tone::good
-                                                       : Tone::plain;
+    document.verdict = format("{} {}", said.remarks, document.verdict);
+    document.tone = said.alarming                            ? Tone::bad
+                    : pulse || of_real_notch(design).empty() ? Tone::good
+                                                             : Tone::plain;
     add_brake(document.answer, report.physical, *f, "note");
     if (const auto& response = answer.response; response && moves(*response)) {
       const ToldMotion motion{*response, answer.arrival, answer.worst,
                               answer.tolerance.has_value()};
-      add_motion(document.answer, task_of(report), motion,
-                 felt(task_of(report), {*f, *delta, 0}, motion, told,
-                      inside_example(design, report.physical)));
+      add_motion(document.answer, task_of(report), motion, felt_words(report, design, told));
     }
     if (pulse && !no_notch_works(design)) {
       add_start(document.answer, {*f, *delta, ranges.k_low.value_or(design::peak_load(*pulse))},

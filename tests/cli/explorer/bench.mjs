@@ -190,6 +190,12 @@ export function program(words) {
   return run.stdout ? JSON.parse(run.stdout) : { refused: run.stderr };
 }
 
+/** The report for people, in one line. @param {string} command @param {string} fragment */
+export function told(command, fragment) {
+  const run = spawnSync(program_file, [command, ...words_of(fragment)], { encoding: "utf8" });
+  return run.stdout.replace(/\s+/g, " ");
+}
+
 /**
  * The words of a fragment's options, for the program.
  * @param {string} fragment

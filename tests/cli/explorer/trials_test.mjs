@@ -59,6 +59,22 @@ test("an impossible stroke is explained, and what it needs is offered", () =>
     }
   }));
 
+/** Drops a file on the page. @param {Page} page @param {string} name @param {string} text */
+async function drop(page, name, text) {
+  await page.evaluate(
+    ([file, content]) => {
+      const dropped = new DataTransfer();
+      dropped.items.add(new File([content], file));
+      for (const kind of ["dragover", "drop"]) {
+        document.body.dispatchEvent(
+          new DragEvent(kind, { dataTransfer: dropped, bubbles: true, cancelable: true }),
+        );
+      }
+    },
+    [name, text],
+  );
+}
+
 test("a record of 100 MB is refused with the bound, and a small one that is dropped is not", () =>
   with_page(isolator, {}, async (page) => {
     const folder = mkdtempSync(join(tmpdir(), "explorer-"));
@@ -77,18 +93,7 @@ test("a record of 100 MB is refused with the bound, and a small one that is drop
       rmSync(folder, { recursive: true });
     }
     const small = new URL("../../../data/records/near_fault_pulse.txt", import.meta.url).pathname;
-    await page.evaluate(
-      (text) => {
-        const dropped = new DataTransfer();
-        dropped.items.add(new File([text], "near_fault_pulse.txt"));
-        for (const kind of ["dragover", "drop"]) {
-          document.body.dispatchEvent(
-            new DragEvent(kind, { dataTransfer: dropped, bubbles: true, cancelable: true }),
-          );
-        }
-      },
-      readFileSync(small, "utf8"),
-    );
+    await drop(page, "near_fault_pulse.txt", readFileSync(small, "utf8"));
     await page.waitForSelector("#record-locked");
     const shown = await page.getAttribute("#record-locked", "data-value");
     const { f, delta } = await numbers(page);
@@ -211,6 +216,93 @@ test("printed, it is a specification of two pages", () =>
       const long = (await page.pdf({ preferCSSPageSize: true })).toString("latin1");
       assert.equal(long.match(/\/Type\s*\/Page\b/g)?.length, 2, state);
     }
+  }));
+
+test("the specification has the words of the program", () =>
+  with_page(`${isolator}&notch-width-m=2cm&delta-max-m=8mm`, {}, async (page) => {
+    await page.pdf();
+    const sheet = await words(page, "#sheet");
+    for (const part of [
+      "half-cycle map",
+      "Runge-Kutta",
+      "notch width2cm",
+      "delta max8mm",
+      "largest Δ",
+      "In practice, with a notch that has no width",
+      "notch capacity",
+    ]) {
+      assert.ok(sheet.includes(part), `${part} in ${sheet}`);
+    }
+    assert.doesNotMatch(sheet, /runge|kutta|notch width m|delta max m|dead_zone/);
+  }));
+
+test("what the program says of the damper, the page says too", () =>
+  with_page("", {}, async (page) => {
+    const plain = "v0=1&p=1&beta=0.8";
+    for (const [state, begins] of /** @type {[string, RegExp][]} */ ([
+      [isolator, /^Build a friction force of /],
+      [`${isolator}&notch-width-m=2cm`, /^Build a friction force of /],
+      [`${isolator}&objective=amplitude`, /^Too exact to be built: a friction force of /],
+      [`${plain}&objective=time`, /^Too exact to be built: f = /],
+      ["v0=1&p=1&beta=3&objective=acceleration", /^Build Δ = .* and as little constant friction /],
+      [`${isolator}&f=0.03&delta-m=4mm`, /^You chose a friction force of /],
+      [`${plain}&f=0.5&delta=0.3`, /^You chose f = /],
+      [`${plain}&f=0.3&delta=0.0001`, /^You chose f = /],
+    ])) {
+      await go(page, state);
+      assert.equal(await notice(page), "", state);
+      assert.match(await words(page, "#verdict"), begins, state);
+      const text = bench.told(/[&]f=/.test(state) ? "region" : "design", state);
+      const exact = text.includes("Too exact to be built");
+      assert.equal(/Too exact/.test(await words(page, "#verdict")), exact, text);
+      const [said, felt] = (await words(page, "#remarks")).trim().split(/ ?The structure feels /);
+      assert.ok(text.includes(` ${said}`), `${state}: ${said}`);
+      if (felt) assert.ok(text.includes(` acceleration ${felt.replace(/\.$/, "")}`), felt);
+      assert.ok(felt || said, state);
+    }
+    // With the notch in it, of a width that the program takes as an example.
+    await go(page, isolator);
+    assert.match(
+      await words(page, "#remarks"),
+      / g inside one 20 mm wide: f \+ delta\/w \+ spring/,
+    );
+  }));
+
+test("a damper in other units than the task is refused, and can be taken away", () =>
+  with_page("v0=1&p=1&beta=0.9&delta-m=1mm", {}, async (page) => {
+    for (const state of ["v0=1&p=1&beta=0.9&delta-m=1mm&f=0.2", "v0=1&p=1&beta=0.9&delta-m=1mm"]) {
+      await go(page, state);
+      assert.match(await notice(page), /^delta-m/, state);
+      assert.match(await words(page, "#verdict"), /^Nothing is computed/, state);
+    }
+    await page.click("#release");
+    await settle(page);
+    assert.equal(await notice(page), "");
+    assert.match(await words(page, "#verdict"), /^Build f = /);
+  }));
+
+test("a record may have any name, and doubts of its units are told", () =>
+  with_page(isolator, {}, async (page) => {
+    const values = (/** @type {number} */ peak) =>
+      Array.from({ length: 40 }, (_, i) => `${i / 10} ${i % 2 ? peak : -peak}\n`).join("");
+    for (const [name, shown] of /** @type {const} */ ([
+      ["..", "record"],
+      ["dev", "dev"],
+      ["a#b,c.txt", "a_b_c.txt"],
+    ])) {
+      await drop(page, name, values(0.1));
+      await page.waitForFunction(
+        (text) => document.getElementById("record-answer")?.textContent?.includes(text),
+        `${shown}: 40 values in g; the largest load is 0.1`,
+      );
+      assert.equal(await page.locator("#record-answer .bad").count(), 0, name);
+    }
+    await drop(page, "strong.txt", values(3));
+    await page.waitForSelector("#record-answer .bad");
+    assert.match(
+      await words(page, "#record-answer .bad"),
+      /the largest value is 3 g if its values are in g, which is assumed; did you mean record-units m\/s2\?/,
+    );
   }));
 
 /** The numbers in full of a row of the sheet, by column. @param {Page} page @param {string} name */

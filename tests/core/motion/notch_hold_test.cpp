@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "motion.hpp"
 
-// A notch of limited capacity, docs/notches.md rule 1, with inputs for which the answer is
+// A notch that lets go, docs/notches.md rule 1, with inputs for which the answer is
 // simple.
 
 namespace stillpoint::test {

@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(random_scenes_follow_the_same_rules) {
   dopri5_agrees(test::Dice(40401), test::random_forced_scene);
 }
 
-// Notches with a capacity or a width, and friction in zones: docs/notches.md section 2.
+// Notches with a hold or a width, and friction in zones: docs/notches.md section 2.
 BOOST_AUTO_TEST_CASE(random_real_notches_follow_the_same_rules) {
   dopri5_agrees(test::Dice(40403), test::random_notched_scene);
 }

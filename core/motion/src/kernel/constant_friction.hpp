@@ -64,7 +64,7 @@ class ConstantFriction {
   [[nodiscard]] Real most_held(const Real& u) const { return capacity(u, 1); }
 
   /// Whether it is the notch that holds a mass at rest; it holds one that never moved only where it
-  /// has a capacity: rule 4 of docs/forced.md.
+  /// lets go: rule 4 of docs/forced.md.
   [[nodiscard]] bool notch_holds(const Real& u, bool came_there) const {
     return notched_ && u == 0 && (came_there || lets_go_);
   }

@@ -88,6 +88,18 @@ struct AccuracyReport {
 [[nodiscard]] Document document(const MotionReport& report);
 [[nodiscard]] Document document(const AccuracyReport& report);
 
+/// What the document says of a damper besides its numbers, for a page that shows these itself.
+struct Advice {
+  bool alarming{false};         ///< the tone of the document
+  bool too_exact{false};        ///< nobody can build it
+  bool little_friction{false};  ///< f is to be as small as possible
+  std::string remarks;          ///< sentences: the notch that will be built, a lock, what is felt
+};
+/// Of the design, if there is one.
+[[nodiscard]] Advice advice(const DesignReport& report);
+/// Of the damper that is judged.
+[[nodiscard]] Advice advice(const RegionReport& report);
+
 /// "locked at x = 0 from 1.61 s of 20 s; the structure then feels up to 0.35 g", in tau without
 /// physical input; for a mass that is held from the start, that it never starts or moves; else
 /// empty.
