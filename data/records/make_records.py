@@ -263,12 +263,80 @@ def smc_file():
     return "\n".join(lines) + "\n"
 
 
+def components():
+    """Three directions: the pulse, half of it reversed, and a quarter of it."""
+    return [[factor * value for value in short_pulse()] for factor in (1.0, -0.5, 0.25)]
+
+
+def geonet_file():
+    """Three components with accelerations, velocities and displacements, in mm, mm/s and mm/s2."""
+    lines = []
+    for values, name in zip(components(), ("N90E", "N00E", "Up")):
+        velocity = integral(values)
+        title = {
+            1: "Corrected accelerogram SYNTHETIC_NONE_20 no earthquake",
+            2: "Site NONE      00 00 00S  000 00 00E", 3: "made by make_records.py",
+            13: f"Component {name}",
+        }
+        lines += [title.get(line, "") for line in range(1, 17)]
+        integers, reals = [0] * 40, [0.0] * 60
+        integers[30:36] = [SHORT_COUNT, 0, 0] + 3 * [SHORT_COUNT]
+        reals[25] = SHORT_STEP
+        lines += rows(integers, "8d", 10) + rows(reals, "8.4f", 10)
+        for block, form in ((values, "8.1f"), (velocity, "8.1f"), (integral(velocity), "8.1f")):
+            lines += rows([10 * value for value in block], form, 10)
+    return "\n".join(lines) + "\n"
+
+
+def table(form, *columns):
+    return ["".join(format(value + 0.0, form) for value in row) for row in zip(*columns)]
+
+
+def afad_file():
+    known = {2: "PLACE\t:\tNOWHERE", 13: f"NUMBER OF DATA\t:\t{SHORT_COUNT}",
+             14: f"SAMPLING INTERVAL (sec)\t:\t{SHORT_STEP:.6f}", 15: "RAW PGA VALUES (gal)\t:\tnone",
+             18: "         N-S         E-W         U-D"}
+    lines = ["STRONG GROUND MOTION RECORDS OF TURKIYE"]
+    lines += [known.get(line, "SYNTHETIC, NO EARTHQUAKE\t:\t-") for line in range(2, 19)]
+    return "\n".join(lines + table("12.6f", *components())) + "\n"
+
+
+def cwa_file():
+    """Upwards is a quarter of the pulse, to the north the pulse itself."""
+    east, north, up = components()[1], components()[0], components()[2]
+    lines = [
+        "#StationCode: NONE", "#InstrumentKind: none (made by make_records.py)",
+        "#StartTime: SYNTHETIC", f"#RecordLength(sec): {SHORT_COUNT * SHORT_STEP:8.3f}",
+        f"#SampleRate(Hz): {1 / SHORT_STEP:.0f}", "#AmplitudeUnit:  gal. DCoffset(corr)",
+        "#DataSequence: Time U(+); N(+); E(+)", "#Data: 4F10.3",
+    ]
+    times = [i * SHORT_STEP for i in range(SHORT_COUNT)]
+    return "\n".join(lines + table("10.3f", times, up, north, east)) + "\n"
+
+
+def asa_file():
+    known = {
+        7: "ARCHIVO ESTANDAR DE ACELERACION", 8: "VERSION DEL FORMATO : 2.0",
+        17: "CLAVE DE LA ESTACION                : NONE",
+        37: "ORIENTACION C1-C6 (rumbo;orientacion): /N00E;L/N90E;T/V;+/",
+        47: "INTERVALO DE MUESTREO, C1-C6 (s)    : /0.02/0.02/0.02/",
+        72: f"NUM. TOTAL DE MUESTRAS, C1-C6       : /{SHORT_COUNT}/{SHORT_COUNT}/{SHORT_COUNT}/",
+        80: "UNIDADES DE LOS DATOS               : ACELERACION (cm/s/s)",
+        90: "COMENTARIOS: SYNTHETIC, NO EARTHQUAKE, MADE BY MAKE_RECORDS.PY",
+        108: "      N00E      N90E         V",
+    }
+    lines = [known.get(line, "") for line in range(1, 110)]
+    return "\n".join(lines + table("10.3f", *components())) + "\n"
+
+
 def main():
     folder = Path(__file__).resolve().parent
     for name, text in (("near_fault_pulse.txt", pulse_file()), ("strong_motion.AT2", noise_file()),
                        ("short_pulse.ASC", esm_file()), ("short_pulse.EW", knet_file()),
                        ("short_pulse.V2", csmip_file()), ("short_pulse.V2c", cosmos_file()),
-                       ("short_pulse.smc", smc_file())):
+                       ("short_pulse.smc", smc_file()), ("short_pulse.V2A", geonet_file()),
+                       ("short_pulse.afad.txt", afad_file()), ("short_pulse.cwa.txt", cwa_file()),
+                       ("short_pulse.asa", asa_file())):
         (folder / name).write_bytes(text.encode("ascii"))
 
 

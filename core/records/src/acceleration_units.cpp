@@ -17,7 +17,7 @@ namespace {
 using std::string_view;
 
 // Units as `normal_units` leaves them.
-constexpr std::array<std::pair<string_view, RecordUnits>, 9> accelerations{{
+constexpr std::array<std::pair<string_view, RecordUnits>, 11> accelerations{{
     {"G", RecordUnits::g},
     {"GS", RecordUnits::g},
     {"G'S", RecordUnits::g},
@@ -25,6 +25,8 @@ constexpr std::array<std::pair<string_view, RecordUnits>, 9> accelerations{{
     {"GALS", RecordUnits::cm_per_s2},
     {"CM/S/S", RecordUnits::cm_per_s2},
     {"CM/S2", RecordUnits::cm_per_s2},
+    {"MM/S/S", RecordUnits::mm_per_s2},
+    {"MM/S2", RecordUnits::mm_per_s2},
     {"M/S/S", RecordUnits::m_per_s2},
     {"M/S2", RecordUnits::m_per_s2},
 }};
@@ -38,13 +40,14 @@ void replace_all(std::string& text, string_view old, string_view now) {
   }
 }
 
-std::optional<RecordUnits> acceleration_named(string_view word) {
+}  // namespace
+
+std::optional<RecordUnits> acceleration_units(string_view word) {
+  word = word.substr(0, word.find_last_not_of('.') + 1);
   const auto* const found =
       std::ranges::find(accelerations, word, &std::pair<string_view, RecordUnits>::first);
   return found == accelerations.end() ? std::nullopt : std::optional(found->second);
 }
-
-}  // namespace
 
 std::string normal_units(string_view line) {
   std::string text = upper_case(line);
@@ -53,19 +56,19 @@ std::string normal_units(string_view line) {
     replace_all(text, std::string{'/', blank}, "/");
   }
   std::erase_if(text, [](char c) { return c == '*' || c == '^'; });
-  for (const string_view second : {"/SECONDS", "/SECOND", "/SECS", "/SEC"}) {
+  for (const string_view second : {"/SECONDS", "/SECOND", "/SECS", "/SEC", "/SEG"}) {
     replace_all(text, second, "/S");
   }
   return text;
 }
 
 bool must_be_units(string_view word) {
-  return acceleration_named(word) || std::ranges::count(velocities, word) > 0;
+  return acceleration_units(word) || std::ranges::count(velocities, word) > 0;
 }
 
 RecordUnits read_units(const RecordReader& reader, string_view word) {
   const std::string units = normal_units(word);
-  if (const auto found = acceleration_named(units)) {
+  if (const auto found = acceleration_units(units)) {
     return *found;
   }
   const string_view fault = std::ranges::count(velocities, units) > 0 ? "are those of a velocity"

@@ -3,6 +3,7 @@
 
 #include "record_reader.hpp"
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,10 @@ namespace stillpoint::records {
 /// A line in upper case without blanks around a '/'; CM/SEC/SEC as CM/S/S, CM/S**2 and CM/S^2 as
 /// CM/S2.
 [[nodiscard]] std::string normal_units(std::string_view line);
+
+/// The units of acceleration that a word, as `normal_units` leaves it, is, without the full stop of
+/// its sentence; if any.
+[[nodiscard]] std::optional<RecordUnits> acceleration_units(std::string_view word);
 
 /// Whether a word, as `normal_units` leaves it, can only mean units: of an acceleration or
 /// of a velocity.

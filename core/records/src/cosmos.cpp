@@ -57,15 +57,14 @@ std::vector<HeaderText> real_header(RecordReader start, const RecordReader& end)
 struct RealValue {
   std::size_t number{0};  ///< from 1; 0: the header ends before
   double value{0};
-  std::size_t line{0};
+  std::optional<HeaderText> given{};
 };
 
 RealValue real_value(const std::vector<HeaderText>& header, std::size_t number) {
   if (number > header.size()) {
     return {};
   }
-  const auto& [text, reader] = header[number - 1];
-  return {number, reader.parse_number(text), reader.number()};
+  return {number, value_of(header[number - 1]), header[number - 1]};
 }
 
 /// The step and the length in s, of the values or else of the recorder.
@@ -85,41 +84,44 @@ CosmosTime cosmos_time(const RecordReader& start, const RecordReader& end) {
   const RealValue length = real_value(header, 63);
   constexpr double ms = 1000;
   const bool is_given = step.value > 0;
-  return {is_given ? RealValue{step.number, step.value / ms, step.line} : raw_step,
+  return {is_given ? RealValue{step.number, step.value / ms, step.given} : raw_step,
           is_given && length.value > 0 ? length : real_value(header, 35)};
 }
 
 /// A factor of 1000 between s and ms must not slip through.
-void check_length(const RecordReader& reader, const CosmosTime& time, std::size_t count) {
+void check_length(const RecordReader& reader, const CosmosTime& time, double count) {
   const auto& [step, length] = time;
-  const double taken = static_cast<double>(count) * step.value;
-  if (length.value > 0 && std::abs(taken - length.value) > length.value / 100 + step.value) {
+  const double taken = count * step.value;
+  if (step.value > 0 && length.value > 0 &&
+      std::abs(taken - length.value) > length.value / 100 + step.value) {
     reader.refuse(
-        step.line,
+        step.given->reader.number(),
         fmt::format("{} points of {} s (Real-header value {}) take {} s, but value {} says {} s",
                     count, step.value, step.number, taken, length.number, length.value));
   }
 }
 
-/// cm/sec2 of units=cm/sec2(04).
+/// cm/sec2 of units=cm/sec2(04), and g of units=g.     (02).
 std::string_view cosmos_units(std::string_view line) {
   const std::size_t at = upper_case(line).find("UNITS=") + std::string_view("UNITS=").size();
   const std::string_view rest = line.substr(at);
-  return trimmed(rest.substr(0, rest.find_first_of(",(")));
+  const std::string_view units = trimmed(rest.substr(0, rest.find_first_of(",(")));
+  return units.substr(0, units.find_last_not_of('.') + 1);
 }
 
 RecordFile read_cosmos(RecordReader& reader) {
   const RecordReader start = reader;
   go_to_channel(reader, begins_cosmos_channel);
   std::string_view rest = reader.line();
-  const ValueBlock block = points_below(reader, take_word(rest));
+  const HeaderText count{take_word(rest), reader};
   const RecordUnits units = read_units(reader, cosmos_units(reader.line()));
   const CosmosTime time = cosmos_time(start, reader);
-  const double tau = reader.file_step(
-      time.step.line, fmt::format("Real-header value {}, the step,", time.step.number),
-      time.step.value);
-  check_length(reader, time, block.count);
-  return read_channel(start, reader, {block, tau, units}, "Stat", "Sta Chan");
+  check_length(reader, time, value_of(count));
+  const std::string step_name = fmt::format("Real-header value {}, the step,", time.step.number);
+  return read_described(reader, {"the count of points", count},
+                        {step_name, *time.step.given, time.step.value}, units, reader.number(),
+                        {.width = field_width(reader.line())},
+                        described(start, reader, "Stat", "Sta Chan"));
 }
 
 }  // namespace

@@ -57,14 +57,33 @@ CsmipLine csmip_line(const RecordReader& reader) {
   return line;
 }
 
+/// The University of Southern California has the same title, a number in columns 73 and 74 of the
+/// lines below it, and no line above its values that says what they are.
+void refuse_usc(RecordReader reader) {
+  constexpr std::size_t last = 12;
+  std::size_t numbered = 0;
+  bool says = false;
+  while (reader.next() && !says) {
+    says = begins_csmip_channel(reader.line());
+    const std::string_view line = reader.line();
+    numbered +=
+        reader.number() <= last && line.size() > 72 && is_number(trimmed(line.substr(72, 2))) ? 1U
+                                                                                              : 0U;
+  }
+  if (!says && numbered > last / 2) {
+    reader.refuse(1, "is a volume 2 of USC, which is not read: most of its records are at PEER");
+  }
+}
+
 RecordFile read_csmip(RecordReader& reader) {
+  refuse_usc(reader);
   const RecordReader start = reader;
   go_to_channel(reader, begins_csmip_channel);
   const auto [count, step, given] = csmip_line(reader);
-  const ValueBlock block = points_below(reader, count);
-  const double tau = reader.file_step(reader.number(), "step", reader.parse_number(step));
   const RecordUnits units = given.empty() ? *reader.options().units : read_units(reader, given);
-  return read_channel(start, reader, {block, tau, units}, "Station No", "Chan");
+  return read_described(reader, {"the count of points", {count, reader}}, {"step", {step, reader}},
+                        units, reader.number(), {.width = field_width(reader.line())},
+                        described(start, reader, "Station No", "Chan"));
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 
 #include "acceleration_units.hpp"
 #include "channel.hpp"
-#include "value_block.hpp"
 
 #include <stillpoint/records/text.hpp>
 
@@ -31,20 +30,11 @@ RecordFile read_esm(RecordReader& reader) {
   if (type && upper_case(type->text) != "ACCELERATION") {
     type->reader.refuse(fmt::format("DATA_TYPE is {}: must be ACCELERATION", quoted(type->text)));
   }
-  const auto [step, step_line] = text_of(header, "SAMPLING_INTERVAL_S:");
-  const double tau =
-      reader.file_step(step_line.number(), "SAMPLING_INTERVAL_S", step_line.parse_number(step));
-  const auto [count, count_line] = text_of(header, "NDATA:");
-  const ValueBlock block{"NDATA",
-                         whole_count(count_line, "NDATA", count, count_line.parse_number(count)),
-                         count_line.number()};
   const auto [unit, unit_line] = text_of(header, "UNITS:");
-  const RecordUnits units = read_units(unit_line, unit);
-  reader.set_units(units, unit_line.number());
-  return {{read_block(reader, block, acceleration_field), tau, {}},
-          printable(described(header, {"EVENT_NAME:", "NETWORK:", "STATION_CODE:", "STREAM:"}),
-                    longest_description),
-          units};
+  return read_described(reader, {"NDATA", text_of(header, "NDATA:")},
+                        {"SAMPLING_INTERVAL_S", text_of(header, "SAMPLING_INTERVAL_S:")},
+                        read_units(unit_line, unit), unit_line.number(), {},
+                        described(header, {"EVENT_NAME:", "NETWORK:", "STATION_CODE:", "STREAM:"}));
 }
 
 }  // namespace

@@ -70,7 +70,8 @@ ValueBlock counts_below(const HeaderText& duration, double frequency) {
   if (std::abs(count - std::round(count)) <= rounding) {
     count = std::round(count);
   }
-  return {name, whole_count(duration.reader, name, fmt::format("{:.10g}", count), count),
+  return {std::string(name),
+          whole_count(duration.reader, name, fmt::format("{:.10g}", count), count),
           duration.reader.number()};
 }
 

@@ -23,8 +23,9 @@ namespace stillpoint::records {
 
 namespace {
 
-constexpr std::array formats{&at2_format,    &esm_format, &knet_format,   &csmip_format,
-                             &cosmos_format, &smc_format, &columns_format};
+constexpr std::array formats{&at2_format,   &esm_format,    &knet_format,   &geonet_format,
+                             &csmip_format, &cosmos_format, &smc_format,    &nsmn_format,
+                             &cwb_format,   &asa_format,    &columns_format};
 
 /// A scale beyond these is a mistake; products would lose digits or leave the range of a double.
 constexpr double smallest_scale = 1e-100;
@@ -89,6 +90,9 @@ void require_scale(double scale) {
 RecordFile parse_record(std::string_view text, const std::string& path,
                         const RecordOptions& options) {
   check(options);
+  if (const std::string_view unread = unread_format(text); !unread.empty()) {
+    throw FileError({"record", path}, unread);
+  }
   RecordReader reader(text, path, options);
   const RecordFormat& format = format_of(reader);
   if (options.channel.value_or(1) > 1 && !format.has_channels) {
@@ -101,6 +105,9 @@ RecordFile parse_record(std::string_view text, const std::string& path,
 bool is_plain_text(std::string_view text, const std::string& path) {
   constexpr int headings = 1;  // above columns: a record, which needs a # there
   const RecordOptions options;
+  if (!unread_format(text).empty()) {
+    return false;
+  }
   RecordReader reader(text, path, options);
   if (&format_of(reader) != &columns_format) {
     return false;

@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -53,70 +53,44 @@ ListedRecord listed_record(std::string path, Column column, std::string_view tex
           column == Column::peak ? RecordTarget{value, {}} : RecordTarget{{}, value}};
 }
 
-/// The rows of a list but for blank lines and comments; each knows its first line.
-class Rows {
- public:
-  Rows(std::string_view text, const std::string& path)
-      : rest_(text), place_{"records-list", path, 0} {}
-
-  /// False at the end.
-  bool next() {
-    std::string_view line;
-    do {
-      if (!next_line(line)) {
-        return false;
-      }
-    } while (trimmed(line).empty() || trimmed(line).starts_with('#'));
-    place_.line = lines_;
-    const auto next = [this](std::string_view& more) { return next_line(more); };
-    if (const std::string_view fault = row_.read(line, next); !fault.empty()) {
-      throw FileError(place_, fault);
-    }
-    return true;
-  }
-
-  [[nodiscard]] std::span<const std::string> fields() const { return row_.fields(); }
-  [[nodiscard]] const FilePlace& place() const { return place_; }
-
- private:
-  bool next_line(std::string_view& line) {
-    if (rest_.empty()) {
-      return false;
-    }
-    ++lines_;
-    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-    line = rest_.substr(0, end);
-    line.remove_suffix(line.ends_with('\r') ? 1 : 0);
-    rest_.remove_prefix(std::min(end + 1, rest_.size()));
-    return true;
-  }
-
-  std::string_view rest_;
-  FilePlace place_;
-  std::size_t lines_{0};
-  CsvRow row_;
-};
-
 }  // namespace
 
 std::vector<ListedRecord> read_record_list(const std::string& path) {
   const std::string text = read_text_file("records-list", path, largest_list);
   const std::size_t mark = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
-  Rows rows(std::string_view(text).substr(mark), path);
+  std::vector<std::string_view> lines = split(std::string_view(text).substr(mark), '\n');
+  FilePlace place{"records-list", path, 0};
+  CsvRow row;
+  std::size_t at = 0;
+  const auto next = [&](std::string_view& line) {
+    line = at < lines.size() ? lines[at].substr(0, lines[at].find_last_not_of('\r') + 1) : "";
+    return at++ < lines.size();
+  };
+  std::optional<Column> column;
   std::vector<ListedRecord> list;
-  const Column column = rows.next() ? header_column(rows.place(), rows.fields()) : Column::scale;
-  while (rows.next()) {
-    const auto fields = rows.fields();
+  for (std::string_view line; next(line);) {
+    if (trimmed(line).empty() || trimmed(line).starts_with('#')) {
+      continue;
+    }
+    place.line = at;
+    if (const std::string_view fault = row.read(line, next); !fault.empty()) {
+      throw FileError(place, fault);
+    }
+    if (!column) {
+      column = header_column(place, row.fields());
+      continue;
+    }
+    const auto fields = row.fields();
     if (fields.size() != 2 || fields[0].empty() || fields[1].empty()) {
-      throw FileError(
-          rows.place(),
-          fmt::format("must be FILE,{}{}", column == Column::scale ? "SCALE" : "TARGET",
-                      fields.size() > 2 ? "; a name with a comma must be in double quotes" : ""));
+      throw FileError(place,
+                      fields.size() > 2
+                          ? "must be FILE,NUMBER; a name with a comma must be in double quotes"
+                          : "must be FILE,NUMBER");
     }
     try {
-      list.push_back(listed_record(beside(path, fields[0]), column, trimmed(fields[1])));
+      list.push_back(listed_record(beside(path, fields[0]), *column, trimmed(fields[1])));
     } catch (const InputError& error) {
-      throw FileError(rows.place(), error.what());
+      throw FileError(place, error.what());
     }
   }
   if (list.empty()) {

@@ -19,10 +19,12 @@ namespace {
 
 constexpr char end_of_dos_file = '\x1A';
 
-/// Bytes that text does not contain. A form feed and DOS's end of file may be in a trailer.
+/// Bytes that text does not contain. A form feed and DOS's end of file may be in a trailer, and
+/// programs in Fortran leave a NUL in a title.
 bool is_binary(char c) {
   const auto byte = static_cast<unsigned char>(c);
-  return byte < 0x20U && c != '\t' && c != '\n' && c != '\r' && c != '\f' && c != end_of_dos_file;
+  return byte < 0x20U && c != '\0' && c != '\t' && c != '\n' && c != '\r' && c != '\f' &&
+         c != end_of_dos_file;
 }
 
 }  // namespace
@@ -51,12 +53,11 @@ bool RecordReader::next() {
   if (rest_.empty()) {
     return false;
   }
-  const std::size_t end = rest_.find('\n');
-  line_ = rest_.substr(0, end);
-  rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-  if (line_.ends_with('\r')) {
-    line_.remove_suffix(1);
-  }
+  line_ = rest_.substr(0, rest_.find_first_of("\r\n"));
+  rest_.remove_prefix(line_.size());
+  const std::size_t returns = std::min(rest_.find_first_not_of('\r'), rest_.size());
+  const bool feeds = rest_.substr(returns).starts_with('\n');
+  rest_.remove_prefix(std::min(feeds ? returns + 1 : 1, rest_.size()));
   ++number_;
   return true;
 }
@@ -100,9 +101,12 @@ double RecordReader::parse_number(std::string_view word) const {
 }
 
 void RecordReader::set_units(RecordUnits units) {
-  units_per_g_ = units == RecordUnits::m_per_s2    ? options_->gravity_m_per_s2
-                 : units == RecordUnits::cm_per_s2 ? 100 * options_->gravity_m_per_s2
-                                                   : 1;
+  constexpr double cm = 100;
+  constexpr double mm = 1000;
+  const double metres = units == RecordUnits::cm_per_s2   ? cm
+                        : units == RecordUnits::mm_per_s2 ? mm
+                                                          : 1;
+  units_per_g_ = units == RecordUnits::g ? 1 : metres * options_->gravity_m_per_s2;
 }
 
 void RecordReader::set_units(RecordUnits units, std::size_t line) {
@@ -140,8 +144,11 @@ double RecordReader::parse_acceleration(std::string_view word) const {
 }
 
 std::span<const Named<RecordUnits>> enumerators(RecordUnits) noexcept {
-  static constexpr auto rows = std::to_array<Named<RecordUnits>>(
-      {{RecordUnits::g, "g"}, {RecordUnits::m_per_s2, "m/s2"}, {RecordUnits::cm_per_s2, "cm/s2"}});
+  static constexpr auto rows =
+      std::to_array<Named<RecordUnits>>({{RecordUnits::g, "g"},
+                                         {RecordUnits::m_per_s2, "m/s2"},
+                                         {RecordUnits::cm_per_s2, "cm/s2"},
+                                         {RecordUnits::mm_per_s2, "mm/s2"}});
   return rows;
 }
 

@@ -13,7 +13,8 @@
 namespace stillpoint::records {
 
 /// Reads a record file line by line, with the numbers in the lines and the errors that name them.
-/// Lines end with LF or CR LF; a byte order mark at the beginning is left out. A copy reads ahead.
+/// Lines end with LF, CR LF, CR CR LF or CR; a byte order mark at the beginning is left out. A copy
+/// reads ahead.
 class RecordReader {
  public:
   /// All three must outlive this. Throws FileError if the text is empty or binary.
@@ -81,12 +82,19 @@ inline constexpr std::size_t longest_description = 200;
 /// All of them in the order of the help, the columns last.
 [[nodiscard]] std::span<const RecordFormat* const> record_formats();
 
+/// What a file is, "is a SAC file, ...", if it has a format that is known but not read; else "".
+[[nodiscard]] std::string_view unread_format(std::string_view bytes);
+
 extern const RecordFormat at2_format;
 extern const RecordFormat esm_format;
 extern const RecordFormat knet_format;
 extern const RecordFormat csmip_format;
 extern const RecordFormat cosmos_format;
 extern const RecordFormat smc_format;
+extern const RecordFormat geonet_format;
+extern const RecordFormat nsmn_format;
+extern const RecordFormat cwb_format;
+extern const RecordFormat asa_format;
 extern const RecordFormat columns_format;
 
 }  // namespace stillpoint::records

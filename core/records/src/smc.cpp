@@ -21,39 +21,19 @@ namespace {
 
 constexpr std::string_view smc_kinds = "1 UNCORRECTED ACCELEROGRAM and 2 CORRECTED ACCELEROGRAM";
 
-/// "2 CORRECTED ACCELEROGRAM"; a velocity and a displacement as well, to be refused.
+/// "2 CORRECTED ACCELEROGRAM"; a velocity, a spectrum and the like as well, to be refused.
 bool is_smc(RecordReader reader) {
-  constexpr std::array kinds{"1 UNCORRECTED ACCELEROGRAM", "2 CORRECTED ACCELEROGRAM", "3 VELOCITY",
-                             "4 DISPLACEMENT"};
+  constexpr std::array kinds{"1 UNCORRECTED ACCELEROGRAM",
+                             "2 CORRECTED ACCELEROGRAM",
+                             "3 VELOCITY",
+                             "4 DISPLACEMENT",
+                             "5 RESPONSE SPECTRA",
+                             "6 FOURIER"};
   if (!reader.next()) {
     return false;
   }
   const std::string first = upper_case(single_spaced(reader.line()));
   return std::ranges::any_of(kinds, [&](const char* kind) { return first.starts_with(kind); });
-}
-
-/// Number `wanted`, counted from 1, of the header that takes the next `lines` lines.
-HeaderText smc_number(const RecordReader& reader, std::size_t lines, std::size_t width,
-                      std::size_t wanted) {
-  const auto fields = fields_below(reader, reader.number() + lines, width);
-  if (wanted > fields.size()) {
-    (fields.empty() ? reader : fields.back().reader)
-        .refuse(fmt::format("the header has only {} numbers: number {} is missing", fields.size(),
-                            wanted));
-  }
-  return fields[wanted - 1];
-}
-
-void skip(RecordReader& reader, std::size_t lines) {
-  for (std::size_t i = 0; i < lines; ++i) {
-    if (!reader.next()) {
-      reader.refuse("the file ends within its header");
-    }
-  }
-}
-
-double value_of(const HeaderText& number) {
-  return number.reader.parse_number(number.text);
 }
 
 RecordFile read_smc(RecordReader& reader) {
@@ -78,14 +58,10 @@ RecordFile read_smc(RecordReader& reader) {
       }
     }
   }
-  const HeaderText comments = smc_number(reader, integer_lines, integer_width, 16);
-  const HeaderText count = smc_number(reader, integer_lines, integer_width, 17);
-  const ValueBlock block{"whole number 17",
-                         whole_count(count.reader, "whole number 17, the count of values,",
-                                     count.text, value_of(count)),
-                         count.reader.number(), value_width};
+  const HeaderText comments = header_number(reader, integer_lines, integer_width, 16);
+  const HeaderText count = header_number(reader, integer_lines, integer_width, 17);
   skip(reader, integer_lines);
-  const HeaderText rate = smc_number(reader, real_lines, real_width, 2);
+  const HeaderText rate = header_number(reader, real_lines, real_width, 2);
   constexpr double unknown = 1e38;  // the format writes 1.7E+38
   if (!(value_of(rate) > 0 && value_of(rate) < unknown)) {
     rate.reader.refuse(
@@ -93,17 +69,14 @@ RecordFile read_smc(RecordReader& reader) {
                     "than 0 and known",
                     rate.text));
   }
-  const double tau =
-      reader.file_step(rate.reader.number(), "1 over the samples in a second", 1 / value_of(rate));
   skip(reader, real_lines);
   if (value_of(comments) > 0) {
     skip(reader, whole_count(comments.reader, "whole number 16, the lines of comments,",
                              comments.text, value_of(comments)));
   }
-  reader.set_units(RecordUnits::cm_per_s2, 1);
-  return {{read_block(reader, block, acceleration_field), tau, {}},
-          printable(description, longest_description),
-          RecordUnits::cm_per_s2};
+  return read_described(reader, {"whole number 17, the count of values,", count},
+                        {"1 over the samples in a second", rate, 1 / value_of(rate)},
+                        RecordUnits::cm_per_s2, 1, {.width = value_width}, description);
 }
 
 }  // namespace

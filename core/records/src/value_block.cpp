@@ -54,7 +54,7 @@ std::vector<std::string_view> words_that_touch(std::string_view line) {
 
 /// A line of numbers right after the last value is too many; text may follow.
 void check_end(RecordReader reader, const ValueBlock& block) {
-  while (reader.next()) {
+  while (!block.others_follow && reader.next()) {
     const auto fields = fields_of(reader.line(), block.width);
     if (!fields.empty()) {
       if (std::ranges::all_of(fields, is_number)) {
@@ -110,7 +110,7 @@ std::vector<std::string_view> fields_of(std::string_view line, std::size_t width
 }
 
 std::vector<double> read_block(RecordReader& reader, const ValueBlock& block,
-                               double (*parse)(const RecordReader&, std::string_view)) {
+                               const ParseField& parse) {
   std::vector<double> values;
   // The header may promise more than the file holds: a value takes a field, or two bytes.
   values.reserve(

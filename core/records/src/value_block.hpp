@@ -4,6 +4,8 @@
 #include "record_reader.hpp"
 
 #include <cstddef>
+#include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,16 +27,19 @@ namespace stillpoint::records {
 
 /// Values in the lines below a header that says how many there are.
 struct ValueBlock {
-  std::string_view count_name;  ///< as messages quote it
+  std::string count_name;  ///< as messages quote it
   std::size_t count{0};
   std::size_t count_line{0};
-  std::size_t width{0};  ///< of a field, see `fields_of`
+  std::size_t width{0};       ///< of a field, see `fields_of`
+  bool others_follow{false};  ///< other numbers, right after the last value
 };
 
+/// What a field of a block stands for; the reader is at its line.
+using ParseField = std::function<double(const RecordReader&, std::string_view)>;
+
 /// Reads the block, each field by `parse`. Refuses fewer values, and more of them.
-[[nodiscard]] std::vector<double> read_block(RecordReader& reader, const ValueBlock& block,
-                                             double (*parse)(const RecordReader&,
-                                                             std::string_view));
+std::vector<double> read_block(RecordReader& reader, const ValueBlock& block,
+                               const ParseField& parse);
 
 /// A field as an acceleration, for `read_block`.
 [[nodiscard]] double acceleration_field(const RecordReader& reader, std::string_view field);

@@ -112,7 +112,7 @@ BOOST_FIXTURE_TEST_CASE(a_list_of_records_has_such_rows, stillpoint::test::Folde
                                         ", line 3: a quote is opened but not closed"));
   BOOST_TEST(stillpoint::test::contains(
       refusal("file,scale\na, b.AT2,1\n"),
-      ", line 2: must be FILE,SCALE; a name with a comma must be in double quotes"));
+      ", line 2: must be FILE,NUMBER; a name with a comma must be in double quotes"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

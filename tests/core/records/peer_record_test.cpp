@@ -254,7 +254,7 @@ BOOST_AUTO_TEST_CASE(npts_stands_in_one_of_the_first_32_lines) {
     BOOST_TEST(record_of(name, text).values == plain, tt::per_element());
   }
   check_refused("b.AT2", {"", "A TITLE\n" + text, "line 32:...NPTS and DT are missing"});
-  check_refused("b.txt", {"", "A TITLE\n" + text, "line 1, column 1:...\"A\" is not a number"});
+  check_refused("b.txt", {"", "A TITLE\n" + text, "line 2, column 1:...\"A\" is not a number"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -93,7 +93,8 @@ BOOST_AUTO_TEST_CASE(options_out_of_bounds) {
 }
 
 BOOST_AUTO_TEST_CASE(units_have_names) {
-  for (const RecordUnits unit : {RecordUnits::g, RecordUnits::m_per_s2, RecordUnits::cm_per_s2}) {
+  for (const RecordUnits unit :
+       {RecordUnits::g, RecordUnits::m_per_s2, RecordUnits::cm_per_s2, RecordUnits::mm_per_s2}) {
     BOOST_TEST(parse<RecordUnits>(records::name(unit)) == std::optional(unit));
   }
   for (const char* wrong : {"", "G", "cm/s", "gal"}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// The formats of the networks: ESM, K-NET, CSMIP, COSMOS and SMC. The samples of data/records hold
+// The formats of the networks. The samples of data/records hold
 // one pulse, 250 cm/s2 sin^2(pi t / 2) sin(3 pi t), in all of them.
 
 #include "samples.hpp"
@@ -37,6 +37,8 @@ struct Sample {
   const char* name;
   double tolerance;  ///< cm/s2
   const char* description;
+  double factor{1};  ///< of the pulse
+  RecordUnits units{RecordUnits::cm_per_s2};
 };
 
 std::ostream& operator<<(std::ostream& stream, const Sample& sample) {
@@ -51,15 +53,27 @@ const std::vector<Sample> samples{
     {"V2#1", 0.5e-5 + 0.5e-6 + 1e-9, "Station No. 00000 SYNTHETIC; Chan 1: 90 Deg"},
     {"V2c", 0.5e-3 + 0.5e-6 + 1e-9, "Statn No: 00- 0 Code:XX-NONE SYNTHETIC; Sta Chan 1: 90 deg"},
     {"smc", 0.5e-2 + 0.5e-6 + 1e-9, "SYNTHETIC, NO EARTHQUAKE; made by make_records.py"},
+    {"V2A#1", 0.5e-2 + 0.5e-6 + 1e-9,
+     "Corrected accelerogram SYNTHETIC_NONE_20 no earthquake; Component N90E", 1,
+     RecordUnits::mm_per_s2},
+    {"V2A#2", 0.5e-2 + 0.5e-6 + 1e-9,
+     "Corrected accelerogram SYNTHETIC_NONE_20 no earthquake; Component N00E", -0.5,
+     RecordUnits::mm_per_s2},
+    {"afad.txt#1", 0.5e-6 + 0.5e-6 + 1e-9, "NOWHERE, N-S"},
+    {"afad.txt#3", 0.5e-6 + 0.5e-6 + 1e-9, "NOWHERE, U-D", 0.25},
+    {"cwa.txt#2", 0.5e-3 + 0.5e-6 + 1e-9, "NONE SYNTHETIC, N(+)"},
+    {"cwa.txt#3", 0.5e-3 + 0.5e-6 + 1e-9, "NONE SYNTHETIC, E(+)", -0.5},
+    {"asa#1", 0.5e-3 + 0.5e-6 + 1e-9, "NONE, N00E;L"},
+    {"asa#2", 0.5e-3 + 0.5e-6 + 1e-9, "NONE, N90E;T", -0.5},
 };
 
 }  // namespace
 
 BOOST_DATA_TEST_CASE(sample_holds_the_pulse, data::make(samples), sample) {
   const RecordFile file = records::read_record(path_of(sample.name));
-  BOOST_TEST(file.units == RecordUnits::cm_per_s2);
+  BOOST_TEST(file.units == sample.units);
   BOOST_TEST(file.description.starts_with(sample.description), file.description);
-  check_pulse(file, 1, sample.tolerance);
+  check_pulse(file, sample.factor, sample.tolerance);
 }
 
 BOOST_AUTO_TEST_CASE(channels_are_told_by_number) {
@@ -68,6 +82,10 @@ BOOST_AUTO_TEST_CASE(channels_are_told_by_number) {
     return refusal_of<FileError>([&] { return records::read_record(path_of(name)); });
   };
   check_says(refusal("V2"), {"line 134: the second of 2 channels begins here", "#1 to "});
+  for (const char* const table : {"V2A", "afad.txt", "cwa.txt", "asa"}) {
+    check_says(refusal(table), {"choose one by its number", "#1 to #3"});
+    check_says(refusal(table + std::string("#4")), {"there is no channel 4: the last is number 3"});
+  }
   check_says(refusal("V2#3"), {"line 134: there is no channel 3", "the last is number 2"});
   check_says(refusal("ASC#2"), {"holds one record", "no channel 2"});
   check_says(refusal("V2#0"), {"V2#0: cannot be read"});
@@ -106,6 +124,14 @@ const std::vector<Variant> right{
      "ACCEL DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: CM/SEC/SEC)\n", 1e-5},
     {"cosmos_with_other_units", "V2c", "cm/sec2(04)", "cm/s^2 (4)", 1e-3},
     {"cosmos_in_g", "V2c", "cm/sec2(04)", "g (02)", 1, cm_per_s2},
+    {"cosmos_in_g_with_a_stop", "V2c", "cm/sec2(04)", "g.     (02)", 1, cm_per_s2},
+    {"geonet_uncorrected", "V2A", "Corrected", "Uncorrected", 1e-2},
+    {"afad_with_a_trailer", "afad.txt", "\n   -0.046219    0.023110   -0.011555\n",
+     "\n   -0.046219    0.023110   -0.011555\nEND\n", 1e-5},
+    {"cwa_with_an_event", "cwa.txt", "#StationCode",
+     "#Earthquake Information\n\n#Origin Time(GMT+08): none\n#StationCode", 1e-3, 0.25},
+    {"asa_in_gal", "asa", "ACELERACION (cm/s/s)", "Gal", 1e-3},
+    {"asa_in_spanish", "asa", "(cm/s/s)", "(cm/seg/seg)", 1e-3},
     {"cosmos_without_format", "V2c", ",Format=(10F8.3)", "", 1e-3},
     {"cosmos_with_points", "V2c", "acceleration pts", "acceleration points", 1e-3},
     {"cosmos_without_length", "V2c", "20.000000     2.000000", "20.000000  -999.000000", 1e-3},
@@ -122,9 +148,10 @@ std::string cosmos_with_steps(const std::string& ms, const std::string& s) {
 BOOST_DATA_TEST_CASE(other_forms_are_read, data::make(right), variant) {
   const std::string text = replaced(text_of(variant.sample), variant.old, variant.now);
   const RecordOptions first{.channel = 1};
-  check_pulse(records::parse_record(text, "record", first), variant.factor, variant.tolerance);
-  check_pulse(records::parse_record(with_crlf(text), "record", first), variant.factor,
-              variant.tolerance);
+  for (const std::string& same : {text, with_line_ends(text, "\r\n"),
+                                  with_line_ends(text, "\r\r\n"), with_line_ends(text, "\r")}) {
+    check_pulse(records::parse_record(same, "record", first), variant.factor, variant.tolerance);
+  }
 }
 
 // Processing may have changed the steps of the recorder.

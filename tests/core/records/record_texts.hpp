@@ -86,13 +86,17 @@ inline RecordOptions scaled(double scale) {
   return {.scale = scale};
 }
 
-/// `text` with every line end turned into CR LF.
-inline std::string with_crlf(const std::string& text) {
+/// `text` with other ends of its lines.
+inline std::string with_line_ends(const std::string& text, const std::string& end) {
   std::string result;
   for (const char c : text) {
-    result += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    result += c == '\n' ? end : std::string(1, c);
   }
   return result;
+}
+
+inline std::string with_crlf(const std::string& text) {
+  return with_line_ends(text, "\r\n");
 }
 
 /// A header whose line with NPTS and DT is `counts`.
@@ -105,8 +109,7 @@ inline std::string measured(const std::string& line) {
   return titles + line + "\nNPTS= 3, DT= .02000 SEC\n" + three;
 }
 
-inline std::string with_nul() {
-  std::string text = "0 1\n0.1 2\n";
+inline std::string with_nul(std::string text) {
   text += '\0';
   return text;
 }

@@ -19,9 +19,9 @@
 namespace stillpoint::records {
 
 /// Units of the values in a file.
-enum class RecordUnits { g, m_per_s2, cm_per_s2 };
+enum class RecordUnits { g, m_per_s2, cm_per_s2, mm_per_s2 };
 
-/// "g", "m/s2" or "cm/s2".
+/// "g", "m/s2", "cm/s2" or "mm/s2".
 [[nodiscard]] std::span<const Named<RecordUnits>> enumerators(RecordUnits) noexcept;
 using stillpoint::name;
 
@@ -67,6 +67,7 @@ struct RecordFile {
   RecordUnits units{RecordUnits::g};
   bool assumed_g{false};   ///< neither the file nor the options give the units
   bool takes_step{false};  ///< that of the options, which must have one
+  std::string doubt{};     ///< what may be meant otherwise than it was read, to follow the path
 };
 
 /// "PEER", "ESM" and so on, "columns" last.
