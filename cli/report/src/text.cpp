@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/report/document.hpp>
 
+#include <stillpoint/records/text.hpp>
+
 #include <fmt/color.h>
 #include <fmt/format.h>
 
@@ -275,15 +277,11 @@ Section& Document::detail(std::string heading) {
 }
 
 std::string spelled_out(std::string_view text) {
-  constexpr unsigned char first_printable = 0x20;
-  constexpr unsigned char del = 0x7f;
-  std::string result;
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    result +=
-        code < first_printable || code == del ? fmt::format("\\x{:02x}", code) : std::string(1, c);
-  }
-  return result;
+  constexpr unsigned of_one_byte = 0x100;
+  const auto spelled = [](unsigned code) {
+    return code < of_one_byte ? fmt::format("\\x{:02x}", code) : fmt::format("\\u{:04x}", code);
+  };
+  return records::with_controls_as(spelled, text);
 }
 
 }  // namespace stillpoint::report

@@ -42,6 +42,23 @@ std::size_t sequence_length(std::string_view text) {
   return wrong ? 0 : length;
 }
 
+/// Of one UTF-8 sequence, or a stray byte.
+unsigned code_point(std::string_view sequence) {
+  constexpr unsigned low_bits = 0x3FU;
+  const auto first = static_cast<unsigned char>(sequence.front());
+  unsigned code = sequence.size() == 1 ? first : first & (0xFFU >> (sequence.size() + 1));
+  for (const char c : sequence.substr(1)) {
+    code = (code << 6U) | (static_cast<unsigned char>(c) & low_bits);
+  }
+  return code;
+}
+
+/// C0, DEL, C1, and the marks that are invisible or turn the direction of text.
+bool is_control(unsigned code) {
+  return code < 0x20U || (code >= 0x7FU && code < 0xA0U) || (code >= 0x200BU && code <= 0x200FU) ||
+         (code >= 0x2028U && code <= 0x202EU) || (code >= 0x2066U && code <= 0x2069U);
+}
+
 bool is_utf8(std::string_view text) {
   while (!text.empty()) {
     const std::size_t length = sequence_length(text);
@@ -132,16 +149,33 @@ std::string shortened(std::string_view text, std::size_t longest) {
   return std::string(text.substr(0, length)) + "...";
 }
 
-std::string printable(std::string_view text, std::size_t longest) {
-  const bool keeps_beyond_ascii = is_utf8(text);
-  std::string result = shortened(text, longest);
-  for (char& c : result) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20U || byte == 0x7FU || (byte >= 0x80U && !keeps_beyond_ascii)) {
-      c = '?';
+std::string with_controls_as(const std::function<std::string(unsigned code)>& instead,
+                             std::string_view text) {
+  const auto is_other = [](char c) { return c < ' ' || c >= '\x7F'; };
+  std::string result;
+  while (!text.empty()) {
+    const auto* const end = std::ranges::find_if(text, is_other);
+    result.append(text.begin(), end);
+    text.remove_prefix(static_cast<std::size_t>(end - text.begin()));
+    if (text.empty()) {
+      break;
     }
+    const std::string_view sequence =
+        text.substr(0, std::max(sequence_length(text), std::size_t{1}));
+    const unsigned code = code_point(sequence);
+    result += is_control(code) ? instead(code) : std::string(sequence);
+    text.remove_prefix(sequence.size());
   }
   return result;
+}
+
+std::string printable(std::string_view text, std::size_t longest) {
+  std::string result = shortened(text, longest);
+  if (!is_utf8(text)) {
+    const auto is_beyond_ascii = [](char c) { return static_cast<unsigned char>(c) >= 0x80U; };
+    std::replace_if(result.begin(), result.end(), is_beyond_ascii, '?');
+  }
+  return with_controls_as([](unsigned /*code*/) { return "?"; }, result);
 }
 
 std::string hyphened(std::string_view name) {

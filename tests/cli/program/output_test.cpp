@@ -46,6 +46,36 @@ Surroundings into_file(const fs::path& path) {
 
 }  // namespace
 
+/// A title, a key and a name with CSI (U+009B), a mark from right to left (U+202E), an isolate
+/// (U+2066) and a blank without width (U+200B).
+BOOST_FIXTURE_TEST_CASE(no_control_or_mark_of_direction_reaches_a_terminal, Sandbox) {
+  const std::string marks =
+      "a\xC2\x9B"
+      "31m\xE2\x80\xAE\xE2\x81\xA6\xE2\x80\x8B"
+      "b\xC3\xBC";
+  write(marks + ".txt", "0 0\n1 0.5\n2 0\n");
+  const auto runs = [&](const Arguments& arguments, const std::string& input = "") {
+    const ProgramRun answer = run(arguments, {.input = input});
+    for (const char* const mark : {"\xC2\x9B", "\xE2\x80\xAE", "\xE2\x81\xA6", "\xE2\x80\x8B"}) {
+      BOOST_TEST(!contains(answer.out + answer.err, mark), answer.out << answer.err);
+    }
+    BOOST_TEST(contains(answer.out + answer.err, "b\xC3\xBC"), answer.out << answer.err);
+    return answer;
+  };
+  const Arguments title{"--title", marks};
+  check_contains(runs(design() + title).out, {": a\\x9b31m\\u202e\\u2066\\u200bb"});
+  const ProgramRun report = runs(design("--json") + title);
+  check_contains(report.out, {"a\\u009b31m\\u202e\\u2066\\u200bb"});
+  BOOST_TEST(report.json()["input"]["title"] == marks);
+  BOOST_TEST(runs("design -", R"({")" + marks + R"(": 1})").exit_code == 2);
+  BOOST_TEST(runs(Arguments{"design", "--" + marks}).exit_code == 2);
+  BOOST_TEST(runs(Arguments{"design", marks}).exit_code == 2);
+  const Arguments motion("simulate --p 1 --f 0.01 --delta 0 --verbose");
+  BOOST_TEST(runs(motion + Arguments{"--record", marks + ".txt"}).exit_code == 0);
+  BOOST_TEST(runs(motion + Arguments{"--record", marks + ".no"}).exit_code == 2);
+  BOOST_TEST(runs(design("--catalogue -"), "name,f,delta\n" + marks + ",0.2,0.3\n").exit_code == 2);
+}
+
 BOOST_FIXTURE_TEST_SUITE(file, Sandbox)
 
 BOOST_AUTO_TEST_CASE(replaces_an_old_file) {

@@ -159,6 +159,8 @@ BOOST_AUTO_TEST_CASE(is_escaped) {
   }
   BOOST_TEST(contains(page, "&lt;script&gt;"), page);
   BOOST_TEST(text(sample(), {.title = "\x1b[2J"}).starts_with("Trial: \\x1b[2J\n"));
+  BOOST_TEST(text(sample(), {.title = "\xC2\x9B[2J \xE2\x80\xAE"})
+                 .starts_with("Trial: \\x9b[2J \\u202e\n"));
 }
 
 BOOST_AUTO_TEST_CASE(is_coloured_only_when_asked) {

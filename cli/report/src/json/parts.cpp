@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "json/parts.hpp"
 
+#include <stillpoint/records/text.hpp>
 #include <stillpoint/report/version.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cassert>
@@ -66,7 +69,11 @@ ordered_json conflict_json(const design::Region& region) {
 std::string json_text(const ordered_json& json) {
   constexpr int spaces = 2;
   assert(is_finite(json));
-  return json.dump(spaces) + "\n";
+  // A terminal may show it: controls beyond ASCII are escaped too.
+  const auto escaped = [](unsigned code) {
+    return code == '\n' ? "\n" : fmt::format("\\u{:04x}", code);
+  };
+  return records::with_controls_as(escaped, json.dump(spaces)) + "\n";
 }
 
 ordered_json count(const std::optional<double>& value) {

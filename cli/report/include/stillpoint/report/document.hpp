@@ -79,7 +79,8 @@ struct TextOptions {
 /// Its page, without figures.
 [[nodiscard]] figures::HtmlPage page_of(const Document& document);
 
-/// Control characters, which could break a line or play tricks with a terminal, as \\xNN.
+/// Control characters and marks of direction, which could break a line or play tricks with a
+/// terminal, as \\xNN or \\uNNNN.
 [[nodiscard]] std::string spelled_out(std::string_view text);
 
 }  // namespace stillpoint::report

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -39,8 +40,13 @@ inline constexpr std::size_t longest_path = 300;
 /// never cut in two.
 [[nodiscard]] std::string shortened(std::string_view text, std::size_t longest);
 
-/// Text from a file, made fit for a terminal and for JSON: shortened, with a '?' for each control
-/// byte and, if the text is not UTF-8, for each byte beyond ASCII.
+/// `text` with something else for each control character (C0, DEL, C1) and each mark that is
+/// invisible or turns the direction of text (U+200B to 200F, 2028 to 202E, 2066 to 2069).
+[[nodiscard]] std::string with_controls_as(const std::function<std::string(unsigned code)>& instead,
+                                           std::string_view text);
+
+/// Text from a file, made fit for a terminal and for JSON: shortened, with a '?' for each of these
+/// and, if the text is not UTF-8, for each byte beyond ASCII.
 [[nodiscard]] std::string printable(std::string_view text, std::size_t longest);
 
 /// "robust, amplitude, time or acceleration"; of at least two.
