@@ -117,7 +117,7 @@ ExcitationInput record(const Settings& settings, const records::RecordClock& clo
                                settings.number("record-step"), settings.number("record-scale"),
                                scale.target.peak, scale.target.spectrum,
                                settings.number("record-spectrum-period"), options.scale * factor,
-                               units}};
+                               units, file.assumed_g}};
 }
 
 }  // namespace

@@ -22,11 +22,11 @@ std::optional<double> record_time(const Settings& settings, std::string_view nam
   return settings.number(name);
 }
 
+}  // namespace
+
 records::SuiteFiles suite_files(const Settings& settings) {
   return {settings.texts("record"), settings.text("records-list")};
 }
-
-}  // namespace
 
 records::RecordClock record_clock(const Physical& physical, double p) {
   return {physical ? "s" : "tau", physical ? physical->scales.time_s : 1, p};

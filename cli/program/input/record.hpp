@@ -23,6 +23,9 @@ namespace stillpoint::cli {
                                                 const records::RecordClock& clock,
                                                 std::optional<double> p);
 
+/// Where --record and --records-list say that the records are.
+[[nodiscard]] records::SuiteFiles suite_files(const Settings& settings);
+
 /// The records of --record and --records-list. `p` is that of a spectrum to scale to; empty if the
 /// motions have several. Throws InputError and FileError.
 [[nodiscard]] std::vector<records::SuiteRecord> read_suite(const Settings& settings,

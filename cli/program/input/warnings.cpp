@@ -27,13 +27,25 @@ std::optional<design::LoadReach> load_of(const Settings& settings, Command comma
                             motion.physical->scales);
 }
 
+/// The p at which a record is scaled to its spectrum, by the unit of its times; empty if several
+/// motions have one each.
+std::optional<double> spectrum_p(const Settings& settings, Command command) {
+  if ((!settings.has("record-spectrum") && !settings.has("records-list")) ||
+      command == Command::sweep || command == Command::spectrum || settings.has("search-period")) {
+    return std::nullopt;
+  }
+  const MotionInput motion = motion_input(settings, command, true);
+  return motion.p / (motion.physical ? motion.physical->scales.time_s : 1);
+}
+
 }  // namespace
 
 std::vector<std::string> warnings(const Settings& settings, Command command) {
   std::vector<std::string> sentences = doubts(settings, command, load_of(settings, command));
   if (find_option("record")->serves(command)) {
     for (const std::string& doubt : records::suite_doubts(
-             suite_files(settings), record_scale(settings, {}, {}), record_options(settings, {}))) {
+             suite_files(settings), record_scale(settings, {}, spectrum_p(settings, command)),
+             record_options(settings, {}))) {
       sentences.push_back(doubt);
     }
   }

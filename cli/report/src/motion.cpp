@@ -166,6 +166,11 @@ void add_answer(Section& answer, const MotionReport& report) {
              format("f = {}{}, delta = {}", digits(f),
                     zones.empty() ? "" : " beyond " + length_shown(physical, zones.back().to),
                     length_shown(physical, delta)));
+  if (report.record) {
+    answer.row("record",
+               record_words(report.record->file, report.record->factor, report.record->units_read,
+                            report.record->assumed, peak_load(report.request.excitation)));
+  }
   add_surface(answer, report.request, physical);
   if (moves(response)) {
     answer.row("peak", length_shown(physical, response.peak_amplitude), Tone::heading);

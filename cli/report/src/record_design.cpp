@@ -189,9 +189,23 @@ std::pair<std::string, std::string> told_apart(const Physical& physical, SuiteOb
   return both;
 }
 
+namespace {
+
+std::string scaled_name(std::string_view file, double scale) {
+  return (scale == 1 ? "" : format("{:.4g} x ", scale)) +
+         spelled_out(file.substr(file.rfind('/') + 1));
+}
+
+}  // namespace
+
 std::string record_label(const design::SuiteRecord& record) {
-  return (record.scale == 1 ? "" : format("{:.4g} x ", record.scale)) +
-         spelled_out(record.name.substr(record.name.rfind('/') + 1));
+  return scaled_name(record.name, record.scale);
+}
+
+std::string record_words(std::string_view file, double scale, std::string_view units, bool assumed,
+                         double peak) {
+  return format("{}, in {}{}, peak {}", scaled_name(file, scale), units,
+                assumed ? " (assumed)" : "", acceleration_shown(peak));
 }
 
 std::string_view jumps_words(double delta, const std::optional<double>& width) {

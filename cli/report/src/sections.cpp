@@ -163,7 +163,8 @@ void add_excitation(Section& section, const Excitation& excitation,
     if (!record->description.empty()) {
       section.row("", spelled_out(record->description));
     }
-    std::string values = "values in " + record->units_read;
+    std::string values =
+        "values in " + record->units_read + (record->assumed ? ", which is assumed" : "");
     if (record->factor != 1) {
       values += format(", times {:.6g}; the peak is then {:.6g} g", record->factor,
                        records::peak_acceleration(std::get<Record>(excitation)));

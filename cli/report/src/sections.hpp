@@ -108,6 +108,9 @@ void add_excitation(Section& section, const Excitation& excitation,
 
 /// "2 x a.AT2": the factor and the file of a record of a suite.
 [[nodiscard]] std::string record_label(const design::SuiteRecord& record);
+/// "2 x a.AT2, in g (assumed), peak 0.3 g".
+[[nodiscard]] std::string record_words(std::string_view file, double scale, std::string_view units,
+                                       bool assumed, double peak);
 /// " between the velocity jumps at the notch", of an acceleration that does not count them; empty
 /// of a notch with a width, and without a notch.
 [[nodiscard]] std::string_view jumps_words(double delta, const std::optional<double>& width);

@@ -222,8 +222,9 @@ void add_damper(Section& answer, const SpectrumReport& report) {
   }
   for (const design::SuiteRecord& record : task.records) {
     answer.row(&record == task.records.data() ? "record" : "",
-               format("{}, peak {}, {} long", record_label(record),
-                      acceleration_shown(design::peak_load(record)),
+               format("{}, {} long",
+                      record_words(record.name, record.scale, name(record.units), record.assumed_g,
+                                   design::peak_load(record)),
                       time_shown(report.physical, *duration(design::scaled(record)))));
   }
 }

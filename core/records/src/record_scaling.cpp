@@ -128,6 +128,17 @@ double peak_acceleration(const Record& record) {
   return peak;
 }
 
+double mean_value(const Record& record) {
+  double sum = 0;
+  double length = 0;
+  for (std::size_t i = 0; i + 1 < record.values.size(); ++i) {
+    const double step = record.times.empty() ? record.step : record.times[i + 1] - record.times[i];
+    sum += step * (record.values[i] + record.values[i + 1]) / 2;
+    length += step;
+  }
+  return length > 0 ? sum / length : 0;
+}
+
 std::optional<double> mean_interval(const Record& record) {
   if (record.values.size() < 2) {
     return std::nullopt;

@@ -46,7 +46,8 @@ std::vector<SuiteRecord> read_suite(const SuiteFiles& files, const RecordScale& 
       RecordFile read = read_record(file, of_each);
       step_serves = step_serves || read.takes_step;
       const double factor = to.factor * factor_to_target(to, read.record, file, options.clock);
-      suite.push_back({std::move(file), std::move(read.record), factor});
+      suite.push_back(
+          {std::move(file), std::move(read.record), factor, read.units, read.assumed_g});
     }
   }
   if (!step_serves) {

@@ -82,7 +82,7 @@ const std::vector<Wrong> doubts{
      {"delta-m = 1.8 m takes more than any passage under this load can have, 1.77 m",
       "mean --delta-m 1.8mm?"}},
     {"simulate --period 2.8 --f 0.1 --record load.csv --delta-m 0 --record-peak 50",
-     {"record load.csv: is scaled to 50 g; more than 20 g is doubtful, for few ground motions"}},
+     {"record load.csv: is multiplied by 125, to a peak of 50 g; more than 4 is doubtful"}},
     {simulate("--velocity 101 --natural-frequency 100 --delta-m 0"),
      {"velocity = 101 m/s", "usual 0.01 to 10 m/s", "mean --velocity 101mm/s?"}},
     {simulate("--velocity 99 --natural-frequency 100 --delta-m 0"), {}},

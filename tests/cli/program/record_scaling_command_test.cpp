@@ -34,6 +34,7 @@ BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_peak, Recorded) {
                             {"record_peak", 0.8},
                             {"record_units", nullptr},
                             {"record_units_read", "g"},
+                            {"record_units_assumed", true},
                             {"record_factor", 2},
                             {"pga", 0.8}});
   BOOST_TEST(twice["input"]["excitation"]["record_factor"] == -2);
@@ -41,7 +42,13 @@ BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_peak, Recorded) {
   // The other way round, the motion is the same.
   BOOST_TEST(peak["response"]["peak_amplitude"] == twice["response"]["peak_amplitude"]);
   const ProgramRun text = run(record + "--record-peak 0.8g --verbose");
-  BOOST_TEST(contains(text.out, "values in g, times 2; the peak is then 0.8 g"), text.out);
+  BOOST_TEST(contains(one_line(text.out), "record 2 x a.txt, in g (assumed), peak 0.8 g"),
+             text.out);
+  BOOST_TEST(
+      contains(one_line(run(record + "--record-units g").out), "record a.txt, in g, peak 0.4 g"));
+  BOOST_TEST(contains(one_line(text.out),
+                      "values in g, which is assumed, times 2; the peak is then 0.8 g"),
+             text.out);
 }
 
 BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_spectrum, Sandbox) {
@@ -76,10 +83,10 @@ BOOST_FIXTURE_TEST_CASE(a_suite_has_a_factor_for_each_record, Recorded) {
     }
   };
   check("--records-list list.csv", {2, -1}, {0.8, 0.25});
-  check("--records-list list.csv --record-scale 3", {6, -3}, {2.4, 0.75});
+  check("--records-list list.csv --record-scale 1.5", {3, -1.5}, {1.2, 0.375});
   // The factor of the list comes on top of the target.
-  check("--records-list list.csv --record-peak 1g", {5, -4}, {2, 1});
-  check("--records-list peaks.csv --record-scale 10", {5, 20}, {2, 5});
+  check("--records-list list.csv --record-peak 0.6g", {3, -2.4}, {1.2, 0.6});
+  check("--records-list peaks.csv --record-scale 2", {1, 4}, {0.4, 1});
   const double spectrum = 1 / (0.25 * overshoot);
   check("--records-list spectra.csv", {spectrum}, {0.25 * spectrum});
   check("--record b.txt --record-spectrum 1g", {spectrum}, {0.25 * spectrum});

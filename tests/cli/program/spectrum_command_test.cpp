@@ -174,6 +174,18 @@ BOOST_FIXTURE_TEST_CASE(each_record_is_folded_away, Recorded) {
   BOOST_TEST(contains(read("p.html"), "<details class=\"across\"><summary>a.txt"));
 }
 
+BOOST_FIXTURE_TEST_CASE(says_what_the_records_are, Sandbox) {
+  write("a.txt", "0 0\n1 200\n2 0\n");
+  write("b.AT2", "ACCELERATION IN UNITS OF G\nNPTS= 3, DT= 1 SEC\n0 0.1 0\n");
+  write("list.csv", "file,peak\na.txt,0.3g\nb.AT2,0.2g\n");
+  const Arguments asked("spectrum --records-list list.csv --period 1s:3s:3 --f 0.05 --delta-m 0");
+  const json records = reported(asked)["records"];
+  check_values(records[0], {{"units", "g"}, {"units_assumed", true}});
+  check_values(records[1], {{"units", "g"}, {"units_assumed", false}, {"scale", 2}, {"pga", 0.2}});
+  check_contains(one_line(run(asked).out), {"record 0.0015 x a.txt, in g (assumed), peak 0.3 g",
+                                            "2 x b.AT2, in g, peak 0.2 g, 2 s long"});
+}
+
 /// The headline names these periods, so the table has them, whatever the steps of its rows.
 BOOST_FIXTURE_TEST_CASE(the_table_has_the_period_of_each_largest_figure, Sandbox) {
   const Arguments scene{"spectrum", STILLPOINT_DATA_DIR "/scenes/spectrum.json"};

@@ -200,25 +200,35 @@ BOOST_AUTO_TEST_CASE(files_that_are_read_may_be_doubtful) {
   BOOST_TEST(doubts("0 0\n1 2\n").empty());
   RecordOptions in_cm;
   in_cm.units = records::RecordUnits::cm_per_s2;
-  BOOST_TEST(doubts("0 0\n1 6000\n", in_cm).empty());
+  BOOST_TEST(doubts("0 0\n1 2900\n", in_cm).empty());
+  check_only(doubts("0 0\n1 -3000\n", in_cm),
+             {"a.txt: has a peak of 3.059 g; more than 3 g is doubtful"});
   BOOST_TEST(doubts("0 0\n1 341\n", {}, {.target = {.peak = 0.4}}).empty());
   for (const records::RecordScale& scale :
-       {records::RecordScale{.factor = -100}, records::RecordScale{.target = {.peak = 50}},
-        records::RecordScale{.target = {.spectrum = 50}}}) {
-    check_only(doubts("0 0\n1 0.5\n", {}, scale), {"a.txt: is scaled to 50 g"});
+       {records::RecordScale{.factor = -5}, records::RecordScale{.target = {.peak = 2.5}}}) {
+    check_only(doubts("0 0\n1 0.5\n", {}, scale),
+               {"a.txt: is multiplied by ", "5, to a peak of 2.5 g"});
   }
-  BOOST_TEST(doubts("0 0\n1 0.5\n", {}, {.factor = 40}).empty());
+  BOOST_TEST(doubts("0 0\n1 0.5\n", {}, {.factor = 4}).empty());
+  // The factor of a spectrum is known where its period is: here 1e13, and 1.
+  const double p = 2 * std::numbers::pi;
+  const std::string weak = "0 0\n0.1 1e-14\n0.2 0\n";
+  const double own = records::spectral_acceleration(record_of("a.txt", weak), p);
+  check_only(doubts(weak, {}, {.target = {.spectrum = 1e13 * own}, .spectrum_p = p}),
+             {"a.txt: is multiplied by 1e+13, to a peak of 0.1 g"});
+  BOOST_TEST(doubts(weak, {}, {.target = {.spectrum = own}, .spectrum_p = p}).empty());
   const std::string counted = "NPTS= 1, DT= .1 SEC\n400\n";
   check_only(doubts("A title\n" + counted), {"400 g"});
-  BOOST_TEST(doubts("ACCELERATION IN UNITS OF G\n" + counted).empty());
+  check_only(doubts("ACCELERATION IN UNITS OF G\n" + counted), {"has a peak of 400 g"});
 
   std::string even;
   std::string in_ms;
   std::string with_gap;
-  for (int i = 0; i < 100; ++i) {
-    in_ms += in_full(10.0 * i) + " 0.1\n";
-    even += in_full(std::round(i / 0.03) / 1000) + " 0.1\n";  // 0.033, 0.067
-    with_gap += i >= 60 && i < 66 ? "" : in_full(0.5 * i) + " 0.1\n";
+  for (int i = 0; i < 101; ++i) {
+    const std::string value = i == 100 ? " 0\n" : i % 2 == 0 ? " 0.1\n" : " -0.1\n";
+    in_ms += in_full(10.0 * i) + value;
+    even += in_full(std::round(i / 0.03) / 1000) + value;  // 0.033, 0.067
+    with_gap += i >= 60 && i < 66 ? "" : in_full(0.5 * i) + value;
   }
   BOOST_TEST(doubts(even).empty());
   check_only(doubts(in_ms), {"a.txt: its values are 10 s apart on average; are its times in ms?"});
@@ -229,6 +239,81 @@ BOOST_AUTO_TEST_CASE(files_that_are_read_may_be_doubtful) {
   const auto found = records::suite_doubts({{whole}}, {}, {});
   BOOST_TEST_REQUIRE(found.size() == 2U);
   check_says(found[0], {"notes.txt: is left out because it begins with text"});
+}
+
+namespace {
+
+/// w = 0.3 sin(1.6 pi t) exp(-((t-8)/4)^2) + offset, as times and values, for `count` values.
+std::string wave(int count, double offset = 0) {
+  std::string text;
+  for (int i = 0; i < count; ++i) {
+    const double t = 0.01 * i;
+    const double fade = (t - 8) / 4;
+    text += in_full(t) + " " +
+            in_full(0.3 * std::sin(1.6 * std::numbers::pi * t) * std::exp(-fade * fade) + offset) +
+            "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(shapes_that_are_no_ground_motion_are_doubtful) {
+  const Folder folder;
+  const auto doubts = [&](const std::string& text, const std::string& name = "a.txt") {
+    std::ofstream(folder.path(name)) << text;
+    const auto found = records::suite_doubts({{folder.path(name)}}, {}, {});
+    BOOST_TEST(found.size() <= 1U);
+    return found.empty() ? "" : found.front();
+  };
+  BOOST_TEST(doubts(wave(2000)) == "");
+  // The wave has its crests where 1.6 t is 1/2 more than a whole number: at 7.8125 s.
+  check_says(doubts(wave(782)), {"a.txt: ends with 0.299", "its peak is 0.299", "is it cut off?"});
+  check_says(doubts(wave(2000, 0.02)), {"a.txt: has the mean 0.020", "was the offset"});
+  check_says(doubts(wave(2000, -0.02)), {"has the mean -0.01"});
+  BOOST_TEST(doubts(wave(2000, 0.002)) == "");
+  std::string spectrum;
+  for (int i = 1; i <= 40; ++i) {
+    spectrum += in_full(0.1 * i) + " " + in_full(0.6 / i) + "\n";
+  }
+  check_says(doubts(spectrum), {"a.txt: has values of one sign only: is it a spectrum"});
+  check_says(doubts("# acc in m/s2\n" + wave(2000)),
+             {"names the units m/s2", "--record-units m/s2?"});
+}
+
+BOOST_AUTO_TEST_CASE(vertical_components_are_said) {
+  const Folder folder;
+  const auto doubts = [&](const std::string& name, const std::string& text) {
+    std::ofstream(folder.path(name)) << text;
+    return records::suite_doubts({{folder.path(name)}}, {},
+                                 {.step = 0.01, .step_for_others = true});
+  };
+  for (const char* const name :
+       {"A-UP.AT2", "A_DWN.AT2", "A-V.AT2", "a-z.AT2", "up.AT2", "A.ud.AT2"}) {
+    const auto found = doubts(name, header + three);
+    BOOST_TEST_REQUIRE(found.size() == 1U, name);
+    check_says(found.front(), {"is a vertical component by its name"});
+  }
+  for (const char* const name : {"A-H1.AT2", "A090.AT2", "SUPER.AT2", "A-UP2.AT2"}) {
+    BOOST_TEST(doubts(name, header + three).empty(), name);
+  }
+  for (const char* const station : {"SOME STATION, UP", "SOME STATION, DWN", "SOME STATION, V"}) {
+    const std::string text = "PEER NGA\nNOWHERE, " + std::string(station) + "\n" + quantity +
+                             "NPTS= 3, DT= .01 SEC\n" + three;
+    BOOST_TEST(doubts("a.AT2", text).size() == 1U, station);
+  }
+  for (const auto& [sample, vertical] : {std::pair{"V2A#3", true},
+                                         {"V2A#1", false},
+                                         {"afad.txt#3", true},
+                                         {"afad.txt#1", false},
+                                         {"cwa.txt#1", true},
+                                         {"cwa.txt#3", false},
+                                         {"asa#3", true},
+                                         {"asa#2", false}}) {
+    const auto found = records::suite_doubts(
+        {{std::string(STILLPOINT_DATA_DIR "/records/short_pulse.") + sample}}, {}, {});
+    BOOST_TEST(found.size() == (vertical ? 1U : 0U), sample);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

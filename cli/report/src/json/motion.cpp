@@ -35,6 +35,8 @@ ordered_json excitation_json(const Excitation& excitation,
                     {"record_spectrum_period", origin.spectrum_period},
                     {"record_units_read",
                      or_null(record, [](const RecordOrigin& from) { return from.units_read; })},
+                    {"record_units_assumed",
+                     or_null(record, [](const RecordOrigin& from) { return from.assumed; })},
                     {"record_factor", nullptr},
                     {"pga", nullptr}};
   std::visit(

@@ -125,6 +125,9 @@ ordered_json json(const SpectrumReport& report) {
   for (std::size_t i = 0; i < task.records.size(); ++i) {
     records.push_back({{"file", task.records[i].name},
                        {"scale", task.records[i].scale},
+                       {"units", name(task.records[i].units)},
+                       {"units_assumed", task.records[i].assumed_g},
+                       {"pga", design::peak_load(task.records[i])},
                        {"points", points_json(report, report.result.records[i])}});
   }
   return {{"schema", "stillpoint/spectrum-report/1"},

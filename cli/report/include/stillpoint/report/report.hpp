@@ -66,6 +66,7 @@ struct RecordOrigin {
   std::optional<double> spectrum_period;
   double factor{1};        ///< that the values of the file were multiplied by
   std::string units_read;  ///< of the values in the file
+  bool assumed{false};     ///< neither the file nor the options give them
 };
 
 struct MotionReport {

@@ -12,6 +12,9 @@ namespace stillpoint::records {
 /// The largest |W| in g, the peak ground acceleration.
 [[nodiscard]] double peak_acceleration(const Record& record);
 
+/// The mean of W over the record, in g; 0 for a single value.
+[[nodiscard]] double mean_value(const Record& record);
+
 /// The mean time in tau between two values; empty for a single one.
 [[nodiscard]] std::optional<double> mean_interval(const Record& record);
 

@@ -16,6 +16,8 @@ struct SuiteRecord {
   std::string name;  ///< for messages and reports
   Record record;
   double scale{1};  ///< not 0
+  RecordUnits units{RecordUnits::g};
+  bool assumed_g{false};  ///< neither the file nor the options give the units
 };
 
 /// Where the records of a suite are.
@@ -60,9 +62,9 @@ struct ListedRecord {
 [[nodiscard]] std::vector<ListedRecord> asked_records(const SuiteFiles& files,
                                                       const RecordTarget& of_all);
 
-/// A sentence for each file that a suite leaves out as plain text, for values that are far above
-/// those of an earthquake, in the units assumed or as scaled, for times that may be in ms and for
-/// times that jump. The files are read again.
+/// A sentence for each file that a suite leaves out as plain text, and for what is doubtful in the
+/// others: units, scale and peak, a vertical component, an offset, an end that is cut off, values
+/// of a spectrum, times in ms and times that jump. The files are read again.
 [[nodiscard]] std::vector<std::string> suite_doubts(const SuiteFiles& files,
                                                     const RecordScale& scale,
                                                     const RecordOptions& options);
