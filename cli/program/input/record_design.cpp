@@ -9,24 +9,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 
 namespace stillpoint::cli {
 
 namespace {
 
-/// "LOW:HIGH", each with a unit if it has one.
+/// A single value is a range of its own.
 std::optional<Interval> search_range(const Settings& settings, const char* name) {
-  const auto text = settings.text(name);
-  if (!text) {
+  const auto high = settings.number(name);
+  if (!high) {
     return std::nullopt;
   }
-  if (text->find(':') == std::string::npos) {
-    throw InputError(name, *text, "must be LOW:HIGH");
-  }
-  const Interval range = range_value(*find_option(name), *text);
-  records::require_physical(name, find_option(name)->traits.dimension, range.high, range.low);
-  return range;
+  const double low = settings.range(name).value_or(Interval{*high, *high}).low;
+  records::require_physical(name, find_option(name)->traits.dimension, *high, std::max(low, 0.0));
+  return Interval{low, *high};
 }
 
 /// With the longest period if only the range of the search is given.

@@ -49,7 +49,7 @@ const std::vector<Wrong> wrong_inputs{
     {"design --record a.txt --period 2 --trade-off 5",
      {"trade-off cannot be used in a design under records"}},
     {"design --record a.txt --period 2 --scan-points 0", {"scan-points", "0", "from 1"}},
-    {"design --record a.txt --period 2 --search-f 0.1", {"search-f = 0.1", "LOW:HIGH"}},
+    {"design --record a.txt --period 2 --search-f -0.1", {"search-f = -0.1", "from 0"}},
     {"design --record a.txt --period 2 --search-f 0.2:0.1", {"search-f = 0.2:0.1", "LOW <= HIGH"}},
     {"design --record a.txt --period 2 --search-delta-m -1mm:1mm",
      {"search-delta-m", "LOW <= HIGH"}},
