@@ -24,7 +24,6 @@ design = found.design
 for row in found.records:
     motion = stillpoint.simulate(
         record=row.file, f=design.f, delta_m=design.delta_m, samples=200, **isolator)
-    metres = motion.physical.length_unit_m
-    peak = np.abs(motion.trajectory["x"]).max() * metres
-    print(f"{row.file}: peak {peak:.4f} m, rests at {motion.response.stop_position * metres:.4f} m")
+    peak = np.abs(motion.trajectory["x_m"]).max()
+    print(f"{row.file}: peak {peak:.4f} m, rests at {motion.physical.stop_position_m:.4f} m")
     assert abs(peak - row.peak_m) <= 1e-9 * row.peak_m

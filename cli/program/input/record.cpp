@@ -38,6 +38,7 @@ records::RecordOptions record_options(const Settings& settings, const records::R
   options.units = settings.named<records::RecordUnits>("record-units");
   options.gravity_m_per_s2 = settings.number("gravity").value_or(design::Scales().gravity_m_per_s2);
   options.clock = clock;
+  options.held = settings.held_records();
   return options;
 }
 

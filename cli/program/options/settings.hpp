@@ -7,6 +7,7 @@
 #include <stillpoint/design/load_reach.hpp>
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/number.hpp>
+#include <stillpoint/records/record_file.hpp>
 #include <stillpoint/sweep/axis.hpp>
 
 #include <nlohmann/json_fwd.hpp>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -117,6 +119,12 @@ class Settings {
 
   void drop(std::string_view name) { entries_.erase(name); }
 
+  /// Records that are in memory, by the names that the option record has for them.
+  void hold_records(std::shared_ptr<const records::HeldFiles> held) { held_ = std::move(held); }
+  [[nodiscard]] const std::shared_ptr<const records::HeldFiles>& held_records() const {
+    return held_;
+  }
+
   /// Sets what `other` has and this does not have.
   void complete_with(const Settings& other) {
     entries_.insert(other.entries_.begin(), other.entries_.end());
@@ -139,6 +147,7 @@ class Settings {
   }
 
   std::map<std::string_view, Entry> entries_;
+  std::shared_ptr<const records::HeldFiles> held_;
 };
 
 /// Whether one or more records are named.

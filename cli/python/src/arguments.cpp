@@ -3,10 +3,12 @@
 
 #include "input/warnings.hpp"
 #include "options/scene.hpp"
+#include "record_arrays.hpp"
 #include "values.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/text.hpp>
+#include <stillpoint/report/document.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -43,13 +45,28 @@ const Option& option_of(Command command, const std::string& keyword) {
   return *option;
 }
 
-Settings from_scene(Command command, const py::object& scene) {
-  const nlohmann::json given = to_json("scene", scene);
-  if (!given.is_object() && !given.is_string()) {
-    throw InputError("scene", py::repr(scene).cast<std::string>(), "must be a path or a dict");
+/// The value of an option, or of a key that is none.
+nlohmann::json json_of(const Option* option, const std::string& key, py::handle value,
+                       RecordArrays& arrays) {
+  return option == nullptr || option->traits.file == cli::FileUse::none ? to_json(key, value)
+         : option->name == "record"                                     ? arrays.names_in(value)
+                                                                        : to_paths(key, value);
+}
+
+Settings from_mapping(Command command, const py::object& scene, RecordArrays& arrays) {
+  nlohmann::json given = nlohmann::json::object();
+  for (const auto& [key, value] : py::dict(scene)) {
+    const auto name = py::str(key).cast<std::string>();
+    given[name] = json_of(cli::find_option(records::hyphened(name)), name, value, arrays);
   }
-  Settings all = given.is_object() ? cli::scene_settings(given, command)
-                                   : cli::read_scene(given.get<std::string>(), command);
+  return cli::scene_settings(given, command);
+}
+
+Settings from_scene(Command command, const py::object& scene, RecordArrays& arrays) {
+  Settings all =
+      py::hasattr(scene, "keys")
+          ? from_mapping(command, scene, arrays)
+          : cli::read_scene(to_path("scene", scene, "must be a path or a dict"), command);
   for (const Option& option : cli::options()) {
     if (option.traits.role == cli::Role::output && !option.serves_in_python(command)) {
       all.drop(option.name);
@@ -73,7 +90,9 @@ std::string type_of(const Option& option, Command command) {
     case cli::OptionKind::text:
       break;
   }
-  return option.traits.file != cli::FileUse::none
+  return option.name == "record"
+             ? option.repeats_in(command) ? "Record | Sequence[Record]" : "Record"
+         : option.traits.file != cli::FileUse::none
              ? option.repeats_in(command) ? "Path | Sequence[Path]" : "Path"
          : option.traits.in_scene == cli::InScene::group ? "str | Mapping[str, Any]"
          : option.traits.in_scene == cli::InScene::zones ? "str | Sequence[Mapping[str, Any]]"
@@ -100,7 +119,8 @@ std::string documentation(Command command, std::string_view about) {
   }
   return fmt::format(
       "{})\n--\n\n{}\n\nscene is a path or a dict, as for the program; an option overrides its "
-      "key. A value may be a string with its unit, \"150mm\".\nRaises InputError with the text of "
+      "key. A value may be a string with its unit, \"150mm\"; a record may be arrays, (times, "
+      "accelerations).\nRaises InputError with the text of "
       "the "
       "program.\n\nOptions:{}",
       signature, about, list);
@@ -122,30 +142,32 @@ py::list options(const std::string& command) {
 
 void warn_of_doubts(const Settings& settings, Command command) {
   for (const std::string& warning : cli::warnings(settings, command)) {
-    if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) {
+    constexpr int of_the_caller = 2;  // of the function of the package that called this
+    const py::str text = to_str(report::spelled_out(warning));
+    if (PyErr_WarnFormat(PyExc_UserWarning, of_the_caller, "%U", text.ptr()) != 0) {
       throw py::error_already_set();
     }
   }
 }
 
 Settings settings(Command command, const py::object& scene, const py::dict& options) {
+  RecordArrays arrays;
   nlohmann::json given = nlohmann::json::object();
   for (const auto& [key, value] : options) {
-    const auto keyword = key.cast<std::string>();
-    const Option& option = option_of(command, keyword);
+    const Option& option = option_of(command, key.cast<std::string>());
+    const std::string name(option.name);
     if (!value.is_none()) {
-      given[std::string(option.name)] = to_json(std::string(option.name), value);
+      given[name] = json_of(&option, name, value, arrays);
     }
   }
-  Settings flags = cli::scene_settings(given, command);
-  Settings of_scene = scene.is_none() ? Settings() : from_scene(command, scene);
-  if (command == Command::design && !flags.has("part") && !of_scene.has("part")) {
-    if (flags.has("output")) {
-      throw cli::UsageError("output needs a part of a design: give part as well");
-    }
-    of_scene.drop("output");
+  const Settings flags = cli::scene_settings(given, command);
+  Settings all = flags;
+  if (!scene.is_none()) {
+    Settings of_scene = from_scene(command, scene, arrays);
+    all = cli::scene_and_flags(command, flags, of_scene);
   }
-  return scene.is_none() ? flags : cli::scene_and_flags(command, flags, of_scene);
+  all.hold_records(arrays.files());
+  return all;
 }
 
 }  // namespace stillpoint::python

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
+#include <utility>
 
 namespace stillpoint::python {
 
@@ -15,18 +15,10 @@ namespace {
 constexpr std::array<const char*, places> argument_names{"f", "delta", "v0", "p"};
 
 Doubles as_doubles(py::handle value, const char* name) {
-  constexpr std::string_view kinds = "biufO";  // bools, integers, floats, Python's own
-  const py::array given = py::array::ensure(value);
-  const bool numbers = given && kinds.find(given.dtype().kind()) != std::string_view::npos;
-  auto array = py::reinterpret_steal<Doubles>(py::handle());
-  if (numbers) {
-    array = Doubles::ensure(given);
+  if (auto array = doubles(name, value)) {
+    return *std::move(array);
   }
-  if (!array) {
-    PyErr_Clear();
-    throw ArgumentError(fmt::format("{}: must be a number or an array of numbers", name));
-  }
-  return array;
+  throw ArgumentError(fmt::format("{}: must be a number or an array of numbers", name));
 }
 
 std::vector<py::ssize_t> shape_of(const py::array& array) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "numbers.hpp"
+
 #include <stillpoint/core/for_each_entry.hpp>
 
 #include <pybind11/numpy.h>
@@ -12,8 +14,6 @@
 namespace stillpoint::python {
 
 namespace py = pybind11;
-
-using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 /// One damper's four numbers, in the order of the arguments.
 enum Place { at_f, at_delta, at_v0, at_p, places };

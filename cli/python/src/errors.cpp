@@ -3,6 +3,7 @@
 
 #include "messages.hpp"
 #include "options/settings.hpp"
+#include "values.hpp"
 
 #include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -29,7 +30,7 @@ void refuse() {
     try {
       std::rethrow_exception(std::move(thrown));
     } catch (const Error& error) {
-      PyErr_SetString(input_error, report::spelled_out(error.what()).c_str());
+      PyErr_SetObject(input_error, to_str(report::spelled_out(error.what())).ptr());
     }
   });
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "parts.hpp"
+#include "record_arrays.hpp"
 #include "values.hpp"
 
 #include <stillpoint/core/input_error.hpp>
@@ -39,13 +40,16 @@ py::dict read_record(const py::object& record, const std::optional<std::string>&
   }
   options.scale = scale;
   options.gravity_m_per_s2 = gravity;
-  const auto path = to_path("record", record);
+  RecordArrays arrays;
+  const nlohmann::json named = arrays.names_in(record);
+  const std::string path = named.is_string() ? named.get<std::string>() : to_path("record", record);
+  options.held = arrays.files();
   records::RecordFile file = [&] {
     const py::gil_scoped_release released;
     return records::read_record(path, options);
   }();
   py::dict found = fields();
-  found["file"] = path;
+  found["file"] = to_str(path);
   found["description"] = file.description;
   found["units"] = py::str(std::string(name(file.units)));
   found["step"] = file.record.times.empty() ? py::object(py::float_(file.record.step)) : py::none();
@@ -65,9 +69,9 @@ void add_records(py::module_& module) {
       R"(read_record(record, *, record_units=None, record_step=None, record_scale=1, gravity=9.80665)
 --
 
-An acceleration record from a file, in any format that the program reads.
+An acceleration record from a file, in any format that the program reads, or from arrays.
 
-record        path of the file
+record        path of the file; or (times, accelerations), or accelerations with record_step
 record_units  of its values, "g", "m/s2" or "cm/s2"; default: as the file says, else g
 record_step   time between two values in s, for a file without times
 record_scale  factor on every value

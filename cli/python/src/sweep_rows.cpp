@@ -209,9 +209,9 @@ std::unique_ptr<Sweep> merged_rows(const std::vector<std::string>& parts,
 }
 
 void add_sweep(py::module_& module) {
-  py::class_<Sweep, Result>(module, "Sweep",
-                            "What sweep found: the fields of its report as attributes, and table.")
-      .def_property_readonly("table", &Sweep::table,
+  result_class<Sweep, Result>(
+      module, "Sweep", "What sweep found: the fields of its report as attributes, and table.")
+      .def_property_readonly("table", &Result::rows,
                              "a structured array with a field for each column; None if the rows "
                              "went to a file, and with reduce");
   module.def(

@@ -14,13 +14,7 @@ namespace stillpoint::python {
 /// What sweep found, with its rows if they are in memory.
 class Sweep final : public Result {
  public:
-  Sweep(std::unique_ptr<answers::Answer> answer, pybind11::object table)
-      : Result(std::move(answer)), table_(std::move(table)) {}
-
-  [[nodiscard]] const pybind11::object& table() const { return table_; }
-
- private:
-  pybind11::object table_;
+  using Result::Result;
 };
 
 /// The whole sweep without rows, of all its parts.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "values.hpp"
 
+#include "numbers.hpp"
+
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/number.hpp>
 
@@ -33,16 +35,33 @@ json number(const std::string& field, py::handle value) {
 
 /// A file's name would end at a null character.
 json text(const std::string& field, py::handle value) {
-  Py_ssize_t size = 0;
-  const char* const bytes = PyUnicode_AsUTF8AndSize(value.ptr(), &size);
-  if (bytes == nullptr) {
-    throw py::error_already_set();  // half of a surrogate pair
+  py::object bytes = py::reinterpret_borrow<py::object>(value);
+  if (PyUnicode_Check(value.ptr())) {
+    bytes = py::reinterpret_steal<py::object>(
+        PyUnicode_AsEncodedString(value.ptr(), "utf-8", "surrogateescape"));
+    if (!bytes) {
+      throw py::error_already_set();  // half of a surrogate pair
+    }
   }
-  std::string text(bytes, static_cast<std::size_t>(size));
+  auto text = bytes.cast<std::string>();
   if (text.find('\0') != std::string::npos) {
     throw InputError(field, py::repr(value).cast<std::string>(), "must not have a null character");
   }
   return text;
+}
+
+/// An array of NumPy, or one of its numbers.
+json array(const std::string& field, py::handle value) {
+  refuse_masked(field, value);
+  const py::object plain = value.attr("tolist")();
+  if (!py::type::of(plain).is(py::type::of(value))) {
+    return to_json(field, plain);
+  }
+  // Python has nothing wider than a double, so that a long double is its own plain form.
+  if (value.attr("dtype").attr("kind").cast<std::string>() == "f") {
+    return to_json(field, py::float_(plain));
+  }
+  throw InputError(field, py::repr(value).cast<std::string>(), "must be a real number");
 }
 
 bool is_list(py::handle value) {
@@ -103,10 +122,10 @@ json to_json(const std::string& field, py::handle value) {
     return object(value);
   }
   if (py::hasattr(value, "__fspath__")) {
-    return to_json(field, value.attr("__fspath__")());
+    return to_paths(field, value.attr("__fspath__")());
   }
-  if (py::hasattr(value, "tolist")) {  // an array of NumPy, or one of its numbers
-    return to_json(field, value.attr("tolist")());
+  if (py::hasattr(value, "tolist")) {
+    return array(field, value);
   }
   if (py::hasattr(value, "keys")) {  // a mapping; a series of pandas, which has them too, is above
     return object(value);
@@ -118,12 +137,31 @@ json to_json(const std::string& field, py::handle value) {
                    "must be a number, a string or a list of them");
 }
 
-std::string to_path(const std::string& field, py::handle value) {
-  const json path = to_json(field, value);
+json to_paths(const std::string& field, py::handle value) {
+  if (py::isinstance<py::bytes>(value)) {
+    return text(field, value);
+  }
+  if (!py::isinstance<py::list>(value) && !py::isinstance<py::tuple>(value)) {
+    return to_json(field, value);
+  }
+  json all = json::array();
+  for (const py::handle one : value) {
+    all.push_back(to_paths(field, one));
+  }
+  return all;
+}
+
+std::string to_path(const std::string& field, py::handle value, std::string_view must_be) {
+  const json path = to_paths(field, value);
   if (!path.is_string()) {
-    throw InputError(field, py::repr(value).cast<std::string>(), "must be a path");
+    throw InputError(field, py::repr(value).cast<std::string>(), std::string(must_be));
   }
   return path.get<std::string>();
+}
+
+py::str to_str(std::string_view text) {
+  return py::reinterpret_steal<py::str>(
+      PyUnicode_DecodeUTF8(text.data(), static_cast<py::ssize_t>(text.size()), "surrogateescape"));
 }
 
 py::dict fields() {
@@ -143,7 +181,7 @@ py::object to_python(const ordered_json& value) {
     case ordered_json::value_t::number_float:
       return py::float_(value.get<double>());
     case ordered_json::value_t::string:
-      return py::str(value.get_ref<const std::string&>());
+      return to_str(value.get_ref<const std::string&>());
     case ordered_json::value_t::array: {
       py::list all;
       for (const ordered_json& entry : value) {
@@ -154,7 +192,7 @@ py::object to_python(const ordered_json& value) {
     case ordered_json::value_t::object: {
       py::dict all = fields();
       for (const auto& [key, entry] : value.items()) {
-        all[py::str(key)] = to_python(entry);
+        all[to_str(key)] = to_python(entry);
       }
       return all;
     }

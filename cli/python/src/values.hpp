@@ -12,11 +12,19 @@
 namespace stillpoint::python {
 
 /// A value of an option: None, a bool, a number, a string, a path, a sequence, a mapping, or
-/// NumPy's versions of these. Throws InputError that names `field` for anything else.
+/// NumPy's versions of these. The bytes of names that are not UTF-8 stay as they are. Throws
+/// InputError that names `field` for anything else, and for masked entries.
 [[nodiscard]] nlohmann::json to_json(const std::string& field, pybind11::handle value);
 
-/// A str, or a path of the library. Throws InputError that names `field` for anything else.
-[[nodiscard]] std::string to_path(const std::string& field, pybind11::handle value);
+/// The same of an option that names files: bytes are paths as well.
+[[nodiscard]] nlohmann::json to_paths(const std::string& field, pybind11::handle value);
+
+/// A str, bytes, or a path of the library. Throws InputError that names `field` for anything else.
+[[nodiscard]] std::string to_path(const std::string& field, pybind11::handle value,
+                                  std::string_view must_be = "must be a path");
+
+/// Text in which bytes that are not UTF-8 are what os.fsencode turns back into them.
+[[nodiscard]] pybind11::str to_str(std::string_view text);
 
 /// Objects become stillpoint.Fields.
 [[nodiscard]] pybind11::object to_python(const nlohmann::ordered_json& value);

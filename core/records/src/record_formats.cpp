@@ -126,6 +126,9 @@ bool is_plain_text(std::string_view text, const std::string& path) {
 
 RecordFile read_record(const std::string& path, const RecordOptions& options) {
   check(options);
+  if (options.held && options.held->contains(path)) {
+    return parse_record(options.held->at(path), path, options);
+  }
   RecordOptions chosen = options;
   const std::string file = without_channel(path, chosen.channel);
   return parse_record(read_text_file("record", file, largest_record_bytes), file, chosen);

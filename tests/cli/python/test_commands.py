@@ -81,16 +81,6 @@ def test_fields_of_the_report_are_attributes():
         found.design.colour
 
 
-@pytest.mark.parametrize("beta", [0.9, 0.5])
-def test_region_of_three_floats_equals_the_general_call(beta):
-    quick = stillpoint.region(v0=1.0, p=1.0, beta=beta)
-    slow = stillpoint.region(v0=1, p=1, beta=beta)
-    assert type(quick) is not type(slow)
-    assert quick.region == slow.region == quick.report["region"]
-    assert quick.report == slow.report
-    assert repr(quick) == repr(slow)
-
-
 def test_axis_of_a_spectrum_may_be_an_array():
     damper = {"record": RECORD, "f": 0.05, "delta_m": 0.01}
     periods = np.array([1.1, 2.3, 2.9])
@@ -108,6 +98,19 @@ def test_trajectory_matches_the_program(program):
         assert np.array_equal(found.trajectory[name], wanted[:, column])
     assert stillpoint.simulate(**motion).trajectory is None
     assert stillpoint.simulate(t_end=3, **motion).trajectory["tau"][-1] == 3
+
+
+def test_trajectory_of_physical_input_is_in_metres_and_seconds(program):
+    motion = {"velocity": "0.4m/s", "period": "2.8s", "f": 0.02, "delta_m": 0.005}
+    program.run("simulate", trajectory="rows.csv", samples=50, **motion)
+    wanted = np.genfromtxt("rows.csv", delimiter=",", names=True)
+    found = stillpoint.simulate(samples=50, **motion)
+    assert found.trajectory.dtype.names == wanted.dtype.names == ("tau", "x", "v", "t_s", "x_m", "v_m_per_s")
+    for name in wanted.dtype.names:
+        assert np.array_equal(found.trajectory[name], wanted[name])
+    assert (found.trajectory["t_s"][0], found.trajectory["v_m_per_s"][0]) == (0, 0.4)
+    assert found.trajectory["t_s"][-1] == found.physical.stop_time_s
+    assert not found.trajectory.flags.writeable
 
 
 def test_text_matches_the_program(program):

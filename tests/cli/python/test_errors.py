@@ -58,7 +58,7 @@ def test_text_matches_the_program(program, command, options):
     ({"beta": [1, 2]}, "beta = [1,2]: must be one number, not a range"),
     ({"catalogue": 5}, "catalogue = 5: must be a path"),
     ({"objective": 5}, "objective = 5: must be a string"),
-    ({"record": [5]}, "record = 5: must be a path"),
+    ({"record": ["a", 5]}, "record = 5: must be a path"),
 ])
 def test_what_only_python_can_get_wrong_is_named(options, text):
     with pytest.raises(stillpoint.InputError) as caught:
@@ -169,10 +169,10 @@ def test_interrupt_ends_arrays(interrupt):
 def test_scenes_and_paths_are_accepted_or_refused_by_name(program):
     plain = {"v0": 1, "p": 1, "beta": 0.9}
     assert stillpoint.region(types.MappingProxyType(plain)).report == stillpoint.region(plain).report
-    for scene in (5, [1], b"x", 1j):
+    for scene in (5, [1], bytearray(b"x"), 1j):
         with pytest.raises(stillpoint.InputError, match="^scene = "):
             stillpoint.region(scene)
-    for record in (5, [1], None):
+    for record in (5, ["a"], None):
         with pytest.raises(stillpoint.InputError, match="^record = .*: must be a path$"):
             stillpoint.read_record(record)
     (program.folder / "a").write_text("{}")
@@ -195,7 +195,7 @@ def test_axes_may_be_any_sequence():
 @pytest.mark.parametrize("wrong", [1j, ["a"], ["0.1"], np.array([1j]), np.array(["2020"], "M8[Y]"), {}])
 def test_arrays_are_of_numbers(wrong):
     with pytest.raises(stillpoint.InputError, match="^f: must be a number or an array of numbers$"):
-        stillpoint.peak(wrong, 0.1, 1.0, 1.0)
+        stillpoint.motions(wrong, 0.1, 1.0, 1.0)
 
 
 COMMAS = """

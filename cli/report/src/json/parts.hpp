@@ -63,6 +63,8 @@ template <class Range>
 /// The part of `input` that design and region share.
 [[nodiscard]] nlohmann::ordered_json task_json(const design::Problem& problem,
                                                const design::Limits& limits);
+/// The field `region` of a report.
+[[nodiscard]] nlohmann::ordered_json region_fields(const design::RegionVerdict& verdict);
 [[nodiscard]] nlohmann::ordered_json constraint_json(const design::Constraint& constraint);
 [[nodiscard]] nlohmann::ordered_json served_json(const std::optional<design::WorksFor>& served,
                                                  bool of_pulse);

@@ -124,8 +124,6 @@ struct Advice {
 /// As the program writes it: indented, with a final newline. A number that is not finite is an
 /// assertion.
 [[nodiscard]] std::string json_text(const nlohmann::ordered_json& json);
-/// The field `region` of a report.
-[[nodiscard]] nlohmann::ordered_json region_fields(const design::RegionVerdict& verdict);
 
 /// The figures above the document. The caller adds title, input and footer.
 [[nodiscard]] figures::HtmlPage page(const DesignReport& report);
@@ -135,7 +133,18 @@ struct Advice {
 [[nodiscard]] std::vector<figures::Figure> drawings(const RegionReport& report);
 [[nodiscard]] std::vector<figures::Figure> drawings(const MotionReport& report);
 
-/// tau,x,v, and with physical input t_s,x_m,v_m_per_s, a line for each state.
+/// A state of a trajectory in metres and seconds as well.
+struct PhysicalState {
+  double tau{0};
+  double x{0};
+  double v{0};
+  double t_s{0};
+  double x_m{0};
+  double v_m_per_s{0};
+};
+[[nodiscard]] PhysicalState physical_state(const State& state, const design::Scales& scales);
+
+/// A line for each state, with the columns of PhysicalState, or tau,x,v without physical input.
 [[nodiscard]] std::string trajectory_csv(const std::vector<State>& states,
                                          const std::optional<design::PhysicalInput>& physical);
 

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -46,6 +48,9 @@ struct RecordClock {
   [[nodiscard]] bool holds_step(double step) const { return reaches(step) && tells_apart(0, step); }
 };
 
+/// The texts of files by the names that stand for their paths.
+using HeldFiles = std::map<std::string, std::string>;
+
 struct RecordOptions {
   /// In the clock's unit, > 0; for a file with values alone. Any other refuses it, unless it may be
   /// for other files of the suite.
@@ -58,6 +63,7 @@ struct RecordOptions {
   double scale{1};  ///< factor on every value; negative reverses it; not 0
   double gravity_m_per_s2{standard_gravity_m_per_s2};  ///< one g of the result
   RecordClock clock{};
+  std::shared_ptr<const HeldFiles> held{};  ///< read in place of files of these names
 };
 
 /// An acceleration record as a motion takes it, and what the file says about it.

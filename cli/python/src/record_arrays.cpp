@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "record_arrays.hpp"
+
+#include "numbers.hpp"
+#include "values.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+namespace stillpoint::python {
+
+namespace py = pybind11;
+using nlohmann::json;
+
+namespace {
+
+bool is_name(py::handle value) {
+  return py::isinstance<py::str>(value) || py::isinstance<py::bytes>(value) ||
+         py::hasattr(value, "__fspath__");
+}
+
+std::optional<Doubles> column(py::handle value) {
+  auto found = is_name(value) ? std::nullopt : doubles("record", value);
+  return found && found->ndim() == 1 ? found : std::nullopt;
+}
+
+/// As a file with one or two columns has it, every digit; empty for anything else.
+std::string text_of(py::handle value) {
+  std::string text;
+  if (const auto values = column(value)) {
+    for (py::ssize_t i = 0; i < values->size(); ++i) {
+      fmt::format_to(std::back_inserter(text), "{}\n", values->at(i));
+    }
+    return text;
+  }
+  if (is_name(value) || PySequence_Check(value.ptr()) == 0 || py::len(value) != 2) {
+    return text;
+  }
+  const auto times = column(value[py::int_(0)]);
+  const auto values = column(value[py::int_(1)]);
+  if (!times || !values) {
+    return text;
+  }
+  if (times->size() != values->size()) {
+    throw InputError("record", fmt::format("({} times, {} values)", times->size(), values->size()),
+                     "must have a time for each value");
+  }
+  for (py::ssize_t i = 0; i < values->size(); ++i) {
+    fmt::format_to(std::back_inserter(text), "{} {}\n", times->at(i), values->at(i));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string RecordArrays::hold(std::string text) {
+  if (!files_) {
+    files_ = std::make_shared<records::HeldFiles>();
+  }
+  std::string name = fmt::format("record {}", files_->size() + 1);
+  while (std::filesystem::exists(name)) {
+    name += '\'';
+  }
+  files_->emplace(name, std::move(text));
+  return name;
+}
+
+json RecordArrays::names_in(py::handle value) {
+  if (std::string text = text_of(value); !text.empty()) {
+    return hold(std::move(text));
+  }
+  if (is_name(value) || PySequence_Check(value.ptr()) == 0) {
+    return to_paths("record", value);
+  }
+  if (py::isinstance<py::array>(value) && value.attr("ndim").cast<int>() > 1) {
+    throw InputError("record",
+                     "an array of shape " + py::str(value.attr("shape")).cast<std::string>(),
+                     "must be (times, accelerations), or have the shape (2, n)");
+  }
+  json names = json::array();
+  for (const py::handle one : value) {
+    std::string text = text_of(one);
+    names.push_back(text.empty() ? to_paths("record", one) : json(hold(std::move(text))));
+  }
+  return names;
+}
+
+}  // namespace stillpoint::python
