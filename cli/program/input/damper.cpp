@@ -14,9 +14,6 @@ namespace stillpoint::cli {
 
 namespace {
 
-/// For a limit of Delta, as in problem.hpp.
-constexpr double smallest_limit = 1e-300;
-
 struct Task {
   design::Problem problem;
   design::Limits limits;
@@ -62,7 +59,7 @@ Task read_task(const Settings& settings, Command command) {
     const std::string name = records::hyphened(kind.field);
     task.limits.*kind.value = kind.in_metres.empty()
                                   ? settings.number(name)
-                                  : point_friction(settings, name, motion.physical, smallest_limit);
+                                  : point_friction(settings, name, motion.physical);
   }
   task.problem.v0_low = motion.v0_low;
   task.problem.p_high = motion.p_high;

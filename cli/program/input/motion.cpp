@@ -118,7 +118,7 @@ std::optional<double> in_either(const Settings& settings, std::string_view plain
 }
 
 std::optional<double> point_friction(const Settings& settings, std::string_view plain,
-                                     const Physical& physical, double least) {
+                                     const Physical& physical) {
   const Option* const metres = with_unit(settings, plain);
   if (metres == nullptr) {
     return settings.number(plain);
@@ -126,9 +126,9 @@ std::optional<double> point_friction(const Settings& settings, std::string_view 
   const double value = *settings.number(metres->name);
   const double unit = physical->scales.length_m;
   const double most = std::min(largest_square * unit, std::numeric_limits<double>::max());
-  if (!(value >= least * unit && value <= most)) {
+  if (!(value >= 0 && value <= most)) {
     throw InputError(std::string(metres->name), value,
-                     fmt::format("must be a number from {:.3g} to {:.3g}", least * unit, most));
+                     fmt::format("must be a number from 0 to {:.3g}", most));
   }
   return value / unit;
 }

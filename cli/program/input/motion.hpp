@@ -48,9 +48,9 @@ struct MotionInput {
 /// What moves, with its damper. Throws InputError for a missing or wrong value.
 [[nodiscard]] Oscillator oscillator_input(const Settings& settings, const MotionInput& motion);
 
-/// The same of a point friction or a residual, then at least `least` units.
+/// The same of a point friction or a residual.
 [[nodiscard]] std::optional<double> point_friction(const Settings& settings, std::string_view plain,
-                                                   const Physical& physical, double least = 0);
+                                                   const Physical& physical);
 
 /// "x:f,x:f,...", as a scene's list of { "to": x, "f": f } reads in one text.
 [[nodiscard]] std::string zones_text(const nlohmann::json& list);

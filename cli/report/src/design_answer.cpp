@@ -64,10 +64,10 @@ bool is_f_on_an_edge(const design::DesignRequest& request, const design::DesignP
 
 std::string tolerance_left(const DesignReport& report) {
   const design::Limits& limits = report.result.request.limits;
-  const double tolerance = report.result.finding->point.tolerance;
+  const auto& [f, delta, tolerance] = report.result.finding->point;
   return wants_no_friction(report) && leaves_any(tolerance) && limits.shape == design::BoxShape{}
              ? tolerance_without_friction(report.result)
-             : tolerance_words(limits, tolerance);
+             : tolerance_words(limits, tolerance, delta);
 }
 
 std::string checks_agree(const design::CrossCheck& check) {

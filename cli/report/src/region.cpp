@@ -67,7 +67,7 @@ std::string judgement(const RegionReport& report) {
   if (!answer.tolerance) {
     return damper + " is not admissible." + violations(report);
   }
-  const std::string tolerance = tolerance_words(design::Limits{}, *answer.tolerance);
+  const std::string tolerance = tolerance_words(design::Limits{}, *answer.tolerance, *delta);
   const bool exact = !leaves_any(*answer.tolerance);
   return *answer.admissible
              ? format("{} is admissible{} {}.", damper, exact ? ", but" : ":", tolerance)
@@ -117,7 +117,8 @@ std::string delta_words(const std::vector<Interval>& all, const Physical& physic
         "{}{}", text.empty() ? "delta " : " or ",
         std::isinf(high) ? format("of at least {}", least)
         : low > 0 ? format("from {} to {}", least, length_limit(physical, high * conversion, false))
-                  : format("up to {}", length_limit(physical, high * conversion, false)));
+        : high == 0 ? "of 0"
+                    : format("up to {}", length_limit(physical, high * conversion, false)));
   }
   return text + (lower == 0   ? ""
                  : lower == 1 ? " or in a lower range"

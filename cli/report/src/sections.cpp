@@ -60,14 +60,14 @@ std::string damper_words(const Physical& physical, const std::optional<double>& 
                        with_unit(*energy, "J"))
               : format("delta = {}{}", length_shown(physical, delta, digits),
                        delta > 0 && (shape.width || shape.hold) ? " in " + which : "");
-  const std::string friction = weighed ? "a friction force of " + with_unit(*force, "N") : "";
-  return !f ? notch + " and as little constant friction as you can"
-         : weighed && delta == 0
-             ? *f == 0 ? "neither friction nor a notch" : friction + " without a notch"
+  const std::string friction = !f        ? ""
+                               : weighed ? "a friction force of " + with_unit(*force, "N")
+                               : digits  ? format("f = {:.{}g}", *f, *digits)
+                                         : format("f = {}", *f);
+  return !f           ? notch + " and as little constant friction as you can"
+         : delta == 0 ? *f == 0 ? "neither friction nor a notch" : friction + " without a notch"
          : weighed && *f == 0 ? notch + ", without constant friction"
-         : weighed            ? friction + " and " + notch
-         : digits             ? format("f = {:.{}g} and {}", *f, *digits, notch)
-                              : format("f = {} and {}", *f, notch);
+                              : friction + " and " + notch;
 }
 
 std::string period_words(const Physical& physical, double p, std::optional<int> digits) {

@@ -137,8 +137,9 @@ inline constexpr int usual_digits = 4;
 [[nodiscard]] std::vector<std::string> tolerance_heads(const design::Limits& limits);
 [[nodiscard]] std::vector<std::string> tolerance_cells(const design::Limits& limits,
                                                        const std::optional<double>& tolerance);
-/// "f and delta may both be off by +-34.18 %", likewise.
-[[nodiscard]] std::string tolerance_words(const design::Limits& limits, double tolerance);
+/// "f and delta may both be off by +-34.18 %", likewise; without a notch f alone.
+[[nodiscard]] std::string tolerance_words(const design::Limits& limits, double tolerance,
+                                          double delta);
 
 /// "hits of 0.36 to 0.44 m/s and periods of 2.66 to 2.94 s"; empty without ranges.
 [[nodiscard]] std::string range_words(const design::Problem& problem, const Physical& physical);

@@ -149,26 +149,23 @@ std::string way_out(const design::RegionVerdict& empty, const ShownTask& task) {
                ? ""  // which the verdict says
                : format(" One way out: {}.", words_of(way_of(mend, task)));
   }
-  if (empty.criterion_mend) {
-    return " One way out: the exact criterion.";
-  }
-  std::string both;
-  if (empty.joint_mend) {
-    for (const design::Mend& mend : empty.joint_mend->mends) {
-      both +=
-          format("{}{}", both.empty() ? " One way out: " : " and ", words_of(way_of(mend, task)));
-    }
-    both += ".";
-  }
-  return both;
+  return empty.criterion_mend ? " One way out: the exact criterion." : "";
+}
+
+/// Where there is no mend.
+
+std::string none_alone(const design::RegionVerdict& empty, const ShownTask& task) {
+  return format("No change of a single input was found that makes it feasible{}.",
+                empty.largest_tolerance
+                    ? format(": whatever the stroke and the limits are, no damper has more than {}",
+                             tolerance_shown(task.limits, *empty.largest_tolerance))
+                    : "");
 }
 
 }  // namespace
 
 void add_emptiness(Document& document, const design::RegionVerdict& empty, const ShownTask& task) {
   const bool exact = empty.criterion_mend.has_value();
-  const auto joint = exact ? std::nullopt : empty.joint_mend;
-  const std::vector<design::Mend>& mends = joint ? joint->mends : empty.mends;
   document.verdict = format(
       "No admissible design: {}.{}",
       empty.most_tolerant ? most_tolerant_text(*empty.most_tolerant, task.limits, task.physical)
@@ -176,17 +173,13 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty, const
       way_out(empty, task));
   document.tone = Tone::bad;
   Section& section = document.section("What would make it feasible");
-  const std::size_t ways = mends.size() + (exact ? 1 : 0);
+  const std::size_t ways = empty.mends.size() + (exact ? 1 : 0);
   section.line(
-      joint ? format("No single change makes it feasible: whatever beta and the limits are, no "
-                     "damper has more than a tolerance of {}, and without a tolerance there is "
-                     "none either. Both of these changes together make it feasible:",
-                     box_text(task.limits, joint->largest_tolerance))
-      : ways == 0 ? "No change of a single input was found that makes it feasible."
+      ways == 0 ? none_alone(empty, task)
       : ways == 1
           ? "This change makes it feasible; the value is the nearest that does:"
           : "Changing any one of these makes it feasible; each value is the nearest that does:");
-  for (const design::Mend& mend : mends) {
+  for (const design::Mend& mend : empty.mends) {
     const Way way = way_of(mend, task);
     section.row(way.name,
                 format("at {} {}{}", way.upwards ? "least" : "most", way.bound,

@@ -80,12 +80,17 @@ std::string tolerance_shown(const design::Limits& limits, double tolerance, int 
                                   : box_text(limits, tolerance, shown));
 }
 
-std::string tolerance_words(const design::Limits& limits, double tolerance) {
+std::string tolerance_words(const design::Limits& limits, double tolerance, double delta) {
+  const bool notch = delta > 0;
   if (!leaves_any(tolerance)) {
-    return "f or delta must be exact: the damper is within a millionth of an edge of the "
-           "admissible region";
+    return format(
+        "f{} must be exact: the damper is within a millionth of an edge of the admissible region",
+        notch ? " or delta" : "");
   }
   const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
+  if (!notch) {
+    return "f may be off by " + cell(tolerance, f_low, f_high, usual_digits);
+  }
   return limits.shape == design::BoxShape{}
              ? format("f and delta may both be off by +-{}", percent_digits(tolerance))
              : box_text(limits, tolerance) + (f_low + f_high == 0 ? ", with f exactly as given"

@@ -37,11 +37,7 @@ DesignResult design(const DesignRequest& request) {
       result.region.conflict = Conflict::narrower_than_rounding;
       result.region.f_lower = result.region.f_upper = std::nullopt;
     }
-    result.reason = reason(result.region, problem, limits);
-    result.mends = mends(problem, limits);
-    result.joint_mend = joint_mend(problem, limits);
-    result.most_tolerant = most_tolerant(problem, limits);
-    result.criterion_mend = criterion_mend(problem, limits);
+    explain(result, problem, limits);
     return result;
   }
   result.finding = finding_of(problem, limits, found->point);

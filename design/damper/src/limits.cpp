@@ -19,7 +19,7 @@ void require_valid(const Problem& problem, const Limits& limits) {
   }
   for (const LimitKind& kind : limit_kinds()) {
     if (const auto& limit = limits.*kind.value) {
-      require_within(kind.field, *limit, smallest_limit, largest_square);
+      require_within(kind.field, *limit, kind.least(), largest_square);
     }
   }
   if (!(limits.tolerance >= 0 && limits.tolerance < 1)) {

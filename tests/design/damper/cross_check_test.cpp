@@ -117,6 +117,30 @@ BOOST_AUTO_TEST_CASE(the_design_of_another_problem_fails) {
   }
 }
 
+/// Without a notch the mass rests off centre, however much friction there is: at the first peak,
+/// V0^2 / (p (r + phi)), from phi = V0/sqrt(3) on.
+BOOST_AUTO_TEST_CASE(constant_friction_alone_passes) {
+  RandomSource random(902);
+  for (int i = 0; i < 500; ++i) {
+    Problem task{random.log_uniform(0.01, 100), random.log_uniform(0.01, 100), 1};
+    task.arrivals = most_arrivals;
+    task.beta = task.residual.emplace(1e12 * task.v0 / task.p);
+    const double friction = task.v0 * task.p * random.log_uniform(0.01, 1e8);
+    const double phi = friction / task.p;
+    const Prediction prediction = predict(task, friction, 0);
+    if (phi > task.v0 / std::numbers::sqrt3) {
+      const double peak = task.v0 / (std::hypot(task.v0, phi) + phi) * task.v0 / task.p;
+      BOOST_TEST(std::abs(prediction.stop_position / peak - 1) < 1e-15);
+    }
+    const CrossCheck check = cross_check(prediction, task, friction, 0);
+    for (const CheckMethod& method : check.methods) {
+      BOOST_TEST(method.passed, method.name << " is off by " << method.relative_error
+                                            << " with f = " << friction << ", v0 = " << task.v0
+                                            << ", p = " << task.p);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(every_design_that_is_found_passes) {
   RandomSource random(901);
   double worst_map = 0;

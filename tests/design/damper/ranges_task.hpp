@@ -48,8 +48,9 @@ inline Task random_task(RandomSource& random) {
   }
   random.one_in(3, task.limits.f_max,
                 [&] { return problem.v0 * problem.p * random.log_uniform(0.01, 0.4); });
-  random.one_in(4, task.limits.delta_max,
-                [&] { return problem.v0 * problem.v0 * random.uniform(0.1, 0.5); });
+  random.one_in(4, task.limits.delta_max, [&] {  // 0: constant friction alone
+    return random.pick(3) == 0 ? 0 : problem.v0 * problem.v0 * random.uniform(0.1, 0.5);
+  });
   random.one_in(4, task.limits.acceleration_max, [&] {
     return problem.stiffest_p() * problem.v0 * std::sqrt(1 + random.uniform(0, 0.1));
   });

@@ -176,6 +176,9 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused_with_the_name_of_its_field) {
   for (const double wrong : {0.0, -1.0, 1e-301, 1e301, double(HUGE_VAL), not_a_number}) {
     test::check_refused("beta", [&] { return admissible_region({1, 1, wrong}); });
     for (const LimitKind& kind : limit_kinds()) {
+      if (kind.least() == 0 && wrong >= 0 && wrong < 1) {
+        continue;  // without a notch
+      }
       Limits limits;
       limits.*kind.value = wrong;
       test::check_refused(std::string(kind.field), [&] {

@@ -26,11 +26,6 @@ ordered_json mend_json(const design::Mend& mend) {
   return {{"input", mend.field}, {"value", mend.value}};
 }
 
-ordered_json joint_json(const design::JointMend& joint) {
-  return {{"largest_tolerance", joint.largest_tolerance},
-          {"mends", list_json(joint.mends, mend_json)}};
-}
-
 ordered_json point_json(const design::DesignPoint& point) {
   return {{"tolerance", point.tolerance}, {"f", point.f}, {"delta", point.delta}};
 }
@@ -109,7 +104,7 @@ ordered_json region_fields(const design::RegionVerdict& verdict) {
           {"intervals", or_null(verdict.intervals, intervals_json)},
           {"most_tolerant", or_null(verdict.most_tolerant, point_json)},
           {"mends", list_json(verdict.mends, mend_json)},
-          {"joint_mend", or_null(verdict.joint_mend, joint_json)},
+          {"largest_tolerance", verdict.largest_tolerance},
           {"criterion_mend",
            or_null(verdict.criterion_mend, [](const auto& criterion) { return name(criterion); })}};
 }

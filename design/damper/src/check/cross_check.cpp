@@ -8,8 +8,6 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 
-#include <limits>
-
 namespace stillpoint::design {
 
 namespace {
@@ -24,7 +22,7 @@ constexpr Quality runge_kutta_quality{"runge_kutta", 1e-9, 1000 * integrator_tol
 
 CrossCheck cross_check(const Prediction& prediction, const Problem& problem, double f,
                        double delta) {
-  require_within("delta", delta, std::numeric_limits<double>::min(), largest_square);
+  require_within("delta", delta, 0, largest_square);
   const Oscillator oscillator{problem.p, f, delta};
   double margin = 0;
 

@@ -53,8 +53,10 @@ IntegratedMotion integrate_free_motion(const Oscillator& oscillator, double v0, 
   if (holds_at_start(delta, v0)) {
     return motion;
   }
-  // In units of V0 and p, where no half-cycle takes more than pi.
-  const Oscillator unit{1, f / p / v0, delta / v0 / v0};
+  // In units of V0 and p, where no half-cycle takes more than pi. A notch that no digit shows makes
+  // x = 0 an event, whose speed counts.
+  constexpr double unfelt = 1e-300;
+  const Oscillator unit{1, f / p / v0, std::max(delta / v0 / v0, unfelt)};
   const peers::Result result =
       peers::dopri5({unit, {0, 1}, NoExcitation{}, max_half_cycles * pi}, tolerance);
   motion.stopped = result.outcome != Outcome::running;

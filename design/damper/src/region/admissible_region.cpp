@@ -49,6 +49,11 @@ bool stroke_helps(Problem problem, const Limits& limits) {
 
 /// Why no way has a point, the paper's or any.
 void explain(Region& region, const Problem& problem, const Limits& limits, const Edges& edge) {
+  const auto given = limit_edges(problem, limits);
+  if (needs_a_notch(problem, limits)) {
+    const auto no_notch = std::ranges::find(given, 0.0, &LimitEdge::limit);
+    return explain(region, Conflict::stop_against_limit, no_notch->kind);
+  }
   const auto fits = [&](double cap) {
     return lowest_centre(edge.f2, limits.tolerance * limits.shape.f_low) <=
            highest_centre(cap, limits.tolerance * limits.shape.f_high);
@@ -59,7 +64,6 @@ void explain(Region& region, const Problem& problem, const Limits& limits, const
                                ? Conflict::amplitude_against_dead_zone
                                : Conflict::amplitude_against_return);
   }
-  const auto given = limit_edges(problem, limits);
   for (const auto& [kind, limit, most] : given) {
     if (kind->bounds_f() && !(most >= 0 && fits(most))) {
       return explain(region, most < 0 ? Conflict::limit_alone : Conflict::amplitude_against_limit,

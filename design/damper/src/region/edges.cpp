@@ -34,6 +34,10 @@ Edges edges(const Problem& problem, const Limits& limits) {
   return result;
 }
 
+bool needs_a_notch(const Problem& problem, const Limits& limits) {
+  return least_limit(Bounded::delta, limits) == 0 && problem.residual.value_or(0) == 0;
+}
+
 bool box_fits(double floor, double cap, double tolerance) {
   return lowest_centre(floor, tolerance) <= highest_centre(cap, tolerance);
 }

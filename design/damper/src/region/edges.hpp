@@ -26,6 +26,9 @@ struct Edges {
 
 [[nodiscard]] Edges edges(const Problem& problem, const Limits& limits);
 
+/// Delta is limited to 0 and no residual is allowed: constant friction alone stops no mass at x = 0.
+[[nodiscard]] bool needs_a_notch(const Problem& problem, const Limits& limits);
+
 /// There is an f whose box, of the same tolerance on both sides, lies between the two.
 [[nodiscard]] bool box_fits(double floor, double cap, double tolerance);
 

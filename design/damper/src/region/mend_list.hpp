@@ -37,9 +37,6 @@ struct Input {
     set(changed, value);
     return changed;
   }
-  [[nodiscard]] double moved(double factor) const {
-    return to > from ? std::min(from * factor, to) : std::max(from / factor, to);
-  }
   [[nodiscard]] Mend mend(double value) const { return {field, value, value > from}; }
 };
 

@@ -187,10 +187,6 @@ std::vector<Mend> mends_of_ranges(const HitCase& base) {
     list.push_back({"p", *p, *p > problem.p});
   }
   add(beta_of(problem));
-  if (problem.residual) {
-    add({"residual", *problem.residual, problem.beta,
-         [](HitCase& now, double value) { now.problem.residual = value; }});
-  }
   return list;
 }
 
@@ -229,48 +225,6 @@ std::optional<Mend> more_arrivals(const HitCase& base) {
                     : std::nullopt;
 }
 
-/// The JointMend of a case without a single one. `inputs` are those that bring the peak below beta,
-/// the likeliest to be changed first; the tolerance is the last of the limits.
-std::optional<JointMend> joint_mend_of(const HitCase& base,
-                                       const std::vector<Input<HitCase>>& inputs) {
-  constexpr double far = 1e99;     // to the end of every input
-  constexpr double nearer = 1e-9;  // is the same
-  const auto limits = limit_inputs<HitCase>(base.limits);
-  if (!(base.limits.tolerance > 0)) {
-    return std::nullopt;
-  }
-  const Input<HitCase>& tolerance = limits.back();
-  HitCase wide = inputs.front().in(base, inputs.front().to);
-  wide.limits = {};
-  const auto largest = nearest_fit(tolerance.from, tolerance.to, [&](double value) {
-    return has_damper(tolerance.in(wide, value));
-  });
-  std::vector<Input<HitCase>> others = inputs;
-  others.insert(others.end(), limits.begin(), limits.end() - 1);
-  std::optional<double> least;
-  JointMend joint{largest.value_or(0), {}};
-  for (const Input<HitCase>& other : others) {
-    const auto with = [&](double value, double its_tolerance) {
-      return has_damper(tolerance.in(other.in(base, value), its_tolerance));
-    };
-    const auto factor = nearest_fit(
-        1.0, far, [&](double by) { return with(other.moved(by), tolerance.moved(by)); });
-    if (!factor || (least && *factor >= *least * (1 - nearer))) {
-      continue;
-    }
-    least = factor;
-    // One of them may have gone farther than necessary. At the largest possible tolerance rounding
-    // decides, so the other is sought slightly inside it.
-    const double most = tolerance.moved(*factor) * (1 - nearer);
-    const double value =
-        *nearest_fit(other.from, other.moved(*factor), [&](double now) { return with(now, most); });
-    const double its_tolerance =
-        *nearest_fit(tolerance.from, most, [&](double now) { return with(value, now); });
-    joint.mends = {tolerance.mend(its_tolerance), other.mend(value)};
-  }
-  return least ? std::optional(joint) : std::nullopt;
-}
-
 }  // namespace
 
 std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
@@ -289,6 +243,11 @@ std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
     }
     add_mend(list, base, has_damper, beta_of(problem));
   }
+  if (problem.residual || needs_a_notch(problem, limits)) {
+    add_mend(list, base, has_damper,
+             {"residual", problem.residual.value_or(0), problem.beta,
+              [](HitCase& now, double value) { now.problem.residual = value; }});
+  }
   for (const Input<HitCase>& limit : limit_inputs<HitCase>(limits)) {
     add_mend(list, base, has_damper, limit);
   }
@@ -298,6 +257,13 @@ std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
   return list;
 }
 
+std::optional<double> largest_tolerance_of_any(Problem problem, const Limits& limits) {
+  require_valid(problem, limits);
+  problem.beta = beta_of(problem).to;
+  const double most = most_tolerant_of_all(problem, {.shape = limits.shape}, 0).tolerance;
+  return most < limits.tolerance ? std::optional(most) : std::nullopt;
+}
+
 std::optional<Criterion> criterion_mend(const Problem& problem, const Limits& limits) {
   HitCase exact{problem, limits};
   if (problem.criterion == Criterion::exact || has_damper(exact)) {
@@ -305,15 +271,6 @@ std::optional<Criterion> criterion_mend(const Problem& problem, const Limits& li
   }
   exact.problem.criterion = Criterion::exact;
   return has_damper(exact) ? std::optional(Criterion::exact) : std::nullopt;
-}
-
-std::optional<JointMend> joint_mend(const Problem& problem, const Limits& limits) {
-  const HitCase base{problem, limits};
-  if (has_damper(base) || !mends(problem, limits).empty()) {
-    return std::nullopt;
-  }
-  // More p does no better than more beta: p beta / v0 is the same, and f_max comes closer.
-  return joint_mend_of(base, {beta_of(problem), v0_of(problem)});
 }
 
 }  // namespace stillpoint::design

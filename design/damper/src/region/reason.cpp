@@ -153,6 +153,11 @@ std::optional<std::string> reason(const Region& region, const Problem& problem,
     case Conflict::stop_against_start:
       return too_fast(problem, limits, units, "start", "starting needs delta <= delta2 =", box);
     case Conflict::stop_against_limit:
+      if (needs_a_notch(problem, limits)) {
+        return "stop and delta_max conflict: without a notch (delta = 0) the mass rests up to "
+               "f/p^2 "
+               "off centre, not at x = 0; allow a residual";
+      }
       return too_fast(problem, limits, units, region.limit->constraint,
                       fmt::format("{} is", region.limit->field), box);
   }

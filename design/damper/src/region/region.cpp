@@ -24,6 +24,16 @@ std::optional<Response> response_of(const Oscillator& oscillator, double v0) {
 
 }  // namespace
 
+void explain(RegionVerdict& empty, const Problem& problem, const Limits& limits) {
+  empty.reason = reason(empty.region, problem, limits);
+  empty.mends = mends(problem, limits);
+  empty.most_tolerant = most_tolerant(problem, limits);
+  empty.criterion_mend = criterion_mend(problem, limits);
+  if (empty.mends.empty() && !empty.criterion_mend) {
+    empty.largest_tolerance = largest_tolerance_of_any(problem, limits);
+  }
+}
+
 RegionAnswer answer(const RegionRequest& request) {
   const auto& [problem, limits, f, delta, pulse, ranges] = request;
   if (delta && !f) {
@@ -36,11 +46,9 @@ RegionAnswer answer(const RegionRequest& request) {
   if (f) {
     require_valid(Oscillator{problem.p, *f, delta.value_or(0)});
   }
-  RegionAnswer answer{{region, reason(region, problem, limits), mends(problem, limits),
-                       joint_mend(problem, limits)}};
+  RegionAnswer answer{{region}};
   if (!region.feasible) {
-    answer.most_tolerant = most_tolerant(problem, limits);
-    answer.criterion_mend = criterion_mend(problem, limits);
+    explain(answer, problem, limits);
   }
   answer.strips = strips(problem, limits);
   if (f) {

@@ -78,13 +78,27 @@ double d_that_moves(const Way& way, double a) {
 }
 
 /// At the low corner the least d, at the high one the largest.
-Interval edges_at(const Way& way, double a, const Sides& box) {
-  const double a_high = a * box.f_high;
-  return {std::max(d_that_stops(way, a * box.f_low), d_that_moves(way, a_high)),
+Interval edges_between(const Way& way, double a_low, double a_high) {
+  return {std::max(d_that_stops(way, a_low), d_that_moves(way, a_high)),
           d_that_returns(way, a_high)};
 }
 
-double room_between(const Interval& edge, const Sides& box) {
+Interval edges_at(const Way& way, double a, const Sides& box) {
+  return edges_between(way, a * box.f_low, a * box.f_high);
+}
+
+/// By how much V0^2 may grow before the strongest hit passes, at the low corner.
+double spare_of_stop(const Way& way, double a, double d) {
+  const double last = way.stops_last() ? last_edge(way, a, d).square - 1 : HUGE_VAL;
+  return way.stops_early() ? std::min(last, stop_edge(way, a, d).square - 1) : last;
+}
+
+/// With the low corner of f at one value and the high one at another.
+double room_between(const Way& way, double a_low, double a_high, const Sides& box) {
+  if (way.d_cap == 0) {  // then Delta is 0, and has no room: f alone stops the mass or does not
+    return d_that_moves(way, a_high) > 0 ? -1 : std::clamp(spare_of_stop(way, a_low, 0), -1.0, 1.0);
+  }
+  const Interval edge = edges_between(way, a_low, a_high);
   const double least = edge.low / box.delta_low;
   const double most = edge.high / box.delta_high;
   return least + most > 0 ? (most - least) / (most + least) : 0;
@@ -104,15 +118,12 @@ std::optional<Interval> centre_range(const Way& way, double f, double tolerance)
 
 double room(const Way& way, double a, double tolerance) {
   const Sides box = sides(way.limits.shape, tolerance);
-  return room_between(edges_at(way, a, box), box);
+  return room_between(way, a * box.f_low, a * box.f_high, box);
 }
 
 bool no_room_between(const Way& way, double a_low, double a_high, double tolerance) {
   const Sides box = sides(way.limits.shape, tolerance);
-  const Interval widest{
-      std::max(d_that_stops(way, a_high * box.f_low), d_that_moves(way, a_low * box.f_high)),
-      d_that_returns(way, a_low * box.f_high)};
-  return room_between(widest, box) < 0;
+  return room_between(way, a_high * box.f_low, a_low * box.f_high, box) < 0;
 }
 
 double tolerance_of_f(const Way& way, double f) {
@@ -151,11 +162,7 @@ std::optional<double> largest_tolerance(const Way& way, double f, double delta) 
   };
   const auto stops = [&](double t) {
     const Sides box = sides(shape, t);
-    const double low = a * box.f_low;
-    const double last =
-        way.stops_last() ? last_edge(way, low, d * box.delta_low).square - 1 : HUGE_VAL;
-    return way.stops_early() ? std::min(last, stop_edge(way, low, d * box.delta_low).square - 1)
-                             : last;
+    return spare_of_stop(way, a * box.f_low, d * box.delta_low);
   };
   const auto up_to = [&](const auto& function, double most) {
     const double at_most = function(most);

@@ -23,7 +23,8 @@ namespace stillpoint::design {
 [[nodiscard]] double d_of_last_stop(const Way& way, double a);
 
 /// The tolerance of Delta alone that the room for Delta leaves with a box of f of that tolerance,
-/// negative if there is none. In [-1, 1].
+/// negative if there is none. In [-1, 1]. Where no
+/// notch is allowed, how much stronger the strongest hit might be instead, of its V0^2.
 [[nodiscard]] double room(const Way& way, double a, double tolerance);
 /// No f between these two has any room: no edge of Delta grows with f but that of (57), so their
 /// values at the two ends bound those between.

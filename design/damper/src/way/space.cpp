@@ -30,7 +30,10 @@ struct Scaled {
     return point.size() == 3 ? point[2] : tolerance;
   }
   void slopes(Eigen::VectorXd& gradient, double by_a, double by_d, double by_t) const {
-    const Eigen::Vector3d all(by_a * a_cap, by_d * d_cap, by_t);
+    scaled_slopes(gradient, by_a * a_cap, by_d * d_cap, by_t);
+  }
+  static void scaled_slopes(Eigen::VectorXd& gradient, double by_x, double by_y, double by_t) {
+    const Eigen::Vector3d all(by_x, by_y, by_t);
     gradient = all.head(gradient.size());
   }
 };
@@ -92,9 +95,9 @@ class Conditions {
   void add_side(int which, double outwards, double part, double limit) {
     list_.emplace_back([=, scale = scale_](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
       const double side = 1 + outwards * part * scale.box(at);
-      const double by_f = which == 0 ? outwards * side / scale.a_cap : 0;
-      const double by_d = which == 1 ? outwards * side / scale.d_cap : 0;
-      scale.slopes(gradient, by_f, by_d, at[which] * part);
+      const double along = outwards * side;
+      Scaled::scaled_slopes(gradient, which == 0 ? along : 0, which == 1 ? along : 0,
+                            at[which] * part);
       return outwards * (at[which] * side - limit);
     });
   }
@@ -219,8 +222,8 @@ NloptProblem way_posed(ConstraintSupport support, const Way& way, Objective obje
   const Scaled scale{way.a_cap, way.d_cap, way.limits.tolerance};
   const bool robust = objective == Objective::robust;
   const bool by_box = robust && support == ConstraintSupport::yes;
-  const Eigen::Vector3d from(way.scaled(start.f) / scale.a_cap,
-                             start.delta / way.square() / scale.d_cap, scale.tolerance);
+  const double y = scale.d_cap > 0 ? start.delta / way.square() / scale.d_cap : 0;
+  const Eigen::Vector3d from(way.scaled(start.f) / scale.a_cap, y, scale.tolerance);
   const Eigen::Index size = by_box ? 3 : 2;
   NloptProblem posed;
   posed.lower = Eigen::Vector3d(least_x, 0, scale.tolerance).head(size);

@@ -70,7 +70,7 @@ Rest rest(double a, double d, int most, double error) {
     const double t = r - 2 * a;
     if (t < a) {  // (5), (6)
       now.phase += elementary::atan2(v, a) + (t > 0 ? std::numbers::pi : 0);
-      now.position = side * (t > 0 ? a - t : r - a);
+      now.position = side * (t > 0 ? a - t : v * v / (r + a));  // r - a, whose digits cancel
       now.grazing += 1 / (2 * r) + a / (r * r) / (2 * std::max(v, std::sqrt(error)));
       return now;
     }

@@ -10,6 +10,7 @@
 // In units of the strongest hit and the softest spring, as in unit_problem.hpp. The paper's task is
 // way 1 of one hit, one spring and no residual.
 
+#include "region/edges.hpp"
 #include "way/unit_strip.hpp"
 
 #include <stillpoint/core/cancellation.hpp>
@@ -132,6 +133,9 @@ struct DecidingArrival {
 template <class Visit>
 void for_each_way(const Problem& problem, const Limits& limits, const Visit& visit) {
   constexpr double rounding = 1e-12;  // of a tolerance of 1 / (2n - 1)
+  if (needs_a_notch(problem, limits)) {
+    return;
+  }
   const auto last = problem.v0_low == 0.0 ? 1 : static_cast<int>(problem.arrivals);
   for (int n = 1; n <= last; ++n) {
     cancellation_point();

@@ -45,6 +45,8 @@ struct LimitKind {
   std::optional<LimitedFigure> figure{};
 
   [[nodiscard]] bool bounds_f() const { return bounds == Bounded::f; }
+  /// The least that may be given; without any notch the damper is constant friction alone.
+  [[nodiscard]] double least() const { return bounds == Bounded::delta ? 0 : smallest_limit; }
 };
 
 [[nodiscard]] std::span<const LimitKind> limit_kinds();

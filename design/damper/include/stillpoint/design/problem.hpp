@@ -46,7 +46,7 @@ struct Problem {
   [[nodiscard]] double starting_v0() const { return v0_low.value_or(0) > 0 ? *v0_low : v0; }
   /// Whether the paper's notch catches some hits of the range at the start.
   [[nodiscard]] bool has_caught_hits(double delta) const {
-    return v0_low && *v0_low * *v0_low <= 2 * delta;
+    return v0_low && delta > 0 && *v0_low * *v0_low <= 2 * delta;
   }
   [[nodiscard]] double stiffest_p() const { return p_high.value_or(p); }
 };
@@ -96,8 +96,8 @@ struct DesignPoint {
 ///   p <= p_high <= 1e150; 0 <= residual <= 1e300.
 void require_valid(const Problem& problem);
 
-/// As above, and unless the sides of the shape are in [0, 1], not all 0; f_max, delta_max and
-/// acceleration_max, where given, in [1e-300, 1e300]; 0 <= tolerance < 1.
+/// As above, and unless the sides of the shape are in [0, 1], not all 0; f_max and
+/// acceleration_max, where given, in [1e-300, 1e300]; delta_max in [0, 1e300]; 0 <= tolerance < 1.
 void require_valid(const Problem& problem, const Limits& limits);
 
 /// As far as an input may be changed with the others as they are: as long as it stays valid

@@ -16,14 +16,18 @@
 namespace stillpoint::design {
 
 /// One entry for each input that suffices alone; none if the region is not empty. Throws InputError
-/// as admissible_region does; the next two are for a valid problem.
+/// as admissible_region does; so does the next one.
 [[nodiscard]] std::vector<Mend> mends(const Problem& problem, const Limits& limits);
+
+/// The largest tolerance of any damper, whatever beta and the limits are; empty unless that is less
+/// than what is asked for.
+[[nodiscard]] std::optional<double> largest_tolerance_of_any(Problem problem, const Limits& limits);
 
 /// The exact criterion, if it is not the problem's and leaves a region that is not empty.
 [[nodiscard]] std::optional<Criterion> criterion_mend(const Problem& problem, const Limits& limits);
 
-/// Empty if the region is not empty, or if one input suffices.
-[[nodiscard]] std::optional<JointMend> joint_mend(const Problem& problem, const Limits& limits);
+/// Completes the verdict of an empty region.
+void explain(RegionVerdict& empty, const Problem& problem, const Limits& limits);
 
 /// The answer in one line for people: the interval of f, or why the region is empty.
 [[nodiscard]] std::string summary(const RegionVerdict& verdict);

@@ -28,23 +28,14 @@ struct Mend {
   bool upwards{false};  ///< it must increase, not decrease
 };
 
-/// The changes that help if no single input suffices, because no damper has the tolerance.
-struct JointMend {
-  double largest_tolerance{0};  ///< of any damper, for any limits and any beta that is suggested
-  /// The tolerance and another input, both changed by the same factor, which is the least that
-  /// makes the region not empty. Neither can be closer to its old value unless the other is farther
-  /// from its own.
-  std::vector<Mend> mends;
-};
-
 /// A region. If it is empty, `reason` says why, `most_tolerant` how much tolerance there is, and
-/// `mends`, or else `joint_mend`, what would help.
+/// `mends` what would help.
 struct RegionVerdict {
   Region region;
   std::optional<std::string> reason{};
   std::vector<Mend> mends{};
-  std::optional<JointMend> joint_mend{};
   std::optional<DesignPoint> most_tolerant{};  ///< not for the parts of a catalogue
+  std::optional<double> largest_tolerance{};  ///< region.hpp; of a hit, where no mend helps
   /// With a pulse, of the f for which the motion returns, stays within beta and meets the limits:
   /// the region is then that of the forced motion itself.
   std::optional<std::vector<Interval>> intervals{};
