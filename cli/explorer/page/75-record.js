@@ -130,7 +130,7 @@ class RecordView {
         number(load.pga, "g"),
         ".",
       ),
-      ...doubts.map((text) => make("p", { class: "bad" }, `${text.replace("--", "")}.`)),
+      ...doubts.map((text) => make("p", { class: "bad" }, text.replace("--", ""))),
     );
     const plates = figures.map((figure) => {
       const plate = make("div", { class: "plate" });

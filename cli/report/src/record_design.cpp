@@ -208,16 +208,6 @@ std::string record_words(std::string_view file, double scale, std::string_view u
                 assumed ? " (assumed)" : "", acceleration_shown(peak));
 }
 
-std::string_view jumps_words(double delta, const std::optional<double>& width) {
-  return delta > 0 && !width ? " between the velocity jumps at the notch" : "";
-}
-
-void add_jumps_note(Section& section, double delta, const std::optional<double>& width) {
-  if (const std::string_view words = jumps_words(delta, width); !words.empty()) {
-    section.line(format("The accelerations are those{}, which come on top.", words));
-  }
-}
-
 void add_real_notch(Section& section, const std::optional<double>& hold,
                     const std::optional<double>& width, const Physical& physical) {
   if (hold) {

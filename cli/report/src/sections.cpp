@@ -101,6 +101,16 @@ void add_damper_physics(Section& section, const Physical& physical, double f, do
   }
 }
 
+std::string_view jumps_words(double delta, const std::optional<double>& width) {
+  return delta > 0 && !width ? " between the velocity jumps at the notch" : "";
+}
+
+void add_jumps_note(Section& section, double delta, const std::optional<double>& width) {
+  if (const std::string_view words = jumps_words(delta, width); !words.empty()) {
+    section.line(format("The accelerations are those{}, which come on top.", words));
+  }
+}
+
 double friction_at_centre(const SimulationRequest& request) {
   const auto& zones = request.surface.zones;
   return zones.empty() ? request.oscillator.f : zones.front().f;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "figures/spectrum_parts.hpp"
 #include "format.hpp"
+#include "sections.hpp"
 
 #include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/spectrum.hpp>
