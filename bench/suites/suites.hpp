@@ -4,6 +4,7 @@
 #include <stillpoint/design/record_design.hpp>
 
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,8 @@ struct NamedSuite {
 [[nodiscard]] std::string notch_words(const design::RecordDesignRequest& request);
 
 /// Suites of the two synthetic records in `folder`, of pulses, and of both scaled, with two
-/// variables and with three; and if there are `recorded` files, of those.
+/// variables and with three; and of `more` records, a folder or a list, if there are any.
 [[nodiscard]] std::vector<NamedSuite> suites(const std::string& folder,
-                                             const std::vector<std::string>& recorded);
+                                             const std::optional<std::string>& more);
 
 }  // namespace stillpoint::bench

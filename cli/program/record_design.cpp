@@ -21,9 +21,7 @@ ExitCode run_record_design(const Settings& settings, Output& output) {
     return progress.goes_on(
         std::min(1.0, static_cast<double>(now.evaluations) / static_cast<double>(now.expected)));
   };
-  const report::RecordDesignReport report =
-      report::record_design_report(design::design(input.request, show), input.physical);
-  remark(report::notch_sentence(report));
+  const report::RecordDesignReport report{design::design(input.request, show), input.physical};
   remark(report::lock_sentence(report));
   return finish(report, Command::design, settings, output);
 }

@@ -34,15 +34,6 @@ double stroke(const Settings& settings, MotionInput& motion) {
   return displacement / motion.physical->scales.length_m;
 }
 
-/// The spread of f or Delta: R, or LOW:HIGH as factors.
-std::optional<design::Spread> spread(const Settings& settings, const char* name) {
-  if (const auto range = settings.range(name)) {
-    return design::spread_of_factors(name, range->low, range->high);
-  }
-  const auto value = settings.number(name);
-  return value ? std::optional(design::spread_of_tolerance(name, *value)) : std::nullopt;
-}
-
 /// With a pulse, without a velocity.
 Task read_task(const Settings& settings, Command command) {
   const bool pulse = settings.has("pulse");
@@ -53,7 +44,7 @@ Task read_task(const Settings& settings, Command command) {
   }
   Task task{
       {motion.v0, motion.p, beta, criterion(settings), settings.integer("arrivals").value_or(1)},
-      {.tolerance = settings.number("tolerance").value_or(0)},
+      {.tolerance = tolerance_of_hit(settings)},
       motion.physical};
   for (const design::LimitKind& kind : design::limit_kinds()) {
     const std::string name = records::hyphened(kind.field);
@@ -94,8 +85,25 @@ std::optional<design::NotchShape> notch_shape(const Settings& settings, const Ta
 
 }  // namespace
 
+std::optional<design::Spread> spread(const Settings& settings, const char* name) {
+  if (const auto range = settings.range(name)) {
+    return design::spread_of_factors(name, range->low, range->high);
+  }
+  const auto value = settings.number(name);
+  return value ? std::optional(design::spread_of_tolerance(name, *value)) : std::nullopt;
+}
+
+double tolerance_of_hit(const Settings& settings) {
+  return settings.range("tolerance") ? 0 : settings.number("tolerance").value_or(0);
+}
+
 void shape_box(const Settings& settings, design::Limits& limits) {
-  shape_box(limits, spread(settings, "tolerance-f"), spread(settings, "tolerance-delta"));
+  const auto both = settings.range("tolerance") ? spread(settings, "tolerance") : std::nullopt;
+  const auto of = [&](const char* name) {
+    const auto own = spread(settings, name);
+    return own ? own : both;
+  };
+  shape_box(limits, of("tolerance-f"), of("tolerance-delta"));
 }
 
 design::Criterion criterion(const Settings& settings) {

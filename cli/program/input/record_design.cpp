@@ -43,6 +43,24 @@ MotionInput suite_motion(const Settings& settings, const std::optional<Interval>
   return motion;
 }
 
+design::SuiteTolerance tolerances(const Settings& settings) {
+  design::SuiteTolerance of;
+  if (const auto all = spread(settings, "tolerance")) {
+    of.f = of.delta = of.width = *all;
+  }
+  of.f = spread(settings, "tolerance-f").value_or(of.f);
+  of.delta = spread(settings, "tolerance-delta").value_or(of.delta);
+  of.width = spread(settings, "tolerance-width").value_or(of.width);
+  of.period = spread(settings, "tolerance-period").value_or(of.period);
+  return of;
+}
+
+std::optional<double> jump_limit(const Settings& settings, const Physical& physical) {
+  const auto limit = settings.number("jump-max");
+  return limit ? std::optional(*limit / physical->scales.velocity_m_per_s)
+               : settings.number("jump-max-v");
+}
+
 }  // namespace
 
 bool designs_under_records(const Settings& settings) {
@@ -91,10 +109,17 @@ report::RecordDesignInput record_design_input(const Settings& settings) {
   request.combine = settings.named<design::Combine>("combine");
   request.limits = {in_either(settings, "beta", length, smallest_physical),
                     settings.number("acceleration-max"),
-                    in_either(settings, "residual", length, 0)};
+                    in_either(settings, "residual", length, 0),
+                    jump_limit(settings, start.physical),
+                    {}};
   request.hold = settings.number("hold");
-  request.notch_width = notch_width(settings, start.physical);
-  request.tolerance = settings.number("tolerance").value_or(request.tolerance);
+  if (const auto width = notch_width(settings, start.physical)) {
+    request.width = Interval{*width, *width};
+  }
+  if (const auto widths = search_range(settings, "search-notch-width-m")) {
+    request.width = Interval{widths->low / length, widths->high / length};
+  }
+  request.tolerance = tolerances(settings);
   request.scan_points = settings.integer("scan-points").value_or(request.scan_points);
   request.threads = threads(settings);
   request.printed = {length,

@@ -6,6 +6,7 @@
 #include <stillpoint/answers/hit.hpp>
 #include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/simulation.hpp>
+#include <stillpoint/design/box_shape.hpp>
 #include <stillpoint/design/catalogue.hpp>
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/design/search.hpp>
@@ -61,6 +62,10 @@ void require_options_for(const Settings& settings, DesignFor design);
 void resolve_part(Settings& settings);
 /// Opens the list and reads its header, or for a part all of it. The part must be resolved.
 [[nodiscard]] sweep::SweepSpec sweep_request(const Settings& settings);
+/// Of a tolerance that is given as R or as factors LOW:HIGH. Throws InputError.
+[[nodiscard]] std::optional<design::Spread> spread(const Settings& settings, const char* name);
+/// --tolerance of a design for a hit as a number; 0 where factors shape the box.
+[[nodiscard]] double tolerance_of_hit(const Settings& settings);
 /// The box of --tolerance-f and --tolerance-delta around the tolerance of `limits`. Throws
 /// InputError.
 void shape_box(const Settings& settings, design::Limits& limits);

@@ -156,7 +156,7 @@ void add_design(const Settings& settings, SweepSpec& spec) {
     spec.limits.*kind.value =
         settings.number(records::hyphened(in_metres ? kind.in_metres : kind.field));
   }
-  spec.limits.tolerance = settings.number("tolerance").value_or(0);
+  spec.limits.tolerance = tolerance_of_hit(settings);
   shape_box(settings, spec.limits);
   if (settings.has("catalogue")) {  // with units the unit of length is a metre
     spec.parts = catalogue_input(

@@ -197,15 +197,20 @@ std::vector<Option> rows() {
       row("residual-m", number, "M", damper, "the same in m, with physical input", of_designs,
           axis_in_si(Rivals::residual, Dimension::length)),
       row("tolerance", number, "R", damper,
-          "the design must stay admissible if f and delta are off by up to R; 0.1 is 10 %, default "
-          "0",
-          of_designs),
-      row("tolerance-f", number, "R", damper,
-          "the tolerance of f alone, R or LOW:HIGH: 0.8:1.2 allows f from 0.8 to 1.2 times the "
-          "design's",
-          of_designs, for_hits({.range = RangeEnd::high})),
+          "the design must stay admissible if its parts are off by up to R, or between the factors "
+          "LOW:HIGH: f, delta, and under records the width of a notch; 0.1 is 10 %, 0.8:1.2 from "
+          "0.8 to 1.2 times the design's; default 0, under records 0.1",
+          of_designs, {.range = RangeEnd::high}),
+      row("tolerance-f", number, "R", damper, "the tolerance of f alone, R or LOW:HIGH", of_designs,
+          {.range = RangeEnd::high}),
       row("tolerance-delta", number, "R", damper, "the same for delta", of_designs,
-          for_hits({.range = RangeEnd::high})),
+          {.range = RangeEnd::high}),
+      row("tolerance-width", number, "R", damper,
+          "under records: the same for the width of the notch", design,
+          under_records({.range = RangeEnd::high})),
+      row("tolerance-period", number, "R", damper,
+          "under records: the same for the period; default 0", design,
+          under_records({.range = RangeEnd::high})),
       row("f-max", number, "F", damper, "largest f that can be manufactured", of_designs),
       row("delta-max", number, "D", damper, "largest delta that can be manufactured", of_designs,
           {.rivals = Rivals::point_friction_limit}),
@@ -214,6 +219,13 @@ std::vector<Option> rows() {
       row("acceleration-max", number, "A", damper,
           "largest acceleration in g that the mass may feel outside the notch", of_designs,
           {.dimension = Dimension::gravities}),
+
+      row("jump-max", number, "M/S", damper,
+          "under records: largest jump of the velocity at a notch without a width, in m/s; with it "
+          "such a notch is searched where an acceleration is asked for",
+          design, under_records(in_si(Dimension::velocity, Rivals::jump_limit))),
+      row("jump-max-v", number, "V", damper, "the same, dimensionless", design,
+          under_records({.rivals = Rivals::jump_limit, .units = Units::dimensionless})),
 
       row("catalogue", text, "FILE", searching,
           "choose among these parts: CSV with the columns name, f, and delta or delta_m; - for "
@@ -248,9 +260,13 @@ std::vector<Option> rows() {
       row("search-period", number, "LOW:HIGH", searching,
           "under records: search the period too, in this range LOW:HIGH in s", design,
           under_records(in_si(Dimension::time, Rivals::none, RangeEnd::high))),
+      row("search-notch-width-m", number, "LOW:HIGH", searching,
+          "under records: search the width of the notch too, in this range LOW:HIGH in m", design,
+          under_records(in_si(Dimension::length, Rivals::notch, RangeEnd::high))),
       row("scan-points", integer, "N", searching,
-          "under records: scan about this many dampers before the searches; default 10000", design,
-          under_records({.bounds = {1, most_scan_points}})),
+          "under records: scan about this many dampers first, with three variables four times as "
+          "many; default 10000",
+          design, under_records({.bounds = {1, most_scan_points}})),
       row("algorithm", text, "NAME", searching, "an NLopt algorithm (default LD_SLSQP)", design,
           for_hits({.values = design::algorithm_names()})),
 

@@ -65,6 +65,7 @@ enum class Rivals {
   start,
   point_friction,
   point_friction_limit,
+  jump_limit,
   residual,
   frequency,
   duration,

@@ -64,9 +64,9 @@ Found found_design(const Given& given, const GoOn& go_on) {
     return answers::answer_of(answers::answer(cli::design_input(given)));
   }
   const report::RecordDesignInput input = cli::record_design_input(given);
-  return answers::answer_of(report::record_design_report(
+  return answers::answer_of(report::RecordDesignReport{
       design::design(input.request, [&](const auto& /*progress*/) { return go_on(); }),
-      input.physical));
+      input.physical});
 }
 
 Found found_region(const Given& given, const GoOn& /*go_on*/) {

@@ -20,8 +20,29 @@ namespace {
 
 using design::SuiteObjective;
 
-std::string row_name(SuiteObjective which) {
-  return which == SuiteObjective::acceleration ? "transmitted" : std::string(quantity(which));
+/// Both, in enough digits to be told apart if the first is larger.
+std::pair<std::string, std::string> told_apart(const Physical& physical,
+                                               const design::SuiteFigureKind& kind, double one,
+                                               double other) {
+  constexpr int every = 17;  // that a double has
+  const FigureUnits units(physical);
+  const bool is_length =
+      &kind == &design::suite_figure_kinds[0] || kind.objective == SuiteObjective::residual;
+  std::pair both{figure_shown(physical, kind, one), figure_shown(physical, kind, other)};
+  for (int digits = 6; one > other && both.first == both.second && digits <= every; ++digits) {
+    const auto more = [&](double value) {
+      return format("{:.{}g}{}", value * (is_length ? units.length : 1), digits,
+                    is_length        ? with_blank(units.length_unit)
+                    : kind.objective ? std::string(" g")
+                                     : std::string());
+    };
+    both = {more(one), more(other)};
+  }
+  return both;
+}
+
+std::string row_name(const design::SuiteFigureKind& kind) {
+  return kind.objective == SuiteObjective::acceleration ? "transmitted" : std::string(kind.words);
 }
 
 std::string_view combined(design::Combine combine) {
@@ -46,12 +67,15 @@ std::string end_words(const Interval& searched, double p, bool of_period) {
 
 /// With the digits with which its figures come true.
 std::string exact_words(const Physical& physical, const design::SuiteDamper& damper) {
-  return format("f = {:.{}g}, delta = {}", damper.f, printed_digits,
-                length_shown(physical, damper.delta, printed_digits));
+  return format("f = {:.{}g}, delta = {}{}", damper.f, printed_digits,
+                length_shown(physical, damper.delta, printed_digits),
+                damper.width > 0
+                    ? format(", {} wide", length_shown(physical, damper.width, printed_digits))
+                    : "");
 }
 
 void add_answer(Section& answer, const RecordDesignReport& report) {
-  const auto& [result, physical, notch_fault] = report;
+  const auto& [result, physical] = report;
   const design::SuiteDamper& damper = result.finding->point.damper;
   answer.row("damper", exact_words(physical, damper), Tone::heading);
   add_brake(answer, physical, damper.f);
@@ -59,10 +83,13 @@ void add_answer(Section& answer, const RecordDesignReport& report) {
     answer.row("spring", spring_words(physical, damper.p, period_digits(result.request)) +
                              end_words(result.request.p, damper.p, physical.has_value()));
   }
+  add_box(answer, result, physical);
+  if (const std::string words = notch_sentence(report); !words.empty()) {
+    answer.row("notch", words);
+  }
   add_rest(answer, result);
   add_worst_of_mean(answer, result, physical);
-  add_notch(answer, report);
-  add_tolerance(answer, result, physical);
+  add_outlook(answer, result, physical);
   const design::SuiteCheck& check = result.finding->check;
   answer.row("check",
              check.passed
@@ -83,15 +110,14 @@ void add_damper(Document& document, const RecordDesignReport& report) {
     section.row("spring", spring_words(physical, damper.p));
   }
   add_decision_margin(section, report.result);
-  const design::Sensitivity& near = report.result.finding->sensitivity;
-  if (near.tolerance > 0) {
-    const bool both = damper.f > 0 && damper.delta > 0;
-    section.row("sensitivity",
-                format("{} off by up to {:.3g} %, at {} and {} random points: a "
-                       "sample, not a proof",
-                       inexact_parts(report.result), 100 * near.tolerance,
-                       both ? "the four corners" : "both ends", near.samples - (both ? 4 : 2)));
-  }
+}
+
+/// What is left of the tolerance within the limits.
+std::string tolerance_left(const RecordDesignReport& report) {
+  const auto& largest = report.result.largest_tolerance;
+  return largest
+             ? format("the largest that a damper has within the limits is {:.2g} %", 100 * *largest)
+             : "no damper that was tried meets the limits, even if it is exact";
 }
 
 void add_shortfalls(Document& document, const RecordDesignReport& report) {
@@ -105,38 +131,54 @@ void add_shortfalls(Document& document, const RecordDesignReport& report) {
   section.row("nearest",
               format("{}, {}", exact_words(physical, damper),
                      spring_words(physical, damper.p, period_digits(report.result.request))));
-  for (const auto& [which, limit, nearest, relaxed] : report.result.shortfalls) {
-    const auto [near, allowed] = told_apart(physical, which, nearest, limit);
-    section.row(row_name(which), format("{}; {} is allowed", near, allowed),
+  for (const auto& [kind, limit, nearest, record, relaxed] : report.result.shortfalls) {
+    const auto [near, allowed] = told_apart(physical, *kind, nearest, limit);
+    section.row(row_name(*kind), format("{}; {} is allowed", near, allowed),
                 nearest > limit ? Tone::bad : Tone::plain);
     section.row(
         "", relaxed ? format("with {} allowed and the other limits unchanged, there is a damper",
-                             told_apart(physical, which, *relaxed, limit).first)
+                             told_apart(physical, *kind, *relaxed, limit).first)
             : report.result.search.interrupted
-                ? "interrupted before it was known whether changing this limit alone is enough"
+                ? "interrupted before it was known whether changing this limit alone is "
+                  "enough"
             : nearest > limit ? "changing this limit alone would not be enough"
                               : "met");
   }
+  section.row("tolerance", tolerance_left(report));
 }
 
 void add_task(Document& document, const RecordDesignReport& report) {
   const design::RecordDesignRequest& task = report.result.request;
   const Physical& physical = report.physical;
   Section& section = document.detail("Task");
-  section.row("objective", format("minimise the {} {} of the records",
-                                  combined(task.combine.value()), quantity(task.objective)));
-  for (const auto& [which, figure, member, field, words] : design::suite_figure_kinds) {
-    if (const std::optional<double>& limit = task.limits.*member) {
-      section.row(row_name(which), "at most " + figure_shown(physical, which, *limit));
+  section.row("objective", task.objective == SuiteObjective::robust
+                               ? std::string("the largest tolerance within the limits")
+                               : format("minimise the {} {} of the records, the worst within the "
+                                        "tolerance",
+                                        combined(task.combine.value()), minimised(task).words));
+  for (const design::SuiteFigureKind& kind : design::suite_figure_kinds) {
+    if (const std::optional<double>& limit = task.limits.*kind.limit) {
+      section.row(row_name(kind), "at most " + figure_shown(physical, kind, *limit));
     }
   }
-  add_real_notch(section, task.hold, task.notch_width, physical);
+  if (task.limits.late) {
+    section.row("rest",
+                format("at the latest {} periods after the end of each record", *task.limits.late));
+  }
+  add_real_notch(
+      section, task.hold,
+      task.width && !is_searched(*task.width) ? std::optional(task.width->low) : std::nullopt,
+      physical);
   const auto searched = [](const std::string& low, const std::string& high) {
     return low == high ? low : format("{} to {}", low, high);
   };
   section.row("f searched", searched(digits(task.f->low), digits(task.f->high)));
   section.row("delta searched", searched(length_shown(physical, task.delta->low),
                                          length_shown(physical, task.delta->high)));
+  if (task.width && is_searched(*task.width)) {
+    section.row("width searched", searched(length_shown(physical, task.width->low),
+                                           length_shown(physical, task.width->high)));
+  }
   if (is_searched(task.p)) {
     const auto period = [&](double p) {
       return format("{:.4g}", 2 * std::numbers::pi / p * physical->scales.time_s);
@@ -147,15 +189,11 @@ void add_task(Document& document, const RecordDesignReport& report) {
   }
 }
 
-void add_search(Document& document, const design::SuiteSearch& search) {
+void add_search(Document& document, const design::SuiteSearchCost& search) {
   Section& section = document.detail("Search");
-  section.row("scan", format("{} damper{}, {} within the limits", search.scan_points,
-                             search.scan_points == 1 ? "" : "s", search.scan_feasible));
-  section.row("NLopt", format("{}; the best by {}",
-                              plural(static_cast<double>(search.evaluations), "evaluation"),
-                              search.algorithm == "scan" ? "the scan"
-                                                         : format("{}, which {}", search.algorithm,
-                                                                  status_words(search.status))));
+  section.row("scan",
+              format("{} boxes, {} within the limits", search.scan_points, search.scan_feasible));
+  section.row("dampers", format("{} in all", search.evaluations));
   section.row("time", format("{:.3g} s{}", search.wall_time_s,
                              search.interrupted ? ", then interrupted: the best so far" : ""));
 }
@@ -168,25 +206,23 @@ std::string of_records(std::size_t count, std::size_t all) {
                         : format("{} of {} records", count, all);
 }
 
-std::string figure_shown(const Physical& physical, design::SuiteObjective which, double value) {
-  return which == design::SuiteObjective::acceleration ? acceleration_shown(value)
-                                                       : length_shown(physical, value);
+std::string figure_shown(const Physical& physical, const design::SuiteFigureKind& kind,
+                         double value) {
+  return kind.objective == SuiteObjective::acceleration ? acceleration_shown(value)
+         : kind.objective                               ? length_shown(physical, value)
+                                                        : jump_shown(physical, value);
 }
 
-std::pair<std::string, std::string> told_apart(const Physical& physical, SuiteObjective which,
-                                               double one, double other) {
-  constexpr int every = 17;  // that a double has
-  const FigureUnits units(physical);
-  const bool felt = which == SuiteObjective::acceleration;
-  std::pair both{figure_shown(physical, which, one), figure_shown(physical, which, other)};
-  for (int digits = 6; one > other && both.first == both.second && digits <= every; ++digits) {
-    const auto more = [&](double value) {
-      return format("{:.{}g}{}", value * (felt ? 1 : units.length), digits,
-                    felt ? " g" : with_blank(units.length_unit));
-    };
-    both = {more(one), more(other)};
-  }
-  return both;
+std::string jump_shown(const Physical& physical, double value) {
+  return FigureUnits(physical).velocity_words(value);
+}
+
+design::NotchShape notch_of(const design::RecordDesignRequest& task,
+                            const design::SuiteDamper& damper) {
+  return damper.delta == 0
+             ? design::NotchShape()
+             : design::NotchShape{damper.width > 0 ? std::optional(damper.width) : std::nullopt,
+                                  task.hold};
 }
 
 namespace {
@@ -218,13 +254,13 @@ void add_real_notch(Section& section, const std::optional<double>& hold,
   }
 }
 
-SimulationRequest motion_request(const design::RecordDesign& result, std::size_t record) {
+SimulationRequest motion_request(const design::RecordDesign& result,
+                                 const design::SuiteDamper& damper, std::size_t record) {
   const design::RecordDesignRequest& task = result.request;
-  const design::SuiteDamper& damper = result.finding->point.damper;
   SimulationRequest request;
   request.oscillator = {damper.p, damper.f, damper.delta, task.hold};
   request.start = {0, 0};
-  request.surface.notch_width = task.notch_width;
+  request.surface.notch_width = notch_of(task, damper).width;
   request.excitation = design::scaled(task.records[record]);
   return request;
 }
@@ -232,7 +268,7 @@ SimulationRequest motion_request(const design::RecordDesign& result, std::size_t
 std::size_t worst_record(const design::RecordDesign& result) {
   const std::vector<ForcedResponse>& all = result.finding->responses;
   const auto value = [&](const ForcedResponse& response) {
-    return value_of(design::suite_figures(response), result.request.objective);
+    return design::suite_figures(response).*minimised(result.request).value;
   };
   constexpr double same = 1 - 1e-9;  // f + hold is felt under every record that frees the mass
   const double most = value(*std::ranges::max_element(all, {}, value));
@@ -246,23 +282,21 @@ std::optional<int> period_digits(const design::RecordDesignRequest& task) {
   return is_searched(task.p) ? std::optional(printed_digits) : std::nullopt;
 }
 
-bool hardly_moves(double p, double peak, double load) {
-  return peak <= design::hardly_moving_stroke(p, load);
-}
-
-bool hardly_moves(const design::RecordDesign& result) {
-  const auto& [damper, figures] = result.finding->point;
-  return hardly_moves(damper.p, figures.peak, design::peak_load(result.request.records));
-}
-
-RecordDesignReport record_design_report(design::RecordDesign result, Physical physical) {
-  std::optional<RealNotchFault> fault =
-      result.finding ? real_notch_fault(result, physical) : std::nullopt;
-  return {std::move(result), physical, std::move(fault)};
-}
-
 std::string notch_sentence(const RecordDesignReport& report) {
-  return report.notch_fault && report.notch_fault->of_any ? report.notch_fault->words : "";
+  switch (report.result.notch) {
+    case design::NotchChoice::not_asked_for:
+      return format(
+          "not searched: without a width nobody knows what the mass feels in it. {} "
+          "gives it one; {} admits one without, as of a rocking support",
+          report.physical ? "--notch-width-m or --search-notch-width-m" : "--notch-width",
+          report.physical ? "--jump-max" : "--jump-max-v");
+    case design::NotchChoice::gains_little:
+      return "left out: it would gain less than one per cent";
+    case design::NotchChoice::excluded:
+    case design::NotchChoice::chosen:
+      break;
+  }
+  return {};
 }
 
 std::string lock_sentence(const RecordDesignReport& report) {
@@ -274,33 +308,46 @@ std::string shortfall_sentence(const RecordDesignReport& report) {
   if (result.finding) {
     return {};
   }
+  if (result.search.interrupted) {
+    return "No damper was verified yet.";
+  }
   if (!result.nearest.figures.settled) {
     return "No damper was found: none of those tried comes to rest.";
   }
-  if (std::ranges::none_of(result.shortfalls,
-                           [](const auto& each) { return each.nearest > each.limit; })) {
-    return "No damper was found whose motions are far enough from another outcome.";
-  }
   std::string broken;
-  for (const auto& [which, limit, nearest, relaxed] : result.shortfalls) {
+  for (const auto& [kind, limit, nearest, record, relaxed] : result.shortfalls) {
     if (nearest > limit) {
-      const auto [near, allowed] = told_apart(report.physical, which, nearest, limit);
-      broken += format("{}a {} of {} where {} is allowed", broken.empty() ? "" : " and ",
-                       quantity(which), near, allowed);
+      const auto [near, allowed] = told_apart(report.physical, *kind, nearest, limit);
+      broken += format("{}a {} of {} where {} is allowed{}", broken.empty() ? "" : " and ",
+                       kind->words, near, allowed,
+                       result.request.records.size() == 1
+                           ? ""
+                           : ", most under " + record_label(result.request.records[record]));
     }
   }
-  return format("No damper was found that meets the limits. The nearest has {}.", broken);
+  const design::SuiteTolerance& of = result.request.tolerance;
+  const bool exact = of.f.above + of.f.below + of.delta.above + of.delta.below + of.period.above +
+                         of.period.below ==
+                     0;
+  const auto& largest = result.largest_tolerance;
+  return format(
+      "No damper was found {}. {}{}",
+      exact ? "that meets the limits" : "that meets the limits within its tolerance",
+      largest ? format("The largest tolerance within the limits is {:.2g} %. ", 100 * *largest)
+              : "",
+      broken.empty() ? "" : format("The nearest has {}.", broken));
 }
 
 std::string progress_words(const design::RecordProgress& progress, const Physical& physical) {
   std::string words = format("{} of about {} dampers", progress.evaluations,
                              std::max(progress.expected, progress.evaluations));
-  if (!progress.best || !progress.best->figures.settled) {
+  if (!progress.best) {
     return words;
   }
   const design::SuiteFigures& best = progress.best->figures;
-  return words + format(", best {}, stroke {}, residual {}", acceleration_shown(best.acceleration),
-                        length_shown(physical, best.peak), length_shown(physical, best.residual));
+  return words + format(", best verified {}, stroke {}, residual {}",
+                        acceleration_shown(best.acceleration), length_shown(physical, best.peak),
+                        length_shown(physical, best.residual));
 }
 
 Document document(const RecordDesignReport& report) {
@@ -309,12 +356,9 @@ Document document(const RecordDesignReport& report) {
   document.title = "Damper under records";
   document.verdict = record_verdict(report);
   if (result.finding) {
-    document.tone = hardly_moves(result) || is_delicate(result) ||
-                            result.finding->sensitivity.with_least_friction ||
-                            !notch_sentence(report).empty() || !result.finding->check.passed
-                        ? Tone::bad
-                    : result.search.interrupted ? Tone::plain
-                                                : Tone::good;
+    document.tone = !isolates(result) || !result.finding->check.passed ? Tone::bad
+                    : result.search.interrupted                        ? Tone::plain
+                                                                       : Tone::good;
     add_answer(document.answer, report);
     add_records(document, result, report.physical);
     add_damper(document, report);

@@ -96,14 +96,31 @@ void add_rest(Section& answer, const design::RecordDesign& result) {
 
 void add_worst_of_mean(Section& answer, const design::RecordDesign& result,
                        const Physical& physical) {
-  if (is_mean(result.request)) {
-    const std::size_t worst = worst_record(result);
-    const design::SuiteFigures figures = design::suite_figures(result.finding->responses[worst]);
-    answer.row("worst record", format("{}: {} transmitted, stroke {}, residual {}",
-                                      record_label(result.request.records[worst]),
-                                      acceleration_shown(figures.acceleration),
-                                      displacement_shown(physical, figures.peak),
-                                      displacement_shown(physical, figures.residual)));
+  if (!is_mean(result.request)) {
+    return;
+  }
+  const std::size_t worst = worst_record(result);
+  answer.row(
+      "worst record",
+      format("{}: {}", record_label(result.request.records[worst]),
+             figures_words(design::suite_figures(result.finding->responses[worst]), physical)));
+  for (const design::SuiteFigureKind& kind : design::suite_figure_kinds) {
+    const std::optional<double>& limit = result.request.limits.*kind.limit;
+    std::string words;
+    for (std::size_t i = 0; limit && i < result.finding->responses.size(); ++i) {
+      const double value = design::suite_figures(result.finding->responses[i]).*kind.value;
+      if (value > *limit) {
+        words +=
+            format("{}{} under {}", words.empty() ? "" : ", ", figure_shown(physical, kind, value),
+                   record_label(result.request.records[i]));
+      }
+    }
+    if (!words.empty()) {
+      answer.row("exceeds",
+                 format("{} {}, where the mean may be {}", kind.words, words,
+                        figure_shown(physical, kind, *limit)),
+                 Tone::bad);
+    }
   }
 }
 
@@ -126,7 +143,8 @@ void add_records(Document& document, const design::RecordDesign& result, const P
   }
   Section& section = document.section("Records");
   section.parts.emplace_back(std::move(table));
-  add_jumps_note(section, result.finding->point.damper.delta, result.request.notch_width);
+  const design::SuiteDamper& damper = result.finding->point.damper;
+  add_jumps_note(section, damper.delta, notch_of(result.request, damper).width);
 }
 
 }  // namespace stillpoint::report

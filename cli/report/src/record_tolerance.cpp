@@ -1,23 +1,67 @@
 // SPDX-License-Identifier: MIT
-// What a damper for records does if it is not built exactly.
+// What the box of the tolerance of a damper for records does.
 #include "format.hpp"
 #include "record_design_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace stillpoint::report {
 
-std::string samples_words(const design::Sensitivity& near) {
-  return near.admissible == near.samples
-             ? format("{0} of {0} samples meet the limits", near.samples)
-             : format("{} of {} samples fail{}", near.samples - near.admissible, near.samples,
-                      near.samples - near.admissible == 1 ? "s" : "");
+namespace {
+
+/// "f 0.0588 to 0.0719", or nothing if it cannot be off.
+template <class Words>
+void add_side(std::string& text, std::string_view name, const Interval& range, const Words& words) {
+  if (range.low < range.high) {
+    text += format("{}{} {} to {}", text.empty() ? "" : ", ", name, words(range.low),
+                   words(range.high));
+  }
 }
+
+std::string sides_words(const design::SuiteBox& box, const Physical& physical) {
+  const auto length = [&](double value) { return length_shown(physical, value, 4); };
+  const auto number = [](double value) { return format("{:.4g}", value); };
+  std::string text;
+  add_side(text, "f", box.f, number);
+  add_side(text, "delta", box.delta, length);
+  add_side(text, "width", box.width, length);
+  if (physical) {
+    const auto period = [&](double p) {
+      return 2 * std::numbers::pi / p * physical->scales.time_s;
+    };
+    add_side(text, "period", {period(box.p.high), period(box.p.low)},
+             [](double seconds) { return format("{:.4g} s", seconds); });
+  } else {
+    add_side(text, "p", box.p, number);
+  }
+  return text;
+}
+
+/// What an outlook breaks, if it does.
+std::string broken_words(const design::RecordDesign& result, const design::SuiteFigures& worst,
+                         const Physical& physical) {
+  if (!worst.settled) {
+    return "; a mass may never rest";
+  }
+  std::string words;
+  for (const design::SuiteFigureKind& kind : design::suite_figure_kinds) {
+    const auto& limit = result.request.limits.*kind.limit;
+    if (limit && worst.*kind.value > *limit) {
+      words += format("{} a {} of {} where {} is allowed", words.empty() ? ";" : " and", kind.words,
+                      figure_shown(physical, kind, worst.*kind.value),
+                      figure_shown(physical, kind, *limit));
+    }
+  }
+  return words;
+}
+
+}  // namespace
 
 void add_decision_margin(Section& section, const design::RecordDesign& result) {
   const std::vector<ForcedResponse>& all = result.finding->responses;
@@ -35,51 +79,52 @@ void add_decision_margin(Section& section, const design::RecordDesign& result) {
   }
 }
 
-std::string change_words(double change) {
-  constexpr double least = 1e-5;
-  return change < least ? "less than 0.001 %" : format("{:.2g} %", 100 * change);
-}
-
 bool is_mean(const design::RecordDesignRequest& task) {
   return task.combine.value() == design::Combine::mean && task.records.size() > 1;
 }
 
-std::string worst_words(const design::RecordDesign& result, const design::SuiteFigures& worst,
-                        const Physical& physical) {
-  constexpr int digits = 3;  // of a damper that is some per cent off
-  return worst.settled ? format("{}{:.{}g} g, stroke {}, residual {}",
-                                is_mean(result.request) ? "a mean of " : "", worst.acceleration,
-                                digits, displacement_shown(physical, worst.peak, digits),
-                                displacement_shown(physical, worst.residual, digits))
-                       : "no rest within 10 000 half-cycles";
+std::string figures_words(const design::SuiteFigures& figures, const Physical& physical) {
+  const std::string jumps = figures.jump > 0 ? format("{} (up to {})", jumps_words(1, {}),
+                                                      jump_shown(physical, figures.jump))
+                                             : "";
+  return format("{} transmitted{}{}", acceleration_shown(figures.acceleration), jumps,
+                figures.peak == 0
+                    ? ""
+                    : format(", stroke {}, residual {}", displacement_shown(physical, figures.peak),
+                             displacement_shown(physical, figures.residual)));
 }
 
-std::string_view inexact_parts(const design::RecordDesign& result) {
-  const design::SuiteDamper& damper = result.finding->point.damper;
-  return damper.delta == 0 ? "f" : damper.f == 0 ? "delta" : "f and delta";
+std::string samples_words(const design::SuiteBox& box) {
+  return box.samples == 1 ? "" : format("no failure in {} dampers", box.samples);
 }
 
-bool is_delicate(const design::RecordDesign& result) {
-  const design::Sensitivity& near = result.finding->sensitivity;
-  return 4 * near.admissible < 3 * near.samples || near.much_worse ||
-         is_much_worse(near.worst, result.finding->point, result.request);
-}
-
-void add_tolerance(Section& answer, const design::RecordDesign& result, const Physical& physical) {
-  const design::Sensitivity& near = result.finding->sensitivity;
-  if (near.tolerance > 0) {
-    answer.row(
-        "tolerance",
-        format("{} off by up to {:.3g} %: {}; {}", inexact_parts(result), 100 * near.tolerance,
-               worst_words(result, near.worst, physical), samples_words(near)),
-        near.admissible < near.samples || is_delicate(result) ? Tone::bad : Tone::plain);
-  }
-  if (near.much_worse) {
-    answer.row("much worse",
-               format("off by {}: {}", change_words(near.much_worse->change),
-                      worst_words(result, near.much_worse->figures, physical)),
+void add_box(Section& answer, const design::RecordDesign& result, const Physical& physical) {
+  const design::SuiteBox& box = result.finding->box;
+  const std::string sides = sides_words(box, physical);
+  if (sides.empty()) {
+    answer.row("tolerance", "none: a damper that is not exactly this one may do anything",
                Tone::bad);
+    return;
   }
+  if (result.largest_tolerance) {
+    answer.row("tolerance",
+               format("{:.3g} %, the largest that was found", 100 * *result.largest_tolerance));
+  }
+  answer.row("tried", format("{}: {}, corners and boundary included", sides, samples_words(box)));
+  answer.row("exact", format("without any error: {}",
+                             figures_words(result.finding->point.figures, physical)));
+}
+
+void add_outlook(Section& answer, const design::RecordDesign& result, const Physical& physical) {
+  const design::SuiteOutlook& outlook = result.finding->outlook;
+  const std::string off = format("{:.0f} %", 100 * design::SuiteOutlook::off);
+  const auto words = [&](std::string_view what, const design::SuiteFigures& worst) {
+    return format("with {} off by {} as well: {}{}", what, off,
+                  worst.settled ? figures_words(worst, physical) : "no rest",
+                  broken_words(result, worst, physical));
+  };
+  answer.row("not required", words("the period", outlook.period));
+  answer.row("", words("the scale of all records", outlook.scale));
 }
 
 }  // namespace stillpoint::report

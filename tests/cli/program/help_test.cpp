@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(lists_the_values_that_an_option_takes) {
   BOOST_TEST(help("objective") ==
              "what is best: robust (default), amplitude, time or acceleration; under records "
              "acceleration (default), "
-             "amplitude or residual");
+             "amplitude, residual or robust");
   BOOST_TEST(contains(help("excitation"), "harmonic, half-sine, full-sine, rectangle or record"));
   BOOST_TEST(contains(help("pulse"), "half-sine, full-sine or rectangle"));
   BOOST_TEST(contains(help("record-units"), "g (default), m/s2 or cm/s2"));

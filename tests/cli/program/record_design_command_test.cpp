@@ -24,7 +24,8 @@ constexpr double hand_tolerance = 1e-12;
 const Arguments held("design --record a.txt --period 2.8s --search-f 2:2 --search-delta-m 0:0");
 
 /// A search under it takes seconds.
-const Arguments long_search("design --record long.txt --record-step 0.01 --period 2.8 --hold 0.1");
+const Arguments long_search(
+    "design --record long.txt --record-step 0.01 --period 2.8 --hold 0.1 --jump-max 9");
 std::string long_record() {
   std::string record;
   for (int i = 0; i < 20'000; ++i) {
@@ -57,8 +58,16 @@ const std::vector<Wrong> wrong_inputs{
     {"design --record a.txt --period 1:4", {"period = 1:4", "must be one number with records"}},
     {"design --record a.txt --stiffness 1:2 --mass 1t", {"stiffness = 1:2", "search-period"}},
     {"design --record a.txt --p 1:2", {"p = 1:2", "must be one number with records"}},
-    {"design --record a.txt --period 2 --objective robust",
-     {"objective = robust", "under records"}},
+    {"design --record a.txt --period 2 --objective robust", {"max-displacement", "give a limit"}},
+    {"design --record a.txt --period 2 --objective time", {"objective = time", "under records"}},
+    {"design --record a.txt --period 2 --search-delta-m 1mm:2mm",
+     {"search-delta-m", "--search-notch-width-m", "--jump-max"}},
+    {"design --record a.txt --period 2 --notch-width-m 1mm --jump-max 1", {"jump-max"}},
+    {"design --record a.txt --period 2 --notch-width-m 1mm --search-notch-width-m 1mm:2mm",
+     {"cannot be combined"}},
+    {"design --record a.txt --period 2 --tolerance-f 0.8:0.9", {"tolerance-f = 0.8:0.9", "<= 1"}},
+    {"design --v0 1 --p 1 --beta 0.9 --tolerance-period 0.1",
+     {"tolerance-period needs a design under records"}},
     {"design --v0 1 --p 1 --beta 0.9 --objective residual", {"objective = residual", "records"}},
     {"design --record a.txt --period 2 --combine median", {"combine = median", "max or mean"}},
     {"design --record a.txt --period 2 --arrivals 2",
@@ -95,47 +104,27 @@ BOOST_FIXTURE_TEST_CASE(a_damper_that_does_not_move_transmits_the_load, Recorded
   // The mean hides the record that is beyond it.
   const std::string mean =
       one_line(run(held + "--records-list list.csv --combine mean --quiet").out);
-  BOOST_TEST(contains(mean, "Mean (and largest) of 2 records: 0.8 g (1.2 g) transmitted."), mean);
+  BOOST_TEST(contains(mean, "Mean of 2 records, the worst within the tolerance: 0.8 g "), mean);
   check_contains(run(held).out,
                  {"\n                    friction of more than the weight: a brake, "});
   const std::string rows = one_line(run(held + "--records-list list.csv --combine mean").out);
-  BOOST_TEST(contains(rows, " worst record -3 x a.txt: 1.2 g transmitted, stroke 0"), rows);
+  BOOST_TEST(contains(rows, " worst record -3 x a.txt: 1.2 g transmitted"), rows);
 }
 
 BOOST_FIXTURE_TEST_CASE(a_limit_of_the_mean_is_not_drawn_as_one_of_a_record, Recorded) {
   for (const auto& [combine, drawn] : {std::pair{"max", true}, {"mean", false}}) {
     succeed(Arguments{"design", "--record", "a.txt", "--combine", combine} +
             "--period 2.8s --search-f 0.3:0.3 --search-delta-m 0:0 --max-displacement 20mm "
-            "--html p.html");
+            "--tolerance 0 --html p.html");
     BOOST_TEST(contains(read("p.html"), ">limit 20 mm<") == drawn, combine);
   }
-}
-
-/// The optimum is on the edge of the limit, so f a little less breaks it.
-BOOST_FIXTURE_TEST_CASE(a_damper_on_the_edge_of_a_limit_is_said_to_be, Recorded) {
-  const Arguments asked(
-      "design --record a.txt --period 2.8s --search-delta-m 0:0 --max-displacement 10mm");
-  const std::string text = one_line(run(asked).out);
-  const std::regex headline(
-      "^Damper under records Build f = [0-9.]+ without a notch, with a period of 2.8 s. Under the "
-      "record: [0-9.]+ g transmitted, stroke [0-9.]+ mm, residual [0-9.]+ mm. Off by 5 %, it is "
-      "much worse. damper ");
-  BOOST_TEST(std::regex_search(text, headline), text);
-  const std::regex row(
-      " tolerance f off by up to 10 %: [0-9.]+ g, stroke [0-9.]+ mm, residual [0-9.]+ mm; [0-9]+ "
-      "of "
-      "62 samples fail ");
-  BOOST_TEST(std::regex_search(text, row), text);
-  const std::string close = one_line(run(asked + "--tolerance 0.02").out);
-  const std::regex samples(" Off by up to 2 %, [0-9]+ of 62 samples fail. damper ");
-  BOOST_TEST(std::regex_search(close, samples), close);
 }
 
 /// Friction of 0.3996 lets go for an instant under 0.4 g.
 BOOST_FIXTURE_TEST_CASE(a_stroke_that_nobody_can_measure_has_no_digits, Recorded) {
   const std::string text =
       one_line(run("design --record a.txt --period 2.8s --search-delta-m 0:0 --search-f "
-                   "0.3996:0.3996")
+                   "0.3996:0.3996 --tolerance 0")
                    .out);
   check_contains(text, {" g transmitted, stroke less than 0.001 mm, residual less than 0.001 mm.",
                         " a.txt 0.4 <0.001 <0.001 "});
@@ -144,7 +133,8 @@ BOOST_FIXTURE_TEST_CASE(a_stroke_that_nobody_can_measure_has_no_digits, Recorded
 // m f g = 1000 kg x 0.3 x 9.80665 m/s2 and m g Delta = 1000 kg x 9.80665 m/s2 x 1 mm.
 BOOST_FIXTURE_TEST_CASE(a_mass_gives_the_force_and_the_energy_of_the_damper, Recorded) {
   const Arguments asked(
-      "design --record a.txt --period 2.8s --search-f 0.3:0.3 --search-delta-m 1mm:1mm");
+      "design --record a.txt --period 2.8s --search-f 0.3:0.3 --search-delta-m 1mm:1mm "
+      "--notch-width-m 20mm");
   const json with = run(asked + "--mass 1t --json").json()["design"];
   constexpr double few_ulps = 1e-14;
   BOOST_TEST(std::abs(with["friction_force_n"].get<double>() / 2941.995 - 1) <= few_ulps);
@@ -152,27 +142,6 @@ BOOST_FIXTURE_TEST_CASE(a_mass_gives_the_force_and_the_energy_of_the_damper, Rec
   const json without = run(asked + "--json").json()["design"];
   BOOST_TEST(without["friction_force_n"].is_null());
   BOOST_TEST(without["energy_per_passage_j"].is_null());
-}
-
-BOOST_FIXTURE_TEST_CASE(no_friction_is_not_off, Recorded) {
-  const std::string text = one_line(
-      run("design --record a.txt --period 2.8s --mass 1t --search-f 0:0 --search-delta-m 1mm:1mm "
-          "--verbose")
-          .out);
-  check_contains(text,
-                 {" at a passage, without constant friction, with a period of ",
-                  " tolerance delta off by up to 10 %: ", " sensitivity delta off by up to "});
-}
-
-/// Half of the dampers near a limit violate it; without a limit all of them serve as well.
-BOOST_FIXTURE_TEST_CASE(a_delicate_damper_is_red, Recorded) {
-  succeed(
-      "design --record a.txt --period 2.8s --search-delta-m 0:0 --max-displacement 10mm "
-      "--html p.html");
-  BOOST_TEST(contains(read("p.html"), "answer bad"));
-  succeed(
-      "design --record a.txt --period 2.8s --search-delta-m 0:0 --search-f 0.3:0.3 --html p.html");
-  BOOST_TEST(!contains(read("p.html"), "answer bad"));
 }
 
 /// Friction of 2 holds it against 0.4 and 1.2 g: |0.4 - 2|/(0.4 + 2) = 67 % and 0.8/3.2 = 25 %.
@@ -186,36 +155,25 @@ BOOST_FIXTURE_TEST_CASE(the_report_names_the_motion_nearest_to_another_outcome, 
                        "not a tolerance of the inputs"});
 }
 
-/// The load is 0.4 g, so with less friction than that the mass moves.
-BOOST_FIXTURE_TEST_CASE(a_damper_at_a_cliff_is_red_and_says_how_near_it_is, Recorded) {
-  const ProgramRun answer = succeed(
-      "design --record a.txt --period 2.8s --objective amplitude --search-f 0.40004:0.40004 "
-      "--search-delta-m 0:0 --html p.html");
-  const std::string text = one_line(answer.out);
-  const std::regex near(" Off by ([0-9.]+ %), it is much worse. .* much worse off by \\1: ");
-  BOOST_TEST(std::regex_search(text, near), text);
-  BOOST_TEST(contains(read("p.html"), "answer bad"));
-  const std::string firm = run(held + "--record a.txt --objective amplitude").out;
-  BOOST_TEST(!contains(firm, "much worse"), firm);
-}
-
 /// By what holds it when its load ends.
 BOOST_FIXTURE_TEST_CASE(each_way_to_rest_is_named, Recorded) {
   const auto rest = [&](const Arguments& more) {
     return one_line(run(Arguments("design --record a.txt --period 2.8s --verbose") + more).out);
   };
   const std::string friction = rest("--search-f 2:2 --search-delta-m 0:0");
-  check_contains(friction,
-                 {" rest by friction to the end of the record ", " 0.4 0 by friction Damper ",
-                  " f off by up to 10 %, at both ends and 60 random points: a sample"});
-  const std::string notch = rest("--search-f 0.02:0.02 --search-delta-m 1mm:1mm --hold 10");
+  check_contains(
+      friction, {" rest by friction to the end of the record ", " 0.4 0 by friction Damper ",
+                 " tried f 1.8 to 2.2: no failure in 4001 dampers, corners and boundary included"});
+  const std::string notch =
+      rest("--search-f 0.02:0.02 --search-delta-m 1mm:1mm --hold 10 --jump-max 1");
   check_contains(
       notch, {" rest by the notch to the end of the record ", " 0.4 0 by notch The accelerations ",
-              " f and delta off by up to 10 %, at the four corners and 60 random points: "});
+              " tried f 0.018 to 0.022, delta 0.9 mm to 1.1 mm: no failure in 4000 dampers"});
   // The last second of its load cannot stop a mass with next to no friction.
   const std::string later = rest("--search-f 0.01:0.01 --search-delta-m 0:0");
   check_contains(later, {" rest after the load of the record ", " after load Damper "});
-  BOOST_TEST(!contains(rest("--search-f 2:2 --search-delta-m 0:0 --tolerance 0"), "sensitivity"));
+  check_contains(rest("--search-f 2:2 --search-delta-m 0:0 --tolerance 0"),
+                 {" tolerance none: a damper that is not exactly this one may do anything "});
   // The load is over before the record is.
   write("quiet.txt", "0 0.4\n1 -0.2\n2 0\n3 0\n40 0\n");
   const std::string over = one_line(
@@ -225,70 +183,17 @@ BOOST_FIXTURE_TEST_CASE(each_way_to_rest_is_named, Recorded) {
   BOOST_TEST(contains(over, " rest after the load of every record "), over);
 }
 
-// The optimum is at the edge of two limits, and has 17 digits.
-BOOST_FIXTURE_TEST_CASE(the_printed_damper_has_the_printed_figures, Sandbox) {
-  const Arguments asked =
-      Arguments{"design", "--record", STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt"} +
-      "--period 2.8 --objective amplitude --acceleration-max 0.2 --scan-points 400";
-  const std::string text = one_line(run(asked).out);
-  std::smatch damper;
-  BOOST_TEST_REQUIRE(std::regex_search(
-      text, damper, std::regex(" damper f = ([0-9.]+), delta = ([0-9.]+mm|[0-9.]+) ?mm? ")));
-  const std::string f = damper[1];
-  const std::string delta = damper[2].str() + "mm";
-  const std::string again = one_line(
-      succeed(asked + Arguments{"--search-f", f + ":" + f, "--search-delta-m", delta + ":" + delta})
-          .out);
-  std::smatch figures;
-  const std::regex shown("Under the record: .*?, residual [0-9.]*[0-9]( mm)?");
-  BOOST_TEST_REQUIRE(std::regex_search(text, figures, shown), text);
-  BOOST_TEST(contains(again, figures[0].str()), again);
-}
-
-/// Friction of 0.39 lets go for an instant under 0.4 g.
-BOOST_FIXTURE_TEST_CASE(a_mass_that_hardly_moves_is_said_to, Recorded) {
-  const auto headline = [&](const std::string& f) {
-    return one_line(run(Arguments{"design", "--record", "a.txt", "--search-f", f + ":" + f} +
-                        "--period 2.8s --search-delta-m 0:0")
-                        .out);
-  };
-  const std::string words = "The mass hardly moves. The damper found has f = 0.39 ";
-  BOOST_TEST(contains(headline("0.39"), words), headline("0.39"));
-  BOOST_TEST(headline("0.3").starts_with("Damper under records Build f = 0.3 "), headline("0.3"));
-}
-
-/// The largest of the motion.
-BOOST_FIXTURE_TEST_CASE(the_impulse_of_the_notch_is_reported, Sandbox) {
-  const std::string file = STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt";
-  const json motion = reported({"simulate", "--record", file, "--period", "2.8", "--mass", "1000",
-                                "--f", "0.1", "--delta-m", "0.018"});
-  double most = 0;
-  for (const json& now : motion["half_cycles"]) {
-    most = std::max(most, now["impulse"].is_null() ? 0 : now["impulse"].get<double>());
-  }
-  BOOST_TEST_REQUIRE(most > 0);
-  const double newton_seconds = most * 1000 * 9.80665 * 2.8 / (2 * std::numbers::pi);
-  const std::string text =
-      one_line(run(Arguments{"design", "--record", file} +
-                   "--period 2.8 --mass 1000 --search-f 0.1:0.1 --search-delta-m 18mm:18mm "
-                   "--scan-points 1")
-                   .out);
-  BOOST_TEST(contains(text, " in the notch impulses of up to " +
-                                stillpoint::report::with_unit(newton_seconds, "N s") + " "),
-             text);
-}
-
 BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_reported, Recorded) {
   const ProgramRun answer =
       run("design --record a.txt --period 2.8s --search-f 0.02:0.02 --search-delta-m 1mm:1mm "
+          "--jump-max 1 "
           "--hold 10");
-  BOOST_TEST(
-      contains(
-          answer.out,
-          "\n  The mass never moves: it is held through the record. The damper found has\n  f = "
-          "0.02 and delta = 1 mm in a notch that lets go at 10 g above the friction,\n  with a "
-          "period of 2.8 s. Under the record: 0.4 g transmitted."),
-      answer.out);
+  check_contains(
+      one_line(answer.out),
+      {" The mass never moves: it is held through the record. The damper found has f = "
+       "0.02 and delta = 1 mm in a notch that lets go at 10 g above the friction, with a "
+       "period of 2.8 s. Under the record, the worst within the tolerance: 0.4 g "
+       "transmitted; no failure in 4000 dampers. "});
   BOOST_TEST(contains(answer.out, "passed: Runge-Kutta agrees exactly\n"), answer.out);
   BOOST_TEST(answer.err ==
              "stillpoint: locked in the notch to the end of the record; the structure then feels "
@@ -301,13 +206,14 @@ BOOST_FIXTURE_TEST_CASE(a_lock_is_in_the_headline, Sandbox) {
   const std::string record = STILLPOINT_DATA_DIR "/records/strong_motion.AT2";
   const Arguments asked{"design", "--record", record, "--period", "2.8", "--scan-points", "1"};
   const auto text = [&](const Arguments& more) { return one_line(run(asked + more).out); };
-  const std::string held = text("--search-f 0.038069:0.038069 --search-delta-m 13.444mm:13.444mm");
-  check_contains(held, {" Under the record: 0.35 g transmitted while it is locked, stroke ",
+  const std::string held = text(
+      "--search-f 0.038069:0.038069 --search-delta-m 13.444mm:13.444mm --jump-max 5 --tolerance 0");
+  check_contains(held, {" Under the record: 0.35 g transmitted",
                         " Locked in the notch to the end of the record; the structure then feels "
                         "up to 0.35 g."});
   const std::string wide = text(
       "--search-f 0.0106721:0.0106721 --search-delta-m 0.895464mm:0.895464mm "
-      "--notch-width-m 20mm");
+      "--notch-width-m 20mm --tolerance 0");
   check_contains(wide, {" g transmitted, stroke ", " mm. Locked in the notch to the end of the "});
 }
 
@@ -327,26 +233,37 @@ BOOST_FIXTURE_TEST_CASE(a_step_is_for_the_records_without_one, Recorded) {
 
 BOOST_FIXTURE_TEST_CASE(the_report_matches_simulate, Recorded) {
   const json report = reported(
-      "design --record a.txt --period 2.8 --max-displacement 0.3 --residual-m 5mm --hold 0.1");
+      "design --record a.txt --period 2.8 --max-displacement 0.3 --residual-m 5mm --hold 0.1 "
+      "--jump-max 2");
   const json& design = report["design"];
   const json motion =
       reported({"simulate", "--record", "a.txt", "--period", "2.8", "--hold", "0.1", "--f",
                 in_full(design["f"]), "--delta-m", in_full(design["delta_m"])});
   const json& response = motion["response"];
-  BOOST_TEST(near(report["worst"]["peak_amplitude"], response["peak_amplitude"], 1e-9));
-  BOOST_TEST(near(report["worst"]["peak_absolute_acceleration"],
+  BOOST_TEST(near(report["nominal"]["peak_amplitude"], response["peak_amplitude"], 1e-9));
+  BOOST_TEST(near(report["nominal"]["peak_absolute_acceleration"],
                   response["peak_absolute_acceleration"], 1e-9));
+  BOOST_TEST(report["worst"]["peak_amplitude"] >= report["nominal"]["peak_amplitude"]);
+  const json& worst = report["worst"]["of"]["peak_amplitude"];
+  const json at_worst =
+      reported({"simulate", "--record", "a.txt", "--period", "2.8", "--hold", "0.1", "--f",
+                in_full(worst["f"]), "--delta-m", in_full(worst["delta_m"])});
+  BOOST_TEST(near(report["worst"]["peak_amplitude"], at_worst["response"]["peak_amplitude"], 1e-9));
   BOOST_TEST(report["records"][0]["outcome"] == response["outcome"]);
   BOOST_TEST(report["worst"]["peak_m"].get<double>() <= 0.3);
   BOOST_TEST(report["worst"]["residual_m"].get<double>() <= 0.005);
-  BOOST_TEST(report["sensitivity"]["samples"] == 64);
+  const json& box = design["box"];
+  BOOST_TEST(box["samples"].get<int>() >= 4000);
+  BOOST_TEST(box["exact"] == false);
+  BOOST_TEST(near(box["f"][0], 0.9 * design["f"].get<double>(), hand_tolerance));
+  BOOST_TEST(box["period_s"].is_null());
   BOOST_TEST(near(report["input"]["residual_m"], 0.005, hand_tolerance));
 }
 
 BOOST_FIXTURE_TEST_CASE(the_period_is_a_third_variable, Recorded) {
   const json report = reported(
       "design --record a.txt --search-period 1s:3s --search-f 2:2 "
-      "--search-delta-m 0:1mm --threads 1");
+      "--search-delta-m 0:1mm --jump-max 1 --threads 1");
   BOOST_TEST(report["design"]["period_s"].get<double>() >= 1 - hand_tolerance);
   BOOST_TEST(report["design"]["period_s"].get<double>() <= 3 + hand_tolerance);
   const std::string text =
@@ -372,15 +289,16 @@ BOOST_FIXTURE_TEST_CASE(without_a_damper_it_says_which_limit_is_in_the_way, Reco
   const std::string relaxed = in_full(report["limits"][1]["relaxed"]);
   succeed(held + Arguments{"--max-displacement", "10mm", "--acceleration-max", relaxed});
   const std::string text = run(held + "--max-displacement 10mm --acceleration-max 0.1").out;
-  BOOST_TEST(contains(text, "No damper was found that meets the limits. The nearest has a "), text);
+  BOOST_TEST(contains(text, "No damper was found that meets the limits within its tolerance. "),
+             text);
 }
 
 /// Friction above the load holds it, so that the structure feels the peak of 0.4 g.
 BOOST_FIXTURE_TEST_CASE(without_a_damper_the_map_names_the_limit_to_relax, Recorded) {
-  const ProgramRun none = ending(
-      3,
-      "design --record a.txt --period 2.8 --search-f 1:2 --search-delta-m 0:1mm --scan-points "
-      "100 --acceleration-max 0.1 --html p.html");
+  const ProgramRun none = ending(3,
+                                 "design --record a.txt --period 2.8 --search-f 1:2 "
+                                 "--search-delta-m 0:1mm --jump-max 1 --scan-points "
+                                 "100 --acceleration-max 0.1 --html p.html");
   const std::string page = read("p.html");
   check_contains(
       page, {">No damper: allow 0.4", "Each area is named after the limit exceeded most there"});
@@ -391,7 +309,8 @@ BOOST_FIXTURE_TEST_CASE(without_a_damper_the_map_names_the_limit_to_relax, Recor
 BOOST_FIXTURE_TEST_CASE(a_map_names_the_limit_that_is_exceeded_most, Recorded) {
   ending(3,
          "design --record a.txt --period 2.8 --search-f 0.35:1 --search-delta-m 0:1mm "
-         "--scan-points 100 --acceleration-max 0.1 --max-displacement 1mm --html p.html");
+         "--jump-max 1 --tolerance 0 --scan-points 100 --acceleration-max 0.1 --max-displacement "
+         "1mm --html p.html");
   const std::string page = read("p.html");
   BOOST_TEST(contains(page, ">transmits too much</text>"));
   BOOST_TEST(!contains(page, ">stroke too large</text>"));
@@ -403,16 +322,15 @@ BOOST_FIXTURE_TEST_CASE(the_nearest_damper_does_what_is_said_of_it_as_printed, S
   const Arguments load{"--record", STILLPOINT_DATA_DIR "/records/strong_motion.AT2", "--period",
                        "2.8"};
   const std::string text = one_line(
-      run(Arguments{"design", "--max-displacement", "2mm", "--acceleration-max", "0.05"} + load)
+      run(Arguments("design --max-displacement 2mm --acceleration-max 0.05 --tolerance 0") + load)
           .out);
   std::smatch found;
   BOOST_TEST_REQUIRE(std::regex_search(
       text, found,
-      std::regex("nearest f = (\\S+), delta = (\\S+) mm, .* stroke (\\S+) mm; 2 mm is allowed")));
-  const json motion =
-      reported(Arguments{"simulate", "--f", found[1], "--delta-m", found[2].str() + "mm"} + load);
+      std::regex("nearest f = (\\S+), delta = 0, .* stroke (\\S+) mm; 2 mm is allowed")));
+  const json motion = reported(Arguments{"simulate", "--f", found[1], "--delta-m", "0"} + load);
   const double peak = 1000 * motion["physical"]["peak_m"].get<double>();
-  BOOST_TEST(fmt::format("{:.5g}", peak) == found[3].str());
+  BOOST_TEST(fmt::format("{:.5g}", peak) == found[2].str());
 }
 
 BOOST_FIXTURE_TEST_CASE(a_damper_without_friction_is_reported_never_to_rest, Recorded) {
@@ -445,51 +363,42 @@ BOOST_FIXTURE_TEST_CASE(the_headline_says_that_its_acceleration_leaves_out_jumps
   const Arguments given{"--record", STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt", "--period",
                         "2.8s"};
   const Arguments judged =
-      "design --max-displacement 1m --search-f 0.05:0.05 --search-delta-m 50mm:50mm --mass 1t" +
+      "design --max-displacement 1m --search-f 0.05:0.05 --search-delta-m 50mm:50mm --mass 1t "
+      "--tolerance 0" +
       given;
-  for (const char* const hold : {"", "--hold 0.1"}) {
-    const json motion =
-        run(Arguments("simulate --f 0.05 --delta-m 50mm --json") + hold + given).json();
-    double jump = 0;
-    for (const json& now : motion["half_cycles"]) {
-      if (const json& impulse = now["impulse"]; !impulse.is_null()) {
-        jump = std::max(jump, impulse.get<double>());
-      }
-    }
-    const double speed = jump * motion["physical"]["velocity_unit_m_per_s"].get<double>();
-    const std::string text = one_line(run(judged + hold).out);
-    if (*hold == '\0') {  // it locks at once
-      BOOST_TEST(!contains(text, "jumps at the notch (up to"), text);
-    } else {
-      check_contains(text, {fmt::format(" transmitted between the velocity jumps at the notch (up "
-                                        "to {:.4g} m/s), stroke ",
-                                        speed),
-                            " The accelerations are those between the velocity jumps at the notch, "
-                            "which come on top."});
+  const json motion = run("simulate --f 0.05 --delta-m 50mm --json --hold 0.1" + given).json();
+  double jump = 0;
+  for (const json& now : motion["half_cycles"]) {
+    if (const json& impulse = now["impulse"]; !impulse.is_null()) {
+      jump = std::max(jump, impulse.get<double>());
     }
   }
+  const double speed = jump * motion["physical"]["velocity_unit_m_per_s"].get<double>();
+  check_contains(one_line(run(judged + "--hold 0.1 --jump-max 9").out),
+                 {fmt::format(" transmitted between the velocity jumps at the notch (up to {:.4g} "
+                              "m/s), stroke ",
+                              speed),
+                  " The accelerations are those between the velocity jumps at the notch, which "
+                  "come on top."});
   BOOST_TEST(!contains(run(judged + "--notch-width-m 50mm").out, "jumps"));
-  BOOST_TEST(!contains(
-      run("design --max-displacement 1m --search-f 0.05:0.05 --search-delta-m 0:0" + given).out,
-      "jumps"));
 }
 
 BOOST_FIXTURE_TEST_CASE(text_and_page_show_each_record, Recorded) {
   const Arguments asked(
       "design --record a.txt --period 2.8 --max-displacement 0.3 --residual-m 0.005 --html p.html");
   const ProgramRun answer = succeed(asked);
-  const std::string page = read("p.html");
-  const Arguments holds = asked + "--hold 0.1";
+  std::string page = read("p.html");
+  check_contains(one_line(answer.out), {" notch not searched: without a width "});
+  const Arguments holds = asked + "--hold 0.1 --jump-max 2";
   const std::string held_up = one_line(run(holds).out);
   check_contains(held_up,
                  {" mm in a notch that lets go at 0.1 g above the friction, with a period "});
+  check_contains(held_up, {" g transmitted between the velocity jumps at the notch (up to "});
   check_contains(one_line(run(holds + "--mass 1t").out),
                  {" and a notch that lets go at 0.1 g above the friction and takes "});
   BOOST_TEST(contains(answer.out, "a.txt"));
-  check_contains(answer.out, {"\n  tolerance         f and delta off by up to "});
-  const Arguments weak("--search-delta-m 1mm:1mm");
-  check_contains(one_line(run(asked + weak).out), {" in the notch impulses of up to "});
-  BOOST_TEST(!contains(run(asked + weak + "--notch-width-m 20mm").out, "in the notch      "));
+  succeed(holds);
+  page = read("p.html");
   check_contains(page, {"id=\"map-title\"", "id=\"record-1-title\"", "chosen", "a.txt",
                         "The transmitted acceleration over f and Δ", "<th>peak,\u00a0mm</th>"});
 }
@@ -498,7 +407,7 @@ BOOST_FIXTURE_TEST_CASE(each_motion_of_a_page_has_its_load_below_it, Recorded) {
   write("list.csv", "file,scale\na.txt,1\na.txt,0.3\na.txt,-1\n");
   succeed(
       "design --records-list list.csv --period 2.8 --search-f 0.1:0.1 --search-delta-m 1mm:1mm "
-      "--html p.html");
+      "--jump-max 5 --html p.html");
   const std::string page = read("p.html");
   std::size_t at = 0;
   for (const char* const id : {"worst", "worst-load", "record-2", "record-2-load", "record-3",
@@ -510,9 +419,11 @@ BOOST_FIXTURE_TEST_CASE(each_motion_of_a_page_has_its_load_below_it, Recorded) {
 }
 
 BOOST_FIXTURE_TEST_CASE(the_areas_of_the_map_bear_values_between_those_of_the_key, Sandbox) {
-  succeed(Arguments{"design", "--record", STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt"} +
-          "--period 2.8 --max-displacement 0.4 --scan-points 400 --html p.html");
-  const std::string page = read("p.html");
+  succeed(
+      Arguments{"design", "--record", STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt"} +
+      "--period 2.8 --max-displacement 0.4 --notch-width-m 50mm --scan-points 400 --html p.html");
+  std::string page = read("p.html");
+  page.resize(page.find("id=\"map-near-title\""));  // whose areas have another key
   const auto values = [&page](const char* before) {
     const std::regex number(before + std::string("([0-9.]+) g<"));
     std::vector<double> found;
@@ -523,104 +434,11 @@ BOOST_FIXTURE_TEST_CASE(the_areas_of_the_map_bear_values_between_those_of_the_ke
   };
   BOOST_TEST(contains(page, "where it is hatched, the darker, the more the limits are exceeded"));
   const std::vector<double> areas = values(">≈ ");
-  BOOST_TEST(areas.size() > 1);
+  BOOST_TEST(!areas.empty());
   for (const double value : areas) {
     BOOST_TEST(values(">from ").at(0) < value);
     BOOST_TEST(value < values(">to ").at(0));
   }
-}
-
-// +-10 % of no friction is none.
-BOOST_FIXTURE_TEST_CASE(a_design_without_friction_is_tried_with_that_of_a_rolling_bearing,
-                        Sandbox) {
-  const std::string record = STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt";
-  const Arguments asked{"design", "--record",     record, "--period", "2.8s", "--max-displacement",
-                        "300mm",  "--residual-m", "20mm", "--hold",   "0.05"};
-  const ProgramRun text = run(asked + "--html page.html");
-  const json motion = run({"simulate", "--record", record, "--period", "2.8s", "--f", "0.002",
-                           "--delta-m", "71.569mm", "--hold", "0.05", "--json"})
-                          .json();
-  const double peak = 1000 * motion["physical"]["peak_m"].get<double>();
-  BOOST_TEST(contains(one_line(text.out), " With f = 0.002, about the least of any part: "),
-             text.out);
-  BOOST_TEST(contains(one_line(text.out), fmt::format(" stroke {:.3g} mm, ", peak)), text.out);
-  check_contains(
-      read("page.html"),
-      {"<p class=\"answer bad\">",
-       " better than the middle of its cell, and one with a little more friction is worse"});
-  const json tried = run(asked + "--json").json()["sensitivity"]["with_least_friction"];
-  BOOST_TEST(tried["f"] == 0.002);
-  BOOST_TEST(std::abs(1000 * tried["figures"]["peak_m"].get<double>() / peak - 1) <= 1e-4);
-  BOOST_TEST(run(asked + "--search-f 0.01:0.01 --json")
-                 .json()["sensitivity"]["with_least_friction"]
-                 .is_null());
-}
-
-// With the longest period of the search and no notch it transmits 0.02 % more.
-BOOST_FIXTURE_TEST_CASE(a_notch_that_gains_next_to_nothing_is_left_out, Sandbox) {
-  const std::string record = STILLPOINT_DATA_DIR "/records/strong_motion.AT2";
-  const Arguments asked{"design", "--record", record, "--search-period", "1.5:3.5"};
-  const Arguments limits("--max-displacement 350mm --residual-m 10mm --html page.html --json");
-  const json without = run(asked + limits).json();
-  BOOST_TEST(without["design"]["delta"] == 0);
-  BOOST_TEST(!contains(read("page.html"), "map-near-title"));  // which needs both frictions
-  const json with = run(asked + limits + "--search-delta-m 0.00001mm:20mm").json();
-  const auto felt = [](const json& report) {
-    return report["worst"]["peak_absolute_acceleration"].get<double>();
-  };
-  BOOST_TEST(with["design"]["delta"] > 0);
-  BOOST_TEST(felt(without) <= felt(with) * (1 + 1e-3));
-}
-
-// f + delta/w is 1 g with the example of 20 mm, and the record has at most 0.29 g.
-BOOST_FIXTURE_TEST_CASE(the_headline_says_that_an_ordinary_notch_would_hold_the_mass, Sandbox) {
-  const Arguments asked{"design", "--record", STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt"};
-  const std::string text = one_line(
-      run(asked + "--period 2.8 --search-f 0.1:0.1 --search-delta-m 18mm:18mm --scan-points 1")
-          .out);
-  check_contains(text, {". Not for a notch 20 mm wide. damper ",
-                        " real notch with one 20 mm wide, the mass never leaves it under the "
-                        "record; try others with --notch-width-m ",
-                        " start needs a notch wider than 95."});
-}
-
-// The record has at most 0.2883 g, so f + delta/w holds the mass in a notch up to 60 mm/0.1883 =
-// 318.6 mm wide. Twice the record moves it out of one half as wide; and transmits more, so that the
-// largest of both is not that of a mass that is held.
-BOOST_FIXTURE_TEST_CASE(the_headline_says_that_no_notch_works, Sandbox) {
-  const std::string file = STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt";
-  const Arguments asked("--period 2.8 --search-f 0.1:0.1 --search-delta-m 60mm:60mm");
-  const ProgramRun one = run(Arguments{"design", "--record", file} + asked);
-  const std::string why =
-      "only one wider than 318.62 mm would let the record move the mass, but the peak is ";
-  check_contains(one_line(one.out),
-                 {". No notch works. damper ", " real notch no notch works: " + why});
-  BOOST_TEST(one.err.starts_with("stillpoint: no notch works: " + why), one.err);
-  BOOST_TEST(!contains(one.out, "  start  "), one.out);
-  const auto fault = [&](const Arguments& task) {
-    return run(task + "--json").json()["notch_fault"];
-  };
-  const json words = fault(Arguments{"design", "--record", file} + asked);
-  BOOST_TEST(words.get<std::string>().starts_with("no notch works: " + why));
-  BOOST_TEST(fault(Arguments{"design", "--record", file} + asked + "--hold 1").is_null());
-  write("list.csv", "file,scale\n" + file + ",1\n" + file + ",2\n");
-  const Arguments suite = Arguments("design --records-list list.csv") + asked;
-  BOOST_TEST(!contains(run(suite).out, "o notch works"));
-  const std::string two = one_line(run(suite + "--combine mean").out);
-  check_contains(two, {". No notch works under 1 of 2 records."});
-  BOOST_TEST(contains(two, " 1 of 2 records: only one wider than 318.62 mm would let near_fault_"));
-}
-
-// The limit is just above the residual, which f and Delta determine to a few millimetres.
-BOOST_FIXTURE_TEST_CASE(an_inexact_damper_is_in_the_headline_beside_a_notch_that_fails, Sandbox) {
-  const Arguments asked{"design", "--record", STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt"};
-  const std::string text = one_line(run(asked + "--period 2.8 --search-f 0.1:0.1 --search-delta-m "
-                                                "18mm:18mm --residual-m 21mm")
-                                        .out);
-  BOOST_TEST(
-      std::regex_search(
-          text, std::regex(". Not for a notch 20 mm wide. Off by [.0-9]+ %, it is much worse. ")),
-      text);
 }
 
 BOOST_FIXTURE_TEST_CASE(an_interrupt_ends_with_the_best_so_far, Sandbox) {
@@ -631,7 +449,8 @@ BOOST_FIXTURE_TEST_CASE(an_interrupt_ends_with_the_best_so_far, Sandbox) {
   BOOST_TEST(stopped.json()["search"]["interrupted"] == true);
   BOOST_TEST(stopped.json()["search"]["scan"]["points"] < 10'000);
   BOOST_TEST(read("r.json") == stopped.out);
-  BOOST_TEST(contains(run(long_search, interrupted).out, "Interrupted: the best so far. Build "));
+  BOOST_TEST(
+      contains(run(long_search, interrupted).out, "Interrupted. No damper was verified yet."));
 }
 
 BOOST_FIXTURE_TEST_CASE(a_terminal_shows_the_best_so_far, Sandbox,
@@ -639,7 +458,7 @@ BOOST_FIXTURE_TEST_CASE(a_terminal_shows_the_best_so_far, Sandbox,
   write("long.txt", long_record());
   const ProgramRun stopped =
       ending(130, long_search, {.error_is_terminal = true, .interrupt = true});
-  check_contains(stopped.err, {" of about ", " dampers, best ", ", stroke "});
+  check_contains(stopped.err, {" of about ", " dampers"});
 }
 
 BOOST_DATA_TEST_CASE_F(Recorded, wrong_input_is_refused, data::make(wrong_inputs), wrong) {

@@ -39,6 +39,8 @@ BOOST_AUTO_TEST_CASE(many_dampers_at_once_have_the_figures_of_each_alone) {
       BOOST_TEST(together[i].acceleration == alone.acceleration);
       BOOST_TEST(together[i].residual == alone.residual);
       BOOST_TEST(together[i].margin == alone.margin);
+      BOOST_TEST(together[i].jump == alone.jump);
+      BOOST_TEST(together[i].late == alone.late);
     }
   }
 }
@@ -68,7 +70,7 @@ BOOST_AUTO_TEST_CASE(a_rest_after_more_than_ten_thousand_half_cycles_does_not_co
   const std::vector<SuiteDamper> dampers{{1, 1e-6, 0}, {1, 1e-4, 0}, {1, 0, 1e-7}, {1, 0, 1e-5}};
   const std::vector<SuiteFigures> together = suite.figures(dampers, 1);
   for (std::size_t i = 0; i < dampers.size(); ++i) {
-    const auto& [p, f, delta] = dampers[i];
+    const auto& [p, f, delta, width] = dampers[i];
     const ForcedResponse motion = forced_response({p, f, delta}, {}, suite.loads()[0]);
     const bool in_time = i % 2 == 1;
     BOOST_TEST((motion.half_cycles.value() <= 10'000) == in_time);
@@ -146,11 +148,12 @@ BOOST_AUTO_TEST_CASE(a_delta_beyond_the_default_range_makes_no_difference) {
     request.records.erase(request.records.begin() + i % 2);
     request.p = {p, p};
     request.hold = i % 4 < 2 ? std::optional(random.uniform(0, 0.2)) : std::nullopt;
-    request.scan_points = 1;
+    request.limits.jump = 9;
     request.f = Interval{0.2, 0.2};
     RecordDesignRequest probe = request;
     probe.delta.reset();
-    const double most = suite_map(probe, p, 1).delta.front() * 2;  // the middle of the one cell
+    const double most =
+        suite_map(probe, {p, 0.2, 0, 0}, false, 1).delta.front() * 2;  // the middle of the one cell
     const double f = random.uniform(0.01, 0.15);
     const Record& load = request.records.front().record;
     const ForcedResponse at_most = forced_response({p, f, most, request.hold}, {}, load);
@@ -168,7 +171,9 @@ BOOST_AUTO_TEST_CASE(a_delta_beyond_the_default_range_makes_no_difference) {
 
 BOOST_AUTO_TEST_CASE(the_map_has_the_figures_of_its_places) {
   RecordDesignRequest request = design::design(three_samples()).request;
-  const SuiteMap map = suite_map(request, 1, 10);
+  request.delta = Interval{0, 0.1};
+  request.limits.jump = 1;
+  const SuiteMap map = suite_map(request, {1, 0, 0, 0}, false, 10);
   BOOST_REQUIRE(map.f.size() == 10);
   // The middle of the fourth of ten cells from 0 to the largest load, 0.4.
   BOOST_TEST(std::abs(map.f[3] - 0.14) <= hand_tolerance);
@@ -178,6 +183,23 @@ BOOST_AUTO_TEST_CASE(the_map_has_the_figures_of_its_places) {
   const ForcedResponse there =
       forced_response({1, map.f[i], map.delta[j]}, {}, request.records.front().record);
   BOOST_TEST(map.figures[i * map.delta.size() + j].peak == there.peak_amplitude);
+}
+
+// From f = 0.2 to 0.4 in ten cells: about 0.29, the fifth, the middles from 0.29 x 0.9 = 0.261 to
+// 0.319 are 0.27, 0.29 and 0.31.
+BOOST_AUTO_TEST_CASE(a_map_of_boxes_has_the_worst_about_each_place) {
+  RecordDesignRequest request = design::design(three_samples()).request;
+  request.f = Interval{0.2, 0.4};
+  request.delta = Interval{0, 0};
+  const SuiteMap map = suite_map(request, {1, 0, 0, 0}, true, 10);
+  const Suite suite(request);
+  SuiteFigures worst;
+  for (const double f : {0.27, 0.29, 0.31}) {
+    worst = worse(worst, suite.figures({1, f, 0, 0}));
+  }
+  BOOST_REQUIRE(map.figures.size() == 100);
+  BOOST_TEST(std::abs(map.figures[40].peak - worst.peak) <= hand_tolerance);
+  BOOST_TEST(std::abs(map.figures[40].acceleration - worst.acceleration) <= hand_tolerance);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -31,17 +31,36 @@ void fit(DrawnMotion& motion, double peak, bool low) {
   }
 }
 
+/// That of the damper of the box with the worst objective, if it is another.
+void add_worst_of_box(DrawnMotion& motion, const design::RecordDesign& result, std::size_t index) {
+  const design::SuiteBox& box = result.finding->box;
+  const auto& kinds = design::suite_figure_kinds;
+  const auto kind = static_cast<std::size_t>(&minimised(result.request) - kinds.data());
+  if (box.samples == 1) {
+    return;
+  }
+  const SimulationRequest request = motion_request(result, box.of.at(kind), index);
+  OtherMotion worst{"worst within the tolerance", drawn_motion(request, simulate(request)).states,
+                    figures::Ink::orange};
+  std::erase_if(worst.states, [&](const State& state) { return state.tau > motion.shown_to; });
+  if (!worst.states.empty()) {
+    worst.states.push_back({motion.shown_to, worst.states.back().x, 0});
+  }
+  motion.others.push_back(std::move(worst));
+}
+
 /// The motion under a record and its load below it; the worst one is large.
 void add_record(std::vector<Figure>& figures, const design::RecordDesign& result, std::size_t index,
                 const FigureUnits& units) {
   const design::RecordDesignRequest& task = result.request;
-  const SimulationRequest request = motion_request(result, index);
+  const SimulationRequest request = motion_request(result, result.finding->point.damper, index);
   const bool worst = index == worst_record(result);
   const std::string id = format("record-{}", index + 1);
   DrawnMotion motion = drawn_motion(request, simulate(request));
   if (*task.combine == design::Combine::max) {  // that of a mean bounds no single record
     motion.beta = task.limits.peak;
   }
+  add_worst_of_box(motion, result, index);
   fit(motion, result.finding->responses[index].peak_amplitude, !worst);
   Figure drawn = motion_figure(motion, units);
   Figure load = excitation_figure(request.excitation, motion, units);
@@ -80,8 +99,14 @@ std::vector<Figure> design_spectra(const design::RecordDesign& result, const Fig
   constexpr double longest = 2;
   const design::RecordDesignRequest& task = result.request;
   const design::SuiteDamper& damper = result.finding->point.damper;
-  design::SpectrumRequest request{task.records, {},        damper.f,         damper.delta,
-                                  task.combine, task.hold, task.notch_width, task.threads};
+  design::SpectrumRequest request{task.records,
+                                  {},
+                                  damper.f,
+                                  damper.delta,
+                                  task.combine,
+                                  task.hold,
+                                  notch_of(task, damper).width,
+                                  task.threads};
   for (int i = 0; i < points; ++i) {
     request.p.push_back(damper.p / (shortest + (longest - shortest) * i / (points - 1)));
   }

@@ -30,11 +30,11 @@ using design::SuiteLimits;
 /// which is hatched: more red than blue.
 constexpr std::array shades{"#0b4f8a", "#2f7fc1", "#6aaede", "#9ecae9", "#c6dff2", "#e6f1fa"};
 constexpr std::size_t excesses = 4;
-constexpr std::array<std::string_view, 4> broken{
+constexpr std::array<std::string_view, 5> broken{
     "#fbd9b5#f5b06a#e88432#c05a10", "#f6d3d6#e8a5ad#d37583#a94459", "#eee0c2#d9bd8a#b9935a#8a6636",
-    "#8a7a68#8a7a68#8a7a68#8a7a68"};
+    "#ddd3ea#bda9d6#9a80bf#6f529b", "#8a7a68#8a7a68#8a7a68#8a7a68"};
 constexpr std::array broken_names{"stroke too large", "transmits too much", "residual too large",
-                                  "never rests, or may stop elsewhere"};
+                                  "jump too large", "never rests, or rests too late"};
 constexpr std::size_t never = broken.size() - 1;
 
 /// Of broken_names, in the order of design::suite_figure_kinds, the one whose limit is exceeded
@@ -48,9 +48,7 @@ std::size_t broken_index(const SuiteFigures& figures, const SuiteLimits& limits)
   for (std::size_t i = 0; figures.settled && i < never; ++i) {
     SuiteLimits one;
     one.*design::suite_figure_kinds.at(i).limit = limits.*design::suite_figure_kinds.at(i).limit;
-    SuiteFigures safe = figures;
-    safe.margin = design::least_suite_margin;
-    if (const double over = excess(safe, one); over > most) {
+    if (const double over = excess(figures, one); over > most) {
       most = over;
       worst = i;
     }
@@ -60,8 +58,10 @@ std::size_t broken_index(const SuiteFigures& figures, const SuiteLimits& limits)
 
 std::string objective_words(const design::RecordDesignRequest& task, double value,
                             const FigureUnits& units) {
-  return task.objective == design::SuiteObjective::acceleration ? format("{:.3g} g", value)
-                                                                : units.length_words(value);
+  const design::SuiteFigureKind& kind = minimised(task);
+  return kind.objective == design::SuiteObjective::acceleration ? format("{:.3g} g", value)
+         : kind.objective                                       ? units.length_words(value)
+                                                                : units.velocity_words(value);
 }
 
 /// Of one shade.
@@ -93,7 +93,7 @@ void add_cells(figures::FigureMap& drawn, const design::SuiteMap& map, const Sho
     for (std::size_t column = 0; column < map.f.size(); ++column) {
       const SuiteFigures& figures = map.figures[column * map.delta.size() + row];
       const std::size_t fault = broken_index(figures, task.limits);
-      const double place = (value_of(figures, task.objective) - shown.least) / shade_width(shown);
+      const double place = (figures.*minimised(task).value - shown.least) / shade_width(shown);
       const std::size_t shade =
           fault == broken.size() ? std::min(static_cast<std::size_t>(place), shades.size() - 1)
           : fault == never
@@ -110,7 +110,7 @@ std::vector<double> values_of(const design::SuiteMap& map,
   std::vector<double> values;
   for (std::size_t row = 0; row < map.delta.size(); ++row) {
     for (std::size_t column = 0; column < map.f.size(); ++column) {
-      values.push_back(value_of(map.figures[column * map.delta.size() + row], task.objective));
+      values.push_back(map.figures[column * map.delta.size() + row].*minimised(task).value);
     }
   }
   return values;
@@ -194,8 +194,8 @@ ShownValues shown_values(const design::SuiteMap& map, const SuiteFigures& of_dam
   ShownValues shown;
   const auto include = [&](const SuiteFigures& figures) {
     if (admissible(figures, task.limits)) {
-      shown.least = std::min(shown.least, value_of(figures, task.objective));
-      shown.most = std::max(shown.most, value_of(figures, task.objective));
+      shown.least = std::min(shown.least, figures.*minimised(task).value);
+      shown.most = std::max(shown.most, figures.*minimised(task).value);
     }
   };
   include(of_damper);
@@ -203,13 +203,15 @@ ShownValues shown_values(const design::SuiteMap& map, const SuiteFigures& of_dam
   return shown;
 }
 
-Figure drawn_map(const design::RecordDesign& result, const Window& window,
+Figure drawn_map(const design::RecordDesign& result, const Window& window, bool boxes,
                  const FigureUnits& units) {
   const design::SuitePoint& point = result.nearest;
   design::RecordDesignRequest task = result.request;
   std::tie(task.f, task.delta) = std::pair(window[0], window[1]);
-  const design::SuiteMap map = design::suite_map(task, point.damper.p);
-  const ShownValues values = shown_values(map, point.figures, task);
+  const design::SuiteMap map = design::suite_map(task, point.damper, boxes);
+  const SuiteFigures& own =
+      boxes || !result.finding ? point.figures : result.finding->point.figures;
+  const ShownValues values = shown_values(map, own, task);
   Figure figure;
   figure.x = {"constant friction f", task.f->low, task.f->high};
   figure.y = {units.delta_label, task.delta->low * units.length, task.delta->high * units.length};
@@ -221,9 +223,10 @@ Figure drawn_map(const design::RecordDesign& result, const Window& window,
   const char* const what = result.finding ? "chosen" : "nearest";
   figure.marks.push_back({what, {place}, figures::Shape::star, figures::Ink::orange});
   figure.notes.push_back({what, place});
-  figure.description =
-      format("The plane of f and Δ: the {} of the records combined, and where a limit is violated.",
-             quantity(task.objective));
+  figure.description = format(
+      "The plane of f and Δ: the {} of the records combined{}, and where a limit is "
+      "violated.",
+      minimised(task).words, boxes ? ", the worst over the tolerance" : "");
   figure.caption =
       !(values.least <= values.most)
           ? "Each area is named after the limit exceeded most there" + excess_clause(bounds, "")
@@ -233,9 +236,7 @@ Figure drawn_map(const design::RecordDesign& result, const Window& window,
           : "The darker, the better";
   constexpr std::uint8_t best_shade = 0;
   if (result.finding && shade_at(figure, place) != best_shade) {
-    const bool edge = result.finding->sensitivity.with_least_friction.has_value();
-    figure.caption += format("; the damper found is better than the middle of its cell{}",
-                             edge ? ", and one with a little more friction is worse" : "");
+    figure.caption += "; the damper found is better than the middle of its cell";
   }
   return figure;
 }

@@ -25,10 +25,11 @@ struct ShownValues {
                                        const design::SuiteFigures& of_damper,
                                        const design::RecordDesignRequest& task);
 
-/// The objective over that part of the plane, for the spring of the damper, without an id and a
-/// title; the caption has no full stop yet.
+/// The objective over that part of the plane, for the spring and the width of the damper, the worst
+/// over the tolerance about each place or each place itself; without an id and a title, and the
+/// caption has no full stop yet.
 [[nodiscard]] figures::Figure drawn_map(const design::RecordDesign& result, const Window& window,
-                                        const FigureUnits& units);
+                                        bool boxes, const FigureUnits& units);
 
 /// The plane of f and delta where the objective is good, then what lies about the damper; none if
 /// f or delta was not searched.

@@ -17,14 +17,31 @@ using figures::Figure;
 
 namespace {
 
+void add_box_outline(Figure& figure, const design::SuiteBox& box, const FigureUnits& units) {
+  const Interval& f = box.f;
+  const Interval delta{box.delta.low * units.length, box.delta.high * units.length};
+  if (f.low < f.high && delta.low < delta.high) {
+    figures::FigureCurve outline{"the tolerance",
+                                 {{{f.low, delta.low},
+                                   {f.high, delta.low},
+                                   {f.high, delta.high},
+                                   {f.low, delta.high},
+                                   {f.low, delta.low}}},
+                                 figures::Ink::orange};
+    outline.hover = false;
+    figure.curves.push_back(std::move(outline));
+  }
+}
+
 /// "No damper: allow a stroke of 62.1 mm": the first limit that would be enough alone.
 std::string shortfall_title(const design::RecordDesign& result, const FigureUnits& units) {
-  for (const auto& [which, limit, nearest, relaxed] : result.shortfalls) {
-    if (relaxed) {
-      return which == design::SuiteObjective::acceleration
-                 ? format("No damper: allow {:.4g} g to be transmitted", *relaxed)
-                 : format("No damper: allow a {} of {}", quantity(which),
-                          units.length_words(*relaxed));
+  for (const design::SuiteShortfall& each : result.shortfalls) {
+    if (each.relaxed) {
+      return each.kind->objective == design::SuiteObjective::acceleration
+                 ? format("No damper: allow {:.4g} g to be transmitted", *each.relaxed)
+                 : format("No damper: allow a {} of {}", each.kind->words,
+                          each.kind->objective ? units.length_words(*each.relaxed)
+                                               : units.velocity_words(*each.relaxed));
     }
   }
   return "No damper meets the limits";
@@ -73,13 +90,14 @@ Interval with_room_for_labels(const Interval& shown, const Interval& searched) {
 /// mass that does not move, which meets any limit of the stroke, does not fill the map.
 Window good_window(const design::RecordDesign& result, const design::SuitePoint& point) {
   const design::RecordDesignRequest& task = result.request;
-  const design::SuiteMap all = design::suite_map(task, point.damper.p);
+  constexpr int coarse = 40;
+  const design::SuiteMap all = design::suite_map(task, point.damper, true, coarse);
   const ShownValues values = shown_values(all, point.figures, task);
   Interval f{point.damper.f, point.damper.f};
   Interval delta{point.damper.delta, point.damper.delta};
   for (std::size_t i = 0; i < all.figures.size(); ++i) {
     if (admissible(all.figures[i], task.limits) &&
-        2 * value_of(all.figures[i], task.objective) <= values.least + values.most) {
+        2 * all.figures[i].*minimised(task).value <= values.least + values.most) {
       const double at_f = all.f[i / all.delta.size()];
       const double at_delta = all.delta[i % all.delta.size()];
       f = {std::min(f.low, at_f), std::max(f.high, at_f)};
@@ -105,39 +123,31 @@ Figure overview(const design::RecordDesign& result, const FigureUnits& units) {
   const Window window = result.finding ? good_window(result, result.nearest)
                                        : Window{about_nearest(*task.f, damper.f),
                                                 about_nearest(*task.delta, damper.delta)};
-  Figure figure = drawn_map(result, window, units);
+  Figure figure = drawn_map(result, window, true, units);
   figure.id = "map";
   figure.title = !result.finding ? shortfall_title(result, units)
                  : task.p.low < task.p.high
-                     ? format("The {} at the best period", quantity(task.objective))
-                     : format("The {} over f and Δ", quantity(task.objective));
+                     ? format("The {} at the best period", minimised(task).words)
+                     : format("The {} over f and Δ", minimised(task).words);
+  if (result.finding) {
+    add_box_outline(figure, result.finding->box, units);
+  }
   figure.caption += beyond_words(task, window, units) + ".";
   return figure;
 }
 
-/// What the samples of the tolerance are taken from, and as much again about it.
+/// The box of the design and as much again about it, each damper by itself.
 Figure close_up(const design::RecordDesign& result, const FigureUnits& units) {
-  const design::Sensitivity& near = result.finding->sensitivity;
-  const design::SuiteDamper& damper = result.nearest.damper;
-  const auto about = [&](double value, double part) {
-    return Interval{std::max(0.0, value * (1 - part)), value * (1 + part)};
+  const design::SuiteBox& box = result.finding->box;
+  const auto about = [](const Interval& range) {
+    const double wide = range.high - range.low;
+    return Interval{std::max(0.0, range.low - wide / 2), range.high + wide / 2};
   };
-  const double wide = 2 * near.tolerance;
-  Figure figure = drawn_map(result, {about(damper.f, wide), about(damper.delta, wide)}, units);
+  Figure figure = drawn_map(result, {about(box.f), about(box.delta)}, false, units);
   figure.id = "map-near";
-  figure.title = format("The same within {:.3g} % of the damper", 100 * wide);
-  const Interval f = about(damper.f, near.tolerance);
-  const Interval delta = about(damper.delta * units.length, near.tolerance);
-  figures::FigureCurve box{format("off by up to {:.3g} %", 100 * near.tolerance),
-                           {{{f.low, delta.low},
-                             {f.high, delta.low},
-                             {f.high, delta.high},
-                             {f.low, delta.high},
-                             {f.low, delta.low}}},
-                           figures::Ink::blue};
-  box.hover = false;
-  figure.curves.push_back(std::move(box));
-  figure.caption += format("; in the box f and Δ are off by up to {:.3g} %.", 100 * near.tolerance);
+  figure.title = "Each damper by itself";
+  add_box_outline(figure, box, units);
+  figure.caption += "; the box is what the design may become.";
   return figure;
 }
 
@@ -148,9 +158,8 @@ std::vector<Figure> record_maps(const design::RecordDesign& result, const Figure
   std::vector<Figure> maps;
   if (task.f->low < task.f->high && task.delta->low < task.delta->high) {
     maps.push_back(overview(result, units));
-    const design::SuiteDamper& damper = result.nearest.damper;
-    if (result.finding && result.finding->sensitivity.tolerance > 0 && damper.f > 0 &&
-        damper.delta > 0) {
+    if (result.finding && result.finding->box.f.low < result.finding->box.f.high &&
+        result.finding->box.delta.low < result.finding->box.delta.high) {
       maps.push_back(close_up(result, units));
     }
   }

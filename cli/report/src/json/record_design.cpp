@@ -3,9 +3,13 @@
 
 #include <stillpoint/report/record_design.hpp>
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numbers>
+#include <optional>
+#include <string>
+#include <string_view>
 
 namespace stillpoint::report {
 
@@ -13,12 +17,64 @@ namespace {
 
 using nlohmann::ordered_json;
 
+/// In the order of design::suite_figure_kinds.
+constexpr std::array<std::string_view, design::suite_figure_kinds.size()> figure_fields{
+    "peak_amplitude", "peak_absolute_acceleration", "residual", "jump"};
+
 /// The period without friction; null without physical input.
 ordered_json period_json(const Physical& physical, double p) {
   return seconds(physical, 2 * std::numbers::pi / p);
 }
 
+ordered_json factors_json(const design::Spread& spread) {
+  return {1 - spread.below, 1 + spread.above};
+}
+
+std::optional<double> metres_per_second(const Physical& physical,
+                                        const std::optional<double>& speed) {
+  return physical && speed ? std::optional(*speed * physical->scales.velocity_m_per_s)
+                           : std::nullopt;
+}
+
+/// Null of what is exact.
+ordered_json side_json(const Interval& range, double factor) {
+  return range.low < range.high ? ordered_json{range.low * factor, range.high * factor}
+                                : ordered_json();
+}
+
+ordered_json box_json(const design::SuiteBox& box, const Physical& physical) {
+  const double metre = physical ? physical->scales.length_m : 1;
+  const double turn = 2 * std::numbers::pi * (physical ? physical->scales.time_s : 1);
+  const Interval periods{turn / box.p.high, turn / box.p.low};
+  return {{"f", side_json(box.f, 1)},
+          {"delta", side_json(box.delta, 1)},
+          {"delta_m", physical ? side_json(box.delta, metre) : ordered_json()},
+          {"p", side_json(box.p, 1)},
+          {"period_s", physical ? side_json(periods, 1) : ordered_json()},
+          {"notch_width", side_json(box.width, 1)},
+          {"notch_width_m", physical ? side_json(box.width, metre) : ordered_json()},
+          {"samples", box.samples},
+          {"exact", false}};
+}
+
+std::string_view notch_name(design::NotchChoice choice) {
+  switch (choice) {
+    case design::NotchChoice::chosen:
+      return "chosen";
+    case design::NotchChoice::excluded:
+      return "excluded";
+    case design::NotchChoice::not_asked_for:
+      return "needs_width_or_jump_limit";
+    case design::NotchChoice::gains_little:
+      break;
+  }
+  return "gains_little";
+}
+
 ordered_json task_json(const design::RecordDesignRequest& task, const Physical& physical) {
+  const std::optional<double> width = task.width && task.width->low == task.width->high
+                                          ? std::optional(task.width->low)
+                                          : std::nullopt;
   return {{"records", task.records.size()},
           {"p_range", interval_json(task.p)},
           {"f_range", interval_json(task.f.value())},
@@ -30,21 +86,33 @@ ordered_json task_json(const design::RecordDesignRequest& task, const Physical& 
           {"residual", task.limits.residual},
           {"residual_m", metres(physical, task.limits.residual)},
           {"acceleration_max", task.limits.acceleration},
+          {"jump_max", task.limits.jump},
+          {"jump_max_m_per_s", metres_per_second(physical, task.limits.jump)},
           {"hold", task.hold},
-          {"notch_width", task.notch_width},
-          {"notch_width_m", metres(physical, task.notch_width)},
-          {"tolerance", task.tolerance}};
+          {"notch_width", width},
+          {"notch_width_m", metres(physical, width)},
+          {"notch_width_range",
+           or_null(task.width, [](const Interval& range) { return interval_json(range); })},
+          {"tolerance", std::max({task.tolerance.f.below, task.tolerance.f.above,
+                                  task.tolerance.delta.below, task.tolerance.delta.above})},
+          {"tolerance_f", factors_json(task.tolerance.f)},
+          {"tolerance_delta", factors_json(task.tolerance.delta)},
+          {"tolerance_width", factors_json(task.tolerance.width)},
+          {"tolerance_period", factors_json(task.tolerance.period)}};
 }
 
 ordered_json damper_json(const design::SuiteDamper& damper, const Physical& physical) {
   const design::Scales scales = physical ? physical->scales : design::Scales();
+  const auto width = damper.width > 0 ? std::optional(damper.width) : std::nullopt;
   return {{"f", damper.f},
           {"friction_force_n", scales.friction_force_n(damper.f)},
           {"delta", damper.delta},
           {"delta_m", metres(physical, damper.delta)},
           {"energy_per_passage_j", scales.energy_per_passage_j(damper.delta)},
           {"p", damper.p},
-          {"period_s", period_json(physical, damper.p)}};
+          {"period_s", period_json(physical, damper.p)},
+          {"notch_width", width},
+          {"notch_width_m", metres(physical, width)}};
 }
 
 /// Null where a motion never rests.
@@ -56,7 +124,9 @@ ordered_json figures_json(const design::SuiteFigures& figures, const Physical& p
           {"peak_m", metres(physical, figures.peak)},
           {"peak_absolute_acceleration", figures.acceleration},
           {"residual", figures.residual},
-          {"residual_m", metres(physical, figures.residual)}};
+          {"residual_m", metres(physical, figures.residual)},
+          {"jump", figures.jump},
+          {"jump_m_per_s", metres_per_second(physical, figures.jump)}};
 }
 
 ordered_json records_json(const design::RecordDesign& result, const Physical& physical) {
@@ -76,34 +146,20 @@ ordered_json records_json(const design::RecordDesign& result, const Physical& ph
   return list;
 }
 
-ordered_json search_json(const design::SuiteSearch& search) {
-  return {{"library", "NLopt"},
-          {"library_version", design::nlopt_version()},
-          {"algorithm", search.algorithm},
-          {"status", search.status},
+ordered_json search_json(const design::SuiteSearchCost& search) {
+  return {{"library", "stillpoint"},
+          {"algorithm", "boxes"},
+          {"status", search.interrupted ? "INTERRUPTED" : "SUCCESS"},
           {"evaluations", search.evaluations},
           {"wall_time_s", search.wall_time_s},
           {"scan", {{"points", search.scan_points}, {"feasible", search.scan_feasible}}},
           {"interrupted", search.interrupted}};
 }
 
-ordered_json sensitivity_json(const design::Sensitivity& sensitivity, const Physical& physical) {
-  return {
-      {"tolerance", sensitivity.tolerance},
-      {"samples", sensitivity.samples},
-      {"admissible", sensitivity.admissible},
-      {"worst_within", figures_json(sensitivity.worst, physical)},
-      {"much_worse",
-       or_null(
-           sensitivity.much_worse,
-           [&](const design::MuchWorse& there) -> ordered_json {
-             return {{"change", there.change}, {"figures", figures_json(there.figures, physical)}};
-           })},
-      {"with_least_friction",
-       or_null(sensitivity.with_least_friction,
-               [&](const design::SuiteFigures& there) -> ordered_json {
-                 return {{"f", design::least_friction}, {"figures", figures_json(there, physical)}};
-               })}};
+ordered_json outlook_json(const design::SuiteOutlook& outlook, const Physical& physical) {
+  return {{"off", design::SuiteOutlook::off},
+          {"period", figures_json(outlook.period, physical)},
+          {"scale", figures_json(outlook.scale, physical)}};
 }
 
 ordered_json check_json(const design::SuiteCheck& check) {
@@ -125,13 +181,18 @@ ordered_json check_json(const design::SuiteCheck& check) {
 
 ordered_json shortfalls_json(const design::RecordDesign& result, const Physical& physical) {
   return list_json(result.shortfalls, [&](const design::SuiteShortfall& now) -> ordered_json {
-    const auto& [which, limit, figure, relaxed] = now;
+    const auto& [kind, limit, figure, record, relaxed] = now;
     const auto nearest = result.nearest.figures.settled ? std::optional(figure) : std::nullopt;
-    const Physical of_length =
-        which == design::SuiteObjective::acceleration ? std::nullopt : physical;
-    return {{"limit", kind_of(which).limit_field},     {"value", limit},
-            {"value_m", metres(of_length, limit)},     {"nearest", nearest},
-            {"nearest_m", metres(of_length, nearest)}, {"relaxed", relaxed},
+    const bool is_length =
+        kind->objective && kind->objective != design::SuiteObjective::acceleration;
+    const Physical of_length = is_length ? physical : std::nullopt;
+    return {{"limit", kind->limit_field},
+            {"value", limit},
+            {"value_m", metres(of_length, limit)},
+            {"nearest", nearest},
+            {"nearest_m", metres(of_length, nearest)},
+            {"record", result.request.records[record].name},
+            {"relaxed", relaxed},
             {"relaxed_m", metres(of_length, relaxed)}};
   });
 }
@@ -149,20 +210,29 @@ ordered_json json(const RecordDesignReport& report) {
                     {"worst", nullptr},
                     {"records", ordered_json::array()},
                     {"search", search_json(result.search)},
-                    {"sensitivity", nullptr},
-                    {"notch_fault", or_null(report.notch_fault,
-                                            [](const RealNotchFault& fault) {
-                                              return ordered_json(fault.words);
-                                            })},
+                    {"nominal", nullptr},
+                    {"outlook", nullptr},
+                    {"notch", notch_name(result.notch)},
+                    {"isolates", nullptr},
+                    {"largest_tolerance", result.largest_tolerance},
                     {"cross_check", nullptr},
                     {"nearest", nullptr},
                     {"limits", shortfalls_json(result, physical)}};
   if (result.finding) {
-    json["design"] = damper_json(result.finding->point.damper, physical);
-    json["worst"] = figures_json(result.finding->point.figures, physical);
+    const design::RecordFinding& finding = *result.finding;
+    json["design"] = damper_json(finding.point.damper, physical);
+    json["design"]["tolerance"] = result.largest_tolerance;
+    json["design"]["box"] = box_json(finding.box, physical);
+    json["worst"] = figures_json(finding.box.worst, physical);
+    ordered_json& of = json["worst"]["of"];
+    for (std::size_t k = 0; k < design::suite_figure_kinds.size(); ++k) {
+      of[std::string(figure_fields.at(k))] = damper_json(finding.box.of.at(k), physical);
+    }
+    json["nominal"] = figures_json(finding.point.figures, physical);
     json["records"] = records_json(result, physical);
-    json["sensitivity"] = sensitivity_json(result.finding->sensitivity, physical);
-    json["cross_check"] = check_json(result.finding->check);
+    json["outlook"] = outlook_json(finding.outlook, physical);
+    json["isolates"] = isolates(result);
+    json["cross_check"] = check_json(finding.check);
   } else {
     json["reason"] = shortfall_sentence(report);
     json["nearest"] = {{"design", damper_json(result.nearest.damper, physical)},

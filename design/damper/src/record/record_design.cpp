@@ -3,10 +3,9 @@
 
 #include "record/suite.hpp"
 #include "record/suite_check.hpp"
-#include "record/suite_digits.hpp"
+#include "record/suite_outlook.hpp"
 #include "record/suite_request.hpp"
-#include "record/suite_search.hpp"
-#include "record/suite_sensitivity.hpp"
+#include "record/suite_task_search.hpp"
 #include "record/suite_watch.hpp"
 
 #include <stillpoint/core/input_error.hpp>
@@ -15,87 +14,105 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
 #include <utility>
 
 namespace stillpoint::design {
 
 namespace {
 
-/// A limit alone that was relaxed is this much above the least that was found, so that a search
-/// with it, which is no more accurate than that, finds a damper as well.
-constexpr double relaxed_by = 1e-3;
-
-/// What each limit would have to be, with the others unchanged.
-std::vector<SuiteShortfall> shortfalls(const Suite& suite, const SuiteBox& box,
-                                       const SuiteScan& scan, const RecordDesignRequest& request,
-                                       const SuiteFigures& nearest, std::int64_t& evaluations,
-                                       SuiteWatch& watch) {
-  watch.expect(usual_evaluations(box) *
-               std::ranges::count_if(suite_figure_kinds, [&](const auto& kind) {
-                 return (request.limits.*kind.limit).has_value();
-               }));
-  std::vector<SuiteShortfall> list;
-  for (const SuiteFigureKind& kind : suite_figure_kinds) {
-    SuiteLimits limits = request.limits;
-    const std::optional<double> limit = std::exchange(limits.*kind.limit, std::nullopt);
-    if (!limit) {
-      continue;
-    }
-    const SuiteOptimum least =
-        optimum(suite, box, scan, kind.objective, limits, request.threads, watch);
-    evaluations += least.evaluations;
-    SuiteShortfall shortfall{kind.objective, *limit, nearest.*kind.value, {}};
-    if (!watch.stopped() && admissible(least.point.figures, limits)) {
-      shortfall.relaxed = least.point.figures.*kind.value * (1 + relaxed_by);
-    }
-    list.push_back(shortfall);
-  }
-  return list;
+/// 1 +- the tolerance of what the box allows to be off.
+Interval interval_about(double value, const Spread& spread) {
+  return {value * (1 - spread.below), value * (1 + spread.above)};
 }
+
+Spread times(const Spread& spread, double scale) {
+  return {spread.below * scale, spread.above * scale};
+}
+
+SuiteBox promised(const RecordDesignRequest& task, const ChosenBox& chosen) {
+  const auto& [damper, worst, rank] = chosen.verified.box;
+  const SuiteTolerance& of = task.tolerance;
+  const Interval periods = interval_about(1 / damper.p, times(of.period, chosen.scale));
+  return {interval_about(damper.f, times(of.f, chosen.scale)),
+          interval_about(damper.delta, times(of.delta, chosen.scale)),
+          {1 / periods.high, 1 / periods.low},
+          interval_about(damper.width, times(of.width, chosen.scale)),
+          chosen.verified.samples,
+          worst,
+          chosen.verified.of};
+}
+
+/// The middles of even cells over a range, and as many of the same size beyond it as boxes reach.
+struct Cells {
+  Cells(const Interval& range, int side, const Spread& of) : count(side), spread(of) {
+    const double size = (range.high - range.low) / side;
+    for (double at = range.low - size / 2; size > 0 && at > range.low * (1 - of.below) && at > 0;
+         at -= size) {
+      all.push_back(at);
+    }
+    std::ranges::reverse(all);
+    before = all.size();
+    for (int i = 0; i < side; ++i) {
+      all.push_back(range.low + (range.high - range.low) * (i + 0.5) / side);
+    }
+    for (double at = range.high + size / 2; size > 0 && at < range.high * (1 + of.above);
+         at += size) {
+      all.push_back(at);
+    }
+  }
+
+  [[nodiscard]] std::vector<double> shown() const {
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(before);
+    return {first, first + count};
+  }
+  /// The cells from and to whose middle a built value may be, its own at least.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> within(double value) const {
+    const auto first = std::ranges::lower_bound(all, std::min(value, value * (1 - spread.below)));
+    const auto end = std::ranges::upper_bound(all, value * (1 + spread.above));
+    return {static_cast<std::size_t>(first - all.begin()),
+            static_cast<std::size_t>(end - all.begin())};
+  }
+
+  int count;
+  Spread spread;
+  std::size_t before{0};
+  std::vector<double> all;
+};
 
 }  // namespace
 
 RecordDesign design(const RecordDesignRequest& request, const RecordWatch& go_on) {
   require_valid(request);
   const double begun = seconds_now();
-  RecordDesign result{completed(request), {}, {}, {}, {}};
+  RecordDesign result;
+  result.request = completed(request);
   const RecordDesignRequest& task = result.request;
   const Suite suite(task);
-  const SuiteBox box(task);
-  SuiteWatch watch(task, go_on);
-  const auto [side, all] = grid_size(box, task.scan_points);
-  watch.expect(all + usual_evaluations(box));
-  SuiteScan scan{side, grid_figures(suite, box, side, all, task.threads, watch)};
-  const auto evaluated = std::ssize(scan.figures);
-  SuiteFigures unknown;
-  unknown.settled = false;
-  scan.figures.resize(static_cast<std::size_t>(all), unknown);
-  SuiteOptimum found = optimum(suite, box, scan, task.objective, task.limits, task.threads, watch);
-  result.search = {found.algorithm,
-                   found.status,
-                   found.evaluations,
-                   0,
-                   evaluated,
-                   std::ranges::count_if(scan.figures,
-                                         [&](const SuiteFigures& figures) {
-                                           return admissible(figures, task.limits);
-                                         }),
-                   false};
-  const SuitePoint point = with_few_digits(suite, task, found.point);
-  result.nearest = point;
-  const bool feasible = admissible(point.figures, task.limits);
-  if (!feasible) {
-    result.shortfalls =
-        shortfalls(suite, box, scan, task, point.figures, result.search.evaluations, watch);
-  }
+  SuiteWatch watch(go_on);
+  std::optional<ChosenBox> chosen = task.objective == SuiteObjective::robust
+                                        ? most_tolerant(suite, result, watch)
+                                        : within_tolerance(suite, result, watch);
+  result.search.evaluations = watch.evaluations();
   result.search.interrupted = watch.stopped();
-  result.search.wall_time_s = seconds_now() - begun;
-  if (feasible) {
-    RecordFinding finding{point, suite.responses(point.damper), {}, {}};
-    finding.sensitivity = sensitivity(suite, task, point);
-    finding.check = check(suite, point.damper, finding.responses);
+  result.notch = !counts_the_notch(request) && !(request.delta && request.delta->high == 0)
+                     ? NotchChoice::not_asked_for
+                 : task.delta->high == 0                            ? NotchChoice::excluded
+                 : chosen && chosen->verified.box.damper.delta == 0 ? NotchChoice::gains_little
+                                                                    : NotchChoice::chosen;
+  if (chosen) {
+    const SuiteDamper& damper = chosen->verified.box.damper;
+    RecordFinding finding;
+    finding.point = {damper, suite.figures(damper)};
+    finding.responses = suite.responses(damper);
+    finding.box = promised(task, *chosen);
+    finding.outlook = outlook(task, damper, chosen->scale);
+    finding.check = check(suite, damper, finding.responses);
+    result.nearest = {damper, chosen->verified.box.worst};
     result.finding = std::move(finding);
   }
+  result.search.wall_time_s = seconds_now() - begun;
   return result;
 }
 
@@ -103,33 +120,63 @@ SuiteFigures figures_of(const RecordDesignRequest& request, const SuiteDamper& d
   return Suite(request).figures(damper);
 }
 
-SuiteMap suite_map(const RecordDesignRequest& request, double p, int side) {
+SuiteMap suite_map(const RecordDesignRequest& request, const SuiteDamper& damper, bool boxes,
+                   int side) {
   require_valid(request);
   require_within("side", side, 1, 10'000);
   const RecordDesignRequest task = completed(request);
-  const Suite suite(task);
-  SuiteMap map;
-  const auto middle = [side](const Interval& range, int i) {
-    return range.low + (range.high - range.low) * (i + 0.5) / side;
-  };
-  for (int i = 0; i < side; ++i) {
-    map.f.push_back(middle(*task.f, i));
-    map.delta.push_back(middle(*task.delta, i));
+  const SuiteTolerance& of = task.tolerance;
+  const Cells f(*task.f, side, boxes ? of.f : Spread());
+  const Cells delta(*task.delta, side, boxes ? of.delta : Spread());
+  std::vector<double> widths{damper.width};
+  if (boxes && damper.width > 0 && of.width.below + of.width.above > 0) {
+    widths.push_back(damper.width * (1 - of.width.below));
+    widths.push_back(damper.width * (1 + of.width.above));
   }
-  const auto cells = static_cast<std::size_t>(side);
   std::vector<SuiteDamper> dampers;
-  dampers.reserve(cells * cells);
-  for (const double f : map.f) {
-    for (const double delta : map.delta) {
-      dampers.push_back({p, f, delta});
+  for (const double of_f : f.all) {
+    for (const double of_delta : delta.all) {
+      for (const double width : widths) {
+        dampers.push_back({damper.p, of_f, of_delta, width});
+      }
     }
   }
-  map.figures = suite.figures(dampers, task.threads);
+  const std::vector<SuiteFigures> figures = Suite(task).figures(dampers, task.threads);
+  SuiteMap map{f.shown(), delta.shown(), {}};
+  for (const double of_f : map.f) {
+    const auto [first, end] = f.within(of_f);
+    for (const double of_delta : map.delta) {
+      const auto [low, high] = delta.within(of_delta);
+      SuiteFigures worst;
+      for (std::size_t i = first; i < end; ++i) {
+        const auto row =
+            figures.begin() + static_cast<std::ptrdiff_t>(i * delta.all.size() * widths.size());
+        worst =
+            std::accumulate(row + static_cast<std::ptrdiff_t>(low * widths.size()),
+                            row + static_cast<std::ptrdiff_t>(high * widths.size()), worst, worse);
+      }
+      map.figures.push_back(worst);
+    }
+  }
   return map;
 }
 
+bool isolates(const RecordDesign& result) {
+  constexpr double hardly = 0.95;
+  double most = 0;
+  double sum = 0;
+  for (const SuiteRecord& record : result.request.records) {
+    most = std::max(most, peak_load(record));
+    sum += peak_load(record);
+  }
+  const double load = result.request.combine.value() == Combine::max
+                          ? most
+                          : sum / static_cast<double>(result.request.records.size());
+  return result.nearest.figures.acceleration <= hardly * load;
+}
+
 std::string summary(const RecordDesign& result) {
-  const auto& [damper, figures] = result.finding ? result.finding->point : result.nearest;
+  const auto& [damper, figures] = result.nearest;
   const std::string point =
       fmt::format("p = {:.6g}, f = {:.6g}, delta = {:.6g}", damper.p, damper.f, damper.delta);
   const std::string does =
@@ -137,7 +184,8 @@ std::string summary(const RecordDesign& result) {
           ? fmt::format("transmits {:.4g} g, moves up to |x| = {:.4g} and rests within {:.4g}",
                         figures.acceleration, figures.peak, figures.residual)
           : "does not come to rest";
-  return result.finding ? fmt::format("{} {}{}", point, does,
+  return result.finding ? fmt::format("{} {} at the worst of {} dampers{}", point, does,
+                                      result.finding->box.samples,
                                       result.finding->check.passed ? "" : "; the check failed")
                         : fmt::format("no damper: the nearest, {}, {}", point, does);
 }

@@ -25,7 +25,8 @@ std::span<const Named<SuiteObjective>> enumerators(SuiteObjective) noexcept {
   static constexpr auto rows =
       std::to_array<Named<SuiteObjective>>({{SuiteObjective::acceleration, "acceleration"},
                                             {SuiteObjective::amplitude, "amplitude"},
-                                            {SuiteObjective::residual, "residual"}});
+                                            {SuiteObjective::residual, "residual"},
+                                            {SuiteObjective::robust, "robust"}});
   return rows;
 }
 
@@ -62,8 +63,31 @@ Record scaled(const SuiteRecord& record) {
 }
 
 SuiteFigures suite_figures(const ForcedResponse& response) {
-  return {response.peak_amplitude, response.peak_absolute_acceleration,
-          std::abs(response.stop_position.value()), response.decision_margin.value_or(1)};
+  return {response.peak_amplitude,
+          response.peak_absolute_acceleration,
+          std::abs(response.stop_position.value()),
+          response.decision_margin.value_or(1),
+          response.jump,
+          0,
+          true};
+}
+
+const SuiteFigureKind& minimised(const RecordDesignRequest& request) {
+  const auto* const found = std::ranges::find_if(suite_figure_kinds, [&](const auto& kind) {
+    return request.objective == SuiteObjective::robust ? (request.limits.*kind.limit).has_value()
+                                                       : kind.objective == request.objective;
+  });
+  return *found;
+}
+
+SuiteFigures worse(const SuiteFigures& one, const SuiteFigures& other) {
+  return {std::max(one.peak, other.peak),
+          std::max(one.acceleration, other.acceleration),
+          std::max(one.residual, other.residual),
+          std::min(one.margin, other.margin),
+          std::max(one.jump, other.jump),
+          std::max(one.late, other.late),
+          one.settled && other.settled};
 }
 
 void require_valid(const std::vector<SuiteRecord>& records) {
@@ -88,12 +112,11 @@ std::vector<Excitation> scaled_loads(const std::vector<SuiteRecord>& records) {
 Suite::Suite(const RecordDesignRequest& request)
     : loads_(scaled_loads(request.records)),
       combine_(request.combine.value()),
-      hold_(request.hold),
-      surface_{request.notch_width, {}} {}
+      hold_(request.hold) {}
 
 ForcedResponse Suite::response(const SuiteDamper& damper, const Excitation& load) const {
   return forced_response(oscillator(damper), {}, load, {.half_cycle_limit = most_suite_half_cycles},
-                         surface_);
+                         surface(damper));
 }
 
 std::vector<ForcedResponse> Suite::responses(const SuiteDamper& damper) const {
@@ -112,7 +135,14 @@ void Suite::add(SuiteFigures& all, const SuiteFigures& one) const {
   add(all.peak, one.peak);
   add(all.acceleration, one.acceleration);
   add(all.residual, one.residual);
+  add(all.jump, one.jump);
   all.margin = std::min(all.margin, one.margin);
+  all.late = std::max(all.late, one.late);
+}
+
+double periods_after(const Excitation& load, double stop_time, double p) {
+  const double after = std::max(0.0, stop_time - duration(load).value());
+  return after * p / (2 * std::numbers::pi);
 }
 
 void Suite::combine(SuiteFigures& all) const {
@@ -124,6 +154,7 @@ void Suite::combine(SuiteFigures& all) const {
     all.peak /= count;
     all.acceleration /= count;
     all.residual /= count;
+    all.jump /= count;
   }
 }
 
@@ -134,7 +165,9 @@ SuiteFigures Suite::figures(const SuiteDamper& damper) const {
       const ForcedResponse one = response(damper, load);
       all.settled = one.stop_position && rests_in_time(one.half_cycles.value());
       if (all.settled) {
-        add(all, suite_figures(one));
+        SuiteFigures figures = suite_figures(one);
+        figures.late = periods_after(load, one.stop_time.value(), damper.p);
+        add(all, figures);
       }
     } catch (const TooManyHalfCycles&) {
       all.settled = false;
@@ -157,7 +190,11 @@ std::vector<SuiteFigures> Suite::figures(std::span<const SuiteDamper> dampers,
   const Eigen::ArrayXd p = column(&SuiteDamper::p);
   const Eigen::ArrayXd f = column(&SuiteDamper::f);
   const Eigen::ArrayXd delta = column(&SuiteDamper::delta);
-  const RecordBatchOptions options{hold_, surface_, {}, most_suite_half_cycles, threads};
+  RecordBatchOptions options;
+  options.hold = hold_;
+  options.notch_width = column(&SuiteDamper::width);
+  options.half_cycle_limit = most_suite_half_cycles;
+  options.threads = threads;
   std::vector<SuiteFigures> list(dampers.size());
   RecordBatchResult found;
   for (const Excitation& load : loads_) {
@@ -168,7 +205,8 @@ std::vector<SuiteFigures> Suite::figures(std::span<const SuiteDamper> dampers,
                     found.outcome[i] != Outcome::never_stops && rests_in_time(found.half_cycles[i]);
       if (all.settled) {
         add(all, {found.peak_amplitude[i], found.peak_absolute_acceleration[i],
-                  std::abs(found.stop_position[i]), found.decision_margin[i]});
+                  std::abs(found.stop_position[i]), found.decision_margin[i], found.jump[i],
+                  periods_after(load, found.stop_time[i], p[i]), true});
       }
     }
   }
@@ -182,7 +220,7 @@ double excess(const SuiteFigures& figures, const SuiteLimits& limits) {
   if (!figures.settled) {
     return never_rests;
   }
-  double off = figures.margin < least_suite_margin ? least_suite_margin - figures.margin : 0;
+  double off = 0;
   for (const SuiteFigureKind& kind : suite_figure_kinds) {
     const std::optional<double>& limit = limits.*kind.limit;
     const double value = figures.*kind.value;
@@ -190,12 +228,28 @@ double excess(const SuiteFigures& figures, const SuiteLimits& limits) {
       off += (value - *limit) / (*limit > 0 ? *limit : figures.peak);
     }
   }
+  if (limits.late && figures.late > *limits.late) {
+    off += figures.late / *limits.late - 1;
+  }
   return std::min(off, never_rests);
 }
 
-SuiteRank rank(const SuiteFigures& figures, SuiteObjective objective, const SuiteLimits& limits) {
+double use(const SuiteFigures& figures, const SuiteLimits& limits) {
+  double most = 0;
+  for (const SuiteFigureKind& kind : suite_figure_kinds) {
+    const std::optional<double>& limit = limits.*kind.limit;
+    if (limit && *limit > 0) {
+      most = std::max(most, figures.*kind.value / *limit);
+    }
+  }
+  return most;
+}
+
+SuiteRank rank(const SuiteFigures& figures, const SuiteGoal& goal) {
   return figures.settled
-             ? SuiteRank{excess(figures, limits), value_of(figures, objective), figures.peak}
+             ? SuiteRank{excess(figures, goal.limits),
+                         goal.figure != nullptr ? figures.*goal.figure : use(figures, goal.limits),
+                         figures.peak}
              : SuiteRank{never_rests, 0, 0};
 }
 

@@ -51,7 +51,9 @@ class Suite {
   [[nodiscard]] Oscillator oscillator(const SuiteDamper& damper) const {
     return {damper.p, damper.f, damper.delta, hold_};
   }
-  [[nodiscard]] const Surface& surface() const { return surface_; }
+  [[nodiscard]] static Surface surface(const SuiteDamper& damper) {
+    return {damper.width > 0 ? std::optional(damper.width) : std::nullopt, {}};
+  }
 
  private:
   /// The figures of one record.
@@ -63,10 +65,17 @@ class Suite {
   std::vector<Excitation> loads_;
   Combine combine_;
   std::optional<double> hold_;
-  Surface surface_;
 };
 
-/// The rank of a damper: the less, the better. Any admissible one is better than any other.
+/// What a search minimises within the limits; without a figure the largest part of a limit that is
+/// used.
+struct SuiteGoal {
+  double SuiteFigures::*figure{nullptr};
+  SuiteLimits limits;
+};
+
+/// The rank of a damper or of its box: the less, the better. Any admissible one is better than any
+/// other.
 struct SuiteRank {
   double off{0};    ///< 0: admissible; else how far it is from that
   double value{0};  ///< of the objective
@@ -74,7 +83,6 @@ struct SuiteRank {
 
   [[nodiscard]] auto operator<=>(const SuiteRank&) const = default;
 };
-[[nodiscard]] SuiteRank rank(const SuiteFigures& figures, SuiteObjective objective,
-                             const SuiteLimits& limits);
+[[nodiscard]] SuiteRank rank(const SuiteFigures& figures, const SuiteGoal& goal);
 
 }  // namespace stillpoint::design

@@ -26,8 +26,8 @@ SuiteCheck check(const Suite& suite, const SuiteDamper& damper,
   check.passed = true;
   for (std::size_t i = 0; i < responses.size(); ++i) {
     const SuiteFigures kernel = suite_figures(responses[i]);
-    const SuiteFigures other = integrate_record_motion(suite.oscillator(damper), suite.surface(),
-                                                       std::get<Record>(suite.loads()[i]));
+    const SuiteFigures other = integrate_record_motion(
+        suite.oscillator(damper), Suite::surface(damper), std::get<Record>(suite.loads()[i]));
     const double error =
         std::max({relative(other.peak - kernel.peak, kernel.peak),
                   relative(other.acceleration - kernel.acceleration, kernel.acceleration),

@@ -3,11 +3,13 @@
 
 #include "record/suite.hpp"
 
+#include <vector>
+
 namespace stillpoint::design {
 
-/// The best damper with the fewest digits, in the units of `task.printed`, that is next to `found`
-/// and not worse by more than 1e-5, nor farther from the limits; `found` itself if there is none.
-[[nodiscard]] SuitePoint with_few_digits(const Suite& suite, const RecordDesignRequest& task,
-                                         const SuitePoint& found);
+/// The dampers next to one whose searched values have so many digits in the units of
+/// `task.printed`.
+[[nodiscard]] std::vector<SuiteDamper> neighbours_of_digits(const RecordDesignRequest& task,
+                                                            const SuiteDamper& damper, int digits);
 
 }  // namespace stillpoint::design

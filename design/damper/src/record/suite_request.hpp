@@ -8,6 +8,10 @@ namespace stillpoint::design {
 /// Throws InputError.
 void require_valid(const RecordDesignRequest& request);
 
+/// Whether what is asked sees what a notch does to the mass: an acceleration needs a width, or a
+/// limit of the jumps.
+[[nodiscard]] bool counts_the_notch(const RecordDesignRequest& request);
+
 /// A valid request with the ranges and the combination that it leaves open. Throws InputError.
 [[nodiscard]] RecordDesignRequest completed(RecordDesignRequest request);
 

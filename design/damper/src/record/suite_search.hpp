@@ -1,26 +1,72 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "record/suite_scan.hpp"
+// The best damper of a space with its box: docs/records-design.md section 2.
 
+#include "record/suite_boxes.hpp"
+#include "record/suite_samples.hpp"
+
+#include <cstddef>
 #include <cstdint>
-#include <string>
+#include <optional>
+#include <vector>
 
 namespace stillpoint::design {
 
-/// The best point found, by the scan or by NLopt from its best.
-struct SuiteOptimum {
-  SuitePoint point;
-  std::string algorithm;
-  std::string status;
-  std::int64_t evaluations{0};  ///< NLopt's
+/// Dampers of a box that verify a design.
+inline constexpr std::size_t verifying_samples = 4000;
+
+/// A damper whose whole box was tried.
+struct VerifiedBox {
+  BoxedDamper box;
+  std::array<SuiteDamper, suite_figure_kinds.size()> of{};  ///< where each figure is the largest
+  std::int64_t samples{0};
 };
 
-/// About how many dampers that takes.
-[[nodiscard]] std::int64_t usual_evaluations(const SuiteBox& box);
+/// Looks for one goal in one space.
+class SuiteSearch {
+ public:
+  SuiteSearch(const Suite& suite, const RecordDesignRequest& task, const SuiteSpace& space,
+              const SuiteGoal& goal, SuiteWatch& watch);
 
-[[nodiscard]] SuiteOptimum optimum(const Suite& suite, const SuiteBox& box, const SuiteScan& scan,
-                                   SuiteObjective objective, const SuiteLimits& limits,
-                                   const Threads& threads, SuiteWatch& watch);
+  /// The best verified, if it is better than `bar`; starts from a map of the whole space.
+  [[nodiscard]] std::optional<VerifiedBox> best(const BoxMap& map, const SuiteGrid& grid,
+                                                double bar);
+  /// Candidates of a map with that grid on ever finer ones about them, best first.
+  [[nodiscard]] std::vector<BoxedDamper> all_refined(std::vector<BoxedDamper> found, SuiteGrid grid,
+                                                     double bar);
+  /// Moves a box of samples by ever smaller steps; with `enough` until it meets the limits.
+  [[nodiscard]] BoxedDamper polished(const BoxedDamper& from, double step, bool enough = false);
+  /// Empty if a sample breaks a limit, where other samples and smaller limits do not mend it.
+  [[nodiscard]] std::optional<VerifiedBox> verified(BoxedDamper candidate);
+  /// As it is.
+  [[nodiscard]] VerifiedBox tried(const SuiteDamper& damper);
+
+ private:
+  [[nodiscard]] BoxedDamper boxed(const SuiteDamper& damper, const SuiteFigures& worst) const {
+    return {damper, worst, rank(worst, goal_)};
+  }
+  [[nodiscard]] std::vector<SuiteFigures> figures(const std::vector<SuiteDamper>& dampers);
+  [[nodiscard]] BoxedDamper sampled(const SuiteDamper& damper);
+  [[nodiscard]] std::vector<SuiteDamper> around(const SuiteDamper& damper, double step) const;
+  [[nodiscard]] BoxedDamper best_of(const std::vector<SuiteDamper>& dampers,
+                                    const BoxedDamper& bar);
+  [[nodiscard]] double first_step() const;
+  /// At most that many times half the step, which it leaves in `grid`.
+  [[nodiscard]] BoxedDamper refined(BoxedDamper candidate, SuiteGrid& grid, int levels);
+  /// With few digits, if that costs next to nothing.
+  [[nodiscard]] BoxedDamper rounded(const BoxedDamper& found);
+  [[nodiscard]] BoxedDamper clear(const BoxedDamper& found) const;
+  void tighten(const SuiteFigures& worst);
+
+  const Suite& suite_;
+  const RecordDesignRequest& task_;
+  const SuiteSpace& space_;
+  SuiteGoal goal_;
+  SuiteLimits limits_;  ///< as given; those of the goal may be smaller
+  SuiteWatch& watch_;
+  std::vector<SuitePlace> samples_;  ///< those that were worst last come first
+  std::vector<SuitePlace> worst_places_;
+};
 
 }  // namespace stillpoint::design

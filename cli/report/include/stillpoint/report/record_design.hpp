@@ -22,23 +22,10 @@ struct RecordDesignInput {
   std::optional<design::PhysicalInput> physical{};
 };
 
-/// What a notch with a width spoils in a design with the paper's: any, or that of an ordinary
-/// width.
-struct RealNotchFault {
-  bool of_any{false};
-  std::string headline;  ///< "No notch works under 2 of 7 records"
-  std::string words;
-};
-
 struct RecordDesignReport {
   design::RecordDesign result;
   std::optional<design::PhysicalInput> physical{};
-  std::optional<RealNotchFault> notch_fault{};
 };
-
-/// With what a real notch spoils, which is computed here.
-[[nodiscard]] RecordDesignReport record_design_report(
-    design::RecordDesign result, std::optional<design::PhysicalInput> physical);
 
 /// Of a design with a damper: the record with the largest figure of the objective, or of several
 /// the one with the largest stroke.
@@ -53,7 +40,7 @@ struct RecordDesignReport {
 
 /// "locked: under 1 of 2 records ..."; empty if no record locks the damper.
 [[nodiscard]] std::string lock_sentence(const RecordDesignReport& report);
-/// "no notch works under 2 of 7 records: ..."; empty unless so.
+/// What became of a notch, if it was left out; else empty.
 [[nodiscard]] std::string notch_sentence(const RecordDesignReport& report);
 
 [[nodiscard]] Document document(const RecordDesignReport& report);

@@ -5,9 +5,10 @@
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/design/suite_check.hpp>
-#include <stillpoint/design/suite_sensitivity.hpp>
 #include <stillpoint/design/suite_task.hpp>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -15,44 +16,80 @@
 
 namespace stillpoint::design {
 
-struct SuiteSearch {
-  std::string algorithm;  ///< which found the point: "scan", "LN_SBPLX" or "GN_ISRES"
-  std::string status;     ///< NLopt's own; "SUCCESS" for the scan
+struct SuiteSearchCost {
   std::int64_t evaluations{0};
   double wall_time_s{0};
   std::int64_t scan_points{0};
-  std::int64_t scan_feasible{0};
-  bool interrupted{false};  ///< the best so far; a whole search may find a better one
+  std::int64_t scan_feasible{0};  ///< boxes of the scan within the limits
+  bool interrupted{false};        ///< the best so far; a whole search may find a better one
+};
+
+/// The dampers that were tried around a design: a sample, not a proof.
+struct SuiteBox {
+  Interval f;
+  Interval delta;
+  Interval p;
+  Interval width;
+  std::int64_t samples{0};
+  SuiteFigures worst;                                       ///< the largest of each figure
+  std::array<SuiteDamper, suite_figure_kinds.size()> of{};  ///< where, as suite_figure_kinds
+};
+
+/// What is not required: the worst over samples of the box where all periods, or all records, are
+/// off by this part to either side.
+struct SuiteOutlook {
+  static constexpr double off{0.05};
+  SuiteFigures period;
+  SuiteFigures scale;
 };
 
 struct RecordFinding {
-  SuitePoint point;
+  SuitePoint point;                       ///< the damper itself with its own figures
   std::vector<ForcedResponse> responses;  ///< of each record
-  Sensitivity sensitivity;
+  SuiteBox box;
+  SuiteOutlook outlook;
   SuiteCheck check;
 };
 
-/// A limit, if no damper met all of them.
+/// A limit, if the box of no damper met all of them.
 struct SuiteShortfall {
-  SuiteObjective which{SuiteObjective::acceleration};
+  const SuiteFigureKind* kind{nullptr};
   double limit{0};
-  double nearest{0};  ///< the figure of the damper that violates the limits least
+  double nearest{0};      ///< the worst in the box that violates the limits least
+  std::size_t record{0};  ///< under which that is largest
   /// The value to which this limit alone must be relaxed to find a damper; empty: none was found.
   std::optional<double> relaxed;
+};
+
+/// What became of a notch.
+enum class NotchChoice {
+  chosen,
+  excluded,       ///< by the range of Delta
+  not_asked_for,  ///< its jumps would not count: it needs a width or a limit of the jump
+  gains_little,   ///< less than one per cent
 };
 
 struct RecordDesign {
   RecordDesignRequest request;  ///< with the ranges and the combination that were chosen
   std::optional<RecordFinding> finding;
-  SuitePoint nearest;  ///< that of the finding, or else the one that violates the limits least
+  /// That of the finding, or else the one whose box violates the limits least; with the worst of
+  /// its box.
+  SuitePoint nearest;
+  NotchChoice notch{NotchChoice::chosen};
+  /// The largest tolerance that was found within the limits, if that was searched: with the
+  /// objective `robust`, or because no damper has the box.
+  std::optional<double> largest_tolerance;
   std::vector<SuiteShortfall> shortfalls;
-  SuiteSearch search;
+  SuiteSearchCost search;
 };
+
+/// A damper that transmits more than this part of the load does not isolate.
+[[nodiscard]] bool isolates(const RecordDesign& result);
 
 /// One line.
 [[nodiscard]] std::string summary(const RecordDesign& result);
 
-/// Scan, NLopt, check. Finding no damper is a result. Throws InputError.
+/// Scan, refinement, verification, check. Finding no damper is a result. Throws InputError.
 [[nodiscard]] RecordDesign design(const RecordDesignRequest& request,
                                   const RecordWatch& go_on = {});
 
@@ -60,13 +97,17 @@ struct RecordDesign {
 [[nodiscard]] SuiteFigures figures_of(const RecordDesignRequest& request,
                                       const SuiteDamper& damper);
 
-/// The figures over f and delta for one p, in the middles of even cells: delta runs faster.
+/// The figures over f and delta, with the period and the width of `damper`, in the middles of even
+/// cells: delta runs faster.
 struct SuiteMap {
   std::vector<double> f;
   std::vector<double> delta;
   std::vector<SuiteFigures> figures;
 };
-/// For `request` as in a RecordDesign, with `side` cells along each. Throws InputError.
-[[nodiscard]] SuiteMap suite_map(const RecordDesignRequest& request, double p, int side = 60);
+/// For `request` as in a RecordDesign, with `side` cells along each: the worst over the box of each
+/// place by the dampers of the map in it, or that of the place alone if not `boxes`. Throws
+/// InputError.
+[[nodiscard]] SuiteMap suite_map(const RecordDesignRequest& request, const SuiteDamper& damper,
+                                 bool boxes, int side = 60);
 
 }  // namespace stillpoint::design

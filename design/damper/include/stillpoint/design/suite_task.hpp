@@ -6,6 +6,7 @@
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/interval.hpp>
 #include <stillpoint/core/names.hpp>
+#include <stillpoint/design/box_shape.hpp>
 #include <stillpoint/records/record_suite.hpp>
 
 #include <algorithm>
@@ -20,10 +21,11 @@
 
 namespace stillpoint::design {
 
-/// What to minimise: the transmitted acceleration, the largest displacement, the residual one.
-enum class SuiteObjective { acceleration, amplitude, residual };
+/// What to minimise over the box of the tolerance: the transmitted acceleration, the largest
+/// displacement, the residual one. Or the box to be the largest within the limits.
+enum class SuiteObjective { acceleration, amplitude, residual, robust };
 
-/// "acceleration", "amplitude" or "residual".
+/// "acceleration", "amplitude", "residual" or "robust".
 [[nodiscard]] std::span<const Named<SuiteObjective>> enumerators(SuiteObjective) noexcept;
 using stillpoint::name;
 
@@ -47,6 +49,17 @@ struct SuiteLimits {
   std::optional<double> peak{};          ///< > 0
   std::optional<double> acceleration{};  ///< transmitted, in g; > 0
   std::optional<double> residual{};      ///< >= 0
+  std::optional<double> jump{};          ///< of the velocity at a notch without width; >= 0
+  std::optional<double> late{};          ///< periods from the end of a record to the rest under it
+};
+
+/// How far a built damper may be off: each of its values lies between 1 - below and 1 + above times
+/// that of the design, in any combination.
+struct SuiteTolerance {
+  Spread f{0.1, 0.1};
+  Spread delta{0.1, 0.1};
+  Spread width{0.1, 0.1};
+  Spread period{};
 };
 
 /// The units in which a damper is printed: those of delta, and of the period if that is what is
@@ -71,10 +84,13 @@ struct RecordDesignRequest {
   SuiteObjective objective{SuiteObjective::acceleration};
   std::optional<Combine> combine{};  ///< default: max for fewer than seven records, else mean
   SuiteLimits limits{};
-  std::optional<double> hold{};         ///< as that of Oscillator
-  std::optional<double> notch_width{};  ///< not beside a hold
-  double tolerance{0.1};                ///< of f and delta, for the sensitivity; in [0, 1)
-  std::int64_t scan_points{10'000};     ///< about this many; in [1, 1e8]
+  std::optional<double> hold{};  ///< as that of Oscillator
+  /// Of the notch; low = high fixes it. Not beside a hold. Empty: a notch without a width.
+  std::optional<Interval> width{};
+  /// Every damper of this box must meet the limits. With the objective `robust`, the shape of the
+  /// box that is enlarged.
+  SuiteTolerance tolerance{};
+  std::int64_t scan_points{10'000};  ///< about this many with two variables; in [1, 1e8]
   Threads threads{};
   /// If given, the variables of the design are rounded to the fewest digits in these units, at
   /// least five, with which it is admissible and worse by at most a relative 1e-5.
@@ -85,6 +101,7 @@ struct SuiteDamper {
   double p{1};
   double f{0};
   double delta{0};
+  double width{0};  ///< of the notch; 0: that of the paper, or one that lets go
 };
 
 /// The figures of all records, combined.
@@ -93,6 +110,8 @@ struct SuiteFigures {
   double acceleration{0};  ///< largest transmitted one, in g
   double residual{0};      ///< |x| at the final rest
   double margin{1};        ///< the smallest decision margin of all motions
+  double jump{0};          ///< largest of the velocity at a notch without width
+  double late{0};          ///< periods from the end of a record to its rest; always the most
   /// False: a motion never rests, or not within 10 000 half-cycles. Then the figures have no
   /// meaning.
   bool settled{true};
@@ -101,9 +120,9 @@ struct SuiteFigures {
 /// Of one motion that comes to rest.
 [[nodiscard]] SuiteFigures suite_figures(const ForcedResponse& response);
 
-/// A figure that an objective minimises, and its limit.
+/// A figure with its limit, and the objective that minimises it, if there is one.
 struct SuiteFigureKind {
-  SuiteObjective objective;
+  std::optional<SuiteObjective> objective;
   double SuiteFigures::*value;
   std::optional<double> SuiteLimits::*limit;
   std::string_view limit_field;  ///< in reports
@@ -116,30 +135,26 @@ inline constexpr auto suite_figure_kinds = std::to_array<SuiteFigureKind>(
      {SuiteObjective::acceleration, &SuiteFigures::acceleration, &SuiteLimits::acceleration,
       "acceleration_max", "transmitted acceleration"},
      {SuiteObjective::residual, &SuiteFigures::residual, &SuiteLimits::residual, "residual",
-      "residual"}});
+      "residual"},
+     {std::nullopt, &SuiteFigures::jump, &SuiteLimits::jump, "jump_max", "jump of velocity"}});
 
-[[nodiscard]] constexpr const SuiteFigureKind& kind_of(SuiteObjective which) {
-  return *std::ranges::find(suite_figure_kinds, which, &SuiteFigureKind::objective);
-}
-/// The figure that the objective minimises, and its name.
-[[nodiscard]] constexpr double value_of(const SuiteFigures& figures, SuiteObjective which) {
-  return figures.*kind_of(which).value;
-}
-[[nodiscard]] constexpr std::string_view quantity(SuiteObjective which) {
-  return kind_of(which).words;
-}
+/// The figure that is minimised; with `robust`, the first that has a limit.
+[[nodiscard]] const SuiteFigureKind& minimised(const RecordDesignRequest& request);
 
 /// A damper is rejected if a decision of a motion is closer than this to the other outcome: neither
 /// the check nor a real damper could tell which of the two it is.
 inline constexpr double least_suite_margin = 1e-6;
 
 /// The sum of what the figures exceed, relative to each limit (if no residual is allowed, to the
-/// peak), and what the margin lacks; 1e9 if it never rests.
+/// peak); 1e9 if it never rests.
 [[nodiscard]] double excess(const SuiteFigures& figures, const SuiteLimits& limits);
-/// Whether it is 0: the damper rests, with that margin, and meets the limits.
+/// Whether it is 0: the damper rests and meets the limits.
 [[nodiscard]] bool admissible(const SuiteFigures& figures, const SuiteLimits& limits);
+/// The larger of each.
+[[nodiscard]] SuiteFigures worse(const SuiteFigures& one, const SuiteFigures& other);
 
-/// All motions start from rest at x = 0.
+/// All motions start from rest at x = 0. The figures are those of the damper or the worst over its
+/// box.
 struct SuitePoint {
   SuiteDamper damper;
   SuiteFigures figures;
@@ -148,9 +163,8 @@ struct SuitePoint {
 /// The progress of a search.
 struct RecordProgress {
   std::int64_t evaluations{0};
-  std::int64_t expected{0};  ///< about this many at the end
-  std::optional<SuitePoint>
-      best{};  ///< so far; if none is admissible, the one that violates the limits least
+  std::int64_t expected{0};          ///< about this many at the end
+  std::optional<SuitePoint> best{};  ///< whose box was verified, so far
 };
 /// Called now and then by several threads, but one at a time; returning false ends the search.
 using RecordWatch = std::function<bool(const RecordProgress&)>;

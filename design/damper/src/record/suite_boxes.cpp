@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include "record/suite_boxes.hpp"
+
+#include <stillpoint/core/elementary.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// Dampers between two checks of whether to go on.
+constexpr std::int64_t grid_block = 1024;
+/// Of a value that cannot be off: figures vary over some five per cent of the period.
+constexpr double exact_step = 0.05;
+constexpr std::int64_t most_exact_points = 24;
+/// More points to a box than this tell nothing.
+constexpr std::int64_t most_window = 64;
+/// Two designs are different ones if they are farther apart than a box, or than so many steps.
+constexpr std::int64_t least_steps_apart = 2;
+
+GridSide side_of(const SuiteAxis& axis, double step, std::int64_t window) {
+  GridSide side;
+  side.window = window;
+  side.step = step;
+  side.lead = window > 0 ? axis.down() : 0;
+  side.first = axis.low() - side.lead;
+  const double length = axis.high() - axis.low();
+  side.points =
+      1 + window + (step > 0 ? static_cast<std::int64_t>(std::floor(length / step + 1e-9)) : 0);
+  return side;
+}
+
+/// With so many steps to a box; with none in steps of `coarse`.
+SuiteGrid grid_of(const SuiteSpace& space, std::int64_t window, double coarse) {
+  SuiteGrid grid;
+  for (std::size_t i = 0; i < space.size(); ++i) {
+    const SuiteAxis& axis = space.axes()[i];
+    const double length = axis.high() - axis.low();
+    if (!axis.searched()) {
+      grid.at(i) = {axis.low(), 0, 1, 0, 0};
+    } else if (window > 0 && axis.toleranced()) {
+      grid.at(i) = side_of(axis, (axis.down() + axis.up()) / static_cast<double>(window), window);
+    } else if (space.searched() > 1 && axis.variable() == SuiteAxis::Variable::period) {
+      const double points =
+          std::clamp(std::ceil(length / exact_step), 2.0, static_cast<double>(most_exact_points));
+      grid.at(i) = side_of(axis, length / points, 0);
+    } else {
+      grid.at(i) = side_of(axis, std::min(coarse, length / 2), 0);
+    }
+  }
+  return grid;
+}
+
+double points_of(const SuiteGrid& grid) {
+  double all = 1;
+  for (const GridSide& side : grid) {
+    all *= static_cast<double>(side.points);
+  }
+  return all;
+}
+
+/// Along one axis of an array with these numbers of points, the worst of each window.
+std::vector<SuiteFigures> slide(const std::vector<SuiteFigures>& figures, std::size_t inner,
+                                std::size_t points, std::size_t window) {
+  if (window == 0) {
+    return figures;
+  }
+  const std::size_t boxes = points - window;
+  const std::size_t outer = figures.size() / (inner * points);
+  std::vector<SuiteFigures> list(outer * boxes * inner);
+  for (std::size_t o = 0; o < outer; ++o) {
+    for (std::size_t i = 0; i < inner; ++i) {
+      const auto at = [&](std::size_t k) { return figures[(o * points + k) * inner + i]; };
+      // The worst from each point to the end of its stretch of window + 1, and from its beginning.
+      const std::size_t stretch = window + 1;
+      std::vector<SuiteFigures> to_end(points);
+      for (std::size_t k = points; k-- > 0;) {
+        const bool last = (k + 1) % stretch == 0 || k + 1 == points;
+        to_end[k] = last ? at(k) : worse(at(k), to_end[k + 1]);
+      }
+      SuiteFigures from_begin;
+      for (std::size_t k = 0; k < points; ++k) {
+        from_begin = k % stretch == 0 ? at(k) : worse(from_begin, at(k));
+        if (k >= window) {
+          list[(o * boxes + k - window) * inner + i] = worse(to_end[k - window], from_begin);
+        }
+      }
+    }
+  }
+  return list;
+}
+
+}  // namespace
+
+SuiteGrid whole_grid(const SuiteSpace& space, std::int64_t points) {
+  const auto wanted = static_cast<double>(points);
+  if (space.toleranced() > 0) {
+    for (std::int64_t window = most_window; window > 0; --window) {
+      const SuiteGrid grid = grid_of(space, window, 0.1);
+      if (points_of(grid) <= wanted) {
+        return grid;
+      }
+    }
+  }
+  double coarse = 1e-3;
+  while (points_of(grid_of(space, 0, coarse)) > wanted && coarse < 8) {
+    coarse *= 1.02;
+  }
+  return grid_of(space, 0, coarse);
+}
+
+SuiteGrid grid_about(const SuiteSpace& space, const SuiteGrid& like, const SuiteDamper& damper,
+                     std::int64_t reach) {
+  SuiteGrid grid = like;
+  const SuitePlace logs = space.place(damper);
+  for (std::size_t i = 0; i < space.size(); ++i) {
+    GridSide& side = grid.at(i);
+    const std::int64_t steps = space.axes()[i].searched() ? reach : 0;
+    side.lead = side.window > 0 ? space.axes()[i].down() : 0;
+    side.first = logs.at(i) - side.lead - side.step * static_cast<double>(steps);
+    side.points = 1 + side.window + 2 * steps;
+  }
+  return grid;
+}
+
+SuiteGrid finer(const SuiteSpace& space, const SuiteGrid& grid, std::int64_t most) {
+  SuiteGrid fine = grid;
+  for (std::size_t i = 0; i < space.size(); ++i) {
+    const SuiteAxis& axis = space.axes()[i];
+    const double box = axis.down() + axis.up();
+    GridSide& side = fine.at(i);
+    if (!axis.searched()) {
+      constexpr std::int64_t window_of_fixed = 2;
+      side.window = axis.toleranced() ? window_of_fixed : 0;
+      side.step = side.window > 0 ? box / static_cast<double>(side.window) : 0;
+      continue;
+    }
+    const double step = side.step / 2;
+    side.window = std::min(
+        most, axis.toleranced() ? static_cast<std::int64_t>(std::floor(box / step + 1e-9)) : 0);
+    side.step = side.window > 0 ? box / static_cast<double>(side.window) : step;
+  }
+  return fine;
+}
+
+std::vector<SuiteFigures> grid_figures(const Suite& suite, const SuiteSpace& space,
+                                       const SuiteGrid& grid, const Threads& threads,
+                                       SuiteWatch& watch) {
+  const auto count = static_cast<std::int64_t>(points_of(grid));
+  std::vector<SuiteFigures> all;
+  all.reserve(static_cast<std::size_t>(count));
+  std::vector<SuiteDamper> block;
+  for (std::int64_t begin = 0; begin < count && !watch.stopped(); begin += grid_block) {
+    block.clear();
+    for (std::int64_t index = begin; index < std::min(begin + grid_block, count); ++index) {
+      SuitePlace logs{};
+      std::int64_t left = index;
+      for (std::size_t i = space.size(); i > 0; --i) {
+        const GridSide& side = grid.at(i - 1);
+        logs.at(i - 1) = side.first + static_cast<double>(left % side.points) * side.step;
+        left /= side.points;
+      }
+      block.push_back(space.at(logs));
+    }
+    const std::vector<SuiteFigures> figures = suite.figures(block, threads);
+    all.insert(all.end(), figures.begin(), figures.end());
+    watch.evaluated(std::ssize(block));
+  }
+  return all;
+}
+
+BoxMap::BoxMap(const SuiteSpace& space, const SuiteGrid& grid, std::vector<SuiteFigures> figures)
+    : space_(space), grid_(grid), worst_(std::move(figures)) {
+  SuiteFigures unknown;
+  unknown.settled = false;
+  worst_.resize(static_cast<std::size_t>(points_of(grid)), unknown);
+  std::size_t inner = 1;
+  for (std::size_t i = space.size(); i > 0; --i) {
+    const GridSide& side = grid.at(i - 1);
+    worst_ = slide(worst_, inner, static_cast<std::size_t>(side.points),
+                   static_cast<std::size_t>(side.window));
+    inner *= static_cast<std::size_t>(side.boxes());
+  }
+}
+
+SuitePlace BoxMap::logs(std::size_t box) const {
+  SuitePlace place{};
+  for (std::size_t i = space_.size(); i > 0; --i) {
+    const GridSide& side = grid_.at(i - 1);
+    const auto boxes = static_cast<std::size_t>(side.boxes());
+    place.at(i - 1) = side.first + static_cast<double>(box % boxes) * side.step + side.lead;
+    box /= boxes;
+  }
+  return place;
+}
+
+std::vector<BoxedDamper> BoxMap::best(const SuiteGoal& goal, std::size_t most) const {
+  std::vector<SuiteRank> ranks;
+  ranks.reserve(worst_.size());
+  for (const SuiteFigures& figures : worst_) {
+    ranks.push_back(rank(figures, goal));
+  }
+  std::vector<std::size_t> order(worst_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return ranks[i]; });
+  std::vector<BoxedDamper> list;
+  std::vector<SuitePlace> places;
+  const auto is_near = [&](const SuitePlace& one, const SuitePlace& other) {
+    for (std::size_t i = 0; i < space_.size(); ++i) {
+      const GridSide& side = grid_.at(i);
+      const double apart =
+          side.step * (static_cast<double>(std::max(side.window, least_steps_apart)) + 0.5);
+      if (std::abs(one.at(i) - other.at(i)) > apart) {
+        return false;
+      }
+    }
+    return true;
+  };
+  for (const std::size_t box : order) {
+    const SuitePlace here = logs(box);
+    if (list.size() == most) {
+      break;
+    }
+    if (space_.includes(here) && std::ranges::none_of(places, [&](const SuitePlace& other) {
+          return is_near(here, other);
+        })) {
+      places.push_back(here);
+      list.push_back({space_.at(here), worst_[box], ranks[box]});
+    }
+  }
+  return list;
+}
+
+}  // namespace stillpoint::design

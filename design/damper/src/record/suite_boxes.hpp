@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Dampers on a grid that is even in the logarithms of their values, so that the box of a tolerance
+// is a window of constant size, and the worst over each box is a sliding maximum.
+
+#include "record/suite_space.hpp"
+#include "record/suite_watch.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace stillpoint::design {
+
+/// A damper with the worst of its box.
+struct BoxedDamper {
+  SuiteDamper damper;
+  SuiteFigures worst;
+  SuiteRank rank{};
+};
+
+/// The grid along an axis. The box i reaches from the point i to the point i + window; its design
+/// is at first + i step + lead.
+struct GridSide {
+  double first{0};
+  double step{0};
+  std::int64_t points{1};
+  std::int64_t window{0};
+  double lead{0};
+
+  [[nodiscard]] std::int64_t boxes() const { return points - window; }
+};
+using SuiteGrid = std::array<GridSide, most_axes>;
+
+/// The whole space in about `points` dampers, with as many in a box as that allows.
+[[nodiscard]] SuiteGrid whole_grid(const SuiteSpace& space, std::int64_t points);
+
+/// About a design: `reach` boxes to each side of it along each axis that is searched, with the
+/// steps and windows of `like`.
+[[nodiscard]] SuiteGrid grid_about(const SuiteSpace& space, const SuiteGrid& like,
+                                   const SuiteDamper& damper, std::int64_t reach);
+
+/// With half the step, or smaller; windows of at most `most`.
+[[nodiscard]] SuiteGrid finer(const SuiteSpace& space, const SuiteGrid& grid, std::int64_t most);
+
+/// Of the whole grid, the last axis running fastest; fewer after a stop.
+[[nodiscard]] std::vector<SuiteFigures> grid_figures(const Suite& suite, const SuiteSpace& space,
+                                                     const SuiteGrid& grid, const Threads& threads,
+                                                     SuiteWatch& watch);
+
+/// The boxes of a grid whose points have been computed.
+class BoxMap {
+ public:
+  BoxMap(const SuiteSpace& space, const SuiteGrid& grid, std::vector<SuiteFigures> figures);
+
+  /// The best that are apart from each other by more than a box, best first.
+  [[nodiscard]] std::vector<BoxedDamper> best(const SuiteGoal& goal, std::size_t most) const;
+  [[nodiscard]] const std::vector<SuiteFigures>& worst() const { return worst_; }
+
+ private:
+  [[nodiscard]] SuitePlace logs(std::size_t box) const;
+
+  const SuiteSpace& space_;
+  SuiteGrid grid_;
+  std::vector<SuiteFigures> worst_;
+};
+
+}  // namespace stillpoint::design

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "record/suite_outlook.hpp"
+
+#include "record/suite.hpp"
+#include "record/suite_samples.hpp"
+
+#include <vector>
+
+namespace stillpoint::design {
+
+SuiteOutlook outlook(const RecordDesignRequest& task, const SuiteDamper& damper, double scale) {
+  constexpr std::size_t samples = 48;
+  const SuiteSpace space(task, damper.delta > 0 ? SuiteFrictions::both : SuiteFrictions::constant,
+                         scale);
+  std::vector<SuiteDamper> box;
+  for (const SuitePlace& place : box_samples(space, samples)) {
+    box.push_back(space.off(damper, place));
+  }
+  const auto worst_of = [&](const RecordDesignRequest& request,
+                            const std::vector<SuiteDamper>& dampers, SuiteFigures& worst) {
+    for (const SuiteFigures& figures : Suite(request).figures(dampers, task.threads)) {
+      worst = worse(worst, figures);
+    }
+  };
+  SuiteOutlook result;
+  for (const double factor : {1 - SuiteOutlook::off, 1 + SuiteOutlook::off}) {
+    std::vector<SuiteDamper> of_spring = box;
+    for (SuiteDamper& each : of_spring) {
+      each.p /= factor;
+    }
+    worst_of(task, of_spring, result.period);
+    RecordDesignRequest scaled = task;
+    for (SuiteRecord& record : scaled.records) {
+      record.scale *= factor;
+    }
+    worst_of(scaled, box, result.scale);
+  }
+  return result;
+}
+
+}  // namespace stillpoint::design

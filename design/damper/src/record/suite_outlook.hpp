@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/design/record_design.hpp>
+
+namespace stillpoint::design {
+
+/// Of a completed request and a damper with `scale` times its tolerance.
+[[nodiscard]] SuiteOutlook outlook(const RecordDesignRequest& task, const SuiteDamper& damper,
+                                   double scale);
+
+}  // namespace stillpoint::design

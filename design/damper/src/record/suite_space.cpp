@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "record/suite_space.hpp"
+
+#include <stillpoint/core/elementary.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// A range of a friction that begins at 0 is searched down to this part of its end; 0 itself is
+/// another space.
+constexpr double least_part_searched = 1e-3;
+/// A box reaches down to this part of a value at least.
+constexpr double least_factor = 0.02;
+/// Of logarithms, for rounding.
+constexpr double same_place = 1e-12;
+
+}  // namespace
+
+double SuiteAxis::value(const SuiteDamper& damper) const {
+  switch (variable_) {
+    case Variable::f:
+      return damper.f;
+    case Variable::delta:
+      return damper.delta;
+    case Variable::period:
+      return 1 / damper.p;
+    case Variable::width:
+      break;
+  }
+  return damper.width;
+}
+
+void SuiteAxis::set(SuiteDamper& damper, double value) const {
+  switch (variable_) {
+    case Variable::f:
+      damper.f = value;
+      break;
+    case Variable::delta:
+      damper.delta = value;
+      break;
+    case Variable::period:
+      damper.p = 1 / value;
+      break;
+    case Variable::width:
+      damper.width = value;
+      break;
+  }
+}
+
+double SuiteAxis::low() const {
+  return elementary::log(range_.low);
+}
+
+double SuiteAxis::high() const {
+  return elementary::log(range_.high);
+}
+
+double SuiteAxis::down() const {
+  return -elementary::log(1 - spread_.below);
+}
+
+double SuiteAxis::up() const {
+  return elementary::log(1 + spread_.above);
+}
+
+SuiteSpace::SuiteSpace(const RecordDesignRequest& task, SuiteFrictions frictions, double scale)
+    : fixed_{task.p.low, 0, 0, 0} {
+  const Interval none;
+  const SuiteTolerance& tolerance = task.tolerance;
+  const bool notch = frictions != SuiteFrictions::constant;
+  add(SuiteAxis::Variable::f, frictions == SuiteFrictions::point ? none : *task.f, tolerance.f,
+      scale, task.f_max);
+  possible_ = possible_ && (frictions != SuiteFrictions::point || task.f->low == 0);
+  add(SuiteAxis::Variable::delta, notch ? *task.delta : none, tolerance.delta, scale,
+      task.delta_max);
+  possible_ = possible_ && (notch || task.delta->low == 0);
+  add(SuiteAxis::Variable::period, {1 / task.p.high, 1 / task.p.low}, tolerance.period, scale, {});
+  if (notch && task.width) {
+    add(SuiteAxis::Variable::width, *task.width, tolerance.width, scale, {});
+  }
+}
+
+void SuiteSpace::add(SuiteAxis::Variable variable, Interval range, const Spread& whole,
+                     double scale, const std::optional<double>& most) {
+  if (range.high == 0) {
+    return;
+  }
+  if (range.low == 0) {
+    range.low = least_part_searched * range.high;
+  }
+  const Spread spread{std::min(whole.below * scale, 1 - least_factor), whole.above * scale};
+  range.high = std::min(range.high, most.value_or(HUGE_VAL) / (1 + spread.above));
+  possible_ = possible_ && range.low <= range.high;
+  const SuiteAxis axis(variable, range, spread);
+  if (axis.searched() || whole.below + whole.above > 0) {
+    axes_.push_back(axis);
+  }
+  axis.set(fixed_, range.low);
+}
+
+std::size_t SuiteSpace::toleranced() const {
+  return static_cast<std::size_t>(std::ranges::count_if(axes_, &SuiteAxis::toleranced));
+}
+
+std::size_t SuiteSpace::searched() const {
+  return static_cast<std::size_t>(std::ranges::count_if(axes_, &SuiteAxis::searched));
+}
+
+SuiteDamper SuiteSpace::at(const SuitePlace& logs) const {
+  SuiteDamper damper = fixed_;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    axes_[i].set(damper, elementary::exp(logs.at(i)));
+  }
+  return damper;
+}
+
+SuitePlace SuiteSpace::place(const SuiteDamper& damper) const {
+  SuitePlace logs{};
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    logs.at(i) = elementary::log(axes_[i].value(damper));
+  }
+  return logs;
+}
+
+SuiteDamper SuiteSpace::off(const SuiteDamper& nominal, const SuitePlace& unit) const {
+  SuiteDamper damper = nominal;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    const double part = unit.at(i);
+    const Spread& spread = axes_[i].spread();
+    if (part != 0) {
+      axes_[i].set(damper,
+                   axes_[i].value(nominal) * (1 + part * (part < 0 ? spread.below : spread.above)));
+    }
+  }
+  return damper;
+}
+
+bool SuiteSpace::includes(const SuitePlace& logs) const {
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    if (logs.at(i) < axes_[i].low() - same_place || logs.at(i) > axes_[i].high() + same_place) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace stillpoint::design

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include "record/suite_task_search.hpp"
+
+#include "record/suite_tolerance.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <utility>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// A notch that gains less than this part is left out.
+constexpr double least_gain = 0.01;
+/// A limit that was relaxed is this much above the worst of the box that was found, so that a
+/// search with it finds one as well.
+constexpr double relaxed_by = 2e-3;
+/// Dampers of a map with one variable, and with three and four in units of `scan_points`.
+constexpr std::int64_t line_points = 1000;
+constexpr std::int64_t more_points = 4;
+constexpr std::array every_friction{SuiteFrictions::constant, SuiteFrictions::point,
+                                    SuiteFrictions::both};
+
+bool has_friction(const RecordDesignRequest& task, SuiteFrictions frictions) {
+  return (frictions == SuiteFrictions::constant || task.delta->high > 0) &&
+         (frictions == SuiteFrictions::point || task.f->high > 0 ||
+          (frictions == SuiteFrictions::constant && task.delta->high == 0));
+}
+
+/// A space with the map of its boxes.
+struct Mapped {
+  Mapped(const Suite& suite, const RecordDesignRequest& task, SuiteFrictions which,
+         SuiteWatch& watch)
+      : frictions(which),
+        space(task, which),
+        grid(whole_grid(space, points_for(task, space))),
+        map(space, grid, grid_figures(suite, space, grid, task.threads, watch)) {}
+
+  static std::int64_t points_for(const RecordDesignRequest& task, const SuiteSpace& space) {
+    const std::size_t searched = space.searched();
+    return searched <= 1   ? std::min(line_points, task.scan_points)
+           : searched == 2 ? task.scan_points
+                           : more_points * task.scan_points;
+  }
+
+  SuiteFrictions frictions;
+  SuiteSpace space;
+  SuiteGrid grid;
+  BoxMap map;
+};
+
+class TaskSearch {
+ public:
+  TaskSearch(const Suite& suite, RecordDesign& result, SuiteWatch& watch)
+      : suite_(suite), result_(result), task_(result.request), watch_(watch) {}
+
+  std::optional<ChosenBox> within_tolerance() {
+    const SuiteGoal goal{minimised(task_).value, task_.limits};
+    std::optional<VerifiedBox> best;
+    expect();
+    for (const SuiteFrictions frictions : every_friction) {
+      if (!has_friction(task_, frictions) || !SuiteSpace(task_, frictions).possible() ||
+          watch_.stopped()) {
+        continue;
+      }
+      const Mapped& here = maps_.emplace_back(suite_, task_, frictions, watch_);
+      count(here, goal);
+      const double bar =
+          !best ? HUGE_VAL
+                : best->box.rank.value * (best->box.damper.delta == 0 ? 1 - least_gain : 1);
+      SuiteSearch search(suite_, task_, here.space, goal, watch_);
+      if (auto now = search.best(here.map, here.grid, bar)) {
+        best = std::move(now);
+        watch_.verified({best->box.damper, best->box.worst});
+      }
+    }
+    if (!best) {
+      tell_why(goal);
+      return std::nullopt;
+    }
+    return ChosenBox{std::move(*best), 1};
+  }
+
+  std::optional<ChosenBox> most_tolerant() {
+    expect();
+    std::optional<LargestBox> best = largest(HUGE_VAL);
+    if (!best) {
+      return std::nullopt;
+    }
+    return ChosenBox{std::move(best->verified), best->scale};
+  }
+
+ private:
+  /// About what a map, candidates and verifications take.
+  void expect() {
+    constexpr std::int64_t about_a_line = 5'000;
+    constexpr std::int64_t about_a_map = 12'000;
+    for (const SuiteFrictions frictions : every_friction) {
+      const SuiteSpace space(task_, frictions);
+      if (has_friction(task_, frictions) && space.possible()) {
+        watch_.expect(Mapped::points_for(task_, space) +
+                      (space.searched() > 1 ? about_a_map : about_a_line));
+      }
+    }
+  }
+
+  void count(const Mapped& here, const SuiteGoal& goal) {
+    result_.search.scan_points += std::ssize(here.map.worst());
+    result_.search.scan_feasible += std::ranges::count_if(
+        here.map.worst(),
+        [&](const SuiteFigures& figures) { return admissible(figures, goal.limits); });
+  }
+
+  /// At most `most` times the tolerance, and no part off by all of itself.
+  std::optional<LargestBox> largest(double most) {
+    constexpr double whole = 0.95;
+    const SuiteTolerance& of = task_.tolerance;
+    const double below =
+        std::max({of.f.below, of.delta.below, of.width.below, of.period.below, of.f.above});
+    std::optional<LargestBox> best;
+    for (const SuiteFrictions frictions : every_friction) {
+      if (!has_friction(task_, frictions) || watch_.stopped()) {
+        continue;
+      }
+      auto now = largest_box(suite_, task_, frictions, std::min(most, whole / below), watch_);
+      const double bar =
+          !best ? 0 : best->scale * (best->verified.box.damper.delta == 0 ? 1 + least_gain : 1);
+      if (now && now->scale > bar) {
+        best = std::move(now);
+        watch_.verified({best->verified.box.damper, best->verified.box.worst});
+      }
+    }
+    if (best) {
+      result_.largest_tolerance =
+          best->scale * std::max({of.f.below, of.f.above, of.delta.below, of.delta.above});
+    }
+    return best;
+  }
+
+  /// The box that violates the limits least, the largest tolerance, and each limit that would do.
+  void tell_why(const SuiteGoal& goal) {
+    std::optional<VerifiedBox> nearest;
+    for (const Mapped& here : maps_) {
+      SuiteSearch search(suite_, task_, here.space, goal, watch_);
+      for (const BoxedDamper& each :
+           search.all_refined(here.map.best(goal, 1), here.grid, HUGE_VAL)) {
+        VerifiedBox box = search.tried(each.damper);
+        if (!nearest || box.box.rank < nearest->box.rank) {
+          nearest = std::move(box);
+        }
+      }
+    }
+    if (!nearest) {
+      result_.nearest.figures.settled = false;
+      return;
+    }
+    result_.nearest = {nearest->box.damper, nearest->box.worst};
+    for (std::size_t k = 0; k < suite_figure_kinds.size(); ++k) {
+      const SuiteFigureKind& kind = suite_figure_kinds.at(k);
+      if (const std::optional<double>& limit = task_.limits.*kind.limit) {
+        result_.shortfalls.push_back({&kind, *limit, nearest->box.worst.*kind.value,
+                                      record_of(kind, nearest->of.at(k)), relaxed(kind)});
+      }
+    }
+    if (!watch_.stopped()) {
+      static_cast<void>(largest(1));
+    }
+  }
+
+  /// Under which record the damper has the largest figure.
+  [[nodiscard]] std::size_t record_of(const SuiteFigureKind& kind,
+                                      const SuiteDamper& damper) const {
+    std::size_t worst = 0;
+    double most = -1;
+    for (std::size_t i = 0; i < task_.records.size(); ++i) {
+      RecordDesignRequest alone = task_;
+      alone.records = {task_.records[i]};
+      const double value = Suite(alone).figures(damper).*kind.value;
+      if (value > most) {
+        most = value;
+        worst = i;
+      }
+    }
+    return worst;
+  }
+
+  std::optional<double> relaxed(const SuiteFigureKind& kind) {
+    SuiteGoal goal{kind.value, task_.limits};
+    goal.limits.*kind.limit = std::nullopt;
+    std::optional<double> least;
+    for (const Mapped& here : maps_) {
+      SuiteSearch search(suite_, task_, here.space, goal, watch_);
+      if (auto found = search.best(here.map, here.grid, least.value_or(HUGE_VAL))) {
+        least = found->box.worst.*kind.value;
+      }
+    }
+    if (watch_.stopped() || !least) {
+      return std::nullopt;
+    }
+    return *least * (1 + relaxed_by);
+  }
+
+  const Suite& suite_;
+  RecordDesign& result_;
+  const RecordDesignRequest& task_;
+  SuiteWatch& watch_;
+  std::deque<Mapped> maps_;  // which refer to their own members
+};
+
+}  // namespace
+
+std::optional<ChosenBox> within_tolerance(const Suite& suite, RecordDesign& result,
+                                          SuiteWatch& watch) {
+  return TaskSearch(suite, result, watch).within_tolerance();
+}
+
+std::optional<ChosenBox> most_tolerant(const Suite& suite, RecordDesign& result,
+                                       SuiteWatch& watch) {
+  return TaskSearch(suite, result, watch).most_tolerant();
+}
+
+}  // namespace stillpoint::design

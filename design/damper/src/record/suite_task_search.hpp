@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The search of a whole task: with constant friction alone, with a notch alone, with both.
+
+#include "record/suite_search.hpp"
+
+#include <stillpoint/design/record_design.hpp>
+
+#include <optional>
+
+namespace stillpoint::design {
+
+struct ChosenBox {
+  VerifiedBox verified;
+  double scale{1};  ///< of the tolerance of the request
+};
+
+/// For the completed request of `result`, which gets what there is to say if no damper has the box.
+[[nodiscard]] std::optional<ChosenBox> within_tolerance(const Suite& suite, RecordDesign& result,
+                                                        SuiteWatch& watch);
+/// The same with the objective `robust`.
+[[nodiscard]] std::optional<ChosenBox> most_tolerant(const Suite& suite, RecordDesign& result,
+                                                     SuiteWatch& watch);
+
+}  // namespace stillpoint::design
