@@ -60,8 +60,8 @@ RecordDesignRequest random_record_task(RandomSource& random) {
     request.width->low = request.width->high = load * random.log_uniform(0.02, 0.3);
   } else {
     request.width = Interval{0.03 * load, 0.3 * load};
-    request.scan_points = 4000;
   }
+  request.scan_points = 1000;  // a box is promised however coarse the first map is
   const double tolerance = of({0.05, 0.1, 0.2});
   request.tolerance = {{tolerance, tolerance},
                        {tolerance, tolerance},
@@ -140,6 +140,7 @@ BOOST_AUTO_TEST_CASE(no_box_of_a_dense_scan_is_better) {
       continue;
     }
     request.tolerance.f = request.tolerance.delta = request.tolerance.width = {0.1, 0.1};
+    request.scan_points = RecordDesignRequest().scan_points;
     const RecordDesign design = design::design(request);
     const DenseBoxes truth(design.request);
     for (const bool constant : {true, false}) {
