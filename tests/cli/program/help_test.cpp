@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(lists_the_values_that_an_option_takes) {
              "amplitude, residual or robust");
   BOOST_TEST(contains(help("excitation"), "harmonic, half-sine, full-sine, rectangle or record"));
   BOOST_TEST(contains(help("pulse"), "half-sine, full-sine or rectangle"));
-  BOOST_TEST(contains(help("record-units"), "g (default), m/s2 or cm/s2"));
+  BOOST_TEST(contains(help("record-units"), "g (default), m/s2, cm/s2 or mm/s2"));
   BOOST_TEST(contains(help("duration"), "0 or more"));
 }
 

@@ -29,7 +29,7 @@ const Arguments long_search(
 std::string long_record() {
   std::string record;
   for (int i = 0; i < 20'000; ++i) {
-    record += i % 7 < 3 ? "0.3\n" : "-0.2\n";
+    record += i % 7 < 3 ? "0.3\n" : "-0.225\n";  // without an offset
   }
   return record + "0\n";
 }

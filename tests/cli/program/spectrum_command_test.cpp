@@ -233,8 +233,9 @@ BOOST_FIXTURE_TEST_CASE(text_and_page_show_it, Recorded) {
   const std::string wide = one_line(run(ideal + "--notch-width-m 20mm").out);
   BOOST_TEST(!contains(wide, "jumps"), wide);
   BOOST_TEST(!contains(wide, " in the notch "), wide);
-  check_contains(answer.out, {"\n  damper            f = 0.02, delta = 20 mm, the same",
-                              "\n  notch  ", "\n  record            a.txt, peak 0.4 g, "});
+  check_contains(answer.out,
+                 {"\n  damper            f = 0.02, delta = 20 mm, the same", "\n  notch  ",
+                  "\n  record            a.txt, in g (assumed), peak 0.4 g, "});
   BOOST_TEST(contains(answer.out, "\n  1.5 "), answer.out);
   succeed("spectrum --record a.txt --period 2s --f 0.02 --delta-m 20mm --html one.html");
   BOOST_TEST(!contains(read("one.html"), "<figure"));  // two dots say nothing
