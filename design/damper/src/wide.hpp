@@ -91,6 +91,35 @@ class Wide {
   return difference <= 0x3p-53 * v0;
 }
 
+/// The product of two doubles, exactly unless it is below 1e-290.
+struct Product {
+  double high;
+  double low;
+};
+[[nodiscard]] inline Product product(double a, double b) {
+  const double high = a * b;
+  return {high, std::fma(a, b, -high)};
+}
+
+/// a - b c, of which no digit is lost where they are nearly equal.
+[[nodiscard]] inline Wide less_product(double a, double b, double c) {
+  const auto [high, low] = product(b, c);
+  return Wide(a) - high - low;
+}
+
+/// v0 p - sqrt(8) f, likewise: next to f3 only the last sum is rounded.
+[[nodiscard]] inline Wide spare_of_return(double v0, double p, double f) {
+  // sqrt(8) in three doubles.
+  constexpr double root8 = 0x1.6a09e667f3bcdp+1;
+  constexpr double rest = -0x1.bdd3413b26456p-53;
+  constexpr double rest_of_rest = 0x1.57d3e3adec175p-107;
+  const auto [arrives, arrives_low] = product(v0, p);
+  const auto [needs, needs_low] = product(root8, f);
+  const auto [more, more_low] = product(rest, f);
+  return Wide(arrives) - needs + (Wide(arrives_low) - needs_low) - more -
+         (Wide(more_low) + Wide(rest_of_rest) * f);
+}
+
 // One half-cycle back, (39), for decisions that are right to the last bit.
 
 /// In speeds: phi = f/p, d = 2 Delta.

@@ -50,7 +50,49 @@ constexpr std::array<Triple, 8> triples{{{7, 24, 25},
                                          {20, 99, 101},
                                          {28, 96, 100}}};
 
+/// Of edges in long double, relative: some roundings of 64 bits.
+const Precise wide_rounding = Precise(0x1p-61);
+
 }  // namespace
+
+// At f3 and next to it, where 1 - 8 a^2 cancels and Delta1 is a rounding of V0^2.
+BOOST_AUTO_TEST_CASE(delta_1_at_f3_is_right_to_the_last_bit) {
+  RandomSource random(409);
+  for (int i = 0; i < 3000; ++i) {
+    Problem problem = random_problem(random, 2, 3);
+    problem.criterion = Criterion::exact;
+    const Reference reference(problem);
+    double f = admissible_region(problem).f3;
+    BOOST_TEST((Precise(f) <= reference.f3() && Precise(above(f)) > reference.f3()));
+    for (int ulps = 0; ulps < 3; ++ulps, f = below(f)) {
+      const Precise delta1 = reference.delta1_exact(f);
+      auto stops = static_cast<double>(delta1);
+      stops = stops > delta1 ? below(stops) : stops;
+      BOOST_TEST(!admissible(problem, {}, f, stops));
+      BOOST_TEST(admissible(problem, {}, f, above(above(stops))));
+    }
+  }
+}
+
+// Where beta p is nearly V0, and A_max nearly p V0, by more than the inputs' own rounding.
+BOOST_AUTO_TEST_CASE(small_edges_of_stroke_and_acceleration_keep_their_digits) {
+  RandomSource random(410);
+  for (int i = 0; i < 3000; ++i) {
+    Problem problem = random_problem(random, 2, 3);
+    const double little = random.log_uniform(0x1p-50, 0x1p-20);
+    problem.beta = problem.v0 / problem.p * (1 - little);
+    const Reference reference(problem);
+    const Limits limits{.acceleration_max = problem.v0 * problem.p * (1 + little)};
+    const Region region = admissible_region(problem, limits);
+    BOOST_TEST(Precise(region.f2) >= reference.f2() * (1 - wide_rounding));
+    BOOST_TEST(Precise(below(region.f2)) < reference.f2() * (1 + wide_rounding));
+    const Precise felt = Precise(problem.v0) * problem.p;
+    const Precise most = *limits.acceleration_max;
+    const Precise f4 = sqrt((most - felt) * (most + felt));
+    BOOST_TEST(Precise(*region.f4) <= f4 * (1 + wide_rounding));
+    BOOST_TEST(Precise(above(*region.f4)) > f4 * (1 - wide_rounding));
+  }
+}
 
 BOOST_AUTO_TEST_CASE(delta_of_a_whole_number_triple_tips_both_bounds_at_the_last_bit) {
   for (const Triple& t : triples) {

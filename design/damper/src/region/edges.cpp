@@ -12,6 +12,18 @@
 
 namespace stillpoint::design {
 
+namespace {
+
+double largest_returning_f(double v0, double p) {
+  double f = rounded_up(v0 * Wide(p) / root(Wide(8)));
+  while (spare_of_return(v0, p, f) < 0) {
+    f = std::nextafter(f, 0.0);
+  }
+  return f;
+}
+
+}  // namespace
+
 double largest_delta_of_start(double v0) {
   const double rounded = v0 * v0 / 2;
   return holds_at_start(rounded, v0) ? std::nextafter(rounded, 0.0) : rounded;
@@ -19,13 +31,13 @@ double largest_delta_of_start(double v0) {
 
 Edges edges(const Problem& problem, const Limits& limits) {
   const Wide v0 = problem.v0;
-  const Wide p = problem.p;
   const Wide beta = problem.beta;
-  const Wide speed = beta * p;
+  const Wide speed = beta * problem.p;
   Edges result{};
   result.f1 = problem.beta * problem.p * problem.p;
-  result.f2 = is_same(v0, speed) ? 0 : rounded_up((v0 - speed) * (v0 + speed) / (2 * beta));
-  result.f3 = rounded_down(problem.starting_v0() * p / (root(Wide(8))));
+  const Wide faster = less_product(problem.v0, problem.beta, problem.p);
+  result.f2 = is_same(v0, speed) ? 0 : rounded_up(faster * (v0 + speed) / (2 * beta));
+  result.f3 = largest_returning_f(problem.starting_v0(), problem.p);
   result.f_max = least_limit(Bounded::f, limits);
   result.f4 = figures_edge(problem, limits);
   result.f_cap = std::min({result.f3, result.f_max, result.f4});
@@ -44,7 +56,8 @@ bool box_fits(double floor, double cap, double tolerance) {
 
 double unchecked_delta1(const Problem& problem, double f) {
   const Wide v0 = problem.v0;
-  const Wide phi = f / Wide(problem.stiffest_p());
+  const double p = problem.stiffest_p();
+  const Wide phi = f / Wide(p);
   const Wide radius = root(v0 * v0 + phi * phi);
   if (phi == 0) {  // Delta2 itself
     return largest_delta_of_start(problem.v0);
@@ -53,7 +66,8 @@ double unchecked_delta1(const Problem& problem, double f) {
     const Wide speed = radius - 2 * phi;
     return static_cast<double>(speed * speed / 2);
   }
-  const Wide returns = (v0 * v0 - 8 * phi * phi) / (radius + 3 * phi);
+  const Wide spare = spare_of_return(problem.v0, p, f) / p;
+  const Wide returns = spare * (v0 + root(Wide(8)) * phi) / (radius + 3 * phi);
   return static_cast<double>((radius - phi) * std::max(Wide(0), returns) / 2);
 }
 

@@ -7,8 +7,8 @@
 
 namespace stillpoint::design {
 
-/// The edges as doubles that lie on or inside them: f2 rounded up, f3 and Delta2 down, the first
-/// two from long double. At beta = V0/(sqrt(2) p) they meet, and one ulp of beta moves f2 by three,
+/// The edges as doubles that lie on or inside them: f2 rounded up, from long double, f3 and Delta2
+/// down. At beta = V0/(sqrt(2) p) they meet, and one ulp of beta moves f2 by three,
 /// which rounding to nearest could hide.
 struct Edges {
   double f1;
@@ -26,7 +26,8 @@ struct Edges {
 
 [[nodiscard]] Edges edges(const Problem& problem, const Limits& limits);
 
-/// Delta is limited to 0 and no residual is allowed: constant friction alone stops no mass at x = 0.
+/// Delta is limited to 0 and no residual is allowed: constant friction alone stops no mass at x =
+/// 0.
 [[nodiscard]] bool needs_a_notch(const Problem& problem, const Limits& limits);
 
 /// There is an f whose box, of the same tolerance on both sides, lies between the two.
@@ -36,7 +37,7 @@ struct Edges {
 /// and the cap, for the whole box. A smaller v0 or p only helps.
 [[nodiscard]] bool stop_fits(const Problem& problem, const Edges& edges, const Limits& limits);
 
-/// Delta1(f) of the problem's criterion, in long double and rounded once; 0 where the motion does
+/// Delta1(f) of the problem's criterion, rounded once, next to f3 as well; 0 where the motion does
 /// not return. Nothing is checked.
 [[nodiscard]] double unchecked_delta1(const Problem& problem, double f);
 

@@ -13,7 +13,7 @@ double acceleration_edge(const Problem& problem, double limit) {
   if (is_same(p_v0, most)) {
     return 0;
   }
-  const Wide square = (most - p_v0) * (most + p_v0);
+  const Wide square = less_product(limit, problem.v0, problem.stiffest_p()) * (most + p_v0);
   return square < 0 ? rounded_down(-root(-square)) : rounded_down(root(square));
 }
 
