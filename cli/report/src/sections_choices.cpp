@@ -30,7 +30,10 @@ std::string consequence(const design::Constraint& violated, const ShownTask& tas
   }
   return name == "start" ? violated.variable == "f" ? "is held by friction" : "is held by the notch"
          : name == "return" || name == "residual"
-             ? task.problem.residual ? "rests too far off" : "rests off centre"
+             ? format("{}{}", task.problem.residual ? "rests too far off" : "rests off centre",
+                      violated.variable == "v0" && task.problem.v0_low
+                          ? " after the weaker hits of the range"
+                          : "")
          : name == "stop"      ? violated.by_criterion_alone
                                      ? format("stops{}, but not by the published criterion",
                                          task.problem.residual ? "" : " at x = 0")

@@ -119,6 +119,40 @@ BOOST_AUTO_TEST_CASE(with_a_large_residual_any_friction_below_the_dead_zone_is_a
   }
 }
 
+/// Of any point, admissible or not: there is always a row that says why not.
+BOOST_AUTO_TEST_CASE(a_point_is_admissible_where_every_row_is_satisfied) {
+  std::array<int, 2> seen{};
+  for (std::uint64_t seed = 1'260'000; seed < 1'290'000; ++seed) {
+    RandomSource random(seed);
+    const Task task = random_task(random);
+    const Problem& problem = task.problem;
+    const double f = problem.v0 * problem.p * random.log_uniform(1e-3, 2);
+    const double delta =
+        random.pick(10) == 0 ? 0 : problem.v0 * problem.v0 / 2 * random.log_uniform(1e-3, 1.2);
+    const auto rows = constraints(problem, f, delta);
+    const bool all = std::ranges::all_of(rows, &Constraint::satisfied);
+    const bool fits = admissible(problem, {}, f, delta);
+    BOOST_TEST(all == fits, context_of(task) << ", f = " << f << ", delta = " << delta);
+    ++seen[fits ? 1 : 0];
+  }
+  BOOST_TEST(seen[0] > 1000);
+  BOOST_TEST(seen[1] > 1000);
+}
+
+// V0 up to 1, p = 1, f = 0.084, Delta = 0.16: the strongest hit stops at its second arrival. The
+// weakest that moves, sqrt(0.32), does not reach that: r = 0.168 + sqrt(0.252^2 + 0.32) = 0.78728.
+BOOST_AUTO_TEST_CASE(weaker_hits_that_rest_off_centre_have_a_row) {
+  Problem problem{1, 1, 2, Criterion::exact, 2};
+  problem.v0_low = 0;
+  const auto rows = constraints(problem, 0.084, 0.16);
+  BOOST_TEST(rows[3].name == "return");
+  BOOST_TEST(rows[3].variable == "v0");
+  BOOST_TEST(std::abs(rows[3].value - std::sqrt(0.32)) < 1e-14);
+  BOOST_TEST(std::abs(rows[3].limit - 0.7827828) < 1e-6);
+  BOOST_TEST(!rows[3].satisfied);
+  BOOST_TEST(rows[4].satisfied);
+}
+
 BOOST_AUTO_TEST_CASE(every_simulated_point_of_a_box_in_ranges_is_admissible) {
   constexpr int wanted = 1'000'000;  // points of boxes with a range
   constexpr int points_of_a_box = 150;

@@ -85,9 +85,13 @@ void compare_way(std::array<Constraint, 5>& list, const Problem& problem, double
   list[3] = way.at_peak  ? Constraint::compared("residual", "f", ">=", f, way.f2)
             : any_f      ? Constraint::compared("residual", "f", ">=", f, 0)
             : way.n == 0 ? Constraint::compared("residual", "f", "<=", f, way.f_cap)
-            : way.v_low > 0
-                ? Constraint::compared("return", "v0", ">=", way.v_low * problem.v0, reach)
-                : Constraint::compared("return", "delta", ">=", delta, reach);
+            : way.returns_by_delta()
+                ? Constraint::compared("return", "delta", ">=", delta, reach)
+                // Of every hit up to v0 the weakest that moves is the one that the notch just lets
+                // go.
+                : Constraint::compared(
+                      "return", "v0",
+                      ">=", way.v_low > 0 ? way.v_low * problem.v0 : std::sqrt(2 * delta), reach);
   if (const double most = largest_f(problem); !list[3].satisfied && f > most) {
     list[3] = Constraint::compared(problem.residual ? "residual" : "return", "f", "<=", f,
                                    most);  // no delta and no hit helps

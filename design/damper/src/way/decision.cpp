@@ -25,7 +25,7 @@ Wide widened_reach(const Way& way, Wide f) {
 /// The square of V0 that reaches, or twice the Delta that sends every hit back.
 Wide reach_square(const Way& way, double f, double delta) {
   const WideNotch corner{f / Wide(way.problem.p), 2 * Wide(delta)};
-  return corner.square_before(widened_reach(way, f), way.v_low > 0 ? way.n - 1 : 0);
+  return corner.square_before(widened_reach(way, f), way.returns_by_delta() ? 0 : way.n - 1);
 }
 
 double pass_speed(const Way& way, double f, double delta) {
@@ -76,7 +76,7 @@ bool admissible(const Way& way, double f, double delta) {
 
 WaySpeeds way_speeds(const Way& way, double f, double delta) {
   const Wide reach = way.n > 0 ? reach_square(way, f, delta) : 0;
-  return {way.v_low > 0 ? rounded_up(root(reach)) : rounded_up(reach / 2),
+  return {way.returns_by_delta() ? rounded_up(reach / 2) : rounded_up(root(reach)),
           pass_speed(way, f, delta)};
 }
 

@@ -54,6 +54,8 @@ struct Way {
   [[nodiscard]] bool is_papers() const {
     return n == 1 && (plain || (!problem.residual && v_low > 0));
   }
+  /// Every hit that moves comes back if Delta is large enough, (57).
+  [[nodiscard]] bool returns_by_delta() const { return n == 1 && v_low == 0; }
   /// Delta changes whether the weakest hit comes back.
   [[nodiscard]] bool delta_hinders_return() const { return n > 1 && v_low > 0; }
 };
@@ -93,7 +95,7 @@ struct Sides {
 /// The values of V0 of (46) at the corners of the ranges, exact to the last bit: what the rows of
 /// the constraints show.
 struct WaySpeeds {
-  double reach;  ///< of V0, or of Delta where v_low = 0
+  double reach;  ///< of V0, or of Delta if the way `returns_by_delta`
   double pass;
 };
 [[nodiscard]] WaySpeeds way_speeds(const Way& way, double f, double delta);
