@@ -212,12 +212,9 @@ std::vector<Hits> hits(const Oscillator& oscillator, double beta, double v0_most
 }
 
 std::vector<Hits> shown_hits(const Problem& problem, double f, double delta) {
-  return hits({problem.p, f, delta}, problem.beta, shown_v0(problem), problem.residual.value_or(0));
-}
-
-std::vector<Hits> shown_hits_of_springs(const Problem& problem, double f, double delta) {
   if (!problem.p_high) {
-    return shown_hits(problem, f, delta);
+    return hits({problem.p, f, delta}, problem.beta, shown_v0(problem),
+                problem.residual.value_or(0));
   }
   std::vector<OfSpring> springs = decisive_springs(problem, f, delta);
   std::vector<Hits> list;

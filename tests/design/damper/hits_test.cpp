@@ -215,7 +215,7 @@ BOOST_AUTO_TEST_CASE(the_worst_of_a_range_of_springs_is_that_of_some_spring) {
       problem.residual = f / problem.p / problem.p * random.uniform(0.1, 1.1);
     }
     const double delta = problem.v0 * problem.v0 / 2 * random.uniform(0, 1);
-    for (const Hits& now : shown_hits_of_springs(problem, f, delta)) {
+    for (const Hits& now : shown_hits(problem, f, delta)) {
       const double v0 = now.from + (now.to - now.from) * random.uniform(0.01, 0.99);
       const auto worse = [](HitEnd one, HitEnd other) { return severity(one) > severity(other); };
       int like_it = 0;
@@ -251,7 +251,7 @@ BOOST_AUTO_TEST_CASE(a_rest_within_the_residual_is_told_for_every_spring) {
   };
   const auto check = [&](double residual, const std::vector<Expected>& expected) {
     const Problem problem{.v0 = 1, .beta = 9, .p_high = p, .residual = residual};
-    const auto list = shown_hits_of_springs(problem, f, d / 2);
+    const auto list = shown_hits(problem, f, d / 2);
     BOOST_TEST_REQUIRE(list.size() > expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) {
       BOOST_TEST(std::abs(list[i].to - expected[i].to) < 1e-15);

@@ -64,7 +64,7 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
                    double delta, const std::optional<design::WorksFor>& works_for,
                    const FigureUnits& units) {
   const double unit = units.velocity;
-  const auto hits = design::shown_hits_of_springs(problem, f, delta);
+  const auto hits = design::shown_hits(problem, f, delta);
   const auto felt = above_limit(problem, limits, f, hits);
   Figure figure =
       ends_figure({.noun = "hit",

@@ -53,11 +53,9 @@ inline constexpr int most_hit_segments = 100;
 [[nodiscard]] std::vector<Hits> hits(const Oscillator& oscillator, double beta, double v0_most,
                                      double residual = 0);
 
-/// Those that reports show: up to twice the problem's v0.
+/// Those that reports show: up to twice the problem's v0, for the worst of its springs; where it
+/// has a range of them, without `rest`.
 [[nodiscard]] std::vector<Hits> shown_hits(const Problem& problem, double f, double delta);
-/// The same for the worst of the springs of the problem; where it has a range, without `rest`.
-[[nodiscard]] std::vector<Hits> shown_hits_of_springs(const Problem& problem, double f,
-                                                      double delta);
 
 /// Every k of a pulse, from 0 to twice the strongest or to `k_most` if that is larger, of the worst
 /// of the lengths and springs of the ranges, by the motion up to its first return: docs/theory.md
