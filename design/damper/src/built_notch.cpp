@@ -43,8 +43,43 @@ std::vector<double> grid(double low, double high, int count) {
   return values;
 }
 
+/// A hit of the range after which the mass turns just at the end of its dead zone, f/p^2, and rests
+/// there, if there is one: (39), (42) of docs/theory.md, for a whole passage of the notch takes
+/// Delta whatever its width is. One that the paper's notch catches leaves half of it first. Where
+/// the dead zone ends within the notch, its own friction holds the mass up to the edge.
+std::optional<double> hit_to_the_farthest_rest(const DesignPoint& damper, const NotchShape& shape,
+                                               double p, const Interval& range) {
+  const double phi = damper.f / p;
+  const double d = 2 * damper.delta;
+  const double edge = shape.width.value_or(0) / 2;
+  const auto in_range = [&](double square) {
+    const double v0 = std::sqrt(square);
+    return range.low <= v0 && v0 <= range.high ? std::optional(v0) : std::nullopt;
+  };
+  if (phi / p <= edge && edge > 0) {
+    const double friction = damper.f + damper.delta / *shape.width;
+    const double x = std::min(edge, friction / p / p);
+    return in_range(x * (p * p * x + 2 * friction));
+  }
+  constexpr int most = 1000;  // as arrivals
+  double radius = 2 * phi;
+  for (int n = 1; n <= most; ++n) {
+    const double free = (radius - phi) * (radius + phi);
+    const double caught = free + d / 2;
+    const auto v0 = free > d                     ? in_range(free)
+                    : shape.width && caught <= d ? in_range(caught)
+                                                 : std::nullopt;
+    if (v0) {
+      return v0;
+    }
+    radius = 2 * phi + std::sqrt(radius * radius + d);
+  }
+  return std::nullopt;
+}
+
 /// The hits or pulses of the ranges, each with every spring, and the one shown.
-std::vector<TriedMotion> of_ranges(const DesignRequest& request, const TriedMotion& shown) {
+std::vector<TriedMotion> of_ranges(const DesignRequest& request, const TriedMotion& shown,
+                                   const DesignPoint& damper, const NotchShape& shape) {
   const auto& [problem, limits, search, pulse, ranges] = request;
   constexpr int springs = 5;
   std::vector<TriedMotion> all{shown};
@@ -58,6 +93,12 @@ std::vector<TriedMotion> of_ranges(const DesignRequest& request, const TriedMoti
     for (const double v0 : grid(problem.v0_low.value_or(problem.v0), problem.v0, hits)) {
       if (v0 > 0) {
         add(v0, {});
+      }
+    }
+    const Interval range{problem.v0_low.value_or(problem.v0), problem.v0};
+    for (const double p : grid(problem.p, problem.stiffest_p(), springs)) {
+      if (const auto v0 = hit_to_the_farthest_rest(damper, shape, p, range)) {
+        all.push_back({*v0, {}, p});
       }
     }
     return all;
@@ -115,7 +156,7 @@ BuiltNotch built_notch(const DesignResult& design, const NotchShape& shape) {
   if (!has_ranges(request)) {
     return built;
   }
-  std::vector<TriedMotion> tried = of_ranges(request, shown);
+  std::vector<TriedMotion> tried = of_ranges(request, shown, design.finding->point, shape);
   for (TriedMotion& now : tried) {
     now.from_inside = shape.width && !now.pulse && now.v0 * now.v0 <= 2 * delta;
     now.response = now.from_inside ? strip(now) : motion(shape, now);

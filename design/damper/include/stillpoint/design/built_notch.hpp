@@ -42,8 +42,9 @@ struct BuiltNotch {
   /// After a hit, with a width: the motion if the notch acts on the way out too, as a strip of that
   /// friction does. v0 is otherwise the speed with which the mass leaves it.
   std::optional<ForcedResponse> from_start{};
-  /// Of ranges: of a grid of their hits or pulses and springs. On hits that the paper's notch
-  /// catches, a notch with a width acts from the start.
+  /// Of ranges: of a grid of their hits or pulses and springs, and of the hits that leave the mass
+  /// at the end of its dead zone. On hits that the paper's notch catches, a notch with a width acts
+  /// from the start.
   std::optional<WorstMotions> worst{};
   bool holds_weakest{false};  ///< the weakest pulse never moves the mass
 };
