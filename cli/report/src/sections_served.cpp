@@ -172,7 +172,8 @@ std::string inside_words(const Physical& physical, const Oscillator& damper, dou
 }
 
 bool can_be_followed(double width, double delta, double p) {
-  return std::min(width, p * width) >= smallest_speed && delta / width / p <= largest_speed;
+  const auto [least, most] = std::minmax(width, p * width);
+  return least >= smallest_speed && most <= largest_speed && delta / width / p <= largest_speed;
 }
 
 void add_start(Section& section, const StartUnderLoad& start, std::string_view formula, bool bad,
