@@ -31,6 +31,47 @@ BOOST_AUTO_TEST_CASE(a_point_says_which_hits_it_works_for) {
   check_null(reported(region("--f 0.3")), {"hits"});
 }
 
+/// Up to V0^2 = 4 phi^2 + 4 phi sqrt(d + phi^2) + d, (36) of docs/theory.md, with the stiffest
+/// spring, phi = f / 1.1.
+BOOST_AUTO_TEST_CASE(hits_are_those_of_every_spring) {
+  const json design = reported("design --v0 1 --p 0.9:1.1 --beta 2 --criterion exact");
+  const double phi = design["design"]["f"].get<double>() / 1.1;
+  const double d = 2 * design["design"]["delta"].get<double>();
+  const double most = std::sqrt(4 * phi * phi + 4 * phi * std::sqrt(d + phi * phi) + d);
+  bool found = false;
+  for (const json& now : design["hits"]) {
+    found = found || (now["ends"] == "centred" && near(now["to"], most, 1e-12));
+  }
+  BOOST_TEST(found, design["hits"].dump());
+  const json physical =
+      reported("design --velocity 0.4 --period 2.6:3 --max-displacement 0.3 --criterion exact");
+  BOOST_TEST(physical["physical"]["hits"].size() == physical["hits"].size());
+}
+
+/// The strongest hit stops at its second arrival, which weaker ones do not reach.
+BOOST_AUTO_TEST_CASE(what_is_not_admissible_violates_a_row) {
+  const Arguments task("--v0 0:1 --p 1 --beta 2 --criterion exact --arrivals 2");
+  const Arguments point = "region" + task + "--f 0.084 --delta 0.16";
+  const json report = reported(point);
+  BOOST_TEST(report["admissible"] == false);
+  const json& row = report["constraints"][3];
+  BOOST_TEST(row["name"] == "return");
+  BOOST_TEST(row["satisfied"] == false);
+  check_contains(one_line(run(point).out), {"rests off centre after the weaker hits of the range"});
+  write("parts.csv", "name,f,delta\nA,0.084,0.16\n");
+  const ProgramRun part = ending(3, "design" + task + "--catalogue parts.csv --json");
+  BOOST_TEST(part.json()["catalogue"][0]["violates"][0]["name"] == "return");
+}
+
+/// No width that nobody gave is refused.
+BOOST_AUTO_TEST_CASE(numbers_of_any_size_have_an_answer) {
+  for (const char* const task :
+       {"--v0 1e76 --p 1e-76 --beta 2e152", "--v0 1e140 --p 1e-140 --beta 2e280",
+        "--v0 1e-140 --p 1e140 --beta 2e-280", "--v0 1e-140 --p 1e-20 --beta 1.2e-120"}) {
+    succeed("design" + Arguments(task));
+  }
+}
+
 /// Each bound names the variable that it bounds, in the report for people as in JSON.
 BOOST_AUTO_TEST_CASE(limits_bound_the_variable_that_they_name) {
   const Arguments arguments = region("--f 0.3 --delta 0.4 --f-max 0.31 --delta-max 0.41");

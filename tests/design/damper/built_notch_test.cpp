@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "damper.hpp"
+
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/design/built_notch.hpp>
+
+BOOST_AUTO_TEST_SUITE(built_notch_test)
+
+namespace {
+
+using namespace stillpoint::design_test;
+
+/// Every hit up to v0.
+DesignRequest random_request(RandomSource& random) {
+  DesignRequest request;
+  Problem& problem = request.problem;
+  problem = random_problem(random, 0.75, 2);
+  problem.criterion = Criterion::exact;
+  problem.arrivals = 1 + random.pick(4);
+  problem.v0_low = 0;
+  random.one_in(2, problem.p_high, [&] { return problem.p * (1 + random.uniform(0, 0.1)); });
+  problem.residual = problem.v0 / problem.p * random.log_uniform(1e-3, 0.5);
+  random.one_in(2, request.limits.delta_max,
+                [&] { return problem.v0 * problem.v0 * random.log_uniform(0.003, 0.5); });
+  return request;
+}
+
+/// docs/notches.md, rule 3.
+double rest_after(const DesignPoint& damper, double width, double v0, double p) {
+  const auto& [f, delta, tolerance] = damper;
+  const bool caught = v0 * v0 <= 2 * delta;
+  const Surface surface =
+      caught ? Surface{{}, {{width / 2, f + delta / width}}} : Surface{width, {}};
+  const ForcedResponse motion =
+      forced_response({p, f, caught ? 0 : delta}, {0, v0}, NoExcitation(), {}, surface);
+  return std::abs(motion.stop_position.value_or(0));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(no_hit_up_to_the_strongest_rests_farther_than_is_said) {
+  int seen = 0;
+  for (std::uint64_t seed = 1'300'000; seed < 1'300'200; ++seed) {
+    RandomSource random(seed);
+    const DesignRequest request = random_request(random);
+    const DesignResult result = design::design(request);
+    if (!result.finding) {
+      continue;
+    }
+    ++seen;
+    const DesignPoint& damper = result.finding->point;
+    const double peak = result.finding->response.peak_amplitude;
+    const double width = peak * random.log_uniform(1e-3, 0.4);
+    const double said = std::abs(built_notch(result, {width, {}}).worst.value().farthest.rest());
+    constexpr int hits = 400;
+    double farthest = 0;
+    for (const double p : {request.problem.p, request.problem.stiffest_p()}) {
+      for (int i = 1; i <= hits; ++i) {
+        farthest = std::max(farthest, rest_after(damper, width, request.problem.v0 * i / hits, p));
+      }
+    }
+    constexpr double resolved = 0.02;
+    BOOST_TEST(farthest <= said * (1 + resolved),
+               "seed " << seed << ": " << farthest << " of " << peak << ", said are " << said);
+  }
+  BOOST_TEST(seen > 50);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
