@@ -91,6 +91,7 @@ class Dopri5 {
 
   [[nodiscard]] const State& state() const { return now_.state; }
   [[nodiscard]] double acceleration() const { return now_.rate[1]; }
+  [[nodiscard]] double acceleration_before() const { return before_.rate[1]; }
 
   template <class AnyMotion>
   State at(const AnyMotion& /*motion*/, double t) {

@@ -164,6 +164,19 @@ BOOST_AUTO_TEST_CASE(a_load_that_begins_at_what_friction_holds_moves_the_mass_at
   BOOST_TEST(std::abs(runge_kutta4(s, 1e-3).x - x) < 1e-10);
 }
 
+/// The mass stops and slips on within one step, so that v has the same sign at both of its ends.
+BOOST_AUTO_TEST_CASE(a_turn_within_a_step_is_not_missed) {
+  const Scene s = with(FullSine{1, 0.126518}, {1, 0.02084904744524763 / 0.44203340000312447, 1e250},
+                       {0, 0}, 60);
+  const ForcedResponse exact =
+      forced_response(s.oscillator, s.start, s.excitation, {.t_end = s.t_end});
+  for (const double tolerance : {1e-11, 1e-12, 1e-13}) {
+    const Result result = dopri5(s, tolerance, {1, 1, 1e-2});
+    BOOST_TEST(static_cast<double>(result.turns) == *exact.turning_points);
+    BOOST_TEST(std::abs(result.arrival_speed - *exact.arrival_speed) < 100 * tolerance);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_regularised_model_knows_widths_and_zones) {
   const Scene s{{1, 0.02, 0.02}, {0, 1}, NoExcitation{}, 140, {0.1, {{0.3, 0.04}}}};
   const Result truth = kernel(s);

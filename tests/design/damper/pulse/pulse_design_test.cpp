@@ -222,6 +222,14 @@ BOOST_AUTO_TEST_CASE(a_full_sine_leaves_no_velocity_and_has_designs_all_the_same
   BOOST_TEST(result.finding->cross_check.passed);
 }
 
+/// The mass stops and slips on by 2e-6 of its peak, within a step of the integrator.
+BOOST_AUTO_TEST_CASE(a_design_whose_motion_nearly_sticks_is_checked_right) {
+  PulseRequest request = request_of(FullSine{0.44203340000312447, 0.126518}, 0.5598269888140844);
+  request.problem.criterion = Criterion::published;
+  request.limits = {.delta_max = 0.0018018212406573713, .acceleration_max = 0.5662266322316939};
+  BOOST_TEST(design::design(request).finding.value().cross_check.passed);
+}
+
 /// Of the velocity k/lambda only about p/lambda is left at the end, and with it the error of
 /// rounding is so much larger.
 BOOST_AUTO_TEST_CASE(checks_know_the_rounding_of_a_short_full_sine) {

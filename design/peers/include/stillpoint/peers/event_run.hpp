@@ -270,12 +270,12 @@ class EventRun {
       }
       return true;
     } else {
-      const bool turned = s * v() <= 0;
+      const bool turned = s * v() <= 0 || turns_within(motion, step);
       if (!turned && !(s * x() >= edge_)) {
         return false;
       }
       if (turned) {
-        locate(motion, 1, step.from, step.to);
+        locate(motion, 1, step.from, t_);
       }
       // If the motion turns within the step, its position there says whether it met the edge.
       if (s * x() >= edge_) {
@@ -286,6 +286,30 @@ class EventRun {
       }
       return true;
     }
+  }
+
+  /// v may vanish and come back within a step, which its signs at the ends do not show: it is least
+  /// where the acceleration changes its sign. Then the step ends there.
+  template <class AnyMotion>
+  bool turns_within(const AnyMotion& motion, const Step& step) {
+    if constexpr (requires { method_.acceleration_before(); }) {
+      if (direction_ * method_.acceleration_before() < 0 &&
+          direction_ * method_.acceleration() > 0) {
+        const auto acceleration = [&](double t) {
+          State rate;
+          motion(method_.at(motion, t), rate, t);
+          return rate[1];
+        };
+        const double least = bracketed_root(acceleration, step.from, step.to);
+        const State there = method_.at(motion, least);
+        if (direction_ * there[1] <= 0) {
+          t_ = least;
+          state_ = there;
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   /// To where x comes to the edge (0) or v vanishes (1) within the step.
