@@ -23,6 +23,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <functional>
+#include <memory>
 #include <random>
 #include <string>
 #include <string_view>
@@ -132,8 +133,9 @@ void add_pulse(std::vector<Case>& all, const char* what, const design::Pulse& pu
   constexpr double most_of_free = 1.2;
   all.push_back({fmt::format("mends, {}", what), [=](double beta) {
                    // A tolerance of 90 % is more than any of them has.
-                   (void)design::mends(design::PulseProblem{pulse, 1, most_of_free * beta},
-                                       {.delta_max = 0.1, .tolerance = 0.9});
+                   const design::PulseProblem task{pulse, 1, most_of_free * beta};
+                   (void)design::mends(task, {.delta_max = 0.1, .tolerance = 0.9},
+                                       std::make_shared<design::WorstReturn>(task));
                  }});
   all.push_back({fmt::format("search, robust, k, lambda and p 0.9:1, {}", what), [=](double beta) {
                    design::PulseProblem task{pulse, 0.9, most_of_free * beta};

@@ -185,6 +185,11 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty, const
                 format("at {} {}{}", way.upwards ? "least" : "most", way.bound,
                        mend.field == "arrivals" ? ": it may pass x = 0 before it stops" : ""));
   }
+  if (empty.mends_cut_short) {
+    section.line(
+        "The search was cut short, because it would have taken longer than a second: changing "
+        "another input may also make it feasible.");
+  }
   if (exact) {
     section.row("criterion", "exact: the published one requires more delta than needed");
   }

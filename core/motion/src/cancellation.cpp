@@ -7,21 +7,23 @@ namespace stillpoint {
 
 namespace {
 
-/// The question of this thread's innermost Cancellable.
-thread_local const std::function<bool()>* asked = nullptr;
+/// Of this thread.
+thread_local const Cancellable* innermost = nullptr;
 
 }  // namespace
 
 Cancellable::Cancellable(std::function<bool()> go_on)
-    : go_on_(std::move(go_on)), outer_(std::exchange(asked, &go_on_)) {}
+    : go_on_(std::move(go_on)), outer_(std::exchange(innermost, this)) {}
 
 Cancellable::~Cancellable() {
-  asked = outer_;
+  innermost = outer_;
 }
 
 void cancellation_point() {
-  if (asked != nullptr && !(*asked)()) {
-    throw Cancelled();
+  for (const Cancellable* now = innermost; now != nullptr; now = now->outer_) {
+    if (!now->go_on_()) {
+      throw Cancelled();
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -9,9 +10,9 @@ namespace stillpoint::design {
 
 /// The number nearest to `from` that `fits`, if everything from it to `to` fits as well:
 /// bisection over the doubles themselves, whose bit patterns are in order, so it ends at the last
-/// bit. Empty if not even `to` fits. Both >= 0.
+/// bit, or `close` to it, as a part of it. Empty if not even `to` fits. Both >= 0.
 template <class Fits>
-std::optional<double> nearest_fit(double from, double to, const Fits& fits) {
+std::optional<double> nearest_fit(double from, double to, const Fits& fits, double close = 0) {
   if (fits(from)) {
     return from;
   }
@@ -20,7 +21,11 @@ std::optional<double> nearest_fit(double from, double to, const Fits& fits) {
   }
   auto wrong = std::bit_cast<std::int64_t>(from);
   auto right = std::bit_cast<std::int64_t>(to);
-  while (wrong - right > 1 || right - wrong > 1) {
+  const auto apart = [&] {
+    return std::abs(std::bit_cast<double>(wrong) - std::bit_cast<double>(right));
+  };
+  while ((wrong - right > 1 || right - wrong > 1) &&
+         apart() > close * std::bit_cast<double>(right)) {
     const std::int64_t middle = wrong + (right - wrong) / 2;
     (fits(std::bit_cast<double>(middle)) ? right : wrong) = middle;
   }

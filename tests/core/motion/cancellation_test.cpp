@@ -41,12 +41,16 @@ BOOST_AUTO_TEST_CASE(a_motion_that_is_still_wanted_is_the_same) {
   BOOST_TEST(*watched.decision_margin == *alone.decision_margin);
 }
 
-BOOST_AUTO_TEST_CASE(the_innermost_one_is_asked_and_the_outer_one_afterwards) {
-  const Cancellable outer([] { return false; });
+BOOST_AUTO_TEST_CASE(the_inner_one_and_the_outer_one_are_asked_while_they_live) {
+  bool wanted = true;
+  const Cancellable outer([&] { return wanted; });
   {
-    const Cancellable inner([] { return true; });
-    BOOST_CHECK_NO_THROW(cancellation_point());
+    const Cancellable inner([] { return false; });
+    BOOST_CHECK_THROW(cancellation_point(), Cancelled);
   }
+  BOOST_CHECK_NO_THROW(cancellation_point());
+  wanted = false;
+  const Cancellable inner([] { return true; });
   BOOST_CHECK_THROW(cancellation_point(), Cancelled);
 }
 

@@ -104,6 +104,7 @@ ordered_json region_fields(const design::RegionVerdict& verdict) {
           {"intervals", or_null(verdict.intervals, intervals_json)},
           {"most_tolerant", or_null(verdict.most_tolerant, point_json)},
           {"mends", list_json(verdict.mends, mend_json)},
+          {"mends_cut_short", verdict.mends_cut_short},
           {"largest_tolerance", verdict.largest_tolerance},
           {"criterion_mend",
            or_null(verdict.criterion_mend, [](const auto& criterion) { return name(criterion); })}};

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace stillpoint::design {
 
@@ -86,8 +87,10 @@ DesignResult around(const std::optional<PulseOptimum>& optimum, const PulseReque
   const auto& [problem, limits, options] = request;
   DesignResult result = without_finding(request, region, optimum);
   if (!optimum) {
-    result.mends = mends(problem, limits);
-    result.criterion_mend = criterion_mend(problem, limits);
+    PulseMends found = mends(problem, limits, region.profile());
+    result.mends = std::move(found.list);
+    result.mends_cut_short = found.cut_short;
+    result.criterion_mend = criterion_mend(problem, limits, region.profile());
     result.most_tolerant = most_tolerant(region, problem, limits);
   }
   return result;

@@ -54,6 +54,21 @@ bool PulseRegion::feasible() const {
   });
 }
 
+std::optional<Island> PulseRegion::around_boxes() const {
+  constexpr double beside = 1e-9;
+  KnownMotions known(*profile_);
+  std::optional<Island> around;
+  for (const Island& island : islands_) {
+    for (const auto& [low, high] : parts(island, asked_, 1, known)) {
+      if (spare({low, high}, asked_) >= -beside) {
+        around = around ? Island{around->low, high} : Island{low, high};
+      }
+    }
+  }
+  return around ? std::optional(Island{around->low * (1 - beside), around->high * (1 + beside)})
+                : std::nullopt;
+}
+
 bool PulseRegion::reaches_down_to_0(const Island& island) const {
   return island.low <= profile_->samples().front().f * (1 + edge_rounding);
 }

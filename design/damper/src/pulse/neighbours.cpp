@@ -1,7 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "pulse/neighbours.hpp"
 
+#include <limits>
+
 namespace stillpoint::design {
+
+double clearance_of(const FirstReturn& motion, double turns) {
+  constexpr double none = std::numeric_limits<double>::min();
+  if (motion.returns && motion.turns <= turns) {
+    return motion.clearance;
+  }
+  return std::min(motion.returns ? -std::min(motion.shortfall, motion.clearance) : motion.clearance,
+                  -none);
+}
 
 Rated need_of(const FirstReturn& motion, Criterion criterion) {
   return {motion.need(criterion), motion.slope(criterion)};

@@ -21,6 +21,10 @@ inline void insert(std::vector<FirstReturn>& motions, const std::vector<FirstRet
   std::ranges::sort(motions, {}, &FirstReturn::f);
 }
 
+/// The square of the arrival speed where the mass arrives after at most so many turns; negative
+/// where it does not, by what it is short of.
+[[nodiscard]] double clearance_of(const FirstReturn& motion, double turns);
+
 /// What a box asks for.
 [[nodiscard]] Rated need_of(const FirstReturn& motion, Criterion criterion);
 /// Of need/f^2: section 15.
@@ -52,7 +56,9 @@ FirstReturn maximum(FirstReturn low, FirstReturn high, const At& at, const Figur
     const double tangents =
         (falls.value - rises.value - falls.slope * width) / (rises.slope - falls.slope);
     const double most = std::max(rises.value, falls.value);
-    if (rises.value + rises.slope * tangents <= most + close * std::abs(most) ||
+    // Where they do not cross between the two, the figure is not concave and they bound nothing.
+    const bool bound = 0 <= tangents && tangents <= width;
+    if ((bound && rises.value + rises.slope * tangents <= most + close * std::abs(most)) ||
         width <= 2 * edge_width(low.f, high.f)) {
       break;
     }

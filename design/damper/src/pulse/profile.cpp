@@ -10,8 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <utility>
 
 namespace stillpoint::design {
 
@@ -70,17 +70,28 @@ std::vector<double> first_grid(const Pulse& pulse) {
 
 PulseProfile::PulseProfile(const Pulse& pulse, double p, Criterion criterion, bool k_varies,
                            const Interval& window)
-    : pulse_(unit_pulse(pulse, p)), criterion_(criterion) {
-  std::vector<double> grid = first_grid(pulse_);
-  if (window.high < 1) {
+    : PulseProfile([unit = unit_pulse(pulse, p)](double f) { return first_return(unit, 1, f); },
+                   {unit_pulse(pulse, p), unit_pulse(pulse, p)}, criterion, k_varies, window) {}
+
+PulseProfile::PulseProfile(At at, const std::array<Pulse, 2>& between, Criterion criterion,
+                           bool k_varies, const Interval& window)
+    : at_(std::move(at)), criterion_(criterion) {
+  std::vector<double> grid = first_grid(between.front());
+  if (angular_frequency(between.front()) != angular_frequency(between.back())) {
+    const std::vector<double> more = first_grid(between.back());
+    grid.insert(grid.end(), more.begin(), more.end());
+    std::ranges::sort(grid);
+    grid.erase(std::unique(grid.begin(), grid.end()), grid.end());
+  }
+  if (window != Interval{0, 1}) {
     std::erase_if(grid, [&](double f) { return f <= window.low || f >= window.high; });
     grid.insert(grid.begin(), window.low);
-    if (window.high > window.low) {
+    if (window.high > window.low && window.high < nearest_to_k) {
       grid.push_back(window.high);
     }
   }
   for (const double f : grid) {
-    const FirstReturn now = at(f);
+    const FirstReturn now = this->at(f);
     if (!samples_.empty()) {
       const FirstReturn before = samples_.back();
       add_between(before, now, 0);
@@ -92,10 +103,6 @@ PulseProfile::PulseProfile(const Pulse& pulse, double p, Criterion criterion, bo
     add_maxima_over_square();
     add_slowest();
   }
-}
-
-FirstReturn PulseProfile::at(double f) const {
-  return first_return(pulse_, 1, f);
 }
 
 void PulseProfile::add_between(const FirstReturn& a, const FirstReturn& b, int depth) {
@@ -137,10 +144,7 @@ void PulseProfile::add_edge(const FirstReturn& a, const FirstReturn& b, int dept
     const FirstReturn now = f == holds.f ? holds : f == fails.f ? fails : at(f);
     const bool arrives = now.returns && now.turns <= turns;
     (arrives ? holds : fails) = now;
-    constexpr double none = std::numeric_limits<double>::min();
-    return arrives ? now.clearance
-                   : std::min(now.returns ? -std::min(now.shortfall, now.clearance) : now.clearance,
-                              -none);
+    return clearance_of(now, turns);
   };
   last_not_negative(holds.f, fails.f, clearance,
                     [&](double, double) { return is_smooth(holds, fails, largest_); });

@@ -8,6 +8,8 @@
 
 #include <stillpoint/design/pulse.hpp>
 
+#include <array>
+#include <functional>
 #include <vector>
 
 namespace stillpoint::design {
@@ -21,12 +23,17 @@ inline constexpr double nearest_to_k = 1 - 1e-4;
 /// is largest: both sides of a jump differ by a relative 1e-14, and each local maximum is a sample.
 class PulseProfile {
  public:
+  using At = std::function<FirstReturn(double)>;
+
   /// Also with the maxima of need/f^2 and of the time if k has a range: docs/theory.md section 15.
   /// Only the f of the window are examined.
   PulseProfile(const Pulse& pulse, double p, Criterion criterion, bool k_varies = false,
                const Interval& window = {0, 1});
+  /// Of what `at` says, which lies between two unit pulses.
+  PulseProfile(At at, const std::array<Pulse, 2>& between, Criterion criterion, bool k_varies,
+               const Interval& window);
 
-  [[nodiscard]] FirstReturn at(double f) const;
+  [[nodiscard]] FirstReturn at(double f) const { return at_(f); }
   [[nodiscard]] const std::vector<FirstReturn>& samples() const { return samples_; }
 
  private:
@@ -35,7 +42,7 @@ class PulseProfile {
   void add_maxima_over_square();
   void add_slowest();
 
-  Pulse pulse_;
+  At at_;
   Criterion criterion_;
   double largest_{0};  ///< need so far
   std::vector<FirstReturn> samples_;

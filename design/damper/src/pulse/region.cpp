@@ -49,7 +49,11 @@ void PulseRegion::find_islands() {
   std::vector<FirstReturn> points = profile_->samples();
   if (f_max_ <= points.back().f) {
     // Below every sample there is one more decade to examine.
-    insert(points, {at(f_max_ / 8), at(f_max_)});
+    constexpr double lower = 1.0 / 8;
+    if (f_max_ < points.front().f || f_max_ * lower > points.front().f) {
+      insert(points, {at(f_max_ * lower)});
+    }
+    insert(points, {at(f_max_)});
   }
   for (std::size_t i = 0; i < figure_count; ++i) {
     if (std::isfinite(figures_max_[i])) {

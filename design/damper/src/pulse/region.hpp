@@ -57,6 +57,9 @@ class PulseRegion {
     return part.high / part.low * (low_of(1, tolerance) / high_of(1, tolerance)) - 1;
   }
   [[nodiscard]] bool feasible() const;
+  /// From the least to the largest f of any box of the tolerance asked for, a little more than
+  /// that; empty if none fits.
+  [[nodiscard]] std::optional<Island> around_boxes() const;
 
   /// The least f that is examined stands for all below it.
   [[nodiscard]] bool reaches_down_to_0(const Island& island) const;
@@ -124,10 +127,17 @@ class PulseRegion {
 /// more is asked for.
 inline constexpr double widest_tolerance = 0.995;
 
-/// Like mends() of a hit, with k and lambda instead of v0.
-[[nodiscard]] std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits);
+struct PulseMends {
+  std::vector<Mend> list;
+  bool cut_short{false};  ///< the search for some of them would have taken too long
+};
+
+/// Like mends() of a hit, with k and lambda instead of v0; the profile is that of the problem.
+[[nodiscard]] PulseMends mends(const PulseProblem& problem, const Limits& limits,
+                               const std::shared_ptr<const WorstReturn>& profile);
 /// Like criterion_mend() of a hit.
-[[nodiscard]] std::optional<Criterion> criterion_mend(const PulseProblem& problem,
-                                                      const Limits& limits);
+[[nodiscard]] std::optional<Criterion> criterion_mend(
+    const PulseProblem& problem, const Limits& limits,
+    const std::shared_ptr<const WorstReturn>& profile);
 
 }  // namespace stillpoint::design

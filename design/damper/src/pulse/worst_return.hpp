@@ -4,11 +4,12 @@
 // The worst of a first return over the ranges of k, lambda and p, for every f: docs/theory.md
 // section 15. In units of the strongest pulse, k, and of the softest spring, p.
 
+#include "pulse/legs.hpp"
 #include "pulse/profile.hpp"
 
 #include <stillpoint/design/pulse.hpp>
 
-#include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace stillpoint::design {
@@ -18,7 +19,9 @@ namespace stillpoint::design {
 class WorstReturn {
  public:
   /// Also with what a weaker pulse may do worst if k has a range, or if the caller varies it.
-  explicit WorstReturn(const PulseProblem& problem, bool k_varies = false);
+  /// Only the f of the window are examined.
+  explicit WorstReturn(const PulseProblem& problem, bool k_varies = false,
+                       const Interval& window = {0, 1});
 
   /// Of one f alone, in a fraction of the time.
   [[nodiscard]] static FirstReturn only_at(const PulseProblem& problem, double f);
@@ -34,32 +37,18 @@ class WorstReturn {
   /// No need at f is larger: for one pulse and spring, that of the samples on either side of it.
   [[nodiscard]] double most_need(double f, Criterion criterion) const;
   /// One pulse and one spring.
-  [[nodiscard]] bool is_single() const { return cases_.size() == 1 && weakest_ == 1; }
+  [[nodiscard]] bool is_single() const { return legs_->is_single() && weakest_ == 1; }
   /// The weakest pulse.
   [[nodiscard]] double weakest() const { return weakest_; }
   /// The pulse and the spring, of this problem's, with the largest peak at f.
   [[nodiscard]] PulseProblem largest_peak(PulseProblem problem, double f) const;
 
  private:
-  /// A lambda with the softest p that goes with it, over p of the unit.
-  struct Case {
-    double lambda{0};
-    double p{0};
-    PulseProfile profile;
-  };
+  void add_samples(const Interval& window);
 
-  WorstReturn(const PulseProblem& problem, bool k_varies, const Interval& window);
-  void add_cases(const PulseProblem& problem, const Interval& window);
-  void add_leg(const Interval& window, const Pulse& unit, double lambda, double p, double to_lambda,
-               double to_p);
-  void add_samples();
-  [[nodiscard]] FirstReturn worst_of(const Case& one, double f) const;
-
-  Criterion criterion_;  ///< whose largest need the samples have
-  double weakest_{1};    ///< k_low / k
-  bool k_varies_;
-  std::vector<Case> cases_;
-  std::size_t corner_{0};  ///< the case where p has reached its low end and lambda starts to grow
+  double weakest_{1};  ///< k_low / k
+  std::shared_ptr<const Legs> legs_;
+  PulseProfile strongest_;  ///< the worst of the legs under the strongest pulse
   std::vector<FirstReturn> samples_;
 };
 

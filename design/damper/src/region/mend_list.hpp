@@ -72,11 +72,11 @@ void add_mend(std::vector<Mend>& list, const Case& base, const Fits& fits,
 /// grow by the factor `growth` each.
 template <class Fits>
 std::optional<double> nearest_either_way(double from, double least, double most, double growth,
-                                         const Fits& fits) {
+                                         const Fits& fits, double close = 0) {
   double step = 1.02;
   double inner = 1;  // factors up to this are tried
   const auto nearest = [&](double inside, double to) {
-    return inside != to && fits(to) ? nearest_fit(inside, to, fits) : std::nullopt;
+    return inside != to && fits(to) ? nearest_fit(inside, to, fits, close) : std::nullopt;
   };
   while (from * inner < most || from / inner > least) {
     const double outer = inner * step;

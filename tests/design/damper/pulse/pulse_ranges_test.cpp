@@ -123,6 +123,34 @@ void check_ends(const PulseRequest& request, const std::vector<Mend>& mends) {
   }
 }
 
+/// Long sines, of which the largest f that returns dips and the need jumps in windows of lambda/p
+/// that are a per cent wide; most have the least peak, so that f is as large as it may be.
+Task long_task(RandomSource& random) {
+  Task task;
+  task.kind = 2 * (random.pick(3) / 2);
+  const double p = random.log_uniform(0.1, 10);
+  const double k = random.log_uniform(0.1, 10);
+  const double lambda = p / random.log_uniform(3, 8);
+  const double width = random.log_uniform(0.02, 0.25);
+  const int all = random.pick(4);
+  const auto ends = [&](double low, bool varies) -> Ends {
+    return {low, varies ? low * (1 + width * random.uniform(0.3, 1)) : low};
+  };
+  task.k = ends(k, all == 0);
+  task.lambda = ends(lambda, true);
+  task.p = ends(p, all <= 1);
+  PulseProblem& problem = task.request.problem;
+  problem = {pulse_of(task.kind, task.k.high, task.lambda.low), task.p.low, 1,
+             random.pick(2) == 0 ? Criterion::published : Criterion::exact};
+  problem.ranges = {task.k.low, task.lambda.high};
+  problem.p_high = task.p.high;
+  const Scanned free = scanned(task.request, problem.pulse, problem.p, 0.02 * task.k.high);
+  problem.beta = 3 * free.peak_amplitude;
+  task.request.limits.delta_max = random.log_uniform(0.5, 20) * free.need;
+  task.request.search.objective = random.pick(4) == 0 ? Objective::robust : Objective::amplitude;
+  return task;
+}
+
 /// How many of the points that are simulated in the box and in the ranges are not admissible.
 int outside(const Task& task, const DesignPoint& point, int points, RandomSource& random) {
   const auto part = [&](int i) {
@@ -143,6 +171,52 @@ int outside(const Task& task, const DesignPoint& point, int points, RandomSource
 }
 
 }  // namespace
+
+// Near lambda = 0.1607 p the largest f that returns has a dip, between two of the lengths that the
+// search looks at first.
+BOOST_AUTO_TEST_CASE(a_dip_of_the_return_between_two_lengths_is_found) {
+  PulseRequest request;
+  request.problem = {HalfSine{1, 0.158}, 1, 1.34, Criterion::exact, {.lambda_high = 0.178}};
+  request.limits = {.f_max = 0.09, .delta_max = 0.28};
+  request.search.objective = Objective::amplitude;
+  const DesignPoint point = design::design(request).finding.value().point;
+  double dip = 1;
+  for (int i = 0; i <= 400; ++i) {
+    const double lambda = 0.158 + 0.02 * i / 400;
+    BOOST_TEST_CONTEXT("lambda " << lambda) {
+      BOOST_TEST(scanned(request, HalfSine{1, lambda}, 1, point.f).holds);
+    }
+    PulseRequest one = request;
+    one.problem.pulse = HalfSine{1, lambda};
+    one.problem.ranges = {};
+    dip = std::min(dip, design::design(one).intervals.value().front().high);
+  }
+  // A parabola through the three least of 401 would be wrong by less.
+  BOOST_TEST(point.f == dip, tt::tolerance(1e-6));
+}
+
+// The need over f^2, which is what a weaker pulse asks for, has a maximum where it is not concave.
+BOOST_AUTO_TEST_CASE(a_maximum_beside_a_bend_is_found) {
+  Task task;
+  task.k = {0.9496347408, 0.995780781};
+  task.lambda = {0.05291340021, 0.05603690906};
+  task.p = {0.2891612878, 0.3238516763};
+  task.request.problem = {
+      HalfSine{task.k.high, task.lambda.low}, task.p.low, 37.65643277, Criterion::published,
+      {task.k.low, task.lambda.high},         task.p.high};
+  task.request.limits.delta_max = 0.482084;
+  task.request.search.objective = Objective::time;
+  const DesignPoint point = design::design(task.request).finding.value().point;
+  const double high = point.f * (1 + point.tolerance);
+  double largest = 0;
+  for (int i = 0; i <= 300; ++i) {
+    largest = std::max(
+        largest,
+        scanned(task.request, HalfSine{task.k.at(i / 300.0), task.lambda.high}, task.p.low, high)
+            .need);
+  }
+  BOOST_TEST(largest <= point.delta * (1 - point.tolerance) * (1 + inset));
+}
 
 /// The slowest return is inside the range of k, between samples: a scan of k finds none slower.
 BOOST_AUTO_TEST_CASE(the_slowest_return_is_that_of_a_scan) {
@@ -283,6 +357,36 @@ BOOST_AUTO_TEST_CASE(an_end_that_is_mended_is_moved_as_little_as_possible) {
   }
 }
 
+// A motion of so long a pulse takes a microsecond. Without an end of the search it would be some
+// fifty million of them.
+BOOST_AUTO_TEST_CASE(changes_are_not_sought_for_longer_than_a_second) {
+  PulseRequest request;
+  request.problem = {FullSine{0.5070917894347563, 0.1905603561180138},
+                     0.7950336998293941,
+                     0.6664802050478071,
+                     Criterion::exact,
+                     {.k_low = 0.3517224658203688},
+                     1.204966300170606};
+  request.limits.delta_max = 0.018959110927058574;
+  constexpr int most_motions = 1'500'000;
+  int motions = 0;
+  DesignResult result;
+  {
+    const Cancellable limited([&] { return ++motions <= most_motions; });
+    BOOST_REQUIRE_NO_THROW(result = design::design(request));
+  }
+  BOOST_TEST(!result.finding.has_value());
+  BOOST_TEST(result.mends_cut_short);
+  check_ends(request, result.mends);
+}
+
+// A short pulse costs little, so that every change is found.
+BOOST_AUTO_TEST_CASE(a_search_for_changes_that_ends_is_not_called_cut_short) {
+  PulseRequest request;
+  request.problem = {Rectangle{0.55, 1}, 1, 0.64, Criterion::exact, {.k_low = 0.45}};
+  BOOST_TEST(!design::design(request).mends_cut_short);
+}
+
 BOOST_AUTO_TEST_CASE(ranges_are_refused_upside_down) {
   const auto refused = [](const PulseProblem& problem, const char* field) {
     BOOST_TEST(refused_field([&] { require_valid(problem); }) == field);
@@ -331,6 +435,43 @@ BOOST_AUTO_TEST_CASE(designs_hold_for_every_pulse_and_spring_of_their_ranges) {
     }
   }
   BOOST_TEST(found >= 9);
+}
+
+BOOST_AUTO_TEST_CASE(designs_hold_for_every_long_pulse_of_their_ranges) {
+  constexpr int seed = 20261125;
+  RandomSource random(seed);
+  constexpr int tasks = 60;
+  int found = 0;
+  for (int i = 0; i < tasks; ++i) {
+    const Task task = long_task(random);
+    const auto damper = design::damper(task.request);
+    if (!damper) {
+      continue;
+    }
+    ++found;
+    const double r = damper->point.tolerance * (1 - inset);
+    const double least_delta = damper->point.delta * (1 - r);
+    int bad = 0;
+    constexpr int lengths = 100;
+    for (int j = 0; j <= lengths; ++j) {
+      for (const double end : {-1.0, 1.0}) {
+        // The shortest and the longest pulse are on the softest and the stiffest spring.
+        const double part = static_cast<double>(j) / lengths;
+        for (const auto& [lambda, p] : {std::pair(task.lambda.at(part), task.p.low),
+                                        std::pair(task.lambda.low, task.p.at(part))}) {
+          const Scanned now =
+              scanned(task.request, pulse_of(task.kind, task.k.at(random.pick(2)), lambda), p,
+                      damper->point.f * (1 + end * r));
+          bad += !now.holds || now.need > least_delta ? 1 : 0;
+        }
+      }
+    }
+    BOOST_TEST_CONTEXT("seed " << seed << ", task " << i << ": " << context_of(task) << ", f "
+                               << damper->point.f << ", delta " << damper->point.delta) {
+      BOOST_TEST(bad == 0);
+    }
+  }
+  BOOST_TEST(found >= 40);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

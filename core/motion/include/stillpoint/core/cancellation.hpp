@@ -13,8 +13,8 @@ class Cancelled : public std::exception {
 };
 
 /// While it lives, the computations of this thread that may take seconds ask `go_on` now and then,
-/// and throw Cancelled once it returns false. Motions under a load and loops over threads have a
-/// go_on of their own instead and return what they have.
+/// and those of the Cancellables around it, and throw Cancelled once one returns false. Motions
+/// under a load and loops over threads have a go_on of their own instead and return what they have.
 class Cancellable {
  public:
   explicit Cancellable(std::function<bool()> go_on);
@@ -23,8 +23,10 @@ class Cancellable {
   ~Cancellable();
 
  private:
+  friend void cancellation_point();
+
   std::function<bool()> go_on_;
-  const std::function<bool()>* outer_;
+  const Cancellable* outer_;
 };
 
 /// Throws Cancelled if the computation of this thread is no longer wanted.

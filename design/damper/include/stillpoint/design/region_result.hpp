@@ -35,13 +35,15 @@ struct RegionVerdict {
   std::optional<std::string> reason{};
   std::vector<Mend> mends{};
   std::optional<DesignPoint> most_tolerant{};  ///< not for the parts of a catalogue
-  std::optional<double> largest_tolerance{};  ///< region.hpp; of a hit, where no mend helps
+  std::optional<double> largest_tolerance{};   ///< region.hpp; of a hit, where no mend helps
   /// With a pulse, of the f for which the motion returns, stays within beta and meets the limits:
   /// the region is then that of the forced motion itself.
   std::optional<std::vector<Interval>> intervals{};
   /// The exact criterion, if it alone makes the region not empty, or admits a part, where the
   /// published one does not.
   std::optional<Criterion> criterion_mend{};
+  /// With a pulse: the search for some mends was given up, because it would have taken too long.
+  bool mends_cut_short{false};
 };
 
 /// A region, and a damper to compare with it.
