@@ -3,6 +3,7 @@
 // Each function reduces its argument by a table of sixteenths (thirty-seconds for exp) and ends in
 // a few terms of Taylor's series; sums of two doubles carry what the reduction would lose.
 
+#include <stillpoint/core/double_pair.hpp>
 #include <stillpoint/core/elementary.hpp>
 
 #include <algorithm>
@@ -17,39 +18,12 @@ namespace stillpoint::elementary {
 
 namespace {
 
-/// An unevaluated sum; |low| is at most half a unit in the last place of high.
-struct Pair {
-  double high;
-  double low;
-};
-
-/// a + b exactly, by Knuth.
-Pair two_sum(double a, double b) {
-  const double sum = a + b;
-  const double of_b = sum - a;
-  return {sum, (a - (sum - of_b)) + (b - of_b)};
-}
-
-/// The same where |a| >= |b| or a = 0, by Dekker.
-Pair ordered_sum(double a, double b) {
-  const double sum = a + b;
-  return {sum, b - (sum - a)};
-}
+using Pair = DoublePair;
 
 /// The upper 26 bits of a, |a| < 2^995, by Veltkamp: products of halves are exact.
 double upper_half(double a) {
   const double t = 134217729 * a;  // 2^27 + 1
   return t - (t - a);
-}
-
-/// a b exactly, by Dekker, where nothing under- or overflows.
-Pair two_product(double a, double b) {
-  const double product = a * b;
-  const double a1 = upper_half(a);
-  const double b1 = upper_half(b);
-  const double a2 = a - a1;
-  const double b2 = b - b1;
-  return {product, ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2};
 }
 
 /// The nearest whole number, ties to even, of |x| < 2^51, by the rounding of a sum.
@@ -243,6 +217,52 @@ Pair arc_tangent(double b, double a) {
   return {angle.high, angle.low + (low + (tangent.low + series))};
 }
 
+/// e^x for x as a sum.
+double exp_of(Pair x) {
+  if (!(std::abs(x.high) < 800)) {
+    return std::exp(x.high);  // infinity or 0: the C library has no choice
+  }
+  constexpr double parts_of_unit = 32 / std::numbers::ln2;
+  const double parts = nearest(x.high * parts_of_unit);
+  // ln 2 / 32 in two parts: the product of the first, of 36 bits, is exact.
+  const Pair less = two_sum(x.high - parts * 0x1.62e42fefap-6, -(parts * 0x1.cf79abc9e3b3ap-45));
+  const Pair rest = two_sum(less.high, less.low + x.low);
+  const double r = rest.high;
+  const double rr = r * r;
+  const double series =
+      rr * ((1.0 / 2 + r * (1.0 / 6)) +
+            rr * ((1.0 / 24 + r * (1.0 / 120)) + rr * (1.0 / 720 + r * (1.0 / 5040))));
+  const int whole = static_cast<int>(parts);
+  const auto [high, low] = exp2_of[static_cast<std::size_t>(whole & 31)];
+  const Pair linear = two_product(high, r);
+  const Pair sum = ordered_sum(high, linear.high);
+  const double more = linear.low + low * r + high * (rest.low + series);
+  return std::ldexp(sum.high + (sum.low + (low + more)), (whole - (whole & 31)) / 32);
+}
+
+/// log x, 0 < x < infinity.
+Pair log_of_positive(double x) {
+  int exponent{0};
+  double m = std::frexp(x, &exponent);
+  if (m < std::numbers::sqrt2 / 2) {
+    m *= 2;
+    exponent -= 1;
+  }
+  const double sixteenths = nearest(16 * m);
+  const double c = sixteenths / 16;
+  const Pair s = quotient({m - c, 0}, two_sum(m, c));
+  const double z = s.high * s.high;
+  const double zz = z * z;
+  const double series =
+      s.high * z * ((1.0 / 3 + z * (1.0 / 5)) + zz * ((1.0 / 7 + z * (1.0 / 9)) + zz * (1.0 / 11)));
+  const auto [high, low] = log_of[static_cast<std::size_t>(sixteenths) - 11];
+  // ln 2 in two parts: the product of the first, of 40 bits, is exact.
+  const Pair powers = two_sum(exponent * 0x1.62e42fefa2p-1, high);
+  const Pair sum = two_sum(powers.high, 2 * s.high);
+  return two_sum(sum.high, sum.low + (powers.low + (low + exponent * 0x1.9ef35793c7673p-41 +
+                                                    2 * (s.low + series))));
+}
+
 }  // namespace
 
 SinCos sin_cos(double x) {
@@ -292,51 +312,29 @@ double acos(double x) {
 }
 
 double exp(double x) {
-  if (!(std::abs(x) < 700)) {
-    return std::exp(x);
-  }
-  constexpr double parts_of_unit = 32 / std::numbers::ln2;
-  const double parts = nearest(x * parts_of_unit);
-  // ln 2 / 32 in two parts: the product of the first, of 36 bits, is exact.
-  const Pair rest = two_sum(x - parts * 0x1.62e42fefap-6, -(parts * 0x1.cf79abc9e3b3ap-45));
-  const double r = rest.high;
-  const double rr = r * r;
-  const double more =
-      r +
-      (rest.low + rr * ((1.0 / 2 + r * (1.0 / 6)) +
-                        rr * ((1.0 / 24 + r * (1.0 / 120)) + rr * (1.0 / 720 + r * (1.0 / 5040)))));
-  const int whole = static_cast<int>(parts);
-  const auto [high, low] = exp2_of[static_cast<std::size_t>(whole & 31)];
-  return std::ldexp(high + (low + high * more), (whole - (whole & 31)) / 32);
+  return exp_of({x, 0});
 }
 
 double log(double x) {
   if (!(x > 0 && x <= std::numeric_limits<double>::max())) {
     return std::log(x);
   }
-  int exponent{0};
-  double m = std::frexp(x, &exponent);
-  if (m < std::numbers::sqrt2 / 2) {
-    m *= 2;
-    exponent -= 1;
-  }
-  const double sixteenths = nearest(16 * m);
-  const double c = sixteenths / 16;
-  const Pair s = quotient({m - c, 0}, two_sum(m, c));
-  const double z = s.high * s.high;
-  const double zz = z * z;
-  const double series =
-      s.high * z * ((1.0 / 3 + z * (1.0 / 5)) + zz * ((1.0 / 7 + z * (1.0 / 9)) + zz * (1.0 / 11)));
-  const auto [high, low] = log_of[static_cast<std::size_t>(sixteenths) - 11];
-  // ln 2 in two parts: the product of the first, of 40 bits, is exact.
-  const Pair powers = two_sum(exponent * 0x1.62e42fefa2p-1, high);
-  const Pair sum = two_sum(powers.high, 2 * s.high);
-  return sum.high +
-         (sum.low + (powers.low + (low + exponent * 0x1.9ef35793c7673p-41 + 2 * (s.low + series))));
+  return log_of_positive(x).high;
 }
 
 double pow(double x, double y) {
   return exp(y * log(x));
+}
+
+double between(double low, double high, double part, double of) {
+  const Pair from = log_of_positive(low);
+  const Pair to = log_of_positive(high);
+  const Pair way = two_sum(to.high, -from.high);
+  const Pair share = quotient({part, 0}, {of, 0});
+  const Pair gone = two_product(share.high, way.high);
+  const Pair at = two_sum(from.high, gone.high);
+  const double rest = share.high * (way.low + (to.low - from.low)) + share.low * way.high;
+  return exp_of({at.high, at.low + (from.low + (gone.low + rest))});
 }
 
 double hypot(double x, double y) {

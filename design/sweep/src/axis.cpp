@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/sweep/axis.hpp>
 
+#include <stillpoint/core/elementary.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/records/text.hpp>
@@ -96,11 +97,7 @@ double Axis::operator[](std::int64_t i) const {
   if (spacing_ == Spacing::linear) {
     return static_cast<double>(i) * ((last - first) / static_cast<double>(size_ - 1)) + first;
   }
-  // In long double, so that the last bit hardly depends on the C library.
-  const long double part = static_cast<long double>(i) / static_cast<long double>(size_ - 1);
-  const long double low = std::log(static_cast<long double>(first));
-  const long double high = std::log(static_cast<long double>(last));
-  return static_cast<double>(std::exp(low + part * (high - low)));
+  return elementary::between(first, last, static_cast<double>(i), static_cast<double>(size_ - 1));
 }
 
 Interval Axis::ends() const {

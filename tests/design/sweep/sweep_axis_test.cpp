@@ -30,13 +30,8 @@ BOOST_AUTO_TEST_CASE(has_the_numbers_of_its_text) {
 
 BOOST_AUTO_TEST_CASE(logarithmic_range_has_equal_ratios_and_exact_ends) {
   const std::vector<double> values = values_of("1e-3:1e1:5:log");
-  BOOST_TEST_REQUIRE(values.size() == 5U);
-  BOOST_TEST(values.front() == 1e-3);
-  BOOST_TEST(values.back() == 1e1);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    // expl(logl()) errs by less than an ulp of a double, 2.2e-16 of the value.
-    BOOST_TEST(std::abs(values[i] / std::pow(10, static_cast<double>(i) - 3) - 1) < 3e-16);
-  }
+  // The nearest doubles, as the numbers of the source are.
+  BOOST_TEST((values == std::vector<double>{1e-3, 1e-2, 1e-1, 1e0, 1e1}));
 }
 
 BOOST_AUTO_TEST_CASE(text_reads_back) {
