@@ -68,12 +68,56 @@ std::string cut_words(const MotionReport& report) {
              : "";
 }
 
+/// Where the largest transmitted acceleration is felt, if there is a notch. While the mass slides
+/// it is at most that of the peak: docs/theory.md section 11.
+std::string felt_where(const MotionReport& report) {
+  const auto& [p, f, delta, hold] = report.request.oscillator;
+  const Response& response = report.answer.response;
+  const auto& forced = report.answer.forced;
+  const bool wide = report.request.surface.notch_width.has_value();
+  const bool acts = delta > 0 && response.peak_amplitude > 0;
+  const std::string jumps =
+      forced && response.jump > 0 ? jumps_shown(report.physical, response.jump) : "";
+  const std::string on_top = jumps.empty() ? "" : "; " + jumps + " come on top";
+  if (forced && forced->largest_load_while_locked == response.peak_absolute_acceleration) {
+    return " while it is locked" + on_top;
+  }
+  if (!acts) {
+    return "";
+  }
+  const auto& [notch_width, zones] = report.request.surface;
+  const auto outside = zones.empty() ? felt_outside(response, p, f, notch_width) : std::nullopt;
+  if (wide) {
+    return outside && report.request.start.x0 == 0
+               ? format(" inside the notch, {} outside it", acceleration_shown(*outside))
+               : ", the notch included";
+  }
+  return hold && outside ? " while the notch holds it" + on_top
+         : jumps.empty() ? ", outside the notch"
+                         : " between " + jumps;
+}
+
+/// What a load makes the structure feel, where the notch makes the velocity jump. The words of a
+/// lock have its acceleration already.
+std::string jolt_words(const MotionReport& report) {
+  const Response& response = report.answer.response;
+  const auto& forced = report.answer.forced;
+  if (!forced || response.jump == 0) {
+    return "";
+  }
+  return forced->locked_from
+             ? format(" At the notch its velocity jumps by up to {}.",
+                      FigureUnits(report.physical).velocity_words(response.jump))
+             : format(" It transmits up to {}{}.",
+                      acceleration_shown(response.peak_absolute_acceleration), felt_where(report));
+}
+
 std::string verdict(const MotionReport& report) {
   const Response& response = report.answer.response;
   const Physical& physical = report.physical;
   if (const std::string held = lock_sentence(report); !held.empty()) {
     const bool locked = report.answer.forced && report.answer.forced->locked_from;
-    return sentence(locked ? held : "it " + held) + cut_words(report);
+    return sentence(locked ? held : "it " + held) + jolt_words(report) + cut_words(report);
   }
   std::string text =
       response.stop_position.value_or(0) != 0
@@ -86,33 +130,7 @@ std::string verdict(const MotionReport& report) {
     text += format(" after {}", time_shown(physical, *response.stop_time));
   }
   return text + "." + (response.outcome == Outcome::running ? peaks_words(report) : "") +
-         cut_words(report);
-}
-
-/// Where the largest transmitted acceleration is felt, if there is a notch. While the mass slides
-/// it is at most that of the peak: docs/theory.md section 11.
-std::string felt_where(const MotionReport& report) {
-  const auto& [p, f, delta, hold] = report.request.oscillator;
-  const Response& response = report.answer.response;
-  const auto& forced = report.answer.forced;
-  const bool wide = report.request.surface.notch_width.has_value();
-  const bool acts = delta > 0 && response.peak_amplitude > 0;
-  if (forced && forced->largest_load_while_locked == response.peak_absolute_acceleration) {
-    return acts && !wide ? " while it is locked; the notch's impulses come on top"
-                         : " while it is locked";
-  }
-  if (!acts) {
-    return "";
-  }
-  const auto& [notch_width, zones] = report.request.surface;
-  const auto outside = zones.empty() ? felt_outside(response, p, f, notch_width) : std::nullopt;
-  if (wide) {
-    return outside && report.request.start.x0 == 0
-               ? format(" inside the notch, {} outside it", acceleration_shown(*outside))
-               : ", the notch included";
-  }
-  return hold && outside ? " while the notch holds it; its impulses come on top"
-                         : ", outside the notch";
+         jolt_words(report) + cut_words(report);
 }
 
 /// No |W| is larger.

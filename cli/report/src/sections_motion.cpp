@@ -205,12 +205,11 @@ void add_response(Section& section, const Simulation& answer, const Physical& ph
                          : forced ? outcome_phrase(*forced)
                                   : outcome_phrase(response.outcome));
   if (forced) {
-    const bool impulses = std::ranges::any_of(
-        answer.half_cycles, [](const HalfCycle& now) { return now.impulse.value_or(0) > 0; });
-    section.row("transmitted",
-                format("{:.6g} g, the largest acceleration that the structure feels{}",
-                       response.peak_absolute_acceleration,
-                       impulses ? " apart from the notch's impulses" : ""));
+    section.row(
+        "transmitted",
+        format("{:.6g} g, the largest acceleration that the structure feels{}",
+               response.peak_absolute_acceleration,
+               response.jump > 0 ? " between " + jumps_shown(physical, response.jump) : ""));
   }
   if (moves(response)) {
     section.row("peak", length_shown(physical, response.peak_amplitude));

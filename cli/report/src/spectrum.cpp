@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -40,6 +41,7 @@ std::set<std::size_t> shown_periods(const std::vector<SpectrumPoint>& points) {
   add_largest(&SpectrumFigures::acceleration);
   add_largest(&SpectrumFigures::peak);
   add_largest(&SpectrumFigures::residual);
+  add_largest(&SpectrumFigures::jump);
   constexpr std::size_t few = 6;
   for (std::size_t i = 0; points.size() <= shown.size() + few && i < points.size(); ++i) {
     shown.insert(i);
@@ -93,6 +95,27 @@ std::string period_words(const SpectrumReport& report, std::size_t i) {
                 units.time_unit.empty() ? "" : " s");
 }
 
+/// The point with the largest jump of velocity; none where the velocity never jumps.
+std::optional<std::size_t> largest_jump(const SpectrumReport& report) {
+  const std::vector<SpectrumPoint>& points = report.result.combined;
+  const auto most = std::ranges::max_element(
+      points, {}, [](const SpectrumPoint& point) { return point.with_notch.jump; });
+  return most->with_notch.jump > 0 ? std::optional(static_cast<std::size_t>(most - points.begin()))
+                                   : std::nullopt;
+}
+
+/// "the velocity jumps by up to 0.89 m/s at a period of 2 s"; empty where it does not.
+std::string jump_words(const SpectrumReport& report) {
+  const auto most = largest_jump(report);
+  if (!most) {
+    return "";
+  }
+  const std::vector<SpectrumPoint>& points = report.result.combined;
+  return format("the velocity jumps by up to {}{}",
+                FigureUnits(report.physical).velocity_words(points[*most].with_notch.jump),
+                points.size() == 1 ? "" : " at " + period_words(report, *most));
+}
+
 /// "Friction alone ...", or of a suite "Largest of 2 records: friction alone ...".
 std::string of_all_records(const SpectrumReport& report, const std::string& words) {
   const std::size_t count = report.result.records.size();
@@ -105,10 +128,10 @@ std::string of_all_records(const SpectrumReport& report, const std::string& word
 /// The figures at the only period, with the notch and without it.
 std::string words_of_one(const SpectrumReport& report) {
   const FigureUnits units(report.physical);
-  const design::SpectrumRequest& task = report.result.request;
-  const auto words = [&](const SpectrumFigures& one, double delta = 0) {
+  const auto words = [&](const SpectrumFigures& one) {
+    const bool jumps = one.jump > 0 && !only_locked(report);
     return format("transmits {}{}; the peak is {}, {}", acceleration_shown(one.acceleration),
-                  only_locked(report) ? "" : jumps_words(delta, task.notch_width),
+                  jumps ? " between " + jumps_shown(report.physical, one.jump) : "",
                   units.length_words(one.peak),
                   one.residual ? "the residual " + units.length_words(*one.residual)
                                : "and the mass never comes to rest");
@@ -116,10 +139,10 @@ std::string words_of_one(const SpectrumReport& report) {
   const SpectrumPoint& point = report.result.combined.front();
   const std::string friction = "friction alone " + words(point.without);
   const std::string at = "at " + period_words(report, 0);
-  return of_all_records(report, task.delta == 0
+  return of_all_records(report, report.result.request.delta == 0
                                     ? format("{} {}", at, friction)
                                     : format("{} the damper {}. Without the notch, {}", at,
-                                             words(point.with_notch, task.delta), friction));
+                                             words(point.with_notch), friction));
 }
 
 /// The largest of each figure of friction alone, and the period at which it occurs.
@@ -151,6 +174,7 @@ std::string friction_words(const SpectrumReport& report) {
 Table spectrum_table(const SpectrumReport& report, const std::vector<SpectrumPoint>& points) {
   const FigureUnits units(report.physical);
   const bool compared = report.result.request.delta > 0;
+  const bool jumps = largest_jump(report).has_value();
   Table table{{"period, s"}, {}};
   for (const auto& [name, unit] : {std::pair<std::string, std::string>{"transmitted", "g"},
                                    {"peak", units.length_unit},
@@ -159,6 +183,9 @@ Table spectrum_table(const SpectrumReport& report, const std::vector<SpectrumPoi
     if (compared) {
       table.head.push_back(in(name + " without", unit));
     }
+  }
+  if (jumps) {
+    table.head.push_back(in("jump", units.velocity_unit));
   }
   const auto number = [](double value) { return format("{:.5g}", value); };
   const auto residual = [&](const SpectrumFigures& one) {
@@ -177,6 +204,9 @@ Table spectrum_table(const SpectrumReport& report, const std::vector<SpectrumPoi
     add(number(with_notch.acceleration), number(without.acceleration));
     add(number(with_notch.peak * units.length), number(without.peak * units.length));
     add(residual(with_notch), residual(without));
+    if (jumps) {
+      cells.push_back(number(with_notch.jump * units.velocity));
+    }
     table.rows.push_back({std::move(cells)});
   }
   return table;
@@ -212,13 +242,18 @@ void add_damper(Section& answer, const SpectrumReport& report) {
   answer.row("damper", format("f = {}, delta = {}, the same at every period", digits(task.f),
                               length_shown(report.physical, task.delta)));
   add_real_notch(answer, task.hold, task.notch_width, report.physical);
+  const std::string jumps = jump_words(report);
+  if (!jumps.empty()) {
+    answer.row("in the notch", jumps);
+  }
   if (task.delta > 0 && !task.notch_width && !task.hold) {
     const double peak = std::ranges::max(report.result.combined, {}, [](const SpectrumPoint& now) {
                           return now.with_notch.peak;
                         }).with_notch.peak;
     const double stiffest = std::ranges::max(task.p);
-    answer.row("in the notch", inside_words(report.physical, {stiffest, task.f, task.delta}, peak,
-                                            design::peak_load(task.records)));
+    answer.row(jumps.empty() ? "in the notch" : "",
+               inside_words(report.physical, {stiffest, task.f, task.delta}, peak,
+                            design::peak_load(task.records)));
   }
   for (const design::SuiteRecord& record : task.records) {
     answer.row(&record == task.records.data() ? "record" : "",
@@ -243,8 +278,9 @@ Document document(const SpectrumReport& report) {
   const bool alone = result.request.delta == 0;
   const bool held = only_locked(report);
   const std::string does = result.combined.size() == 1 ? words_of_one(report)
-                           : held || alone             ? friction_words(report)
-                                                       : design::summary(result);
+                                                       : (held || alone ? friction_words(report)
+                                                                        : design::summary(result)) +
+                                                             next_sentence(jump_words(report));
   document.verdict = worse ? format("{} {}", sentence(lock_sentence(report)), does)
                            : does + next_sentence(lock_words(report));
   document.tone = worse ? Tone::bad : Tone::plain;

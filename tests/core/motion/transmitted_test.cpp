@@ -128,10 +128,66 @@ double largest_load(const Excitation& excitation, double from, double to) {
   return most;
 }
 
-/// By the law of motion at many instants: of a slide f sgn x' + p^2 x, of a stop W.
-double looked_at(const Oscillator& oscillator, const Excitation& excitation,
-                 const ForcedTrajectory& path) {
+/// Friction at |x| and the places where it changes, as docs/notches.md says.
+struct Friction {
+  const Oscillator& oscillator;
+  const Surface& surface;
+  bool leaving;  ///< the notch that it started in lets it go freely
+
+  [[nodiscard]] double at(double x) const {
+    const double distance = std::abs(x);
+    double f = oscillator.f;
+    for (auto zone = surface.zones.rbegin(); zone != surface.zones.rend(); ++zone) {
+      f = distance < zone->to ? zone->f : f;
+    }
+    const double width = surface.notch_width.value_or(0);
+    return distance < width / 2 && !leaving ? f + oscillator.delta / width : f;
+  }
+
+  /// Between two places, which come first and last.
+  [[nodiscard]] std::vector<double> edges(double from, double to) const {
+    std::vector<double> all{from, to};
+    const auto add = [&](double edge) {
+      for (const double x : {-edge, edge}) {
+        if ((x - from) * (x - to) < 0) {
+          all.push_back(x);
+        }
+      }
+    };
+    add(surface.notch_width.value_or(0) / 2);
+    for (const FrictionZone& zone : surface.zones) {
+      add(zone.to);
+    }
+    std::ranges::sort(all);
+    if (to < from) {
+      std::ranges::reverse(all);
+    }
+    return all;
+  }
+};
+
+/// The largest |f sgn x' + p^2 x| of a slide from one place to another; it is linear between edges.
+double slid(Friction& friction, double from, double to) {
+  const Oscillator& oscillator = friction.oscillator;
+  const double half = friction.surface.notch_width.value_or(0) / 2;
   double most = 0;
+  const std::vector<double> places = friction.edges(from, to);
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    const double f = friction.at((places[i] + places[i + 1]) / 2);
+    for (const double x : {places[i], places[i + 1]}) {
+      most =
+          std::max(most, std::abs(std::copysign(f, to - from) + oscillator.p * oscillator.p * x));
+    }
+    friction.leaving = friction.leaving && std::abs(places[i + 1]) < half;
+  }
+  return most;
+}
+
+/// By the law of motion: of a slide f sgn x' + p^2 x, of a stop W, at many instants.
+double looked_at(const Oscillator& oscillator, const Surface& surface, const Start& start,
+                 const Excitation& excitation, const ForcedTrajectory& path) {
+  double most = 0;
+  Friction friction{oscillator, surface, surface.notch_width && start.x0 == 0 && start.v0 != 0};
   std::vector<double> ends;
   for (const Event& event : path.events()) {
     ends.push_back(event.state.tau);
@@ -143,16 +199,13 @@ double looked_at(const Oscillator& oscillator, const Excitation& excitation,
     if (!(to - from > 1e-12 * path.horizon())) {
       continue;  // too short to have a middle
     }
-    const double v = path.at((from + to) / 2).v;
-    if (v == 0) {
+    if (path.at((from + to) / 2).v == 0) {
       most = std::max(most, largest_load(excitation, from, to));
       continue;
     }
-    for (const double part : {0.0, 0.3, 0.7, 1.0}) {
-      const double x = path.at(std::min(from + (to - from) * part, to)).x;
-      const double force = std::copysign(oscillator.f, v) + oscillator.p * oscillator.p * x;
-      most = std::max(most, std::abs(force));
-    }
+    most = std::max(most, slid(friction, path.at(from).x, path.at(to).x));
+    friction.leaving = friction.leaving && !(i + 1 < path.events().size() &&
+                                             path.events()[i + 1].kind == EventKind::turn);
   }
   return most;
 }
@@ -185,9 +238,10 @@ BOOST_AUTO_TEST_CASE(random_motions_feel_what_the_law_of_motion_says_at_many_ins
     const Excitation& excitation = scene.excitation;
     const Oscillator oscillator = scene.motion.oscillator();
     const ForcedResponse response = run(oscillator, scene.motion.start(), excitation, scene.t_end);
-    const ForcedTrajectory path(oscillator, scene.motion.start(), excitation, {scene.t_end});
+    const Start start = scene.motion.start();
+    const ForcedTrajectory path(oscillator, start, excitation, {scene.t_end});
     const double got = response.peak_absolute_acceleration;
-    const double seen = looked_at(oscillator, excitation, path);
+    const double seen = looked_at(oscillator, {}, start, excitation, path);
     BOOST_TEST_CONTEXT("seed 1110, scene " << i << ": " << scene) {
       BOOST_TEST(got >= seen * (1 - rounding), got << " reported, " << seen << " seen");
       BOOST_TEST(got <= seen * (1 + sampling), got << " reported, " << seen << " seen");
@@ -212,6 +266,84 @@ BOOST_AUTO_TEST_CASE(random_motions_feel_what_the_law_of_motion_says_at_many_ins
   BOOST_TEST_MESSAGE(locked << " locked, " << loaded << " feel the load most");
   BOOST_TEST(locked > forced_scene_count() / 20);
   BOOST_TEST(loaded > forced_scene_count() / 50);
+}
+
+BOOST_AUTO_TEST_CASE(in_real_notches_and_zones_too) {
+  constexpr double rounding = 1e-8;  // friction steps: a place next to an edge is on either side
+  constexpr double sampling = 1e-5;
+  Dice dice(1112);
+  int inside = 0;
+  for (int i = 0; i < forced_scene_count(); ++i) {
+    const ForcedScene<> scene = random_notched_scene(dice);
+    const Oscillator oscillator = scene.oscillator();
+    const Start start = scene.motion.start();
+    const ForcedResponse response =
+        run(oscillator, start, scene.excitation, scene.t_end, scene.surface);
+    if (response.decision_margin.value_or(1) < 1e-9) {
+      continue;
+    }
+    const ForcedTrajectory path(oscillator, start, scene.excitation, {scene.t_end}, scene.surface);
+    const double got = response.peak_absolute_acceleration;
+    const double seen = looked_at(oscillator, scene.surface, start, scene.excitation, path);
+    BOOST_TEST_CONTEXT("seed 1112, scene " << i << ": " << scene) {
+      BOOST_TEST(got >= seen * (1 - rounding), got << " reported, " << seen << " seen");
+      BOOST_TEST(got <= seen * (1 + sampling), got << " reported, " << seen << " seen");
+    }
+    inside += scene.surface.notch_width &&
+                      got > oscillator.f + oscillator.p * oscillator.p * response.peak_amplitude
+                  ? 1
+                  : 0;
+  }
+  BOOST_TEST(inside > forced_scene_count() / 20);
+}
+
+BOOST_AUTO_TEST_CASE(a_notch_with_a_width_transmits_its_friction_and_the_spring) {
+  // p = 1, f = 0.1, w = 0.2, from x = 0 with v0 = 1 freely out to A, A^2 + 2 f A = 1. Coming back
+  // it passes where 2 delta is less than A^2 - 2 f A - 2 f w/2 - (w/2)^2, v^2 at the other edge,
+  // and else turns inside, a beyond x = 0: A^2 - 2 f A - delta = a^2 + 2 F a, F = f + delta/w.
+  const double f = 0.1;
+  const double peak = std::sqrt(1 + f * f) - f;
+  const double at_zero = peak * (peak - 2 * f);
+  const auto felt = [&](double delta) {
+    const double inside = f + delta / 0.2;
+    const double turn = std::sqrt(inside * inside + at_zero - delta) - inside;
+    return inside + std::min(turn, 0.1);
+  };
+  // Half of delta on the way to x = 0, so that 0.3 is passed, with v^2 = 0.008, and 0.35 is not.
+  const Record nothing{{0, 0}, 1, {}};
+  const std::vector<double> deltas{0.3, 0.35, 0.5, 0.6};
+  Eigen::ArrayXd delta(4);
+  for (Eigen::Index i = 0; i < 4; ++i) {
+    delta[i] = deltas[static_cast<std::size_t>(i)];
+  }
+  const Eigen::ArrayXd one = Eigen::ArrayXd::Ones(4);
+  const RecordBatchResult lanes =
+      record_batch(1, one, f * one, delta, nothing, {.notch_width = 0.2 * one});
+  for (Eigen::Index i = 0; i < 4; ++i) {
+    const Surface notch{0.2, {}};
+    close(lanes.peak_absolute_acceleration[i], felt(delta[i]));
+    close(run({1, f, delta[i]}, {0, 1}, {}, {}, notch).peak_absolute_acceleration, felt(delta[i]));
+    close(run({1, f, delta[i]}, {0, 1}, nothing, {}, notch).peak_absolute_acceleration,
+          felt(delta[i]));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_mass_held_in_a_notch_with_a_width_feels_the_load) {
+  // F = 0.1 + 0.3/0.2 = 1.6 holds it at x = 0 up to W = 1.5; more than 1.6 frees it, and then it
+  // feels F + x, at most to where W = 0 lets it turn.
+  const auto felt = [](double load) {
+    const Record ramp{{0, load, 0}, 0.01, {}};
+    const double alone = run({1, 0.1, 0.3}, {}, ramp, {}, {0.2, {}}).peak_absolute_acceleration;
+    const Eigen::ArrayXd one = Eigen::ArrayXd::Ones(1);
+    const RecordBatchResult lanes =
+        record_batch(0, one, 0.1 * one, 0.3 * one, ramp, {.notch_width = 0.2 * one});
+    BOOST_TEST(lanes.peak_absolute_acceleration[0] == alone);
+    return alone;
+  };
+  close(felt(1.5), 1.5);
+  close(felt(-1.5), 1.5);
+  BOOST_TEST(felt(2) > 1.6);
+  BOOST_TEST(felt(2) < 1.6 + 2 * 0.02 * 0.02);  // |x''| < 2 for less than 0.02
 }
 
 BOOST_AUTO_TEST_SUITE_END()

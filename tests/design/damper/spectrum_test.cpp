@@ -36,7 +36,7 @@ SpectrumRequest request_of(std::vector<SuiteRecord> records, double f, double de
 
 bool same(const SpectrumFigures& one, const SpectrumFigures& other) {
   return one.peak == other.peak && one.acceleration == other.acceleration &&
-         one.residual == other.residual;
+         one.jump == other.jump && one.residual == other.residual;
 }
 
 }  // namespace
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(each_point_is_a_motion_of_the_kernel) {
     const SpectrumPoint point = spectrum(request).records[0][0];
     const auto figures = [&](const Oscillator& oscillator, const Surface& surface) {
       const ForcedResponse motion = forced_response(oscillator, {}, load, {}, surface);
-      return SpectrumFigures{motion.peak_amplitude, motion.peak_absolute_acceleration,
+      return SpectrumFigures{motion.peak_amplitude, motion.peak_absolute_acceleration, motion.jump,
                              std::abs(motion.stop_position.value())};
     };
     const double p = request.p[0];

@@ -25,13 +25,14 @@ constexpr std::array spectrum_columns{"record",
                                       "peak_m",
                                       "residual_m",
                                       "peak_absolute_acceleration",
+                                      "jump_m_per_s",
                                       "locked_from_s",
                                       "largest_load_while_locked",
                                       "peak_m_without_notch",
                                       "residual_m_without_notch",
                                       "peak_absolute_acceleration_without_notch"};
 
-constexpr std::size_t first_without = 7;  // of the columns
+constexpr std::size_t first_without = 8;  // of the columns
 constexpr std::size_t first_figure = 2;   // which has the same quantity as that one
 
 /// Empty where a value does not exist.
@@ -50,6 +51,7 @@ SpectrumRow row_of(const SpectrumReport& report, std::size_t record, std::size_t
           with_notch.peak * length_m,
           times(with_notch.residual, length_m),
           with_notch.acceleration,
+          with_notch.jump * report.physical.scales.velocity_m_per_s,
           times(with_notch.locked_from, time_s),
           with_notch.largest_load_while_locked,
           without.peak * length_m,

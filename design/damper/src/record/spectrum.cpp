@@ -26,7 +26,7 @@ SpectrumFigures figures_to_the_peak(const Oscillator& oscillator, const Excitati
                                     const Surface& surface) {
   const double t_end = duration(load).value() + 2 * std::numbers::pi / oscillator.p;
   const ForcedResponse motion = forced_response(oscillator, {}, load, {.t_end = t_end}, surface);
-  return {motion.peak_amplitude, motion.peak_absolute_acceleration, std::nullopt};
+  return {motion.peak_amplitude, motion.peak_absolute_acceleration, motion.jump};
 }
 
 SpectrumFigures figures(const Oscillator& oscillator, const Excitation& load,
@@ -34,8 +34,9 @@ SpectrumFigures figures(const Oscillator& oscillator, const Excitation& load,
   try {
     const ForcedResponse motion = forced_response(
         oscillator, {}, load, {.half_cycle_limit = most_suite_half_cycles}, surface);
-    SpectrumFigures all{motion.peak_amplitude, motion.peak_absolute_acceleration, std::nullopt,
-                        motion.locked_from, motion.largest_load_while_locked};
+    SpectrumFigures all{motion.peak_amplitude, motion.peak_absolute_acceleration,
+                        motion.jump,           std::nullopt,
+                        motion.locked_from,    motion.largest_load_while_locked};
     if (motion.stop_position && rests_in_time(motion.half_cycles.value())) {
       all.residual = std::abs(*motion.stop_position);
     }
@@ -59,7 +60,7 @@ void require_valid(const SpectrumRequest& request) {
 
 SpectrumFigures combined(const std::vector<std::vector<SpectrumPoint>>& records, std::size_t place,
                          SpectrumFigures SpectrumPoint::*which, Combine combine) {
-  SpectrumFigures all{0, 0, 0};
+  SpectrumFigures all{0, 0, 0, 0};
   const auto count = static_cast<double>(records.size());
   const auto add = [&](double& figure, double value) {
     figure = combine == Combine::max ? std::max(figure, value) : figure + value / count;
@@ -68,6 +69,7 @@ SpectrumFigures combined(const std::vector<std::vector<SpectrumPoint>>& records,
     const SpectrumFigures& one = record[place].*which;
     add(all.peak, one.peak);
     add(all.acceleration, one.acceleration);
+    add(all.jump, one.jump);
     if (one.residual && all.residual) {
       add(*all.residual, *one.residual);
     } else {

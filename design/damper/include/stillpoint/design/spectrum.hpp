@@ -27,6 +27,7 @@ struct SpectrumRequest {
 struct SpectrumFigures {
   double peak{0};          ///< largest |x|
   double acceleration{0};  ///< largest transmitted one, in g
+  double jump{0};          ///< largest of velocity, at a notch without width
   /// |x| at the final rest; empty where the motion never rests, or not within 10 000 half-cycles.
   std::optional<double> residual{};
   /// As in a ForcedResponse; for several records the earliest and the largest.
