@@ -2,6 +2,7 @@
 #include <stillpoint/figures/html_page.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>

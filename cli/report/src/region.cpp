@@ -8,6 +8,8 @@
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/report.hpp>
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
