@@ -10,8 +10,9 @@ namespace stillpoint::cli {
 
 /// Reads a scene: a JSON object, which may have comments, whose keys are option names ('-' and '_'
 /// are the same). `path` "-" is standard input. The files that it names are those beside it, or
-/// else in the working directory. Throws records::FileError for a file that cannot be read, is larger than 1 MiB or is not valid JSON, for an unknown key and for a value of the wrong
-/// type for `command`.
+/// else in the working directory. Throws records::FileError for a file that cannot be read, is
+/// larger than 1 MiB or is not valid JSON, for an unknown key and for a value of the wrong type for
+/// `command`.
 [[nodiscard]] Settings read_scene(const std::string& path, Command command);
 
 /// The same from text; `source` names it in messages.

@@ -27,7 +27,7 @@ std::pair<std::string, std::string> told_apart(const Physical& physical,
   constexpr int every = 17;  // that a double has
   const FigureUnits units(physical);
   const bool is_length =
-      &kind == &design::suite_figure_kinds[0] || kind.objective == SuiteObjective::residual;
+      &kind == design::suite_figure_kinds.data() || kind.objective == SuiteObjective::residual;
   std::pair both{figure_shown(physical, kind, one), figure_shown(physical, kind, other)};
   for (int digits = 6; one > other && both.first == both.second && digits <= every; ++digits) {
     const auto more = [&](double value) {

@@ -172,7 +172,7 @@ std::string inside_words(const Physical& physical, const Oscillator& damper, dou
 }
 
 bool can_be_followed(double width, double delta, double p) {
-  const auto [least, most] = std::minmax(width, p * width);
+  const auto [least, most] = std::minmax({width, p * width});
   return least >= smallest_speed && most <= largest_speed && delta / width / p <= largest_speed;
 }
 

@@ -12,19 +12,19 @@ namespace stillpoint {
 
 /// A value for all entries (stride 0) or one for each (stride 1).
 struct EntryValues {
-  const double* data;
-  std::ptrdiff_t stride;
+  const double* data{nullptr};
+  std::ptrdiff_t stride{0};
 
   double operator[](std::ptrdiff_t i) const { return data[i * stride]; }
 };
 
 struct BatchEntries {
-  EntryValues v0;
-  EntryValues p;
-  EntryValues f;
-  EntryValues delta;
-  std::ptrdiff_t size;
-  EntryValues notch_width{nullptr, 0};  ///< if given, for each entry
+  EntryValues v0{};
+  EntryValues p{};
+  EntryValues f{};
+  EntryValues delta{};
+  std::ptrdiff_t size{0};
+  EntryValues notch_width{};  ///< if given, for each entry
 };
 
 struct EntryRange {

@@ -37,7 +37,7 @@ struct LaneTask {
   const Excitation& excitation;
   const ForcedOptions& options;
   RecordColumns& columns;
-  std::size_t lane;
+  std::size_t lane{0};
 };
 
 [[nodiscard]] std::unique_ptr<RecordMotion> record_motion(const LaneTask& task);

@@ -109,7 +109,7 @@ BOOST_FIXTURE_TEST_CASE(of_ranges_says_what_the_notch_within_an_acceleration_doe
   const Arguments residual{"design", STILLPOINT_DATA_DIR "/scenes/residual.json",
                            "--acceleration-max", "0.2"};
   check_contains(one_line(run(residual).out),
-                 {"with one 27.622 mm wide, the mass rests 13.783 mm off centre after a hit of "});
+                 {"with one 27.622 mm wide, the mass rests 13.811 mm off centre after a hit of "});
   // Where it keeps all that was asked, the row says where it leaves the mass.
   check_contains(one_line(run(Arguments{"design", STILLPOINT_DATA_DIR "/scenes/isolator.json",
                                         "--acceleration-max", "0.2"})
@@ -185,15 +185,16 @@ BOOST_FIXTURE_TEST_CASE(of_a_damper_that_is_locked_throughout_says_so, Sandbox) 
       "simulate --v0 0.01 --p 1 --f 0.01 --delta 0.1 --hold 0.1 --excitation rectangle --k 0.11 "
       "--lambda 1");  // just as much as the notch holds
   const ProgramRun answer = run(locked);
-  BOOST_TEST(lines_of(answer.out).at(1) ==
-             "  Locked at x = 0 throughout the load; the structure feels up to 0.11 g.");
+  check_contains(one_line(answer.out),
+                 {" Locked at x = 0 throughout the load; the structure feels up to 0.11 g. At the "
+                  "notch its velocity jumps by up to 0.01."});
   BOOST_TEST(run(locked + "--json").json()["response"]["locked_from"] == 0);
   // A run that is cut, where the load is 0.2 sin 0.2 = 0.0397.
-  BOOST_TEST(lines_of(run("simulate --v0 0.5 --p 1 --f 0.05 --delta 0.2 --hold 0.1 --excitation "
-                          "harmonic --k 0.2 --lambda 0.01 --t-end 20")
-                          .out)
-                 .at(1) ==
-             "  Locked at x = 0 throughout the load; the structure feels up to 0.0397 g.");
+  check_contains(one_line(run("simulate --v0 0.5 --p 1 --f 0.05 --delta 0.2 --hold 0.1 "
+                              "--excitation harmonic --k 0.2 --lambda 0.01 --t-end 20")
+                              .out),
+                 {" Locked at x = 0 throughout the load; the structure feels up to 0.0397 g. At "
+                  "the notch its velocity jumps by up to 0.5."});
 }
 
 /// In the first line and as a warning, like one that locks.

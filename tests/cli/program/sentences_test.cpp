@@ -2,7 +2,6 @@
 // Sentences that are put together from clauses: each reads as if it were written whole.
 #include "cli_test.hpp"
 
-#include <cmath>
 #include <regex>
 #include <string>
 
@@ -62,55 +61,11 @@ BOOST_AUTO_TEST_CASE(a_notch_that_helps_nowhere_helps_at_no_period) {
       {": the notch lowers the residual at no period, "});
 }
 
-BOOST_AUTO_TEST_CASE(under_records_none_and_all_are_told_apart) {
-  const Arguments search =
-      "design --period 2.8s --max-displacement 300mm --search-delta-m 50mm:50mm --scan-points 400" +
-      two_records;
-  const std::string none = headline(run(search + "--tolerance 0.02"));
-  BOOST_TEST(none.ends_with(" No notch works under any record."), none);
-  const std::string all = headline(run(search + "--objective residual"));
-  BOOST_TEST(all.ends_with(" Off by up to 10 %, it may be much worse."), all);
-}
-
-// A damper that is some per cent off has no figures of five digits.
-BOOST_AUTO_TEST_CASE(what_a_damper_off_its_numbers_does_has_three_digits) {
-  const std::string text = one_line(
-      run("design --period 2.8s --max-displacement 400mm --residual-m 5mm --hold 0.1 --search-f "
-          "0.03:0.03 --search-delta-m 70mm:70mm" +
-          two_records)
-          .out);
-  const std::regex off(
-      " off by up to 10 %: 0\\.[0-9]{3} g, stroke [0-9]{3} mm, residual 0\\.[0-9]{3} mm; ");
-  BOOST_TEST(std::regex_search(text, off), text);
-}
-
-// A notch 20 mm wide, the example, leaves a residual that is above its limit by next to nothing, or
-// by rounding.
-BOOST_AUTO_TEST_CASE(what_exceeds_a_limit_is_told_apart_from_it) {
-  const Arguments record{"--period", "2.8s", "--record",
-                         STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt"};
-  const json motion =
-      run("simulate --f 0.06 --delta-m 1mm --notch-width-m 20mm --json" + record).json();
-  const double residual = std::abs(motion["physical"]["stop_position_m"].get<double>());
-  const auto judged = [&](double limit) {
-    return one_line(run("design --search-f 0.06:0.06 --search-delta-m 1mm:1mm --max-displacement "
-                        "1m --tolerance 0 --residual-m" +
-                        Arguments{in_full(limit)} + record)
-                        .out);
-  };
-  const std::regex fault(" the residual is ([0-9.]+) mm, where ([0-9.]+) mm is allowed");
-  std::smatch found;
-  const std::string text = judged(residual * (1 - 1e-7));
-  BOOST_TEST_REQUIRE(std::regex_search(text, found, fault), text);
-  BOOST_TEST(found[1].str() != found[2].str(), text);
-  BOOST_TEST(!contains(judged(residual * (1 - 1e-12)), " real notch "));
-}
-
 BOOST_AUTO_TEST_CASE(a_damper_without_friction_or_notch_is_named_by_what_it_has) {
   check_contains(headline(run("design --period 2.8s --mass 1200t --max-displacement 1m --search-f "
                               "0.05:0.05 --search-delta-m 0:0" +
                               two_records)),
-                 {"Build a friction force of 588.4 kN without a notch, with a period of 2.8 s."});
+                 {" has a friction force of 588.4 kN without a notch, with a period of 2.8 s. "});
 }
 
 // 5 % of a period of 0.1 s and all of it are in seconds, as in the tables.

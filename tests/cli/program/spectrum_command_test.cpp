@@ -146,8 +146,8 @@ BOOST_FIXTURE_TEST_CASE(a_notch_that_holds_the_mass_at_the_end_is_no_fault, Sand
   const ProgramRun held = run(damper + "--hold 0.1 --html held.html");
   const std::string page = read("held.html");
   BOOST_TEST(contains(one_line(held.out),
-                      " at every period. At every period the notch holds the "
-                      "mass to the end of the record; "),
+                      " at a period of 2 s. At every period the notch holds the mass to the end of "
+                      "the record; "),
              held.out);
   BOOST_TEST(held.err.empty(), held.err);
   BOOST_TEST(!contains(page, "class=\"answer bad\""));

@@ -123,8 +123,8 @@ BOOST_AUTO_TEST_CASE(the_largest_and_the_mean_of_records) {
 BOOST_AUTO_TEST_CASE(a_mass_that_does_not_move_feels_the_load) {
   const Spectrum found = spectrum(request_of({rectangle(), rectangle(2)}, 3, 0.01));
   for (const SpectrumPoint& point : found.combined) {
-    BOOST_TEST(same(point.with_notch, {0, 0.8, 0}));
-    BOOST_TEST(same(point.without, {0, 0.8, 0}));
+    BOOST_TEST(same(point.with_notch, {0, 0.8, 0, 0}));
+    BOOST_TEST(same(point.without, {0, 0.8, 0, 0}));
   }
 }
 

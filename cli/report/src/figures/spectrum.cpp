@@ -108,7 +108,8 @@ void add_curves(Figure& figure, const design::Spectrum& spectrum, const Spectrum
 
 struct Kind {
   std::string_view id;
-  std::string name;
+  std::string_view quantity;  ///< of the title
+  std::string name;           ///< in full
   std::string label;
   std::string unit_name;
   double unit;
@@ -159,21 +160,22 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
   }
   const auto [shortest, longest] = std::ranges::minmax(periods);
   const std::vector<Kind> kinds{
-      {spectrum_figure_names[0],
+      {spectrum_figure_names[0], "transmitted acceleration",
        format("transmitted acceleration{}",
               jumps_words(spectrum.request.delta, spectrum.request.notch_width)),
        "acceleration, g", "g", 1,
        [](const SpectrumFigures& one) { return std::optional(one.acceleration); }},
-      {spectrum_figure_names[1], "peak displacement", in("peak", units.length_unit),
-       units.length_unit, units.length,
+      {spectrum_figure_names[1], "peak displacement", "peak displacement",
+       in("peak", units.length_unit), units.length_unit, units.length,
        [](const SpectrumFigures& one) { return std::optional(one.peak); }},
-      {spectrum_figure_names[2], "residual displacement", in("residual", units.length_unit),
-       units.length_unit, units.length, [](const SpectrumFigures& one) { return one.residual; }}};
+      {spectrum_figure_names[2], "residual displacement", "residual displacement",
+       in("residual", units.length_unit), units.length_unit, units.length,
+       [](const SpectrumFigures& one) { return one.residual; }}};
   std::vector<Figure> all;
   for (const Kind& kind : kinds) {
     Figure figure;
     figure.id = kind.id;
-    figure.title = format("Spectrum of the {}", kind.name);
+    figure.title = format("Spectrum of the {}", kind.quantity);
     figure.height = 170;
     figure.x = figures::axis_around(units.time_unit.empty() ? "period 2π/p" : "period, s", shortest,
                                     longest);

@@ -6,6 +6,7 @@
 // spring, p, as first_return.hpp.
 
 #include "pulse/first_return.hpp"
+#include "pulse/leg.hpp"
 
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/pulse.hpp>
@@ -14,28 +15,6 @@
 #include <vector>
 
 namespace stillpoint::design {
-
-/// The quantities that grow with k and fall with p, and others bounded from above.
-inline constexpr std::array bounded_figures{&FirstReturn::peak, &FirstReturn::time,
-                                            &FirstReturn::acceleration, &FirstReturn::exact_need,
-                                            &FirstReturn::published_need};
-
-/// A motion of the unit pulse on the unit spring as that of the load k on the spring p, both over
-/// the units: (60) of docs/theory.md.
-[[nodiscard]] FirstReturn rescaled(FirstReturn motion, double k, double p);
-
-/// Pulses and springs along which lambda/p grows, s times from the first: either the spring gets
-/// softer or the pulse shorter.
-struct Leg {
-  Pulse first;  ///< k = 1
-  double p{1};
-  bool softens{false};
-  std::vector<double> stops;  ///< the s to look at
-
-  [[nodiscard]] Pulse pulse_at(double s) const;
-  [[nodiscard]] double p_at(double s) const { return softens ? p / s : p; }
-  [[nodiscard]] FirstReturn at(double s, double f) const;
-};
 
 class Legs {
  public:
@@ -52,7 +31,7 @@ class Legs {
     FirstReturn motion;
     /// The motion with the largest peak.
     Pulse pulse;
-    double p;
+    double p{1};
   };
   [[nodiscard]] Worst at(double f) const;
 

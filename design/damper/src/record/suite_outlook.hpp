@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/design/record_design.hpp>
+#include <stillpoint/design/suite_task.hpp>
 
 namespace stillpoint::design {
 

@@ -103,6 +103,7 @@ std::vector<SuiteDamper> SuiteSearch::around(const SuiteDamper& damper, double s
 /// The best of them if it is better than `bar`, else that. A sample that is worse rules a box out.
 BoxedDamper SuiteSearch::best_of(const std::vector<SuiteDamper>& dampers, const BoxedDamper& bar) {
   std::vector<BoxedDamper> left;
+  left.reserve(dampers.size());
   for (const SuiteDamper& damper : dampers) {
     left.push_back(boxed(damper, {}));
   }
@@ -305,7 +306,7 @@ std::optional<VerifiedBox> SuiteSearch::verified(BoxedDamper candidate) {
       break;
     }
     if (box.box.rank.off == 0) {
-      result = std::move(box);
+      result = box;
       break;
     }
     samples_.insert(samples_.begin(),
@@ -340,7 +341,7 @@ std::optional<VerifiedBox> SuiteSearch::best(const BoxMap& map, const SuiteGrid&
     }
     std::optional<VerifiedBox> now = verified(each);
     if (now && now->box.rank.value < least) {
-      best = std::move(now);
+      best = now;
       ++count;
     }
   }

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <deque>
-#include <utility>
 
 namespace stillpoint::design {
 
@@ -73,7 +72,7 @@ class TaskSearch {
                 : best->box.rank.value * (best->box.damper.delta == 0 ? 1 - least_gain : 1);
       SuiteSearch search(suite_, task_, here.space, goal, watch_);
       if (auto now = search.best(here.map, here.grid, bar)) {
-        best = std::move(now);
+        best = now;
         watch_.verified({best->box.damper, best->box.worst});
       }
     }
@@ -81,7 +80,7 @@ class TaskSearch {
       tell_why(goal);
       return std::nullopt;
     }
-    return ChosenBox{std::move(*best), 1};
+    return ChosenBox{*best, 1};
   }
 
   std::optional<ChosenBox> most_tolerant() {
@@ -90,7 +89,7 @@ class TaskSearch {
     if (!best) {
       return std::nullopt;
     }
-    return ChosenBox{std::move(best->verified), best->scale};
+    return ChosenBox{best->verified, best->scale};
   }
 
  private:
@@ -129,7 +128,7 @@ class TaskSearch {
       const double bar =
           !best ? 0 : best->scale * (best->verified.box.damper.delta == 0 ? 1 + least_gain : 1);
       if (now && now->scale > bar) {
-        best = std::move(now);
+        best = now;
         watch_.verified({best->verified.box.damper, best->verified.box.worst});
       }
     }
@@ -149,7 +148,7 @@ class TaskSearch {
            search.all_refined(here.map.best(goal, 1), here.grid, HUGE_VAL)) {
         VerifiedBox box = search.tried(each.damper);
         if (!nearest || box.box.rank < nearest->box.rank) {
-          nearest = std::move(box);
+          nearest = box;
         }
       }
     }

@@ -5,7 +5,7 @@
 
 #include "record/suite_search.hpp"
 
-#include <stillpoint/design/record_design.hpp>
+#include <stillpoint/design/record_design_result.hpp>
 
 #include <optional>
 

@@ -148,7 +148,7 @@ class Growth {
       BoxedDamper now = at_size(next, best);
       if (now.rank.off == 0) {
         low = next;
-        best = std::move(now);
+        best = now;
       } else {
         high = next;
         bounded = true;
@@ -189,7 +189,7 @@ class Growth {
       const SuiteSpace boxes = space(scale);
       SuiteSearch search(suite_, task_, boxes, goal_, watch_);
       if (auto now = search.verified(end)) {
-        best = LargestBox{scale, std::move(*now)};
+        best = LargestBox{scale, *now};
         return;
       }
     }

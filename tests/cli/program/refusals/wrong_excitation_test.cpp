@@ -15,11 +15,6 @@ Wrong scene(const std::string& excitation, const Texts& says) {
 
 const Arguments step_record("--record values.txt --record-step 1");
 
-/// At a period of 2 s.
-Arguments in_seconds(const char* record) {
-  return {"simulate", "--period", "2", "--f", "0.1", "--delta-m", "0", "--record", record};
-}
-
 const std::vector<Wrong> wrong_inputs{
     {pulse("sine"), {"excitation = sine", "harmonic, half-sine"}},
     {pulse("half-sin"), {"rectangle or record; did you mean half-sine?"}},
@@ -52,7 +47,6 @@ const std::vector<Wrong> wrong_inputs{
     {at_rest("--excitation record"), {"record is missing", "--record"}},
     {at_rest("--record none.txt"), {"record none.txt", "No such file"}},
     {at_rest("--record text.txt"), {"record text.txt, line 4", "much"}},
-    {in_seconds("before.txt"), {"record before.txt, line 2: time -1 s", "at least 0"}},
     {at_rest("--record values.txt --record-step 1e-200"),
      {"record-step = 1e-200", "1e-150", "tau"}},
     {"simulate --p 1 --f 0.01 --delta 0 --excitation rectangle --k 1e100 --lambda 1e12",
@@ -85,7 +79,6 @@ BOOST_DATA_TEST_CASE_F(Sandbox, wrong_excitation, data::make(wrong_inputs), wron
   write("values.txt", "0.1\n0.2\n");
   write("text.txt", "# comment\n0 0.1\n1 0.2\n2 much\n");
   write("times.txt", "0 0.1\n1 0.2\n1 0.3\n");
-  write("before.txt", "# comment\n-1 0.1\n1 0.2\n");
   check_refused(*this, wrong);
 }
 

@@ -109,8 +109,8 @@ void check_no_number(const Sandbox& sandbox, std::string_view command, std::stri
 }  // namespace
 
 BOOST_FIXTURE_TEST_CASE(no_text_is_taken_for_a_number, Sandbox) {
-  const Texts texts{"",    "abc", "nan", "NAN", "inf",  "-inf", "infinity", "1,5",   "1 2",
-                    "0x3", "1e",  "--",  " 1",  "1.5m", "∞",    "1e400",    "-1e400"};
+  const Texts texts{"",    "abc", "nan", "NAN", "inf",  "-inf", "infinity", "1,5",
+                    "1 2", "0x3", "1e",  " 1",  "1.5m", "∞",    "1e400",    "-1e400"};
   for (const std::string& text : texts) {
     check_no_number(*this, "design", "v0", text);
     check_no_number(*this, "simulate", "samples", text);

@@ -160,6 +160,14 @@ struct SuitePoint {
   SuiteFigures figures;
 };
 
+/// What is not required: the worst over samples of the box where all periods, or all records, are
+/// off by this part to either side.
+struct SuiteOutlook {
+  static constexpr double off{0.05};
+  SuiteFigures period;
+  SuiteFigures scale;
+};
+
 /// The progress of a search.
 struct RecordProgress {
   std::int64_t evaluations{0};
