@@ -8,22 +8,22 @@ import numpy as np
 import stillpoint
 
 files = sys.argv[1:]
-isolator = {"period": "2.8s", "hold": "0.1g"}
+isolator = {"period": "2.8s"}
 
 for file in files:
     record = stillpoint.read_record(file)
     print(f"{file}: {record.times[-1]:.1f} s, up to {np.abs(record.accelerations).max():.3f} g")
 
 found = stillpoint.design(
-    record=files, max_displacement="400mm", residual_m="5mm", search_f="0:0.2",
-    search_delta_m="0:20mm", **isolator)
+    record=files, max_displacement="400mm", residual_m="30mm", search_notch_width_m="10mm:300mm", **isolator)
 print(found)
 
 # The same motions one by one, with their trajectories.
 design = found.design
 for row in found.records:
     motion = stillpoint.simulate(
-        record=row.file, f=design.f, delta_m=design.delta_m, samples=200, **isolator)
+        record=row.file, f=design.f, delta_m=design.delta_m, notch_width_m=design.notch_width_m,
+        samples=200, **isolator)
     peak = np.abs(motion.trajectory["x_m"]).max()
     print(f"{row.file}: peak {peak:.4f} m, rests at {motion.physical.stop_position_m:.4f} m")
     assert abs(peak - row.peak_m) <= 1e-9 * row.peak_m

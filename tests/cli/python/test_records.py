@@ -32,7 +32,7 @@ def without_names(report):
     ("simulate", {**DAMPER, "samples": 20}),
     ("spectrum", {"period": "2:3:5", "f": 0.05, "delta_m": 0.01}),
     ("design", {"period": "2.8s", "max_displacement": "400mm", "search_f": [0, 0.2],
-                "search_delta_m": 0.01, "scan_points": 100}),
+                "search_delta_m": [0, 0.01], "scan_points": 100}),
     ("sweep", {"period": "2:3:5", "f": 0.05, "delta_m": 0.01})])
 def test_arrays_are_as_good_as_a_file(command, options):
     function = getattr(stillpoint, command)

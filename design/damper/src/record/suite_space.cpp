@@ -113,7 +113,12 @@ std::size_t SuiteSpace::searched() const {
 SuiteDamper SuiteSpace::at(const SuitePlace& logs) const {
   SuiteDamper damper = fixed_;
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    axes_[i].set(damper, elementary::exp(logs.at(i)));
+    const SuiteAxis& axis = axes_[i];
+    const double log = logs.at(i);
+    // An end, such as the only value, as it was given.
+    axis.set(damper, log == axis.low()    ? axis.range().low
+                     : log == axis.high() ? axis.range().high
+                                          : elementary::exp(log));
   }
   return damper;
 }
