@@ -298,8 +298,12 @@ BOOST_AUTO_TEST_CASE(vertical_components_are_said) {
     BOOST_TEST(doubts(name, header + three).empty(), name);
   }
   for (const char* const station : {"SOME STATION, UP", "SOME STATION, DWN", "SOME STATION, V"}) {
-    const std::string text = "PEER NGA\nNOWHERE, " + std::string(station) + "\n" + quantity +
-                             "NPTS= 3, DT= .01 SEC\n" + three;
+    std::string text = "PEER NGA\nNOWHERE, ";
+    text.append(station)
+        .append("\n")
+        .append(quantity)
+        .append("NPTS= 3, DT= .01 SEC\n")
+        .append(three);
     BOOST_TEST(doubts("a.AT2", text).size() == 1U, station);
   }
   for (const auto& [sample, vertical] : {std::pair{"V2A#3", true},
