@@ -111,19 +111,31 @@ void EntryThreads::run(const Threads& threads, const std::function<void()>& work
   }
   const auto at_once = static_cast<std::ptrdiff_t>(std::thread::hardware_concurrency());
   const std::ptrdiff_t wanted = threads ? *threads : at_once;
+  const auto guarded = [&] {
+    try {
+      worker();
+    } catch (...) {
+      const std::scoped_lock lock(mutex_);
+      worker_error_ = worker_error_ ? worker_error_ : std::current_exception();
+      failed_ = true;
+    }
+  };
   const std::ptrdiff_t blocks = (size_ + block_ - 1) / block_;
   {
     std::vector<std::jthread> others;
     try {
       for (std::ptrdiff_t i = 1; i < std::min(wanted, blocks); ++i) {
-        others.emplace_back(worker);
+        others.emplace_back(guarded);
       }
     } catch (const std::system_error& error) {
       failed_ = true;  // so that those which run end
       throw InputError("threads", static_cast<double>(wanted),
                        fmt::format("cannot be started ({}): give fewer", error.code().message()));
     }
-    worker();
+    guarded();
+  }
+  if (worker_error_) {
+    std::rethrow_exception(worker_error_);
   }
   if (error_) {
     throw EntryError(failed_entry_, error_);

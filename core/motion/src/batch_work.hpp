@@ -29,8 +29,9 @@ class EntryThreads {
   /// order and finished once begun, so which entry that is does not depend on the threads.
   void guard(std::ptrdiff_t i, const std::function<void()>& entry);
 
-  /// Calls `worker` on that many threads, but on no more than there are blocks; then throws
-  /// EntryError if an entry failed. InputError for threads < 1, and for more than can be started.
+  /// Calls `worker` on that many threads, but on no more than there are blocks; then throws what
+  /// go_on threw, or EntryError if an entry failed. InputError for threads < 1, and for more than
+  /// can be started.
   void run(const Threads& threads, const std::function<void()>& worker);
 
  private:
@@ -42,6 +43,7 @@ class EntryThreads {
   std::mutex mutex_;
   std::ptrdiff_t failed_entry_{0};
   std::exception_ptr error_;
+  std::exception_ptr worker_error_;  ///< of go_on, or of what a worker does outside of its guard
 };
 
 /// All of them with one v0 and one p, which must outlive the result.

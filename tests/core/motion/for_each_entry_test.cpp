@@ -64,6 +64,24 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_stopped_skips_the_rest) {
   BOOST_TEST(done == 10);
 }
 
+BOOST_AUTO_TEST_CASE(what_go_on_throws_reaches_the_caller_whatever_the_threads) {
+  for (const int threads : {1, 2, 7}) {
+    std::atomic<int> asked = 0;
+    std::atomic<int> done = 0;
+    const auto go_on = [&] {
+      if (++asked > 100) {
+        throw std::out_of_range("not wanted");
+      }
+      return true;
+    };
+    BOOST_CHECK_EXCEPTION(
+        for_each_entry(1000, threads, go_on, [&](std::ptrdiff_t /*i*/) { ++done; }),
+        std::out_of_range,
+        [](const std::out_of_range& error) { return std::string(error.what()) == "not wanted"; });
+    BOOST_TEST(done <= 100);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_negative_number_of_threads_is_refused) {
   BOOST_TEST(refusal_of<InputError>([] {
                for_each_entry(1, -1, {}, [](std::ptrdiff_t /*i*/) {});
