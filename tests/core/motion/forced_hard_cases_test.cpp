@@ -93,6 +93,37 @@ BOOST_AUTO_TEST_CASE(a_release_with_vanishing_rate_keeps_its_digits) {
              tt::tolerance(1e-9));
 }
 
+// A load k that hardly exceeds f sets the mass off from a notch that holds h < k - f besides. What
+// counts is k - f - h, to which f + h, rounded, would add 1e-16 k.
+BOOST_AUTO_TEST_CASE(a_hold_that_is_small_beside_f_keeps_its_digits) {
+  const auto known =
+      run({1, 0.7886192419999638, 1.8951135819429555e-08, 7.886338424019832e-07}, {0, 0},
+          Harmonic{0.7886338424019832, 0.9999999981806739}, 58.36241529412947);
+  BOOST_TEST(known.arrival_speed.value() == 1.0868328145e-08, tt::tolerance(1e-10));
+  // An ulp of f is up to 1e-10 of k - f.
+  const auto close = tt::tolerance(1e-10);
+  Dice dice(411);
+  for (int i = 0; i < 300; ++i) {
+    const double f = dice.uniform(0.1, 1);
+    const double over = f * dice.power_of_ten(-6, -4);
+    ForcedScene<> scene{{0, 0, 1, f, dice.power_of_ten(-4, -1) * over * over},
+                        Harmonic{f + over, dice.power_of_ten(-0.3, 0.3)},
+                        dice.uniform(5, 30)};
+    scene.hold = over * dice.power_of_ten(-2, -0.2);
+    const auto got = run_forced(scene);
+    const auto right = run_forced(widened<Exact>(scene));
+    BOOST_TEST_CONTEXT(scene) {
+      BOOST_TEST(got.seen.kinds == right.seen.kinds);
+      BOOST_TEST(got.state.farthest == static_cast<double>(right.state.farthest), close);
+      if (right.state.arrival_speed) {
+        BOOST_TEST(
+            got.state.arrival_speed.value() == static_cast<double>(*right.state.arrival_speed),
+            close);
+      }
+    }
+  }
+}
+
 // K = 1 exceeds f by 2^-47, so that the mass is released 1.2e-7 before the crest of the load and
 // hardly moves: |x''| = w - f to 1e-14 of it, largest at the crest, where it is 1 - f. The run ends
 // 1e-7 after the crest, where |x''| is less than a third of that.

@@ -43,7 +43,7 @@ class ConstantFriction {
 
   [[nodiscard]] Hold<Real> hold_at(const Real& u) const {
     if (at_notch(u)) {
-      return {p_, f_, Real(phi_ + spare_), u, h_};
+      return {p_, f_, phi_, u, h_, spare_};
     }
     return {p_, f_, phi_, u};
   }

@@ -85,8 +85,8 @@ class LinearDrive {
     if (rate_ == 0 || !(hold.excess({end_w_, ExactSum<Real>(end_full_)}, sign) > 0)) {
       return std::nullopt;
     }
-    const Real room = hold.phi(sign) - Real(sign) * (w_ + hold.u());
-    return ExactSum<Real>(Real(max(room, Real(0)) / magnitude(rate_)));
+    const Real room = -hold.beyond(Real(Real(sign) * (w_ + hold.u())), sign);
+    return ExactSum<Real>(Real(max(Real(0), room) / magnitude(rate_)));
   }
 
   /// Between its ends this load has no crest.
@@ -234,7 +234,7 @@ class HarmonicDrive {
   /// By how much the crest of the load in the direction `sign` exceeds friction.
   template <class AnyHold>
   [[nodiscard]] Real room(const AnyHold& hold, int sign) const {
-    const Real spare = k_ - hold.phi(sign);  // first, or u would be rounded away
+    const Real spare = hold.beyond(k_, sign);  // first, or u would be rounded away
     return hold.sharpened(Real(spare + Real(sign) * hold.u()),
                           {k_, ExactSum<Real>(Real(sign) * full_k_)}, sign);
   }

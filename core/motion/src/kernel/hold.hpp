@@ -27,20 +27,32 @@ class Hold {
  public:
   static constexpr bool symmetric = true;
 
-  /// At the place u = p x.
+  /// At the place u = p x, by friction alone.
   Hold(Real p, Real f, Real phi, Real u)
-      : p_(std::move(p)), f_(std::move(f)), phi_(std::move(phi)), u_(std::move(u)) {}
-  /// In a notch that holds `h` besides, phi = (f + h) / p: docs/notches.md, rule 1.
-  Hold(Real p, Real f, Real phi, Real u, Real h)
       : p_(std::move(p)),
         f_(std::move(f)),
-        phi_(std::move(phi)),
+        friction_(std::move(phi)),
+        phi_(friction_),
+        u_(std::move(u)) {}
+  /// In a notch that holds `h` besides, `spare` = h / p: docs/notches.md, rule 1.
+  Hold(Real p, Real f, Real phi, Real u, Real h, Real spare)
+      : p_(std::move(p)),
+        f_(std::move(f)),
+        friction_(std::move(phi)),
+        phi_(friction_ + spare),
         u_(std::move(u)),
-        h_(std::move(h)) {}
+        h_(std::move(h)),
+        spare_(std::move(spare)) {}
 
   [[nodiscard]] const Real& u() const { return u_; }
   /// The load that is held in the direction `sign`.
   [[nodiscard]] const Real& phi(int /*sign*/) const { return phi_; }
+
+  /// What a load exceeds phi by. In this order, or a spare that is small beside the friction would
+  /// be rounded, and with it the small difference that decides when the mass sets off.
+  [[nodiscard]] Real beyond(const Real& load, int /*sign*/) const {
+    return load - friction_ - spare_;
+  }
 
   /// The direction of the load with the spring, +1 or -1.
   [[nodiscard]] int sign(const Load<Real>& load) const { return load.w + u_ > 0 ? 1 : -1; }
@@ -86,9 +98,11 @@ class Hold {
 
   Real p_;
   Real f_;
+  Real friction_;  ///< f / p
   Real phi_;
   Real u_;
   Real h_{0};
+  Real spare_{0};
 };
 
 }  // namespace stillpoint

@@ -64,7 +64,7 @@ void rest(Run& run, Drive& drive, ExactSum<Real>& left, bool for_ever) {
   const int sign = load > 0 ? 1 : -1;
   const Real phi = hold.phi(sign);
   const Real size = magnitude(s.u) + magnitude(w) + phi;
-  Real excess = magnitude(load) - phi;
+  Real excess = hold.beyond(magnitude(load), sign);
   if (s.fresh) {
     s.margin.decide(magnitude(excess), std::max(size, Real(drive.amplitude())));
   }

@@ -36,6 +36,9 @@ class EdgeHold {
   [[nodiscard]] const Real& u() const { return below_.u(); }
   [[nodiscard]] const Hold<Real>& toward(int sign) const { return sign > 0 ? below_ : above_; }
   [[nodiscard]] const Real& phi(int sign) const { return toward(sign).phi(sign); }
+  [[nodiscard]] Real beyond(const Real& load, int sign) const {
+    return toward(sign).beyond(load, sign);
+  }
   [[nodiscard]] int sign(const Load<Real>& load) const { return below_.sign(load); }
   [[nodiscard]] Real size(const Real& w) const { return std::max(below_.size(w), above_.size(w)); }
   [[nodiscard]] Real held_for_certain() const {
@@ -194,7 +197,7 @@ class ZonedFriction {
   [[nodiscard]] Hold<Real> one_sided(const Real& u, const Real& y) const {
     const Zone& zone = zones_[ahead(y)];
     if (at_notch(u)) {
-      return {p_, zone.f, Real(zone.phi + spare_), u, h_};
+      return {p_, zone.f, zone.phi, u, h_, spare_};
     }
     return {p_, zone.f, zone.phi, u};
   }
