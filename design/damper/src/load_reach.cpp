@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <variant>
 
 namespace stillpoint::design {
@@ -39,7 +40,10 @@ LoadReach load_reach(const Excitation& load, double p, const std::optional<doubl
     const double faster = std::max(p, harmonic->lambda);
     reach = std::abs(harmonic->k) / faster / faster;
   } else {
-    reach = forced_response({.p = p}, {}, load, {.t_end = t_end}).peak_amplitude;
+    // When the load is over it swings with its largest amplitude within a period.
+    const double swung = duration(load).value_or(HUGE_VAL) + 2 * std::numbers::pi / p;
+    const auto end = t_end && *t_end < swung ? t_end : std::nullopt;
+    reach = forced_response({.p = p}, {}, load, {.t_end = end}).peak_amplitude;
   }
   const double lasts = std::min(duration(load).value_or(HUGE_VAL), t_end.value_or(HUGE_VAL));
   return {reach * scales.length_m, impulse(load, lasts) * scales.velocity_m_per_s,

@@ -40,6 +40,15 @@ BOOST_AUTO_TEST_CASE(by_hand) {
   check_close(lines.equivalent_damping, 0.9 / std::numbers::pi);
 }
 
+// A ramp from 0 to 1 in 2 pi pushes the mass to x = -1 with x' = 0; then it swings between -1
+// and 1. Followed to the end it would swing 1e14 times.
+BOOST_AUTO_TEST_CASE(what_a_load_can_do_is_known_when_it_is_over) {
+  const Record ramp{{0, 1}, 2 * std::numbers::pi, {}};
+  for (const std::optional<double> end : {std::optional<double>(), std::optional(9e14)}) {
+    BOOST_TEST(load_reach(ramp, 1, end, {}).reach_m == 1, tt::tolerance(tolerance));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(nothing_within_ranges_is_worse_than_at_their_ends) {
   const Problem problem{.v0 = 0.31, .p = 0.31, .beta = 0.83, .v0_low = 0.25, .p_high = 0.34};
   const double f = 0.0231;
