@@ -7,6 +7,7 @@
 #include "values.hpp"
 
 #include <stillpoint/core/batch.hpp>
+#include <stillpoint/core/cancellation.hpp>
 #include <stillpoint/sweep/quantity.hpp>
 
 #include <algorithm>
@@ -68,6 +69,8 @@ void run_all(const Dampers& given, const BatchOptions& options, const std::vecto
     const py::ssize_t end = std::min(begin + block, given.size);
     try {
       run_block(given, begin, end, options, result);
+    } catch (const Cancelled&) {
+      return;  // the interrupt is thrown instead
     } catch (const std::exception&) {
       run_block(given, 0, end, options, result);  // throws again, with the entry of the whole
     }
@@ -111,6 +114,7 @@ py::dict motions(const py::object& f, const py::object& delta, const py::object&
   }
   py::array_t<std::uint8_t> outcome(given.shape);
   interruptible([&, outcomes = outcome.mutable_data()](const std::stop_token& stop) {
+    options.go_on = [&stop] { return !stop.stop_requested(); };
     run_all(given, options, columns, outcomes, stop);
   });
   py::dict all = fields();

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "batch_work.hpp"
 
+#include <stillpoint/core/cancellation.hpp>
 #include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/input_error.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -67,11 +69,21 @@ BatchEntries entries_of(const BatchValues& v0, const BatchValues& p, const Batch
 }
 
 void run_batch(const BatchEntries& entries, std::ptrdiff_t block, const Threads& threads,
+               const std::function<bool()>& go_on,
                const std::function<void(EntryThreads&)>& worker) {
-  const std::function<bool()> always;
-  EntryThreads work(entries.size, block, always);
+  EntryThreads work(entries.size, block, go_on);
   try {
-    work.run(threads, [&] { worker(work); });
+    work.run(threads, [&] {
+      // A single entry may take long.
+      std::optional<Cancellable> cancellable;
+      if (go_on) {
+        cancellable.emplace([&work] { return work.wanted(); });
+      }
+      worker(work);
+    });
+    if (work.stopped()) {
+      throw Cancelled();
+    }
   } catch (const EntryError& failed) {
     try {
       std::rethrow_exception(failed.cause());
@@ -86,9 +98,15 @@ void run_batch(const BatchEntries& entries, std::ptrdiff_t block, const Threads&
 EntryError::EntryError(std::ptrdiff_t entry, const std::exception_ptr& cause)
     : std::runtime_error(message_of(cause)), entry_(entry), cause_(cause) {}
 
+bool EntryThreads::wanted() {
+  if (go_on_ && !stopped_ && !go_on_()) {
+    stopped_ = true;
+  }
+  return !stopped_;
+}
+
 EntryRange EntryThreads::next() {
-  const bool stop = failed_ || (go_on_ && !go_on_());
-  const std::ptrdiff_t begin = stop ? size_ : std::min(size_, next_.fetch_add(block_));
+  const std::ptrdiff_t begin = goes_on() ? std::min(size_, next_.fetch_add(block_)) : size_;
   return {begin, std::min(size_, begin + block_)};
 }
 

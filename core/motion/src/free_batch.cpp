@@ -41,7 +41,12 @@ class FreeBatchSource final : public FreeLanesSource {
     return range;
   }
 
+  [[nodiscard]] bool goes_on() override { return work_.goes_on(); }
+
   void run_alone(Index i) override {
+    if (work_.stopped()) {
+      return;
+    }
     work_.guard(i, [&] { keep(i, response(i)); });
   }
 
@@ -86,7 +91,7 @@ void run(const BatchEntries& entries, const BatchOptions& options, BatchResult& 
   const FreeLanesOutput output{result.peak_amplitude.data(), result.half_cycles.data(),
                                result.outcome.data(), result.stop_position.data(),
                                options.times ? result.stop_time.data() : nullptr};
-  run_batch(entries, block, options.threads, [&](EntryThreads& work) {
+  run_batch(entries, block, options.threads, options.go_on, [&](EntryThreads& work) {
     FreeBatchSource source(entries, options, result, work);
     run_free_lanes(entries, options.half_cycle_limit, output, source);
   });

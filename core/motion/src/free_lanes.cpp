@@ -39,6 +39,7 @@ namespace {
 constexpr Index vectors = width >= 8 ? 8 : 12;
 constexpr Index lanes = vectors * width;
 constexpr int steps_between_refills = 4;  // a lane that has ended waits for half of them
+constexpr std::uint64_t rounds_between_looks = 1U << 16U;  // some milliseconds
 
 /// Beyond these powers of two the scalar kernel runs an entry: within them no step underflows
 /// or overflows, scaled or not.
@@ -80,6 +81,9 @@ class FreeLanes {
         if (going_on_[i / width] <= most_going_on_) {
           refill(i, hn::Not(goes_on));
         }
+      }
+      if (++rounds_ % rounds_between_looks == 0 && !source_.goes_on()) {
+        return;
       }
     } while (!drained_ || busy());
     retired_.finish_rest();
@@ -278,6 +282,7 @@ class FreeLanes {
   Waiting<2 * width> waiting_{};  // last in, first out
   Index waiting_count_{0};
   bool drained_{false};  // no entries are left but those that wait here
+  std::uint64_t rounds_{0};
 
   Runs<lanes> runs_{};
   Column<lanes> notch_{};

@@ -20,6 +20,9 @@ class FreeLanesSource {
   /// The next entries to run; an empty range where there are no more.
   virtual EntryRange next() = 0;
 
+  /// Asked now and then: when it returns false the results are no longer wanted.
+  [[nodiscard]] virtual bool goes_on() = 0;
+
   /// Runs one entry by the scalar kernel: closed forms, and all entries that are not ordinary.
   virtual void run_alone(std::ptrdiff_t entry) = 0;
 };

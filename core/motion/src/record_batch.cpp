@@ -164,7 +164,7 @@ void record_batch(double v0, const BatchValues& p, const BatchValues& f, const B
     require_entries("notch-width", options.notch_width, entries.size);
     entries.notch_width = {options.notch_width.data(), 1};
   }
-  run_batch(entries, record_lanes, options.threads, [&](EntryThreads& work) {
+  run_batch(entries, record_lanes, options.threads, {}, [&](EntryThreads& work) {
     SceneCheck check(excitation);
     const auto block = std::make_unique<RecordBlock>(excitation, scene);
     const Start start{0, v0};

@@ -237,7 +237,8 @@ void SweepStep::run_free(SweepBlock& block) {
       .times = times_,
       .acceleration = acceleration_,
       .half_cycle_limit = spec_.half_cycle_limit.value_or(FreeOptions().half_cycle_limit),
-      .threads = spec_.threads};
+      .threads = spec_.threads,
+      .go_on = [this] { return !stop_.stop_requested(); }};
   try {
     if (one_v0_and_p_) {
       free_batch(block[v0][0], block[p][0], block[f], block[delta], options, batch_);
@@ -248,6 +249,8 @@ void SweepStep::run_free(SweepBlock& block) {
     return run_free_one_by_one(block);  // which says what is wrong with this entry
   } catch (const TooManyHalfCycles&) {
     return run_free_one_by_one(block);
+  } catch (const Cancelled&) {
+    return;  // after a stop nobody reads the results
   }
   block[peak_amplitude].swap(batch_.peak_amplitude);
   block[half_cycles].swap(batch_.half_cycles);

@@ -108,6 +108,11 @@ def test_interrupt_ends_a_motion(interrupt):
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
 
 
+def test_interrupt_ends_slow_motions(interrupt):
+    with pytest.raises(KeyboardInterrupt):
+        stillpoint.motions([5e-11] * 300, 1e-13, v0=1, p=1, half_cycle_limit=1e11)
+
+
 def test_interrupt_ends_a_sweep(interrupt):
     with pytest.raises(KeyboardInterrupt):
         stillpoint.sweep(v0=1, p=1, f="1e-7:1.1e-7:1000000", delta=1e-5, columns="peak_amplitude")

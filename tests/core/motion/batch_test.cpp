@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "motion.hpp"
 
+#include <atomic>
+
 #include <stillpoint/core/for_each_entry.hpp>
 
 #include <sys/resource.h>
@@ -103,6 +105,35 @@ BOOST_AUTO_TEST_CASE(the_limit_of_half_cycles_is_that_of_one_entry_to_the_last_b
   }
   BOOST_TEST(refused > 100);
   BOOST_TEST(refused < 1900);
+}
+
+// 1e10 half-cycles each, in lanes and, with the largest v0, alone.
+BOOST_AUTO_TEST_CASE(slow_motions_end_when_they_are_no_longer_wanted) {
+  for (const double v0 : {1.0, 0x1p65}) {
+    for (const int threads : {1, 2}) {
+      std::atomic<int> asked = 0;
+      const BatchOptions options{
+          .half_cycle_limit = 1e11, .threads = threads, .go_on = [&asked] { return ++asked < 6; }};
+      const Eigen::ArrayXd f = Eigen::ArrayXd::Constant(10'000, 5e-11 * v0);
+      const Eigen::ArrayXd delta = Eigen::ArrayXd::Constant(10'000, 1e-13 * v0 * v0);
+      BOOST_CHECK_THROW(static_cast<void>(free_batch(v0, 1, f, delta, options)), Cancelled);
+      BOOST_TEST(asked >= 6);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(motions_that_are_still_wanted_are_the_same) {
+  std::atomic<int> asked = 0;
+  BatchOptions options{.times = true};
+  const Eigen::ArrayXd f = Eigen::ArrayXd::LinSpaced(64, 5e-7, 6e-7);
+  const Eigen::ArrayXd delta = Eigen::ArrayXd::Constant(64, 1e-9);
+  const BatchResult alone = free_batch(1, 1, f, delta, options);
+  options.go_on = [&asked] { return ++asked > 0; };
+  const BatchResult watched = free_batch(1, 1, f, delta, options);
+  BOOST_TEST(asked > 0);
+  BOOST_TEST((watched.half_cycles == alone.half_cycles).all());
+  BOOST_TEST((watched.stop_time == alone.stop_time).all());
+  BOOST_TEST((watched.stop_position == alone.stop_position).all());
 }
 
 BOOST_AUTO_TEST_CASE(what_is_asked_for_is_checked) {

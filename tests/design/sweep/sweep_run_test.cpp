@@ -3,7 +3,9 @@
 
 #include <stillpoint/core/forced_motion.hpp>
 
+#include <chrono>
 #include <cstring>
+#include <thread>
 
 BOOST_AUTO_TEST_SUITE(sweep_run_test)
 
@@ -154,6 +156,21 @@ BOOST_AUTO_TEST_CASE(tells_its_progress_and_stops_when_asked) {
   BOOST_TEST(summary.state.rows == told);
   BOOST_TEST(static_cast<std::int64_t>(fields_of(sink.text).size()) == told + 1);  // and a header
   BOOST_TEST(!sink.finished);
+}
+
+// Its first block would take days.
+BOOST_AUTO_TEST_CASE(of_slow_motions_stops_within_its_first_block) {
+  SweepSpec spec = free_spec(Axis({5e-11}), Axis(1e-13, 2e-13, 10000, Axis::Spacing::linear));
+  spec.half_cycle_limit = 1e11;
+  MemorySink sink;
+  std::stop_source stop;
+  const std::jthread later([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    stop.request_stop();
+  });
+  const SweepSummary summary = run(spec, sink, {.stop = stop.get_token()});
+  BOOST_TEST((summary.end == SweepEnd::stopped));
+  BOOST_TEST(summary.state.rows == 0);
 }
 
 BOOST_AUTO_TEST_CASE(refuses_a_spec_that_is_not_valid) {

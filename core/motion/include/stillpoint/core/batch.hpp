@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include <functional>
+
 namespace stillpoint {
 
 /// One value per entry. Anything that is not contiguous is copied first.
@@ -17,6 +19,9 @@ struct BatchOptions {
   /// As in FreeOptions: if a single entry may take more half-cycles, the batch is refused.
   double half_cycle_limit{1e8};
   Threads threads{};
+  /// If not empty, called now and then, by several threads at once; when it returns false the batch
+  /// throws Cancelled.
+  std::function<bool()> go_on{};
 };
 
 /// The metrics of entry i are the i-th of each array, and they are those of free_response.
