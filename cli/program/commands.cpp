@@ -45,8 +45,12 @@ Simulation watched(const SimulationRequest& request) {
   if (!is_forced(request)) {
     return free_simulation(request);
   }
-  const double end = request.t_end.value_or(0);
-  Progress progress([end](double tau, double) { return report::progress_in_tau(tau, end); }, end);
+  // Without t_end the load's own end is known; what the mass does after it takes no time to
+  // compute.
+  const double end = request.t_end.value_or(duration(request.excitation).value_or(0));
+  Progress progress(
+      [end](double tau, double) { return report::progress_in_tau(tau, tau <= end ? end : 0); },
+      end);
   double reached = 0;
   // A trajectory up to t_end comes first. It exceeds its limit before it takes minutes.
   bool traced = !(request.t_end && request.samples);

@@ -77,7 +77,7 @@ bool Progress::goes_on(double done) {
 double Progress::seconds_left(double done, double seconds) const {
   constexpr double most = 3.6e8;  // 100 thousand hours, which fit the line
   const double done_now = done - begun_with_;
-  return done_now > 0 ? std::min(seconds * (end_ - done) / done_now, most) : 0;
+  return done_now > 0 ? std::clamp(seconds * (end_ - done) / done_now, 0.0, most) : 0;
 }
 
 void Progress::announce_minutes(double done) {

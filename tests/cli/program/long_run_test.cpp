@@ -63,6 +63,17 @@ BOOST_AUTO_TEST_CASE(says_how_long_it_will_take_without_a_terminal) {
   BOOST_TEST(lines[1].starts_with("stillpoint: interrupted "), lines[1]);
 }
 
+BOOST_AUTO_TEST_CASE(under_a_load_that_ends_by_itself_says_how_long_it_will_take) {
+  const ProgramRun stopped =
+      run("simulate --v0 0 --p 1 --f 0.1 --delta 0 --excitation half-sine --k 0.5 --lambda 1e-11",
+          {.interrupt_once_heard = true});
+  BOOST_TEST(stopped.exit_code == 130);
+  const auto lines = stopped.err_lines();
+  BOOST_TEST_REQUIRE(lines.size() == 2U, stopped.err);
+  BOOST_TEST(contains(lines[0], " of 3.14159e+11, 0 %: about "), lines[0]);
+  BOOST_TEST(lines[0].ends_with(" minutes to go"), lines[0]);
+}
+
 // At most V0/(2 f) half-cycles: 1e11 of them. A run that the limit refuses is not announced.
 BOOST_AUTO_TEST_CASE(of_free_motion_warns_beforehand_that_it_takes_minutes) {
   const Arguments free("simulate --v0 1 --p 1 --f 5e-12 --delta 1e-15 --half-cycle-limit");
