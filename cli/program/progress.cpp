@@ -83,8 +83,11 @@ double Progress::seconds_left(double done, double seconds) const {
 void Progress::announce_minutes(double done) {
   constexpr double known_after_s = 1;
   constexpr double long_s = 120;
-  if (done < last_done_) {  // another pass over the same motion
+  // At the first look a mass that was held at first is far already, which says nothing of the rest;
+  // and there may be another pass over the same motion.
+  if (!last_done_ || done < *last_done_) {
     started_s_ = seconds_now();
+    begun_with_ = done;
   }
   last_done_ = done;
   const double seconds = seconds_now() - started_s_;

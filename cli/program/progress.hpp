@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <stop_token>
 #include <string>
@@ -48,7 +49,7 @@ class Progress {
   bool line_open_{false};
   double last_shown_s_{0};
   double started_s_;
-  double last_done_{0};
+  std::optional<double> last_done_;
   void (*previous_)(int);
   std::stop_source stop_;
   std::jthread watcher_;

@@ -29,9 +29,9 @@ using Threads = std::optional<int>;
 /// Each i is called by one thread only, so no result depends on their number.
 ///
 /// `go_on`, if not empty, is called before each entry, by several threads at once; when it returns
-/// false the remaining entries are skipped, and when it throws that is thrown. If body throws, no further entry begins, and EntryError
-/// is thrown for the first entry that threw, for every number of threads. Throws InputError for
-/// threads < 1, and for more than the system can start.
+/// false the remaining entries are skipped, and when it throws that is thrown. If body throws, no
+/// further entry begins, and EntryError is thrown for the first entry that threw, for every number
+/// of threads. Throws InputError for threads < 1, and for more than the system can start.
 void for_each_entry(std::ptrdiff_t size, const Threads& threads, const std::function<bool()>& go_on,
                     const std::function<void(std::ptrdiff_t)>& body);
 
