@@ -26,6 +26,26 @@ Arguments without(Arguments arguments, const std::string& option) {
 
 }  // namespace
 
+/// Friction alone is a damper, but it leaves the mass off centre.
+BOOST_AUTO_TEST_CASE(without_a_notch_nothing_stops_the_mass_at_the_centre) {
+  const Arguments design("design --pulse rectangle --k 0.5 --lambda 1 --p 1 --beta 0.8");
+  const Arguments varies("design --pulse half-sine --k 0.4:0.5 --lambda 1 --p 1 --beta 1");
+  const Arguments physical(
+      "design --pulse half-sine --k 5g --pulse-duration 11ms --natural-frequency 10Hz "
+      "--max-displacement 4mm");
+  for (const Arguments& task : {design + "--delta-max 0", varies + "--delta-max 0",
+                                physical + "--delta-max-m 0", region + "--delta-max 0"}) {
+    const json report = json::parse(ending(3, task + "--json").out);
+    check_contains(report["region"]["reason"].get<std::string>(),
+                   {"without a notch (delta = 0) the mass rests up to f/p^2 off centre"});
+    BOOST_TEST(report["region"]["conflict"] == json::array({"stop", "delta_max"}));
+  }
+  write("parts.csv", "name,f,delta\nplain,0.15,0\n");
+  const json choice = json::parse(ending(3, design + "--catalogue parts.csv --json").out);
+  BOOST_TEST(choice["catalogue"][0]["admissible"] == false);
+  BOOST_TEST(choice["catalogue"][0]["violates"][0]["name"] == "stop");
+}
+
 BOOST_AUTO_TEST_CASE(report_says_how_the_design_stands_under_its_pulse) {
   const json report = reported(asked);
   BOOST_TEST(report["schema"] == "stillpoint/design-report/1");

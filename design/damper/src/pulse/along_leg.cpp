@@ -24,26 +24,6 @@ bool continues(const FirstReturn& a, const FirstReturn& b) {
          std::abs(a.exact_need - b.exact_need) <= unseen * std::max(a.exact_need, b.exact_need);
 }
 
-struct Placed {
-  double at;
-  double value;
-};
-
-/// The top of the parabola through three values, if it is between them.
-std::optional<Placed> top_of(const Placed& before, const Placed& now, const Placed& after) {
-  const double left = now.at - before.at;
-  const double right = after.at - now.at;
-  const double down_left = (now.value - before.value) / left;
-  const double down_right = (now.value - after.value) / right;
-  const double curvature = (down_left + down_right) / (left + right);
-  const double slope = (down_left * right - down_right * left) / (left + right);
-  const double step = slope / (2 * curvature);
-  if (!(curvature > 0 && -left < step && step < right)) {
-    return std::nullopt;
-  }
-  return Placed{now.at + step, now.value + slope * step / 2};
-}
-
 }  // namespace
 
 AlongLeg::AlongLeg(const Leg& leg, double f) : leg_(leg), f_(f), clearance_(HUGE_VAL) {
@@ -174,7 +154,6 @@ template <class Figure, class Threshold>
 void AlongLeg::raise(const Figure& figure, const Threshold& threshold) {
   constexpr int most_steps = 12;
   constexpr double apart = 1e-7;  // leaves a value wrong by its square
-  constexpr double unsure = 0.1;
   for (std::size_t i = 1; returns_ && i + 1 < spots_.size();) {
     const double next = spots_[i + 1].s;
     for (int step = 0; step < most_steps && returns_; ++step) {
@@ -189,7 +168,7 @@ void AlongLeg::raise(const Figure& figure, const Threshold& threshold) {
                                          figure(after.motion)};
       const auto top = top_of({before.s, values[0]}, {now.s, values[1]}, {after.s, values[2]});
       const auto [least, most] = std::ranges::minmax(values);
-      if (!top || !(top->value + unsure * (most - least) > threshold(nullptr)) ||
+      if (!top || !(top->value + unsure_top * (most - least) > threshold(nullptr)) ||
           std::abs(top->at - now.s) <= apart * now.s) {
         break;
       }

@@ -3,10 +3,7 @@
 
 // What the motions of one f do along a leg: docs/theory.md section 15.
 
-#include "pulse/first_return.hpp"
 #include "pulse/leg.hpp"
-
-#include <stillpoint/design/problem.hpp>
 
 #include <cstddef>
 #include <vector>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pulse/leg.hpp"
 
-#include <variant>
-
 namespace stillpoint::design {
 
 namespace {

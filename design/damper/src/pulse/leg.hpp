@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Pulses and springs along which lambda/p grows, and the motion of each for one f. In units of the
-// strongest pulse, k, and of the softest spring, p, as first_return.hpp.
+// Some of the pulses and springs that stand for all of the ranges of lambda and p: one leg of (61)
+// of docs/theory.md. In units of the strongest pulse, k, and of the softest spring, p, as
+// first_return.hpp.
 
 #include "pulse/first_return.hpp"
 

@@ -24,6 +24,20 @@ Rated need_over_square(const FirstReturn& motion, Criterion criterion) {
   return {need / f / f, (slope - 2 * need / f) / f / f};
 }
 
+std::optional<Placed> top_of(const Placed& before, const Placed& now, const Placed& after) {
+  const double left = now.at - before.at;
+  const double right = after.at - now.at;
+  const double down_left = (now.value - before.value) / left;
+  const double down_right = (now.value - after.value) / right;
+  const double curvature = (down_left + down_right) / (left + right);
+  const double slope = (down_left * right - down_right * left) / (left + right);
+  const double step = slope / (2 * curvature);
+  if (!(curvature > 0 && -left < step && step < right)) {
+    return std::nullopt;
+  }
+  return Placed{now.at + step, now.value + slope * step / 2};
+}
+
 CubicSlope slope_of_cubic(const Rated& a, const Rated& b, double step) {
   const double chord = (b.value - a.value) / step;
   return {a.slope, 3 * chord - 2 * a.slope - b.slope, 3 * (a.slope + b.slope - 2 * chord)};

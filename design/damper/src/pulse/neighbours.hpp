@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace stillpoint::design {
@@ -29,6 +30,18 @@ inline void insert(std::vector<FirstReturn>& motions, const std::vector<FirstRet
 [[nodiscard]] Rated need_of(const FirstReturn& motion, Criterion criterion);
 /// Of need/f^2: section 15.
 [[nodiscard]] Rated need_over_square(const FirstReturn& motion, Criterion criterion);
+
+/// A value and its position.
+struct Placed {
+  double at;
+  double value;
+};
+
+/// The top of the parabola through three values, if it is between them. It may be wrong by
+/// `unsure_top` of what they differ by.
+[[nodiscard]] std::optional<Placed> top_of(const Placed& before, const Placed& now,
+                                           const Placed& after);
+inline constexpr double unsure_top = 0.1;
 
 /// The slope of the cubic with these ends, over the part x of the step between them:
 /// start + 2 linear x + square x^2.

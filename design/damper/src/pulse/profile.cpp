@@ -99,6 +99,7 @@ PulseProfile::PulseProfile(At at, const std::array<Pulse, 2>& between, Criterion
     largest_ = std::max(largest_, now.exact_need);
     samples_.push_back(now);
   }
+  add_misses(angular_frequency(between.front()) == angular_frequency(between.back()));
   if (k_varies) {
     add_maxima_over_square();
     add_slowest();
@@ -161,6 +162,47 @@ void PulseProfile::add_edge(const FirstReturn& a, const FirstReturn& b, int dept
     samples_.push_back(high);
   }
   add_between(high, b, depth + 1);
+}
+
+/// Between three motions that arrive one may miss x = 0: where the clearance has a minimum below 0.
+/// The need of one pulse is half of it; the largest need of several says nothing of the least.
+void PulseProfile::add_misses(bool one_pulse) {
+  constexpr int most_steps = 12;
+  constexpr double apart = 1e-7;
+  const std::vector<FirstReturn> known = samples_;
+  for (std::size_t i = 1; i + 1 < known.size(); ++i) {
+    FirstReturn a = known[i - 1];
+    FirstReturn now = known[i];
+    FirstReturn b = known[i + 1];
+    if (one_pulse && !(a.need_slope < 0 && b.need_slope > 0)) {
+      continue;
+    }
+    for (int step = 0; step < most_steps && a.returns && now.returns && b.returns; ++step) {
+      const auto [least, most] = std::minmax({a.clearance, now.clearance, b.clearance});
+      const auto bottom = top_of({a.f, -a.clearance}, {now.f, -now.clearance}, {b.f, -b.clearance});
+      if (!bottom || bottom->value + unsure_top * (most - least) <= 0 ||
+          std::min({now.f - a.f, b.f - now.f, std::abs(bottom->at - now.f)}) <= apart * now.f) {
+        break;
+      }
+      const FirstReturn next = at(bottom->at);
+      const bool above = next.f > now.f;
+      if (!next.returns) {
+        add_edge(above ? now : a, next, 0);
+        samples_.push_back(next);
+        add_edge(next, above ? b : now, 0);
+        break;
+      }
+      if (next.clearance < now.clearance) {
+        (above ? a : b) = now;
+        now = next;
+      } else {
+        (above ? b : a) = next;
+      }
+    }
+  }
+  std::ranges::sort(samples_, {}, &FirstReturn::f);
+  const auto same = [](const FirstReturn& x, const FirstReturn& y) { return x.f == y.f; };
+  samples_.erase(std::unique(samples_.begin(), samples_.end(), same), samples_.end());
 }
 
 void PulseProfile::add_maxima_over_square() {

@@ -39,6 +39,7 @@ class PulseProfile {
  private:
   void add_between(const FirstReturn& a, const FirstReturn& b, int depth);
   void add_edge(const FirstReturn& a, const FirstReturn& b, int depth);
+  void add_misses(bool one_pulse);
   void add_maxima_over_square();
   void add_slowest();
 

@@ -145,6 +145,12 @@ std::string reason_of(const Region& found, const PulseRegion& region, const Puls
                        kind->constraint, amplitude.islands().front().low * k, kind->field, limit,
                        none_between("f", amplitude.islands().front().low * k, limit, box));
     default:
+      if (kind->bounds == Bounded::delta && limit == 0) {
+        return fmt::format(
+            "stop and {} conflict: without a notch (delta = 0) the mass rests up to f/p^2 off "
+            "centre, not at x = 0, where a design for a pulse stops it",
+            kind->constraint);
+      }
       return fmt::format(
           "stop and {} conflict: no f that meets the other requirements arrives "
           "slowly enough for a notch within {}{}",

@@ -195,6 +195,23 @@ BOOST_AUTO_TEST_CASE(a_dip_of_the_return_between_two_lengths_is_found) {
   BOOST_TEST(point.f == dip, tt::tolerance(1e-6));
 }
 
+// Between two f that return there is a gap, 4 % wide, of f that do not: the end of a tongue of
+// longer pulses. No box reaches across it.
+BOOST_AUTO_TEST_CASE(a_gap_of_the_return_between_two_f_is_found) {
+  PulseRequest request;
+  request.problem = {
+      HalfSine{6.085563563, 1.226205191}, 7.027432942, 0.396215197, Criterion::published,
+      {.lambda_high = 1.301711778},       7.57251306};
+  request.limits = {.f_max = 0.682106, .delta_max = 0.0793591};
+  request.search.objective = Objective::acceleration;
+  const DesignPoint point = design::design(request).finding.value().point;
+  for (int i = 0; i <= 400; ++i) {
+    const double f = point.f * (1 + point.tolerance * (1 - inset) * (i - 200) / 200.0);
+    BOOST_TEST(scanned(request, request.problem.pulse, *request.problem.p_high, f).holds,
+               "f = " << f);
+  }
+}
+
 // The need over f^2, which is what a weaker pulse asks for, has a maximum where it is not concave.
 BOOST_AUTO_TEST_CASE(a_maximum_beside_a_bend_is_found) {
   Task task;
