@@ -110,7 +110,7 @@ function build_rows({ report, motion, tolerance, options }) {
         ? [options["notch-width-m"] ?? options["notch-width"]]
         : null,
     ],
-    ["notch lets go", options.hold ? [`at ${options.hold.replace(/\s*g$/, "")} g above f`] : null],
+    ["hold", options.hold ? [`${options.hold.replace(/\s*g$/, "")} g above f`] : null],
     [
       "tolerance",
       tolerance === null
@@ -167,7 +167,7 @@ function sheet_heading(title, which) {
 }
 
 /** The figures used in practice: of the motion shown and, with ranges, the worst at their ends. @param {Sheet} sheet */
-function practice_nodes({ report, options }) {
+function practice_nodes({ report, motion, options }) {
   const { practice, physical, input } = report;
   if (!practice) return [];
   // Of all hits up to one, with one spring, the strongest is the worst.
@@ -180,10 +180,20 @@ function practice_nodes({ report, options }) {
         ? [number(velocity_unit_m_per_s * value, "N s"), " per kg"]
         : [number(value), " times the mass"];
   const columns = [practice, practice_worst].filter(Boolean);
+  const range_worst = report.built_notch?.largest_acceleration?.peak_absolute_acceleration;
   /** @param {string} name @param {(now: any) => Part[] | null} cell @returns {[string, ...(Part[] | null)[]]} */
   const row = (name, cell) => [name, ...columns.map(cell)];
   const rows = [
-    row("base shear/weight", (now) => [number(now.base_shear_over_weight)]),
+    row("base shear/weight", (now) =>
+      // What is transmitted, with a notch that has a width in it.
+      !motion.input.notch_width
+        ? [number(now.base_shear_over_weight)]
+        : now === practice
+          ? [number(motion.response.peak_absolute_acceleration), " the notch included"]
+          : range_worst === undefined
+            ? null
+            : [number(range_worst), " the notch included"],
+    ),
     row("secant stiffness", ({ secant_stiffness: stiffness, ...now }) =>
       !stiffness
         ? null
@@ -218,15 +228,18 @@ function practice_nodes({ report, options }) {
   return [sheet_heading(title, ""), sheet_table(rows, ["", shown, worst])];
 }
 
-/** How hits of each strength end; if that changes many times, the strengths between which it does. @param {Sheet} sheet */
-function hit_rows({ report }) {
+/** How hits of each strength end; if that changes many times, the strengths between which it does. @param {any} report */
+function hit_nodes(report) {
   const hits = hits_of(report);
   /** @type {{ ends: string, from: number, to: number | null, count: number }[]} */
   const rows = [];
   hits.forEach(({ ends, from, to: end }, i) => {
     const to = i + 1 < hits.length ? end : null; // the last one has no end but that of the figure
+    const last = rows[rows.length - 1];
     const same = hits.length > most_keys && rows.find((row) => row.ends === ends);
-    if (!same) rows.push({ ends, from, to, count: 1 });
+    // Of a range of springs two neighbours may end alike.
+    if (last?.ends === ends) last.to = to;
+    else if (!same) rows.push({ ends, from, to, count: 1 });
     else Object.assign(same, { to, count: same.count + 1 });
   });
   const table = sheet_table(
@@ -236,7 +249,10 @@ function hit_rows({ report }) {
       return [ends_words[ends] ?? ends, [...many, ...range]];
     }),
   );
-  return report.practice_worst || rows.length > most_full_rows ? sheet_halves(table) : table;
+  return [
+    make("h2", {}, "How the motion ends after other hits"),
+    rows.length > most_full_rows ? sheet_halves(table) : table,
+  ];
 }
 
 /** @param {Sheet} sheet */
@@ -303,6 +319,8 @@ function draw_sheet(sheet) {
       : options.objective && options.objective !== "robust"
         ? `The best damper for the objective ${options.objective}.`
         : "Of all dampers, this one tolerates the largest manufacturing errors.";
+  const hits = hit_nodes(sheet.report);
+  const ranges = Boolean(sheet.report.practice_worst); // whose figures leave no room for the hits
   fill(
     el("sheet"),
     make(
@@ -316,13 +334,13 @@ function draw_sheet(sheet) {
       sheet_heading("What it does", shown_words(sheet.report)),
       performance_rows(sheet),
       ...practice_nodes(sheet),
-      make("h2", {}, "How the motion ends after other hits"),
-      hit_rows(sheet),
+      ...(ranges ? [] : hits),
       make("div", { class: "plates" }, plate_copy("region"), plate_copy("phase")),
     ),
     make(
       "div",
       { class: "leaf" },
+      ...(ranges ? hits : []),
       make("h2", {}, "Task"),
       sheet_halves(sheet_table(task.map(([name, value]) => [option_words(name), [value]]))),
       make("h2", {}, "Checks"),

@@ -131,7 +131,7 @@ bool passes_off(int one, int other) {
 
 /// The worst of softer springs, of a stiffer one and of those between; `off` if some of the latter
 /// let the mass rest off centre.
-Hits worse(Hits softer, const Hits& stiffer, bool off) {
+Hits worse_of_springs(Hits softer, const Hits& stiffer, bool off) {
   const bool end_alike = softer.end == stiffer.end && !off;
   const bool alternating = softer.end == HitEnd::alternating;
   softer.rest = {};
@@ -224,9 +224,9 @@ std::vector<Hits> shown_hits(const Problem& problem, double f, double delta) {
     const OfSpring& next = springs[1];
     const bool off = problem.p < last_with_off_centre(problem, f) &&
                      softest.place() != next.place() && passes_off(softest.place(), next.place());
-    Hits now = worse(softest.hits(), next.hits(), off);
+    Hits now = worse_of_springs(softest.hits(), next.hits(), off);
     if (springs.size() > 2) {
-      now = worse(now, springs[2].hits(), false);
+      now = worse_of_springs(now, springs[2].hits(), false);
     }
     now.from = from;
     now.to = HUGE_VAL;

@@ -272,7 +272,7 @@ test("a damper in other units than the task is refused, and can be taken away", 
   with_page("v0=1&p=1&beta=0.9&delta-m=1mm", {}, async (page) => {
     for (const state of ["v0=1&p=1&beta=0.9&delta-m=1mm&f=0.2", "v0=1&p=1&beta=0.9&delta-m=1mm"]) {
       await go(page, state);
-      assert.match(await notice(page), /^delta-m/, state);
+      assert.match(await notice(page), /\bdelta-m\b.*everything dimensionless/, state);
       assert.match(await words(page, "#verdict"), /^Nothing is computed/, state);
     }
     await page.click("#release");
@@ -293,10 +293,19 @@ test("a record may have any name, and doubts of its units are told", () =>
       await drop(page, name, values(0.1));
       await page.waitForFunction(
         (text) => document.getElementById("record-answer")?.textContent?.includes(text),
-        `${shown}: 40 values in g; the largest load is 0.1`,
+        `${shown}: 40 values in g (assumed); the largest load is 0.1`,
       );
       assert.equal(await page.locator("#record-answer .bad").count(), 0, name);
     }
+    // As the program says it of the same values: an ideal notch jolts, which no acceleration tells.
+    await drop(page, "jolt.txt", values(0.1));
+    await page.waitForFunction(() =>
+      document.getElementById("record-answer")?.textContent?.includes("jolt.txt"),
+    );
+    assert.match(
+      await words(page, "#record-answer"),
+      /transmitted[\d.]+\sgjumps of velocity of up to [\d.]+\sm\/s on top/,
+    );
     await drop(page, "strong.txt", values(3));
     await page.waitForSelector("#record-answer .bad");
     assert.match(
@@ -382,6 +391,57 @@ test("the specification has the figures of practice of the motion shown, and the
         assert.ok(practice_worst.base_shear_over_weight > practice.base_shear_over_weight);
     }
   }));
+
+test("with a notch as built, base shear and transmitted acceleration are both with it", () =>
+  with_page("", {}, async (page) => {
+    const ranges = "velocity=0.36:0.44&period=2.66:2.94&max-displacement=170mm&mass=1200t";
+    for (const task of [isolator, ranges]) {
+      const state = `${task}&notch-width-m=20mm`;
+      await go(page, state);
+      await page.pdf();
+      const { built_notch: built } = bench.program(["design", ...bench.words_of(state)]);
+      const worst = built.largest_acceleration?.peak_absolute_acceleration;
+      const here = built.peak_absolute_acceleration;
+      assert.deepEqual(await sheet_row(page, "transmitted"), [here], state);
+      assert.deepEqual(
+        await sheet_row(page, "base shear/weight"),
+        worst === undefined ? [here] : [here, worst],
+        state,
+      );
+    }
+  }));
+
+test("the load at which a notch lets go is its hold, its capacity an energy", () =>
+  with_page(`${isolator}&hold=0.05g`, {}, async (page) => {
+    assert.match(await page.innerText("#task"), /hold of the notch/);
+    await page.pdf();
+    const sheet = await words(page, "#sheet");
+    assert.match(sheet, /hold0\.05 g above f/);
+    assert.deepEqual(await sheet_row(page, "notch capacity"), [
+      bench.program(["design", ...bench.words_of(isolator)]).physical.energy_per_passage_j,
+    ]);
+  }));
+
+test("hits that end alike are one row of the sheet", () =>
+  with_page(
+    "velocity=0.36:0.44&period=2.66:2.94&max-displacement=170mm&criterion=exact",
+    {},
+    async (page) => {
+      await page.pdf();
+      const names = await page.evaluate(() => {
+        const heading = [...document.querySelectorAll("#sheet h2")].find((node) =>
+          node.textContent?.startsWith("How the motion ends"),
+        );
+        const rows = heading?.nextElementSibling?.querySelectorAll("th") ?? [];
+        return [...rows].map((node) => node.textContent);
+      });
+      assert.ok(names.length > 1);
+      assert.deepEqual(
+        names.filter((name, i) => name === names[i - 1]),
+        [],
+      );
+    },
+  ));
 
 test("going back undoes, going forward does again", () =>
   with_page(isolator, {}, async (page) => {

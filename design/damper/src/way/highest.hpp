@@ -59,11 +59,11 @@ class HighestSearch {
   }
 
   void narrow(const Interval& around) {
-    constexpr double resolved = 1e-9;
+    constexpr double resolution = 1e-9;
     golden_sections(
         around, [this](double at) { return value_at(at); },
         [this](const Interval& span, double at, double value) {
-          return !(span.high - span.low > resolved) || consider(at, value);
+          return !(span.high - span.low > resolution) || consider(at, value);
         });
   }
 
