@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <span>
 
 namespace stillpoint::records {
 
@@ -73,6 +74,7 @@ std::string strength_doubt(const RecordFile& file, double peak, double factor, b
 std::string shape_doubt(const Record& record, double peak) {
   constexpr std::size_t few = 20;
   constexpr double strong = 0.25;         // of the peak: a record dies away
+  constexpr std::size_t end = 20;         // the last of so many parts, which a crossing of 0 is not
   constexpr double offset = 0.01;         // of the peak: the ground comes to rest
   constexpr double least_offset = 0.004;  // g, which makes 1 m/s in half a minute
   const std::vector<double>& values = record.values;
@@ -83,9 +85,10 @@ std::string shape_doubt(const Record& record, double peak) {
   if (values.size() < enough_values) {
     return "";
   }
-  if (std::abs(values.back()) > strong * peak) {
-    return fmt::format("ends with {:.4g} g, where its peak is {:.4g} g: is it cut off?",
-                       values.back(), peak);
+  const auto [low, high] = std::ranges::minmax(std::span(values).last(values.size() / end));
+  if (const double last = std::max(-low, high); last > strong * peak) {
+    return fmt::format("has {:.4g} g at its end, where its peak is {:.4g} g: is it cut off?", last,
+                       peak);
   }
   const double mean = mean_value(record);
   return std::abs(mean) > std::max(offset * peak, least_offset)
