@@ -54,6 +54,12 @@ ExitCode merge(const Invocation& invocation, Output& output) {
   return run_merge(*invocation.merge, output);
 }
 
+void say_doubts(const std::vector<std::string>& sentences) {
+  for (const std::string& warning : sentences) {
+    remark(fmt::format("warning: {}", warning));
+  }
+}
+
 /// A command that has settings.
 ExitCode run_command(const Invocation& invocation, Output& output) {
   Settings settings = invocation.flags;
@@ -73,16 +79,20 @@ ExitCode run_command(const Invocation& invocation, Output& output) {
   if (opens && !settings.has("html")) {
     settings.set("html", temporary.emplace().path());
   }
-  const ExitCode code = with_places(settings, [&] {
-    resolve_part(settings);
-    require_files_apart(invocation.command, settings, invocation.scene);
-    return run(invocation.command, settings, output);
-  });
+  ExitCode code = exit_done;
+  try {
+    code = with_places(settings, [&] {
+      resolve_part(settings);
+      require_files_apart(invocation.command, settings, invocation.scene);
+      return run(invocation.command, settings, output);
+    });
+  } catch (const TooManyHalfCycles&) {
+    say_doubts(warnings(settings, invocation.command));  // which may be why
+    throw;
+  }
   const std::vector<std::string> sentences = warnings(settings, invocation.command);
   output.commit();
-  for (const std::string& warning : sentences) {
-    remark(fmt::format("warning: {}", warning));
-  }
+  say_doubts(sentences);
   note_unused(scene, settings, invocation.command);
   if (opens) {
     report::open_page(opener, *settings.text("html"));

@@ -67,6 +67,13 @@ BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_spectrum, Sandbox) {
   BOOST_TEST(factor(plain) > 1.0001 * 0.5 / (0.25 * overshoot));
 }
 
+BOOST_FIXTURE_TEST_CASE(a_motion_that_is_refused_says_what_is_doubtful_of_its_record, Recorded) {
+  const ProgramRun refused = ending(2, moved + "--record a.txt --record-scale 1e13");
+  BOOST_TEST(contains(refused.err, "warning: record a.txt: is multiplied by 1e+13, to a peak of "),
+             refused.err);
+  BOOST_TEST(contains(refused.err, "half-cycle-limit"), refused.err);
+}
+
 BOOST_FIXTURE_TEST_CASE(a_suite_has_a_factor_for_each_record, Recorded) {
   write("b.txt", long_load);
   write("list.csv", "file,scale\na.txt,2\nb.txt,-1\n");
