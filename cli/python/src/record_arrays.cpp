@@ -86,6 +86,11 @@ json RecordArrays::names_in(py::handle value) {
   json names = json::array();
   for (const py::handle one : value) {
     std::string text = text_of(one);
+    if (text.empty() && PySequence_Check(one.ptr()) != 0 && !is_name(one)) {
+      const py::object shown = py::module_::import("reprlib").attr("repr")(one);
+      throw InputError("record", shown.cast<std::string>(),
+                       "must be a file, an array of numbers, or (times, accelerations)");
+    }
     names.push_back(text.empty() ? to_paths("record", one) : json(hold(std::move(text))));
   }
   return names;

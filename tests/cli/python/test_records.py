@@ -72,7 +72,10 @@ def test_values_alone_need_a_step_and_units_are_options():
     (([0, 0.1, 0.2], [0.1, np.nan, 0.1]), "record record 1, line 2, column 5: \"nan\" is not a finite number"),
     (np.zeros((5, 2)), r"record = an array of shape \(5, 2\): must be \(times, accelerations\)"),
     (np.ma.masked_greater([0.1, 9], 1), "record = .*no masked entries"),
-    (([0, 1], ["a", "b"]), "record"), ([], "record = "), (([], []), "record"), (5, "record = 5: must be one path")])
+    (([0, 1], ["a", "b"]), r"record = \['a', 'b'\]: must be a file, an array of numbers, or \(times, accel"),
+    (([0, 0.1], [False, True]), r"record = \[False, True\]: must be a file, an array of numbers"),
+    (([], []), r"record = \[\]: must be a file, an array of numbers"), ([], "record = "),
+    (5, "record = 5: must be one path")])
 def test_wrong_arrays_are_refused(record, said):
     with pytest.raises(stillpoint.InputError, match="^" + said):
         stillpoint.simulate(record=record, **DAMPER)
