@@ -136,10 +136,9 @@ struct Friction {
 
   [[nodiscard]] double at(double x) const {
     const double distance = std::abs(x);
-    double f = oscillator.f;
-    for (auto zone = surface.zones.rbegin(); zone != surface.zones.rend(); ++zone) {
-      f = distance < zone->to ? zone->f : f;
-    }
+    const auto zone = std::ranges::find_if(
+        surface.zones, [distance](const FrictionZone& now) { return distance < now.to; });
+    const double f = zone == surface.zones.end() ? oscillator.f : zone->f;
     const double width = surface.notch_width.value_or(0);
     return distance < width / 2 && !leaving ? f + oscillator.delta / width : f;
   }
