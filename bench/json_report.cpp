@@ -3,6 +3,8 @@
 
 #include <stillpoint/records/decimal.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <string>
 
 namespace stillpoint::bench {

@@ -35,7 +35,7 @@ json number(const std::string& field, py::handle value) {
 
 /// A file's name would end at a null character.
 json text(const std::string& field, py::handle value) {
-  py::object bytes = py::reinterpret_borrow<py::object>(value);
+  auto bytes = py::reinterpret_borrow<py::object>(value);
   if (PyUnicode_Check(value.ptr())) {
     bytes = py::reinterpret_steal<py::object>(
         PyUnicode_AsEncodedString(value.ptr(), "utf-8", "surrogateescape"));

@@ -304,7 +304,7 @@ bool has_few_digits(double value, int digits) {
 BOOST_AUTO_TEST_CASE(a_printed_design_has_the_digits_that_its_tolerance_deserves) {
   RecordDesignRequest request = with_capacity();
   const double centimetres = 100 / metre;
-  const RecordDesign exact = design_with_capacity();
+  const RecordDesign& exact = design_with_capacity();
   request.printed = {centimetres};
   const RecordDesign design = design::design(request);
   BOOST_REQUIRE(design.finding.has_value());
