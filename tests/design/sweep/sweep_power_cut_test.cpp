@@ -31,7 +31,8 @@ std::filesystem::path path_of(int descriptor) {
 
 }  // namespace
 
-// Found before those of the C library.
+// Found before those of the C library, whose parameters have reserved names.
+// NOLINTBEGIN(readability-inconsistent-declaration-parameter-name)
 extern "C" {
 int fsync(int descriptor) {
   note("fsync", path_of(descriptor));
@@ -50,6 +51,7 @@ int remove(const char* path) noexcept {
   return static_cast<int>(::syscall(SYS_unlinkat, AT_FDCWD, path, 0));
 }
 }
+// NOLINTEND(readability-inconsistent-declaration-parameter-name)
 
 BOOST_AUTO_TEST_SUITE(sweep_power_cut_test)
 
