@@ -163,6 +163,23 @@ BOOST_AUTO_TEST_CASE(the_finite_notch_tends_to_the_papers_in_first_order) {
   }
 }
 
+// Its turn is where friction just holds it, but for rounding.
+BOOST_AUTO_TEST_CASE(a_mass_that_turns_at_the_end_of_its_dead_zone_rests_there) {
+  Dice dice(19);
+  for (int i = 0; i < 3000; ++i) {
+    const double p = dice.power_of_ten(-2, 2);
+    const double f = dice.power_of_ten(-5, 0);
+    const double delta = dice.power_of_ten(-2, 0) * f * f / p / p;
+    // Starting in the notch, the mass leaves it without its friction: v0^2 = (p r)^2 + 2 f r.
+    const double r = f / p / p;
+    const double width = r * dice.power_of_ten(-3, -0.5);
+    const double v0 = std::sqrt(3 * f * r);
+    const ForcedResponse motion = run({p, f, delta}, notch(width), {0, v0});
+    BOOST_TEST(std::abs(motion.stop_position.value() / r - 1) <= 1e-12,
+               "p " << p << ", f " << f << ", delta " << delta << ", width " << width);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(simulate_gives_all_of_a_motion_with_a_notch) {
   SimulationRequest request;
   request.oscillator = {1, 0.05, 0.1};

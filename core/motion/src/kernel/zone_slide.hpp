@@ -151,9 +151,14 @@ void require_few_passages(const Run& run) {
 /// W = 0 for good: up to the final rest, or until nothing can slow the mass down any more.
 template <class Run, class Drive>
 void slide_to_rest(Run& run, Drive& drive) {
+  std::optional<std::decay_t<decltype(run.state().u)>> set_off_from;
   while (!run.over()) {
     run.slide_to_turn(drive);
     run.settle();
+    if (!run.over() && set_off_from == run.state().u) {
+      // Beyond the dead zone by so little that no digit of u changes: for ever, if it went on.
+      run.stop_where_it_rests();
+    }
     if (!run.over() && run.law().frictionless_up_to(run.state().u)) {
       auto& s = run.state();
       s.mode = ForcedMode::over;
@@ -164,6 +169,7 @@ void slide_to_rest(Run& run, Drive& drive) {
     }
     if (!run.over()) {
       require_few_passages(run);
+      set_off_from = run.state().u;
       run.set_off_under(drive);
     }
   }
