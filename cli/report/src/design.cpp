@@ -147,16 +147,8 @@ std::string status_words(std::string_view status) {
 }
 
 Optimum optimum_of(const design::DesignResult& result) {
-  const auto& [problem, limits, search, pulse, ranges] = result.request;
-  const design::Finding& finding = *result.finding;
-  if (pulse) {
-    return {finding.pulse->searched, finding.pulse->bracketed};
-  }
-  Optimum optimum{{}, design::optimum_along_f(problem, limits, search.objective)};
-  optimum.found = search.objective == design::Objective::robust
-                      ? std::optional(finding.point.tolerance)
-                      : design::objective_of(search.objective, finding.response);
-  return optimum;
+  const auto& search = result.finding->search;
+  return search ? Optimum{search->by_nlopt, search->along_f} : Optimum();
 }
 
 Tone tone_of(const DesignReport& report) {

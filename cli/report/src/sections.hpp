@@ -202,8 +202,8 @@ void add_damper(Section& section, const design::DesignPoint& damper, const Delta
 /// Of a finding.
 [[nodiscard]] DeltaNeeds delta_needs(const design::DesignResult& result);
 
-/// The objective's value of the design (for a pulse, of NLopt's best point), and of the best along
-/// f alone, without NLopt; empty if not known.
+/// The objective's value of NLopt's best point, and of the best along f alone, without NLopt; empty
+/// if not known.
 struct Optimum {
   std::optional<double> found;
   std::optional<double> along_f;

@@ -21,10 +21,9 @@ struct Damper : WideNotch {
     return root(std::max(Wide(0), square_before(radius, 0)));
   }
   [[nodiscard]] Wide radius_of_half_cycle(int n, Wide v0) const {
-    Wide radius = root(v0 * v0 + phi * phi);
+    Wide radius = root(square(v0) + square(phi));
     for (int i = 1; i < n; ++i) {
-      const Wide t = radius - 2 * phi;
-      radius = root(std::max(Wide(0), t * t - d));
+      radius = root(std::max(Wide(0), square(radius - twice(phi)) - d));
     }
     return radius;
   }
@@ -65,7 +64,7 @@ constexpr int hit_parts = 4;
 void add_motions(Listing& now, const Damper& damper, Wide within) {
   Wide stop = damper.phi;               // radius of the stop edge of the arrival before, (41)
   Wide near = damper.phi + within;      // of the first rest as far as the residual
-  Wide far = 2 * damper.phi;            // of the farthest rest, (42)
+  Wide far = twice(damper.phi);         // of the farthest rest, (42)
   Wide back = 3 * damper.phi - within;  // of the last rest as far as the residual
   Wide reach = 3 * damper.phi;          // of the reach edge, (40)
   for (int n = 1; damper.speed(stop) < now.highest; ++n) {
@@ -102,10 +101,10 @@ void add_motions(Listing& now, const Damper& damper, Wide within) {
 
 Listing listed(const Oscillator& oscillator, double beta, double v0_most, double residual) {
   const auto& [p, f, delta, hold] = oscillator;
-  const Damper damper{{f / Wide(p), 2 * Wide(delta)}, p};
+  const Damper damper{{Wide(f) / p, 2 * delta}, p};
   const Wide start = std::min(Wide(v0_most), root(damper.d));
   const Wide speed = Wide(beta) * p;
-  const Wide peak_limit = root(speed) * root(speed + 2 * damper.phi);
+  const Wide peak_limit = root(speed) * root(speed + twice(damper.phi));
   Listing now{start, std::clamp(peak_limit, start, Wide(v0_most)), {}, {}};
   if (start > 0) {
     now.add(0, start, HitEnd::held);

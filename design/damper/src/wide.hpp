@@ -1,86 +1,122 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Decisions to the last bit of a double are computed in 64 bits, the long double of x86. Where long
-// double has 113 bits, each operation is rounded to 64 of them, so that the results are the same.
+// Decisions to the last bit of a double are computed in pairs of doubles, to 2^-100 of each result:
+// the same on every machine. What is a double by itself comes out as one. Nothing here may be
+// infinite but what is only compared.
 
-#include <cfloat>
+#include <stillpoint/core/double_pair.hpp>
+
 #include <cmath>
 
-#if LDBL_MANT_DIG != 64
-#include <array>
-#include <bit>
-#include <cstdint>
-#include <type_traits>
-#endif
-
 namespace stillpoint::design {
-
-#if LDBL_MANT_DIG == 64
-
-using Wide = long double;
-
-[[nodiscard]] inline Wide root(Wide square) {
-  return std::sqrt(square);
-}
-
-#else
 
 class Wide {
  public:
   Wide() = default;
-  template <class Number>
-  requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, long double>) Wide(Number value)
-      : value_(value) {}  // NOLINT(google-explicit-constructor): as long double
-  [[nodiscard]] explicit operator double() const { return static_cast<double>(value_); }
-
-  friend Wide operator-(Wide a) { return Wide(Exact{-a.value_}); }
-  friend Wide operator+(Wide a, Wide b) { return rounded(a.value_ + b.value_); }
-  friend Wide operator-(Wide a, Wide b) { return rounded(a.value_ - b.value_); }
-  friend Wide operator*(Wide a, Wide b) { return rounded(a.value_ * b.value_); }
-  friend Wide operator/(Wide a, Wide b) { return rounded(a.value_ / b.value_); }
-  friend Wide root(Wide square) { return rounded(std::sqrt(square.value_)); }
-
-  friend bool operator==(Wide a, Wide b) { return a.value_ == b.value_; }
-  friend bool operator<(Wide a, Wide b) { return a.value_ < b.value_; }
-  friend bool operator>(Wide a, Wide b) { return a.value_ > b.value_; }
-  friend bool operator<=(Wide a, Wide b) { return a.value_ <= b.value_; }
-  friend bool operator>=(Wide a, Wide b) { return a.value_ >= b.value_; }
-
- private:
-  static_assert(LDBL_MANT_DIG == 113 && std::endian::native == std::endian::little);
-
-  struct Exact {
-    long double value;
-  };
-  explicit Wide(Exact exact) : value_(exact.value) {}
-
-  /// To even where it is half-way.
-  static Wide rounded(long double value) {
-    constexpr int lost = 113 - 64;
-    auto [low, high] = std::bit_cast<std::array<std::uint64_t, 2>>(value);
-    const std::uint64_t up = (std::uint64_t{1} << (lost - 1)) - 1 + ((low >> lost) & 1);
-    low += up;
-    high += low < up ? 1 : 0;
-    low = low >> lost << lost;
-    return Wide(Exact{std::bit_cast<long double>(std::array<std::uint64_t, 2>{low, high})});
+  Wide(double value)  // NOLINT(google-explicit-constructor): exact
+      : pair_{value, 0} {}
+  /// The nearest.
+  [[nodiscard]] explicit operator double() const { return pair_.high; }
+  /// What is beyond that.
+  [[nodiscard]] double rest() const { return pair_.low; }
+  /// To the last digit, unless it is below 1e-290; those of * end at 2^-106. The fused operation
+  /// has the same bits on every machine, but is slow where it is not the processor's.
+  [[nodiscard]] static Wide exact_product(double a, double b) {
+    const double product = a * b;
+    return {DoublePair{product, std::fma(a, b, -product)}};
+  }
+  /// By a power of two, exactly.
+  [[nodiscard]] Wide times(double power) const {
+    return {DoublePair{pair_.high * power, pair_.low * power}};
   }
 
-  long double value_{0};
-};
+  friend Wide operator-(Wide a) { return {DoublePair{-a.pair_.high, -a.pair_.low}}; }
+  friend Wide operator+(Wide a, Wide b) {
+    const DoublePair high = two_sum(a.pair_.high, b.pair_.high);
+    const DoublePair low = two_sum(a.pair_.low, b.pair_.low);
+    const DoublePair sum = ordered_sum(high.high, high.low + low.high);
+    return {ordered_sum(sum.high, sum.low + low.low)};
+  }
+  friend Wide operator+(Wide a, double b) {
+    const DoublePair sum = two_sum(a.pair_.high, b);
+    return {ordered_sum(sum.high, sum.low + a.pair_.low)};
+  }
+  friend Wide operator+(double a, Wide b) { return b + a; }
+  friend Wide operator-(Wide a, Wide b) { return a + -b; }
+  friend Wide operator-(Wide a, double b) { return a + -b; }
+  friend Wide operator-(double a, Wide b) { return -b + a; }
+  friend Wide operator*(Wide a, Wide b) {
+    const DoublePair product = two_product(a.pair_.high, b.pair_.high);
+    const double cross = a.pair_.high * b.pair_.low + a.pair_.low * b.pair_.high;
+    return {ordered_sum(product.high, product.low + cross)};
+  }
+  friend Wide operator*(Wide a, double b) {
+    const DoublePair product = two_product(a.pair_.high, b);
+    return {ordered_sum(product.high, product.low + a.pair_.low * b)};
+  }
+  friend Wide operator*(double a, Wide b) { return b * a; }
+  friend Wide operator/(Wide a, Wide b) {
+    const double inverse = 1 / b.pair_.high;  // beside the other division, which it does not delay
+    const double quotient = a.pair_.high / b.pair_.high;
+    const DoublePair product = two_product(quotient, b.pair_.high);
+    const double left =
+        ((a.pair_.high - product.high) - product.low) + (a.pair_.low - quotient * b.pair_.low);
+    return {ordered_sum(quotient, left * inverse)};
+  }
+  friend Wide operator/(Wide a, double b) {
+    const double inverse = 1 / b;
+    const double quotient = a.pair_.high / b;
+    const DoublePair product = two_product(quotient, b);
+    const double left = ((a.pair_.high - product.high) - product.low) + a.pair_.low;
+    return {ordered_sum(quotient, left * inverse)};
+  }
+  friend Wide twice(Wide a) { return a.times(2); }
+  friend Wide square(Wide a) {
+    const DoublePair product = two_product(a.pair_.high, a.pair_.high);
+    return {ordered_sum(product.high, product.low + 2 * (a.pair_.high * a.pair_.low))};
+  }
+  friend Wide root(Wide square) {
+    const double root = std::sqrt(square.pair_.high);
+    if (!(root > 0)) {
+      return root;
+    }
+    const double inverse = 0.5 / root;
+    const DoublePair product = two_product(root, root);
+    const double left = ((square.pair_.high - product.high) - product.low) + square.pair_.low;
+    return {ordered_sum(root, left * inverse)};
+  }
 
-#endif
+  friend bool operator==(Wide a, Wide b) {
+    return a.pair_.high == b.pair_.high && a.pair_.low == b.pair_.low;
+  }
+  friend bool operator<(Wide a, Wide b) {
+    return a.pair_.high < b.pair_.high ||
+           (a.pair_.high == b.pair_.high && a.pair_.low < b.pair_.low);
+  }
+  friend bool operator>(Wide a, Wide b) { return b < a; }
+  friend bool operator<=(Wide a, Wide b) {
+    return a.pair_.high < b.pair_.high ||
+           (a.pair_.high == b.pair_.high && a.pair_.low <= b.pair_.low);
+  }
+  friend bool operator>=(Wide a, Wide b) { return b <= a; }
+
+ private:
+  Wide(DoublePair pair) : pair_(pair) {}
+
+  DoublePair pair_;
+};
 
 /// The nearest double that is not below.
 [[nodiscard]] inline double rounded_up(Wide value) {
   const auto nearest = static_cast<double>(value);
-  return nearest < value ? std::nextafter(nearest, HUGE_VAL) : nearest;
+  return value.rest() > 0 ? std::nextafter(nearest, HUGE_VAL) : nearest;
 }
 
 /// The nearest double that is not above.
 [[nodiscard]] inline double rounded_down(Wide value) {
   const auto nearest = static_cast<double>(value);
-  return nearest > value ? std::nextafter(nearest, -HUGE_VAL) : nearest;
+  return value.rest() < 0 ? std::nextafter(nearest, -HUGE_VAL) : nearest;
 }
 
 /// Two speeds, as V0 = beta p, so that f2 = 0 (or A = V0 p and f4 = 0): each of the three is a
@@ -91,53 +127,48 @@ class Wide {
   return difference <= 0x3p-53 * v0;
 }
 
-/// The product of two doubles, exactly unless it is below 1e-290.
-struct Product {
-  double high;
-  double low;
-};
-[[nodiscard]] inline Product product(double a, double b) {
-  const double high = a * b;
-  return {high, std::fma(a, b, -high)};
-}
-
 /// a - b c, of which no digit is lost where they are nearly equal.
 [[nodiscard]] inline Wide less_product(double a, double b, double c) {
-  const auto [high, low] = product(b, c);
-  return Wide(a) - high - low;
+  return a - Wide::exact_product(b, c);
 }
 
-/// v0 p - sqrt(8) f, likewise: next to f3 only the last sum is rounded.
+/// v0 p - sqrt(8) f, likewise.
 [[nodiscard]] inline Wide spare_of_return(double v0, double p, double f) {
   // sqrt(8) in three doubles.
   constexpr double root8 = 0x1.6a09e667f3bcdp+1;
   constexpr double rest = -0x1.bdd3413b26456p-53;
   constexpr double rest_of_rest = 0x1.57d3e3adec175p-107;
-  const auto [arrives, arrives_low] = product(v0, p);
-  const auto [needs, needs_low] = product(root8, f);
-  const auto [more, more_low] = product(rest, f);
-  return Wide(arrives) - needs + (Wide(arrives_low) - needs_low) - more -
-         (Wide(more_low) + Wide(rest_of_rest) * f);
+  return Wide::exact_product(v0, p) - Wide::exact_product(root8, f) - Wide::exact_product(rest, f) -
+         rest_of_rest * f;
 }
 
-// One half-cycle back, (39), for decisions that are right to the last bit.
+[[nodiscard]] inline double twice(double value) {
+  return 2 * value;
+}
+[[nodiscard]] inline double square(double value) {
+  return value * value;
+}
+[[nodiscard]] inline double root(double value) {
+  return std::sqrt(value);
+}
+
+// One half-cycle back, (39), for decisions that are right to the last bit, and in doubles where the
+// last bits do not decide.
 
 /// In speeds: phi = f/p, d = 2 Delta.
-struct WideNotch {
-  Wide phi;
-  Wide d;
+template <class Number>
+struct NotchOf {
+  Number phi;
+  Number d;
 
-  [[nodiscard]] Wide before(Wide radius) const { return 2 * phi + root(radius * radius + d); }
-  [[nodiscard]] Wide square_before(Wide radius, int steps) const {
+  [[nodiscard]] Number before(Number radius) const { return twice(phi) + root(square(radius) + d); }
+  [[nodiscard]] Number square_before(Number radius, int steps) const {
     for (int i = 0; i < steps; ++i) {
       radius = before(radius);
     }
     return (radius - phi) * (radius + phi);
   }
-  /// The least V0 whose first half-cycle has that radius or a larger one.
-  [[nodiscard]] double speed(Wide radius) const {
-    return rounded_up(root((radius - phi) * (radius + phi)));
-  }
 };
+using WideNotch = NotchOf<Wide>;
 
 }  // namespace stillpoint::design

@@ -57,11 +57,6 @@ BOOST_AUTO_TEST_CASE(a_design_asks_at_each_strip) {
   check_cancellable([&] { static_cast<void>(design::design(request)); }, some);
   request.problem.residual = 0.01;
   check_cancellable([&] { static_cast<void>(design::design(request)); }, some);
-  check_cancellable(
-      [&] {
-        static_cast<void>(optimum_along_f(request.problem, request.limits, Objective::robust));
-      },
-      some);
 }
 
 BOOST_AUTO_TEST_CASE(a_task_without_a_design_asks_while_it_is_mended) {

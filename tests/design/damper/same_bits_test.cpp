@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// Another version of NLopt, or another processor, moves the last digits of what NLopt returns. Here
+// each of its runs starts a relative 1e-9 aside, so that every step of it differs, and what it
+// returns is 1e-11 off. No bit of a design may change.
+#include "damper.hpp"
+#include "pulse/random_pulse.hpp"
+#include "ranges_task.hpp"
+
+#include <fmt/format.h>
+
+#include <dlfcn.h>
+#include <nlopt.h>
+
+#include <bit>
+#include <cstdint>
+
+namespace {
+
+/// -1 or 1; 0 leaves NLopt as it is.
+double aside = 0;
+
+void move(nlopt_opt solver, double* x, double relative) {
+  std::vector<double> low(nlopt_get_dimension(solver));
+  std::vector<double> high(low.size());
+  nlopt_get_lower_bounds(solver, low.data());
+  nlopt_get_upper_bounds(solver, high.data());
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    x[i] = std::clamp(x[i] * (1 + aside * relative), low[i], high[i]);
+  }
+}
+
+}  // namespace
+
+// Found before that of the library.
+extern "C" nlopt_result nlopt_optimize(nlopt_opt solver, double* x, double* least) {
+  static auto* const optimize =
+      reinterpret_cast<decltype(&nlopt_optimize)>(::dlsym(RTLD_NEXT, "nlopt_optimize"));
+  move(solver, x, 1e-9);
+  const nlopt_result result = optimize(solver, x, least);
+  move(solver, x, 1e-11);
+  return result;
+}
+
+BOOST_AUTO_TEST_SUITE(same_bits_test)
+
+namespace {
+
+using namespace stillpoint::design_test;
+
+/// The last design, as its bits.
+using Bits = std::array<std::uint64_t, 3>;
+
+Bits bits_of(const std::optional<DesignPoint>& point) {
+  const auto [f, delta, tolerance] = point.value_or(DesignPoint());
+  return {std::bit_cast<std::uint64_t>(f), std::bit_cast<std::uint64_t>(delta),
+          std::bit_cast<std::uint64_t>(tolerance)};
+}
+
+template <class Search>
+void check_bits(const Search& search, const std::string& task) {
+  aside = 0;
+  const auto plain = search();
+  for (const double now : {-1.0, 1.0}) {
+    aside = now;
+    BOOST_TEST(bits_of(search()) == bits_of(plain),
+               task << ": " << search()->f << ", not " << plain->f);
+  }
+  aside = 0;
+}
+
+std::optional<DesignPoint> searched(const Problem& problem, const Limits& limits,
+                                    Objective objective) {
+  const auto found = search(problem, limits, {.objective = objective});
+  return found ? std::optional(found->point) : std::nullopt;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(of_a_design_for_a_hit) {
+  RandomSource random(1301);
+  for (int i = 0; i < 300; ++i) {
+    const Problem problem = random_feasible_problem(random);
+    for (const Objective objective : objectives) {
+      check_bits([&] { return searched(problem, {}, objective); },
+                 fmt::format("{}, v0 = {}, p = {}, beta = {}", name(objective), problem.v0,
+                             problem.p, problem.beta));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_a_design_with_ranges_and_residuals) {
+  for (std::uint64_t seed = 1'302'000; seed < 1'302'300; ++seed) {
+    RandomSource random(seed);
+    const Task task = in_ranges::random_task(random);
+    for (const Objective objective : objectives) {
+      check_bits([&] { return searched(task.problem, task.limits, objective); },
+                 fmt::format("{}, {}", name(objective), context_of(task)));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_a_design_for_a_pulse) {
+  for (std::uint64_t seed = 1'303'000; seed < 1'303'100; ++seed) {
+    RandomSource random(seed);
+    const PulseRequest request = random_request(random);
+    check_bits(
+        [&] {
+          const DesignResult result = design::design(request);
+          return result.finding ? std::optional(result.finding->point) : std::nullopt;
+        },
+        fmt::format("seed {}", seed));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

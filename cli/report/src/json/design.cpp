@@ -84,7 +84,7 @@ ordered_json method_json(const design::CheckMethod& method) {
 }
 
 /// The design under its pulse.
-ordered_json pulse_check_json(const design::PulseCheck& check) {
+ordered_json pulse_check_json(const design::PulseCheck& check, const Optimum& optimum) {
   const auto worst = [](const auto& figures) -> ordered_json {
     return {{"peak_amplitude", figures.peak},
             {"peak_absolute_acceleration", figures.acceleration},
@@ -100,8 +100,8 @@ ordered_json pulse_check_json(const design::PulseCheck& check) {
           {"peak_error", check.peak_error},
           {"stop_time_error", check.stop_time_error},
           {"warnings", list_json(check.warnings, [](auto warning) { return name(warning); })},
-          {"searched", check.searched},
-          {"bracketed", check.bracketed},
+          {"searched", optimum.found},
+          {"bracketed", optimum.along_f},
           {"response", forced_json(check.response)}};
 }
 
@@ -184,7 +184,7 @@ void add_finding(ordered_json& json, const DesignReport& report) {
       practice_worst_json(task_of(report), now.practice, now.point.f, now.point.delta);
   if (now.pulse) {
     json["response"] = forced_json(now.pulse->response);
-    json["pulse"] = pulse_check_json(*now.pulse);
+    json["pulse"] = pulse_check_json(*now.pulse, optimum_of(result));
   } else {
     json["response"] = response_json(now.response);
   }

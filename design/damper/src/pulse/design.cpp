@@ -52,8 +52,8 @@ DesignResult design(const PulseRequest& request) {
                              : std::optional(in_pulse_units(request.search.objective, value,
                                                             region.f_unit(), request.problem.p));
   };
-  result.finding->pulse->searched = value_of(optimum->searched);
-  result.finding->pulse->bracketed = value_of(optimum->bracketed);
+  result.finding->search->by_nlopt = value_of(optimum->searched);
+  result.finding->search->along_f = value_of(optimum->bracketed);
   return result;
 }
 

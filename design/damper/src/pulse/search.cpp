@@ -85,7 +85,8 @@ std::optional<PulseOptimum> search(const PulseRegion& region, const SearchOption
       searched_least = std::min(searched_least, by_nlopt.cost);
       bracketed_least = std::min(bracketed_least, along.cost);
       // Of equal tolerances, the one along f has the largest f, and so the least peak and Delta.
-      constexpr double better_by = 1e-12;
+      // And the last digits of NLopt's depend on its version and on the processor.
+      constexpr double better_by = 1e-8;
       const PulseBest& better =
           by_nlopt.cost < along.cost - better_by * std::abs(along.cost) ? by_nlopt : along;
       if (better.f && better.cost < least) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "record/suite_samples.hpp"
 
+#include <stillpoint/core/elementary.hpp>
+
 #include <cmath>
 
 namespace stillpoint::design {
@@ -11,7 +13,7 @@ namespace {
 double generalised_golden(std::size_t dimensions) {
   double root = 1.5;
   for (int i = 0; i < 60; ++i) {
-    root = std::pow(1 + root, 1 / static_cast<double>(dimensions + 1));
+    root = elementary::exp(elementary::log(1 + root) / static_cast<double>(dimensions + 1));
   }
   return root;
 }

@@ -15,7 +15,7 @@ namespace stillpoint::design {
 namespace {
 
 double largest_returning_f(double v0, double p) {
-  double f = rounded_up(v0 * Wide(p) / root(Wide(8)));
+  double f = rounded_up(Wide(v0) * p / root(Wide(8)));
   while (spare_of_return(v0, p, f) < 0) {
     f = std::nextafter(f, 0.0);
   }
@@ -30,14 +30,18 @@ double largest_delta_of_start(double v0) {
 }
 
 Edges edges(const Problem& problem, const Limits& limits) {
-  const Wide v0 = problem.v0;
-  const Wide beta = problem.beta;
-  const Wide speed = beta * problem.p;
+  const double v0 = problem.v0;
+  const double p = problem.p;
+  const double beta = problem.beta;
+  const Wide speed = Wide(beta) * p;
+  const double unit = speed > 1 ? 0x1p-64 : 0x1p64;  // the product is beyond a double without it
   Edges result{};
   result.f1 = problem.beta * problem.p * problem.p;
-  const Wide faster = less_product(problem.v0, problem.beta, problem.p);
-  result.f2 = is_same(v0, speed) ? 0 : rounded_up(faster * (v0 + speed) / (2 * beta));
-  result.f3 = largest_returning_f(problem.starting_v0(), problem.p);
+  result.f2 =
+      is_same(v0, speed)
+          ? 0
+          : rounded_up(less_product(v0, beta, p).times(unit) * (v0 + speed) / (2 * beta * unit));
+  result.f3 = largest_returning_f(problem.starting_v0(), p);
   result.f_max = least_limit(Bounded::f, limits);
   result.f4 = figures_edge(problem, limits);
   result.f_cap = std::min({result.f3, result.f_max, result.f4});
@@ -55,20 +59,27 @@ bool box_fits(double floor, double cap, double tolerance) {
 }
 
 double unchecked_delta1(const Problem& problem, double f) {
-  const Wide v0 = problem.v0;
+  const int unit = std::ilogb(problem.v0);  // so that no square loses digits
+  const double v0 = std::ldexp(problem.v0, -unit);
+  f = std::ldexp(f, -unit);
   const double p = problem.stiffest_p();
-  const Wide phi = f / Wide(p);
-  const Wide radius = root(v0 * v0 + phi * phi);
-  if (phi == 0) {  // Delta2 itself
+  if (f / p == 0) {  // Delta2 itself
     return largest_delta_of_start(problem.v0);
   }
-  if (problem.criterion == Criterion::published) {
-    const Wide speed = radius - 2 * phi;
-    return static_cast<double>(speed * speed / 2);
+  const bool published = problem.criterion == Criterion::published;
+  constexpr double far_beyond = 1e30;  // there V0 is lost in phi
+  if (!(f / p < far_beyond)) {
+    return published ? std::ldexp(f / p, unit) * std::ldexp(f / p, unit - 1) : 0;
   }
-  const Wide spare = spare_of_return(problem.v0, p, f) / p;
-  const Wide returns = spare * (v0 + root(Wide(8)) * phi) / (radius + 3 * phi);
-  return static_cast<double>((radius - phi) * std::max(Wide(0), returns) / 2);
+  const Wide phi = Wide(f) / p;
+  const Wide radius = root(square(Wide(v0)) + square(phi));
+  Wide twice_delta = square(radius - twice(phi));
+  if (!published) {
+    const Wide spare = spare_of_return(v0, p, f) / p;
+    twice_delta =
+        (radius - phi) * std::max(Wide(0), spare) * (v0 + root(Wide(8)) * phi) / (radius + 3 * phi);
+  }
+  return std::ldexp(static_cast<double>(twice_delta), 2 * unit - 1);
 }
 
 double lower_end_from_stop(const Problem& problem, const Limits& limits) {

@@ -7,9 +7,9 @@
 
 namespace stillpoint::design {
 
-/// The edges as doubles that lie on or inside them: f2 rounded up, from long double, f3 and Delta2
-/// down. At beta = V0/(sqrt(2) p) they meet, and one ulp of beta moves f2 by three,
-/// which rounding to nearest could hide.
+/// The edges as doubles that lie on or inside them: f2 rounded up, f3 and Delta2 down. At beta =
+/// V0/(sqrt(2) p) they meet, and one ulp of beta moves f2 by three, which rounding to nearest could
+/// hide.
 struct Edges {
   double f1;
   double f2;

@@ -3,6 +3,7 @@
 
 #include "wide.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stillpoint::design {
@@ -13,8 +14,10 @@ double acceleration_edge(const Problem& problem, double limit) {
   if (is_same(p_v0, most)) {
     return 0;
   }
-  const Wide square = less_product(limit, problem.v0, problem.stiffest_p()) * (most + p_v0);
-  return square < 0 ? rounded_down(-root(-square)) : rounded_down(root(square));
+  const double unit = std::ldexp(1, std::ilogb(std::max(limit, static_cast<double>(p_v0))));
+  const Wide square = less_product(limit, problem.v0, problem.stiffest_p()).times(1 / unit) *
+                      (most + p_v0).times(1 / unit);
+  return rounded_down((square < 0 ? -root(-square) : root(square)).times(unit));
 }
 
 double least_acceleration(const Problem& problem) {

@@ -55,7 +55,7 @@ Wide highest_p(const HitDamper& damper, Wide v0) {
   const Wide root_d = root(d);
   const Wide per_phi =
       criterion == Criterion::exact ? root(8 * (v0 * v0 + d)) : 2 * root_d + root(d + 3 * v0 * v0);
-  return lost > 0 ? f * per_phi / lost : Wide(HUGE_VAL);
+  return lost > 0 ? f * (per_phi / lost) : Wide(HUGE_VAL);
 }
 
 /// The edge as the last double that fits, seen from `nominal`, which does. The edge is accurate to
@@ -159,7 +159,7 @@ std::optional<WorksFor> works_for(const Problem& problem, const Limits& limits, 
     // Without constant friction the strips touch, and way 0 covers all.
     return works_for(Way(one, of_the_point, f == 0 ? 0 : static_cast<int>(arrival)), f, delta);
   }
-  const HitDamper damper{f, 2 * Wide(delta), problem.beta, problem.criterion};
+  const HitDamper damper{f, 2 * delta, problem.beta, problem.criterion};
   const Interval of_v0 = valid_v0(problem);
   const Interval of_p = valid_p(problem);
   // At the largest p rounding decides what nothing bounds.

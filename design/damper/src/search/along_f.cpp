@@ -1,56 +1,68 @@
 // SPDX-License-Identifier: MIT
-// The optimum without NLopt, along f alone: docs/theory.md sections 8 and 12.
+#include "search/along_f.hpp"
 
 #include "search/objectives.hpp"
-#include "way/extent.hpp"
+#include "unit_problem.hpp"
 #include "way/highest.hpp"
 #include "way/room.hpp"
 #include "way/space.hpp"
 
-#include <stillpoint/design/search.hpp>
+#include <stillpoint/core/elementary.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace stillpoint::design {
 
 namespace {
 
-/// The least stop time with that f where rests off centre are allowed. From some Delta on the mass
-/// stops an arrival earlier: both sides of each such jump are tried, and the ends.
-double soonest_at(const Way& way, double f) {
+constexpr auto nowhere = [](double, double) { return false; };
+
+struct Timed {
+  double delta{0};
+  double cost{HUGE_VAL};
+};
+
+/// The soonest stop with that f where rests off centre are allowed. From some Delta on the mass
+/// stops an arrival earlier, and with more Delta later again: each such Delta is tried, and the
+/// ends.
+Timed soonest_at(const Way& way, double f) {
   const double low = best_delta(way, f, BestDelta::least);
   const double high = best_delta(way, f, BestDelta::largest);
-  double least = HUGE_VAL;
+  Timed least{low};
   const auto consider = [&](double delta) {
     if (low <= delta && delta <= high) {
-      least = std::min(least, way_cost(way, Objective::time, {f, delta, 0}));
+      const double its = way_cost(way, Objective::time, {f, delta, 0});
+      least = its < least.cost ? Timed{delta, its} : least;
     }
   };
   consider(low);
   consider(high);
-  for (int n = 1; n <= way.passages() && n < least; ++n) {
+  for (int n = 1; n <= way.passages() && n < least.cost; ++n) {
     const double jump = d_that_stops_at(n, way.scaled(f)) * way.square();
     consider(jump * (1 + way_inset));
-    consider(jump * (1 - way_inset));
   }
   return least;
 }
 
 /// The same over all f. It jumps where such a Delta becomes small enough to be allowed, which it
 /// does as f grows; between two jumps the minimum is sought.
-double soonest(const Way& way, const Interval& f) {
-  double least = HUGE_VAL;
+void consider_soonest(const Way& way, const Interval& f, BestPoint& best) {
+  const auto consider = [&](double at) { best.consider(at, soonest_at(way, at).delta); };
   const auto between = [&](double low, double high) {
-    const auto worth = [&](double at) { return -soonest_at(way, at); };
-    const auto nowhere = [](double, double) { return false; };
-    if (low <= high) {
-      least = std::min({least, soonest_at(way, low), soonest_at(way, high),
-                        -highest(worth, {low, high}, HUGE_VAL, nowhere).value});
+    const auto worth = [&](double at) { return -soonest_at(way, at).cost; };
+    if (!(low <= high)) {
+      return;
+    }
+    consider(low);
+    if (best.cost() > first_half_turn(way.scaled(low), way.scaled(high)) + clearly_better) {
+      consider(high);
+      consider(highest(worth, {low, high}, HUGE_VAL, nowhere).at);
     }
   };
   double end = f.high;
-  for (int n = 1; n <= way.passages() && n < least; ++n) {
+  for (int n = 1; n <= way.passages() && n < best.cost(); ++n) {
     const auto lacking = [&](double at) {
       return d_that_stops_at(n, way.scaled(at)) * way.square() -
              best_delta(way, at, BestDelta::largest);
@@ -66,43 +78,44 @@ double soonest(const Way& way, const Interval& f) {
     }
   }
   between(f.low, end);
-  return least;
 }
 
-/// The time grows with f at the first arrival, and at later ones first falls and then grows; with
-/// Delta it grows. The other objectives depend on f alone.
-double least_cost(const Way& way, Objective objective, const Interval& f) {
-  if (objective != Objective::time) {
-    return objective_value(objective, way.scaled(falls_with_f(objective) ? f.high : f.low));
-  }
+/// It grows with f at the first arrival, and at later ones first falls and then grows; with Delta
+/// it grows.
+void consider_time(const Way& way, const Interval& f, BestPoint& best) {
+  best.consider(f.low);
   if (way.q > 0) {
-    return soonest(way, f);
+    consider_soonest(way, f, best);
+  } else if (!way.is_papers_task()) {
+    best.consider(f.high);
+    const auto worth = [&](double at) {
+      return -way_cost(way, Objective::time, {at, best_delta(way, at, BestDelta::least), 0});
+    };
+    best.consider(highest(worth, f, HUGE_VAL, nowhere).at);
   }
-  const auto worth = [&](double at) {
-    return -way_cost(way, objective, {at, best_delta(way, at, BestDelta::least), 0});
-  };
-  return -highest(worth, f, HUGE_VAL, [](double, double) { return false; }).value;
 }
 
 }  // namespace
 
-std::optional<double> optimum_along_f(const Problem& problem, const Limits& limits,
-                                      Objective objective) {
-  require_valid(problem, limits);
-  double least = HUGE_VAL;
-  if (objective == Objective::robust) {
-    const double most = most_tolerant_of_all(problem, limits, limits.tolerance).tolerance;
-    least = most > 0 ? -most : least;
-  } else {
-    for_each_way(problem, limits, [&](const Way& way) {
-      if (const auto range = design_range(way)) {
-        least = std::min(least, least_cost(way, objective, range->f));
-      }
-      return true;
-    });
+double first_half_turn(double low, double high) {
+  const double swings_back_below = 1 / std::numbers::sqrt3;
+  const double before = elementary::atan2(1.0, high);
+  double phase = low < unit::a3 ? unit::stop_phase(low) : HUGE_VAL;
+  if (high > unit::a3) {
+    phase = std::min(phase, before + std::numbers::pi);
   }
-  return least < HUGE_VAL ? std::optional(least * objective_unit(objective, problem))
-                          : std::nullopt;
+  return (high < swings_back_below ? phase : before) / std::numbers::pi;
+}
+
+void consider_along_f(const Way& way, Objective objective, const DesignRange& range,
+                      BestPoint& best) {
+  if (objective == Objective::robust) {
+    best.consider(most_tolerant(way));
+  } else if (objective == Objective::time) {
+    consider_time(way, range.f, best);
+  } else {  // depends on f alone
+    best.consider(falls_with_f(objective) ? range.f.high : range.f.low);
+  }
 }
 
 }  // namespace stillpoint::design

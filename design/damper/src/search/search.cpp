@@ -3,10 +3,11 @@
 // centre, so a box lies in one of them, and the best of all is the best of one: docs/theory.md
 // sections 8, 12 and 13.
 
+#include "search/along_f.hpp"
+#include "search/best_point.hpp"
 #include "search/objectives.hpp"
 #include "search/run.hpp"
 #include "unit_problem.hpp"
-#include "way/extent.hpp"
 #include "way/room.hpp"
 #include "way/space.hpp"
 
@@ -17,29 +18,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <vector>
 
 namespace stillpoint::design {
 
 namespace {
-
-/// Within the distance that a design keeps from its edges, a later way is no better than an earlier
-/// one.
-constexpr double clearly_better = 1e-8;
-
-/// The least p T / pi of the first half-cycle for a from `low` to `high`. The time of a return to
-/// x = 0 grows with a up to a3; if the mass rests before, beyond a3, that falls: (5), (6).
-double first_half_turn(double low, double high) {
-  const double swings_back_below = 1 / std::numbers::sqrt3;
-  const double before = elementary::atan2(1.0, high);
-  double phase = low < unit::a3 ? unit::stop_phase(low) : HUGE_VAL;
-  if (high > unit::a3) {
-    phase = std::min(phase, before + std::numbers::pi);
-  }
-  return (high < swings_back_below ? phase : before) / std::numbers::pi;
-}
 
 /// No damper of the way costs less, as way_cost.
 double bound_of(const Way& way, Objective objective) {
@@ -57,74 +41,9 @@ double bound_of(const Way& way, Objective objective) {
   return objective_value(objective, falls_with_f(objective) ? high : low);
 }
 
-/// The Delta to try with an f. The peak and the acceleration do not depend on it, nor does the time
-/// of the first arrival; that of a later one grows with it; with a residual it may jump.
-std::span<const BestDelta> choices(const Way& way, Objective objective) {
-  static constexpr std::array any{BestDelta::most_tolerant, BestDelta::least, BestDelta::largest};
-  const std::span all(any);
-  return objective != Objective::time || way.is_papers_task() ? all.first(1)
-         : way.plain                                          ? all.subspan(1, 1)
-                                                              : all;
-}
-
-/// The best point seen, judged by the way itself: NLopt's last point may be neither feasible nor
-/// its best.
-class Best {
- public:
-  Best(const Way& way, Objective objective) : way_(way), objective_(objective) {}
-
-  void consider(double f) {
-    if (!(f > 0)) {  // SLSQP returns NaN if its subproblem is degenerate
-      return;
-    }
-    f = std::min(f, way_.f_top);
-    constexpr double same = 1e-10;  // as far as NLopt resolves x
-    if (cost_ < HUGE_VAL && (std::abs(f - point_.f) <= same * f || !may_be_better(f))) {
-      return;
-    }
-    for (const BestDelta choice : choices(way_, objective_)) {
-      consider(f, best_delta(way_, f, choice));
-    }
-  }
-
-  void consider(double f, double delta) {
-    DesignPoint candidate{f, delta, 0};
-    if (objective_ == Objective::robust) {
-      candidate.tolerance = largest_tolerance(way_, f, delta).value_or(0);
-    }
-    const double its = way_cost(way_, objective_, candidate);
-    // The force is flat towards f = 0: of those that are equal, the least f.
-    const bool less =
-        its < cost_ || (objective_ == Objective::acceleration && its == cost_ && f < point_.f);
-    if (less && admissible(way_, f, delta)) {
-      point_ = candidate;
-      cost_ = its;
-    }
-  }
-
-  [[nodiscard]] double cost() const { return cost_; }
-  [[nodiscard]] DesignPoint point() const {
-    return {point_.f, point_.delta,
-            largest_tolerance(way_, point_.f, point_.delta).value_or(point_.tolerance)};
-  }
-
- private:
-  /// Compares largest tolerances without computing them: the room for Delta falls with the
-  /// tolerance.
-  [[nodiscard]] bool may_be_better(double f) const {
-    return objective_ != Objective::robust ||
-           (tolerance_of_f(way_, f) > -cost_ && room(way_, way_.scaled(f), -cost_) > 0);
-  }
-
-  const Way& way_;
-  Objective objective_;
-  DesignPoint point_;
-  double cost_{HUGE_VAL};
-};
-
 /// The dampers that stop the shown motion soonest: at the n-th arrival, with the least Delta of
 /// those that stop it there, the time grows with f for n = 1, and else first falls and then grows.
-void consider_stops(const Way& way, const Interval& ends, Best& best) {
+void consider_stops(const Way& way, const Interval& ends, BestPoint& best) {
   const double t = way.limits.tolerance;
   for (int n = 1; n <= way.passages() && n < best.cost(); ++n) {
     const auto largest = [&](double f) {
@@ -154,27 +73,32 @@ void consider_stops(const Way& way, const Interval& ends, Best& best) {
 /// half-cycles does begins with the best of a grid.
 DesignPoint start_of(const Way& way, Objective objective, const DesignRange& range) {
   const auto& [ends, inside] = range;
-  Best best(way, objective);
-  if (objective == Objective::time && way.q > 0) {
-    consider_stops(way, ends, best);
-    constexpr int steps = 16;  // only for a start: the stops themselves were considered above
-    const double least = bound_of(way, objective) + clearly_better;
-    for (int i = 0; i <= steps && best.cost() > least; ++i) {
-      const double f = ends.low + (ends.high - ends.low) * i / steps;
-      const auto d = centre_range(way, f, way.limits.tolerance);
-      for (const double part : {way_inset, 0.5, 1 - way_inset}) {
-        if (d) {
-          best.consider(f, (d->low + part * (d->high - d->low)) * way.square());
-        }
-      }
-    }
-  } else {
+  BestPoint best(way, objective);
+  if (objective != Objective::time || way.q == 0) {
     constexpr double start_fraction = 0.4;
     const double f = ends.low + start_fraction * (ends.high - ends.low);
-    best.consider(f, best_delta(way, f, BestDelta::most_tolerant));
+    const double delta = best_delta(way, f, BestDelta::most_tolerant);
+    if (objective == Objective::robust && admissible(way, f, delta)) {
+      return {f, delta};
+    }
+    best.consider(f, delta);
+    best.consider(inside.f, inside.delta);
+    return best.place();
+  }
+  consider_stops(way, ends, best);
+  constexpr int steps = 16;  // only for a start: the stops themselves were considered above
+  const double least = bound_of(way, objective) + clearly_better;
+  for (int i = 0; i <= steps && best.cost() > least; ++i) {
+    const double f = ends.low + (ends.high - ends.low) * i / steps;
+    const auto d = centre_range(way, f, way.limits.tolerance);
+    for (const double part : {way_inset, 0.5, 1 - way_inset}) {
+      if (d) {
+        best.consider(f, (d->low + part * (d->high - d->low)) * way.square());
+      }
+    }
   }
   best.consider(inside.f, inside.delta);
-  return best.point();
+  return best.place();
 }
 
 /// Some box of that tolerance fits.
@@ -186,6 +110,8 @@ bool has_box(Way way, double tolerance) {
 struct WayResult {
   DesignPoint point;
   double cost;
+  double by_nlopt;  ///< the cost of its best point
+  double along_f;
   NloptOutcome outcome;
 };
 
@@ -207,12 +133,10 @@ std::optional<WayResult> search_way(const Way& way, const SearchOptions& options
   }
   NloptOutcome outcome = run(posed, algorithm.name, budget, [&] { return tried.best; });
 
-  Best best(way, objective);
-  const double low = range->f.low;
-  const double high = range->f.high;
+  BestPoint by_nlopt(way, objective);
   const auto consider = [&](double x) {
     const double f = way.f_of(x * way.a_cap);
-    best.consider(f > 0 ? std::clamp(f, low, high) : f);
+    by_nlopt.consider(f > 0 ? std::clamp(f, range->f.low, range->f.high) : f);
   };
   consider(outcome.x[0]);
   if (algorithm.constraints == ConstraintSupport::no) {
@@ -224,18 +148,12 @@ std::optional<WayResult> search_way(const Way& way, const SearchOptions& options
   for (const double x : std::span(tried.x).last(std::min(last, tried.x.size()))) {
     consider(x);
   }
-  // If an objective is flat to rounding, NLopt stops anywhere; a monotone one is best at the ends
-  // of the interval, and a degenerate interval has only its ends.
-  best.consider(low);
-  best.consider(high);
-  if (objective == Objective::robust) {
-    // Where the strip of Delta is so thin that NLopt's steps do not resolve it, this is best where
-    // the room below the cap of f is as wide as the strip.
-    best.consider(high / (1 + std::max(0.0, room(way, way.scaled(high), 0))));
-  }
+  BestPoint best(way, objective);
+  consider_along_f(way, objective, *range, best);
   best.consider(start.f, start.delta);
   best.consider(range->inside.f, range->inside.delta);
-  return WayResult{best.point(), best.cost(), std::move(outcome)};
+  const BestPoint& better = by_nlopt.cost() < best.cost() - clearly_better ? by_nlopt : best;
+  return WayResult{better.point(), better.cost(), by_nlopt.cost(), best.cost(), std::move(outcome)};
 }
 
 }  // namespace
@@ -247,6 +165,8 @@ std::optional<SearchResult> search(const Problem& problem, const Limits& limits,
   require_valid(options);
   std::optional<WayResult> best;
   int evaluations = 0;
+  double by_nlopt = HUGE_VAL;
+  double along_f = HUGE_VAL;
   const bool robust = options.objective == Objective::robust;
   const auto visit = [&](const Way& way) {
     if (best && bound_of(way, options.objective) >= best->cost - clearly_better) {
@@ -257,6 +177,8 @@ std::optional<SearchResult> search(const Problem& problem, const Limits& limits,
     }
     if (auto found = search_way(way, options)) {
       evaluations += found->outcome.evaluations;
+      by_nlopt = std::min(by_nlopt, found->by_nlopt);
+      along_f = std::min(along_f, found->along_f);
       if (!best || found->cost < best->cost - clearly_better) {
         best = std::move(found);
       }
@@ -279,9 +201,14 @@ std::optional<SearchResult> search(const Problem& problem, const Limits& limits,
   if (!best) {
     return std::nullopt;
   }
-  return SearchResult{best->point,
-                      {std::string(find_algorithm(options.algorithm).name), best->outcome.status,
-                       evaluations, seconds_now() - started}};
+  const auto value_of = [&](double cost) {
+    return cost < HUGE_VAL ? std::optional(cost * objective_unit(options.objective, problem))
+                           : std::nullopt;
+  };
+  return SearchResult{
+      best->point,
+      {std::string(find_algorithm(options.algorithm).name), best->outcome.status, evaluations,
+       seconds_now() - started, value_of(by_nlopt), value_of(along_f)}};
 }
 
 }  // namespace stillpoint::design

@@ -17,35 +17,49 @@ namespace stillpoint::design {
 
 namespace {
 
-Wide widened_reach(const Way& way, Wide f) {
-  const Wide phi = f / way.problem.p;
-  return std::max(2 * phi, 3 * phi - Wide(way.problem.p) * residual_of(way.problem));
+template <class Number>
+Number widened_reach(const Way& way, double f) {
+  const Number phi = Number(f) / way.problem.p;
+  return std::max(twice(phi), 3 * phi - Number(way.problem.p) * residual_of(way.problem));
 }
 
 /// The square of V0 that reaches, or twice the Delta that sends every hit back.
-Wide reach_square(const Way& way, double f, double delta) {
-  const WideNotch corner{f / Wide(way.problem.p), 2 * Wide(delta)};
-  return corner.square_before(widened_reach(way, f), way.returns_by_delta() ? 0 : way.n - 1);
+template <class Number>
+Number reach_square(const Way& way, double f, double delta) {
+  const NotchOf<Number> corner{Number(f) / way.problem.p, 2 * delta};
+  return corner.square_before(widened_reach<Number>(way, f),
+                              way.returns_by_delta() ? 0 : way.n - 1);
 }
 
-double pass_speed(const Way& way, double f, double delta) {
+template <class Number>
+Number pass_speed(const Way& way, double f, double delta) {
   const Problem& problem = way.problem;
-  const Wide p = problem.stiffest_p();
-  const Wide r = residual_of(problem);
-  const Wide c = stop_radius(problem);
-  const auto speed = [&](Wide phi, Wide radius, int steps) {
-    return rounded_up(root(WideNotch{phi, 2 * Wide(delta)}.square_before(radius, steps)));
+  const double p = problem.stiffest_p();
+  const double r = residual_of(problem);
+  const double c = stop_radius(problem);
+  const auto speed = [&](Number phi, Number radius, int steps) {
+    return root(NotchOf<Number>{phi, 2 * delta}.square_before(radius, steps));
   };
-  double least = HUGE_VAL;
+  Number least = HUGE_VAL;
   if (way.stops_last()) {
-    least = speed(f / p, c * f / p, way.passages());
+    const Number phi = Number(f) / p;
+    least = speed(phi, c * phi, way.passages());
   }
   if (way.stops_early()) {
-    const Wide at = r > 0 ? std::max<Wide>(f, r * way.problem.p * way.problem.p) : f;
-    const Wide spring = r > 0 ? std::min(p, root(at / r)) : p;
-    least = std::min(least, speed(at / spring, c * at / spring + r * spring, way.n));
+    const double soft = way.problem.p;
+    const Number at = r > 0 ? std::max<Number>(f, Number(r) * soft * soft) : f;
+    const Number spring = r > 0 ? std::min<Number>(p, root(at / r)) : p;
+    const Number phi = at / spring;
+    least = std::min(least, speed(phi, c * phi + r * spring, way.n));
   }
   return least;
+}
+
+/// v0 < speed, where `speed` is known in doubles, and `exact` only where its last digits decide.
+template <class Exact>
+bool is_below(double v0, double speed, const Exact& exact) {
+  constexpr double rounding = 1e-11;  // a few ulps at each of a thousand arrivals
+  return std::abs(speed - v0) > rounding * v0 ? v0 < speed : v0 < rounded_up(exact());
 }
 
 }  // namespace
@@ -59,15 +73,19 @@ bool admissible(const Way& way, double f, double delta, double tolerance) {
   if (way.is_papers()) {  // by the edges that the region reports, themselves
     return f * f_high <= way.tip && delta * delta_low > unchecked_delta1(problem, f * f_low);
   }
-  if (way.n > 0) {
-    const Wide reach =
-        reach_square(way, f * f_high, delta * (way.v_low > 0 ? delta_high : delta_low));
-    if (!(way.v_low > 0 ? problem.v0_low.value_or(problem.v0) >= rounded_up(root(reach))
-                        : 2 * Wide(delta * delta_low) >= reach)) {
-      return false;
-    }
+  if (way.n > 0 && way.v_low == 0 &&
+      2 * (delta * delta_low) < reach_square<Wide>(way, f * f_high, delta * delta_low)) {
+    return false;
   }
-  return problem.v0 < pass_speed(way, f * f_low, delta * delta_low);
+  const double most_delta = delta * delta_high;
+  if (way.n > 0 && way.v_low > 0 &&
+      is_below(problem.v0_low.value_or(problem.v0),
+               root(reach_square<double>(way, f * f_high, most_delta)),
+               [&] { return root(reach_square<Wide>(way, f * f_high, most_delta)); })) {
+    return false;
+  }
+  return is_below(problem.v0, pass_speed<double>(way, f * f_low, delta * delta_low),
+                  [&] { return pass_speed<Wide>(way, f * f_low, delta * delta_low); });
 }
 
 bool admissible(const Way& way, double f, double delta) {
@@ -75,9 +93,9 @@ bool admissible(const Way& way, double f, double delta) {
 }
 
 WaySpeeds way_speeds(const Way& way, double f, double delta) {
-  const Wide reach = way.n > 0 ? reach_square(way, f, delta) : 0;
-  return {way.returns_by_delta() ? rounded_up(reach / 2) : rounded_up(root(reach)),
-          pass_speed(way, f, delta)};
+  const Wide reach = way.n > 0 ? reach_square<Wide>(way, f, delta) : 0;
+  return {way.returns_by_delta() ? rounded_up(reach.times(0.5)) : rounded_up(root(reach)),
+          rounded_up(pass_speed<Wide>(way, f, delta))};
 }
 
 Problem strongest_hit(Problem problem) {
@@ -94,16 +112,18 @@ DecidingArrival deciding_arrival(const Problem& problem, double f, double delta)
   if (delta > unchecked_delta1(problem, f)) {
     return {1, true};
   }
-  const WideNotch notch{f / Wide(problem.p), 2 * Wide(delta)};
+  const WideNotch notch{Wide(f) / problem.p, 2 * delta};
+  // The least V0 whose first half-cycle has that radius or a larger one.
+  const auto speed = [&](Wide radius) { return rounded_up(root(notch.square_before(radius, 0))); };
   Wide reach = 3 * notch.phi;
   Wide pass = notch.before(stop_radius(problem) * notch.phi);
   for (int n = 2; n <= problem.arrivals; ++n) {
     reach = notch.before(reach);
     pass = notch.before(pass);
-    if (problem.v0 < notch.speed(reach)) {
+    if (problem.v0 < speed(reach)) {
       return {n, false};
     }
-    if (problem.v0 < notch.speed(pass)) {
+    if (problem.v0 < speed(pass)) {
       return {n, true};
     }
   }

@@ -55,11 +55,16 @@ bool no_room_in_parts(const Way& way, double a_low, double a_high, int deeper) {
          no_room_in_parts(way, middle, a_high, deeper - 1);
 }
 
+/// Nothing but the stop depends on f, and friction helps it.
+bool friction_makes_room(const Way& way) {
+  return way.n == 0 || (way.n == 1 && way.v_low > 0);
+}
+
 /// The f with the most room for Delta, or with enough.
 double roomiest_f(const Way& way, const Interval& f) {
   const double t = way.limits.tolerance;
-  if (way.n == 0 || (way.n == 1 && way.v_low > 0)) {
-    return f.high;  // nothing but the stop depends on f, and friction helps it
+  if (friction_makes_room(way)) {
+    return f.high;
   }
   constexpr double enough = 1e-6;  // more than rounding, if there is more
   const auto nowhere = [&](double from, double to) {
@@ -155,38 +160,51 @@ DesignPoint most_tolerant(const Way& way) {
     return {};
   }
   const Interval f = scanned_f(way, *all);
-  const auto nowhere = [](double, double) { return false; };
-  const auto by_tolerance = [](const DesignPoint& a, const DesignPoint& b) {
-    return a.tolerance < b.tolerance;
+  // It is often largest where a box as wide as Delta allows, or f itself, just fits below the cap
+  // of f or above its floor. These are known to the last digits.
+  const auto& [f_low, f_high, delta_low, delta_high] = way.limits.shape;
+  const auto below_cap = [&](double t) { return way.f_top / (1 + t * f_high); };
+  const auto above_floor = [&](double t) { return way.f2 / (1 - t * f_low); };
+  const auto as_delta_allows = [&](const auto& f_of_box) -> std::optional<double> {
+    const auto spare = [&](double t) { return room(way, way.scaled(f_of_box(t)), t); };
+    const double most = 1 - way_inset;
+    const double at_most = spare(most);
+    const double at_zero = at_most >= 0 ? at_most : spare(0);
+    return at_most >= 0  ? std::optional(most)
+           : at_zero > 0 ? std::optional(falling_root(spare, 0, most, at_zero, at_most))
+                         : std::nullopt;
   };
+  const auto as_delta_allows_below = as_delta_allows(below_cap);
+  const double as_f_allows =
+      way.f2 > 0 ? (way.f_top - way.f2) / (way.f_top * f_low + way.f2 * f_high) : HUGE_VAL;
+  if (friction_makes_room(way)) {
+    return as_delta_allows_below
+               ? with_best_delta(
+                     way, std::clamp(below_cap(std::min(*as_delta_allows_below, as_f_allows)),
+                                     f.low, f.high))
+               : DesignPoint();
+  }
+  const auto nowhere = [](double, double) { return false; };
   const Highest best =
       highest([&](double at) { return tolerance_at(way, way.scaled(at)); }, f, HUGE_VAL, nowhere);
   if (!(best.value > 0)) {
     return {};
   }
-  // It is often largest where a box as wide as Delta allows, or f itself, just fits below the cap
-  // of f or above its floor. These are known to the last digits.
-  const auto& [f_low, f_high, delta_low, delta_high] = way.limits.shape;
   DesignPoint largest = with_best_delta(way, best.at);
   const auto consider = [&](double at) {
     if (at >= f.low && at <= f.high) {
-      largest = std::max(largest, with_best_delta(way, at), by_tolerance);
+      const DesignPoint now = with_best_delta(way, at);
+      largest = now.tolerance > largest.tolerance ? now : largest;
     }
   };
-  const auto where_delta_just_fits = [&](const auto& f_of_box) {
-    const auto spare = [&](double t) { return room(way, way.scaled(f_of_box(t)), t); };
-    const double most = 1 - way_inset;
-    const double at_zero = spare(0);
-    const double at_most = spare(most);
-    if (at_zero > 0 && at_most < 0) {
-      consider(f_of_box(falling_root(spare, 0, most, at_zero, at_most)));
-    }
-  };
-  where_delta_just_fits([&, part = f_high](double t) { return way.f_top / (1 + t * part); });
+  if (as_delta_allows_below) {
+    consider(below_cap(*as_delta_allows_below));
+  }
   if (way.f2 > 0) {
-    where_delta_just_fits([&, part = f_low](double t) { return way.f2 / (1 - t * part); });
-    const double both = (way.f_top - way.f2) / (way.f_top * f_low + way.f2 * f_high);
-    consider(way.f_top / (1 + both * f_high));
+    if (const auto as_delta_allows_above = as_delta_allows(above_floor)) {
+      consider(above_floor(*as_delta_allows_above));
+    }
+    consider(below_cap(as_f_allows));
   }
   return largest;
 }

@@ -87,8 +87,8 @@ struct Sides {
 /// Twice the least Delta with which every hit that moves comes back, where v_low = 0: (57).
 [[nodiscard]] unit::EdgeSpeed returning_notch(const Way& way, double a);
 
-/// Every point of the box around (f, delta) takes this way: decided in long double, right to the
-/// last bit. The tolerance is that of the limits, or another.
+/// Every point of the box around (f, delta) takes this way: decided in pairs of doubles, right
+/// to the last bit. The tolerance is that of the limits, or another.
 [[nodiscard]] bool admissible(const Way& way, double f, double delta, double tolerance);
 [[nodiscard]] bool admissible(const Way& way, double f, double delta);
 

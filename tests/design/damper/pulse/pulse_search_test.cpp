@@ -27,10 +27,10 @@ BOOST_AUTO_TEST_CASE(every_algorithm_finds_the_optimum_that_brackets_find) {
       request.search.algorithm = algorithm;
       request.search.max_evaluations = 2000;
       const DesignResult result = design::design(request);
-      const PulseCheck& check = result.finding.value().pulse.value();
+      const SearchRecord& found = result.finding.value().search.value();
       BOOST_TEST_CONTEXT(algorithm << " " << name(objective)) {
-        BOOST_TEST_REQUIRE(check.searched.has_value());
-        BOOST_TEST(*check.searched == check.bracketed.value(), tt::tolerance(creeping));
+        BOOST_TEST_REQUIRE(found.by_nlopt.has_value());
+        BOOST_TEST(*found.by_nlopt == found.along_f.value(), tt::tolerance(creeping));
       }
     }
   }
@@ -121,16 +121,16 @@ BOOST_AUTO_TEST_CASE(an_optimum_next_to_the_end_of_an_interval_is_found) {
   PulseRequest request;
   request.problem = {FullSine{2.04517, 1.3573529}, 4.74295, 0.11563612, Criterion::published};
   request.search.objective = Objective::acceleration;
-  const PulseCheck check = design::design(request).finding.value().pulse.value();
+  const SearchRecord found = design::design(request).finding.value().search.value();
   double least = HUGE_VAL;
   for (double f = 1.9; f < 2.045; f += 1e-4) {
     least = std::min(
         least,
         scanned(request, request.problem.pulse, request.problem.p, f).peak_absolute_acceleration);
   }
-  BOOST_TEST(check.bracketed.value() <= least);
-  BOOST_TEST(check.bracketed.value() == least, tt::tolerance(1e-5));
-  BOOST_TEST(check.searched.value() == least, tt::tolerance(1e-5));
+  BOOST_TEST(found.along_f.value() <= least);
+  BOOST_TEST(found.along_f.value() == least, tt::tolerance(1e-5));
+  BOOST_TEST(found.by_nlopt.value() == least, tt::tolerance(1e-5));
 }
 
 // Nothing moves at f = k, and what hardly moves cannot be checked.

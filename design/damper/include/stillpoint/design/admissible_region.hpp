@@ -43,9 +43,9 @@ struct Region {
   std::optional<double> f_upper;
 };
 
-/// Edges are computed in long double and rounded inwards, so that what is admissible in doubles is
-/// admissible. With several arrivals f_lower and f_upper are the least and the largest f of all
-/// strips, the other edges those of the first arrival. Throws InputError (problem.hpp).
+/// Edges are computed in pairs of doubles and rounded inwards, so that what is admissible in
+/// doubles is admissible. With several arrivals f_lower and f_upper are the least and the largest f
+/// of all strips, the other edges those of the first arrival. Throws InputError (problem.hpp).
 [[nodiscard]] Region admissible_region(const Problem& problem, const Limits& limits = {});
 
 /// The factors of the deltas and velocities in a sentence, and their units.

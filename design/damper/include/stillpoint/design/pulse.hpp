@@ -106,10 +106,6 @@ struct PulseCheck {
                                           ///< where it does not stop at x = 0
   std::vector<PulseWarning> warnings;     ///< why it would be off
   double even_tolerance{0};  ///< the largest of f and Delta at once, whatever the shape of the box
-  /// The objective's value of the best point that NLopt saw, and of the best along f alone, which
-  /// is found without it: the tolerance, the peak, the stop time or the transmitted acceleration.
-  std::optional<double> searched;
-  std::optional<double> bracketed;
 };
 
 }  // namespace stillpoint::design
