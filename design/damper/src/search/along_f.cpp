@@ -32,16 +32,19 @@ Timed soonest_at(const Way& way, double f) {
   const double high = best_delta(way, f, BestDelta::largest);
   Timed least{low};
   const auto consider = [&](double delta) {
-    if (low <= delta && delta <= high) {
-      const double its = way_cost(way, Objective::time, {f, delta, 0});
-      least = its < least.cost ? Timed{delta, its} : least;
-    }
+    const double its = way_cost(way, Objective::time, {f, delta, 0});
+    least = its < least.cost ? Timed{delta, its} : least;
   };
   consider(low);
   consider(high);
   for (int n = 1; n <= way.passages() && n < least.cost; ++n) {
-    const double jump = d_that_stops_at(n, way.scaled(f)) * way.square();
-    consider(jump * (1 + way_inset));
+    const double jump = d_that_stops_at(n, way.scaled(f)) * way.square() * (1 + way_inset);
+    if (jump <= low) {
+      break;  // nor is that of a later arrival larger
+    }
+    if (jump < high) {
+      consider(jump);
+    }
   }
   return least;
 }

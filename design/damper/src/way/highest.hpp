@@ -60,6 +60,13 @@ class HighestSearch {
 
   void narrow(const Interval& around) {
     constexpr double resolution = 1e-9;
+    constexpr double a_little = 1e-7;
+    if (best_.at == low_ || best_.at == high_) {  // an end from which it falls is the highest
+      const double inside = best_.at == low_ ? low_ + a_little : high_ - a_little;
+      if (!(value_at(inside) > best_.value)) {
+        return;
+      }
+    }
     golden_sections(
         around, [this](double at) { return value_at(at); },
         [this](const Interval& span, double at, double value) {
