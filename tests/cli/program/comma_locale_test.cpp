@@ -127,6 +127,7 @@ const std::vector<std::pair<Command, json>> tasks{
 
 BOOST_AUTO_TEST_CASE(every_answer_is_the_same) {
   std::vector<std::vector<std::string>> wanted;
+  wanted.reserve(tasks.size());
   for (const auto& [command, scene] : tasks) {
     wanted.push_back(lines_of(said(command, scene)));
   }

@@ -55,7 +55,7 @@ BOOST_FIXTURE_TEST_CASE(no_control_or_mark_of_direction_reaches_a_terminal, Sand
       "b\xC3\xBC";
   write(marks + ".txt", "0 0\n1 0.5\n2 0\n");
   const auto runs = [&](const Arguments& arguments, const std::string& input = "") {
-    const ProgramRun answer = run(arguments, {.input = input});
+    ProgramRun answer = run(arguments, {.input = input});
     for (const char* const mark : {"\xC2\x9B", "\xE2\x80\xAE", "\xE2\x81\xA6", "\xE2\x80\x8B"}) {
       BOOST_TEST(!contains(answer.out + answer.err, mark), answer.out << answer.err);
     }
@@ -63,14 +63,14 @@ BOOST_FIXTURE_TEST_CASE(no_control_or_mark_of_direction_reaches_a_terminal, Sand
     return answer;
   };
   const Arguments title{"--title", marks};
-  check_contains(runs(design() + title).out, {": a\\x9b31m\\u202e\\u2066\\u200bb"});
+  check_contains(runs(design() + title).out, {R"(: a\x9b31m\u202e\u2066\u200bb)"});
   BOOST_TEST(runs("design -", R"({")" + marks + R"(": 1})").exit_code == 2);
   BOOST_TEST(runs(Arguments{"design", "--" + marks}).exit_code == 2);
   BOOST_TEST(runs(Arguments{"design", marks}).exit_code == 2);
   const Arguments motion("simulate --p 1 --f 0.01 --delta 0");
   BOOST_TEST(runs(motion + Arguments{"--record", marks + ".txt"}).exit_code == 0);
   const ProgramRun report = runs(motion + Arguments{"--json", "--record", marks + ".txt"});
-  check_contains(report.out, {"a\\u009b31m\\u202e\\u2066\\u200bb"});
+  check_contains(report.out, {R"(a\u009b31m\u202e\u2066\u200bb)"});
   BOOST_TEST(report.json()["input"]["excitation"]["record"] == marks + ".txt");
   BOOST_TEST(runs(motion + Arguments{"--record", marks + ".no"}).exit_code == 2);
   BOOST_TEST(runs(design("--catalogue -"), "name,f,delta\n" + marks + ",0.2,0.3\n").exit_code == 2);

@@ -139,10 +139,9 @@ BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_reported, Recorded) {
 
 /// A notch that lets go is there to hold the mass at the end; one that holds any load is a trap.
 BOOST_FIXTURE_TEST_CASE(a_notch_that_holds_the_mass_at_the_end_is_no_fault, Sandbox) {
-  const Arguments damper{
-      "spectrum", "--record",  STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt",
-      "--period", "2s:3s:3",   "--f",
-      "0.03",     "--delta-m", "70mm"};
+  const Arguments damper =
+      Arguments("spectrum --period 2s:3s:3 --f 0.03 --delta-m 70mm") +
+      Arguments{"--record", STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt"};
   const ProgramRun held = run(damper + "--hold 0.1 --html held.html");
   const std::string page = read("held.html");
   BOOST_TEST(contains(one_line(held.out),

@@ -133,7 +133,7 @@ const std::vector<WrongList> wrong_lists{
     {"f,delta\n\"0,1\",1\n", {"line 2", "f = \"0,1\"", "must be a number"}},
     {"f,delta\n\"0.1,0.2\n", {"line 2", "a quote is opened but not closed"}},
     {"f,delta\n\"0.1\"2,0.2\n", {"line 2", "text follows a closing quote"}},
-    {"f,delta\n\"0\"\"1\",0.2\n", {"line 2", "f = \"0\"1\"", "must be a number"}},
+    {"f,delta\n\"0\"\"1\",0.2\n", {"line 2", R"(f = "0"1")", "must be a number"}},
     {"\n\xEF\xBB\xBF" + plain, {"line 2", "is not a column"}},
     {"f,delta\n0.1,0.2" + std::string(longest_line - 6, ' ') + "\n",
      {"line 2", "longer than 65536 bytes"}},
