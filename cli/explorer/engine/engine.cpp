@@ -63,11 +63,6 @@ Settings given(Command command, const json& options) {
   return scene_and_flags(command, {}, settings);
 }
 
-/// Nothing of a motion.
-ordered_json advice_of(const report::MotionReport& /*report*/) {
-  return nullptr;
-}
-
 template <class Report>
 ordered_json advice_of(const Report& report) {
   const auto& [alarming, too_exact, little_friction, remarks] = report::advice(report);

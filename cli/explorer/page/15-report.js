@@ -41,11 +41,16 @@ function ends(report, unit = 1) {
   return [low * unit, high * unit];
 }
 
-/** How hits of each strength end. @param {any} report @returns {{ ends: string, from: number, to: number }[]} */
+/** How hits of each strength end. @param {any} report */
 function hits_of({ hits, physical }) {
   const suffix = physical ? "_m_per_s" : "";
-  return (hits ?? []).map((/** @type {any} */ hit, /** @type {number} */ i) => {
-    const limits = physical?.hits[i] ?? hit;
-    return { ends: hit.ends, from: limits[`from${suffix}`], to: limits[`to${suffix}`] };
+  const parts = /** @type {{ ends: string, from: number, to: number }[]} */ ([]);
+  (hits ?? []).forEach((/** @type {any} */ hit, /** @type {number} */ i) => {
+    const { [`from${suffix}`]: from, [`to${suffix}`]: to } = physical?.hits[i] ?? hit;
+    const last = parts[parts.length - 1];
+    // Of a range of springs two neighbours may end alike.
+    if (last?.ends === hit.ends) last.to = to;
+    else parts.push({ ends: hit.ends, from, to });
   });
+  return parts;
 }

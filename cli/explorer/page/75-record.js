@@ -83,7 +83,7 @@ class RecordView {
   }
 
   /** @param {string} name @param {Answer} answer */
-  show(name, { report, figures, doubts }) {
+  show(name, { report, figures, doubts, advice }) {
     const { response, physical } = report;
     const { length, time, velocity } = units_of(physical);
     const { peak, acceleration } = motion_of(report);
@@ -105,6 +105,11 @@ class RecordView {
     const locked = value("locked_from_s", "locked_from");
     fill(
       el("record-answer"),
+      make(
+        "p",
+        { id: "record-verdict", class: advice?.alarming ? "bad" : "" },
+        advice?.remarks ?? "",
+      ),
       make(
         "dl",
         { class: "facts" },

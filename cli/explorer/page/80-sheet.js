@@ -235,11 +235,8 @@ function hit_nodes(report) {
   const rows = [];
   hits.forEach(({ ends, from, to: end }, i) => {
     const to = i + 1 < hits.length ? end : null; // the last one has no end but that of the figure
-    const last = rows[rows.length - 1];
     const same = hits.length > most_keys && rows.find((row) => row.ends === ends);
-    // Of a range of springs two neighbours may end alike.
-    if (last?.ends === ends) last.to = to;
-    else if (!same) rows.push({ ends, from, to, count: 1 });
+    if (!same) rows.push({ ends, from, to, count: 1 });
     else Object.assign(same, { to, count: same.count + 1 });
   });
   const table = sheet_table(

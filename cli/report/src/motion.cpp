@@ -307,13 +307,21 @@ std::optional<double> caught_impulse(const MotionReport& report) {
   return caught && start.v0 != 0 ? std::optional(std::abs(start.v0)) : std::nullopt;
 }
 
+Advice advice(const MotionReport& report) {
+  Advice advice;
+  advice.alarming = !lock_sentence(report).empty();
+  advice.remarks = verdict(report);
+  return advice;
+}
+
 Document document(const MotionReport& report) {
   const auto& [p, f, delta, hold] = report.request.oscillator;
   const Start& start = report.request.start;
   Document document;
   document.title = is_forced(report.request) ? "Forced motion" : "Free motion";
-  document.verdict = verdict(report);
-  document.tone = lock_sentence(report).empty() ? Tone::plain : Tone::bad;
+  const Advice said = advice(report);
+  document.verdict = said.remarks;
+  document.tone = said.alarming ? Tone::bad : Tone::plain;
   add_answer(document.answer, report);
   Section& scene = document.detail("Scene");
   if (report.physical) {

@@ -100,6 +100,8 @@ struct Advice {
 [[nodiscard]] Advice advice(const DesignReport& report);
 /// Of the damper that is judged.
 [[nodiscard]] Advice advice(const RegionReport& report);
+/// The verdict on a motion, which alarms where the mass stands still under its load.
+[[nodiscard]] Advice advice(const MotionReport& report);
 
 /// "locked at x = 0 from 1.61 s of 20 s; the structure then feels up to 0.35 g", in tau without
 /// physical input; for a mass that is held from the start, that it never starts or moves; else
