@@ -67,25 +67,28 @@ bool is_below(double v0, double speed, const Exact& exact) {
 bool admissible(const Way& way, double f, double delta, double tolerance) {
   const Problem& problem = way.problem;
   const auto [f_low, f_high, delta_low, delta_high] = sides(way.limits.shape, tolerance);
-  if (!(f * f_low >= way.f2 && f * f_high <= way.f_cap && delta * delta_high <= way.delta_cap)) {
+  const double least_f = f * f_low;
+  const double most_f = f * f_high;
+  const double least_delta = delta * delta_low;
+  const double most_delta = delta * delta_high;
+  if (!(least_f >= way.f2 && most_f <= way.f_cap && most_delta <= way.delta_cap)) {
     return false;
   }
   if (way.is_papers()) {  // by the edges that the region reports, themselves
-    return f * f_high <= way.tip && delta * delta_low > unchecked_delta1(problem, f * f_low);
+    return most_f <= way.tip && least_delta > unchecked_delta1(problem, least_f);
   }
   if (way.n > 0 && way.v_low == 0 &&
-      2 * (delta * delta_low) < reach_square<Wide>(way, f * f_high, delta * delta_low)) {
+      2 * least_delta < reach_square<Wide>(way, most_f, least_delta)) {
     return false;
   }
-  const double most_delta = delta * delta_high;
   if (way.n > 0 && way.v_low > 0 &&
       is_below(problem.v0_low.value_or(problem.v0),
-               root(reach_square<double>(way, f * f_high, most_delta)),
-               [&] { return root(reach_square<Wide>(way, f * f_high, most_delta)); })) {
+               root(reach_square<double>(way, most_f, most_delta)),
+               [&] { return root(reach_square<Wide>(way, most_f, most_delta)); })) {
     return false;
   }
-  return is_below(problem.v0, pass_speed<double>(way, f * f_low, delta * delta_low),
-                  [&] { return pass_speed<Wide>(way, f * f_low, delta * delta_low); });
+  return is_below(problem.v0, pass_speed<double>(way, least_f, least_delta),
+                  [&] { return pass_speed<Wide>(way, least_f, least_delta); });
 }
 
 bool admissible(const Way& way, double f, double delta) {

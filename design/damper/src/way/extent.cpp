@@ -162,9 +162,9 @@ DesignPoint most_tolerant(const Way& way) {
   const Interval f = scanned_f(way, *all);
   // It is often largest where a box as wide as Delta allows, or f itself, just fits below the cap
   // of f or above its floor. These are known to the last digits.
-  const auto& [f_low, f_high, delta_low, delta_high] = way.limits.shape;
-  const auto below_cap = [&](double t) { return way.f_top / (1 + t * f_high); };
-  const auto above_floor = [&](double t) { return way.f2 / (1 - t * f_low); };
+  const BoxShape& shape = way.limits.shape;
+  const auto below_cap = [&](double t) { return way.f_top / (1 + t * shape.f_high); };
+  const auto above_floor = [&](double t) { return way.f2 / (1 - t * shape.f_low); };
   const auto as_delta_allows = [&](const auto& f_of_box) -> std::optional<double> {
     const auto spare = [&](double t) { return room(way, way.scaled(f_of_box(t)), t); };
     const double most = 1 - way_inset;
@@ -176,7 +176,8 @@ DesignPoint most_tolerant(const Way& way) {
   };
   const auto as_delta_allows_below = as_delta_allows(below_cap);
   const double as_f_allows =
-      way.f2 > 0 ? (way.f_top - way.f2) / (way.f_top * f_low + way.f2 * f_high) : HUGE_VAL;
+      way.f2 > 0 ? (way.f_top - way.f2) / (way.f_top * shape.f_low + way.f2 * shape.f_high)
+                 : HUGE_VAL;
   if (friction_makes_room(way)) {
     return as_delta_allows_below
                ? with_best_delta(
