@@ -63,9 +63,10 @@ std::string violations(const RegionReport& report) {
 std::string judgement(const RegionReport& report) {
   const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
   const design::RegionAnswer& answer = report.answer;
-  const std::string damper = pulse ? format("{} a notch that {}, the damper",
-                                            answer.tolerance ? "With" : "Even with", acts_late)
-                                   : "The damper";
+  const std::string damper = pulse && *delta > 0
+                                 ? format("{} a notch that {}, the damper",
+                                          answer.tolerance ? "With" : "Even with", acts_late)
+                                 : "The damper";
   if (!answer.tolerance) {
     return damper + " is not admissible." + violations(report);
   }

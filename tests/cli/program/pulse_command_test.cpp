@@ -289,6 +289,9 @@ BOOST_AUTO_TEST_CASE(region_judges_a_point_under_the_pulse) {
              "It exceeds ", ": the peak of the first swing is ", " peak ",
              " rest at x = ", "At f = 0.05 no delta is admissible.", "Feasible f: 0.100001 to"});
   check_contains(weak, {" start needs a notch wider than 1.08889, delta/(k - f)", "violated"});
+  const std::string none = one_line(run(region + "--f 0.12 --delta 0").out);
+  check_contains(none, {"Admissible region The damper is not admissible. It passes x = 0"});
+  BOOST_TEST(!contains(none, "a notch that acts only after the start"));
   const Arguments lacking = region + "--f 0.12 --delta 0.49 --tolerance 0.2";
   check_contains(one_line(run(lacking).out),
                  {"not admissible with a tolerance of 20 %", "+-16.66 %"});

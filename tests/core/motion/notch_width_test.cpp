@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(a_mass_that_turns_at_the_end_of_its_dead_zone_rests_there) 
     const double delta = dice.power_of_ten(-2, 0) * f * f / p / p;
     // Starting in the notch, the mass leaves it without its friction: v0^2 = (p r)^2 + 2 f r.
     const double r = f / p / p;
-    const double width = r * dice.power_of_ten(-3, -0.5);
+    const double width = r * dice.uniform(0.1, 1.9);
     const double v0 = std::sqrt(3 * f * r);
     const ForcedResponse motion = run({p, f, delta}, notch(width), {0, v0});
     BOOST_TEST(std::abs(motion.stop_position.value() / r - 1) <= 1e-12,
