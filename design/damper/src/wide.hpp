@@ -7,6 +7,7 @@
 
 #include <stillpoint/core/double_pair.hpp>
 
+#include <array>
 #include <cmath>
 
 namespace stillpoint::design {
@@ -132,14 +133,18 @@ class Wide {
   return a - Wide::exact_product(b, c);
 }
 
+// sqrt(8) in three doubles.
+inline constexpr std::array root8{0x1.6a09e667f3bcdp+1, -0x1.bdd3413b26456p-53,
+                                  0x1.57d3e3adec175p-107};
+
+[[nodiscard]] inline Wide root_of_eight() {
+  return Wide(root8[0]) + root8[1];
+}
+
 /// v0 p - sqrt(8) f, likewise.
 [[nodiscard]] inline Wide spare_of_return(double v0, double p, double f) {
-  // sqrt(8) in three doubles.
-  constexpr double root8 = 0x1.6a09e667f3bcdp+1;
-  constexpr double rest = -0x1.bdd3413b26456p-53;
-  constexpr double rest_of_rest = 0x1.57d3e3adec175p-107;
-  return Wide::exact_product(v0, p) - Wide::exact_product(root8, f) - Wide::exact_product(rest, f) -
-         rest_of_rest * f;
+  return Wide::exact_product(v0, p) - Wide::exact_product(root8[0], f) -
+         Wide::exact_product(root8[1], f) - root8[2] * f;
 }
 
 [[nodiscard]] inline double twice(double value) {

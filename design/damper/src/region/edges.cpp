@@ -15,11 +15,13 @@ namespace stillpoint::design {
 namespace {
 
 double largest_returning_f(double v0, double p) {
-  double f = rounded_up(Wide(v0) * p / root(Wide(8)));
-  while (spare_of_return(v0, p, f) < 0) {
-    f = std::nextafter(f, 0.0);
+  const Wide f = Wide(v0) * p / root_of_eight();
+  const auto nearest = static_cast<double>(f);
+  constexpr double roundings = 0x1p-100;  // more than f is off
+  if (std::abs(f.rest()) > roundings * nearest) {
+    return rounded_down(f);
   }
-  return f;
+  return spare_of_return(v0, p, nearest) < 0 ? std::nextafter(nearest, 0.0) : nearest;
 }
 
 }  // namespace
@@ -76,8 +78,8 @@ double unchecked_delta1(const Problem& problem, double f) {
   Wide twice_delta = square(radius - twice(phi));
   if (!published) {
     const Wide spare = spare_of_return(v0, p, f) / p;
-    twice_delta =
-        (radius - phi) * std::max(Wide(0), spare) * (v0 + root(Wide(8)) * phi) / (radius + 3 * phi);
+    twice_delta = (radius - phi) * std::max(Wide(0), spare) * (v0 + root_of_eight() * phi) /
+                  (radius + 3 * phi);
   }
   return std::ldexp(static_cast<double>(twice_delta), 2 * unit - 1);
 }
