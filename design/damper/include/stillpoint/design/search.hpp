@@ -35,7 +35,8 @@ struct SearchResult {
 /// The best (f, Delta) of the region within the limits; empty if the region is empty or contains no
 /// double. If the objective does not depend on Delta, Delta is in the middle of the range that
 /// is feasible for the box of f, which has the most tolerance. On an open edge the design stays a
-/// relative 1e-9 inside. The point has the same bits on every machine. Throws InputError.
+/// relative 1e-9 inside. The point has the same bits on every machine, unless NLopt's
+/// is better than the one along f by more than 1e-8. Throws InputError.
 /// docs/theory.md section 8.
 [[nodiscard]] std::optional<SearchResult> search(const Problem& problem, const Limits& limits,
                                                  const SearchOptions& options = {});
