@@ -29,9 +29,10 @@ class EdgeHold {
  public:
   static constexpr bool symmetric = false;
 
-  /// For loads that drive the mass towards smaller and towards greater u.
-  EdgeHold(Hold<Real> below, Hold<Real> above)
-      : below_(std::move(below)), above_(std::move(above)) {}
+  /// `one_sided` makes that for loads that drive the mass towards smaller u, and towards greater;
+  /// each in its place, for they are long and are made at every event.
+  template <class OneSided>
+  explicit EdgeHold(const OneSided& one_sided) : below_(one_sided(1)), above_(one_sided(-1)) {}
 
   [[nodiscard]] const Real& u() const { return below_.u(); }
   [[nodiscard]] const Hold<Real>& toward(int sign) const { return sign > 0 ? below_ : above_; }
@@ -105,10 +106,12 @@ class ZonedFriction {
     return zone + 1 < zones_.size() ? zones_[zone + 1].from : std::numeric_limits<Real>::max();
   }
 
-  [[nodiscard]] Real capacity(const Real& u, int sign) const { return hold_at(u).phi(sign); }
+  [[nodiscard]] Real capacity(const Real& u, int sign) const {
+    return one_sided(u, sign > 0 ? Real(-u) : u).phi(sign);
+  }
 
   [[nodiscard]] EdgeHold<Real> hold_at(const Real& u) const {
-    return {one_sided(u, -u), one_sided(u, u)};
+    return EdgeHold<Real>([&](int sign) { return one_sided(u, sign > 0 ? Real(-u) : u); });
   }
 
   [[nodiscard]] bool lets_go() const { return lets_go_; }
