@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <utility>
 
@@ -13,8 +14,10 @@ namespace stillpoint::design {
 namespace {
 
 constexpr std::size_t usual_samples = 48;
-constexpr std::size_t first_samples = 8;  ///< that rule out most boxes
-constexpr std::size_t most_learnt = 24;   ///< places where a verification found a limit broken
+/// After so many, boxes that a sample rules out are dropped: those that were worst last rule out
+/// most.
+constexpr std::array<std::size_t, 3> sample_stages{2, 8, SIZE_MAX};
+constexpr std::size_t most_learnt = 24;  ///< places where a verification found a limit broken
 constexpr std::size_t learnt_at_once = 4;
 constexpr std::size_t first_verified = 500;
 constexpr int most_verifications = 8;
@@ -107,8 +110,9 @@ BoxedDamper SuiteSearch::best_of(const std::vector<SuiteDamper>& dampers, const 
   for (const SuiteDamper& damper : dampers) {
     left.push_back(boxed(damper, {}));
   }
-  const std::size_t split = std::min(first_samples, samples_.size());
-  for (const auto& [begin, end] : {std::pair(std::size_t{0}, split), {split, samples_.size()}}) {
+  std::size_t begin = 0;
+  for (const std::size_t stage : sample_stages) {
+    const std::size_t end = std::min(stage, samples_.size());
     std::vector<SuiteDamper> tries;
     for (const BoxedDamper& each : left) {
       for (std::size_t i = begin; i < end; ++i) {
@@ -124,6 +128,7 @@ BoxedDamper SuiteSearch::best_of(const std::vector<SuiteDamper>& dampers, const 
       each.rank = rank(each.worst, goal_);
     }
     std::erase_if(left, [&](const BoxedDamper& each) { return !(each.rank < bar.rank); });
+    begin = end;
   }
   return left.empty() ? bar : *std::ranges::min_element(left, {}, &BoxedDamper::rank);
 }
