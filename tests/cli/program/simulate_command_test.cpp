@@ -233,7 +233,7 @@ BOOST_AUTO_TEST_CASE(the_limit_inside_the_notch_holds_for_every_spring) {
   }
   const json& peak = report["built_notch"]["largest_peak"];
   BOOST_TEST((peak["v0"] == input["v0"] && peak["p"] == input["p"]));
-  BOOST_TEST(peak["peak_m"] == report["physical"]["peak_m"]);
+  BOOST_TEST(near(peak["peak_m"], report["physical"]["peak_m"], 1e-14));  // by another kernel
   const std::string fault =
       "ith this notch the structure feels 0.2008 g inside it after a hit of 0.44 m/s, with a "
       "period "
