@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "record/suite.hpp"
 
+#include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/core/record_batch.hpp>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <variant>
 
 namespace stillpoint::design {
@@ -18,6 +20,19 @@ namespace {
 
 /// For a damper that never rests: worse than any that does. Finite, because NLopt sees it.
 constexpr double never_rests = 1e9;
+
+/// Dampers that a thread runs together: more fill the lanes of the kernel better, fewer busy all
+/// threads.
+constexpr std::size_t least_together = 32;
+constexpr std::size_t most_together = 128;
+constexpr std::size_t shares = 8;
+
+Eigen::ArrayXd column(std::span<const SuiteDamper> dampers, const std::vector<std::size_t>& rows,
+                      double SuiteDamper::*member) {
+  return Eigen::ArrayXd::NullaryExpr(std::ssize(rows), [&](Eigen::Index i) {
+    return dampers[rows[static_cast<std::size_t>(i)]].*member;
+  });
+}
 
 }  // namespace
 
@@ -180,39 +195,53 @@ SuiteFigures Suite::figures(const SuiteDamper& damper) const {
   return all;
 }
 
-std::vector<SuiteFigures> Suite::figures(std::span<const SuiteDamper> dampers,
-                                         const Threads& threads) const {
-  const auto size = static_cast<Eigen::Index>(dampers.size());
-  const auto column = [&](double SuiteDamper::*member) -> Eigen::ArrayXd {
-    return Eigen::ArrayXd::NullaryExpr(
-        size, [&](Eigen::Index i) { return dampers[static_cast<std::size_t>(i)].*member; });
-  };
-  const Eigen::ArrayXd p = column(&SuiteDamper::p);
-  const Eigen::ArrayXd f = column(&SuiteDamper::f);
-  const Eigen::ArrayXd delta = column(&SuiteDamper::delta);
+/// One record after the other, each with the dampers that are left.
+void Suite::run(std::span<const SuiteDamper> dampers, std::span<SuiteFigures> list) const {
+  std::vector<std::size_t> left(dampers.size());
+  std::iota(left.begin(), left.end(), std::size_t{0});
   RecordBatchOptions options;
   options.hold = hold_;
-  options.notch_width = column(&SuiteDamper::width);
   options.half_cycle_limit = most_suite_half_cycles;
-  options.threads = threads;
-  std::vector<SuiteFigures> list(dampers.size());
+  options.threads = 1;
   RecordBatchResult found;
   for (const Excitation& load : loads_) {
-    record_batch(0, p, f, delta, std::get<Record>(load), options, found);
-    for (Eigen::Index i = 0; i < size; ++i) {
-      SuiteFigures& all = list[static_cast<std::size_t>(i)];
-      all.settled = all.settled && found.outcome[i] != Outcome::running &&
+    options.notch_width = column(dampers, left, &SuiteDamper::width);
+    record_batch(0, column(dampers, left, &SuiteDamper::p), column(dampers, left, &SuiteDamper::f),
+                 column(dampers, left, &SuiteDamper::delta), std::get<Record>(load), options,
+                 found);
+    for (std::size_t k = 0; k < left.size(); ++k) {
+      const auto i = static_cast<Eigen::Index>(k);
+      SuiteFigures& all = list[left[k]];
+      all.settled = found.outcome[i] != Outcome::running &&
                     found.outcome[i] != Outcome::never_stops && rests_in_time(found.half_cycles[i]);
       if (all.settled) {
         add(all, {found.peak_amplitude[i], found.peak_absolute_acceleration[i],
                   std::abs(found.stop_position[i]), found.decision_margin[i], found.jump[i],
-                  periods_after(load, found.stop_time[i], p[i]), true});
+                  periods_after(load, found.stop_time[i], dampers[left[k]].p), true});
       }
+    }
+    std::erase_if(left, [&](std::size_t i) { return !list[i].settled; });
+    if (left.empty()) {
+      break;
     }
   }
   for (SuiteFigures& all : list) {
     combine(all);
   }
+}
+
+std::vector<SuiteFigures> Suite::figures(std::span<const SuiteDamper> dampers,
+                                         const Threads& threads) const {
+  std::vector<SuiteFigures> list(dampers.size());
+  const std::size_t size = dampers.size();
+  const std::size_t lanes = (size / shares + least_together - 1) / least_together * least_together;
+  const std::size_t together = std::clamp(lanes, least_together, most_together);
+  const auto blocks = static_cast<std::ptrdiff_t>((size + together - 1) / together);
+  for_each_entry(blocks, threads, {}, [&](std::ptrdiff_t block) {
+    const std::size_t first = static_cast<std::size_t>(block) * together;
+    const std::size_t count = std::min(together, size - first);
+    run(dampers.subspan(first, count), std::span(list).subspan(first, count));
+  });
   return list;
 }
 

@@ -60,6 +60,7 @@ class Suite {
   void add(SuiteFigures& all, const SuiteFigures& one) const;
   /// For all records; empty if one of them does not settle.
   void combine(SuiteFigures& all) const;
+  void run(std::span<const SuiteDamper> dampers, std::span<SuiteFigures> list) const;
   [[nodiscard]] ForcedResponse response(const SuiteDamper& damper, const Excitation& load) const;
 
   std::vector<Excitation> loads_;
