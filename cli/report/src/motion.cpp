@@ -94,7 +94,7 @@ std::string felt_where(const MotionReport& report) {
   }
   return hold && outside ? " while the notch holds it" + on_top
          : jumps.empty() ? ", outside the notch"
-                         : " between " + jumps;
+                         : between_jumps(report.physical, response.jump);
 }
 
 /// What a load makes the structure feel, where the notch makes the velocity jump. The words of a

@@ -210,11 +210,13 @@ std::string figure_shown(const Physical& physical, const design::SuiteFigureKind
                          double value) {
   return kind.objective == SuiteObjective::acceleration ? acceleration_shown(value)
          : kind.objective                               ? length_shown(physical, value)
-                                                        : jump_shown(physical, value);
+                          : FigureUnits(physical).velocity_words(value);
 }
 
-std::string jump_shown(const Physical& physical, double value) {
-  return FigureUnits(physical).velocity_words(value);
+bool is_exact(const design::SuiteTolerance& of) {
+  return of.f.above + of.f.below + of.delta.above + of.delta.below + of.period.above +
+             of.period.below ==
+         0;
 }
 
 design::NotchShape notch_of(const design::RecordDesignRequest& task,
@@ -325,14 +327,11 @@ std::string shortfall_sentence(const RecordDesignReport& report) {
                            : ", most under " + record_label(result.request.records[record]));
     }
   }
-  const design::SuiteTolerance& of = result.request.tolerance;
-  const bool exact = of.f.above + of.f.below + of.delta.above + of.delta.below + of.period.above +
-                         of.period.below ==
-                     0;
   const auto& largest = result.largest_tolerance;
   return format(
       "No damper was found {}. {}{}",
-      exact ? "that meets the limits" : "that meets the limits within its tolerance",
+      is_exact(result.request.tolerance) ? "that meets the limits"
+                                         : "that meets the limits within its tolerance",
       largest ? format("The largest tolerance within the limits is {:.2g} %. ", 100 * *largest)
               : "",
       broken.empty() ? "" : format("The nearest has {}.", broken));

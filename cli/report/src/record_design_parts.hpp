@@ -22,8 +22,8 @@ struct RecordDesignReport;
 
 [[nodiscard]] std::string figure_shown(const Physical& physical,
                                        const design::SuiteFigureKind& kind, double value);
-/// A jump of velocity: "0.412 m/s", "0.21".
-[[nodiscard]] std::string jump_shown(const Physical& physical, double value);
+/// Whether the damper is built as it is designed; a width alone does not count.
+[[nodiscard]] bool is_exact(const design::SuiteTolerance& of);
 
 /// A stroke or a residual; "less than 0.001 mm" of what nobody can measure.
 [[nodiscard]] std::string displacement_shown(const Physical& physical, double length,

@@ -84,10 +84,8 @@ bool is_mean(const design::RecordDesignRequest& task) {
 }
 
 std::string figures_words(const design::SuiteFigures& figures, const Physical& physical) {
-  const std::string jumps = figures.jump > 0 ? format("{} (up to {})", jumps_words(1, {}),
-                                                      jump_shown(physical, figures.jump))
-                                             : "";
-  return format("{} transmitted{}{}", acceleration_shown(figures.acceleration), jumps,
+  return format("{} transmitted{}{}", acceleration_shown(figures.acceleration),
+                between_jumps(physical, figures.jump),
                 figures.peak == 0
                     ? ""
                     : format(", stroke {}, residual {}", displacement_shown(physical, figures.peak),

@@ -208,8 +208,7 @@ void add_response(Section& section, const Simulation& answer, const Physical& ph
     section.row(
         "transmitted",
         format("{:.6g} g, the largest acceleration that the structure feels{}",
-               response.peak_absolute_acceleration,
-               response.jump > 0 ? " between " + jumps_shown(physical, response.jump) : ""));
+               response.peak_absolute_acceleration, between_jumps(physical, response.jump)));
   }
   if (moves(response)) {
     section.row("peak", length_shown(physical, response.peak_amplitude));

@@ -129,9 +129,8 @@ std::string of_all_records(const SpectrumReport& report, const std::string& word
 std::string words_of_one(const SpectrumReport& report) {
   const FigureUnits units(report.physical);
   const auto words = [&](const SpectrumFigures& one) {
-    const bool jumps = one.jump > 0 && !only_locked(report);
     return format("transmits {}{}; the peak is {}, {}", acceleration_shown(one.acceleration),
-                  jumps ? " between " + jumps_shown(report.physical, one.jump) : "",
+                  only_locked(report) ? "" : between_jumps(report.physical, one.jump),
                   units.length_words(one.peak),
                   one.residual ? "the residual " + units.length_words(*one.residual)
                                : "and the mass never comes to rest");

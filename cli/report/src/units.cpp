@@ -32,6 +32,10 @@ std::string jumps_shown(const Physical& physical, double largest) {
   return "jumps of velocity of up to " + FigureUnits(physical).velocity_words(largest);
 }
 
+std::string between_jumps(const Physical& physical, double largest) {
+  return largest > 0 ? " between " + jumps_shown(physical, largest) : "";
+}
+
 std::string length_limit(const Physical& physical, double length, bool upwards,
                          std::optional<int> digits) {
   constexpr int with_a_unit = 5;

@@ -20,6 +20,8 @@ using Physical = std::optional<design::PhysicalInput>;
 [[nodiscard]] std::string acceleration_shown(double acceleration);
 /// "jumps of velocity of up to 0.891 m/s".
 [[nodiscard]] std::string jumps_shown(const Physical& physical, double largest);
+/// " between jumps of velocity of up to 0.891 m/s", of an acceleration; empty if nothing jumps.
+[[nodiscard]] std::string between_jumps(const Physical& physical, double largest);
 
 /// A length that keeps a limit as printed, with five digits or, without physical input, six.
 [[nodiscard]] std::string length_limit(const Physical& physical, double length, bool upwards,
