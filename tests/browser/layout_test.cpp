@@ -123,6 +123,22 @@ BOOST_AUTO_TEST_CASE(each_figure_has_a_caption_of_one_sentence) {
   });
 }
 
+/// The map of single dampers; paper has no use for its summary.
+BOOST_AUTO_TEST_CASE(a_figure_that_is_folded_away_opens_on_demand) {
+  constexpr int one_line = 60;  // pixels, with its margins
+  constexpr int least_figure = 200;
+  const json& looks = seen(Scheme::light)["records"];
+  for (const char* const look : {"1280", "400"}) {
+    const json& folded = looks[look]["folded"];
+    BOOST_TEST_REQUIRE(folded.size() == 1U);
+    BOOST_TEST(folded[0]["closed"] > 0);
+    BOOST_TEST(folded[0]["closed"] <= one_line);
+    BOOST_TEST(folded[0]["opened"] >= one_line + least_figure);
+  }
+  BOOST_TEST_REQUIRE(looks["print"]["folded"].size() == 1U);
+  BOOST_TEST(looks["print"]["folded"][0]["closed"] == 0);
+}
+
 BOOST_AUTO_TEST_CASE(no_heading_is_printed_without_what_follows_it) {
   for_each_look(Scheme::light, [](const std::string& look, const json& facts) {
     for (const json& heading : facts["headings"]) {

@@ -52,7 +52,8 @@ std::vector<Wanted> wanted() {
       {"varying", {"design", data + "/scenes/residual.json"}, 0},
       {"records",
        {"design", "--record", deep + "near_fault_pulse.txt", "--record", deep + "strong_motion.AT2",
-        "--period", "2.8", "--max-displacement", "0.4"},
+        "--period", "2.8", "--max-displacement", "0.4", "--notch-width-m", "0.1", "--scan-points",
+        "400"},
        0},
   };
 }

@@ -150,6 +150,13 @@
     return found;
   };
 
+  // How high a figure that is folded away is before and after its summary is clicked.
+  const unfolded = details => {
+    const closed = details.offsetHeight;
+    details.querySelector('summary').click();
+    return {closed, opened: details.offsetHeight};
+  };
+
   // The rules for print hold on the screen, and those for the screen do not.
   const lay_out_as_printed = () => {
     for (const sheet of document.styleSheets)
@@ -176,6 +183,8 @@
       seen.headings = [...document.querySelectorAll('h2')].map(heading => ({
         text: heading.textContent, after: getComputedStyle(heading).breakAfter,
         with_next: heading.nextElementSibling ? getComputedStyle(heading.nextElementSibling).breakInside : 'nothing'}));
+      seen.folded = [...document.querySelectorAll('figure+details')].map(
+        details => look === 'print' ? {closed: details.offsetHeight} : unfolded(details));
       seen.figures = {};
       for (const svg of document.querySelectorAll('svg.figure')) {
         const id = svg.querySelector('title').id.replace('-title', '');

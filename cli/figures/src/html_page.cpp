@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
 #include <span>
 
 namespace stillpoint::figures {
@@ -30,7 +29,7 @@ figcaption{font-size:14px;margin:2px 8px 0 14px}
 .readout button{font:inherit;margin-left:8px}
 .wide{overflow-x:auto}
 tr.violated{background:#fbe3e1}
-summary{cursor:pointer;font-weight:bold;margin-top:24px}
+summary{cursor:pointer;font-weight:bold;margin-top:24px}figure+details{column-span:none}figure+details summary{margin:8px 14px}
 table{border-collapse:collapse;font-size:14px}td,th{padding:3px 10px;border-bottom:1px solid #ccc;text-align:left}
 td{font-variant-numeric:tabular-nums}.rows th{font-weight:normal;color:#666;white-space:nowrap}.columns td{padding:3px 8px}.columns td:first-child{white-space:nowrap}
 .number{white-space:nowrap}.key{font-weight:bold}.good{color:#00704f}.bad{color:#b3261e;font-weight:bold}.faint{color:#666}
@@ -78,15 +77,35 @@ std::string column(std::span<const Figure> group, bool only) {
          "</figure>\n";
 }
 
+/// In one place with the figure above them.
+std::string with_folded(const std::string& above, std::span<const Figure> folded) {
+  std::string text = "<div>\n" + above;
+  for (const Figure& figure : folded) {
+    text += fmt::format("<details><summary>{}</summary>\n{}</details>\n", prose(figure.folded),
+                        column({&figure, 1}, false));
+  }
+  return text + "</div>\n";
+}
+
+/// How many figures at the beginning of a list belong together.
+template <class Belongs>
+std::size_t leading(std::span<const Figure> list, const Belongs& belongs) {
+  return static_cast<std::size_t>(std::find_if_not(list.begin(), list.end(), belongs) -
+                                  list.begin());
+}
+
 /// Pairs, and after them what is left of an odd number.
-std::string figures(const std::vector<Figure>& list) {
+std::string figures(std::span<const Figure> list) {
   std::vector<std::string> columns;
-  for (auto first = list.begin(); first != list.end();) {
-    const auto last = std::find_if(std::next(first), list.end(),
-                                   [](const Figure& figure) { return !figure.below; });
-    columns.push_back(column({&*first, static_cast<std::size_t>(last - first)},
-                             first == list.begin() && last == list.end()));
-    first = last;
+  while (!list.empty()) {
+    const auto is_below = [](const Figure& figure) { return figure.below; };
+    const auto is_folded = [](const Figure& figure) { return !figure.folded.empty(); };
+    const std::size_t shown = 1 + leading(list.subspan(1), is_below);
+    const std::size_t folded = leading(list.subspan(shown), is_folded);
+    const bool only = columns.empty() && shown + folded == list.size();
+    const std::string text = column(list.first(shown), only);
+    columns.push_back(folded == 0 ? text : with_folded(text, list.subspan(shown, folded)));
+    list = list.subspan(shown + folded);
   }
   const std::size_t paired = columns.size() / 2 * 2;
   const auto odd = columns.begin() + static_cast<std::ptrdiff_t>(paired);

@@ -519,6 +519,9 @@ BOOST_AUTO_TEST_CASE(maps_show_where_a_damper_is_good_and_what_is_about_it) {
   BOOST_TEST(contains(all.caption, "; the search went beyond this map, over f = 0 to 0.4"),
              all.caption);
   const Figure near = figure(page(report), "map-near");
+  BOOST_TEST(all.folded.empty());
+  BOOST_TEST(contains(all.caption, "a cell shows the worst within the tolerance"), all.caption);
+  BOOST_TEST(near.folded == "Without any error of f and Δ");
   constexpr double rounding = 1e-12;
   BOOST_TEST(std::abs(near.x.least - f * 0.8) <= rounding);
   BOOST_TEST(std::abs(near.y.most - delta * 1.2) <= rounding);
@@ -534,6 +537,31 @@ BOOST_AUTO_TEST_CASE(maps_show_where_a_damper_is_good_and_what_is_about_it) {
   const figures::HtmlPage exact = page(report);
   BOOST_TEST(std::ranges::none_of(exact.figures,
                                   [](const Figure& figure) { return figure.id == "map-near"; }));
+}
+
+/// Under the one record, as far as the worst stroke of the box, beyond that of the design.
+BOOST_AUTO_TEST_CASE(the_worst_damper_of_the_box_is_drawn_beside_the_design) {
+  design::RecordDesignRequest request;
+  request.records = {{"three", Record{{0.4, -0.2, 0}, 1, {}}, 1}};
+  request.objective = design::SuiteObjective::amplitude;
+  request.f = Interval{0.1, 0.1};
+  request.delta = Interval{0, 0};
+  const auto farthest = [&](const char* name) {
+    const RecordDesignReport report{design::design(request), {}};
+    const Figure drawn = figure(page(report), "record-1");
+    double far = 0;
+    for (const figures::FigurePoint& point : named(drawn.curves, name).strokes.at(0)) {
+      far = std::max(far, std::abs(point.y));
+    }
+    return far;
+  };
+  const design::RecordDesign result = design::design(request);
+  const double worst = result.finding->box.worst.peak;
+  const double own = result.finding->point.figures.peak;
+  constexpr double of_the_drawing = 1e-3;  // the peak may lie between two samples
+  BOOST_TEST(worst > own * 1.01);
+  BOOST_TEST(std::abs(farthest("worst within the tolerance") / worst - 1) <= of_the_drawing);
+  BOOST_TEST(std::abs(farthest("x") / own - 1) <= of_the_drawing);
 }
 
 /// The damper of the third arrival.
@@ -748,6 +776,22 @@ BOOST_AUTO_TEST_CASE(a_last_odd_figure_stands_beside_the_tables) {
   BOOST_TEST(odd());
   page.figures.resize(2);
   BOOST_TEST(!odd());
+}
+
+BOOST_AUTO_TEST_CASE(a_folded_figure_stands_with_the_one_above_it) {
+  HtmlPage page = isolator();
+  page.figures.resize(3);
+  page.figures[1].folded = "more";
+  const std::string whole = figures::html(page);
+  const std::size_t fold = whole.find("<details><summary>more</summary>\n<figure>");
+  BOOST_TEST_REQUIRE(fold != std::string::npos);
+  const auto title = [&](std::size_t i) {
+    return whole.find("id=\"" + page.figures[i].id + "-title\"");
+  };
+  BOOST_TEST(title(0) < fold);
+  BOOST_TEST(fold < title(1));
+  BOOST_TEST(whole.find("</details>", fold) > title(1));
+  BOOST_TEST(whole.find("</details>", fold) < title(2));
 }
 
 BOOST_AUTO_TEST_CASE(the_report_as_text_is_folded_away) {

@@ -234,6 +234,9 @@ Figure drawn_map(const design::RecordDesign& result, const Window& window, bool 
           ? "A cell that is not hatched meets every limit in its middle, the darker the better" +
                 excess_clause(bounds, "where it is hatched, ")
           : "The darker, the better";
+  if (boxes && !is_exact(task.tolerance)) {
+    figure.caption += "; a cell shows the worst within the tolerance about its middle";
+  }
   constexpr std::uint8_t best_shade = 0;
   if (result.finding && shade_at(figure, place) != best_shade) {
     figure.caption += "; the damper found is better than the middle of its cell";

@@ -146,6 +146,7 @@ Figure close_up(const design::RecordDesign& result, const FigureUnits& units) {
   Figure figure = drawn_map(result, {about(box.f), about(box.delta)}, false, units);
   figure.id = "map-near";
   figure.title = "Each damper by itself";
+  figure.folded = "Without any error of f and Δ";
   add_box_outline(figure, box, units);
   figure.caption += "; the box is what the design may become.";
   return figure;

@@ -143,6 +143,7 @@ struct Figure {
   std::string caption;      ///< a sentence below it
   double height{270};       ///< of the plot, in pixels of a figure 450 wide
   bool below{false};        ///< belongs below the previous figure, on the same horizontal axis
+  std::string folded;       ///< opens it, below the previous figure of a page; empty: always shown
   FigureAxis x;
   FigureAxis y;
   FigureMap map;
