@@ -32,7 +32,7 @@ inline bool stillpoint_mutant(int which) {
 # Of a file in this folder: the executables whose tests may see it, the likely ones first.
 ROOMS = (
     ("core/motion", ("free_tests", "forced_tests", "exact_tests", "design_tests")),
-    ("core/records", ("records_tests", "cli_tests")),
+    ("core/records", ("records_tests", "cli_tests", "refusal_tests")),
     ("design/damper", ("design_tests", "sweep_tests", "cli_tests")),
     ("design/sweep", ("sweep_tests", "cli_tests")),
 )
