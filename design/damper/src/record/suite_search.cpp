@@ -31,8 +31,7 @@ constexpr double hopeless = 1.1;
 /// The same of one that was refined twice.
 constexpr double unlikely = 1.02;
 
-/// Steps to a box, and to each side of a candidate, by the number of axes; the candidates of a map
-/// and those refined to the end, by the number of those searched.
+/// Steps to a box, and to each side of a candidate, by the number of axes.
 constexpr std::array<std::int64_t, most_axes + 1> most_windows{1, 256, 16, 8, 4};
 constexpr std::array<std::int64_t, most_axes + 1> reaches{1, 6, 3, 2, 1};
 constexpr std::array<std::size_t, most_axes + 1> most_refined{1, 2, 2, 3, 3};
@@ -201,7 +200,7 @@ std::vector<BoxedDamper> SuiteSearch::all_refined(std::vector<BoxedDamper> found
   }
   std::ranges::stable_sort(found, {}, &BoxedDamper::rank);
   std::erase_if(found, [&](const BoxedDamper& each) { return each.rank.value > unlikely * bar; });
-  found.resize(std::min(found.size(), most_refined.at(space_.searched())));
+  found.resize(std::min(found.size(), most_refined.at(space_.size())));
   for (BoxedDamper& each : found) {
     grid = fine;
     each = polished(refined(each, grid, most_levels), first_step());
@@ -334,7 +333,7 @@ std::optional<VerifiedBox> SuiteSearch::verified(BoxedDamper candidate) {
 }
 
 std::optional<VerifiedBox> SuiteSearch::best(const BoxMap& map, const SuiteGrid& grid, double bar) {
-  std::vector<BoxedDamper> found = map.best(goal_, candidate_counts.at(space_.searched()));
+  std::vector<BoxedDamper> found = map.best(goal_, candidate_counts.at(space_.size()));
   std::erase_if(found, [&](const BoxedDamper& each) { return each.rank.value > hopeless * bar; });
   found = all_refined(std::move(found), grid, bar);
   std::optional<VerifiedBox> best;
