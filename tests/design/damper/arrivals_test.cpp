@@ -113,6 +113,16 @@ BOOST_AUTO_TEST_CASE(a_damper_that_stops_the_mass_too_late_is_explained) {
   const Region region = admissible_region(problem, little);
   BOOST_TEST((region.conflict == Conflict::no_arrival));
   BOOST_TEST(reason(region, problem, little)->find("passes x = 0 3 times") != std::string::npos);
+  // The weakest damper of the box of the largest: f and delta are at most 1/1.2 of the limits.
+  const Limits rough{1e-3, 0.01, 0.2};
+  const std::string text = reason(admissible_region(problem, rough), problem, rough).value();
+  const std::string_view says = "would have to be below ";
+  const double v0 = std::stod(text.substr(text.find(says) + says.size()));
+  const auto passes = [](double speed) {
+    return free_response({1, 0.8 / 1.2 * 1e-3, 0.8 / 1.2 * 0.01, {}}, {0, speed}).zero_passages;
+  };
+  BOOST_TEST(passes(v0 * (1 - 1e-4)) < 3);
+  BOOST_TEST(passes(v0 * (1 + 1e-4)) >= 3);
   const Limits wide{1e-3, std::nullopt, 0.4};
   const Region narrow = admissible_region(problem, wide);
   BOOST_TEST((narrow.conflict == Conflict::no_arrival));

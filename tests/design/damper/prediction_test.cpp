@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "damper.hpp"
 #include "unit_problem.hpp"
+#include "way/unit_strip.hpp"
 
 BOOST_AUTO_TEST_SUITE(prediction_test)
 
@@ -93,6 +94,22 @@ BOOST_AUTO_TEST_CASE(the_bounds_of_delta_invert) {
 BOOST_AUTO_TEST_CASE(the_slope_of_the_stop_phase_is_cut_at_f3) {
   BOOST_TEST(std::isfinite(unit::stop_phase_slope(unit::a3)));
   BOOST_TEST(unit::stop_phase_slope(unit::a3) > 1e7);
+}
+
+// Of the phase atan2(a, w) of a slow arrival: a/(2 t^2 w) d(w^2), of which the bound is twice that.
+BOOST_AUTO_TEST_CASE(the_error_of_a_grazing_arrival_is_its_derivative) {
+  const double a3 = 1 / std::sqrt(8.0);
+  for (const double distance : {1e-8, 1e-6, 1e-4, 1e-2}) {
+    const double a = a3 * (1 - distance);
+    const unit::Rest now = unit::rest(a, 1, 1);
+    const unit::Rest near = unit::rest(a * (1 - distance * 1e-4), 1, 1);
+    BOOST_TEST_REQUIRE(now.half_cycles == 1);
+    const double change = std::abs((near.arrival_speed - now.arrival_speed) *
+                                   (near.arrival_speed + now.arrival_speed));
+    const double turn = std::abs(near.phase - now.phase);
+    BOOST_TEST(turn <= now.grazing * change);
+    BOOST_TEST(turn >= now.grazing * change / 4);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -123,6 +123,20 @@ BOOST_AUTO_TEST_CASE(a_spent_budget_still_gives_an_admissible_point) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(no_search_evaluates_more_than_its_budget) {
+  Problem problem{1, 1, 0.9};
+  problem.residual = 0.1;
+  problem.arrivals = 3;
+  for (const Objective objective : objectives) {
+    for (const int budget : {1, 2, 5}) {
+      BOOST_TEST(
+          search(problem, {}, {objective, "LD_SLSQP", budget, 10}).value().record.evaluations <=
+              budget,
+          name(objective) << ", " << budget);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(no_algorithm_and_no_budget_are_refused) {
   const auto refused = [](const SearchOptions& options, const std::string& field) {
     test::check_refused(field, [&] { return search({1, 1, 0.9}, {}, options); });
