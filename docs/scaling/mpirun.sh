@@ -11,6 +11,6 @@ out=$2
 shift 2
 extension=${out##*.}
 ${MPIRUN:-mpirun} -np "$ranks" \
-  stillpoint sweep "$@" --part auto --threads 1 --quiet --resume \
-  --output "${out%.*}-{part}.$extension" > "${out%.*}.log"
+  sh -c 'part=$((${OMPI_COMM_WORLD_RANK:-$PMI_RANK} + 1)); exec stillpoint sweep "$@" --part "$part/$0"' "$ranks" \
+  "$@" --threads 1 --quiet --resume --output "${out%.*}-{part}.$extension" > "${out%.*}.log"
 stillpoint sweep merge "$out" "${out%.*}"-*-of-"$ranks.$extension"

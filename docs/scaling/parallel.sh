@@ -11,6 +11,6 @@ out=$2
 shift 2
 extension=${out##*.}
 seq "$parts" | parallel --quote -N0 --halt soon,fail=1 \
-  stillpoint sweep "$@" --part "auto/$parts" --threads 1 --quiet --resume \
+  stillpoint sweep "$@" --part "{#}/$parts" --threads 1 --quiet --resume \
   --output "${out%.*}-{part}.$extension" > "${out%.*}.log"
 stillpoint sweep merge "$out" "${out%.*}"-*-of-"$parts.$extension"

@@ -4,13 +4,12 @@
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/records/units.hpp>
 #include <stillpoint/sweep/axis.hpp>
-#include <stillpoint/sweep/launcher.hpp>
+#include <stillpoint/sweep/part.hpp>
 #include <stillpoint/sweep/reduction.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
 #include <algorithm>
 #include <functional>
-#include <map>
 
 // The values of options: numbers, units, ranges, axes, lists of columns, bins and parts. The first
 // letter says which, the rest is the value.
@@ -68,22 +67,6 @@ void read_bins(std::string_view text) {
           "the edges of bins do not rise");
 }
 
-/// What a launcher may set, a line NAME=VALUE for each variable.
-void read_environment(std::string_view text) {
-  std::map<std::string, std::string, std::less<>> values;
-  while (!text.empty()) {
-    std::string_view line = take(text, '\n');
-    const std::string_view name = take(line, '=');
-    values.emplace(name, line);
-  }
-  const SweepPart part = launched_part([&values](const char* name) {
-    const auto found = values.find(name);
-    return found == values.end() ? nullptr : found->second.c_str();
-  });
-  require(part.number >= 1 && part.number <= part.count && part.count <= most_sweep_parts,
-          "part {}", sweep::text(part));
-}
-
 void read(char kind, std::string_view text) {
   switch (kind) {
     case 'n':
@@ -104,8 +87,6 @@ void read(char kind, std::string_view text) {
       return read_bins(text);
     case 'b':
       return static_cast<void>(parse_best(text, default_columns(spec(), true), {}));
-    case 'e':
-      return read_environment(text);
     default: {
       const SweepPart part = parse_part(text);
       require(parse_part(sweep::text(part)) == part, "part {}", sweep::text(part));

@@ -70,7 +70,8 @@ sh "$scripts/$script.sh" 4 rows.csv "$@"
 cmp rows.csv whole.csv
 
 if [ "$engine" = slurm ]; then
-  srun -n 2 stillpoint sweep "$@" --reduce --part auto --output 'step-{part}.json' > step.log
+  srun -n 2 sh -c 'exec stillpoint sweep "$@" --part "$((SLURM_PROCID + 1))/$SLURM_NTASKS"' step \
+    "$@" --reduce --output 'step-{part}.json' > step.log
   stillpoint sweep merge step.json step-1-of-2.json step-2-of-2.json
   stillpoint sweep "$@" --reduce --output whole.json > whole.log
   cmp step.json whole.json

@@ -8,13 +8,11 @@
 #include <stillpoint/records/units.hpp>
 #include <stillpoint/report/version.hpp>
 #include <stillpoint/sweep/identity.hpp>
-#include <stillpoint/sweep/launcher.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -200,8 +198,7 @@ void resolve_part(Settings& settings) {
   if (!asked) {
     return;
   }
-  const sweep::SweepPart part =
-      sweep::asked_part(*asked, [](const char* name) { return std::getenv(name); });
+  const sweep::SweepPart part = sweep::parse_part(*asked);
   settings.set("part", text(part));
   if (const auto output = settings.text("output")) {
     settings.set("output", sweep::with_part(*output, part));

@@ -375,9 +375,7 @@ std::vector<Option> rows() {
           "tolerance:10:largest",
           sweep, {.repeats = true, .needs = of_a_reduction}),
       row("part", text, "I/N", sweeping,
-          "compute one of N parts, for sweep merge; auto or auto/N takes I from the launcher; "
-          "{part} "
-          "in the output's name becomes I-of-N",
+          "compute one of N parts, for sweep merge; {part} in the output's name becomes I-of-N",
           sweep, {.role = execution, .excludes = {{sweep, of_pages, "a map shows a whole sweep"}}}),
       row("resume", flag, "", sweeping,
           "continue an interrupted sweep; leave a complete part as it is", sweep,

@@ -23,7 +23,7 @@ SweepPart parse_part(std::string_view text) {
   if (!number || !count || !(1 <= *number && *number <= *count && *count <= most_sweep_parts)) {
     throw InputError(
         "part", fmt::format("\"{}\"", records::printable(text, records::longest_word)),
-        fmt::format("must be I/N with 1 <= I <= N <= {}, auto or auto/N", most_sweep_parts));
+        fmt::format("must be I/N with 1 <= I <= N <= {}", most_sweep_parts));
   }
   return {*number, *count};
 }

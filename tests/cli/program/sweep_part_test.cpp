@@ -56,20 +56,6 @@ BOOST_AUTO_TEST_CASE(may_go_to_standard_output) {
   BOOST_TEST((read("merged") == read("whole")));
 }
 
-BOOST_AUTO_TEST_CASE(may_be_given_by_a_launcher) {
-  write("whole", run(grid).out);
-  Arguments names;
-  for (const char* rank : {"0", "1", "2"}) {
-    const Surroundings ranked{
-        .environment = {{"OMPI_COMM_WORLD_RANK", rank}, {"OMPI_COMM_WORLD_SIZE", "3"}}};
-    const ProgramRun answer = succeed(grid + "--part auto --output {part}.csv --json", ranked);
-    names.push_back(answer.json().at("output").at("file"));
-  }
-  BOOST_TEST(names.front() == "1-of-3.csv");
-  BOOST_TEST(merge(names).exit_code == 0);
-  BOOST_TEST((read("merged") == read("whole")));
-}
-
 BOOST_AUTO_TEST_CASE(report_their_number) {
   const auto report = part(grid, 2, 3, "--json").json();
   BOOST_TEST(report.at("part").at("number") == 2);
@@ -223,8 +209,6 @@ const Wrong wrong_parts[] = {
     {grid + "--part 4/3", {"part", "4/3", "1 <= I <= N"}},
     {grid + "--part 3", {"part", "\"3\"", "I/N"}},
     {grid + "--part 1/1000001", {"part", "1/1000001", "1000000"}},
-    {grid + "--part auto", {"part = auto", "no launcher", "I/N"}},
-    {grid + "--part auto/0", {"part", "auto/N"}},
     {"sweep --v0 1 --p 1 --part 1/2 --list -", {"part", "standard input"}, "f,delta\n0.1,0.2\n"},
     {grid + "merge a b", {"merge", "no options"}}};
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What parts of a sweep are, and which of them a launcher gives to a process.
+// What parts of a sweep are.
 #include "design/sweep/sweep_spec.hpp"
 
-#include <stillpoint/sweep/launcher.hpp>
 #include <stillpoint/sweep/part.hpp>
 #include <stillpoint/sweep/state.hpp>
 
@@ -11,44 +10,6 @@ BOOST_AUTO_TEST_SUITE(sweep_split_test)
 namespace {
 
 using namespace stillpoint::sweep_test;
-using Variables = std::map<std::string, std::string>;
-
-SweepPart launched(const Variables& variables, std::optional<std::int64_t> count = {}) {
-  const auto value = [&variables](const char* name) {
-    const auto found = variables.find(name);
-    return found == variables.end() ? nullptr : found->second.c_str();
-  };
-  return launched_part(value, count);
-}
-
-void check_launched(const Variables& variables, const std::string& part,
-                    std::optional<std::int64_t> count = {}) {
-  BOOST_TEST(text(launched(variables, count)) == part);
-}
-
-void check_refused(const Variables& variables, const std::vector<std::string>& says,
-                   std::optional<std::int64_t> count = {}) {
-  test::check_contains(test::refusal_of<InputError>([&] { return launched(variables, count); }),
-                       says);
-}
-
-const Variables mpi{{"OMPI_COMM_WORLD_RANK", "2"}, {"OMPI_COMM_WORLD_SIZE", "4"}};
-const Variables mpich{{"PMI_RANK", "2"}, {"PMI_SIZE", "4"}};
-const Variables step{{"SLURM_PROCID", "2"}, {"SLURM_NTASKS", "4"}};
-const Variables one_task{{"SLURM_PROCID", "0"}, {"SLURM_NTASKS", "1"}};
-const Variables job{{"PARALLEL_SEQ", "3"}};
-
-Variables array(const char* id, const char* count, const char* first, const char* each = "1") {
-  return {{"SLURM_ARRAY_TASK_ID", id},
-          {"SLURM_ARRAY_TASK_COUNT", count},
-          {"SLURM_ARRAY_TASK_MIN", first},
-          {"SLURM_ARRAY_TASK_STEP", each}};
-}
-
-Variables both(Variables one, const Variables& other) {
-  one.insert(other.begin(), other.end());
-  return one;
-}
 
 }  // namespace
 
@@ -101,49 +62,6 @@ BOOST_AUTO_TEST_CASE(a_digest_of_bytes_does_not_depend_on_their_pieces) {
     other.add(changed);
     BOOST_TEST_REQUIRE((other != whole));
   }
-}
-
-BOOST_AUTO_TEST_CASE(each_launcher_says_which_part) {
-  check_launched(mpi, "3/4");
-  check_launched(mpich, "3/4");
-  check_launched(step, "3/4");
-  check_launched(array("7", "4", "5"), "3/4");
-  check_launched(array("0", "4", "0"), "1/4");
-  check_launched(array("9", "4", "0", "3"), "4/4");  // 0,3,6,9
-  check_launched(job, "3/4", 4);
-  check_launched(one_task, "1/1");
-}
-
-BOOST_AUTO_TEST_CASE(nested_launchers) {
-  check_launched(both(array("2", "4", "1"), one_task), "2/4");
-  check_launched(both(mpi, array("1", "1", "1")), "3/4");
-  check_launched(both(mpi, mpich), "3/4");
-  check_launched(both(mpi, {{"SLURM_PROCID", "0"}, {"SLURM_NTASKS", "2"}}),
-                 "3/4");                  // mpirun in a job
-  check_launched(both(mpi, job), "3/4");  // of a parallel that started mpirun, or submitted the job
-  check_launched(mpi, "3/4", 4);
-  check_launched(both(mpi, job), "3/4", 4);
-}
-
-BOOST_AUTO_TEST_CASE(what_contradicts_or_is_missing_is_refused) {
-  check_refused({}, {"part = auto", "no launcher", "I/N"});
-  check_refused({{"SLURM_PROCID", "1"}}, {"no launcher"});
-  check_refused(job, {"GNU parallel", "job 3", "auto/N"});
-  check_refused(both(mpi, array("1", "4", "1")), {"Open MPI says 3/4", "array of Slurm says 1/4"});
-  check_refused(both(step, array("1", "8", "1")), {"step of Slurm says 3/4", "1/8"});
-  check_refused(both(mpi, {{"PARALLEL_SEQ", "1"}}), {"Open MPI says 3/4", "parallel says 1/4"}, 4);
-  check_refused(mpi, {"auto/8", "Open MPI says 3/4"}, 8);
-  check_refused(one_task, {"auto/8", "1/1"}, 8);
-  check_refused(job, {"PARALLEL_SEQ", "3", "part 3 of 2"}, 2);
-  check_refused(array("9", "2", "1"), {"SLURM_ARRAY_TASK_ID", "9", "part 9 of 2"});
-  check_refused(array("4", "2", "1", "2"), {"SLURM_ARRAY_TASK_ID", "4", "step"});
-  check_refused({{"PMI_RANK", "4"}, {"PMI_SIZE", "4"}}, {"PMI_RANK", "part 5 of 4"});
-  check_refused({{"PMI_RANK", "x"}, {"PMI_SIZE", "4"}}, {"PMI_RANK", "x"});
-  // One more than this is not a whole number, nor is anything between these.
-  const std::string most = "9223372036854775807";
-  check_refused({{"PMI_RANK", most}, {"PMI_SIZE", "4"}}, {"PMI_RANK = " + most, "1000000000000"});
-  check_refused(array("2", "4", ("-" + most).c_str()),
-                {"SLURM_ARRAY_TASK_MIN = -" + most, "1000000000000"});
 }
 
 BOOST_AUTO_TEST_CASE(the_numbers_of_a_part_are_whole_in_any_form) {
