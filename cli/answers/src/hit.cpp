@@ -20,12 +20,8 @@ report::DesignReport answer(DesignTask task) {
   if (task.trade_offs) {
     report.trade_off = design::trade_off(request.problem, request.limits, *task.trade_offs);
   }
-  if (report.result.finding) {
-    if (task.notch) {
-      report.built_notch = design::built_notch(report.result, *task.notch);
-    } else {
-      report.example = report::example_notch(report);
-    }
+  if (report.result.finding && task.notch) {
+    report.built_notch = design::built_notch(report.result, *task.notch);
   }
   return report;
 }

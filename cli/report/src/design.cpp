@@ -154,10 +154,7 @@ Optimum optimum_of(const design::DesignResult& result) {
 Tone tone_of(const DesignReport& report) {
   const bool sound = report.result.finding && report.result.finding->cross_check.passed &&
                      notch_sentence(report).empty() && !is_too_exact(report);
-  return !sound ? Tone::bad
-         : report.result.request.pulse || example_words(report, report.physical).empty()
-             ? Tone::good
-             : Tone::plain;
+  return sound ? Tone::good : Tone::bad;
 }
 
 Advice advice(const DesignReport& report) {

@@ -204,7 +204,7 @@ std::string remarks(const DesignReport& report, const Physical& physical) {
   } else {
     text += next_sentence(lock_sentence(report));
   }
-  text += example_words(report, physical);
+  text += late_notch_words(report);
   if (!report.result.finding->cross_check.passed) {
     text += " But the cross-check DISAGREES: do not rely on this design.";
   }
@@ -220,7 +220,7 @@ std::string felt_words(const DesignReport& report, const Physical& physical) {
                       {finding.response, finding.arrival,
                        finding.pulse ? finding.pulse->worst : std::nullopt},
                       told_practice(task_of(report), finding.practice, f, delta),
-                      inside_example(report, physical));
+                      inside_limit(report, physical));
 }
 
 void add_answer(Section& answer, const DesignReport& report, const Physical& physical) {
@@ -249,8 +249,8 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
       delta > 0 && finding.response.zero_passages == 0.0) {
     answer.row("note", "the mass never comes back to the notch: delta has no effect on this hit");
   }
-  if (pulse && !report.built_notch && !no_notch_works(report)) {
-    add_start(answer, start_under_pulse(result), "delta/(k - f)", failing, physical);
+  if (pulse && !report.built_notch && !failing) {
+    add_start(answer, start_under_pulse(result), "delta/(k - f)", physical);
   }
   const bool of_ranges = pulse && finding.pulse->worst;
   if (of_ranges && !report.built_notch) {

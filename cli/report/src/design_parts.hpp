@@ -55,20 +55,14 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
 [[nodiscard]] std::optional<std::string> felt_in_built_notch(const DesignReport& report);
 /// "the peak exceeds 150 mm": what the notch that was asked for spoils; empty if nothing.
 [[nodiscard]] std::string built_notch_fault(const DesignReport& report, const Physical& physical);
-/// What a notch spoils, likewise.
-[[nodiscard]] std::string notch_fault(const design::BuiltNotch& built,
-                                      const design::DesignRequest& request,
-                                      const Physical& physical);
-/// If none was asked for, what the example does, in a sentence, and which command tries others;
-/// empty if a hit needs none.
-[[nodiscard]] std::string example_words(const DesignReport& report, const Physical& physical,
-                                        std::string_view command = "");
-/// Why the damper is not for notches with a width, in a few words; empty if nothing was found.
-[[nodiscard]] std::string told_notch_fault(const DesignReport& report);
-/// An admissible damper as a design whose notch is tried; without a finding if it is not.
+/// Under a pulse without a built notch, that the motion starts in it, and the command that tries
+/// one; else empty.
+[[nodiscard]] std::string late_notch_words(const DesignReport& report,
+                                           std::string_view command = "");
+/// An admissible damper as a design; without a finding if it is not.
 [[nodiscard]] DesignReport as_design(const RegionReport& report);
-/// What the mass feels in the example, under a pulse or if that has a limit; else empty.
-[[nodiscard]] std::string inside_example(const DesignReport& report, const Physical& physical);
+/// What the mass feels in the notch, under a pulse or if that has a limit; else empty.
+[[nodiscard]] std::string inside_limit(const DesignReport& report, const Physical& physical);
 /// Rounded up as a limit is printed.
 [[nodiscard]] double limit_of_digits(const Physical& physical, double length);
 /// As it would be ordered: 29 mm.

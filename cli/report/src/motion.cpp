@@ -208,7 +208,7 @@ void add_answer(Section& answer, const MotionReport& report) {
       answer.row("start", none, Tone::bad);
     } else {
       add_start(answer, start, format("delta/(load - {})", zones.empty() ? "f" : digits(centre)),
-                false, physical);
+                physical);
     }
   }
   if (caught) {

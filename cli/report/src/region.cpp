@@ -189,22 +189,16 @@ void add_strips(Document& document, const design::Problem& problem,
   }
 }
 
-/// What a notch with a width does to that damper, behind the judgement.
-std::string of_real_notch(const DesignReport& design) {
-  return next_sentence(notch_sentence(design)) +
-         example_words(design, design.physical, "simulate ");
-}
-
 }  // namespace
 
 namespace {
 
-/// What is said of the damper that is judged, as a design with the notches that were tried.
+/// What is said of the damper that is judged.
 Advice judged(const RegionReport& report, const DesignReport& design) {
-  const std::string real = of_real_notch(design);
   Advice advice;
   advice.alarming = report.answer.admissible != true || !notch_sentence(design).empty();
-  advice.remarks = judgement(report) + real + next_sentence(lock_sentence(report));
+  advice.remarks = judgement(report) + next_sentence(notch_sentence(design)) +
+                   late_notch_words(design, "simulate ") + next_sentence(lock_sentence(report));
   return advice;
 }
 
@@ -215,7 +209,7 @@ std::string felt_words(const RegionReport& report, const DesignReport& design,
   return answer.response && moves(*answer.response)
              ? felt(task_of(report), {*report.request.f, *report.request.delta, 0},
                     {*answer.response, answer.arrival, answer.worst}, told,
-                    inside_example(design, report.physical))
+                    inside_limit(design, report.physical))
              : "";
 }
 
@@ -255,7 +249,6 @@ DesignReport as_design(const RegionReport& report) {
     finding.pulse.emplace();
     std::tie(finding.pulse->pulse, finding.pulse->p) = *answer.shown;
   }
-  design.example = example_notch(design);
   return design;
 }
 
@@ -308,11 +301,8 @@ Document document(const RegionReport& report) {
   if (delta) {
     section.row("delta", length_shown(report.physical, *delta));
     const Advice said = judged(report, design);
-    const bool fails = !notch_sentence(design).empty();
     document.verdict = format("{} {}", said.remarks, document.verdict);
-    document.tone = said.alarming                            ? Tone::bad
-                    : pulse || of_real_notch(design).empty() ? Tone::good
-                                                             : Tone::plain;
+    document.tone = said.alarming ? Tone::bad : Tone::good;
     add_brake(document.answer, report.physical, *f, "note");
     if (const auto& response = answer.response; response && moves(*response)) {
       const ToldMotion motion{*response, answer.arrival, answer.worst,
@@ -321,7 +311,7 @@ Document document(const RegionReport& report) {
     }
     if (pulse && !no_notch_works(design)) {
       add_start(document.answer, {*f, *delta, ranges.k_low.value_or(design::peak_load(*pulse))},
-                "delta/(k - f)", fails, report.physical);
+                "delta/(k - f)", report.physical);
     }
     add_works_for(document.answer, answer.works_for, task_of(report));
     add_weak_hits(document.answer, problem, *delta, report.physical);

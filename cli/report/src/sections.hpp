@@ -71,8 +71,6 @@ void add_damper_physics(Section& section, const Physical& physical, double f, do
 /// cannot move the mass out of it.
 [[nodiscard]] std::string inside_words(const Physical& physical, const Oscillator& damper,
                                        double peak, double load = HUGE_VAL);
-/// Whether the kernel follows a motion through it.
-[[nodiscard]] bool can_be_followed(double width, double delta, double p);
 /// The paper's notch under a pulse, of which the motion starts in it.
 inline constexpr std::string_view acts_late = "acts only after the start";
 struct StartUnderLoad {
@@ -91,8 +89,8 @@ struct StartUnderLoad {
 /// Which hits of a range the notch of the damper passes on in full.
 void add_weak_hits(Section& section, const design::Problem& problem, double delta,
                    const Physical& physical);
-/// How wide the notch must be so that the mass may go, as `formula` says; bad if none is.
-void add_start(Section& section, const StartUnderLoad& start, std::string_view formula, bool bad,
+/// How wide the notch must be so that the mass may go, as `formula` says.
+void add_start(Section& section, const StartUnderLoad& start, std::string_view formula,
                const Physical& physical);
 /// "480 kN s" for a speed; "0.4 N s per kg" if the mass is not known.
 [[nodiscard]] std::string impulse_shown(const Physical& physical, double impulse);

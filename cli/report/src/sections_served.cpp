@@ -171,18 +171,11 @@ std::string inside_words(const Physical& physical, const Oscillator& damper, dou
       physical ? length_shown(physical, width) + " wide" : "as wide as a fifth of the peak");
 }
 
-bool can_be_followed(double width, double delta, double p) {
-  const auto [least, most] = std::minmax({width, p * width});
-  return least >= smallest_speed && most <= largest_speed && delta / width / p <= largest_speed;
-}
-
-void add_start(Section& section, const StartUnderLoad& start, std::string_view formula, bool bad,
+void add_start(Section& section, const StartUnderLoad& start, std::string_view formula,
                const Physical& physical) {
   if (start.delta > 0 && start.load > start.f) {
-    section.row("start",
-                format("needs a notch wider than {}, {}",
-                       length_limit(physical, start.width(), true), formula),
-                bad ? Tone::bad : Tone::plain);
+    section.row("start", format("needs a notch wider than {}, {}",
+                                length_limit(physical, start.width(), true), formula));
   }
 }
 

@@ -77,45 +77,31 @@ BOOST_FIXTURE_TEST_CASE(of_a_design_within_an_acceleration_names_the_least_notch
   BOOST_TEST(contains(text, "57.949 mm wide"), text);
 }
 
-/// A hit that the paper's notch holds leaves one that is wide enough for the limit, and rests
-/// beyond.
-BOOST_FIXTURE_TEST_CASE(of_ranges_says_what_the_notch_within_an_acceleration_does, Sandbox) {
+/// The hits of the range that the paper's notch holds are in it as well.
+BOOST_FIXTURE_TEST_CASE(of_ranges_names_the_notch_within_an_acceleration, Sandbox) {
   const Arguments asked(
       "design --velocity 0:0.4 --period 2.8 --max-displacement 150mm --acceleration-max 0.2");
   const std::string text = one_line(run(asked).out);
   std::smatch found;
   BOOST_TEST_REQUIRE(
       std::regex_search(text, found,
-                        std::regex("with one ([.0-9]+) mm wide, the mass rests ([.0-9]+) mm off "
-                                   "centre after a hit of ([.0-9]+) m/s from inside the notch\\. "
-                                   ".*; 0.2 g at most inside "
-                                   "one ([.0-9]+) mm wide, with f and delta as given ")),
+                        std::regex("; 0.2 g at most inside one ([.0-9]+) mm wide, with f and delta "
+                                   "as given ")),
       text);
-  BOOST_TEST(found[1] == found[4]);
-  const auto built = [&](double width) {
-    return reported(asked + Arguments{"--notch-width-m", in_full(width) + "mm"})["built_notch"];
-  };
   const double width = std::stod(found[1]);
-  const json farthest = built(width)["farthest_rest"];
-  BOOST_TEST(
-      near(std::abs(farthest["stop_position_m"].get<double>()), 1e-3 * std::stod(found[2]), 1e-4));
   const auto felt = [&](double wide) {
-    return built(wide)["largest_acceleration"]["peak_absolute_acceleration"].get<double>();
+    return reported(asked + Arguments{"--notch-width-m",
+                                      in_full(wide) + "mm"})["built_notch"]["largest_acceleration"]
+                                                            ["peak_absolute_acceleration"]
+                                                                .get<double>();
   };
   BOOST_TEST(felt(width) <= 0.2);
   BOOST_TEST(felt(0.999 * width) > 0.2);
   BOOST_TEST(near(reported(asked)["physical"]["notch_width_min_m"], 1e-3 * width, 1e-4));
-
-  const Arguments residual{"design", STILLPOINT_DATA_DIR "/scenes/residual.json",
-                           "--acceleration-max", "0.2"};
-  check_contains(one_line(run(residual).out),
-                 {"with one 27.622 mm wide, the mass rests 13.811 mm off centre after a hit of "});
-  // Where it keeps all that was asked, the row says where it leaves the mass.
-  check_contains(one_line(run(Arguments{"design", STILLPOINT_DATA_DIR "/scenes/isolator.json",
-                                        "--acceleration-max", "0.2"})
-                              .out),
-                 {" at least 32.868 mm wide, with f, delta and the hit as given, which leaves it "
-                  "7.0262 mm off centre "});
+  BOOST_TEST(contains(one_line(run({"design", STILLPOINT_DATA_DIR "/scenes/isolator.json",
+                                    "--acceleration-max", "0.2"})
+                                   .out),
+                      " at least 32.868 mm wide, with f, delta and the hit as given "));
 }
 
 BOOST_FIXTURE_TEST_CASE(of_a_comparison_gives_the_error_of_the_kernel, Sandbox) {

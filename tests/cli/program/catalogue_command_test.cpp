@@ -314,7 +314,7 @@ BOOST_FIXTURE_TEST_CASE(a_part_with_a_strong_notch_is_ordered_as_it_is, Sandbox)
   const std::string advice = "Nothing bounds delta";
   BOOST_TEST(contains(one_line(run(task).out), advice));
   const std::string text = one_line(run(task + "--catalogue strong.csv").out);
-  BOOST_TEST(contains(text, "order part strong: f = 0.01, delta = 0.004."), text);
+  BOOST_TEST(contains(text, "Order part strong: f = 0.01, delta = 0.004."), text);
   BOOST_TEST(!contains(text, advice), text);
 }
 

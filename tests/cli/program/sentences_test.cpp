@@ -21,14 +21,12 @@ std::string headline(const ProgramRun& run) {
 
 }  // namespace
 
-// No notch works, and besides the damper has a hundredth of a per cent of tolerance.
+// Only a notch wider than the stroke would let the pulse move it, and besides f has no tolerance.
 BOOST_AUTO_TEST_CASE(a_damper_for_which_no_notch_works_may_be_too_exact_as_well) {
-  const std::string text =
-      headline(run("design --pulse half-sine --k 30g --pulse-duration 5ms --natural-frequency 10Hz "
-                   "--mass 350kg --max-displacement 12mm --delta-max-m 5mm"));
+  const std::string text = headline(run(
+      {"design", STILLPOINT_DATA_DIR "/scenes/near_fault_pulse.json", "--objective", "amplitude"}));
   check_contains(text, {" With a notch that acts only after the start, the damper found is too "
-                        "exact to be built: a friction force of "});
-  BOOST_TEST(text.ends_with(" at a passage."), text);
+                        "exact to be built: "});
 }
 
 BOOST_AUTO_TEST_CASE(what_a_pulse_needs_and_what_is_allowed_are_opposed) {

@@ -196,7 +196,7 @@ void add_finding(ordered_json& json, const DesignReport& report) {
 }
 
 ordered_json notch_fault_json(const DesignReport& report) {
-  const std::string words = told_notch_fault(report);
+  const std::string words = notch_sentence(report);
   return words.empty() ? ordered_json(nullptr) : ordered_json(words);
 }
 

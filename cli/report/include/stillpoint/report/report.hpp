@@ -37,15 +37,10 @@ struct DesignReport {
   design::DesignResult result;
   std::optional<design::PhysicalInput> physical{};
   std::optional<design::BuiltNotch> built_notch{};  ///< of the finding, if a width was given
-  std::optional<design::BuiltNotch> example{};      ///< see example_notch
   std::optional<Catalogue> catalogue{};             ///< of which the finding is the best
   std::optional<std::int64_t> trade_offs{};         ///< how many were asked for
   std::optional<std::vector<design::TradeOff>> trade_off{};
 };
-
-/// The same design, which has the paper's notch, with one of an ordinary width; under a pulse,
-/// which begins in the notch, with the best of several widths. Empty if there is none to try.
-[[nodiscard]] std::optional<design::BuiltNotch> example_notch(const DesignReport& report);
 
 struct RegionReport {
   design::RegionRequest request;
@@ -111,7 +106,7 @@ struct Advice {
 [[nodiscard]] std::string lock_sentence(const RegionReport& report);
 [[nodiscard]] std::string lock_sentence(const DesignReport& report);
 /// "with this notch the peak exceeds 150 mm", if a notch was asked for; else, under a pulse, "no
-/// notch width that was tried brings the mass back to x = 0". Empty if all is well.
+/// notch works", if only a wider one than the stroke lets it move the mass. Empty if all is well.
 [[nodiscard]] std::string notch_sentence(const DesignReport& report);
 
 /// The impulse per mass, |v0|, of a hit that the notch catches at the start; empty if it does not.
