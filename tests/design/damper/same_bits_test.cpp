@@ -20,6 +20,9 @@ namespace {
 double aside = 0;
 
 void move(nlopt_opt solver, double* x, double relative) {
+  if (aside == 0) {  // other tests give it bounds of every kind
+    return;
+  }
   std::vector<double> low(nlopt_get_dimension(solver));
   std::vector<double> high(low.size());
   nlopt_get_lower_bounds(solver, low.data());
@@ -62,8 +65,8 @@ void check_bits(const Search& search, const std::string& task) {
   const auto plain = search();
   for (const double now : {-1.0, 1.0}) {
     aside = now;
-    BOOST_TEST(bits_of(search()) == bits_of(plain),
-               task << ": " << search()->f << ", not " << plain->f);
+    const auto moved = search();
+    BOOST_TEST(bits_of(moved) == bits_of(plain), task << ": " << moved.value_or(DesignPoint()).f);
   }
   aside = 0;
 }
