@@ -21,9 +21,8 @@ SweepPart parse_part(std::string_view text) {
   const auto number = records::scan_integer(text.substr(0, slash));
   const auto count = records::scan_integer(text.substr(std::min(slash + 1, text.size())));
   if (!number || !count || !(1 <= *number && *number <= *count && *count <= most_sweep_parts)) {
-    throw InputError(
-        "part", fmt::format("\"{}\"", records::printable(text, records::longest_word)),
-        fmt::format("must be I/N with 1 <= I <= N <= {}", most_sweep_parts));
+    throw InputError("part", fmt::format("\"{}\"", records::printable(text, records::longest_word)),
+                     fmt::format("must be I/N with 1 <= I <= N <= {}", most_sweep_parts));
   }
   return {*number, *count};
 }
