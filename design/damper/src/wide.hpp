@@ -103,6 +103,7 @@ class Wide {
   friend bool operator>=(Wide a, Wide b) { return b <= a; }
 
  private:
+  // NOLINTNEXTLINE(google-explicit-constructor): the operators above return pairs
   Wide(DoublePair pair) : pair_(pair) {}
 
   DoublePair pair_;
