@@ -61,14 +61,17 @@ bool rests_far(const design::BuiltNotch& built, const design::Problem& problem) 
   return built.worst && std::abs(built.worst->farthest.rest()) > allowed * for_rounding;
 }
 
-}  // namespace
-
+/// In any motion that was tried.
 double most_felt(const design::BuiltNotch& built) {
   return (built.worst ? built.worst->felt.response : built.response).peak_absolute_acceleration;
 }
 
-std::string notch_fault(const design::BuiltNotch& built, const design::DesignRequest& request,
-                        const Physical& physical) {
+}  // namespace
+
+std::string built_notch_fault(const DesignReport& report) {
+  const design::BuiltNotch& built = *report.built_notch;
+  const design::DesignRequest& request = report.result.request;
+  const Physical& physical = report.physical;
   const auto& [problem, limits, search, pulse, ranges] = request;
   const ForcedResponse& response = built.response;
   const double peak = response.peak_amplitude;
@@ -111,7 +114,6 @@ std::string notch_fault(const design::BuiltNotch& built, const design::DesignReq
                   acceleration_shown(most_felt(built)), after(&design::WorstMotions::felt),
                   acceleration_shown(*limits.acceleration_max));
   }
-  // A notch of the example width, at most a fifth of the peak, cannot do that.
   if (!problem.residual && std::abs(*response.stop_position) > centred * peak * for_rounding) {
     return format("the mass rests {} off centre, inside it",
                   length_shown(physical, std::abs(*response.stop_position)));
@@ -171,11 +173,6 @@ std::optional<std::string> felt_in_built_notch(const DesignReport& report) {
   }
   return shape.width ? most + (leaves ? " outside the notch, no more inside it" : "") + of_most
                      : most + " outside the notch" + of_most;
-}
-
-std::string built_notch_fault(const DesignReport& report, const Physical& physical) {
-  return report.built_notch ? notch_fault(*report.built_notch, report.result.request, physical)
-                            : "";
 }
 
 std::string_view ideal_words(const design::BuiltNotch& built, const design::Finding& finding) {

@@ -48,13 +48,12 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
 /// With ranges and a built notch, in place of that.
 [[nodiscard]] std::optional<ToldMotion::Tried> tried_in_built_notch(const DesignReport& report,
                                                                     const Physical& physical);
-/// In any motion that was tried.
-[[nodiscard]] double most_felt(const design::BuiltNotch& built);
 /// What the structure feels with a built notch that has a width or holds the mass throughout, and
 /// of which motion that is.
 [[nodiscard]] std::optional<std::string> felt_in_built_notch(const DesignReport& report);
-/// "the peak exceeds 150 mm": what the notch that was asked for spoils; empty if nothing.
-[[nodiscard]] std::string built_notch_fault(const DesignReport& report, const Physical& physical);
+/// "the peak exceeds 150 mm": what the notch that was asked for, and tried, spoils; empty if
+/// nothing.
+[[nodiscard]] std::string built_notch_fault(const DesignReport& report);
 /// Under a pulse without a built notch, that the motion starts in it, and the command that tries
 /// one; else empty.
 [[nodiscard]] std::string late_notch_words(const DesignReport& report,
@@ -63,8 +62,6 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
 [[nodiscard]] DesignReport as_design(const RegionReport& report);
 /// What the mass feels in the notch, under a pulse or if that has a limit; else empty.
 [[nodiscard]] std::string inside_limit(const DesignReport& report, const Physical& physical);
-/// Rounded up as a limit is printed.
-[[nodiscard]] double limit_of_digits(const Physical& physical, double length);
 /// As it would be ordered: 29 mm.
 [[nodiscard]] double of_two_digits(const Physical& physical, double length);
 /// Under a pulse, as the sentence of the notch then says.

@@ -9,6 +9,15 @@ namespace stillpoint::report {
 
 namespace {
 
+/// Rounded up as a limit is printed.
+double limit_of_digits(const Physical& physical, double length) {
+  constexpr int with_a_unit = 5;
+  constexpr int plain = 6;
+  const double unit = physical ? physical->scales.length_m : 1;
+  return records::decimal(length * unit, physical ? with_a_unit : plain, records::Rounding::up) /
+         unit;
+}
+
 /// A width that keeps the limit of the acceleration inside it, as it is printed, if one is known.
 std::optional<double> limiting_width(const DesignReport& report) {
   const design::Finding& finding = *report.result.finding;
@@ -32,14 +41,6 @@ bool no_notch_works(const DesignReport& report) {
                                         2 * report.result.finding->response.peak_amplitude;
 }
 
-double limit_of_digits(const Physical& physical, double length) {
-  constexpr int with_a_unit = 5;
-  constexpr int plain = 6;
-  const double unit = physical ? physical->scales.length_m : 1;
-  return records::decimal(length * unit, physical ? with_a_unit : plain, records::Rounding::up) /
-         unit;
-}
-
 double of_two_digits(const Physical& physical, double length) {
   const double unit = physical ? physical->scales.length_m : 1;
   return records::decimal(length * unit, 2) / unit;
@@ -53,7 +54,7 @@ StartUnderLoad start_under_pulse(const design::DesignResult& result) {
 
 std::string notch_sentence(const DesignReport& report) {
   if (report.built_notch) {
-    const std::string fault = built_notch_fault(report, report.physical);
+    const std::string fault = built_notch_fault(report);
     return fault.empty() ? "" : "with this notch " + fault;
   }
   return no_notch_works(report) ? no_notch_words(start_under_pulse(report.result),

@@ -18,7 +18,7 @@ namespace stillpoint::design {
 
 namespace {
 
-/// For a damper that never rests: worse than any that does. Finite, because NLopt sees it.
+/// For a damper that never rests: worse than any that does.
 constexpr double never_rests = 1e9;
 
 /// Dampers that a thread runs together: more fill the lanes of the kernel better, fewer busy all
