@@ -43,7 +43,7 @@ BOOST_AUTO_TEST_CASE(is_refused_at_once_if_its_trajectory_would_be_too_long) {
 
 BOOST_AUTO_TEST_CASE(shows_progress_on_a_terminal_and_clears_it_at_the_end,
                      *boost::unit_test::precondition(if_terminals)) {
-  const Surroundings interrupted{.error_is_terminal = true, .interrupt = true};
+  const Surroundings interrupted{.error_is_terminal = true, .interrupt_at = "tau"};
   const ProgramRun stopped = ending(130, endless(), interrupted);
   BOOST_TEST(stopped.err.starts_with("\rtau "), stopped.err);
   BOOST_TEST(contains(stopped.err, " of 1e+09, "), stopped.err);
@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(shows_progress_on_a_terminal_and_clears_it_at_the_end,
 }
 
 BOOST_AUTO_TEST_CASE(says_how_long_it_will_take_without_a_terminal) {
-  const ProgramRun stopped = run(endless({}, "1e12"), {.interrupt_once_heard = true});  // days
+  const ProgramRun stopped = run(endless({}, "1e12"), {.interrupt_at = "to go"});  // days
   BOOST_TEST(stopped.exit_code == 130);
   const auto lines = stopped.err_lines();
   BOOST_TEST_REQUIRE(lines.size() == 2U, stopped.err);
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(says_how_long_it_will_take_without_a_terminal) {
 BOOST_AUTO_TEST_CASE(under_a_load_that_ends_by_itself_says_how_long_it_will_take) {
   const ProgramRun stopped =
       run("simulate --v0 0 --p 1 --f 0.1 --delta 0 --excitation half-sine --k 0.5 --lambda 1e-11",
-          {.interrupt_once_heard = true});
+          {.interrupt_at = "to go"});
   BOOST_TEST(stopped.exit_code == 130);
   const auto lines = stopped.err_lines();
   BOOST_TEST_REQUIRE(lines.size() == 2U, stopped.err);
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(under_a_load_that_ends_by_itself_says_how_long_it_will_take
 // At most V0/(2 f) half-cycles: 1e11 of them. A run that the limit refuses is not announced.
 BOOST_AUTO_TEST_CASE(of_free_motion_warns_beforehand_that_it_takes_minutes) {
   const Arguments free("simulate --v0 1 --p 1 --f 5e-12 --delta 1e-15 --half-cycle-limit");
-  const ProgramRun stopped = run(free + "1e12", {.interrupt_once_heard = true});
+  const ProgramRun stopped = run(free + "1e12", {.interrupt_at = "minutes"});
   const auto lines = stopped.err_lines();
   BOOST_TEST_REQUIRE(lines.size() == 1U, stopped.err);
   BOOST_TEST(lines[0] == "stillpoint: up to 1e+11 half-cycles: this may take about 25 minutes");
@@ -90,9 +90,9 @@ BOOST_AUTO_TEST_CASE(of_free_motion_warns_beforehand_that_it_takes_minutes) {
 /// A terminal that would print the escapes shows what a log does.
 BOOST_AUTO_TEST_CASE(of_a_dumb_terminal_has_no_escapes,
                      *boost::unit_test::precondition(if_terminals)) {
-  const ProgramRun stopped = run(
-      endless({}, "1e12"),
-      {.environment = {{"TERM", "dumb"}}, .error_is_terminal = true, .interrupt_once_heard = true});
+  const ProgramRun stopped =
+      run(endless({}, "1e12"),
+          {.environment = {{"TERM", "dumb"}}, .error_is_terminal = true, .interrupt_at = "to go"});
   BOOST_TEST(stopped.exit_code == 130);
   BOOST_TEST(contains(stopped.err, " minutes to go"), stopped.err);
   BOOST_TEST(!contains(stopped.err, "\x1b"), stopped.err);
@@ -120,8 +120,7 @@ BOOST_AUTO_TEST_CASE(sweep_interrupted_on_standard_output_ends_with_a_whole_row)
 
 /// Hours of work are announced once, in the log.
 BOOST_AUTO_TEST_CASE(sweep_says_how_long_it_will_take_without_a_terminal) {
-  const ProgramRun stopped =
-      ending(130, sweep + "--output /dev/null", {.interrupt_once_heard = true});
+  const ProgramRun stopped = ending(130, sweep + "--output /dev/null", {.interrupt_at = "to go"});
   const auto lines = stopped.err_lines();
   BOOST_TEST_REQUIRE(lines.size() == 2U, stopped.err);
   BOOST_TEST(lines[0].starts_with("stillpoint: "), lines[0]);
@@ -145,8 +144,8 @@ BOOST_AUTO_TEST_CASE(sweep_that_waits_for_a_list_is_ended_by_an_interrupt) {
 
 BOOST_AUTO_TEST_CASE(sweep_shows_progress_on_a_terminal,
                      *boost::unit_test::precondition(if_terminals)) {
-  const ProgramRun stopped =
-      ending(130, sweep + "--output /dev/null", {.error_is_terminal = true, .interrupt = true});
+  const ProgramRun stopped = ending(130, sweep + "--output /dev/null",
+                                    {.error_is_terminal = true, .interrupt_at = "rows/s"});
   check_contains(stopped.err, {" of 1e+12 rows, 0 %, ", " rows/s, ", " left\x1b[K"});
 }
 

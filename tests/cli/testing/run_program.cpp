@@ -173,14 +173,9 @@ bool handles_interrupt(pid_t child) {
 }
 
 /// Interrupts the program once it handles that, unless it takes longer than `deadline`.
-void interrupt(pid_t child, int err, const Surroundings& surroundings, Clock::time_point deadline) {
+void interrupt(pid_t child, int err, Clock::time_point deadline) {
   pollfd watched{err, POLLIN, 0};
-  while (Clock::now() < deadline) {
-    const bool spoke = ::poll(&watched, 1, 10) > 0;
-    const bool waits_for_word = surroundings.error_is_terminal || surroundings.interrupt_once_heard;
-    if (spoke || (!waits_for_word && handles_interrupt(child))) {
-      break;
-    }
+  while (Clock::now() < deadline && ::poll(&watched, 1, 10) == 0 && !handles_interrupt(child)) {
   }
   ::kill(child, SIGINT);  // not waited for yet, so the number is still its own
 }
@@ -199,8 +194,10 @@ void send_signal(pid_t child, const Surroundings& surroundings, const std::stop_
   }
 }
 
-/// Reads both until the program has closed them; false where that takes too long.
-bool read_both(int out, int err, ProgramRun& run, Clock::time_point deadline) {
+/// Reads both until the program has closed them, and calls `heard` after each piece; false where
+/// that takes too long.
+bool read_both(int out, int err, ProgramRun& run, Clock::time_point deadline,
+               const std::function<void()>& heard) {
   std::array<pollfd, 2> watched{pollfd{out, POLLIN, 0}, pollfd{err, POLLIN, 0}};
   const std::array<std::string*, 2> texts{&run.out, &run.err};
   std::vector<char> buffer(std::size_t{1} << 16U);
@@ -219,6 +216,7 @@ bool read_both(int out, int err, ProgramRun& run, Clock::time_point deadline) {
       const ssize_t count = ::read(watched[i].fd, buffer.data(), buffer.size());
       if (count > 0) {
         texts[i]->append(buffer.data(), static_cast<std::size_t>(count));
+        heard();
       } else if (count == 0 || errno != EINTR) {
         watched[i].fd = -1;  // closed; a terminal says so with EIO
       }
@@ -295,14 +293,20 @@ ProgramRun Sandbox::run(const Arguments& arguments, const Surroundings& surround
   out.writer.reset();
   err.writer.reset();
   const auto deadline = Clock::now() + surroundings.patience;
-  if (surroundings.interrupt || surroundings.interrupt_once_heard) {
-    interrupt(child, *err.reader, surroundings, deadline);
+  if (surroundings.interrupt) {
+    interrupt(child, *err.reader, deadline);
   }
   std::jthread sender([&surroundings, child](const std::stop_token& ended) {
     send_signal(child, surroundings, ended);
   });
   ProgramRun result;
-  const bool in_time = read_both(*out.reader, *err.reader, result, deadline);
+  bool awaited = !surroundings.interrupt_at.empty();
+  const bool in_time = read_both(*out.reader, *err.reader, result, deadline, [&] {
+    if (awaited && contains(result.err, surroundings.interrupt_at)) {
+      ::kill(child, SIGINT);
+      awaited = false;
+    }
+  });
   if (!in_time) {
     ::kill(child, SIGKILL);
   }

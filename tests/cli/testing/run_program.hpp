@@ -55,11 +55,9 @@ struct Surroundings {
   StandardOutput output{StandardOutput::pipe};
   std::string output_file{};  ///< appended to, with StandardOutput::file
   bool error_is_terminal{false};
-  std::vector<int> closed{};  ///< descriptors of standard streams
-  /// Sends SIGINT as soon as the program handles it; with error_is_terminal once it has said
-  /// something there.
-  bool interrupt{false};
-  bool interrupt_once_heard{false};  ///< the same if standard error is not a terminal
+  std::vector<int> closed{};   ///< descriptors of standard streams
+  bool interrupt{false};       ///< sends SIGINT as soon as the program handles it
+  std::string interrupt_at{};  ///< sends SIGINT once this has come on standard error
   /// Sends `signal` once this holds; it is asked every millisecond.
   std::function<bool()> signal_when{};
   int signal{SIGINT};
