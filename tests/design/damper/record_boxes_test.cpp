@@ -60,6 +60,7 @@ RecordDesignRequest random_record_task(RandomSource& random) {
     request.width->low = request.width->high = load * random.log_uniform(0.02, 0.3);
   } else {
     request.width = Interval{0.03 * load, 0.3 * load};
+    request.f = Interval{0.02 * load, load};  // or most of the time goes to free swinging
   }
   request.scan_points = 1000;  // a box is promised however coarse the first map is
   const double tolerance = of({0.05, 0.1, 0.2});
