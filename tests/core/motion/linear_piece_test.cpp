@@ -97,6 +97,27 @@ BOOST_AUTO_TEST_CASE(arrivals_within_a_short_interval) {
   BOOST_TEST(arrivals > 1000);
 }
 
+// a(h) = r cos(from + h): r where a multiple of pi lies between, else at an end.
+BOOST_AUTO_TEST_CASE(the_largest_acceleration_is_at_an_end_or_at_a_crest_between) {
+  Dice dice(924);
+  int crests = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double r = dice.power_of_ten(-3, 0);
+    const double from = dice.uniform(-pi, pi);
+    const double h = dice.uniform(0, 4);
+    const double v = dice.uniform(0, 1);
+    const bool crest = std::ceil(from / pi) * pi <= from + h;
+    const double most =
+        crest ? 1 : std::max(std::abs(std::cos(from)), std::abs(std::cos(from + h)));
+    const auto piece = Piece{0, v, r * std::cos(from), r * std::sin(from) - v}.as<double>();
+    const double found = piece.largest_acceleration({PieceEvent::none, h, piece.at(h)}, 0);
+    BOOST_TEST(std::abs(found / r - most) <= sum_tolerance / r);
+    crests += crest ? 1 : 0;
+  }
+  BOOST_TEST(crests > 300);
+  BOOST_TEST(crests < 700);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test
