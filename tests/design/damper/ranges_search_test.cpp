@@ -51,6 +51,47 @@ BOOST_AUTO_TEST_CASE(the_soonest_stop_with_a_residual_is_on_the_edge_of_the_firs
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_box_reaches_the_largest_f_that_returns_with_its_upper_part_alone) {
+  constexpr double relative = 2e-9;
+  for (const double part : {0.0, 0.5, 1.0}) {
+    const auto found =
+        search({.v0 = 1, .p = 1, .beta = 2, .criterion = Criterion::exact},
+               {.tolerance = 0.2, .shape = {1, part, 1, 1}}, {.objective = Objective::amplitude});
+    BOOST_TEST_REQUIRE(found.has_value());
+    const double largest = 1 / std::sqrt(8.0) / (1 + 0.2 * part);
+    BOOST_TEST(std::abs(found->point.f / largest - 1) <= relative);
+  }
+}
+
+/// With the ranges and the residual the soonest stop is at the limit on Delta.
+BOOST_AUTO_TEST_CASE(no_damper_with_the_largest_delta_stops_the_mass_sooner) {
+  const Problem problem{.v0 = 1,
+                        .p = 1,
+                        .beta = 2,
+                        .criterion = Criterion::exact,
+                        .arrivals = 5,
+                        .v0_low = 0.7297,
+                        .residual = 0.0379};
+  const Limits limits{.f_max = 0.2257, .delta_max = 0.08806};
+  const auto found = search(problem, limits, {.objective = Objective::time});
+  BOOST_TEST_REQUIRE(found.has_value());
+  const auto stop_time = [&](double f, double delta) {
+    return free_response({1, f, delta}, {0, 1}).stop_time.value();
+  };
+  const double least = stop_time(found->point.f, found->point.delta);
+  const double inside = *limits.delta_max * (1 - 1e-8);
+  constexpr int steps = 3000;
+  int scanned = 0;
+  for (int i = 0; i <= steps; ++i) {
+    const double f = 0.11 + 0.003 * i / steps;
+    if (admissible(problem, limits, f, inside)) {
+      ++scanned;
+      BOOST_TEST(least <= stop_time(f, inside), "f = " << f);
+    }
+  }
+  BOOST_TEST(scanned > 100);
+}
+
 BOOST_AUTO_TEST_CASE(no_point_of_a_scan_is_better) {
   constexpr double more = 1e-3;  // of R or of a cost, relative
   int found_some = 0;
