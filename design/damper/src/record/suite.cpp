@@ -27,10 +27,9 @@ constexpr std::size_t least_together = 32;
 constexpr std::size_t most_together = 128;
 constexpr std::size_t shares = 8;
 
-Eigen::ArrayXd column(std::span<const SuiteDamper> dampers, const std::vector<std::size_t>& rows,
-                      double SuiteDamper::*member) {
-  return Eigen::ArrayXd::NullaryExpr(std::ssize(rows), [&](Eigen::Index i) {
-    return dampers[rows[static_cast<std::size_t>(i)]].*member;
+Eigen::ArrayXd column(std::span<const SuiteDamper> dampers, double SuiteDamper::*member) {
+  return Eigen::ArrayXd::NullaryExpr(std::ssize(dampers), [&](Eigen::Index i) {
+    return dampers[static_cast<std::size_t>(i)].*member;
   });
 }
 
@@ -153,6 +152,7 @@ void Suite::add(SuiteFigures& all, const SuiteFigures& one) const {
   add(all.jump, one.jump);
   all.margin = std::min(all.margin, one.margin);
   all.late = std::max(all.late, one.late);
+  all.settled = all.settled && one.settled;
 }
 
 double periods_after(const Excitation& load, double stop_time, double p) {
@@ -195,53 +195,89 @@ SuiteFigures Suite::figures(const SuiteDamper& damper) const {
   return all;
 }
 
-/// One record after the other, each with the dampers that are left.
-void Suite::run(std::span<const SuiteDamper> dampers, std::span<SuiteFigures> list) const {
-  std::vector<std::size_t> left(dampers.size());
-  std::iota(left.begin(), left.end(), std::size_t{0});
+std::vector<SuiteFigures> Suite::under(const Excitation& load,
+                                       std::span<const SuiteDamper> dampers) const {
   RecordBatchOptions options;
   options.hold = hold_;
   options.half_cycle_limit = most_suite_half_cycles;
   options.threads = 1;
+  options.notch_width = column(dampers, &SuiteDamper::width);
   RecordBatchResult found;
-  for (const Excitation& load : loads_) {
-    options.notch_width = column(dampers, left, &SuiteDamper::width);
-    record_batch(0, column(dampers, left, &SuiteDamper::p), column(dampers, left, &SuiteDamper::f),
-                 column(dampers, left, &SuiteDamper::delta), std::get<Record>(load), options,
-                 found);
-    for (std::size_t k = 0; k < left.size(); ++k) {
-      const auto i = static_cast<Eigen::Index>(k);
-      SuiteFigures& all = list[left[k]];
-      all.settled = found.outcome[i] != Outcome::running &&
-                    found.outcome[i] != Outcome::never_stops && rests_in_time(found.half_cycles[i]);
-      if (all.settled) {
-        add(all, {found.peak_amplitude[i], found.peak_absolute_acceleration[i],
-                  std::abs(found.stop_position[i]), found.decision_margin[i], found.jump[i],
-                  periods_after(load, found.stop_time[i], dampers[left[k]].p), true});
-      }
-    }
-    std::erase_if(left, [&](std::size_t i) { return !list[i].settled; });
-    if (left.empty()) {
-      break;
+  record_batch(0, column(dampers, &SuiteDamper::p), column(dampers, &SuiteDamper::f),
+               column(dampers, &SuiteDamper::delta), std::get<Record>(load), options, found);
+  std::vector<SuiteFigures> list(dampers.size());
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    list[k].settled = found.outcome[i] != Outcome::running &&
+                      found.outcome[i] != Outcome::never_stops &&
+                      rests_in_time(found.half_cycles[i]);
+    if (list[k].settled) {
+      list[k] = {found.peak_amplitude[i],
+                 found.peak_absolute_acceleration[i],
+                 std::abs(found.stop_position[i]),
+                 found.decision_margin[i],
+                 found.jump[i],
+                 periods_after(load, found.stop_time[i], dampers[k].p),
+                 true};
     }
   }
-  for (SuiteFigures& all : list) {
-    combine(all);
+  return list;
+}
+
+/// One record after the other, each with the dampers that are left.
+void Suite::run(std::span<const SuiteDamper> dampers, std::span<SuiteFigures> list) const {
+  std::vector<SuiteDamper> left(dampers.begin(), dampers.end());
+  std::vector<std::size_t> rows(dampers.size());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  for (std::size_t i = 0; i < loads_.size() && !left.empty(); ++i) {
+    const std::vector<SuiteFigures> found = under(loads_[i], left);
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < left.size(); ++k) {
+      add(list[rows[k]], found[k]);
+      if (found[k].settled) {
+        left[kept] = left[k];
+        rows[kept++] = rows[k];
+      }
+    }
+    left.resize(kept);
+  }
+}
+
+/// All records at once, so that few dampers busy all threads.
+void Suite::run_at_once(std::span<const SuiteDamper> dampers, std::span<SuiteFigures> list,
+                        const Threads& threads) const {
+  std::vector<std::vector<SuiteFigures>> found(loads_.size());
+  for_each_entry(std::ssize(loads_), threads, {}, [&](std::ptrdiff_t i) {
+    const auto load = static_cast<std::size_t>(i);
+    found[load] = under(loads_[load], dampers);
+  });
+  for (const std::vector<SuiteFigures>& of_one : found) {
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      add(list[k], of_one[k]);
+    }
   }
 }
 
 std::vector<SuiteFigures> Suite::figures(std::span<const SuiteDamper> dampers,
                                          const Threads& threads) const {
-  std::vector<SuiteFigures> list(dampers.size());
   const std::size_t size = dampers.size();
-  const std::size_t lanes = (size / shares + least_together - 1) / least_together * least_together;
-  const std::size_t together = std::clamp(lanes, least_together, most_together);
-  const auto blocks = static_cast<std::ptrdiff_t>((size + together - 1) / together);
-  for_each_entry(blocks, threads, {}, [&](std::ptrdiff_t block) {
-    const std::size_t first = static_cast<std::size_t>(block) * together;
-    const std::size_t count = std::min(together, size - first);
-    run(dampers.subspan(first, count), std::span(list).subspan(first, count));
-  });
+  std::vector<SuiteFigures> list(size);
+  if (size <= least_together) {
+    run_at_once(dampers, list, threads);
+  } else {
+    const std::size_t lanes =
+        (size / shares + least_together - 1) / least_together * least_together;
+    const std::size_t together = std::clamp(lanes, least_together, most_together);
+    const auto blocks = static_cast<std::ptrdiff_t>((size + together - 1) / together);
+    for_each_entry(blocks, threads, {}, [&](std::ptrdiff_t block) {
+      const std::size_t first = static_cast<std::size_t>(block) * together;
+      const std::size_t count = std::min(together, size - first);
+      run(dampers.subspan(first, count), std::span(list).subspan(first, count));
+    });
+  }
+  for (SuiteFigures& all : list) {
+    combine(all);
+  }
   return list;
 }
 

@@ -60,7 +60,12 @@ class Suite {
   void add(SuiteFigures& all, const SuiteFigures& one) const;
   /// For all records; empty if one of them does not settle.
   void combine(SuiteFigures& all) const;
+  /// Under one record, which need not be settled.
+  [[nodiscard]] std::vector<SuiteFigures> under(const Excitation& load,
+                                                std::span<const SuiteDamper> dampers) const;
   void run(std::span<const SuiteDamper> dampers, std::span<SuiteFigures> list) const;
+  void run_at_once(std::span<const SuiteDamper> dampers, std::span<SuiteFigures> list,
+                   const Threads& threads) const;
   [[nodiscard]] ForcedResponse response(const SuiteDamper& damper, const Excitation& load) const;
 
   std::vector<Excitation> loads_;

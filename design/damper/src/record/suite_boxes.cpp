@@ -17,8 +17,11 @@ constexpr std::int64_t grid_block = 1024;
 /// Of a value that cannot be off: figures vary over some five per cent of the period.
 constexpr double exact_step = 0.05;
 constexpr std::int64_t most_exact_points = 24;
-/// More points to a box than this tell nothing.
-constexpr std::int64_t most_window = 64;
+/// Of a grid that is never computed in full: it is kept in memory.
+constexpr double most_points = 1e6;
+/// Steps to a box at least, by the number of variables, and more of them if a step were longer.
+constexpr std::array<std::int64_t, most_axes + 1> least_windows{1, 32, 4, 4, 2};
+constexpr double longest_step = 0.06;
 /// Two designs are different ones if they are farther apart than a box, or than so many steps.
 constexpr std::int64_t least_steps_apart = 2;
 
@@ -96,21 +99,29 @@ std::vector<SuiteFigures> slide(const std::vector<SuiteFigures>& figures, std::s
 
 }  // namespace
 
-SuiteGrid whole_grid(const SuiteSpace& space, std::int64_t points) {
-  const auto wanted = static_cast<double>(points);
-  if (space.toleranced() > 0) {
-    for (std::int64_t window = most_window; window > 0; --window) {
-      const SuiteGrid grid = grid_of(space, window, 0.1);
-      if (points_of(grid) <= wanted) {
-        return grid;
-      }
+SuiteGrid finest_grid(const SuiteSpace& space) {
+  std::int64_t window = space.toleranced() > 0 ? least_windows.at(space.searched()) : 0;
+  for (const SuiteAxis& axis : space.axes()) {
+    while (window > 0 && axis.searched() &&
+           axis.down() + axis.up() > longest_step * static_cast<double>(window)) {
+      window *= 2;
     }
   }
-  double coarse = 1e-3;
-  while (points_of(grid_of(space, 0, coarse)) > wanted && coarse < 8) {
-    coarse *= 1.02;
+  for (; window > 0; window /= 2) {
+    const SuiteGrid grid = grid_of(space, window, 0.1);
+    if (points_of(grid) <= most_points) {
+      return grid;
+    }
   }
-  return grid_of(space, 0, coarse);
+  double step = 1e-3;
+  while (points_of(grid_of(space, 0, step)) > most_points / 4) {
+    step *= 2;
+  }
+  return grid_of(space, 0, step);
+}
+
+std::int64_t window_of(const SuiteGrid& grid) {
+  return std::ranges::max(grid, {}, &GridSide::window).window;
 }
 
 SuiteGrid grid_about(const SuiteSpace& space, const SuiteGrid& like, const SuiteDamper& damper,
@@ -173,6 +184,17 @@ std::vector<SuiteFigures> grid_figures(const Suite& suite, const SuiteSpace& spa
   return all;
 }
 
+bool are_near(const SuitePlace& one, const SuitePlace& other, const SuiteGrid& grid, double part) {
+  for (std::size_t i = 0; i < most_axes; ++i) {
+    const GridSide& side = grid.at(i);
+    const auto box = static_cast<double>(std::max(side.window, least_steps_apart));
+    if (std::abs(one.at(i) - other.at(i)) > side.step * (part * box + 0.5)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 BoxMap::BoxMap(const SuiteSpace& space, const SuiteGrid& grid, std::vector<SuiteFigures> figures)
     : space_(space), grid_(grid), worst_(std::move(figures)) {
   SuiteFigures unknown;
@@ -198,7 +220,7 @@ SuitePlace BoxMap::logs(std::size_t box) const {
   return place;
 }
 
-std::vector<BoxedDamper> BoxMap::best(const SuiteGoal& goal, std::size_t most) const {
+std::vector<BoxedDamper> BoxMap::best(const SuiteGoal& goal, std::size_t most, double part) const {
   std::vector<SuiteRank> ranks;
   ranks.reserve(worst_.size());
   for (const SuiteFigures& figures : worst_) {
@@ -209,24 +231,13 @@ std::vector<BoxedDamper> BoxMap::best(const SuiteGoal& goal, std::size_t most) c
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return ranks[i]; });
   std::vector<BoxedDamper> list;
   std::vector<SuitePlace> places;
-  const auto is_near = [&](const SuitePlace& one, const SuitePlace& other) {
-    for (std::size_t i = 0; i < space_.size(); ++i) {
-      const GridSide& side = grid_.at(i);
-      const double apart =
-          side.step * (static_cast<double>(std::max(side.window, least_steps_apart)) + 0.5);
-      if (std::abs(one.at(i) - other.at(i)) > apart) {
-        return false;
-      }
-    }
-    return true;
-  };
   for (const std::size_t box : order) {
     const SuitePlace here = logs(box);
     if (list.size() == most) {
       break;
     }
     if (space_.includes(here) && std::ranges::none_of(places, [&](const SuitePlace& other) {
-          return is_near(here, other);
+          return are_near(here, other, grid_, part);
         })) {
       places.push_back(here);
       list.push_back({space_.at(here), worst_[box], ranks[box]});

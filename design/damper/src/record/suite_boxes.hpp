@@ -34,8 +34,11 @@ struct GridSide {
 };
 using SuiteGrid = std::array<GridSide, most_axes>;
 
-/// The whole space in about `points` dampers, with as many in a box as that allows.
-[[nodiscard]] SuiteGrid whole_grid(const SuiteSpace& space, std::int64_t points);
+/// The whole space with the smallest steps that a scan may use.
+[[nodiscard]] SuiteGrid finest_grid(const SuiteSpace& space);
+
+/// The most steps to a box.
+[[nodiscard]] std::int64_t window_of(const SuiteGrid& grid);
 
 /// About a design: `reach` boxes to each side of it along each axis that is searched, with the
 /// steps and windows of `like`.
@@ -50,13 +53,18 @@ using SuiteGrid = std::array<GridSide, most_axes>;
                                                      const SuiteGrid& grid, const Threads& threads,
                                                      SuiteWatch& watch);
 
+/// Whether two designs are closer than that part of a box along every axis.
+[[nodiscard]] bool are_near(const SuitePlace& one, const SuitePlace& other, const SuiteGrid& grid,
+                            double part = 1);
+
 /// The boxes of a grid whose points have been computed.
 class BoxMap {
  public:
   BoxMap(const SuiteSpace& space, const SuiteGrid& grid, std::vector<SuiteFigures> figures);
 
-  /// The best that are apart from each other by more than a box, best first.
-  [[nodiscard]] std::vector<BoxedDamper> best(const SuiteGoal& goal, std::size_t most) const;
+  /// The best that are apart from each other by more than that part of a box, best first.
+  [[nodiscard]] std::vector<BoxedDamper> best(const SuiteGoal& goal, std::size_t most,
+                                              double part = 1) const;
   [[nodiscard]] const std::vector<SuiteFigures>& worst() const { return worst_; }
 
  private:

@@ -6,6 +6,7 @@
 #include "record/suite_boxes.hpp"
 #include "record/suite_samples.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -32,11 +33,13 @@ class SuiteSearch {
   /// The best verified, if it is better than `bar`; starts from a map of the whole space.
   [[nodiscard]] std::optional<VerifiedBox> best(const BoxMap& map, const SuiteGrid& grid,
                                                 double bar);
-  /// Candidates of a map with that grid on ever finer ones about them, best first.
-  [[nodiscard]] std::vector<BoxedDamper> all_refined(std::vector<BoxedDamper> found, SuiteGrid grid,
-                                                     double bar);
-  /// Moves a box of samples by ever smaller steps; with `enough` until it meets the limits.
-  [[nodiscard]] BoxedDamper polished(const BoxedDamper& from, double step, bool enough = false);
+  /// The likeliest of a map with that grid on ever finer ones about them, best first.
+  [[nodiscard]] std::vector<BoxedDamper> all_refined(const std::vector<BoxedDamper>& found,
+                                                     const SuiteGrid& grid, double bar);
+  /// Moves a box of samples by ever smaller steps; with `enough` until it meets the limits, and
+  /// only as long as it may become better than `bar`.
+  [[nodiscard]] BoxedDamper polished(const BoxedDamper& from, double step, bool enough = false,
+                                     double bar = HUGE_VAL);
   /// Empty if a sample breaks a limit, where other samples and smaller limits do not mend it.
   [[nodiscard]] std::optional<VerifiedBox> verified(BoxedDamper candidate);
   /// As it is.
@@ -48,6 +51,9 @@ class SuiteSearch {
   }
   [[nodiscard]] std::vector<SuiteFigures> figures(const std::vector<SuiteDamper>& dampers);
   [[nodiscard]] BoxedDamper sampled(const SuiteDamper& damper);
+  [[nodiscard]] std::vector<BoxedDamper> shortlist(const std::vector<BoxedDamper>& found,
+                                                   const SuiteGrid& grid, double bar);
+  [[nodiscard]] BoxedDamper roughly(const SuiteDamper& damper);
   [[nodiscard]] std::vector<SuiteDamper> around(const SuiteDamper& damper, double step) const;
   [[nodiscard]] BoxedDamper best_of(const std::vector<SuiteDamper>& dampers,
                                     const BoxedDamper& bar);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "record/suite_task_search.hpp"
 
+#include "record/suite_scan.hpp"
 #include "record/suite_tolerance.hpp"
 
 #include <algorithm>
@@ -35,8 +36,7 @@ struct Mapped {
          SuiteWatch& watch)
       : frictions(which),
         space(task, which),
-        grid(whole_grid(space, points_for(task, space))),
-        map(space, grid, grid_figures(suite, space, grid, task.threads, watch)) {}
+        scan(suite, space, points_for(task, space), task.threads, watch) {}
 
   static std::int64_t points_for(const RecordDesignRequest& task, const SuiteSpace& space) {
     const std::size_t searched = space.searched();
@@ -47,8 +47,7 @@ struct Mapped {
 
   SuiteFrictions frictions;
   SuiteSpace space;
-  SuiteGrid grid;
-  BoxMap map;
+  SuiteScan scan;
 };
 
 class TaskSearch {
@@ -65,13 +64,15 @@ class TaskSearch {
           watch_.stopped()) {
         continue;
       }
-      const Mapped& here = maps_.emplace_back(suite_, task_, frictions, watch_);
-      count(here, goal);
+      Mapped& here = maps_.emplace_back(suite_, task_, frictions, watch_);
       const double bar =
           !best ? HUGE_VAL
                 : best->box.rank.value * (best->box.damper.delta == 0 ? 1 - least_gain : 1);
+      here.scan.look(goal, bar);
+      const BoxMap map = here.scan.map();
+      count(here, map, goal);
       SuiteSearch search(suite_, task_, here.space, goal, watch_);
-      if (auto now = search.best(here.map, here.grid, bar)) {
+      if (auto now = search.best(map, here.scan.grid(), bar)) {
         best = now;
         watch_.verified({best->box.damper, best->box.worst});
       }
@@ -106,11 +107,10 @@ class TaskSearch {
     }
   }
 
-  void count(const Mapped& here, const SuiteGoal& goal) {
-    result_.search.scan_points += std::ssize(here.map.worst());
+  void count(const Mapped& here, const BoxMap& map, const SuiteGoal& goal) {
+    result_.search.scan_points += here.scan.computed();
     result_.search.scan_feasible += std::ranges::count_if(
-        here.map.worst(),
-        [&](const SuiteFigures& figures) { return admissible(figures, goal.limits); });
+        map.worst(), [&](const SuiteFigures& figures) { return admissible(figures, goal.limits); });
   }
 
   /// At most `most` times the tolerance, and no part off by all of itself.
@@ -145,7 +145,7 @@ class TaskSearch {
     for (const Mapped& here : maps_) {
       SuiteSearch search(suite_, task_, here.space, goal, watch_);
       for (const BoxedDamper& each :
-           search.all_refined(here.map.best(goal, 1), here.grid, HUGE_VAL)) {
+           search.all_refined(here.scan.map().best(goal, 1), here.scan.grid(), HUGE_VAL)) {
         VerifiedBox box = search.tried(each.damper);
         if (!nearest || box.box.rank < nearest->box.rank) {
           nearest = box;
@@ -190,9 +190,11 @@ class TaskSearch {
     SuiteGoal goal{kind.value, task_.limits};
     goal.limits.*kind.limit = std::nullopt;
     std::optional<double> least;
-    for (const Mapped& here : maps_) {
+    for (Mapped& here : maps_) {
+      const double bar = least.value_or(HUGE_VAL);
+      here.scan.look(goal, bar);
       SuiteSearch search(suite_, task_, here.space, goal, watch_);
-      if (auto found = search.best(here.map, here.grid, least.value_or(HUGE_VAL))) {
+      if (auto found = search.best(here.scan.map(), here.scan.grid(), bar)) {
         least = found->box.worst.*kind.value;
       }
     }

@@ -4,6 +4,8 @@
 
 #include "record/suite_tolerance.hpp"
 
+#include "record/suite_scan.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -44,8 +46,10 @@ class Growth {
     if (!exact.possible()) {
       return std::nullopt;
     }
-    grid_ = whole_grid(exact, points(exact));
-    figures_ = grid_figures(suite_, exact, grid_, task_.threads, watch_);
+    SuiteScan scan(suite_, exact, points(exact), task_.threads, watch_);
+    scan.look(goal_, HUGE_VAL);
+    grid_ = scan.grid();
+    figures_ = scan.figures();
     std::vector<std::pair<double, BoxedDamper>> ends;
     for (const auto& [scale, candidate] : candidates()) {
       if (!watch_.stopped()) {
@@ -168,11 +172,11 @@ class Growth {
       if (scale <= best.first || !boxes.possible()) {
         break;
       }
-      const SuiteGrid grid = whole_grid(boxes, points(boxes));
-      const BoxMap map(boxes, grid, grid_figures(suite_, boxes, grid, task_.threads, watch_));
+      SuiteScan scan(suite_, boxes, points(boxes), task_.threads, watch_);
+      scan.look(goal_, HUGE_VAL);
       SuiteSearch search(suite_, task_, boxes, goal_, watch_);
       const std::vector<BoxedDamper> found =
-          search.all_refined(map.best(goal_, candidates_of_a_map), grid, HUGE_VAL);
+          search.all_refined(scan.map().best(goal_, candidates_of_a_map), scan.grid(), HUGE_VAL);
       if (found.empty() || found.front().rank.off > 0) {
         break;
       }

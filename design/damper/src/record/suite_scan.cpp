@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "record/suite_scan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// Of a value, between two points of the first look.
+constexpr double first_step = 0.21;
+
+/// Whether a design as far off as `part` of each value may be within the limits and better than
+/// `bar`: a figure other than a residual or a jump changes by hardly more than its damper does.
+bool promising(const SuiteFigures& figures, const SuiteGoal& goal, double bar, double part) {
+  const auto is_smooth = [](double SuiteFigures::*figure) {
+    return figure == &SuiteFigures::peak || figure == &SuiteFigures::acceleration;
+  };
+  if (!figures.settled) {
+    return false;
+  }
+  for (const SuiteFigureKind& kind : suite_figure_kinds) {
+    const std::optional<double>& limit = goal.limits.*kind.limit;
+    if (is_smooth(kind.value) && limit && figures.*kind.value > *limit * (1 + part)) {
+      return false;
+    }
+  }
+  return goal.figure == nullptr || !is_smooth(goal.figure) ||
+         figures.*goal.figure < bar * (1 + part);
+}
+
+}  // namespace
+
+SuiteScan::SuiteScan(const Suite& suite, const SuiteSpace& space, std::int64_t points,
+                     const Threads& threads, SuiteWatch& watch)
+    : suite_(suite),
+      space_(space),
+      points_(points),
+      threads_(threads),
+      watch_(watch),
+      finest_(finest_grid(space)) {
+  double step = 0;
+  for (const GridSide& side : finest_) {
+    step = std::max(step, side.step);
+  }
+  while (step > 0 && 2 * static_cast<double>(first_stride_) * step <= first_step) {
+    first_stride_ *= 2;
+  }
+  std::size_t all = 1;
+  for (const GridSide& side : finest_) {
+    all *= static_cast<std::size_t>(side.points);
+  }
+  figures_.resize(all);
+  known_.resize(all, false);
+}
+
+std::size_t SuiteScan::flat(const Index& index) const {
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < most_axes; ++i) {
+    at =
+        at * static_cast<std::size_t>(finest_.at(i).points) + static_cast<std::size_t>(index.at(i));
+  }
+  return at;
+}
+
+/// The last along each axis among them.
+std::vector<SuiteScan::Index> SuiteScan::of_stride(std::int64_t stride) const {
+  std::vector<Index> list{Index{}};
+  for (std::size_t i = 0; i < most_axes; ++i) {
+    const std::int64_t last = finest_.at(i).points - 1;
+    std::vector<Index> longer;
+    for (Index index : list) {
+      for (std::int64_t k = 0; k <= last; k = k < last ? std::min(k + stride, last) : last + 1) {
+        index.at(i) = k;
+        longer.push_back(index);
+      }
+    }
+    list = std::move(longer);
+  }
+  return list;
+}
+
+/// At a corner of the cell of twice the stride.
+bool SuiteScan::has_promising_neighbour(const Index& index, std::int64_t stride,
+                                        const SuiteGoal& goal, double bar) const {
+  std::vector<Index> corners{index};
+  double part = 0;
+  for (std::size_t i = 0; i < most_axes; ++i) {
+    const GridSide& side = finest_.at(i);
+    part = std::max(part, static_cast<double>(stride) * side.step / 2);
+    const std::int64_t below = index.at(i) / (2 * stride) * (2 * stride);
+    const std::int64_t above = std::min(below + 2 * stride, side.points - 1);
+    if (index.at(i) == below || index.at(i) == above) {
+      continue;
+    }
+    const std::size_t count = corners.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      corners.push_back(corners[k]);
+      corners[k].at(i) = below;
+      corners.back().at(i) = above;
+    }
+  }
+  return std::ranges::any_of(corners, [&](const Index& corner) {
+    const std::size_t at = flat(corner);
+    return known_[at] && promising(figures_[at], goal, bar, part);
+  });
+}
+
+void SuiteScan::compute(const std::vector<Index>& list) {
+  constexpr std::size_t block = 1024;  // between two checks of whether to go on
+  for (std::size_t begin = 0; begin < list.size() && !watch_.stopped(); begin += block) {
+    const std::size_t end = std::min(begin + block, list.size());
+    std::vector<SuiteDamper> dampers;
+    for (std::size_t k = begin; k < end; ++k) {
+      SuitePlace logs{};
+      for (std::size_t i = 0; i < space_.size(); ++i) {
+        const GridSide& side = finest_.at(i);
+        logs.at(i) = side.first + static_cast<double>(list[k].at(i)) * side.step;
+      }
+      dampers.push_back(space_.at(logs));
+    }
+    const std::vector<SuiteFigures> figures = suite_.figures(dampers, threads_);
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::size_t at = flat(list[k]);
+      figures_[at] = figures[k - begin];
+      known_[at] = true;
+    }
+    computed_ += std::ssize(dampers);
+    watch_.evaluated(std::ssize(dampers));
+  }
+}
+
+void SuiteScan::look(const SuiteGoal& goal, double bar) {
+  stride_ = first_stride_;
+  std::int64_t used = 0;
+  for (std::int64_t stride = first_stride_; stride > 0 && !watch_.stopped(); stride /= 2) {
+    std::vector<Index> list = of_stride(stride);
+    std::erase_if(list, [&](const Index& index) {
+      return known_[flat(index)] ||
+             (stride < first_stride_ && !has_promising_neighbour(index, stride, goal, bar));
+    });
+    used += std::ssize(list);
+    if (used > points_ && stride < first_stride_ && 2 * stride <= window_of(finest_)) {
+      break;
+    }
+    compute(list);
+    stride_ = stride;
+  }
+}
+
+SuiteGrid SuiteScan::grid() const {
+  SuiteGrid grid = finest_;
+  for (GridSide& side : grid) {
+    side.window /= stride_;
+    side.step *= static_cast<double>(stride_);
+    side.points = 1 + (side.points - 1) / stride_;
+  }
+  return grid;
+}
+
+std::vector<SuiteFigures> SuiteScan::figures() const {
+  std::vector<SuiteFigures> list;
+  SuiteFigures unknown;
+  unknown.settled = false;
+  for (const Index& index : of_stride(stride_)) {
+    if (std::ranges::all_of(index, [&](std::int64_t k) { return k % stride_ == 0; })) {
+      const std::size_t at = flat(index);
+      list.push_back(known_[at] ? figures_[at] : unknown);
+    }
+  }
+  return list;
+}
+
+}  // namespace stillpoint::design

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A scan of a space that is fine only where a design may be: docs/records-design.md section 2.
+
+#include "record/suite_boxes.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace stillpoint::design {
+
+/// The points of the finest grid that have been computed: first every so many steps, then half as
+/// many, where a neighbour allows a design between.
+class SuiteScan {
+ public:
+  SuiteScan(const Suite& suite, const SuiteSpace& space, std::int64_t points,
+            const Threads& threads, SuiteWatch& watch);
+
+  /// Looks for designs within the limits that are better than `bar`. A step that would compute more
+  /// than the given number of points is not taken.
+  void look(const SuiteGoal& goal, double bar);
+
+  /// The grid of the last look, its points, where those that were not computed count as unsettled,
+  /// and its boxes.
+  [[nodiscard]] SuiteGrid grid() const;
+  [[nodiscard]] std::vector<SuiteFigures> figures() const;
+  [[nodiscard]] BoxMap map() const { return {space_, grid(), figures()}; }
+  [[nodiscard]] std::int64_t computed() const { return computed_; }
+
+ private:
+  using Index = std::array<std::int64_t, most_axes>;
+
+  [[nodiscard]] std::size_t flat(const Index& index) const;
+  [[nodiscard]] std::vector<Index> of_stride(std::int64_t stride) const;
+  [[nodiscard]] bool has_promising_neighbour(const Index& index, std::int64_t stride,
+                                             const SuiteGoal& goal, double bar) const;
+  void compute(const std::vector<Index>& list);
+
+  const Suite& suite_;
+  const SuiteSpace& space_;
+  std::int64_t points_;
+  const Threads& threads_;
+  SuiteWatch& watch_;
+  SuiteGrid finest_;
+  std::int64_t first_stride_{1};
+  std::int64_t stride_{1};
+  std::int64_t computed_{0};
+  std::vector<SuiteFigures> figures_;
+  std::vector<bool> known_;
+};
+
+}  // namespace stillpoint::design
