@@ -90,7 +90,7 @@ struct RecordDesignRequest {
   /// Every damper of this box must meet the limits. With the objective `robust`, the shape of the
   /// box that is enlarged.
   SuiteTolerance tolerance{};
-  std::int64_t scan_points{10'000};  ///< about this many with two variables; in [1, 1e8]
+  std::int64_t scan_points{10'000};  ///< of a scan at most, about, with two variables; in [1, 1e8]
   Threads threads{};
   /// If given, the variables of the design are rounded to the fewest digits in these units, at
   /// least five, with which it is admissible and worse by at most a relative 1e-5.
