@@ -128,6 +128,11 @@ class DenseBoxes {
     return list;
   }
 
+  /// The dampers of the grid of `best`.
+  [[nodiscard]] std::size_t points(int steps, bool constant) const {
+    return Grid(*this, steps, constant).size();
+  }
+
   /// The best box of a grid that is even in logarithms, with so many steps to a box, among those
   /// that survive 4000 random dampers. Without Delta if `constant`. A box at an edge of the grid
   /// does not count.
@@ -161,11 +166,17 @@ class DenseBoxes {
   }
 
  private:
+  /// Whether the period or the width is searched as well.
+  [[nodiscard]] bool has_many_axes() const {
+    return ranges_[2].low < ranges_[2].high || ranges_[3].low < ranges_[3].high;
+  }
+
   /// The points of a box along an axis are consecutive ones of the grid.
   class Grid {
    public:
     Grid(const DenseBoxes& of, int steps, bool constant) {
-      constexpr double least_part = 1e-3;  // of the end of a range that begins at 0
+      // Of the end of a range that begins at 0.
+      const double least_part = of.has_many_axes() && !constant ? 1e-2 : 1e-3;
       constexpr double exact = 0.02;
       for (std::size_t i = 0; i < 4; ++i) {
         Interval range = of.ranges_.at(i);
@@ -178,7 +189,7 @@ class DenseBoxes {
         const double box = down + std::log1p(spread.above);
         Side& side = sides_.at(i);
         const double length = std::log(range.high / range.low);
-        side.window = box > 0 ? (length > 0 ? steps : std::min(steps, 4)) : 0;
+        side.window = box > 0 ? (length > 0 ? steps : std::min(steps, 2)) : 0;
         side.step = side.window > 0 ? box / side.window : length > 0 ? exact / steps * 4 : 0;
         side.lead = down;
         side.first = std::log(range.low) - (side.window > 0 ? down : 0);
@@ -188,13 +199,17 @@ class DenseBoxes {
       }
     }
 
-    [[nodiscard]] std::vector<DamperValues> points() const {
+    [[nodiscard]] std::size_t size() const {
       std::size_t count = 1;
       for (const Side& side : sides_) {
         count *= side.boxes + static_cast<std::size_t>(side.window);
       }
-      std::vector<DamperValues> list(count);
-      for (std::size_t k = 0; k < count; ++k) {
+      return count;
+    }
+
+    [[nodiscard]] std::vector<DamperValues> points() const {
+      std::vector<DamperValues> list(size());
+      for (std::size_t k = 0; k < list.size(); ++k) {
         std::size_t left = k;
         for (std::size_t i = 4; i-- > 0;) {
           const Side& side = sides_.at(i);
