@@ -60,6 +60,8 @@ RecordDesignRequest random_record_task(RandomSource& random) {
     request.width->low = request.width->high = load * random.log_uniform(0.02, 0.3);
   } else {
     request.width = Interval{0.03 * load, 0.3 * load};
+  }
+  if (request.width) {
     request.f = Interval{0.02 * load, load};  // or most of the time goes to free swinging
   }
   request.scan_points = 1000;  // a box is promised however coarse the first map is
