@@ -43,6 +43,15 @@ double merit(const BoxedDamper& box) {
   return box.worst.settled ? box.rank.value * (1 + price * box.rank.off) : HUGE_VAL;
 }
 
+/// That which is off by the least comes first, then the others by merit.
+void by_promise(std::vector<BoxedDamper>& list) {
+  std::ranges::stable_sort(list, {}, merit);
+  const auto surest = std::ranges::min_element(list, {}, &BoxedDamper::rank);
+  if (surest != list.end()) {
+    std::rotate(list.begin(), surest, surest + 1);
+  }
+}
+
 }  // namespace
 
 SuiteSearch::SuiteSearch(const Suite& suite, const RecordDesignRequest& task,
@@ -220,14 +229,17 @@ std::vector<BoxedDamper> SuiteSearch::shortlist(const std::vector<BoxedDamper>& 
   for (const BoxedDamper& each : found) {
     list.push_back(roughly(each.damper));
   }
-  std::ranges::stable_sort(list, {}, merit);
-  const double most = list.empty() ? 0 : std::min(mediocre * merit(list.front()), beyond * bar);
+  by_promise(list);
+  const double most =
+      list.empty() ? 0
+                   : std::min(mediocre * merit(std::ranges::min(list, {}, merit)), beyond * bar);
   std::vector<BoxedDamper> chosen;
   for (const BoxedDamper& each : list) {
     const bool is_new = std::ranges::none_of(chosen, [&](const BoxedDamper& other) {
       return are_near(space_.place(each.damper), space_.place(other.damper), grid);
     });
-    if (is_new && merit(each) <= most && chosen.size() < candidate_counts.at(space_.size())) {
+    if (is_new && (chosen.empty() || merit(each) <= most) &&
+        chosen.size() < candidate_counts.at(space_.size())) {
       chosen.push_back(each);
     }
   }
@@ -244,7 +256,7 @@ std::vector<BoxedDamper> SuiteSearch::all_refined(const std::vector<BoxedDamper>
     fine = grid;
     each = refined(each, fine, first_levels);
   }
-  std::ranges::stable_sort(list, {}, merit);
+  by_promise(list);
   std::erase_if(list, [&](const BoxedDamper& each) { return each.rank.value > unlikely * bar; });
   list.resize(std::min(list.size(), most_refined.at(space_.size())));
   for (BoxedDamper& each : list) {
@@ -261,7 +273,7 @@ std::optional<VerifiedBox> SuiteSearch::best(const BoxMap& map, const SuiteGrid&
   std::erase_if(found, [&](const BoxedDamper& each) {
     return !each.worst.settled || each.rank.value > hopeless * bar;
   });
-  found = all_refined(std::move(found), grid, bar);
+  found = all_refined(found, grid, bar);
   std::optional<VerifiedBox> best;
   std::size_t count = 0;
   for (const BoxedDamper& each : found) {
