@@ -264,7 +264,8 @@ std::vector<Option> rows() {
           "under records: search the width of the notch too, in this range LOW:HIGH in m", design,
           under_records(in_si(Dimension::length, Rivals::notch, RangeEnd::high))),
       row("scan-points", integer, "N", searching,
-          "under records: scan about this many dampers first, with three variables four times as "
+          "under records: scan at most about this many dampers first, with three variables four "
+          "times as "
           "many; default 10000",
           design, under_records({.bounds = {1, most_scan_points}})),
       row("algorithm", text, "NAME", searching, "an NLopt algorithm (default LD_SLSQP)", design,

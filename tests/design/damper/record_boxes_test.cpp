@@ -61,9 +61,6 @@ RecordDesignRequest random_record_task(RandomSource& random) {
   } else {
     request.width = Interval{0.03 * load, 0.3 * load};
   }
-  if (request.width) {
-    request.f = Interval{0.02 * load, load};  // or most of the time goes to free swinging
-  }
   request.scan_points = 1000;  // a box is promised however coarse the first map is
   const double tolerance = of({0.05, 0.1, 0.2});
   request.tolerance = {{tolerance, tolerance},
@@ -74,6 +71,9 @@ RecordDesignRequest random_record_task(RandomSource& random) {
   request.objective = objective < 7     ? SuiteObjective::acceleration
                       : objective < 8.5 ? SuiteObjective::residual
                                         : SuiteObjective::robust;
+  if (request.objective == SuiteObjective::robust && request.width) {
+    request.f = Interval{0.02 * load, load};  // or most of the time goes to free swinging
+  }
   if (request.objective != SuiteObjective::acceleration) {
     request.limits.acceleration = load * random.uniform(0.5, 0.9);
   }

@@ -43,11 +43,11 @@ double merit(const BoxedDamper& box) {
   return box.worst.settled ? box.rank.value * (1 + price * box.rank.off) : HUGE_VAL;
 }
 
-/// That which is off by the least comes first, then the others by merit.
-void by_promise(std::vector<BoxedDamper>& list) {
+/// That which is off by the least comes first if it is better than `bar`, then the others by merit.
+void by_promise(std::vector<BoxedDamper>& list, double bar) {
   std::ranges::stable_sort(list, {}, merit);
   const auto surest = std::ranges::min_element(list, {}, &BoxedDamper::rank);
-  if (surest != list.end()) {
+  if (surest != list.end() && surest->rank.value < bar) {
     std::rotate(list.begin(), surest, surest + 1);
   }
 }
@@ -95,17 +95,24 @@ BoxedDamper SuiteSearch::sampled(const SuiteDamper& damper) {
   return boxed(damper, worst);
 }
 
-/// By a few samples, which does for a choice.
-BoxedDamper SuiteSearch::roughly(const SuiteDamper& damper) {
+std::vector<BoxedDamper> SuiteSearch::roughly(const std::vector<BoxedDamper>& found) {
+  const std::vector<SuitePlace> places = box_samples(space_, few_samples);
   std::vector<SuiteDamper> dampers;
-  for (const SuitePlace& unit : box_samples(space_, few_samples)) {
-    dampers.push_back(space_.off(damper, unit));
+  for (const BoxedDamper& each : found) {
+    for (const SuitePlace& unit : places) {
+      dampers.push_back(space_.off(each.damper, unit));
+    }
   }
-  SuiteFigures worst;
-  for (const SuiteFigures& each : figures(dampers)) {
-    worst = worse(worst, each);
+  const std::vector<SuiteFigures> all = figures(dampers);
+  std::vector<BoxedDamper> list;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    SuiteFigures worst;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      worst = worse(worst, all[k * places.size() + i]);
+    }
+    list.push_back(boxed(found[k].damper, worst));
   }
-  return boxed(damper, worst);
+  return list;
 }
 
 std::vector<SuiteDamper> SuiteSearch::around(const SuiteDamper& damper, double step) const {
@@ -224,25 +231,27 @@ BoxedDamper SuiteSearch::refined(BoxedDamper candidate, SuiteGrid& grid, int lev
 
 std::vector<BoxedDamper> SuiteSearch::shortlist(const std::vector<BoxedDamper>& found,
                                                 const SuiteGrid& grid, double bar) {
-  std::vector<BoxedDamper> list;
-  list.reserve(found.size());
-  for (const BoxedDamper& each : found) {
-    list.push_back(roughly(each.damper));
+  std::vector<BoxedDamper> list = roughly(found);
+  if (list.empty()) {
+    return list;
   }
-  by_promise(list);
-  const double most =
-      list.empty() ? 0
-                   : std::min(mediocre * merit(std::ranges::min(list, {}, merit)), beyond * bar);
+  const BoxedDamper surest = std::ranges::min(list, {}, &BoxedDamper::rank);
+  std::ranges::stable_sort(list, {}, merit);
+  const double most = std::min(mediocre * merit(list.front()), beyond * bar);
   std::vector<BoxedDamper> chosen;
+  const auto add = [&](const BoxedDamper& box) {
+    if (std::ranges::none_of(chosen, [&](const BoxedDamper& other) {
+          return are_near(space_.place(box.damper), space_.place(other.damper), grid);
+        })) {
+      chosen.push_back(box);
+    }
+  };
   for (const BoxedDamper& each : list) {
-    const bool is_new = std::ranges::none_of(chosen, [&](const BoxedDamper& other) {
-      return are_near(space_.place(each.damper), space_.place(other.damper), grid);
-    });
-    if (is_new && (chosen.empty() || merit(each) <= most) &&
-        chosen.size() < candidate_counts.at(space_.size())) {
-      chosen.push_back(each);
+    if (merit(each) <= most && chosen.size() < candidate_counts.at(space_.size())) {
+      add(each);
     }
   }
+  add(surest);
   return chosen;
 }
 
@@ -256,7 +265,7 @@ std::vector<BoxedDamper> SuiteSearch::all_refined(const std::vector<BoxedDamper>
     fine = grid;
     each = refined(each, fine, first_levels);
   }
-  by_promise(list);
+  by_promise(list, bar);
   std::erase_if(list, [&](const BoxedDamper& each) { return each.rank.value > unlikely * bar; });
   list.resize(std::min(list.size(), most_refined.at(space_.size())));
   for (BoxedDamper& each : list) {

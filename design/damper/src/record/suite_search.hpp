@@ -53,7 +53,8 @@ class SuiteSearch {
   [[nodiscard]] BoxedDamper sampled(const SuiteDamper& damper);
   [[nodiscard]] std::vector<BoxedDamper> shortlist(const std::vector<BoxedDamper>& found,
                                                    const SuiteGrid& grid, double bar);
-  [[nodiscard]] BoxedDamper roughly(const SuiteDamper& damper);
+  /// By a few samples, which do for a choice.
+  [[nodiscard]] std::vector<BoxedDamper> roughly(const std::vector<BoxedDamper>& found);
   [[nodiscard]] std::vector<SuiteDamper> around(const SuiteDamper& damper, double step) const;
   [[nodiscard]] BoxedDamper best_of(const std::vector<SuiteDamper>& dampers,
                                     const BoxedDamper& bar);

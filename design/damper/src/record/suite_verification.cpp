@@ -7,10 +7,9 @@
 #include "record/suite_search.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <numeric>
-#include <utility>
 
 namespace stillpoint::design {
 
