@@ -28,7 +28,7 @@ constexpr double unlikely = 1.02;
 /// Nor will one that is this much worse than the best candidate.
 constexpr double mediocre = 1.08;
 /// Candidates of the map may lie this part of a box apart: it is too coarse to choose between them.
-constexpr double close = 0.25;
+constexpr double spacing = 0.25;
 
 /// Steps to a box, and to each side of a candidate, by the number of axes.
 constexpr std::array<std::int64_t, most_axes + 1> most_windows{1, 256, 16, 8, 4};
@@ -278,7 +278,7 @@ std::vector<BoxedDamper> SuiteSearch::all_refined(const std::vector<BoxedDamper>
 }
 
 std::optional<VerifiedBox> SuiteSearch::best(const BoxMap& map, const SuiteGrid& grid, double bar) {
-  std::vector<BoxedDamper> found = map.best(goal_, pool_sizes.at(space_.size()), close);
+  std::vector<BoxedDamper> found = map.best(goal_, pool_sizes.at(space_.size()), spacing);
   std::erase_if(found, [&](const BoxedDamper& each) {
     return !each.worst.settled || each.rank.value > hopeless * bar;
   });
