@@ -365,7 +365,7 @@ std::vector<Option> rows() {
           "number of threads; default 0, all; results do not depend on it", of_suites | sweep,
           under_records({.role = execution, .bounds = {0, 1024}})),
       row("reduce", flag, "", sweeping,
-          "report counts, extremes, quantiles, histograms and the best rows instead of writing all "
+          "report counts, extremes, histograms and the best rows instead of writing all "
           "rows",
           sweep, {.excludes = {{sweep, of_pages, "a map shows the rows"}}}),
       row("histogram", text, "BINS", sweeping,

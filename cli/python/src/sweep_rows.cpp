@@ -222,7 +222,7 @@ void add_sweep(py::module_& module) {
                     "\"a,b,c\". The result has a table, a structured array with a field for each "
                     "column; outcome is an index in stillpoint.outcomes. With output the rows "
                     "go to that file instead. With reduce there are no rows, but counts, extremes, "
-                    "quantiles, histograms and the best.")
+                    "histograms and the best.")
           .c_str());
 }
 

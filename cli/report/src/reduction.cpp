@@ -37,25 +37,19 @@ std::vector<std::string> extreme_cells(const std::optional<ReducedRow>& row, std
 }
 
 void add_columns(Document& made, const Reduction& reduction) {
-  Table table{{"column", "least", "entry", "median", "to", "largest", "entry"}, {}};
+  Table table{{"column", "least", "entry", "largest", "entry"}, {}};
   for (const ReducedColumn& column : reduction.columns) {
     TableRow row{{reduction.row[column.column].name}};
     const auto add = [&row](const std::vector<std::string>& cells) {
       row.cells.insert(row.cells.end(), cells.begin(), cells.end());
     };
     add(extreme_cells(column.least, column.column));
-    const auto median = quantile(reduction, column, 0.5);
-    add(median
-            ? std::vector{fmt::format("{:.4g}", median->low), fmt::format("{:.4g}", median->high)}
-            : std::vector<std::string>(2, "-"));
     add(extreme_cells(column.largest, column.column));
     table.rows.push_back(std::move(row));
   }
   Section& section = made.section("Columns");
   section.parts.emplace_back(std::move(table));
-  section.line(
-      "The entries are where the least and the largest are; the median lies between two "
-      "bounds.");
+  section.line("The entries are where the least and the largest are.");
 }
 
 /// The inputs, how the motion ends and what the rows are chosen by: a line has 80 columns.

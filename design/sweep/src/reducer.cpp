@@ -79,7 +79,6 @@ void reduce(ReducedColumn& reduced, const Share& share) {
       continue;
     }
     ++reduced.count;
-    reduced.bins.add(value);
     if (!reduced.least || value < at(reduced.least)) {
       reduced.least = share.row(i);
     }

@@ -67,28 +67,6 @@ void check_column(const json& report, const SweepTable& table) {
     BOOST_TEST(report.at("largest").at("entry") == first_largest->second);
     check_row(report.at("least"), table);
     check_row(report.at("largest"), table);
-    for (const json& quantile : report.at("quantiles")) {
-      const auto rank = std::ceil(quantile.at("share").get<double>() * static_cast<double>(count));
-      const double value = values[static_cast<std::size_t>(std::max(rank, 1.0)) - 1].first;
-      BOOST_TEST(quantile.at("low").get<double>() <= value);
-      BOOST_TEST(quantile.at("high").get<double>() >= value);
-      // A bin is at most an eighth as wide as its inner end is large.
-      BOOST_TEST(quantile.at("high").get<double>() - quantile.at("low").get<double>() <=
-                 std::abs(value) / 8);
-    }
-    std::int64_t binned = 0;
-    for (const json& bin : report.at("bins")) {
-      const double low = bin.at(0);
-      const double high = bin.at(1);
-      const auto in_bin = std::ranges::count_if(values, [&](const auto& one) {
-        return low == high ? one.first == low
-               : low < 0   ? low < one.first && one.first <= high
-                           : low <= one.first && one.first < high;
-      });
-      BOOST_TEST(bin.at(2) == in_bin);
-      binned += bin.at(2).get<std::int64_t>();
-    }
-    BOOST_TEST(binned == count);
   }
 }
 
@@ -232,7 +210,7 @@ BOOST_AUTO_TEST_CASE(that_are_complete_are_not_computed_again) {
 BOOST_AUTO_TEST_CASE(are_text_for_people) {
   const std::string text = run(motions + asked).out;
   check_contains(text,
-                 {"motions stop at x = 0", "stop_time", "median", "Smallest stop_time", "entry"});
+                 {"motions stop at x = 0", "stop_time", "largest", "Smallest stop_time", "entry"});
   const std::string longest =
       run("sweep --velocity 0.4 --period 2.8 --f 0.005:0.08:40 --delta-m 0:0.1:50 --excitation "
           "harmonic --k 0.1 --excitation-frequency 0.5 --end-time 20 --reduce --best peak_m:2")

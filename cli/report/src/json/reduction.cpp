@@ -7,7 +7,6 @@
 
 #include <stillpoint/report/reduction.hpp>
 
-#include <array>
 #include <cmath>
 
 namespace stillpoint::report {
@@ -16,15 +15,12 @@ namespace {
 
 using nlohmann::ordered_json;
 using sweep::BestRows;
-using sweep::FineBins;
 using sweep::Form;
 using sweep::Histogram;
 using sweep::ReducedColumn;
 using sweep::ReducedRow;
 using sweep::Reduction;
 using sweep::RowColumn;
-
-constexpr std::array quantile_shares{0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99};
 
 /// Null for what does not exist or never happens.
 ordered_json value_json(double value, Form form) {
@@ -51,29 +47,14 @@ ordered_json row_json(const ReducedRow& row, const std::vector<RowColumn>& colum
   return result;
 }
 
-ordered_json quantiles_json(const Reduction& reduction, const ReducedColumn& column) {
-  ordered_json result = ordered_json::array();
-  for (const double share : quantile_shares) {
-    if (const auto bounds = quantile(reduction, column, share)) {
-      result.push_back({{"share", share}, {"low", bounds->low}, {"high", bounds->high}});
-    }
-  }
-  return result;
-}
-
-ordered_json column_json(const Reduction& reduction, const ReducedColumn& column) {
-  const auto row = [&](const ReducedRow& extreme) { return row_json(extreme, reduction.row); };
-  const auto bin_json = [](const FineBins::Bin& bin) -> ordered_json {
-    return {bin.low, bin.high, bin.count};
-  };
-  return {{"column", reduction.row[column.column].name},
+ordered_json column_json(const ReducedColumn& column, const std::vector<RowColumn>& columns) {
+  const auto row = [&](const ReducedRow& extreme) { return row_json(extreme, columns); };
+  return {{"column", columns[column.column].name},
           {"count", column.count},
           {"absent", column.absent},
           {"infinite", column.infinite},
           {"least", or_null(column.least, row)},
-          {"largest", or_null(column.largest, row)},
-          {"quantiles", quantiles_json(reduction, column)},
-          {"bins", list_json(column.bins.filled(), bin_json)}};
+          {"largest", or_null(column.largest, row)}};
 }
 
 ordered_json histogram_json(const Histogram& histogram, const std::vector<RowColumn>& columns) {
@@ -124,9 +105,8 @@ ordered_json json(const ReductionReport& report) {
        design ? ordered_json(nullptr) : outcomes_json(report.state.locked_outcomes)},
       {"feasible", design ? ordered_json(report.state.feasible) : ordered_json(nullptr)},
       {"row", list_json(row, [](const RowColumn& column) { return column.name; })},
-      {"columns",
-       list_json(reduction.columns,
-                 [&](const ReducedColumn& column) { return column_json(reduction, column); })},
+      {"columns", list_json(reduction.columns,
+                            [&](const ReducedColumn& column) { return column_json(column, row); })},
       {"histograms",
        list_json(reduction.histograms,
                  [&](const Histogram& histogram) { return histogram_json(histogram, row); })},

@@ -81,13 +81,6 @@ ReducedColumn column_from(const ordered_json& column, const std::vector<RowColum
   sweep::read_integers(column.at("infinite"), result.infinite);
   result.least = extreme_from(column.at("least"), columns);
   result.largest = extreme_from(column.at("largest"), columns);
-  for (const ordered_json& bin : column.at("bins")) {
-    // The end that is nearer to 0 is in the bin.
-    const double low = bin.at(0).get<double>();
-    std::int64_t count = 0;
-    sweep::read_integers(bin.at(2), count);
-    result.bins.add(low < 0 ? bin.at(1).get<double>() : low, count);
-  }
   return result;
 }
 

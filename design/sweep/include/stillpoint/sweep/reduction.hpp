@@ -54,27 +54,6 @@ struct ReducedRow {
   std::vector<double> values;  ///< one for each RowColumn
 };
 
-/// How many values are in each of the bins that split each power of two into eight. Anything
-/// smaller than 3e-309 counts as 0, which is a bin by itself: any double has its bin, and no bin
-/// depends on the sweep.
-class FineBins {
- public:
-  void add(double value, std::int64_t times = 1);
-  void add(const FineBins& other);
-  /// The bins that are not empty, in rising order, with low <= values < high; for negative values
-  /// low < values <= high.
-  struct Bin {
-    double low{0};
-    double high{0};
-    std::int64_t count{0};
-  };
-  [[nodiscard]] std::vector<Bin> filled() const;
-
- private:
-  static constexpr std::size_t count = std::size_t{1} << 15U;  // sign, exponent, three bits
-  std::vector<std::int64_t> counts_ = std::vector<std::int64_t>(count);
-};
-
 /// The finite values of one column.
 struct ReducedColumn {
   std::size_t column{0};  ///< among the RowColumns
@@ -83,7 +62,6 @@ struct ReducedColumn {
   std::int64_t infinite{0};  ///< what never happens
   std::optional<ReducedRow> least{};
   std::optional<ReducedRow> largest{};
-  FineBins bins{};
 };
 
 struct Histogram {
@@ -129,11 +107,6 @@ struct Reduction {
 
 /// Adds the reduction of other entries of the same sweep.
 void add(Reduction& total, const Reduction& more);
-
-/// Bounds of the value below which a share of the finite values lies: the bin of that value in all
-/// of its histograms. Empty if there are none.
-[[nodiscard]] std::optional<Interval> quantile(const Reduction& reduction,
-                                               const ReducedColumn& column, double share);
 
 struct SweepSpec;
 struct SweepBlock;
