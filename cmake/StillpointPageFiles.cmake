@@ -2,7 +2,7 @@
 # take long to compile: the engine of pulses, sweeps, the comparison with other integrators, the command line.
 set(STILLPOINT_LEFT_OUT "src/pulse/([^p].*|posed|profile|pulse_run)"
   "src/(comparison|exact|kernel|reference|regularised)|src/figure_map"
-  "src/(run|rows|map|merge|reducer|reduction|step|seal|sink|state|list_source|request_of|grid|npy|part_label)|src/posix/(checkpoint|open_part|output|output_file|open_rows|part_file)"
+  "src/(run|rows|map|merge|reducer|reduction|step|checkpoint|sink|state|list_source|request_of|grid|npy|part_label)|src/posix/(open_part|output|output_file|open_rows|part_file)"
   "src/(accuracy|browser|explorer|sweep|terminal)|src/figures/(sweep)|src/json/reduction"
   "accuracy|commands|messages|output|progress|standard_streams|sweep|written_files|input/sweep|options/command_line")
 list(JOIN STILLPOINT_LEFT_OUT "|" STILLPOINT_LEFT_OUT)

@@ -9,7 +9,6 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/report/document.hpp>
-#include <stillpoint/sweep/sink.hpp>
 
 #include <exception>
 #include <system_error>
@@ -49,7 +48,6 @@ void add_errors(py::module_& module) {
   refuse<TooManyHalfCycles>();
   refuse<cli::UsageError>();
   refuse<records::FileError>();
-  refuse<sweep::LeftoverError>();
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       std::rethrow_exception(std::move(thrown));

@@ -9,8 +9,11 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <string_view>
 
 namespace stillpoint::report {
+
+inline constexpr std::string_view reduction_schema = "stillpoint/sweep-reduction/1";
 
 [[nodiscard]] nlohmann::ordered_json outcomes_json(const sweep::SweepState::Counts& outcomes);
 /// Throws nlohmann's exceptions where one is missing.

@@ -2,7 +2,6 @@
 #include <stillpoint/sweep/catalogue_file.hpp>
 
 #include "line_reader.hpp"
-#include "list_line.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
@@ -56,7 +55,7 @@ class CatalogueReader {
     if (!lines_.next(line, {})) {
       return false;
     }
-    fields_ = csv_fields(line, lines_, row_);
+    fields_ = lines_.fields(line, row_);
     return true;
   }
 

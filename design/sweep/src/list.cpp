@@ -2,7 +2,6 @@
 #include <stillpoint/sweep/list.hpp>
 
 #include "line_reader.hpp"
-#include "list_line.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/names.hpp>
@@ -91,7 +90,7 @@ void List::refuse(std::string_view what) const {
 }
 
 void List::read_header(std::string_view line) {
-  for (const std::string& name_of : csv_fields(line, *lines_, row_)) {
+  for (const std::string& name_of : lines_->fields(line, row_)) {
     const std::string_view field = trimmed(name_of);
     const auto quantity = find_named(listed_inputs, field, units_);
     if (!quantity) {
@@ -105,7 +104,7 @@ void List::read_header(std::string_view line) {
 }
 
 void List::read_row(std::string_view line, std::vector<double>& values) {
-  const std::span<const std::string> fields = csv_fields(line, *lines_, row_);
+  const std::span<const std::string> fields = lines_->fields(line, row_);
   if (fields.size() != columns_.size()) {
     refuse(fmt::format("has {}, but the header names {}", counted(fields.size(), "value"),
                        counted(columns_.size(), "column")));

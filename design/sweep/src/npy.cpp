@@ -5,6 +5,8 @@
 
 #include <bit>
 #include <cassert>
+#include <cstddef>
+#include <istream>
 
 namespace stillpoint::sweep {
 
@@ -12,10 +14,9 @@ namespace {
 
 constexpr char byte_order = std::endian::native == std::endian::little ? '<' : '>';
 
-std::string npy_description(std::string_view fields, std::int64_t rows) {
-  fields.remove_suffix(2);  // ", "
-  return fmt::format("{{'descr': [{}], 'fortran_order': False, 'shape': ({},), }}", fields, rows);
-}
+constexpr std::string_view magic = "\x93NUMPY\x01";  // and a null character
+constexpr std::size_t before_text = 10;  // magic, and the length of the text in two bytes
+constexpr std::string_view before_rows = "'shape': (";
 
 }  // namespace
 
@@ -27,18 +28,49 @@ std::string npy_header(const std::string& fields, std::int64_t rows) {
   constexpr std::size_t alignment = 64;  // of the rows, as NumPy has it
   // The header must not grow when the number of rows is filled in.
   constexpr std::int64_t most_rows = 1'000'000'000'000'000'000;
-  using namespace std::string_literals;
-  const std::string start = "\x93NUMPY\x01\x00"s;
-  const std::size_t longest = start.size() + 2 + npy_description(fields, most_rows).size() + 1;
-  const std::size_t size = (longest + alignment - 1) / alignment * alignment;
-  std::string header = start + "  " + npy_description(fields, rows);
+  const std::string_view all_fields =
+      std::string_view(fields).substr(0, fields.size() - 2);  // ", "
+  std::string text = fmt::format("{{'descr': [{}], 'fortran_order': False, {}{},), }}", all_fields,
+                                 before_rows, most_rows);
+  const std::size_t longest = before_text + text.size() + 1;
+  text.resize((longest + alignment - 1) / alignment * alignment - before_text - 1, ' ');
+  text += '\n';
+  assert(text.size() < 0x10000U);
+  std::string header(magic);
+  header += '\0';
+  header += static_cast<char>(text.size() & 0xFFU);
+  header += static_cast<char>(text.size() >> 8U);
+  return with_rows(header + text, rows);
+}
+
+std::string with_rows(std::string header, std::int64_t rows) {
+  const std::size_t size = header.size();
+  const std::size_t shape = header.find(before_rows);
+  if (!header.starts_with(magic) || shape == std::string::npos) {
+    return header;
+  }
+  const std::size_t begin = shape + before_rows.size();
+  header.replace(begin, header.find(',', begin) - begin, fmt::format("{}", rows));
+  header.resize(header.find_last_not_of(" \n") + 1);
   header.resize(size - 1, ' ');
-  header += '\n';
-  const std::size_t counted = size - start.size() - 2;
-  assert(counted < 0x10000U);
-  header[start.size()] = static_cast<char>(counted & 0xFFU);
-  header[start.size() + 1] = static_cast<char>(counted >> 8U);
-  return header;
+  return header + '\n';
+}
+
+std::string read_header(std::istream& file) {
+  std::string header(before_text, '\0');
+  file.read(header.data(), before_text);
+  header.resize(static_cast<std::size_t>(file.gcount()));
+  file.clear();
+  if (header.starts_with(magic) && header.size() == before_text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(header[i]); };
+    header.resize(before_text + byte(8) + 256U * byte(9));
+    file.read(header.data() + before_text,
+              static_cast<std::streamsize>(header.size() - before_text));
+    return header;
+  }
+  file.seekg(0);
+  std::getline(file, header);
+  return header + '\n';
 }
 
 }  // namespace stillpoint::sweep

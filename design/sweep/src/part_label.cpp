@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/sweep/part_label.hpp>
 
-#include "posix/part_file.hpp"
-
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
-#include <stillpoint/sweep/sink.hpp>
+#include <stillpoint/records/text.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cassert>
 #include <numeric>
 #include <string_view>
 #include <utility>
@@ -20,18 +18,42 @@ namespace stillpoint::sweep {
 
 namespace {
 
+using nlohmann::ordered_json;
+
 [[noreturn]] void refuse_part(const PartLabel& label, std::string_view why) {
   throw records::FileError({.kind = "part", .path = label.path}, why);
 }
 
+/// The first difference of two tasks.
+std::string difference_of_tasks(const std::string& one, const std::string& other) {
+  const ordered_json was = ordered_json::parse(one);
+  const ordered_json is = ordered_json::parse(other);
+  const auto text = [](const ordered_json& task, const std::string& key) {
+    return records::shortened(task.contains(key) ? task.at(key).dump() : "nothing",
+                              records::longest_word);
+  };
+  for (const ordered_json* const task : {&was, &is}) {
+    for (const auto& [key, value] : task->items()) {
+      if (!was.contains(key) || !is.contains(key) || was.at(key) != is.at(key)) {
+        return fmt::format("{} was {}, is {}", key, text(was, key), text(is, key));
+      }
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
-bool PartLabel::is_whole(std::int64_t rows) const {
-  return 1 <= part.number && part.number <= part.count && part.count <= most_sweep_parts &&
-         whole.entries >= 0 && rows == range_of(part, whole.entries).count;
+std::optional<std::int64_t> PartLabel::rows() const {
+  const bool exists = 1 <= part.number && part.number <= part.count &&
+                      part.count <= most_sweep_parts && whole.entries >= 0;
+  return exists ? std::optional(range_of(part, whole.entries).count) : std::nullopt;
 }
 
 PartLabel label_of(const SweepSpec& spec) {
+  if (!ordered_json::parse(spec.identity, nullptr, false).is_object()) {
+    throw InputError("identity", spec.identity, "must be a JSON object");
+  }
   return {spec.output.value_or(""),
           spec.part.value_or(SweepPart()),
           spec.identity,
@@ -39,8 +61,8 @@ PartLabel label_of(const SweepSpec& spec) {
 }
 
 std::string difference(const PartLabel& one, const PartLabel& other) {
-  if (std::string tasks = difference(one.task, other.task); !tasks.empty()) {
-    return tasks;
+  if (one.task != other.task) {
+    return difference_of_tasks(one.task, other.task);
   }
   if (one.whole.entries != other.whole.entries) {
     return fmt::format("the number of entries was {} and is now {}", one.whole.entries,
@@ -54,10 +76,11 @@ bool is_that_part(const PartLabel& found, const PartLabel& wanted) {
     return false;
   }
   if (found.part != wanted.part) {
-    throw LeftoverError(fmt::format(
-        "output {}: is part {} of this sweep: give each part its own file, for instance "
-        "with {{part}} in its name",
-        wanted.path, text(found.part)));
+    throw records::FileError(
+        {.kind = "output", .path = wanted.path},
+        fmt::format("is part {} of this sweep: give each part its own file, for instance with "
+                    "{{part}} in its name",
+                    text(found.part)));
   }
   return true;
 }
@@ -65,8 +88,7 @@ bool is_that_part(const PartLabel& found, const PartLabel& wanted) {
 void PartOrder::add(PartLabel label) {
   if (!labels_.empty()) {
     const PartLabel& first = labels_.front();
-    const std::string differs = difference(first, label);
-    if (!differs.empty()) {
+    if (const std::string differs = difference(first, label); !differs.empty()) {
       refuse_part(label,
                   fmt::format("belongs to a different sweep from {}: {}", first.path, differs));
     }
@@ -80,27 +102,27 @@ void PartOrder::add(PartLabel label) {
 }
 
 std::vector<std::size_t> PartOrder::places() const {
-  assert(!labels_.empty());
+  if (labels_.empty()) {
+    throw InputError::missing("part", "name the files of all parts");
+  }
   std::vector<std::size_t> places(labels_.size());
   std::iota(places.begin(), places.end(), std::size_t{0});
   const auto number = [this](std::size_t place) { return labels_[place].part.number; };
   std::ranges::stable_sort(places, {}, number);
-  const auto twice = std::ranges::adjacent_find(places, {}, number);
-  if (twice != places.end()) {
-    const PartLabel& second = labels_[*(twice + 1)];
-    refuse_part(second,
-                fmt::format("is part {}, and so is {}", text(second.part), labels_[*twice].path));
+  std::int64_t next = 1;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const PartLabel& label = labels_[places[i]];
+    if (i > 0 && label.part == labels_[places[i - 1]].part) {
+      refuse_part(label, fmt::format("is part {}, and so is {}", text(label.part),
+                                     labels_[places[i - 1]].path));
+    }
+    next += label.part.number == next ? 1 : 0;
   }
   const std::int64_t count = labels_.front().part.count;
-  const std::int64_t missing = count - std::ssize(places);
-  if (missing > 0) {
-    std::int64_t first = 1;
-    while (first <= std::ssize(places) &&
-           number(places[static_cast<std::size_t>(first) - 1]) == first) {
-      ++first;
-    }
+  if (next <= count) {
+    const std::int64_t missing = count - std::ssize(places);
     throw InputError(
-        "part", text(SweepPart{first, count}),
+        "part", text(SweepPart{next, count}),
         missing == 1 ? "is missing" : fmt::format("is missing, the first of {}", missing));
   }
   return places;

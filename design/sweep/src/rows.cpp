@@ -112,12 +112,9 @@ void append_npy(const SweepBlock& block, const std::vector<Quantity>& columns, I
 
 }  // namespace
 
-std::string RowWriter::npy_fields() const {
-  return format_ == RowFormat::csv ? "" : fields_of(columns_, units_);
-}
-
 std::string RowWriter::header(std::int64_t rows) const {
-  return format_ == RowFormat::csv ? csv_header(columns_, units_) : npy_header(npy_fields(), rows);
+  return format_ == RowFormat::csv ? csv_header(columns_, units_)
+                                   : npy_header(fields_of(columns_, units_), rows);
 }
 
 const std::vector<std::string>& RowWriter::rows(const SweepBlock& block) {

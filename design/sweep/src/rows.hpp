@@ -18,8 +18,6 @@ class RowWriter {
   explicit RowWriter(const SweepSpec& spec)
       : columns_(spec.columns), units_(spec.units), format_(spec.format), threads_(spec.threads) {}
 
-  /// Of format npy, as npy_header takes them; else "".
-  [[nodiscard]] std::string npy_fields() const;
   /// The bytes before `rows` entries.
   [[nodiscard]] std::string header(std::int64_t rows) const;
   /// The bytes in order, valid until the next call.

@@ -4,8 +4,8 @@
 #include <stillpoint/sweep/sink.hpp>
 
 #include "block.hpp"
+#include "checkpoint.hpp"
 #include "rows.hpp"
-#include "seal.hpp"
 #include "source.hpp"
 #include "step.hpp"
 
@@ -62,11 +62,9 @@ class Sweep {
 
   /// False after a stop.
   bool write_rows() {
-    if (!sink_.complete()) {
-      source_->skip(own_.first + state_.rows,
-                    state_.rows > 0 ? std::optional(state_.digest) : std::nullopt);
-      while (next_block()) {
-      }
+    source_->skip(own_.first + state_.rows,
+                  state_.rows > 0 ? std::optional(state_.digest) : std::nullopt);
+    while (next_block()) {
     }
     if (stopped()) {
       sink_.leave();
@@ -75,10 +73,11 @@ class Sweep {
     if (state_.rows == 0) {
       write_header();
     }
-    if (spec_.part && !sink_.complete()) {
-      sink_.write(text(seal()));
+    if (spec_.part) {
+      require_whole();
+      sink_.write(seal({label_of(spec_), state_}));
     }
-    sink_.finish(state_, rows_.header(state_.rows));
+    sink_.finish(rows_.header(state_.rows));
     return true;
   }
 
@@ -150,17 +149,14 @@ class Sweep {
 
   void put(std::string_view bytes) {
     sink_.write(bytes);
-    if (spec_.part) {
-      state_.bytes.add(bytes);
-    }
+    state_.bytes += static_cast<std::int64_t>(bytes.size());
   }
 
-  [[nodiscard]] Seal seal() const {
+  void require_whole() const {
     if (state_.rows != own_.count) {
       throw records::FileError({.kind = "list", .path = spec_.list->source()},
                                "has become shorter since the sweep began");
     }
-    return seal_of(spec_, state_);
   }
 
   const SweepSpec& spec_;

@@ -6,11 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <string_view>
-#include <utility>
 
 namespace stillpoint::sweep {
 
@@ -22,33 +19,6 @@ void SweepBlock::cut(Eigen::Index count) {
   lines.resize(std::min(kept, lines.size()));
   digests.resize(std::min(kept, digests.size()));
   size = count;
-}
-
-void ByteDigest::add(std::string_view bytes) {
-  constexpr std::int64_t width = 8;
-  Digest digest(words);
-  const auto append = [&](std::string_view few) {
-    for (const char byte : few) {
-      rest |= std::uint64_t{static_cast<unsigned char>(byte)} << (8U * (size++ % width));
-      if (size % width == 0) {
-        digest.add(std::exchange(rest, 0));
-      }
-    }
-  };
-  const auto head =
-      std::min(bytes.size(), static_cast<std::size_t>((width - size % width) % width));
-  append(bytes.substr(0, head));
-  bytes.remove_prefix(head);
-  for (; bytes.size() >= width; bytes.remove_prefix(width), size += width) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, bytes.data(), width);
-    if constexpr (std::endian::native == std::endian::big) {
-      word = __builtin_bswap64(word);
-    }
-    digest.add(word);
-  }
-  append(bytes);
-  words = digest.value();
 }
 
 std::uint64_t digest(const Excitation& excitation) {

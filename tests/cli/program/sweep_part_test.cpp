@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(that_are_missing_or_repeated_are_refused) {
   check_refused(names + "none.csv", {"none.csv", "No such file"});
 }
 
-/// Wherever it is cut and whichever byte is changed.
+/// Wherever it is cut.
 BOOST_AUTO_TEST_CASE(that_are_truncated_are_refused) {
   for (const char* extension : {"csv", "npy"}) {
     const Arguments names = split(grid, 2, extension);
@@ -111,13 +111,8 @@ BOOST_AUTO_TEST_CASE(that_are_truncated_are_refused) {
     check_refused(names, {torn, "not a complete part"});
     write(torn, whole + "\n");
     check_refused(names, {torn, "not a complete part"});
-    const std::size_t seal = whole.find("#stillpoint-part");
-    for (std::size_t place = 0; place < seal; place += step) {
-      std::string changed = whole;
-      changed[place] = static_cast<char>(changed[place] ^ 1);
-      write(torn, changed);
-      check_refused(names, {torn, "has changed"});
-    }
+    write(torn, whole.substr(1));
+    check_refused(names, {torn, "not a complete part"});
   }
 }
 
@@ -125,7 +120,7 @@ BOOST_AUTO_TEST_CASE(whose_seal_has_non_integers_are_refused) {
   const Arguments names = split(grid, 2);
   const std::string whole = read(names[0]);
   for (const std::string_view key :
-       {"part", "entries", "rows", "outcomes", "locked", "digest", "rest"}) {
+       {"part", "entries", "rows", "bytes", "outcomes", "locked", "digest"}) {
     const std::size_t place =
         whole.find_first_of("0123456789", whole.rfind(fmt::format("\"{}\":", key)));
     const std::size_t end = whole.find_first_not_of("0123456789", place);

@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(of_a_stopped_sweep_is_resumed_into_the_same_bytes) {
 }
 
 BOOST_AUTO_TEST_CASE(with_an_impossible_number_of_rows_is_refused) {
-  const std::string rows = "\"rows\": " + std::to_string(stopped().count) + ",";
+  const std::string rows = "\"rows\":" + std::to_string(stopped().count) + ",";
   const std::string checkpoint = read("rows.csv.part.json");
   const std::size_t place = checkpoint.find(rows);
   BOOST_TEST_REQUIRE(place != std::string::npos);
@@ -72,10 +72,10 @@ BOOST_AUTO_TEST_CASE(with_an_impossible_number_of_rows_is_refused) {
   for (const char* const other : {"-1", "-9223372036854775808", "10001", "9223372036854775807",
                                   "9223372036854775808", "1.75e20", "1.5", "true"}) {
     std::string wrong = checkpoint;
-    wrong.replace(place, rows.size(), std::string("\"rows\": ") + other + ",");
+    wrong.replace(place, rows.size(), std::string("\"rows\":") + other + ",");
     write("rows.csv.part.json", wrong);
     BOOST_TEST_CONTEXT(other) {
-      BOOST_CHECK_THROW(static_cast<void>(open_rows(rest)), LeftoverError);
+      BOOST_CHECK_THROW(static_cast<void>(open_rows(rest)), records::FileError);
     }
   }
 }
@@ -83,11 +83,11 @@ BOOST_AUTO_TEST_CASE(with_an_impossible_number_of_rows_is_refused) {
 BOOST_AUTO_TEST_CASE(of_another_sweep_is_left_alone) {
   static_cast<void>(stopped());
   const std::string part = read("rows.csv.part");
-  BOOST_CHECK_THROW(static_cast<void>(open_rows(spec())), LeftoverError);
+  BOOST_CHECK_THROW(static_cast<void>(open_rows(spec())), records::FileError);
   SweepSpec other = spec();
   other.resume = true;
   other.identity = R"({"f": "0.01:0.3:101"})";
-  test::check_contains(test::refusal_of<LeftoverError>([&] { return open_rows(other); }),
+  test::check_contains(test::refusal_of<records::FileError>([&] { return open_rows(other); }),
                        {R"(f was "0.01:0.3:100", is "0.01:0.3:101")"});
   BOOST_TEST(read("rows.csv.part") == part);
 }

@@ -66,6 +66,14 @@ BOOST_FIXTURE_TEST_CASE(leaves_names_of_what_is_written, Folder) {
   spec.identity = "{}";
   std::vector<std::string> seen;
   notes = &seen;
+  {
+    const auto sink = open_rows(spec);
+    std::stop_source stop;
+    run(spec, *sink,
+        {.stop = stop.get_token(), .progress = [&](const SweepState&) { stop.request_stop(); }});
+    sink->leave();
+  }
+  spec.resume = true;
   run(spec, *open_rows(spec));
   notes = nullptr;
   seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
@@ -75,7 +83,8 @@ BOOST_FIXTURE_TEST_CASE(leaves_names_of_what_is_written, Folder) {
   std::vector<std::string> wanted = checkpoint;  // of no rows
   wanted.emplace_back("fsync rows.csv.part");
   wanted.insert(wanted.end(), checkpoint.begin(), checkpoint.end());
-  wanted.insert(wanted.end(), {"rename rows.csv", folder, "remove rows.csv.part.json"});
+  wanted.insert(wanted.end(),
+                {"fsync rows.csv.part", "rename rows.csv", folder, "remove rows.csv.part.json"});
   BOOST_TEST(seen == wanted, boost::test_tools::per_element());
 }
 

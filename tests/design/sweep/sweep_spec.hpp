@@ -34,11 +34,11 @@ inline sweep::SweepSpec free_spec(Axis f, Axis delta) {
 /// Keeps what it is given, as if the first rows had been written before.
 class MemorySink : public sweep::RowSink {
  public:
-  explicit MemorySink(const sweep::SweepState& found = {}) : RowSink(found, false) {}
+  explicit MemorySink(const sweep::SweepState& found = {}) : RowSink(found) {}
 
   void write(std::string_view bytes) override { text += bytes; }
   void reached(const sweep::SweepState& state) override { rows = state.rows; }
-  void finish(const sweep::SweepState& /*state*/, std::string_view header) override {
+  void finish(std::string_view header) override {
     finished = true;
     if (found().rows == 0) {
       text.replace(0, header.size(), header);

@@ -3,7 +3,6 @@
 #include "design/sweep/sweep_spec.hpp"
 
 #include <stillpoint/sweep/part.hpp>
-#include <stillpoint/sweep/state.hpp>
 
 BOOST_AUTO_TEST_SUITE(sweep_split_test)
 
@@ -37,31 +36,6 @@ BOOST_AUTO_TEST_CASE(the_name_of_a_part_is_as_wide_as_that_of_the_last) {
   BOOST_TEST(with_part("rows.csv", {3, 8}) == "rows.csv");
   BOOST_TEST(with_part("{part}/{part}.csv", {3, 8}) == "3-of-8/3-of-8.csv");
   BOOST_TEST(with_part("a{part}", {3, 1000}) == "a0003-of-1000");
-}
-
-BOOST_AUTO_TEST_CASE(a_digest_of_bytes_does_not_depend_on_their_pieces) {
-  std::mt19937_64 random(14);
-  std::string text(1000, ' ');
-  for (char& byte : text) {
-    byte = static_cast<char>(random() % 256);
-  }
-  ByteDigest whole;
-  whole.add(text);
-  for (int i = 0; i < 100; ++i) {
-    ByteDigest pieces;
-    for (std::size_t place = 0; place < text.size();) {
-      const std::size_t size = random() % 30;
-      pieces.add(std::string_view(text).substr(place, size));
-      place += size;
-    }
-    BOOST_TEST_REQUIRE((pieces == whole));
-    std::string changed = text;
-    char& one = changed[random() % text.size()];
-    one = static_cast<char>(one ^ static_cast<char>(1 + random() % 255));
-    ByteDigest other;
-    other.add(changed);
-    BOOST_TEST_REQUIRE((other != whole));
-  }
 }
 
 BOOST_AUTO_TEST_CASE(the_numbers_of_a_part_are_whole_in_any_form) {

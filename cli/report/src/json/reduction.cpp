@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A reduced sweep as JSON; reduction_parts.cpp reads it.
 
-#include "json/part_digest.hpp"
 #include "json/parts.hpp"
 #include "sweep_parts.hpp"
 
@@ -92,7 +91,7 @@ ordered_json json(const ReductionReport& report) {
   const Reduction& reduction = report.reduction;
   const auto& row = reduction.row;
   const ordered_json part{{"number", number}, {"count", count}};
-  ordered_json result{
+  return {
       {"schema", reduction_schema},
       {"program", program_json()},
       {"kind", report.kind},
@@ -114,8 +113,6 @@ ordered_json json(const ReductionReport& report) {
        list_json(reduction.best, [&](const BestRows& best) { return best_json(best, row); })},
       {"list_digest", report.label.whole.digest},
       {"task", ordered_json::parse(report.label.task)}};
-  result["digest"] = report.split ? digest_json(result) : ordered_json(nullptr);
-  return result;
 }
 
 }  // namespace stillpoint::report

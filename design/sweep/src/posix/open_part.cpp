@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "part_file.hpp"
 
+#include <stillpoint/records/file_error.hpp>
+#include <stillpoint/records/text_file.hpp>
 #include <stillpoint/sweep/output_file.hpp>
-#include <stillpoint/sweep/sink.hpp>
 
 #include <fmt/format.h>
 
@@ -12,6 +13,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstddef>
+#include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -20,11 +24,14 @@ namespace stillpoint::sweep {
 
 namespace {
 
+[[noreturn]] void refuse(const std::string& field, const std::string& path, std::string_view why) {
+  throw records::FileError({.kind = field, .path = path}, why);
+}
+
 void lock(const OpenPart& files) {
   if (::flock(files.descriptor.number(), LOCK_EX | LOCK_NB) != 0) {
-    throw LeftoverError(fmt::format(
-        "output {}: another sweep is writing it: wait until it ends, or give another file",
-        files.part()));
+    refuse("output", files.part(),
+           "another sweep is writing it: wait until it ends, or give another file");
   }
 }
 
@@ -40,30 +47,38 @@ bool open_existing(OpenPart& files) {
   return files.descriptor.is_open();
 }
 
-void save(const OpenPart& files) {
-  if (const int error = write_checkpoint(files.checkpoint(), files.saved); error != 0) {
-    refuse_writing("output", files.checkpoint(), error);
-  }
-}
-
 void create(OpenPart& files) {
   files.descriptor = Descriptor(create_file(files.part()));
   if (!files.descriptor.is_open()) {
     if (errno == EEXIST && open_existing(files)) {
-      throw LeftoverError(fmt::format(
-          "output {}: {} is left from an interrupted sweep: resume it with --resume, or "
-          "remove it to start again",
-          files.target, files.part()));
+      refuse("output", files.target,
+             fmt::format("{} is left from an interrupted sweep: resume it with --resume, or "
+                         "remove it to start again",
+                         files.part()));
     }
     refuse_writing("output", files.target, errno);
   }
   lock(files);
   // Nothing is in the file before this is: an empty file without a checkpoint has just begun.
   try {
-    save(files);
+    files.save();
   } catch (...) {
     ::unlink(files.part().c_str());
     throw;
+  }
+}
+
+/// Throws FileError unless the rows that are left belong to `label`.
+void require_same(const OpenPart& files, const PartLabel& left, const PartLabel& label) {
+  std::string differs = difference(left, label);
+  if (differs.empty() && left.part != label.part) {
+    differs = fmt::format("part was {}, is {}", text(left.part), text(label.part));
+  }
+  if (!differs.empty()) {
+    refuse("resume", files.part(),
+           fmt::format("was started with other options, {}: give the same ones, or remove the file "
+                       "to start again",
+                       differs));
   }
 }
 
@@ -74,69 +89,81 @@ void cut_back(OpenPart& files, bool checkpoint_exists) {
     refuse_writing("output", files.part(), errno);
   }
   if (status.st_size > 0 && !checkpoint_exists) {
-    throw LeftoverError(fmt::format(
-        "resume {}: {}, which says how far it got, is missing: remove the file to start again",
-        files.part(), files.checkpoint()));
+    refuse("resume", files.part(),
+           fmt::format("{}, which says how far it got, is missing: remove the file to start again",
+                       files.checkpoint()));
   }
-  const std::int64_t bytes = files.saved.bytes;
+  const std::int64_t bytes = files.saved.state.bytes;
   if (status.st_size < bytes) {
-    throw LeftoverError(
-        fmt::format("resume {}: has {} bytes, but {} says {}: remove the file to start again",
-                    files.part(), status.st_size, files.checkpoint(), bytes));
+    refuse("resume", files.part(),
+           fmt::format("has {} bytes, but {} says {}: remove the file to start again",
+                       status.st_size, files.checkpoint(), bytes));
   }
   if (::ftruncate(files.descriptor.number(), bytes) != 0 ||
       ::lseek(files.descriptor.number(), 0, SEEK_END) != bytes) {
     refuse_writing("output", files.part(), errno);
   }
   if (!checkpoint_exists) {
-    save(files);
+    files.save();
   }
 }
 
-OpenPart files_of(const std::string& path, std::string task) {
-  require_task(task);
-  OpenPart files;
-  files.target = behind_links(path).string();
-  files.saved.task = std::move(task);
-  return files;
+int replace(const std::string& path, const std::string& content) {
+  const std::string next = path + ".new";
+  // Our own file, even if somebody has put a link under its name.
+  ::unlink(next.c_str());
+  const Descriptor file(create_file(next));
+  if (!file.is_open()) {
+    return errno;
+  }
+  int error = write_all(file.number(), content);
+  // In this order, or after a power cut the name may lead to nothing.
+  if (error == 0 && (::fsync(file.number()) != 0 || std::rename(next.c_str(), path.c_str()) != 0)) {
+    error = errno;
+  }
+  if (error != 0) {
+    ::unlink(next.c_str());
+    return error;
+  }
+  return synchronize_name(path);
 }
 
 }  // namespace
 
-OpenPart begin_part(const std::string& path, std::string task) {
-  OpenPart files = files_of(path, std::move(task));
-  create(files);
-  return files;
+std::optional<Checkpoint> read_checkpoint(const std::string& path) {
+  constexpr std::size_t largest = std::size_t{1} << 26U;  // a task holds axes, which may be long
+  std::error_code unknown;
+  if (!std::filesystem::exists(path, unknown)) {
+    return std::nullopt;
+  }
+  const std::string content = records::read_text_file("resume", path, largest);
+  try {
+    return parse_checkpoint(content);
+  } catch (const std::exception&) {
+    refuse("resume", path, "is not the checkpoint of a sweep: remove it to start again");
+  }
 }
 
-OpenPart resume_part(const std::string& path, std::string task) {
-  OpenPart files = files_of(path, std::move(task));
-  const bool part_exists = open_existing(files);
-  std::optional<Checkpoint> left = read_checkpoint(files.checkpoint());
-  const std::string differs = left ? difference(left->task, files.saved.task) : "";
-  if (!part_exists) {
-    // Either nothing is left, or a sweep ended between the last two steps of PartFile::finish.
-    std::error_code unknown;
-    const bool only_to_tidy =
-        left && left->complete && differs.empty() && std::filesystem::exists(files.target, unknown);
-    if (!only_to_tidy) {
-      create(files);
-      return files;
-    }
-  } else if (!differs.empty()) {
-    throw LeftoverError(
-        fmt::format("resume {}: was started with other options, {}: give the same ones, or remove "
-                    "the file to start "
-                    "again",
-                    files.part(), differs));
+void OpenPart::save() const {
+  if (const int error = replace(checkpoint(), text(saved) + "\n"); error != 0) {
+    refuse_writing("output", checkpoint(), error);
   }
-  const bool checkpoint_exists = left.has_value();
+}
+
+OpenPart open_part(PartLabel label, bool resume) {
+  OpenPart files;
+  files.target = behind_links(label.path).string();
+  files.saved.label = std::move(label);
+  if (!resume || !open_existing(files)) {
+    create(files);
+    return files;
+  }
+  const auto left = read_checkpoint(files.checkpoint());
   if (left) {
-    files.saved = *std::move(left);
+    require_same(files, left->label, files.saved.label);
+    files.saved.state = left->state;
   }
-  if (part_exists) {
-    cut_back(files, checkpoint_exists);
-  }
+  cut_back(files, left.has_value());
   return files;
 }
 

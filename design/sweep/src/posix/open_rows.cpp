@@ -3,16 +3,12 @@
 
 #include "part_file.hpp"
 
-#include "../seal.hpp"
-
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/sweep/output_file.hpp>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -42,28 +38,6 @@ class StreamSink : public RowSink {
   std::string path_;  ///< empty: standard output
   std::int64_t rows_{0};
 };
-
-/// The identity of what FILE.part is to become.
-std::string task_of(const SweepSpec& spec) {
-  if (!spec.part) {
-    return spec.identity;
-  }
-  nlohmann::ordered_json task = nlohmann::ordered_json::parse(spec.identity, nullptr, false);
-  task["part"] = text(*spec.part);
-  return task.dump();
-}
-
-/// What is left of a sweep, or nothing yet.
-OpenPart resumed(const SweepSpec& spec, const std::string& task) {
-  OpenPart files = resume_part(*spec.output, task);
-  const std::int64_t rows = files.saved.state.rows;
-  if (const auto count = own_entries(spec).count; count && rows > *count) {
-    throw LeftoverError(
-        fmt::format("resume {}: says {} rows, but the sweep has {}: remove it to start again",
-                    files.checkpoint(), rows, *count));
-  }
-  return files;
-}
 
 std::unique_ptr<RowSink> open_stream(const std::string& path) {
   Descriptor descriptor(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
@@ -105,14 +79,13 @@ std::unique_ptr<RowSink> open_rows(const SweepSpec& spec) {
     require_streamable(spec, false);
     return open_stream(*spec.output);
   }
+  const PartLabel label = label_of(spec);
   if (spec.part) {
-    if (const auto found = find_part(label_of(spec), read_seal); found && spec.resume) {
-      return std::make_unique<RowSink>(found->state, true);
+    if (const auto found = find_part(label, read_seal); found && spec.resume) {
+      return std::make_unique<RowSink>(found->state);
     }
   }
-  const std::string task = task_of(spec);
-  return std::make_unique<PartFile>(spec.resume ? resumed(spec, task)
-                                                : begin_part(*spec.output, task));
+  return std::make_unique<PartFile>(open_part(label, spec.resume));
 }
 
 std::unique_ptr<RowSink> open_whole(const std::string& output, const std::string& task) {
@@ -120,7 +93,7 @@ std::unique_ptr<RowSink> open_whole(const std::string& output, const std::string
   if (is_special_file(output)) {
     return open_stream(output);
   }
-  return std::make_unique<PartFile>(resume_part(output, task));
+  return std::make_unique<PartFile>(open_part({.path = output, .task = task}, true));
 }
 
 }  // namespace stillpoint::sweep

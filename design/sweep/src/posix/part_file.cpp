@@ -19,18 +19,12 @@ namespace {
 
 constexpr double least_between_saves_s = 0.1;  // a save waits for the disk
 
-bool exists(const std::string& path) {
-  std::error_code unknown;
-  return std::filesystem::exists(path, unknown);
-}
-
 }  // namespace
 
 PartFile::PartFile(OpenPart files)
-    : RowSink(files.saved.state, files.saved.complete),
+    : RowSink(files.saved.state),
       files_(std::move(files)),
       state_(files_.saved.state),
-      bytes_(files_.saved.bytes),
       next_save_s_(seconds_now() + least_between_saves_s) {}
 
 void PartFile::write(std::string_view bytes) {
@@ -38,7 +32,6 @@ void PartFile::write(std::string_view bytes) {
     state_ = files_.saved.state;  // a full disk has no room for a later checkpoint either
     refuse_writing("output", files_.part(), error);
   }
-  bytes_ += static_cast<std::int64_t>(bytes.size());
 }
 
 void PartFile::reached(const SweepState& state) {
@@ -57,31 +50,20 @@ void PartFile::synchronize() {
 void PartFile::save() {
   constexpr double pause = 20;  // times as long as a save takes, so they take 5 % at most
   const double begun = seconds_now();
-  Checkpoint& saved = files_.saved;
-  if (bytes_ > saved.bytes) {
-    synchronize();
-  }
-  saved.state = state_;
-  saved.bytes = bytes_;
-  if (const int error = write_checkpoint(files_.checkpoint(), saved); error != 0) {
-    refuse_writing("output", files_.checkpoint(), error);
-  }
+  synchronize();
+  files_.saved.state = state_;
+  files_.save();
   const double ended = seconds_now();
   next_save_s_ = ended + std::max(least_between_saves_s, pause * (ended - begun));
 }
 
-void PartFile::finish(const SweepState& state, std::string_view header) {
-  if (!files_.saved.complete) {
-    state_ = state;
-    if (::pwrite(files_.descriptor.number(), header.data(), header.size(), 0) !=
-        static_cast<ssize_t>(header.size())) {
-      refuse_writing("output", files_.part(), errno);
-    }
-    synchronize();
-    files_.saved.complete = true;
-    save();
+void PartFile::finish(std::string_view header) {
+  if (::pwrite(files_.descriptor.number(), header.data(), header.size(), 0) !=
+      static_cast<ssize_t>(header.size())) {
+    refuse_writing("output", files_.part(), errno);
   }
-  if (exists(files_.part()) && std::rename(files_.part().c_str(), files_.target.c_str()) != 0) {
+  synchronize();
+  if (std::rename(files_.part().c_str(), files_.target.c_str()) != 0) {
     refuse_writing("output", files_.target, errno);
   }
   // Until then the checkpoint is needed.

@@ -37,7 +37,7 @@ struct ReductionReport {
 [[nodiscard]] ReductionReport read_reduction(const std::string& path);
 
 /// The report of the part to compute, if its file is there already and the sweep is to be resumed.
-/// Throws InputError if only a part can be resumed, and LeftoverError for another part of the same
+/// Throws InputError if only a part can be resumed, and FileError for another part of the same
 /// sweep.
 [[nodiscard]] std::optional<ReductionReport> find_reduction(const sweep::SweepSpec& spec);
 

@@ -28,8 +28,8 @@ struct MergeWatch {
 void require_apart(const NamedFile& written, const std::vector<std::string>& parts);
 
 /// Joins the parts of a sweep, in any order, into the file that the whole sweep would have written.
-/// Throws records::FileError for a part that is incomplete, of another sweep, given twice or
-/// changed since, and for an output that cannot be written; InputError for a part that is missing.
+/// Throws records::FileError for a part that is incomplete, of another sweep or given twice, and
+/// for an output that cannot be written; InputError for a part that is missing.
 /// The file is then not written.
 Merged merge(const std::string& output, const std::vector<std::string>& parts,
              const MergeWatch& watch = {});

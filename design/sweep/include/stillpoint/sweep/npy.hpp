@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <iosfwd>
 #include <string>
 #include <string_view>
 
@@ -13,5 +14,11 @@ namespace stillpoint::sweep {
 /// The header of a NumPy file, version 1.0, of records with these fields, one after the other. Its
 /// length does not depend on `rows`.
 [[nodiscard]] std::string npy_header(const std::string& fields, std::int64_t rows);
+
+/// Such a header for another number of rows, of the same length. Any other text stays as it is.
+[[nodiscard]] std::string with_rows(std::string header, std::int64_t rows);
+
+/// The bytes before the rows of a file: such a header, or a line.
+[[nodiscard]] std::string read_header(std::istream& file);
 
 }  // namespace stillpoint::sweep

@@ -8,9 +8,9 @@
 
 namespace stillpoint::sweep {
 
-/// The file of the sweep, or standard output. Throws FileError if it cannot be written,
-/// LeftoverError if another sweep left a part of the file that this one does not or cannot resume,
-/// and InputError if the format needs a file or the spec is not valid.
+/// The file of the sweep, or standard output. Throws FileError if it cannot be written, or another
+/// sweep left a part of it that this one does not or cannot resume, and InputError if the format
+/// needs a file or the spec is not valid.
 [[nodiscard]] std::unique_ptr<RowSink> open_rows(const SweepSpec& spec);
 
 /// Whether the rows go to standard output.

@@ -19,23 +19,24 @@ struct SweepSpec;
 
 /// Which part of which sweep a file is.
 struct PartLabel {
-  std::string path;
-  SweepPart part;
-  std::string task;  ///< SweepSpec::identity
-  ListExtent whole;  ///< entries of the whole sweep, and the digest of a list
+  std::string path{};
+  SweepPart part{};
+  std::string task{};  ///< SweepSpec::identity
+  ListExtent whole{};  ///< entries of the whole sweep, and the digest of a list; 0 if not counted
 
-  /// Whether there is such a part, and it has this many rows.
-  [[nodiscard]] bool is_whole(std::int64_t rows) const;
+  /// How many the part has if it is complete; empty if there is no such part.
+  [[nodiscard]] std::optional<std::int64_t> rows() const;
 };
 
-/// The label of a sweep, with its identity; the path is that of the output.
+/// The label of a sweep, with its identity; the path is that of the output. Throws InputError
+/// unless the identity is a JSON object.
 [[nodiscard]] PartLabel label_of(const SweepSpec& spec);
 
 /// Empty if both belong to the same sweep, else how they differ: "f was 0:1:10, is 0:1:20".
 [[nodiscard]] std::string difference(const PartLabel& one, const PartLabel& other);
 
-/// Whether an existing file, `found`, holds the part `wanted`. Throws LeftoverError for another
-/// part of the same sweep.
+/// Whether an existing file, `found`, holds the part `wanted`. Throws FileError for another part of
+/// the same sweep.
 [[nodiscard]] bool is_that_part(const PartLabel& found, const PartLabel& wanted);
 
 /// What `read` makes of the file of the part `wanted`, with a `label`; empty if the file does not

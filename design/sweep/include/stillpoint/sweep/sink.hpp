@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -25,35 +24,26 @@ struct LeftRows {
 class RowSink {
  public:
   RowSink() = default;
-  RowSink(const SweepState& found, bool complete) : found_(found), complete_(complete) {}
+  explicit RowSink(const SweepState& found) : found_(found) {}
   RowSink(const RowSink&) = delete;
   RowSink& operator=(const RowSink&) = delete;
   virtual ~RowSink() = default;
 
   /// What an interrupted sweep had written.
   [[nodiscard]] const SweepState& found() const { return found_; }
-  /// Nothing was left to do but `finish`.
-  [[nodiscard]] bool complete() const { return complete_; }
 
   /// This and the next two throw records::FileError if the rows cannot be written.
   virtual void write(std::string_view /*bytes*/) {}
   /// What was written makes up `state`, from where a sweep can be resumed.
   virtual void reached(const SweepState& /*state*/) {}
   /// Everything is written. `header` replaces the beginning, and is as long as what is there.
-  virtual void finish(const SweepState& /*state*/, std::string_view /*header*/) {}
+  virtual void finish(std::string_view /*header*/) {}
 
   /// The sweep ends early: keeps what can be resumed. Further calls change nothing.
   virtual LeftRows leave() { return {}; }
 
  private:
   SweepState found_;
-  bool complete_{false};
-};
-
-/// Another sweep left files, or is still writing them, and this sweep must not touch them.
-class LeftoverError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
 };
 
 }  // namespace stillpoint::sweep

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <numeric>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace stillpoint::sweep {
@@ -34,17 +33,6 @@ class Digest {
   std::uint64_t value_{0xCBF29CE484222325U};
 };
 
-/// The same for a sequence of bytes, split in any way.
-struct ByteDigest {
-  std::uint64_t words{Digest().value()};  ///< of all whole words so far
-  std::uint64_t rest{0};                  ///< the bytes after them, the first one lowest
-  std::int64_t size{0};                   ///< bytes so far
-
-  void add(std::string_view bytes);
-
-  friend bool operator==(const ByteDigest&, const ByteDigest&) = default;
-};
-
 /// For the values of a record, whose file may change; for other loads, the digest of nothing.
 [[nodiscard]] std::uint64_t digest(const Excitation& excitation);
 [[nodiscard]] std::uint64_t digest(const std::vector<design::Part>& parts);
@@ -59,7 +47,7 @@ struct SweepState {
   Counts outcomes{};         ///< how many motions ended this way
   Counts locked_outcomes{};  ///< how many of them the notch holds while the load goes on
   std::int64_t feasible{0};  ///< of the design problems
-  ByteDigest bytes;          ///< of the file of a part so far
+  std::int64_t bytes{0};     ///< of the header and the rows so far
 
   /// Adds the results of one more block.
   void add(const SweepBlock& block);
