@@ -3,8 +3,10 @@
 
 #include "input/excitation.hpp"
 #include "input/request.hpp"
+#include "messages.hpp"
 
 #include <stillpoint/report/explorer.hpp>
+#include <stillpoint/report/findings.hpp>
 #include <stillpoint/report/page_frame.hpp>
 #include <stillpoint/report/report.hpp>
 #include <stillpoint/report/spectrum.hpp>
@@ -130,6 +132,15 @@ void write_page(const Settings& settings, Command command, figures::HtmlPage pag
   for (const figures::Figure& figure : page.figures) {
     assert(std::ranges::count(figure_names(command), figure.id) == 1);
     output.write_file("svg", svg_path(*directory, figure.id), svg(figure, figures::Frame::alone));
+  }
+}
+
+void remark_on(std::span<const design::Finding> findings,
+               const std::optional<design::PhysicalInput>& physical) {
+  for (const design::Finding& now : findings) {
+    if (now.severity != design::Severity::info) {
+      remark(fmt::format("{}: {}", name(now.severity), report::words(now, physical)));
+    }
   }
 }
 

@@ -4,11 +4,14 @@
 #include "options/settings.hpp"
 
 #include <stillpoint/answers/exit_code.hpp>
+#include <stillpoint/design/finding.hpp>
+#include <stillpoint/design/physical.hpp>
 #include <stillpoint/figures/html_page.hpp>
 #include <stillpoint/report/document.hpp>
 #include <stillpoint/report/report.hpp>
 #include <stillpoint/sweep/output.hpp>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -57,6 +60,10 @@ void prepare_page(const Settings& settings);
 /// are asked for. Throws InputError and FileError.
 void write_page(const Settings& settings, Command command, figures::HtmlPage page, Output& output);
 
+/// On standard error, for a reader who is not shown the document: what is a caution or a fault.
+void remark_on(std::span<const design::Finding> findings,
+               const std::optional<design::PhysicalInput>& physical);
+
 /// The page if asked for, and the report; if `print` is false, only its file. Returns the report's
 /// exit code.
 template <class Report>
@@ -66,6 +73,11 @@ answers::ExitCode finish(const Report& report, Command command, const Settings& 
     write_page(settings, command, page(report), output);
   }
   print_report(report, settings, output, print);
+  if constexpr (requires { findings(report); }) {
+    if (settings.flag("json") || !print) {
+      remark_on(findings(report), report.physical);
+    }
+  }
   return answers::exit_code(report);
 }
 

@@ -22,7 +22,6 @@ ExitCode run_record_design(const Settings& settings, Output& output) {
         std::min(1.0, static_cast<double>(now.evaluations) / static_cast<double>(now.expected)));
   };
   const report::RecordDesignReport report{design::design(input.request, show), input.physical};
-  remark(report::lock_sentence(report));
   return finish(report, Command::design, settings, output);
 }
 

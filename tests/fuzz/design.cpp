@@ -128,7 +128,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!result.finding) {
       return;
     }
-    const Finding& finding = *result.finding;
+    const Found& finding = *result.finding;
     require(finding.point.tolerance >= request.limits.tolerance, "{}: the tolerance is {}",
             shown(request), finding.point.tolerance);
     for (const Constraint& constraint : finding.constraints) {

@@ -38,7 +38,7 @@ void add_trade_off(Document& document, const std::vector<design::TradeOff>& fron
                    const ShownTask& task);
 /// Acceleration over stroke, and tolerance below it.
 [[nodiscard]] std::vector<figures::Figure> trade_off_figures(
-    const std::vector<design::TradeOff>& front, const design::Finding& chosen,
+    const std::vector<design::TradeOff>& front, const design::Found& chosen,
     const FigureUnits& units);
 
 [[nodiscard]] nlohmann::ordered_json catalogue_json(const Catalogue& catalogue,

@@ -62,7 +62,7 @@ void add_choices(Document& document, const DesignReport& report, const Physical&
 
 /// The least margin at the ends of the ranges, and what a damper with so little still works for.
 void add_margin(Section& section, const design::DesignResult& result, const Physical& physical) {
-  const design::Finding& finding = *result.finding;
+  const design::Found& finding = *result.finding;
   const auto& [f, delta, tolerance] = finding.point;
   std::optional<double> least;
   const auto ends = design::ends_of_ranges(result.request.problem);
@@ -92,7 +92,7 @@ void add_margin(Section& section, const design::DesignResult& result, const Phys
 
 /// Of the motion with the paper's notch. Its peak, acceleration and rest are in the answer.
 void add_motion(Document& document, const DesignReport& report, const Physical& physical) {
-  const design::Finding& finding = *report.result.finding;
+  const design::Found& finding = *report.result.finding;
   const auto heading = [&report](std::string_view title, const std::string& which) {
     return format("{}{}{}{}", title, which.empty() ? "" : ": ", which, with_ideal(report));
   };
@@ -191,7 +191,7 @@ Document document(const DesignReport& report) {
     add_region(document, result, problem, limits, physical);
     return document;
   }
-  const design::Finding& finding = *result.finding;
+  const design::Found& finding = *result.finding;
   document.verdict = verdict(report, physical);
   document.tone = tone_of(report);
   add_answer(document.answer, report, physical);

@@ -166,7 +166,7 @@ bool is_too_exact(const DesignReport& report) {
 }
 
 std::string verdict(const DesignReport& report, const Physical& physical) {
-  const design::Finding& finding = *report.result.finding;
+  const design::Found& finding = *report.result.finding;
   const auto& [f, delta, tolerance] = finding.point;
   const auto shape = report.built_notch ? report.built_notch->shape : design::NotchShape();
   std::optional<double> friction;
@@ -212,7 +212,7 @@ std::string remarks(const DesignReport& report, const Physical& physical) {
 }
 
 std::string felt_words(const DesignReport& report, const Physical& physical) {
-  const design::Finding& finding = *report.result.finding;
+  const design::Found& finding = *report.result.finding;
   const auto& [f, delta, tolerance] = finding.point;
   const auto built = felt_in_built_notch(report);
   return built ? *built
@@ -226,7 +226,7 @@ std::string felt_words(const DesignReport& report, const Physical& physical) {
 void add_answer(Section& answer, const DesignReport& report, const Physical& physical) {
   const design::DesignResult& result = report.result;
   const auto& [problem, limits, search, pulse, ranges] = result.request;
-  const design::Finding& finding = *result.finding;
+  const design::Found& finding = *result.finding;
   const auto& [f, delta, tolerance] = finding.point;
   const bool failing = !notch_sentence(report).empty();
   answer.row("damper",

@@ -156,7 +156,7 @@ std::optional<std::string> felt_in_built_notch(const DesignReport& report) {
   if (built.half_cycles == 0) {
     return most + ", all of the load";
   }
-  const design::Finding& finding = *report.result.finding;
+  const design::Found& finding = *report.result.finding;
   const auto which = [&](const design::TriedMotion& now) {
     return which_words(now, request, report.physical);
   };
@@ -175,7 +175,7 @@ std::optional<std::string> felt_in_built_notch(const DesignReport& report) {
                      : most + " outside the notch" + of_most;
 }
 
-std::string_view ideal_words(const design::BuiltNotch& built, const design::Finding& finding) {
+std::string_view ideal_words(const design::BuiltNotch& built, const design::Found& finding) {
   return finding.pulse ? acts_late : built.shape.width ? "has no width" : "holds any load";
 }
 
@@ -189,7 +189,7 @@ std::string with_ideal(const DesignReport& report) {
 
 void add_built_notch(Document& document, const DesignReport& report, const Physical& physical) {
   const design::BuiltNotch& built = *report.built_notch;
-  const design::Finding& finding = *report.result.finding;
+  const design::Found& finding = *report.result.finding;
   Section& section = document.detail("The notch as built");
   if (built.shape.width) {
     section.row("width", length_shown(physical, *built.shape.width));

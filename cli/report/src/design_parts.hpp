@@ -71,7 +71,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
 /// What a notch as built is compared with: "has no width", "holds any load", "acts only after the
 /// start".
 [[nodiscard]] std::string_view ideal_words(const design::BuiltNotch& built,
-                                           const design::Finding& finding);
+                                           const design::Found& finding);
 /// ", with a notch that has no width" behind what is not of the notch as built; empty without one.
 [[nodiscard]] std::string with_ideal(const DesignReport& report);
 /// How the notch as built, which is given, compares with the paper's.

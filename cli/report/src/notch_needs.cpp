@@ -20,7 +20,7 @@ double limit_of_digits(const Physical& physical, double length) {
 
 /// A width that keeps the limit of the acceleration inside it, as it is printed, if one is known.
 std::optional<double> limiting_width(const DesignReport& report) {
-  const design::Finding& finding = *report.result.finding;
+  const design::Found& finding = *report.result.finding;
   const auto lines =
       told_practice(task_of(report), finding.practice, finding.point.f, finding.point.delta).lines;
   return lines && lines->notch_width_min

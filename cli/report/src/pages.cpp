@@ -23,7 +23,7 @@ namespace {
 /// The design as its hit or its pulse moves it.
 SimulationRequest moved(const DesignReport& report) {
   const design::Problem& problem = report.result.request.problem;
-  const design::Finding& found = *report.result.finding;
+  const design::Found& found = *report.result.finding;
   SimulationRequest request;
   request.oscillator = {problem.p, found.point.f, found.point.delta};
   request.start = {0, problem.v0};
@@ -91,7 +91,7 @@ Figure damper_figure(const Request& request, double f, double delta,
 
 /// Its trade-offs, and what it works for.
 std::vector<Figure> damper_figures(const DesignReport& report, const FigureUnits& units) {
-  const design::Finding& found = *report.result.finding;
+  const design::Found& found = *report.result.finding;
   std::vector<Figure> figures;
   if (report.trade_off && report.trade_off->size() > 1) {
     figures = trade_off_figures(*report.trade_off, found, units);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <stillpoint/design/record_findings.hpp>
 #include <stillpoint/report/record_design.hpp>
 #include "format.hpp"
 #include "record_design_parts.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/report/digits.hpp>
+#include <stillpoint/report/findings.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -19,27 +21,6 @@ namespace stillpoint::report {
 namespace {
 
 using design::SuiteObjective;
-
-/// Both, in enough digits to be told apart if the first is larger.
-std::pair<std::string, std::string> told_apart(const Physical& physical,
-                                               const design::SuiteFigureKind& kind, double one,
-                                               double other) {
-  constexpr int every = 17;  // that a double has
-  const FigureUnits units(physical);
-  const bool is_length =
-      &kind == design::suite_figure_kinds.data() || kind.objective == SuiteObjective::residual;
-  std::pair both{figure_shown(physical, kind, one), figure_shown(physical, kind, other)};
-  for (int digits = 6; one > other && both.first == both.second && digits <= every; ++digits) {
-    const auto more = [&](double value) {
-      return format("{:.{}g}{}", value * (is_length ? units.length : 1), digits,
-                    is_length        ? with_blank(units.length_unit)
-                    : kind.objective ? std::string(" g")
-                                     : std::string());
-    };
-    both = {more(one), more(other)};
-  }
-  return both;
-}
 
 std::string row_name(const design::SuiteFigureKind& kind) {
   return kind.objective == SuiteObjective::acceleration ? "transmitted" : std::string(kind.words);
@@ -78,18 +59,13 @@ void add_answer(Section& answer, const RecordDesignReport& report) {
   const auto& [result, physical] = report;
   const design::SuiteDamper& damper = result.finding->point.damper;
   answer.row("damper", exact_words(physical, damper), Tone::heading);
-  add_brake(answer, physical, damper.f);
   if (is_searched(result.request.p)) {
     answer.row("spring", spring_words(physical, damper.p, period_digits(result.request)) +
                              end_words(result.request.p, damper.p, physical.has_value()));
   }
   add_box(answer, result, physical);
-  if (const std::string words = notch_sentence(report); !words.empty()) {
-    answer.row("notch", words);
-  }
   add_rest(answer, result);
   add_worst_of_mean(answer, result, physical);
-  add_outlook(answer, result, physical);
   const design::SuiteCheck& check = result.finding->check;
   answer.row("check",
              check.passed
@@ -132,12 +108,12 @@ void add_shortfalls(Document& document, const RecordDesignReport& report) {
               format("{}, {}", exact_words(physical, damper),
                      spring_words(physical, damper.p, period_digits(report.result.request))));
   for (const auto& [kind, limit, nearest, record, relaxed] : report.result.shortfalls) {
-    const auto [near, allowed] = told_apart(physical, *kind, nearest, limit);
+    const auto [near, allowed] = told_apart(physical, kind->dimension, nearest, limit);
     section.row(row_name(*kind), format("{}; {} is allowed", near, allowed),
                 nearest > limit ? Tone::bad : Tone::plain);
     section.row(
         "", relaxed ? format("with {} allowed and the other limits unchanged, there is a damper",
-                             told_apart(physical, *kind, *relaxed, limit).first)
+                             told_apart(physical, kind->dimension, *relaxed, limit).first)
             : report.result.search.interrupted
                 ? "interrupted before it was known whether changing this limit alone is "
                   "enough"
@@ -158,7 +134,7 @@ void add_task(Document& document, const RecordDesignReport& report) {
                                         combined(task.combine.value()), minimised(task).words));
   for (const design::SuiteFigureKind& kind : design::suite_figure_kinds) {
     if (const std::optional<double>& limit = task.limits.*kind.limit) {
-      section.row(row_name(kind), "at most " + figure_shown(physical, kind, *limit));
+      section.row(row_name(kind), "at most " + figure_shown(physical, kind.dimension, *limit));
     }
   }
   if (task.limits.late) {
@@ -206,13 +182,6 @@ std::string of_records(std::size_t count, std::size_t all) {
                         : format("{} of {} records", count, all);
 }
 
-std::string figure_shown(const Physical& physical, const design::SuiteFigureKind& kind,
-                         double value) {
-  return kind.objective == SuiteObjective::acceleration ? acceleration_shown(value)
-         : kind.objective                               ? length_shown(physical, value)
-                          : FigureUnits(physical).velocity_words(value);
-}
-
 bool is_exact(const design::SuiteTolerance& of) {
   return of.f.above + of.f.below + of.delta.above + of.delta.below + of.period.above +
              of.period.below ==
@@ -227,14 +196,10 @@ design::NotchShape notch_of(const design::RecordDesignRequest& task,
                                   task.hold};
 }
 
-namespace {
-
 std::string scaled_name(std::string_view file, double scale) {
   return (scale == 1 ? "" : format("{:.4g} x ", scale)) +
          spelled_out(file.substr(file.rfind('/') + 1));
 }
-
-}  // namespace
 
 std::string record_label(const design::SuiteRecord& record) {
   return scaled_name(record.name, record.scale);
@@ -284,59 +249,6 @@ std::optional<int> period_digits(const design::RecordDesignRequest& task) {
   return is_searched(task.p) ? std::optional(printed_digits) : std::nullopt;
 }
 
-std::string notch_sentence(const RecordDesignReport& report) {
-  switch (report.result.notch) {
-    case design::NotchChoice::not_asked_for:
-      return format(
-          "not searched: without a width nobody knows what the mass feels in it. {} "
-          "gives it one; {} admits one without, as of a rocking support",
-          report.physical ? "--notch-width-m or --search-notch-width-m" : "--notch-width",
-          report.physical ? "--jump-max" : "--jump-max-v");
-    case design::NotchChoice::gains_little:
-      return "left out: it would gain less than one per cent";
-    case design::NotchChoice::excluded:
-    case design::NotchChoice::chosen:
-      break;
-  }
-  return {};
-}
-
-std::string lock_sentence(const RecordDesignReport& report) {
-  return report.result.finding ? lock_words(report.result) : "";
-}
-
-std::string shortfall_sentence(const RecordDesignReport& report) {
-  const design::RecordDesign& result = report.result;
-  if (result.finding) {
-    return {};
-  }
-  if (result.search.interrupted) {
-    return "No damper was verified yet.";
-  }
-  if (!result.nearest.figures.settled) {
-    return "No damper was found: none of those tried comes to rest.";
-  }
-  std::string broken;
-  for (const auto& [kind, limit, nearest, record, relaxed] : result.shortfalls) {
-    if (nearest > limit) {
-      const auto [near, allowed] = told_apart(report.physical, *kind, nearest, limit);
-      broken += format("{}a {} of {} where {} is allowed{}", broken.empty() ? "" : " and ",
-                       kind->words, near, allowed,
-                       result.request.records.size() == 1
-                           ? ""
-                           : ", most under " + record_label(result.request.records[record]));
-    }
-  }
-  const auto& largest = result.largest_tolerance;
-  return format(
-      "No damper was found {}. {}{}",
-      is_exact(result.request.tolerance) ? "that meets the limits"
-                                         : "that meets the limits within its tolerance",
-      largest ? format("The largest tolerance within the limits is {:.2g} %. ", 100 * *largest)
-              : "",
-      broken.empty() ? "" : format("The nearest has {}.", broken));
-}
-
 std::string progress_words(const design::RecordProgress& progress, const Physical& physical) {
   std::string words = format("{} of about {} dampers", progress.evaluations,
                              std::max(progress.expected, progress.evaluations));
@@ -353,18 +265,18 @@ Document document(const RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;
   Document document;
   document.title = "Damper under records";
-  document.verdict = record_verdict(report);
+  document.verdict = verdict(report);
   if (result.finding) {
-    document.tone = !isolates(result) || !result.finding->check.passed ? Tone::bad
-                    : result.search.interrupted                        ? Tone::plain
-                                                                       : Tone::good;
+    document.tone = Tone::good;
     add_answer(document.answer, report);
     add_records(document, result, report.physical);
+    add_outlook(document, result, report.physical);
     add_damper(document, report);
   } else {
     document.tone = Tone::bad;
     add_shortfalls(document, report);
   }
+  add_findings(document, result.findings, report.physical);
   add_task(document, report);
   add_search(document, result.search);
   return document;

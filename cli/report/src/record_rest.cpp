@@ -3,6 +3,7 @@
 #include "format.hpp"
 #include "record_design_parts.hpp"
 
+#include <stillpoint/design/record_findings.hpp>
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/record_design.hpp>
 
@@ -37,45 +38,16 @@ RecordEnd record_end(const Record& record, const ForcedResponse& response) {
                                                           : RecordEnd::moving;
 }
 
-/// A length, and the least that a report tells from 0.
-constexpr double least_m = 1e-6;
-bool is_too_small(const Physical& physical, double length) {
-  return physical && length > 0 && length * physical->scales.length_m < least_m;
-}
-
 /// In the unit of the figures.
 std::string displacement_cell(const Physical& physical, double length) {
   const FigureUnits units(physical);
-  return is_too_small(physical, length)
+  constexpr double least_m = 1e-6;
+  return physical && length > 0 && length * physical->scales.length_m < least_m
              ? format("<{:g}", least_m / physical->scales.length_m * units.length)
              : format("{:.5g}", length * units.length);
 }
 
-/// What the structure feels while the notch holds the mass to the end.
-double most_while_locked(const std::vector<ForcedResponse>& all) {
-  double most = 0;
-  for (const ForcedResponse& response : all) {
-    most = std::max(most, response.locked_from ? *response.largest_load_while_locked : 0);
-  }
-  return most;
-}
-
 }  // namespace
-
-std::string displacement_shown(const Physical& physical, double length, std::optional<int> digits) {
-  return is_too_small(physical, length) ? "less than " + with_unit(least_m, "m")
-                                        : length_shown(physical, length, digits);
-}
-
-std::string lock_words(const design::RecordDesign& result) {
-  const std::vector<ForcedResponse>& all = result.finding->responses;
-  const auto count = static_cast<std::size_t>(std::ranges::count_if(
-      all, [](const ForcedResponse& response) { return response.locked_from.has_value(); }));
-  return count == 0
-             ? ""
-             : format("locked in the notch to the end of {}; the structure then feels up to {}",
-                      of_records(count, all.size()), acceleration_shown(most_while_locked(all)));
-}
 
 void add_rest(Section& answer, const design::RecordDesign& result) {
   const std::vector<ForcedResponse>& all = result.finding->responses;
@@ -104,24 +76,6 @@ void add_worst_of_mean(Section& answer, const design::RecordDesign& result,
       "worst record",
       format("{}: {}", record_label(result.request.records[worst]),
              figures_words(design::suite_figures(result.finding->responses[worst]), physical)));
-  for (const design::SuiteFigureKind& kind : design::suite_figure_kinds) {
-    const std::optional<double>& limit = result.request.limits.*kind.limit;
-    std::string words;
-    for (std::size_t i = 0; limit && i < result.finding->responses.size(); ++i) {
-      const double value = design::suite_figures(result.finding->responses[i]).*kind.value;
-      if (value > *limit) {
-        words +=
-            format("{}{} under {}", words.empty() ? "" : ", ", figure_shown(physical, kind, value),
-                   record_label(result.request.records[i]));
-      }
-    }
-    if (!words.empty()) {
-      answer.row("exceeds",
-                 format("{} {}, where the mean may be {}", kind.words, words,
-                        figure_shown(physical, kind, *limit)),
-                 Tone::bad);
-    }
-  }
 }
 
 void add_records(Document& document, const design::RecordDesign& result, const Physical& physical) {
@@ -141,10 +95,7 @@ void add_records(Document& document, const design::RecordDesign& result, const P
           format("{:.5g}", *response.stop_time * units.time),
           rests.at(static_cast<std::size_t>(record_end(record.record, response)))}});
   }
-  Section& section = document.section("Records");
-  section.parts.emplace_back(std::move(table));
-  const design::SuiteDamper& damper = result.finding->point.damper;
-  add_jumps_note(section, damper.delta, notch_of(result.request, damper).width);
+  document.section("Records").parts.emplace_back(std::move(table));
 }
 
 }  // namespace stillpoint::report

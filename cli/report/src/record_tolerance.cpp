@@ -43,24 +43,6 @@ std::string sides_words(const design::SuiteBox& box, const Physical& physical) {
   return text;
 }
 
-/// What an outlook breaks, if it does.
-std::string broken_words(const design::RecordDesign& result, const design::SuiteFigures& worst,
-                         const Physical& physical) {
-  if (!worst.settled) {
-    return "; a mass may never rest";
-  }
-  std::string words;
-  for (const design::SuiteFigureKind& kind : design::suite_figure_kinds) {
-    const auto& limit = result.request.limits.*kind.limit;
-    if (limit && worst.*kind.value > *limit) {
-      words += format("{} a {} of {} where {} is allowed", words.empty() ? ";" : " and", kind.words,
-                      figure_shown(physical, kind, worst.*kind.value),
-                      figure_shown(physical, kind, *limit));
-    }
-  }
-  return words;
-}
-
 }  // namespace
 
 void add_decision_margin(Section& section, const design::RecordDesign& result) {
@@ -79,10 +61,6 @@ void add_decision_margin(Section& section, const design::RecordDesign& result) {
   }
 }
 
-bool is_mean(const design::RecordDesignRequest& task) {
-  return task.combine.value() == design::Combine::mean && task.records.size() > 1;
-}
-
 std::string figures_words(const design::SuiteFigures& figures, const Physical& physical) {
   return format("{} transmitted{}{}", acceleration_shown(figures.acceleration),
                 between_jumps(physical, figures.jump),
@@ -92,37 +70,31 @@ std::string figures_words(const design::SuiteFigures& figures, const Physical& p
                              displacement_shown(physical, figures.residual)));
 }
 
-std::string samples_words(const design::SuiteBox& box) {
-  return box.samples == 1 ? "" : format("no failure in {} dampers", box.samples);
-}
-
 void add_box(Section& answer, const design::RecordDesign& result, const Physical& physical) {
   const design::SuiteBox& box = result.finding->box;
   const std::string sides = sides_words(box, physical);
   if (sides.empty()) {
-    answer.row("tolerance", "none: a damper that is not exactly this one may do anything",
-               Tone::bad);
     return;
   }
   if (result.largest_tolerance) {
     answer.row("tolerance",
                format("{:.3g} %, the largest that was found", 100 * *result.largest_tolerance));
   }
-  answer.row("tried", format("{}: {}, corners and boundary included", sides, samples_words(box)));
+  answer.row("tried", format("{}: no failure in {} dampers, corners and boundary included", sides,
+                             box.samples));
   answer.row("exact", format("without any error: {}",
                              figures_words(result.finding->point.figures, physical)));
 }
 
-void add_outlook(Section& answer, const design::RecordDesign& result, const Physical& physical) {
+void add_outlook(Document& document, const design::RecordDesign& result, const Physical& physical) {
   const design::SuiteOutlook& outlook = result.finding->outlook;
-  const std::string off = format("{:.0f} %", 100 * design::SuiteOutlook::off);
-  const auto words = [&](std::string_view what, const design::SuiteFigures& worst) {
-    return format("with {} off by {} as well: {}{}", what, off,
-                  worst.settled ? figures_words(worst, physical) : "no rest",
-                  broken_words(result, worst, physical));
+  Section& section =
+      document.detail(format("Not required: off by {:.0f} %", 100 * design::SuiteOutlook::off));
+  const auto words = [&](const design::SuiteFigures& worst) {
+    return worst.settled ? figures_words(worst, physical) : "no rest";
   };
-  answer.row("not required", words("the period", outlook.period));
-  answer.row("", words("the scale of all records", outlook.scale));
+  section.row("period", words(outlook.period));
+  section.row("all records", words(outlook.scale));
 }
 
 }  // namespace stillpoint::report

@@ -241,7 +241,7 @@ DesignReport as_design(const RegionReport& report) {
   }
   design.physical = report.physical;
   design.result.request = {problem, limits, {}, pulse, ranges};
-  design::Finding& finding = design.result.finding.emplace();
+  design::Found& finding = design.result.finding.emplace();
   finding.point = {*f, *delta, *answer.tolerance};
   finding.response = *answer.response;
   finding.practice = answer.practice;

@@ -106,6 +106,9 @@ void add_excitation(Section& section, const Excitation& excitation,
 
 /// "2 x a.AT2": the factor and the file of a record of a suite.
 [[nodiscard]] std::string record_label(const design::SuiteRecord& record);
+[[nodiscard]] std::string scaled_name(std::string_view file, double scale);
+/// "the record", "every record", "1 of 2 records"
+[[nodiscard]] std::string of_records(std::size_t count, std::size_t all);
 /// "2 x a.AT2, in g (assumed), peak 0.3 g".
 [[nodiscard]] std::string record_words(std::string_view file, double scale, std::string_view units,
                                        bool assumed, double peak);

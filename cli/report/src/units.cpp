@@ -52,6 +52,53 @@ std::string length_limit(const Physical& physical, double length, bool upwards,
              : limit_digits(metres, upwards, digits.value_or(with_a_unit)) + " m";
 }
 
+std::string displacement_shown(const Physical& physical, double length, std::optional<int> digits) {
+  constexpr double least_m = 1e-6;  // the least that a report tells from 0
+  return physical && length > 0 && length * physical->scales.length_m < least_m
+             ? "less than " + with_unit(least_m, "m")
+             : length_shown(physical, length, digits);
+}
+
+std::string figure_shown(const Physical& physical, records::Dimension dimension, double value) {
+  switch (dimension) {
+    case records::Dimension::length:
+      return displacement_shown(physical, value);
+    case records::Dimension::time:
+      return time_shown(physical, value);
+    case records::Dimension::velocity:
+      return FigureUnits(physical).velocity_words(value);
+    case records::Dimension::gravities:
+      return acceleration_shown(value);
+    default:
+      return format("{:.4g}", value);
+  }
+}
+
+std::pair<std::string, std::string> told_apart(const Physical& physical,
+                                               records::Dimension dimension, double value,
+                                               double limit) {
+  constexpr int every = 17;  // that a double has
+  const FigureUnits units(physical);
+  const auto [unit, name] =
+      dimension == records::Dimension::length      ? std::pair(units.length, units.length_unit)
+      : dimension == records::Dimension::velocity  ? std::pair(units.velocity, units.velocity_unit)
+      : dimension == records::Dimension::gravities ? std::pair(1.0, std::string("g"))
+                                                   : std::pair(1.0, std::string());
+  std::string one = figure_shown(physical, dimension, value);
+  std::string other = figure_shown(physical, dimension, limit);
+  for (int digits = 6; value > limit && one == other && digits <= every; ++digits) {
+    one = format("{:.{}g}{}", value * unit, digits, with_blank(name));
+    other = format("{:.{}g}{}", limit * unit, digits, with_blank(name));
+  }
+  return {one, other};
+}
+
+std::string beyond(const Physical& physical, records::Dimension dimension, double value,
+                   double limit) {
+  const auto [one, other] = told_apart(physical, dimension, value, limit);
+  return format("{} where {} is allowed", one, other);
+}
+
 std::string frequency_shown(const Physical& physical, double lambda) {
   return physical ? format("{:.5g} Hz", lambda / (2 * std::numbers::pi * physical->scales.time_s))
                   : "lambda = " + digits(lambda);

@@ -4,9 +4,11 @@
 // Metres and seconds beside dimensionless numbers, if the input was given in them.
 
 #include <stillpoint/design/physical.hpp>
+#include <stillpoint/records/units.hpp>
 
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace stillpoint::report {
 
@@ -26,6 +28,21 @@ using Physical = std::optional<design::PhysicalInput>;
 /// A length that keeps a limit as printed, with five digits or, without physical input, six.
 [[nodiscard]] std::string length_limit(const Physical& physical, double length, bool upwards,
                                        std::optional<int> digits = {});
+
+/// A figure by its dimension, with its unit: "412 mm", "0.1991 g", "0.891 m/s"; "less than 0.001
+/// mm" of what nobody can measure.
+[[nodiscard]] std::string figure_shown(const Physical& physical, records::Dimension dimension,
+                                       double value);
+/// Two of them, in enough digits to be told apart if the first is larger; and "412 mm where 400 mm
+/// is allowed".
+[[nodiscard]] std::pair<std::string, std::string> told_apart(const Physical& physical,
+                                                             records::Dimension dimension,
+                                                             double value, double limit);
+[[nodiscard]] std::string beyond(const Physical& physical, records::Dimension dimension,
+                                 double value, double limit);
+/// A stroke or a residual; "less than 0.001 mm" of what nobody can measure.
+[[nodiscard]] std::string displacement_shown(const Physical& physical, double length,
+                                             std::optional<int> digits = {});
 
 /// "7.1429 Hz", or "lambda = 20" without physical input.
 [[nodiscard]] std::string frequency_shown(const Physical& physical, double lambda);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/design/catalogue.hpp>
 
-#include "finding.hpp"
+#include "found.hpp"
 #include "nearest_fit.hpp"
 #include "pulse/answer.hpp"
 #include "ranking.hpp"

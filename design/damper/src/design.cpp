@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/design/design.hpp>
 
-#include "finding.hpp"
+#include "found.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/region.hpp>
@@ -10,8 +10,8 @@
 
 namespace stillpoint::design {
 
-Finding finding_of(const Problem& problem, const Limits& limits, const DesignPoint& point) {
-  Finding finding;
+Found finding_of(const Problem& problem, const Limits& limits, const DesignPoint& point) {
+  Found finding;
   finding.point = point;
   finding.arrival = arrival_of(problem, point.f, point.delta);
   finding.constraints = constraints(problem, limits, point.f, point.delta);
@@ -56,7 +56,7 @@ double even_tolerance(const Problem& problem, const Limits& limits, const Design
 }
 
 double even_tolerance(const DesignResult& result) {
-  const Finding& found = *result.finding;
+  const Found& found = *result.finding;
   return found.pulse ? found.pulse->even_tolerance
                      : even_tolerance(result.request.problem, result.request.limits, found.point);
 }
@@ -65,7 +65,7 @@ std::string summary(const DesignResult& result) {
   if (!result.finding) {
     return "no damper: " + result.reason.value();
   }
-  const Finding& found = *result.finding;
+  const Found& found = *result.finding;
   return fmt::format("f = {:.6g}, delta = {:.6g} within {:.3g} %: {}{}", found.point.f,
                      found.point.delta, 100 * found.point.tolerance, summary(found.response),
                      found.cross_check.passed ? "" : "; the cross-check failed");

@@ -265,20 +265,8 @@ BOOST_AUTO_TEST_CASE(a_limit_exceeded_by_little_is_told_from_what_exceeds_it) {
   report.result.nearest.figures.settled = true;
   report.result.shortfalls = {{&design::suite_figure_kinds[1], 0.32, 0.32000004, 0, std::nullopt}};
   report.result.request.records = {{"three", Record{{0.4, -0.2, 0}, 1, {}}, 1}};
-  const std::string sentence = shortfall_sentence(report);
+  const std::string sentence = verdict(report);
   BOOST_TEST(contains(sentence, "of 0.32000004 g where 0.32 g is allowed"), sentence);
-}
-
-BOOST_AUTO_TEST_CASE(a_design_for_records_that_fails_its_check_is_not_to_be_relied_on) {
-  design::RecordDesignRequest request;
-  request.records = {{"three", Record{{0.4, -0.2, 0}, 1, {}}, 1}};
-  request.f = Interval{0.1, 0.1};
-  request.delta = Interval{0, 0};
-  RecordDesignReport report{design::design(request), {}};
-  const std::string words = "But the check DISAGREES: do not rely on this design.";
-  BOOST_TEST(!contains(document(report).verdict, words));
-  report.result.finding->check.passed = false;
-  BOOST_TEST(contains(document(report).verdict, words));
 }
 
 /// With a hold, every record that frees the mass is felt as f + hold.

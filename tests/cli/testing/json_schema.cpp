@@ -138,14 +138,16 @@ class Validator {
   }
 
   void check_properties(const json& schema, const json& value, const std::string& place) {
-    const bool closed =
-        unknown_ == UnknownProperties::fail || !schema.value("additionalProperties", true);
+    const json others = schema.value("additionalProperties", json(true));
+    const bool closed = unknown_ == UnknownProperties::fail || others == false;
     const json& properties = schema["properties"];
     for (const auto& [name, entry] : value.items()) {
       std::string inside = place;
       inside.append("/").append(name);
       if (properties.contains(name)) {
         check(properties[name], entry, inside);
+      } else if (others.is_object()) {
+        check(others, entry, inside);
       } else if (closed) {
         fault(inside, "is unknown to the schema");
       }

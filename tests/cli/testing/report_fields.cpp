@@ -73,6 +73,7 @@ json without_wall_times(json report) {
 json Sandbox::reported(const Arguments& arguments, const Surroundings& surroundings) const {
   const ProgramRun run = succeed(arguments + "--json", surroundings);
   static const std::regex remarks(
+      "(stillpoint: (caution|fault): .*\n)*"
       "(stillpoint: (no notch |with this notch ).*\n)?"
       "(stillpoint: (locked (at x = 0|in the notch) |locked: |never starts: |never moves: ).*\n)?");
   BOOST_TEST(std::regex_match(run.err, remarks), run.err);

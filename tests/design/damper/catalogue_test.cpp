@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(the_best_part_is_the_design) {
       continue;
     }
     ++designs;
-    const Finding& finding = *choice.result.finding;
+    const Found& finding = *choice.result.finding;
     BOOST_TEST(finding.point.f == best.part.f);
     BOOST_TEST(finding.point.delta == best.part.delta);
     BOOST_TEST(finding.point.tolerance == *best.tolerance);

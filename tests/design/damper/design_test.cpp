@@ -15,7 +15,7 @@ BOOST_AUTO_TEST_CASE(a_design_carries_all_that_its_report_needs) {
     BOOST_TEST(!result.reason.has_value());
     BOOST_TEST(result.mends.empty());
     BOOST_REQUIRE(result.finding.has_value());
-    const Finding& finding = *result.finding;
+    const Found& finding = *result.finding;
     BOOST_TEST(finding.point.f >= *result.region.f_lower);
     BOOST_TEST(finding.point.f <= *result.region.f_upper);
     for (const Constraint& constraint : finding.constraints) {

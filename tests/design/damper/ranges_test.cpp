@@ -206,7 +206,7 @@ BOOST_AUTO_TEST_CASE(a_design_in_ranges_is_reported_and_cross_checked) {
         BOOST_TEST(!result.region.feasible);
         continue;
       }
-      const Finding& finding = *result.finding;
+      const Found& finding = *result.finding;
       off_centre += !finding.arrival;
       later += finding.arrival.value_or(0) > 1;
       if (finding.arrival) {

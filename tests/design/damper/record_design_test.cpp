@@ -258,29 +258,6 @@ BOOST_AUTO_TEST_CASE(the_record_that_binds_a_limit_is_named) {
   BOOST_TEST(none.shortfalls[0].record == 0U);
 }
 
-BOOST_AUTO_TEST_CASE(a_notch_needs_a_width_or_a_limit_of_its_jumps_where_acceleration_counts) {
-  RecordDesignRequest request = short_records();
-  request.scan_points = 100;
-  const auto choice = [&] { return design::design(request).notch; };
-  BOOST_TEST((choice() == NotchChoice::not_asked_for));
-  BOOST_TEST(design::design(request).request.delta->high == 0);
-  request.delta = Interval{0, 0};
-  BOOST_TEST((choice() == NotchChoice::excluded));
-  request.delta = Interval{0.001, 0.01};
-  test::check_refused("search-delta-m", [&] { return design::design(request); });
-  request.limits.jump = 1;
-  BOOST_TEST((choice() == NotchChoice::chosen));
-  request.limits.jump.reset();
-  request.width = Interval{0.05, 0.05};
-  BOOST_TEST((choice() == NotchChoice::chosen));
-  request.width.reset();
-  request.delta.reset();
-  request.objective = SuiteObjective::amplitude;
-  BOOST_TEST(design::design(request).request.delta->high > 0);
-  request.limits.acceleration = 0.3;
-  BOOST_TEST(design::design(request).request.delta->high == 0);
-}
-
 // 1e-4 of friction gives the least residual, after hundreds of periods; within 20 it is larger.
 BOOST_AUTO_TEST_CASE(the_least_residual_is_that_of_a_mass_that_rests_soon) {
   RecordDesignRequest request = three_samples();

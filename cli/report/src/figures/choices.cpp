@@ -74,7 +74,7 @@ void add_parts(Figure& figure, const Catalogue& catalogue, const FigureUnits& un
 }
 
 std::vector<Figure> trade_off_figures(const std::vector<design::TradeOff>& front,
-                                      const design::Finding& chosen, const FigureUnits& units) {
+                                      const design::Found& chosen, const FigureUnits& units) {
   const double stroke = chosen.response.peak_amplitude * units.length;
   Figure acceleration =
       over_stroke(front, units, "acceleration outside the notch, g",

@@ -33,7 +33,7 @@ void add_pulse(ordered_json& task, const std::optional<design::Pulse>& pulse,
 ordered_json design_point_json(const DesignReport& report) {
   const design::DesignResult& result = report.result;
   const design::BoxShape& shape = result.request.limits.shape;
-  const design::Finding& finding = *result.finding;
+  const design::Found& finding = *result.finding;
   const auto needs = delta_needs(result);
   const auto& [f, delta, tolerance] = finding.point;
   return {{"name", or_null(report.catalogue,
@@ -172,7 +172,7 @@ ordered_json parts_json(const Report& report) {
 
 void add_finding(ordered_json& json, const DesignReport& report) {
   const design::DesignResult& result = report.result;
-  const design::Finding& now = *result.finding;
+  const design::Found& now = *result.finding;
   json["design"] = design_point_json(report);
   json["constraints"] = list_json(now.constraints, constraint_json);
   const auto& [problem, limits, search, pulse, ranges] = result.request;

@@ -165,7 +165,7 @@ ordered_json physical_json(const DesignReport& report) {
   }
   const design::DesignResult& result = report.result;
   const auto& [problem, limits, search, pulse, ranges] = result.request;
-  const design::Finding* const finding = result.finding ? &*result.finding : nullptr;
+  const design::Found* const finding = result.finding ? &*result.finding : nullptr;
   const auto f = finding != nullptr ? std::optional(finding->point.f) : std::nullopt;
   const auto delta = finding != nullptr ? std::optional(finding->point.delta) : std::nullopt;
   Values values(*report.physical);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "json/parts.hpp"
 
+#include "record_design_parts.hpp"
+
+#include <stillpoint/report/findings.hpp>
 #include <stillpoint/report/record_design.hpp>
 
 #include <algorithm>
@@ -55,20 +58,6 @@ ordered_json box_json(const design::SuiteBox& box, const Physical& physical) {
           {"notch_width_m", physical ? side_json(box.width, metre) : ordered_json()},
           {"samples", box.samples},
           {"exact", false}};
-}
-
-std::string_view notch_name(design::NotchChoice choice) {
-  switch (choice) {
-    case design::NotchChoice::chosen:
-      return "chosen";
-    case design::NotchChoice::excluded:
-      return "excluded";
-    case design::NotchChoice::not_asked_for:
-      return "needs_width_or_jump_limit";
-    case design::NotchChoice::gains_little:
-      break;
-  }
-  return "gains_little";
 }
 
 ordered_json task_json(const design::RecordDesignRequest& task, const Physical& physical) {
@@ -205,15 +194,14 @@ ordered_json json(const RecordDesignReport& report) {
   ordered_json json{{"schema", "stillpoint/record-design-report/1"},
                     {"program", program_json()},
                     {"input", task_json(result.request, physical)},
+                    {"verdict", verdict(report)},
+                    {"findings", findings_json(result.findings, physical)},
                     {"design", nullptr},
-                    {"reason", nullptr},
                     {"worst", nullptr},
                     {"records", ordered_json::array()},
                     {"search", search_json(result.search)},
                     {"nominal", nullptr},
                     {"outlook", nullptr},
-                    {"notch", notch_name(result.notch)},
-                    {"isolates", nullptr},
                     {"largest_tolerance", result.largest_tolerance},
                     {"cross_check", nullptr},
                     {"nearest", nullptr},
@@ -231,10 +219,8 @@ ordered_json json(const RecordDesignReport& report) {
     json["nominal"] = figures_json(finding.point.figures, physical);
     json["records"] = records_json(result, physical);
     json["outlook"] = outlook_json(finding.outlook, physical);
-    json["isolates"] = isolates(result);
     json["cross_check"] = check_json(finding.check);
   } else {
-    json["reason"] = shortfall_sentence(report);
     json["nearest"] = {{"design", damper_json(result.nearest.damper, physical)},
                        {"worst", figures_json(result.nearest.figures, physical)}};
   }

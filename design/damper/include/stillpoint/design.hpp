@@ -16,6 +16,7 @@
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/pulse.hpp>
 #include <stillpoint/design/record_design.hpp>
+#include <stillpoint/design/record_findings.hpp>
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/search.hpp>
 #include <stillpoint/design/spectrum.hpp>

@@ -3,7 +3,7 @@
 
 #include "pulse/answer.hpp"
 
-#include "finding.hpp"
+#include "found.hpp"
 #include "pulse/verdict.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "finding.hpp"
+#include "found.hpp"
 
 #include "check/judge.hpp"
 #include "check/runge_kutta.hpp"
@@ -94,9 +94,9 @@ void compare(CheckMethod& method, const Tolerance& tolerance, const FirstReturn&
 
 }  // namespace
 
-Finding finding_under_pulse(const PulseProblem& problem, const Limits& limits,
-                            const DesignPoint& point, const FirstReturn& expected) {
-  Finding finding;
+Found finding_under_pulse(const PulseProblem& problem, const Limits& limits,
+                          const DesignPoint& point, const FirstReturn& expected) {
+  Found finding;
   finding.point = point;
   const auto& [f, delta, tolerance] = point;
   const Oscillator oscillator{problem.p, f, delta};

@@ -10,6 +10,7 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/seconds.hpp>
+#include <stillpoint/design/record_findings.hpp>
 
 #include <fmt/format.h>
 
@@ -96,11 +97,6 @@ RecordDesign design(const RecordDesignRequest& request, const RecordWatch& go_on
                                         : within_tolerance(suite, result, watch);
   result.search.evaluations = watch.evaluations();
   result.search.interrupted = watch.stopped();
-  result.notch = !counts_the_notch(request) && !(request.delta && request.delta->high == 0)
-                     ? NotchChoice::not_asked_for
-                 : task.delta->high == 0                            ? NotchChoice::excluded
-                 : chosen && chosen->verified.box.damper.delta == 0 ? NotchChoice::gains_little
-                                                                    : NotchChoice::chosen;
   if (chosen) {
     const SuiteDamper& damper = chosen->verified.box.damper;
     RecordFinding finding;
@@ -112,6 +108,7 @@ RecordDesign design(const RecordDesignRequest& request, const RecordWatch& go_on
     result.nearest = {damper, chosen->verified.box.worst};
     result.finding = std::move(finding);
   }
+  result.findings = findings_of(result, request);
   result.search.wall_time_s = seconds_now() - begun;
   return result;
 }
@@ -159,20 +156,6 @@ SuiteMap suite_map(const RecordDesignRequest& request, const SuiteDamper& damper
     }
   }
   return map;
-}
-
-bool isolates(const RecordDesign& result) {
-  constexpr double hardly = 0.95;
-  double most = 0;
-  double sum = 0;
-  for (const SuiteRecord& record : result.request.records) {
-    most = std::max(most, peak_load(record));
-    sum += peak_load(record);
-  }
-  const double load = result.request.combine.value() == Combine::max
-                          ? most
-                          : sum / static_cast<double>(result.request.records.size());
-  return result.nearest.figures.acceleration <= hardly * load;
 }
 
 std::string summary(const RecordDesign& result) {

@@ -109,7 +109,7 @@ void check_mends(const PulseRequest& request, const std::vector<Mend>& mends) {
 BOOST_AUTO_TEST_CASE(a_rectangle_of_half_a_natural_period_has_the_design_that_is_known) {
   const PulseRequest request = request_of(Rectangle{0.5, 1}, 0.8);
   const DesignResult result = design::design(request);
-  const Finding& finding = result.finding.value();
+  const Found& finding = result.finding.value();
   const auto close = tt::tolerance(inset);
   BOOST_TEST(finding.point.f == 0.175, close);
   BOOST_TEST(finding.point.tolerance == 3.0 / 7, close);

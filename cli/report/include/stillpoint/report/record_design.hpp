@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace stillpoint::report {
 
@@ -31,18 +32,16 @@ struct RecordDesignReport {
 /// the one with the largest stroke.
 [[nodiscard]] std::size_t worst_record(const design::RecordDesign& result);
 
-/// Why there is no damper, in one sentence; empty if there is one.
-[[nodiscard]] std::string shortfall_sentence(const RecordDesignReport& report);
-
 /// How far a search is, in about 80 characters.
 [[nodiscard]] std::string progress_words(const design::RecordProgress& progress,
                                          const std::optional<design::PhysicalInput>& physical);
 
-/// "locked: under 1 of 2 records ..."; empty if no record locks the damper.
-[[nodiscard]] std::string lock_sentence(const RecordDesignReport& report);
-/// What became of a notch, if it was left out; else empty.
-[[nodiscard]] std::string notch_sentence(const RecordDesignReport& report);
-
+[[nodiscard]] inline const std::vector<design::Finding>& findings(
+    const RecordDesignReport& report) {
+  return report.result.findings;
+}
+/// What to build and what it does, or what is in the way.
+[[nodiscard]] std::string verdict(const RecordDesignReport& report);
 [[nodiscard]] Document document(const RecordDesignReport& report);
 /// As docs/reports.md describes it.
 [[nodiscard]] nlohmann::ordered_json json(const RecordDesignReport& report);

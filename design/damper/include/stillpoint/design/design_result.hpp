@@ -23,7 +23,7 @@ struct DesignRequest {
 };
 
 /// The design found for an admissible region.
-struct Finding {
+struct Found {
   DesignPoint point;
   /// The one at which it stops the mass (with ranges: after the strongest hit); empty for a rest
   /// off centre, within the residual.
@@ -40,7 +40,7 @@ struct Finding {
 /// The whole answer to a request. Without a finding the region is empty.
 struct DesignResult : RegionVerdict {
   DesignRequest request;
-  std::optional<Finding> finding{};
+  std::optional<Found> finding{};
   /// The velocity to which a pulse reduces, of the motion shown; a full sine leaves none.
   std::optional<double> reduced_v0{};
 };

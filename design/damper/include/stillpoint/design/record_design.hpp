@@ -11,9 +11,6 @@
 
 namespace stillpoint::design {
 
-/// A damper that transmits more than this part of the load does not isolate.
-[[nodiscard]] bool isolates(const RecordDesign& result);
-
 /// One line.
 [[nodiscard]] std::string summary(const RecordDesign& result);
 

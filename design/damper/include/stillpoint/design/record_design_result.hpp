@@ -4,6 +4,7 @@
 // What a design under records is: docs/records-design.md.
 
 #include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/design/finding.hpp>
 #include <stillpoint/design/suite_check.hpp>
 #include <stillpoint/design/suite_task.hpp>
 
@@ -52,26 +53,18 @@ struct SuiteShortfall {
   std::optional<double> relaxed;
 };
 
-/// What became of a notch.
-enum class NotchChoice {
-  chosen,
-  excluded,       ///< by the range of Delta
-  not_asked_for,  ///< its jumps would not count: it needs a width or a limit of the jump
-  gains_little,   ///< less than one per cent
-};
-
 struct RecordDesign {
   RecordDesignRequest request;  ///< with the ranges and the combination that were chosen
   std::optional<RecordFinding> finding;
   /// That of the finding, or else the one whose box violates the limits least; with the worst of
   /// its box.
   SuitePoint nearest;
-  NotchChoice notch{NotchChoice::chosen};
   /// The largest tolerance that was found within the limits, if that was searched: with the
   /// objective `robust`, or because no damper has the box.
   std::optional<double> largest_tolerance;
   std::vector<SuiteShortfall> shortfalls;
   SuiteSearchCost search;
+  std::vector<Finding> findings;
 };
 
 }  // namespace stillpoint::design

@@ -8,6 +8,7 @@
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/design/box_shape.hpp>
 #include <stillpoint/records/record_suite.hpp>
+#include <stillpoint/records/units.hpp>
 
 #include <algorithm>
 #include <array>
@@ -127,16 +128,18 @@ struct SuiteFigureKind {
   std::optional<double> SuiteLimits::*limit;
   std::string_view limit_field;  ///< in reports
   std::string_view words;
+  records::Dimension dimension;
 };
 
 inline constexpr auto suite_figure_kinds = std::to_array<SuiteFigureKind>(
     {{SuiteObjective::amplitude, &SuiteFigures::peak, &SuiteLimits::peak, "max_displacement",
-      "stroke"},
+      "stroke", records::Dimension::length},
      {SuiteObjective::acceleration, &SuiteFigures::acceleration, &SuiteLimits::acceleration,
-      "acceleration_max", "transmitted acceleration"},
+      "acceleration_max", "transmitted acceleration", records::Dimension::gravities},
      {SuiteObjective::residual, &SuiteFigures::residual, &SuiteLimits::residual, "residual",
-      "residual"},
-     {std::nullopt, &SuiteFigures::jump, &SuiteLimits::jump, "jump_max", "jump of velocity"}});
+      "residual", records::Dimension::length},
+     {std::nullopt, &SuiteFigures::jump, &SuiteLimits::jump, "jump_max", "jump of velocity",
+      records::Dimension::velocity}});
 
 /// The figure that is minimised; with `robust`, the first that has a limit.
 [[nodiscard]] const SuiteFigureKind& minimised(const RecordDesignRequest& request);

@@ -8,12 +8,12 @@
 namespace stillpoint::design {
 
 /// A point that was found, simulated and checked.
-[[nodiscard]] Finding finding_of(const Problem& problem, const Limits& limits,
-                                 const DesignPoint& point);
+[[nodiscard]] Found finding_of(const Problem& problem, const Limits& limits,
+                               const DesignPoint& point);
 
 /// The same for a pulse, without its constraints. `expected` is the motion that the search had, in
 /// its units; the forced motion with this Delta and Runge-Kutta integration are the checks of it.
-[[nodiscard]] Finding finding_under_pulse(const PulseProblem& problem, const Limits& limits,
-                                          const DesignPoint& point, const FirstReturn& expected);
+[[nodiscard]] Found finding_under_pulse(const PulseProblem& problem, const Limits& limits,
+                                        const DesignPoint& point, const FirstReturn& expected);
 
 }  // namespace stillpoint::design

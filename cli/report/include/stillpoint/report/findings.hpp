@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Findings in words: one sentence a kind, from its own values alone.
+
+#include <stillpoint/design/finding.hpp>
+#include <stillpoint/design/physical.hpp>
+#include <stillpoint/report/document.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <span>
+#include <string>
+
+namespace stillpoint::report {
+
+[[nodiscard]] std::string words(const design::Finding& finding,
+                                const std::optional<design::PhysicalInput>& physical);
+
+/// Each with its kind, severity, text and values, those with a dimension in SI units as well.
+[[nodiscard]] nlohmann::ordered_json findings_json(
+    std::span<const design::Finding> findings,
+    const std::optional<design::PhysicalInput>& physical);
+
+/// Whether one of them is a caution or a fault.
+[[nodiscard]] bool is_alarming(std::span<const design::Finding> findings);
+
+/// A line for each of them, around what the answer has already: faults and cautions before it,
+/// notes behind it; and the tone of the verdict.
+void add_findings(Document& document, std::span<const design::Finding> findings,
+                  const std::optional<design::PhysicalInput>& physical);
+
+}  // namespace stillpoint::report

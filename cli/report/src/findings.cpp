@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/report/findings.hpp>
+#include "format.hpp"
+#include "sections.hpp"
+
+#include <stillpoint/report/digits.hpp>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace stillpoint::report {
+
+namespace {
+
+using design::FindingKind;
+using design::FindingValue;
+using design::Severity;
+using nlohmann::ordered_json;
+using records::Dimension;
+
+/// The values of a finding by their names.
+class Told {
+ public:
+  Told(const design::Finding& finding, const Physical& physical)
+      : values_(finding.values), physical_(physical) {}
+
+  [[nodiscard]] bool has(std::string_view name) const { return find(name) != nullptr; }
+  [[nodiscard]] double number(std::string_view name) const {
+    return std::get<double>(find(name)->value);
+  }
+  [[nodiscard]] std::int64_t count(std::string_view name) const {
+    return std::get<std::int64_t>(find(name)->value);
+  }
+  [[nodiscard]] const std::string& text(std::string_view name) const {
+    return std::get<std::string>(find(name)->value);
+  }
+  /// With its unit.
+  [[nodiscard]] std::string operator[](std::string_view name) const {
+    return figure_shown(physical_, find(name)->dimension, number(name));
+  }
+  /// "412 mm where 400 mm is allowed"
+  [[nodiscard]] std::string beyond_limit() const {
+    return beyond(physical_, find("value")->dimension, number("value"), number("limit"));
+  }
+  /// Of a share of 1.
+  [[nodiscard]] std::string percent(std::string_view name) const {
+    return format("{:.2g} %", 100 * number(name));
+  }
+  /// "the record", "every record" or "1 of 2 records"
+  [[nodiscard]] std::string records(std::string_view counted = "records") const {
+    return of_records(static_cast<std::size_t>(count(counted)),
+                      static_cast<std::size_t>(count(has("of_records") ? "of_records" : counted)));
+  }
+  [[nodiscard]] bool is_physical() const { return physical_.has_value(); }
+
+ private:
+  [[nodiscard]] const FindingValue* find(std::string_view name) const {
+    const auto found = std::ranges::find(values_, name, &FindingValue::name);
+    return found != values_.end() ? &*found : nullptr;
+  }
+
+  std::span<const FindingValue> values_;
+  const Physical& physical_;
+};
+
+/// "_m" behind the name of a length in SI units, and the unit.
+std::pair<std::string_view, double> si_unit(Dimension dimension, const design::Scales& scales) {
+  switch (dimension) {
+    case Dimension::length:
+      return {"_m", scales.length_m};
+    case Dimension::time:
+      return {"_s", scales.time_s};
+    case Dimension::velocity:
+      return {"_m_per_s", scales.velocity_m_per_s};
+    default:
+      return {"", 1};
+  }
+}
+
+}  // namespace
+
+std::string words(const design::Finding& finding, const Physical& physical) {
+  const Told told(finding, physical);
+  switch (finding.kind) {
+    case FindingKind::check_failed:
+      return format(
+          "The independent check disagrees by {:.1e} where {:.0e} is allowed: do not rely on this "
+          "design.",
+          told.number("relative_error"), told.number("tolerance"));
+    case FindingKind::does_not_isolate:
+      return format(
+          "The structure feels {}, more than 95 % of the load of {}: this damper isolates nothing.",
+          told["peak_absolute_acceleration"], told["largest_load"]);
+    case FindingKind::exact_only:
+      return "No other damper was tried: one that is not exactly this one may do anything.";
+    case FindingKind::fails_if_off:
+      return format(
+          "If {} off by {} as well, {}.",
+          told.text("input") == "period" ? "the period is" : "the scale of all records is",
+          told.percent("off"),
+          told.has("value") ? format("the {} may be {}", told.text("figure"), told.beyond_limit())
+                            : "the mass may never come to rest");
+    case FindingKind::friction_above_weight:
+      return "The friction is more than the weight: that takes a brake, not a bearing.";
+    case FindingKind::interrupted:
+      return "The search was interrupted: a complete one may find a better damper.";
+    case FindingKind::jolts:
+      return format(
+          "At the notch the velocity jumps by up to {}; the accelerations leave these jumps out.",
+          told["jump"]);
+    case FindingKind::locks:
+      return format("The notch locks the mass to the end of {}; the structure then feels up to {}.",
+                    told.records(), told["largest_load_while_locked"]);
+    case FindingKind::never_moves:
+      return format(
+          "The mass never moves: it is held through {}, and the structure feels up to {}.",
+          told.records(), told["largest_load"]);
+    case FindingKind::notch_gains_little:
+      return "The notch is left out: it would gain less than one per cent.";
+    case FindingKind::notch_needs_width:
+      return format(
+          "No notch was searched: without a width nobody knows what the mass feels in it. {} gives "
+          "it one; {} admits one without, as of a rocking support.",
+          told.is_physical() ? "--notch-width-m or --search-notch-width-m" : "--notch-width",
+          told.is_physical() ? "--jump-max" : "--jump-max-v");
+    case FindingKind::records_exceed_limit:
+      return format("{} exceed{} a limit that the mean meets: under {} the {} is {}.",
+                    told.records(), told.count("records") == 1 ? "s" : "",
+                    scaled_name(told.text("record"), told.number("scale")), told.text("figure"),
+                    told.beyond_limit());
+  }
+  return {};
+}
+
+ordered_json findings_json(std::span<const design::Finding> findings, const Physical& physical) {
+  ordered_json list = ordered_json::array();
+  for (const design::Finding& finding : findings) {
+    ordered_json& now = list.emplace_back(ordered_json{{"kind", name(finding.kind)},
+                                                       {"severity", name(finding.severity)},
+                                                       {"text", words(finding, physical)}});
+    for (const FindingValue& value : finding.values) {
+      const std::string key(value.name);
+      std::visit([&](const auto& of) { now[key] = of; }, value.value);
+      const auto [suffix, unit] =
+          si_unit(value.dimension, physical ? physical->scales : design::Scales());
+      if (physical && !suffix.empty()) {
+        now[key + std::string(suffix)] = std::get<double>(value.value) * unit;
+      }
+    }
+  }
+  return list;
+}
+
+bool is_alarming(std::span<const design::Finding> findings) {
+  return std::ranges::any_of(
+      findings, [](const design::Finding& now) { return now.severity != Severity::info; });
+}
+
+void add_findings(Document& document, std::span<const design::Finding> findings,
+                  const Physical& physical) {
+  Section before;
+  const auto add = [&](Section& to, Severity severity, std::string label, Tone tone) {
+    for (const design::Finding& now : findings) {
+      if (now.severity == severity) {
+        to.row(std::exchange(label, ""), words(now, physical), tone);
+        if (severity != Severity::info) {
+          document.tone = severity == Severity::fault   ? Tone::bad
+                          : document.tone == Tone::good ? Tone::plain
+                                                        : document.tone;
+        }
+      }
+    }
+  };
+  add(before, Severity::fault, "fault", Tone::bad);
+  add(before, Severity::caution, "caution", Tone::bad);
+  auto& parts = document.answer.parts;
+  parts.insert(parts.begin(), before.parts.begin(), before.parts.end());
+  add(document.answer, Severity::info, "note", Tone::plain);
+}
+
+}  // namespace stillpoint::report

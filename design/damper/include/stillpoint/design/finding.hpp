@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What the reader of an answer must know beyond its numbers: docs/reports.md, Findings.
+
+#include <stillpoint/core/names.hpp>
+#include <stillpoint/records/units.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace stillpoint::design {
+
+enum class Severity {
+  info,
+  caution,  ///< to be known before anything is built
+  fault,    ///< the answer is not to be used as it is
+};
+
+enum class FindingKind {
+  check_failed,
+  does_not_isolate,
+  exact_only,
+  fails_if_off,
+  friction_above_weight,
+  interrupted,
+  jolts,
+  locks,
+  never_moves,
+  notch_gains_little,
+  notch_needs_width,
+  records_exceed_limit,
+};
+
+[[nodiscard]] std::span<const Named<Severity>> enumerators(Severity) noexcept;
+[[nodiscard]] std::span<const Named<FindingKind>> enumerators(FindingKind) noexcept;
+using stillpoint::name;
+
+/// Dimensionless, as all of an answer, but for what counts or names something.
+struct FindingValue {
+  std::string_view name;
+  std::variant<double, std::int64_t, std::string> value;
+  records::Dimension dimension{records::Dimension::none};
+};
+
+struct Finding {
+  FindingKind kind;
+  Severity severity;
+  std::vector<FindingValue> values;
+
+  explicit Finding(FindingKind of, std::vector<FindingValue> with = {});
+  /// A value that does not exist is left out.
+  void add(std::string_view name, const std::optional<double>& value,
+           records::Dimension dimension = records::Dimension::none);
+};
+
+}  // namespace stillpoint::design

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/design/finding.hpp>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace stillpoint::design {
+
+namespace {
+
+using enum FindingKind;
+using enum Severity;
+
+struct Form {
+  FindingKind kind;
+  std::string_view name;
+  Severity severity;
+};
+constexpr auto forms = std::to_array<Form>({
+    {check_failed, "check_failed", fault},
+    {does_not_isolate, "does_not_isolate", fault},
+    {exact_only, "exact_only", caution},
+    {fails_if_off, "fails_if_off", info},
+    {friction_above_weight, "friction_above_weight", caution},
+    {interrupted, "interrupted", caution},
+    {jolts, "jolts", caution},
+    {locks, "locks", caution},
+    {never_moves, "never_moves", caution},
+    {notch_gains_little, "notch_gains_little", info},
+    {notch_needs_width, "notch_needs_width", info},
+    {records_exceed_limit, "records_exceed_limit", caution},
+});
+
+}  // namespace
+
+std::span<const Named<Severity>> enumerators(Severity) noexcept {
+  static constexpr auto rows = std::to_array<Named<Severity>>({
+      {info, "info"},
+      {caution, "caution"},
+      {fault, "fault"},
+  });
+  return rows;
+}
+
+std::span<const Named<FindingKind>> enumerators(FindingKind) noexcept {
+  static constexpr auto rows = [] {
+    std::array<Named<FindingKind>, forms.size()> names;
+    std::ranges::transform(forms, names.begin(), [](const Form& form) {
+      return Named<FindingKind>(form.kind, form.name);
+    });
+    return names;
+  }();
+  return rows;
+}
+
+Finding::Finding(FindingKind of, std::vector<FindingValue> with)
+    : kind(of),
+      severity(std::ranges::find(forms, of, &Form::kind)->severity),
+      values(std::move(with)) {}
+
+void Finding::add(std::string_view name, const std::optional<double>& value,
+                  records::Dimension dimension) {
+  if (value) {
+    values.push_back({name, *value, dimension});
+  }
+}
+
+}  // namespace stillpoint::design

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Findings are the same in every form of a report, and docs/reports.md lists them.
+#include "cli_test.hpp"
+
+#include <stillpoint/design/finding.hpp>
+
+#include <map>
+#include <regex>
+#include <string>
+
+BOOST_FIXTURE_TEST_SUITE(findings_test, stillpoint::cli_test::Sandbox)
+
+namespace {
+
+using namespace stillpoint::cli_test;
+using namespace stillpoint;
+
+const std::string records =
+    "--record " STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt --record " STILLPOINT_DATA_DIR
+    "/records/strong_motion.AT2 ";
+
+/// Tasks whose answers have findings of many kinds.
+const std::vector<std::string> tasks{
+    "design " + records + "--period 2.8s --max-displacement 25mm --tolerance 0",
+    "design " + records + "--period 2.8s --search-f 2 --search-delta-m 0",
+    "design " + records +
+        "--period 2.8s --search-f 0.05 --search-delta-m 20mm --hold 0.1 "
+        "--jump-max 5 --combine mean --max-displacement 400mm",
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(each_kind_is_listed_with_its_severity) {
+  static const std::regex row("\\| `([a-z_]+)` \\| (info|caution|fault) \\| .+ \\|");
+  std::ifstream page(STILLPOINT_DATA_DIR "/../docs/reports.md");
+  std::map<std::string, std::string> listed;
+  std::smatch match;
+  for (std::string line; std::getline(page, line);) {
+    if (std::regex_match(line, match, row)) {
+      listed[match[1]] = match[2];
+    }
+  }
+  std::map<std::string, std::string> all;
+  for (const auto& [kind, name] : design::enumerators(design::FindingKind())) {
+    all[std::string(name)] = design::name(design::Finding(kind).severity);
+  }
+  BOOST_TEST(listed == all);
+}
+
+BOOST_AUTO_TEST_CASE(text_page_json_and_standard_error_say_the_same) {
+  for (const std::string& task : tasks) {
+    BOOST_TEST_CONTEXT(task) {
+      const ProgramRun structured = run(Arguments(task.c_str()) + "--json");
+      const json report = structured.json();
+      const ProgramRun plain = run(Arguments(task.c_str()) + "--html page.html");
+      const std::string text = one_line(plain.out);
+      const std::string page = read("page.html");
+      BOOST_TEST(!report["findings"].empty());
+      BOOST_TEST(contains(text, report["verdict"].get<std::string>()), text);
+      BOOST_TEST(report["verdict"].get<std::string>().size() <= 240U);
+      BOOST_TEST(plain.err.empty(), plain.err);
+      std::string alarms;
+      for (const json& now : report["findings"]) {
+        const auto words = now["text"].get<std::string>();
+        const auto severity = now["severity"].get<std::string>();
+        BOOST_TEST(contains(text, words), words);
+        alarms += severity == "info" ? "" : "stillpoint: " + severity + ": " + words + "\n";
+      }
+      BOOST_TEST(structured.err == alarms);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
