@@ -2,9 +2,10 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
-/// Documents generated from the table of options or by the library, so that they cannot drift from
-/// the program.
+/// Documents generated from the tables of options and fields or by the library, so that they cannot
+/// drift from the program.
 namespace stillpoint::cli {
 
 /// The manual page stillpoint(1), in roff.
@@ -17,6 +18,12 @@ namespace stillpoint::cli {
 
 /// The JSON Schema (draft 2020-12) of scene files.
 [[nodiscard]] std::string scene_schema();
+
+/// The JSON Schema of the report of that name, "simulation-report-1" say; empty for another name.
+[[nodiscard]] std::string report_schema(std::string_view name);
+
+/// The tables of docs/reports.md with the figures of a motion: of any, and under a load besides.
+[[nodiscard]] std::string motion_tables();
 
 /// The tables of docs/theory.md sections 12 and 13: the largest tolerance of each arrival, and with
 /// a residual.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Prints what is made from the options, and tables of the docs:
-// stillpoint_docs man|bash|zsh|fish|scene-schema|tolerance-tables
+// stillpoint_docs
+// man|bash|zsh|fish|scene-schema|motion-tables|tolerance-tables|simulation-report-1|...
 
 #include "generated_docs.hpp"
 
@@ -20,14 +21,19 @@ int main(int argc, char** argv) {
         {"zsh", cli::zsh_completion},
         {"fish", cli::fish_completion},
         {"scene-schema", cli::scene_schema},
+        {"motion-tables", cli::motion_tables},
         {"tolerance-tables", cli::tolerance_tables}};
-    const auto maker = makers.find(argc == 2 ? argv[1] : "");
-    if (maker == makers.end()) {
-      std::fputs("usage: stillpoint_docs man|bash|zsh|fish|scene-schema|tolerance-tables\n",
-                 stderr);
+    const std::string_view what = argc == 2 ? argv[1] : "";
+    const auto maker = makers.find(what);
+    const std::string text = maker != makers.end() ? maker->second() : cli::report_schema(what);
+    if (text.empty()) {
+      std::fputs(
+          "usage: stillpoint_docs "
+          "man|bash|zsh|fish|scene-schema|motion-tables|tolerance-tables|NAME\n"
+          "NAME is that of a report, simulation-report-1 say, of which it prints the schema\n",
+          stderr);
       return EXIT_FAILURE;
     }
-    const std::string text = maker->second();
     const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
     return written && std::fflush(stdout) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
   } catch (const std::exception& error) {

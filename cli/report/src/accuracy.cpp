@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "format.hpp"
-#include "json/parts.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/report/digits.hpp>
@@ -10,47 +9,9 @@
 
 namespace stillpoint::report {
 
-using nlohmann::ordered_json;
-
-namespace {
-
-std::string counts(const peers::Result& result) {
-  return format("{}, {}, {}", result.passages, result.turns, result.sticks);
-}
-
-std::string shown_time(double seconds) {
-  constexpr int digits = 3;
-  return with_unit(seconds, "s", digits);
-}
-
-std::string exponent(double error) {
-  return error == 0 ? "0" : format("{:.1e}", error);
-}
-
-/// As in --json.
-std::string_view not_run(peers::Run run) {
-  return run == peers::Run::nothing_moves ? "nothing_moves" : "too_long";
-}
-
 /// "tolerance 1e-09"; "" if it has none.
 std::string setting(const peers::MethodRow& now) {
   return now.setting ? format("{} {:.3g}", now.setting->name, now.setting->value) : "";
-}
-
-ordered_json method_json(const peers::MethodRow& now, bool used) {
-  const bool done = now.run == peers::Run::done;
-  const auto found = [done](auto value) { return done ? ordered_json(value) : nullptr; };
-  return {{"name", now.name},
-          {"setting", setting(now)},
-          {"used_by_simulate", used},
-          {"wall_time_s", found(now.time.median)},
-          {"peak_error", found(now.peak_error)},
-          {"end_error", found(now.end_error)},
-          {"zero_passages", found(now.result.passages)},
-          {"turning_points", found(now.result.turns)},
-          {"sticks", found(now.result.sticks)},
-          {"counts_right", found(now.counts_right)},
-          {"not_run", done ? ordered_json(nullptr) : not_run(now.run)}};
 }
 
 /// Why simulate uses the first method.
@@ -73,50 +34,20 @@ std::string_view reason(const SimulationRequest& request) {
                "bound that cannot step over it";
 }
 
-/// Null with dimensionless input.
-ordered_json physical_json(const AccuracyReport& report) {
-  if (!report.physical) {
-    return nullptr;
-  }
-  const design::Scales& scales = report.physical->scales;
-  const peers::Result& truth = report.comparison.exact.rounded;
-  const bool stops = truth.outcome != Outcome::running;
-  return {{"length_unit_m", scales.length_m},
-          {"time_unit_s", scales.time_s},
-          {"peak_m", truth.peak * scales.length_m},
-          {"end_time_s", truth.end_time * scales.time_s},
-          {"final_position_m", truth.x * scales.length_m},
-          {"final_velocity_m_per_s", stops ? 0 : truth.v * scales.velocity_m_per_s}};
-}
-
-}  // namespace
-
-ordered_json json(const AccuracyReport& report) {
-  const peers::Result& truth = report.comparison.exact.rounded;
-  const bool stops = truth.outcome != Outcome::running;
-  ordered_json methods = ordered_json::array();
-  for (const peers::MethodRow& now : report.comparison.rows) {
-    methods.push_back(method_json(now, methods.empty()));
-  }
-  return {{"schema", "stillpoint/accuracy-report/1"},
-          {"program", program_json()},
-          {"input", motion_input_json(report.request, report.record)},
-          {"reference",
-           {{"digits", 50},
-            {"outcome", name(truth.outcome)},
-            {"peak_amplitude", truth.peak},
-            {"end_time", truth.end_time},
-            {"final_position", truth.x},
-            {"final_velocity", stops ? 0 : truth.v},
-            {"zero_passages", truth.passages},
-            {"turning_points", truth.turns},
-            {"sticks", truth.sticks}}},
-          {"methods", methods},
-          {"why", reason(report.request)},
-          {"physical", physical_json(report)}};
-}
-
 namespace {
+
+std::string counts(const peers::Result& result) {
+  return format("{}, {}, {}", result.passages, result.turns, result.sticks);
+}
+
+std::string shown_time(double seconds) {
+  constexpr int digits = 3;
+  return with_unit(seconds, "s", digits);
+}
+
+std::string exponent(double error) {
+  return error == 0 ? "0" : format("{:.1e}", error);
+}
 
 /// All digits, and with physical input the usual units as well.
 std::string exact_text(const Physical& physical, double value, const std::string& words) {

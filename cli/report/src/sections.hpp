@@ -291,4 +291,9 @@ void add_response(Section& section, const Simulation& answer, const Physical& ph
 /// A motion that is still running may be at rest.
 [[nodiscard]] std::string outcome_phrase(const ForcedResponse& response);
 
+/// "tolerance 1e-09"; "" if it has none.
+[[nodiscard]] std::string setting(const peers::MethodRow& now);
+/// Why simulate uses its method.
+[[nodiscard]] std::string_view reason(const SimulationRequest& request);
+
 }  // namespace stillpoint::report

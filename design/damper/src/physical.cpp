@@ -75,6 +75,21 @@ Scales physical_scales(const PhysicalIsolator& isolator, double reference_veloci
   return scales;
 }
 
+double Scales::unit(Dimension dimension) const {
+  switch (dimension) {
+    case Dimension::length:
+      return length_m;
+    case Dimension::velocity:
+      return velocity_m_per_s;
+    case Dimension::time:
+      return time_s;
+    case Dimension::gravities:
+      return gravity_m_per_s2;
+    default:
+      return 1;
+  }
+}
+
 double Scales::p_of(double period_s) const {
   return 2 * std::numbers::pi * time_s / period_s;
 }

@@ -24,21 +24,26 @@ constexpr std::array motion_inputs{v0, p, x0, f, delta, hold, notch_width};
 constexpr std::array design_inputs{v0,     v0_low,      p,    p_high,   k,        k_low,
                                    lambda, lambda_high, beta, residual, arrivals, trade_off};
 
-constexpr std::array free_results{peak_amplitude, half_cycles, outcome,
-                                  stop_position,  stop_time,   peak_absolute_acceleration};
-constexpr std::array forced_results{peak_amplitude,
-                                    half_cycles,
-                                    outcome,
-                                    stop_position,
-                                    stop_time,
-                                    end_time,
-                                    final_position,
-                                    final_velocity,
-                                    sticks,
-                                    stick_time,
-                                    peak_absolute_acceleration,
-                                    locked_from,
-                                    largest_load_while_locked};
+/// Those that a motion of this kind has.
+template <class Result>
+constexpr auto motion_results = [] {
+  constexpr auto has = []<class Member>(const MotionColumn<Member>&) {
+    return requires(const Result& result, Member member) {
+      result.*member;
+    };
+  };
+  constexpr std::size_t count = std::apply(
+      [has](const auto&... column) { return (std::size_t{has(column)} + ...); }, motion_columns);
+  std::array<Quantity, count> results{};
+  std::size_t i = 0;
+  for_each_field(motion_columns, [&](const auto& column) {
+    if (has(column)) {
+      results[i++] = column.quantity;
+    }
+  });
+  return results;
+}();
+
 constexpr std::array design_results{feasible,      f,         delta,
                                     tolerance,     arrival,   peak_amplitude,
                                     stop_position, stop_time, peak_absolute_acceleration};
@@ -140,9 +145,9 @@ std::span<const Quantity> inputs(SweepKind kind) {
 std::span<const Quantity> results(SweepKind kind) {
   switch (kind) {
     case SweepKind::free:
-      return free_results;
+      return motion_results<Response>;
     case SweepKind::forced:
-      return forced_results;
+      return motion_results<ForcedResponse>;
     case SweepKind::design:
       return design_results;
   }

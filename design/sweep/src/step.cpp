@@ -26,7 +26,7 @@ using enum Quantity;
 
 /// A value that does not exist, and a time that never comes.
 constexpr double absent = std::numeric_limits<double>::quiet_NaN();
-constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 void make_room(SweepBlock& block, std::span<const Quantity> quantities) {
   for (const Quantity quantity : quantities) {
@@ -45,38 +45,36 @@ void check_each(const SweepBlock& block, const std::function<void(Index)>& check
   }
 }
 
-/// The value for a time that a motion does not have.
-double missing_time(Outcome how) {
-  if (how == Outcome::never_stops) {
-    return never;
-  }
-  return absent;
+/// How a sweep writes a figure of a motion.
+double cell(double value, double /*missing*/) {
+  return value;
+}
+double cell(const std::optional<double>& value, double missing) {
+  return value.value_or(missing);
+}
+double cell(Outcome value, double /*missing*/) {
+  return static_cast<double>(sweep_outcome(value));
 }
 
-void set_response(SweepBlock& block, Index i, const Response& response) {
-  block[peak_amplitude][i] = response.peak_amplitude;
-  block[half_cycles][i] = response.half_cycles.value_or(never);
-  block[outcome][i] = static_cast<double>(sweep_outcome(response.outcome));
-  block[stop_position][i] = response.stop_position.value_or(absent);
-  block[stop_time][i] = response.stop_time.value_or(missing_time(response.outcome));
-  block[peak_absolute_acceleration][i] = response.peak_absolute_acceleration;
+/// Into those of `wanted` that the motion has.
+template <class Result>
+void set_motion(SweepBlock& block, Index i, const Result& motion,
+                std::span<const Quantity> wanted) {
+  for_each_field(motion_columns, [&]<class Member>(const MotionColumn<Member>& column) {
+    if constexpr (requires { motion.*column.member; }) {
+      if (contains(wanted, column.quantity)) {
+        const bool never =
+            column.missing == Missing::never && motion.outcome == Outcome::never_stops;
+        block[column.quantity][i] = cell(motion.*column.member, never ? infinite : absent);
+      }
+    }
+  });
 }
 
 void set_absent(SweepBlock& block, Index i, std::span<const Quantity> results) {
   for (const Quantity result : results) {
     block[result][i] = absent;
   }
-}
-
-void set_forced(SweepBlock& block, Index i, const ForcedResponse& response) {
-  set_response(block, i, response);
-  block[end_time][i] = response.end_time.value_or(missing_time(response.outcome));
-  block[final_position][i] = response.final_position.value_or(absent);
-  block[final_velocity][i] = response.final_velocity.value_or(absent);
-  block[sticks][i] = response.sticks;
-  block[stick_time][i] = response.stick_time;
-  block[locked_from][i] = response.locked_from.value_or(absent);
-  block[largest_load_while_locked][i] = response.largest_load_while_locked.value_or(absent);
 }
 
 /// The damper of an entry and the motion that is shown.
@@ -275,10 +273,10 @@ void SweepStep::run_free_one_by_one(SweepBlock& block) const {
   const ForcedOptions on_surface = forced_options();
   for_each_motion(block, [&](Index i) {
     const auto [oscillator, start, surface] = motion(block, i);
-    set_response(block, i,
-                 surface.plain()
-                     ? free_response(oscillator, start, options)
-                     : forced_response(oscillator, start, NoExcitation{}, on_surface, surface));
+    const Response response =
+        surface.plain() ? free_response(oscillator, start, options)
+                        : forced_response(oscillator, start, NoExcitation{}, on_surface, surface);
+    set_motion(block, i, response, results(spec_.kind));
   });
 }
 
@@ -287,7 +285,8 @@ void SweepStep::run_forced(SweepBlock& block) const {
   const ForcedOptions options = forced_options();
   for_each_motion(block, [&](Index i) {
     const auto [oscillator, start, surface] = motion(block, i);
-    set_forced(block, i, forced_response(oscillator, start, spec_.excitation, options, surface));
+    set_motion(block, i, forced_response(oscillator, start, spec_.excitation, options, surface),
+               results(spec_.kind));
   });
 }
 
@@ -313,10 +312,7 @@ void SweepStep::run_design(SweepBlock& block) const {
     block[delta][i] = found->point.delta;
     block[tolerance][i] = found->point.tolerance;
     block[arrival][i] = found->arrival ? static_cast<double>(*found->arrival) : absent;
-    block[peak_amplitude][i] = found->motion.peak_amplitude;
-    block[stop_position][i] = found->motion.stop_position.value_or(absent);
-    block[stop_time][i] = found->motion.stop_time.value_or(absent);
-    block[peak_absolute_acceleration][i] = found->motion.peak_absolute_acceleration;
+    set_motion(block, i, found->motion, results(spec_.kind));
   });
 }
 

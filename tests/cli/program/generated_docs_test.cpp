@@ -144,13 +144,18 @@ BOOST_AUTO_TEST_CASE(name_options_of_the_same_command) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
-BOOST_AUTO_TEST_CASE(the_tables_of_the_theory_match_the_library) {
-  const std::string page = text_of(fs::path(STILLPOINT_DATA_DIR).parent_path() / "docs/theory.md");
-  const std::string tables = cli::tolerance_tables();
-  const std::size_t gap = tables.find("\n\n");
-  BOOST_TEST_REQUIRE(gap != std::string::npos);
-  for (const std::string& table : {tables.substr(0, gap + 1), tables.substr(gap + 2)}) {
-    BOOST_TEST((page.find("\n" + table + "\n") != std::string::npos), "made now:\n" << table);
+/// Tables between empty lines.
+BOOST_AUTO_TEST_CASE(the_tables_of_the_docs_match_the_library) {
+  const std::map<std::string, std::string> pages{{"theory.md", cli::tolerance_tables()},
+                                                 {"reports.md", cli::motion_tables()}};
+  for (const auto& [name, tables] : pages) {
+    const std::string page = text_of(fs::path(STILLPOINT_DATA_DIR).parent_path() / "docs" / name);
+    const std::size_t gap = tables.find("\n\n");
+    BOOST_TEST_REQUIRE(gap != std::string::npos);
+    for (const std::string& table : {tables.substr(0, gap + 1), tables.substr(gap + 2)}) {
+      BOOST_TEST((page.find("\n" + table + "\n") != std::string::npos), name << ": made now:\n"
+                                                                             << table);
+    }
   }
 }
 

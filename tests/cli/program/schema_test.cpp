@@ -4,6 +4,9 @@
 #include "json_schema.hpp"
 #include "options/options.hpp"
 
+#include <stillpoint/report/report.hpp>
+#include <stillpoint/report/schemas.hpp>
+
 BOOST_AUTO_TEST_SUITE(schema_test)
 
 namespace {
@@ -89,6 +92,18 @@ BOOST_FIXTURE_TEST_CASE(agrees_with_the_program, Sandbox) {
 BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_FIXTURE_TEST_SUITE(report_schemas, Sandbox)
+
+BOOST_AUTO_TEST_CASE(match_the_tables_of_fields) {
+  for (const auto& [name, make] : stillpoint::report::report_schemas) {
+    BOOST_TEST_CONTEXT(name) {
+      std::ifstream file(data_dir / "schemas" / (std::string(name) + ".schema.json"));
+      std::ostringstream text;
+      text << file.rdbuf();
+      BOOST_TEST((text.str() == stillpoint::report::json_text(make())),
+                 "write what `stillpoint_docs " << name << "` prints into that file");
+    }
+  }
+}
 
 BOOST_AUTO_TEST_CASE(name_the_same_part_alike) {
   std::map<std::string, json> parts;

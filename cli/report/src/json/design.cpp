@@ -2,6 +2,7 @@
 #include <stillpoint/report/report.hpp>
 #include "choices.hpp"
 #include "design_parts.hpp"
+#include "json/motion_fields.hpp"
 #include "json/parts.hpp"
 #include "sections.hpp"
 
@@ -102,7 +103,7 @@ ordered_json pulse_check_json(const design::PulseCheck& check, const Optimum& op
           {"warnings", list_json(check.warnings, [](auto warning) { return name(warning); })},
           {"searched", optimum.found},
           {"bracketed", optimum.along_f},
-          {"response", forced_json(check.response)}};
+          {"response", response_json(check.response)}};
 }
 
 ordered_json file_of(const std::optional<Catalogue>& catalogue) {
@@ -183,7 +184,7 @@ void add_finding(ordered_json& json, const DesignReport& report) {
   json["practice_worst"] =
       practice_worst_json(task_of(report), now.practice, now.point.f, now.point.delta);
   if (now.pulse) {
-    json["response"] = forced_json(now.pulse->response);
+    json["response"] = response_json(now.pulse->response);
     json["pulse"] = pulse_check_json(*now.pulse, optimum_of(result));
   } else {
     json["response"] = response_json(now.response);
@@ -233,7 +234,7 @@ ordered_json json(const DesignReport& report) {
   json["catalogue"] = parts_json(report);
   json["trade_off"] = or_null(
       report.trade_off, [&](const auto& front) { return trade_off_json(front, report.physical); });
-  json["physical"] = physical_json(report);
+  json["physical"] = value_json(physical_of(report));
   return json;
 }
 
@@ -269,7 +270,7 @@ ordered_json json(const RegionReport& report) {
            practice_worst_json(task_of(report), answer.practice, f.value_or(0), delta.value_or(0))},
           {"notch_fault", notch_fault_json(as_design(report))},
           {"catalogue", parts_json(report)},
-          {"physical", physical_json(report)}};
+          {"physical", value_json(physical_of(report))}};
 }
 
 }  // namespace stillpoint::report

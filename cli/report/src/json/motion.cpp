@@ -1,111 +1,114 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/records/record_scaling.hpp>
-#include <stillpoint/report/report.hpp>
-#include "json/parts.hpp"
+#include "json/motion_fields.hpp"
+#include "json/schema.hpp"
+
+#include <stillpoint/report/schemas.hpp>
 #include "sections.hpp"
 
-#include <cmath>
+#include <stillpoint/records/record_scaling.hpp>
+#include <stillpoint/report/report.hpp>
+
+#include <tuple>
 #include <variant>
 
 namespace stillpoint::report {
 
-using nlohmann::ordered_json;
-
 namespace {
 
-/// Its numbers as given; null for what a type does not have.
-ordered_json excitation_json(const Excitation& excitation,
-                             const std::optional<RecordOrigin>& record) {
-  if (std::holds_alternative<NoExcitation>(excitation)) {
-    return nullptr;
-  }
-  const RecordOrigin origin = record.value_or(RecordOrigin());
-  ordered_json json{{"type", name(excitation)},
-                    {"k", nullptr},
-                    {"lambda", nullptr},
-                    {"phase", nullptr},
-                    {"duration", duration(excitation)},
-                    {"record", or_null(record, [](const RecordOrigin& from) { return from.file; })},
-                    {"samples", nullptr},
-                    {"record_units", origin.units},
-                    {"record_step", origin.step},
-                    {"record_scale", origin.scale},
-                    {"record_peak", origin.peak},
-                    {"record_spectrum", origin.spectrum},
-                    {"record_spectrum_period", origin.spectrum_period},
-                    {"record_units_read",
-                     or_null(record, [](const RecordOrigin& from) { return from.units_read; })},
-                    {"record_units_assumed",
-                     or_null(record, [](const RecordOrigin& from) { return from.assumed; })},
-                    {"record_factor", nullptr},
-                    {"pga", nullptr}};
-  std::visit(
-      [&]<class Kind>(const Kind& kind) {
-        if constexpr (requires { kind.lambda; }) {
-          json["k"] = kind.k;
-          json["lambda"] = kind.lambda;
-        } else if constexpr (requires { kind.values; }) {
-          json["samples"] = kind.values.size();
-          json["record_factor"] = origin.factor;
-          json["pga"] = records::peak_acceleration(kind);
-        }
-        if constexpr (IsSine<Kind> && !IsPulse<Kind>) {
-          json["phase"] = kind.phase;
-        }
-      },
-      excitation);
-  return json;
-}
+constexpr auto schema_name = std::to_array<std::string_view>({"stillpoint/simulation-report/1"});
 
-ordered_json half_cycle_json(const HalfCycle& now) {
-  return {{"index", now.index},
-          {"side", now.side},
-          {"start_time", now.start_time},
-          {"departure_speed", now.departure_speed},
-          {"peak_time", now.peak_time},
-          {"peak", now.peak},
-          {"end_time", now.end_time},
-          {"end_position", now.end_position},
-          {"arrival_speed", now.arrival_speed},
-          {"impulse", now.impulse}};
-}
-
-ordered_json zones_json(const std::vector<FrictionZone>& zones) {
-  const auto zone_json = [](const FrictionZone& zone) -> ordered_json {
-    return {{"to", zone.to}, {"f", zone.f}};
-  };
-  return zones.empty() ? ordered_json() : list_json(zones, zone_json);
+std::optional<ShownPractice> practice_shown(const MotionReport& report) {
+  const auto lines = practice_of(report);
+  return lines ? std::optional(ShownPractice{
+                     {*lines}, design::impulses(report.request.oscillator, report.answer.response)})
+               : std::nullopt;
 }
 
 }  // namespace
 
-ordered_json motion_input_json(const SimulationRequest& request,
-                               const std::optional<RecordOrigin>& record) {
-  return {{"v0", request.start.v0},
-          {"p", request.oscillator.p},
-          {"f", request.oscillator.f},
-          {"delta", request.oscillator.delta},
-          {"x0", request.start.x0},
-          {"t_end", request.t_end},
-          {"excitation", excitation_json(request.excitation, record)},
-          {"hold", request.oscillator.hold},
-          {"notch_width", request.surface.notch_width},
-          {"friction_zones", zones_json(request.surface.zones)}};
+std::optional<ShownExcitation> shown(const Excitation& excitation,
+                                     const std::optional<RecordOrigin>& record) {
+  if (std::holds_alternative<NoExcitation>(excitation)) {
+    return std::nullopt;
+  }
+  ShownExcitation now{.type = name(excitation), .duration = duration(excitation)};
+  std::visit(
+      [&]<class Kind>(const Kind& kind) {
+        if constexpr (requires { kind.lambda; }) {
+          now.k = kind.k;
+          now.lambda = kind.lambda;
+        } else if constexpr (requires { kind.values; }) {
+          now.samples = kind.values.size();
+          now.pga = records::peak_acceleration(kind);
+        }
+        if constexpr (IsSine<Kind> && !IsPulse<Kind>) {
+          now.phase = kind.phase;
+        }
+      },
+      excitation);
+  now.record = record;
+  return now;
 }
 
-ordered_json json(const MotionReport& report) {
-  const Simulation& answer = report.answer;
-  return {
-      {"schema", "stillpoint/simulation-report/1"},
-      {"program", program_json()},
-      {"input", motion_input_json(report.request, report.record)},
-      {"response", answer.forced ? forced_json(*answer.forced) : response_json(answer.response)},
-      {"caught_impulse", caught_impulse(report)},
-      {"practice", practice_json(practice_of(report),
-                                 design::impulses(report.request.oscillator, answer.response))},
-      {"half_cycles", list_json(answer.half_cycles, half_cycle_json)},
-      {"half_cycles_listed", answer.half_cycles.size()},
-      {"physical", physical_json(report)}};
+}  // namespace stillpoint::report
+
+namespace stillpoint {
+
+template <>
+inline constexpr auto fields<report::MotionReport> =
+    [] {
+      using namespace report;
+      return std::tuple{
+          Field{"schema",
+                [](const MotionReport&) { return schema_name.front(); },
+                "",
+                {.texts = schema_name}},
+          Field{"program", [](const MotionReport&) { return Program(); }},
+          Field{"input",
+                [](const MotionReport& report) {
+                  return ShownMotion{{report.request}, report.record};
+                }},
+          Field{"response",
+                [](const MotionReport& report) {
+                  return report.answer.forced ? AnyResponse(*report.answer.forced)
+                                              : AnyResponse(report.answer.response);
+                },
+                "the second under an excitation"},
+          Field{"caught_impulse", &caught_impulse,
+                "per mass, for a hit that the notch catches at the start; null if it does not"},
+          Field{"practice", &practice_shown,
+                "docs/theory.md section 11; null except after a hit from x = 0 without a load and "
+                "with "
+                "the paper's notch; notch_width_min is null"},
+          Field{"half_cycles",
+                [](const MotionReport& report) -> const auto& {return report.answer.half_cycles;
+    },
+                      "the first of them, at most --max-half-cycles"
+}
+,
+    Field{"half_cycles_listed",
+          [](const MotionReport& report) { return report.answer.half_cycles.size(); }},
+    Field {
+  "physical", [](const MotionReport& report) { return physical_of(report); },
+      "in the units at the ends of the names; null with dimensionless input; under an "
+      "excitation with its end as well"
+}
+}
+;
+}
+();
+
+}  // namespace stillpoint
+
+namespace stillpoint::report {
+
+nlohmann::ordered_json json(const MotionReport& report) {
+  return object_json(report);
+}
+
+nlohmann::ordered_json simulation_schema() {
+  return document_schema(schema_name.front(), "simulate --json", dimensionless_numbers,
+                         schema_of<MotionReport>());
 }
 
 }  // namespace stillpoint::report

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "json/parts.hpp"
+#include "json/motion_fields.hpp"
 
+#include <stillpoint/core/response_fields.hpp>
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/report/version.hpp>
 
@@ -118,32 +120,11 @@ ordered_json constraint_json(const design::Constraint& constraint) {
 }
 
 ordered_json response_json(const Response& response) {
-  return {{"peak_amplitude", response.peak_amplitude},
-          {"peak_acceleration", response.peak_acceleration},
-          {"peak_absolute_acceleration", response.peak_absolute_acceleration},
-          {"jump", response.jump},
-          {"half_cycles", count(response.half_cycles)},
-          {"turning_points", count(response.turning_points)},
-          {"zero_passages", count(response.zero_passages)},
-          {"stop_time", response.stop_time},
-          {"stop_position", response.stop_position},
-          {"stops_at_zero", response.stops_at_zero},
-          {"outcome", name(response.outcome)},
-          {"arrival_speed", response.arrival_speed},
-          {"decision_margin", response.decision_margin}};
+  return object_json(response);
 }
 
-ordered_json forced_json(const ForcedResponse& forced) {
-  ordered_json json = response_json(forced);
-  json["end_time"] = forced.end_time;
-  json["final_position"] = forced.final_position;
-  json["final_velocity"] = forced.final_velocity;
-  json["sticks"] = count(forced.sticks);
-  json["stick_time"] = forced.stick_time;
-  json["left_notch_from_rest"] = forced.left_notch_from_rest;
-  json["locked_from"] = forced.locked_from;
-  json["largest_load_while_locked"] = forced.largest_load_while_locked;
-  return json;
+ordered_json response_json(const ForcedResponse& response) {
+  return object_json(response);
 }
 
 ordered_json side_json(const design::BoxShape& shape, double tolerance, double below,
@@ -176,7 +157,15 @@ ordered_json task_json(const design::Problem& problem, const design::Limits& lim
 }
 
 ordered_json program_json() {
-  return {{"name", "stillpoint"}, {"version", program_version()}};
+  return object_json(Program());
+}
+
+ordered_json own_json(const Version& version) {
+  return version.text;
+}
+
+ordered_json own_schema(const Version* /*version*/) {
+  return {{"type", "string"}, {"pattern", "^[0-9]+\\.[0-9]+\\.[0-9]+$"}};
 }
 
 }  // namespace stillpoint::report

@@ -77,16 +77,7 @@ template <class Range>
     const std::optional<design::Practice>& lines,
     const std::optional<std::vector<double>>& impulses = {});
 [[nodiscard]] nlohmann::ordered_json response_json(const Response& response);
-[[nodiscard]] nlohmann::ordered_json forced_json(const ForcedResponse& forced);
-/// The input of a motion.
-[[nodiscard]] nlohmann::ordered_json motion_input_json(const SimulationRequest& request,
-                                                       const std::optional<RecordOrigin>& record);
+[[nodiscard]] nlohmann::ordered_json response_json(const ForcedResponse& response);
 [[nodiscard]] nlohmann::ordered_json program_json();
-
-/// The field `physical` of a report: metres, seconds, kilograms, newtons and joules. Null where the
-/// input was dimensionless; a value is null that needs a mass, or that the motion does not have.
-[[nodiscard]] nlohmann::ordered_json physical_json(const DesignReport& report);
-[[nodiscard]] nlohmann::ordered_json physical_json(const RegionReport& report);
-[[nodiscard]] nlohmann::ordered_json physical_json(const MotionReport& report);
 
 }  // namespace stillpoint::report

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a damper works for, and the figures used in practice, dimensionless.
+#include "json/motion_fields.hpp"
 #include "json/parts.hpp"
 
 namespace stillpoint::report {
@@ -30,19 +31,7 @@ ordered_json hits_json(const design::Problem& problem, const std::optional<desig
 
 ordered_json practice_json(const std::optional<design::Practice>& lines,
                            const std::optional<std::vector<double>>& impulses) {
-  return !lines ? ordered_json()
-                : ordered_json{{"secant_stiffness", lines->secant_stiffness},
-                               {"equivalent_damping", lines->equivalent_damping},
-                               {"base_shear_over_weight", lines->base_shear},
-                               {"restoring_over_weight", lines->restoring},
-                               {"energy_ratio", lines->energy_ratio},
-                               {"residual_ratio", lines->residual_ratio},
-                               {"impulse_at_stop", lines->impulse_at_stop},
-                               {"impulse_largest", lines->impulse_largest},
-                               {"impulses", impulses},
-                               {"notch_capacity", lines->notch_capacity},
-                               {"notch_used", lines->notch_used},
-                               {"notch_width_min", lines->notch_width_min}};
+  return lines ? object_json(ShownPractice{{*lines}, impulses}) : ordered_json();
 }
 
 }  // namespace stillpoint::report

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/core/field.hpp>
 #include <stillpoint/core/surface.hpp>
 
 #include <string>
@@ -9,18 +10,7 @@
 
 namespace stillpoint::records {
 
-/// What a value measures, which decides the units that it may have.
-enum class Dimension {
-  none,
-  length,
-  velocity,
-  time,
-  frequency,
-  mass,
-  stiffness,
-  acceleration,
-  gravities,  ///< an acceleration as a multiple of g
-};
+using stillpoint::Dimension;
 
 /// A unit is a power of ten of the SI unit of its dimension.
 struct Unit {

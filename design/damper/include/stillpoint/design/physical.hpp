@@ -26,6 +26,8 @@ struct Scales {
   double p{1};                    ///< omega sqrt(H/g)
   std::optional<double> mass_kg;  ///< needed for forces and energies only
 
+  /// The SI value of 1; 1 of what no scale changes.
+  [[nodiscard]] double unit(Dimension dimension) const;
   [[nodiscard]] double delta_m(double delta) const { return delta * length_m; }
   /// The p of a spring with this period.
   [[nodiscard]] double p_of(double period_s) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/core/response_fields.hpp>
 #include <stillpoint/core/state.hpp>
 #include <stillpoint/records/units.hpp>
 
@@ -11,6 +12,8 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
 
 namespace stillpoint::sweep {
 
@@ -67,9 +70,59 @@ struct QuantityForm {
   Form form{Form::number};
 };
 
+/// Of a motion that never stops, a figure that does not exist is infinite if it never comes.
+enum class Missing : std::uint8_t { absent, never };
+
+/// A result of a motion, which a sweep writes.
+template <class Member>
+struct MotionColumn {
+  Quantity quantity;
+  Member member;
+  Missing missing{};
+};
+template <class Member>
+MotionColumn(Quantity, Member, Missing = {}) -> MotionColumn<Member>;
+
+/// In the order of their columns. A free motion has those of Response.
+inline constexpr std::tuple motion_columns{
+    MotionColumn{Quantity::peak_amplitude, &Response::peak_amplitude},
+    MotionColumn{Quantity::half_cycles, &Response::half_cycles, Missing::never},
+    MotionColumn{Quantity::outcome, &Response::outcome},
+    MotionColumn{Quantity::stop_position, &Response::stop_position},
+    MotionColumn{Quantity::stop_time, &Response::stop_time, Missing::never},
+    MotionColumn{Quantity::end_time, &ForcedResponse::end_time, Missing::never},
+    MotionColumn{Quantity::final_position, &ForcedResponse::final_position},
+    MotionColumn{Quantity::final_velocity, &ForcedResponse::final_velocity},
+    MotionColumn{Quantity::sticks, &ForcedResponse::sticks},
+    MotionColumn{Quantity::stick_time, &ForcedResponse::stick_time},
+    MotionColumn{Quantity::peak_absolute_acceleration, &Response::peak_absolute_acceleration},
+    MotionColumn{Quantity::locked_from, &ForcedResponse::locked_from},
+    MotionColumn{Quantity::largest_load_while_locked, &ForcedResponse::largest_load_while_locked}};
+
+/// What fields<ForcedResponse> says of the column. In metres and seconds accelerations stay in g.
+template <class Member>
+constexpr QuantityForm form_of(const MotionColumn<Member>& column) {
+  QuantityForm form{.quantity = column.quantity, .name = {}};
+  for_each_field(fields<ForcedResponse>, [&]<class Get>(const Field<Get>& field) {
+    if constexpr (std::is_same_v<Get, Member>) {
+      if (field.get == column.member) {
+        form.name = field.name;
+        if (field.measure.dimension != records::Dimension::gravities) {
+          form.physical = field.measure.physical;
+          form.dimension = field.measure.dimension;
+        }
+      }
+    }
+  });
+  if constexpr (std::is_same_v<Member, Outcome Response::*>) {
+    form.form = Form::outcome;
+  }
+  return form;
+}
+
 inline constexpr auto quantity_forms = [] {
   using records::Dimension;
-  return std::to_array<QuantityForm>({
+  constexpr auto others = std::to_array<QuantityForm>({
       {Quantity::v0, "v0", "velocity", Dimension::velocity},
       {Quantity::v0_low, "v0_low", "velocity_low", Dimension::velocity},
       {Quantity::p, "p"},
@@ -90,23 +143,16 @@ inline constexpr auto quantity_forms = [] {
       {Quantity::notch_width, "notch_width", "notch_width_m", Dimension::length},
       {Quantity::tolerance, "tolerance"},
       {Quantity::arrival, "arrival"},
-      {Quantity::peak_amplitude, "peak_amplitude", "peak_m", Dimension::length},
-      {Quantity::half_cycles, "half_cycles"},
-      {Quantity::outcome, "outcome", "", Dimension::none, Form::outcome},
-      {Quantity::stop_position, "stop_position", "stop_position_m", Dimension::length},
-      {Quantity::stop_time, "stop_time", "stop_time_s", Dimension::time},
-      {Quantity::end_time, "end_time", "end_time_s", Dimension::time},
-      {Quantity::final_position, "final_position", "final_position_m", Dimension::length},
-      {Quantity::final_velocity, "final_velocity", "final_velocity_m_per_s", Dimension::velocity},
-      {Quantity::sticks, "sticks"},
-      {Quantity::stick_time, "stick_time", "stick_time_s", Dimension::time},
-      {Quantity::peak_absolute_acceleration, "peak_absolute_acceleration"},
-      {Quantity::locked_from, "locked_from", "locked_from_s", Dimension::time},
-      {Quantity::largest_load_while_locked, "largest_load_while_locked"},
   });
+  std::array<QuantityForm, others.size() + std::tuple_size_v<decltype(motion_columns)>> all{};
+  auto* next = std::copy(others.begin(), others.end(), all.begin());
+  for_each_field(motion_columns, [&next](const auto& column) { *next++ = form_of(column); });
+  return all;
 }();
 
 inline constexpr std::size_t quantity_count = quantity_forms.size();
+
+static_assert(std::ranges::is_sorted(quantity_forms, {}, &QuantityForm::quantity));
 
 constexpr std::size_t index(Quantity quantity) {
   return static_cast<std::size_t>(quantity);

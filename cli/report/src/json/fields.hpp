@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A result with a table of its fields as a JSON object.
+
+#include <stillpoint/core/field.hpp>
+#include <stillpoint/core/names.hpp>
+#include "json/parts.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+namespace stillpoint::report {
+
+template <class Value>
+inline constexpr bool is_optional = false;
+template <class Value>
+inline constexpr bool is_optional<std::optional<Value>> = true;
+template <class Value>
+inline constexpr bool is_vector = false;
+template <class Value>
+inline constexpr bool is_vector<std::vector<Value>> = true;
+template <class Value>
+inline constexpr bool is_variant = false;
+template <class... Values>
+inline constexpr bool is_variant<std::variant<Values...>> = true;
+
+[[nodiscard]] inline bool are_counts(const Measure& measure) {
+  return measure.numbers == Numbers::counts || measure.numbers == Numbers::from_one;
+}
+
+template <class Result>
+[[nodiscard]] nlohmann::ordered_json object_json(const Result& result);
+
+/// The value of a field.
+template <class Value>
+[[nodiscard]] nlohmann::ordered_json value_json(const Value& value, const Measure& measure = {}) {
+  if constexpr (is_optional<Value>) {
+    return value ? value_json(*value, measure) : nlohmann::ordered_json(nullptr);
+  } else if constexpr (std::is_same_v<Value, double>) {
+    return are_counts(measure) ? count(value) : nlohmann::ordered_json(value);
+  } else if constexpr (HasNames<Value>) {
+    return name(value);
+  } else if constexpr (HasFields<Value>) {
+    return object_json(value);
+  } else if constexpr (requires { own_json(value); }) {
+    return own_json(value);
+  } else if constexpr (is_variant<Value>) {
+    return std::visit([&](const auto& one) { return value_json(one, measure); }, value);
+  } else if constexpr (requires { value.low, value.high; }) {
+    return interval_json(value);
+  } else if constexpr (is_vector<Value>) {
+    return list_json(value, [&](const auto& item) { return value_json(item, measure); });
+  } else {
+    return value;
+  }
+}
+
+/// By its table, in its order.
+template <class Result>
+nlohmann::ordered_json object_json(const Result& result) {
+  auto json = nlohmann::ordered_json::object();
+  for_each_field(fields<Result>, [&](const auto& field) {
+    json[std::string(field.name)] = value_json(std::invoke(field.get, result), field.measure);
+  });
+  return json;
+}
+
+}  // namespace stillpoint::report

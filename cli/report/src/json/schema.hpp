@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The JSON Schema of what fields.hpp prints, from the same tables: of a value by its type.
+
+#include "json/fields.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <concepts>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+namespace stillpoint::report {
+
+inline constexpr std::string_view dimensionless_numbers =
+    "Numbers are dimensionless unless a name ends in a unit";
+
+[[nodiscard]] nlohmann::ordered_json number_schema(bool whole, Numbers numbers);
+[[nodiscard]] nlohmann::ordered_json text_schema(std::span<const std::string_view> texts,
+                                                 bool may_be_empty);
+[[nodiscard]] nlohmann::ordered_json list_schema(nlohmann::ordered_json item, bool filled);
+/// From, to; an open one has null for what nothing bounds.
+[[nodiscard]] nlohmann::ordered_json interval_schema(bool open, Numbers numbers);
+/// Null as well.
+[[nodiscard]] nlohmann::ordered_json or_null_schema(nlohmann::ordered_json schema);
+/// An object in which no field of `properties` is missing.
+[[nodiscard]] nlohmann::ordered_json object_schema(nlohmann::ordered_json properties);
+/// The whole of a report: "stillpoint/design-report/1" of what "design --json" prints.
+[[nodiscard]] nlohmann::ordered_json document_schema(std::string_view name,
+                                                     std::string_view command,
+                                                     std::string_view description,
+                                                     nlohmann::ordered_json object);
+
+template <class Result>
+[[nodiscard]] nlohmann::ordered_json schema_of();
+
+template <class Variant>
+[[nodiscard]] nlohmann::ordered_json any_schema();
+
+template <class Value>
+[[nodiscard]] nlohmann::ordered_json value_schema(const Measure& measure = {}) {
+  if constexpr (requires(const Value* none) { own_schema(none); }) {
+    return own_schema(static_cast<const Value*>(nullptr));
+  } else if constexpr (is_optional<Value>) {
+    return or_null_schema(value_schema<typename Value::value_type>(measure));
+  } else if constexpr (std::is_same_v<Value, bool>) {
+    return {{"type", "boolean"}};
+  } else if constexpr (std::is_arithmetic_v<Value>) {
+    return number_schema(std::is_integral_v<Value>, measure.numbers);
+  } else if constexpr (HasNames<Value>) {
+    const auto all = names<Value>();
+    return text_schema(all, false);
+  } else if constexpr (std::is_convertible_v<Value, std::string_view>) {
+    return text_schema(measure.texts, measure.numbers == Numbers::all);
+  } else if constexpr (HasFields<Value>) {
+    return schema_of<Value>();
+  } else if constexpr (is_variant<Value>) {
+    return any_schema<Value>();
+  } else if constexpr (requires(const Value& value) { value.low, value.high; }) {
+    return interval_schema(is_optional<decltype(Value::high)>, measure.numbers);
+  } else if constexpr (requires { typename Value::value_type; }) {
+    const bool filled = measure.numbers == Numbers::from_one;
+    Measure of_item = measure;
+    of_item.numbers = filled ? Numbers() : measure.numbers;
+    return list_schema(value_schema<typename Value::value_type>(of_item), filled);
+  } else {
+    static_assert(std::is_same_v<Value, nlohmann::ordered_json>, "a value without a schema");
+    return {};
+  }
+}
+
+template <class Variant>
+nlohmann::ordered_json any_schema() {
+  return []<class... Values>(std::type_identity<std::variant<Values...>>) {
+    return nlohmann::ordered_json{{"anyOf", {value_schema<Values>()...}}};
+  }(std::type_identity<Variant>());
+}
+
+/// The properties of the fields of such a result.
+template <class Result, class Fields>
+[[nodiscard]] nlohmann::ordered_json properties_of(const Fields& all) {
+  auto properties = nlohmann::ordered_json::object();
+  for_each_field(all, [&]<class Get>(const Field<Get>& field) {
+    using Value = std::remove_cvref_t<std::invoke_result_t<Get, const Result&>>;
+    auto schema = value_schema<Value>(field.measure);
+    if (!field.words.empty()) {
+      schema["description"] = field.words;
+    }
+    properties[std::string(field.name)] = std::move(schema);
+  });
+  return properties;
+}
+
+template <class Result>
+nlohmann::ordered_json schema_of() {
+  return object_schema(properties_of<Result>(fields<Result>));
+}
+
+}  // namespace stillpoint::report

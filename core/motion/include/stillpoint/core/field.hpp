@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+
+namespace stillpoint {
+
+/// What a value measures, which decides the units that it may have.
+enum class Dimension : std::uint8_t {
+  none,
+  length,
+  velocity,
+  time,
+  frequency,
+  mass,
+  stiffness,
+  acceleration,
+  gravities,  ///< an acceleration as a multiple of g
+};
+
+/// Which numbers a field may hold.
+enum class Numbers : std::uint8_t {
+  from_zero,  ///< no negative ones
+  all,        ///< of a text: an empty one as well
+  counts,     ///< 0, 1, 2 and so on, though a double may hold them
+  from_one,   ///< 1, 2 and so on; of a list: how many there are
+};
+
+/// What the value of a field is. `physical` is its name in SI units; it is empty if a report does
+/// not repeat the number in them.
+struct Measure {
+  Numbers numbers{};
+  Dimension dimension{};
+  std::string_view physical{};
+  std::span<const std::string_view> texts{};  ///< of a text: all that it may be; empty: any
+};
+
+/// A figure of a result, stated once: its name in reports, the member that holds it, or a function
+/// that gives it, what it means, and its measure.
+template <class Get>
+struct Field {
+  std::string_view name;
+  Get get;
+  std::string_view words{};
+  Measure measure{};
+};
+template <class Get>
+Field(std::string_view, Get, std::string_view = {}, Measure = {}) -> Field<Get>;
+
+/// A member of a member, and so on: in(&Simulation::response, &Response::jump).
+template <class First, class... More>
+constexpr auto in(First first, More... more) {
+  if constexpr (sizeof...(More) == 0) {
+    return first;
+  } else {
+    return [first, rest = in(more...)](const auto& whole) -> const auto& {
+      return std::invoke(rest, std::invoke(first, whole));
+    };
+  }
+}
+
+/// The figures of a result, a tuple of Field in the order of its report. What a report, its schema,
+/// a sweep and the docs say of the result follows from it.
+template <class Result>
+inline constexpr auto fields = nullptr;
+
+template <class Result>
+concept HasFields = !std::is_null_pointer_v<std::remove_const_t<decltype(fields<Result>)>>;
+
+/// Calls `use` with each Field of a tuple in turn.
+template <class Fields, class Use>
+constexpr void for_each_field(const Fields& all, const Use& use) {
+  std::apply([&use](const auto&... field) { (use(field), ...); }, all);
+}
+
+}  // namespace stillpoint
