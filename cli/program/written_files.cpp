@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -53,10 +52,6 @@ void require_files_apart(Command command, const Settings& settings,
                          const std::optional<std::string>& scene) {
   const std::vector<NamedFile> read = files_to_read(command, settings, scene);
   std::vector<NamedFile> written = files(command, settings, FileUse::written);
-  std::ranges::for_each(written, sweep::require_not_swept);
-  if (const auto output = settings.text("output"); output && command == Command::sweep) {
-    std::ranges::copy(sweep::part_files({"output", *output}), std::back_inserter(written));
-  }
   for (const auto& [option, directory] : files(command, settings, FileUse::directory)) {
     for (const std::string_view figure : figure_names(command)) {
       written.push_back({option, svg_path(directory, figure)});

@@ -16,9 +16,8 @@ namespace stillpoint::cli {
 [[nodiscard]] std::vector<sweep::NamedFile> files_to_read(Command command, const Settings& settings,
                                                           const std::optional<std::string>& scene);
 
-/// Throws records::FileError if a file that `command` would write is one that it reads, is to be
-/// written twice, or belongs to a sweep that is running. Links are followed; a device or a pipe may
-/// be written to any number of times.
+/// Throws records::FileError if a file that `command` would write is one that it reads, or is to be
+/// written twice. Links are followed; a device or a pipe may be written to any number of times.
 void require_files_apart(Command command, const Settings& settings,
                          const std::optional<std::string>& scene);
 

@@ -7,7 +7,7 @@
 #include <stillpoint/design/excitation_kinds.hpp>
 #include <stillpoint/records/units.hpp>
 #include <stillpoint/report/version.hpp>
-#include <stillpoint/sweep/identity.hpp>
+#include <stillpoint/sweep/part_label.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
 #include <fmt/format.h>

@@ -27,13 +27,11 @@ std::string short_number(double value) {
   return std::isfinite(value) ? fmt::format("{:.6g}", value) : "-";
 }
 
-std::vector<std::string> extreme_cells(const std::optional<ReducedRow>& row, std::size_t column) {
-  constexpr int shown = 4;  // so that the longest name has room
-  return row ? std::vector{std::isfinite(row->values[column])
-                               ? fmt::format("{:.{}g}", row->values[column], shown)
-                               : "-",
-                           fmt::format("{}", row->entry + 1)}
-             : std::vector<std::string>(2, "-");
+std::vector<std::string> extreme_cells(const BestRows& extreme) {
+  const std::vector<ReducedRow> rows = extreme.rows();
+  return rows.empty() ? std::vector<std::string>(2, "-")
+                      : std::vector{short_number(rows.front().values[extreme.column()]),
+                                    fmt::format("{}", rows.front().entry + 1)};
 }
 
 void add_columns(Document& made, const Reduction& reduction) {
@@ -43,8 +41,8 @@ void add_columns(Document& made, const Reduction& reduction) {
     const auto add = [&row](const std::vector<std::string>& cells) {
       row.cells.insert(row.cells.end(), cells.begin(), cells.end());
     };
-    add(extreme_cells(column.least, column.column));
-    add(extreme_cells(column.largest, column.column));
+    add(extreme_cells(column.least));
+    add(extreme_cells(column.largest));
     table.rows.push_back(std::move(row));
   }
   Section& section = made.section("Columns");

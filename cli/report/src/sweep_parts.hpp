@@ -8,12 +8,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace stillpoint::report {
 
 inline constexpr std::string_view reduction_schema = "stillpoint/sweep-reduction/1";
+
+/// Of everything else in the report of a part.
+[[nodiscard]] std::uint64_t digest_of(const nlohmann::ordered_json& report);
 
 [[nodiscard]] nlohmann::ordered_json outcomes_json(const sweep::SweepState::Counts& outcomes);
 /// Throws nlohmann's exceptions where one is missing.

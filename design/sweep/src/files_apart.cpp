@@ -24,10 +24,6 @@ std::string shown(const NamedFile& file) {
 
 }  // namespace
 
-std::vector<NamedFile> part_files(const NamedFile& output) {
-  return {{output.field, output.path + ".part"}, {output.field, output.path + ".part.json"}};
-}
-
 void require_apart(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const NamedFile& output = outputs[i];
@@ -50,13 +46,6 @@ void require_apart(const std::vector<NamedFile>& inputs, const std::vector<Named
             fmt::format("is also the file of {}: give two different files", shown(other)));
       }
     }
-  }
-}
-
-void require_not_swept(const NamedFile& output) {
-  if (is_being_swept(output.path)) {
-    throw records::FileError({output.field, output.path},
-                             "a sweep is writing it: wait until it ends, or give another file");
   }
 }
 

@@ -5,6 +5,7 @@
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/sweep/spec.hpp>
+#include <stillpoint/sweep/state.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -48,6 +49,24 @@ std::optional<std::int64_t> PartLabel::rows() const {
   const bool exists = 1 <= part.number && part.number <= part.count &&
                       part.count <= most_sweep_parts && whole.entries >= 0;
   return exists ? std::optional(range_of(part, whole.entries).count) : std::nullopt;
+}
+
+std::string identity_of(const SweepSpec& spec, const std::string& inputs,
+                        std::string_view version) {
+  ordered_json result;
+  result["version"] = version;
+  result["kind"] = name(spec.kind);
+  result["format"] = name(spec.format);
+  for (const Quantity column : spec.columns) {
+    result["columns"].push_back(name(column));
+  }
+  result["list"] = spec.list != nullptr;
+  result.update(ordered_json::parse(inputs));
+  result["record_digest"] = digest(spec.excitation);
+  if (!spec.parts.empty()) {
+    result["catalogue_digest"] = digest(spec.parts);
+  }
+  return result.dump();
 }
 
 PartLabel label_of(const SweepSpec& spec) {

@@ -29,7 +29,7 @@ Reduction empty_reduction(const SweepSpec& spec) {
   for (const Quantity column : spec.columns) {
     reduction.row.push_back({std::string(name(column, spec.units)), form(column)});
     if (form(column) == Form::number && contains(results(spec.kind), column)) {
-      reduction.columns.push_back({.column = place(column)});
+      reduction.columns.emplace_back(place(column));
     }
   }
   reduction.histograms.reserve(spec.reduction->histograms.size());
@@ -66,26 +66,27 @@ struct Share {
   }
 };
 
-/// Entries come in rising order, so the first of equal values is the one that is there.
-void reduce(ReducedColumn& reduced, const Share& share) {
-  const Eigen::ArrayXd& values = share.values(reduced.column);
-  const auto at = [&reduced](const std::optional<ReducedRow>& row) {
-    return row->values[reduced.column];
-  };
+/// Entries come in rising order, so of equal values the one that is there is the first.
+void reduce(BestRows& best, const Share& share) {
+  const Eigen::ArrayXd& values = share.values(best.column());
+  double bar = best.bar();
   for (Index i = share.begin; i < share.end; ++i) {
-    const double value = values[i];
-    if (!std::isfinite(value)) {
-      ++(std::isnan(value) ? reduced.absent : reduced.infinite);
-      continue;
-    }
-    ++reduced.count;
-    if (!reduced.least || value < at(reduced.least)) {
-      reduced.least = share.row(i);
-    }
-    if (!reduced.largest || value > at(reduced.largest)) {
-      reduced.largest = share.row(i);
+    if (std::isfinite(values[i]) && (best.largest() ? values[i] > bar : values[i] < bar)) {
+      best.add(share.row(i));
+      bar = best.bar();
     }
   }
+}
+
+void reduce(ReducedColumn& reduced, const Share& share) {
+  const Eigen::ArrayXd& values = share.values(reduced.column);
+  for (Index i = share.begin; i < share.end; ++i) {
+    ++(std::isfinite(values[i]) ? reduced.count
+       : std::isnan(values[i])  ? reduced.absent
+                                : reduced.infinite);
+  }
+  reduce(reduced.least, share);
+  reduce(reduced.largest, share);
 }
 
 void reduce(Histogram& histogram, const Share& share) {
@@ -104,15 +105,6 @@ void reduce(Histogram& histogram, const Share& share) {
       const auto next = std::ranges::upper_bound(edges, value);
       const auto bin = static_cast<std::size_t>(next - edges.begin()) - 1;
       ++histogram.counts[std::min(bin, histogram.counts.size() - 1)];
-    }
-  }
-}
-
-void reduce(BestRows& best, const Share& share) {
-  const Eigen::ArrayXd& values = share.values(best.column());
-  for (Index i = share.begin; i < share.end; ++i) {
-    if (std::isfinite(values[i]) && best.takes(values[i], share.block.first + i)) {
-      best.add(share.row(i));
     }
   }
 }

@@ -3,32 +3,15 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <utility>
 
 namespace stillpoint::sweep {
 
-namespace {
-
-/// Whether (value, entry) is more extreme; of the same values the first one is.
-bool beats(double value, std::int64_t entry, double other, std::int64_t other_entry, bool most) {
-  if (value != other) {
-    return most ? value > other : value < other;
-  }
-  return entry < other_entry;
-}
-
-void keep_extreme(std::optional<ReducedRow>& kept, const std::optional<ReducedRow>& other,
-                  std::size_t column, bool most) {
-  if (other && (!kept || beats(other->values[column], other->entry, kept->values[column],
-                               kept->entry, most))) {
-    kept = other;
-  }
-}
-
-}  // namespace
-
 bool BestRows::better(const ReducedRow& one, const ReducedRow& other) const {
-  return beats(one.values[column_], one.entry, other.values[column_], other.entry, largest_);
+  const double value = one.values[column_];
+  const double rival = other.values[column_];
+  return value != rival ? (largest_ ? value > rival : value < rival) : one.entry < other.entry;
 }
 
 std::vector<ReducedRow> BestRows::rows() const {
@@ -37,9 +20,9 @@ std::vector<ReducedRow> BestRows::rows() const {
   return sorted;
 }
 
-bool BestRows::takes(double value, std::int64_t entry) const {
-  return heap_.size() < most_ ||
-         beats(value, entry, heap_.front().values[column_], heap_.front().entry, largest_);
+double BestRows::bar() const {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  return heap_.size() == most_ ? heap_.front().values[column_] : largest_ ? -infinite : infinite;
 }
 
 void BestRows::add(ReducedRow row) {
@@ -63,8 +46,8 @@ void add(Reduction& total, const Reduction& more) {
     column.count += other.count;
     column.absent += other.absent;
     column.infinite += other.infinite;
-    keep_extreme(column.least, other.least, column.column, false);
-    keep_extreme(column.largest, other.largest, column.column, true);
+    column.least.add(other.least);
+    column.largest.add(other.largest);
   }
   for (std::size_t i = 0; i < total.histograms.size(); ++i) {
     Histogram& histogram = total.histograms[i];

@@ -185,9 +185,14 @@ BOOST_AUTO_TEST_CASE(of_wrong_parts_are_refused) {
   static_cast<void>(run(sweep + "--output whole.json"));
   const std::string second = read("2-of-2.json");
   write("torn.json", second.substr(0, second.size() / 2));
+  std::string changed = second;
+  const std::size_t place = changed.find("\"count\": ", changed.find("\"columns\"")) + 9;
+  changed[place] = changed[place] == '1' ? '2' : '1';
+  write("changed.json", changed);
   check_refused("1-of-2.json", {"2/2", "is missing"});
   check_refused("1-of-2.json 2-of-2.json 2-of-2.json", {"2-of-2.json", "part 2/2"});
   check_refused("1-of-2.json torn.json", {"torn.json", "not a complete part"});
+  check_refused("1-of-2.json changed.json", {"changed.json", "not a complete part"});
   check_refused("1-of-2.json whole.json", {"whole.json", "not a complete part"});
   check_refused("1-of-2.json /dev/zero", {"/dev/zero", "not a complete part"});
   check_refused("1-of-2.json foreign.json", {"foreign.json", "1-of-2.json", "best"});

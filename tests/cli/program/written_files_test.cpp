@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli_test.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 BOOST_FIXTURE_TEST_SUITE(written_files_test, stillpoint::cli_test::Sandbox)
 
 // No command overwrites what it reads, nor writes one file twice.
@@ -28,7 +24,6 @@ void prepare(const Sandbox& sandbox) {
   fs::create_directory(sandbox.path("d"));
   fs::create_directory_symlink("d", sandbox.path("e"));
   sandbox.write("d/motion.svg", "0 0\n0.1 0.2\n0.2 0\n");
-  sandbox.write("l.csv.part.json", scene);
   fs::create_symlink("new.json", sandbox.path("dangling"));
 }
 
@@ -52,7 +47,6 @@ BOOST_AUTO_TEST_CASE(are_never_files_that_are_read) {
       {"region s.json --output s.json", {"output s.json", "scene s.json"}},
       {"accuracy s.json --f 0.1 --delta 0.1 --output s.json", {"output s.json", "scene s.json"}},
       {list + "--output l.csv", {"output l.csv", "list l.csv"}},
-      {"sweep l.csv.part.json --output l.csv", {"output l.csv.part.json", "scene l.csv.part.json"}},
   };
   for (const auto& [arguments, says] : wrong) {
     BOOST_TEST_CONTEXT(says.front()) {
@@ -87,24 +81,6 @@ BOOST_AUTO_TEST_CASE(are_all_different) {
       BOOST_TEST(contents() == before);
     }
   }
-}
-
-// A sweep that is running holds a lock on its part; FILE.part.json says how far that is.
-BOOST_AUTO_TEST_CASE(are_not_those_of_a_running_sweep) {
-  write("m.npy.part", "rows");
-  write("m.npy.part.json", "{}");
-  fs::create_symlink("m.npy.part", path("other"));
-  const int part = ::open(path("m.npy.part").c_str(), O_RDWR);
-  BOOST_TEST_REQUIRE(::flock(part, LOCK_EX) == 0);
-  const auto before = contents();
-  for (const char* const file : {"m.npy.part", "m.npy.part.json", "other"}) {
-    check_refusal(run(simulate + Arguments{"--output", file}),
-                  {"output " + std::string(file) + ": a sweep is writing it"});
-    check_refusal(run(simulate + Arguments{"--trajectory", file}), {"a sweep is writing it"});
-    BOOST_TEST(contents() == before);
-  }
-  ::close(part);
-  succeed(simulate + "--output m.npy.part");
 }
 
 // An old report may be replaced, also one of the same name elsewhere; a device takes everything.

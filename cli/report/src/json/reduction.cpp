@@ -47,13 +47,16 @@ ordered_json row_json(const ReducedRow& row, const std::vector<RowColumn>& colum
 }
 
 ordered_json column_json(const ReducedColumn& column, const std::vector<RowColumn>& columns) {
-  const auto row = [&](const ReducedRow& extreme) { return row_json(extreme, columns); };
+  const auto row = [&](const BestRows& extreme) {
+    const std::vector<ReducedRow> found = extreme.rows();
+    return found.empty() ? ordered_json(nullptr) : row_json(found.front(), columns);
+  };
   return {{"column", columns[column.column].name},
           {"count", column.count},
           {"absent", column.absent},
           {"infinite", column.infinite},
-          {"least", or_null(column.least, row)},
-          {"largest", or_null(column.largest, row)}};
+          {"least", row(column.least)},
+          {"largest", row(column.largest)}};
 }
 
 ordered_json histogram_json(const Histogram& histogram, const std::vector<RowColumn>& columns) {
@@ -91,7 +94,7 @@ ordered_json json(const ReductionReport& report) {
   const Reduction& reduction = report.reduction;
   const auto& row = reduction.row;
   const ordered_json part{{"number", number}, {"count", count}};
-  return {
+  ordered_json result{
       {"schema", reduction_schema},
       {"program", program_json()},
       {"kind", report.kind},
@@ -113,6 +116,8 @@ ordered_json json(const ReductionReport& report) {
        list_json(reduction.best, [&](const BestRows& best) { return best_json(best, row); })},
       {"list_digest", report.label.whole.digest},
       {"task", ordered_json::parse(report.label.task)}};
+  result["digest"] = report.split ? ordered_json(digest_of(result)) : ordered_json(nullptr);
+  return result;
 }
 
 }  // namespace stillpoint::report

@@ -60,11 +60,6 @@ ReducedRow row_from(const ordered_json& row, const std::vector<RowColumn>& colum
   return result;
 }
 
-std::optional<ReducedRow> extreme_from(const ordered_json& row,
-                                       const std::vector<RowColumn>& columns) {
-  return row.is_null() ? std::nullopt : std::optional(row_from(row, columns));
-}
-
 std::size_t place_of(const std::vector<RowColumn>& columns, const ordered_json& name) {
   const auto found = std::ranges::find(columns, name.get<std::string>(), &RowColumn::name);
   if (found == columns.end()) {
@@ -74,12 +69,15 @@ std::size_t place_of(const std::vector<RowColumn>& columns, const ordered_json& 
 }
 
 ReducedColumn column_from(const ordered_json& column, const std::vector<RowColumn>& columns) {
-  ReducedColumn result{.column = place_of(columns, column.at("column"))};
+  ReducedColumn result(place_of(columns, column.at("column")));
   sweep::read_integers(column.at("count"), result.count);
   sweep::read_integers(column.at("absent"), result.absent);
   sweep::read_integers(column.at("infinite"), result.infinite);
-  result.least = extreme_from(column.at("least"), columns);
-  result.largest = extreme_from(column.at("largest"), columns);
+  for (auto& [key, extreme] : {std::pair{"least", &result.least}, {"largest", &result.largest}}) {
+    if (const ordered_json& row = column.at(key); !row.is_null()) {
+      extreme->add(row_from(row, columns));
+    }
+  }
   return result;
 }
 
@@ -119,7 +117,7 @@ std::vector<RowColumn> columns_from(const ordered_json& columns) {
 [[noreturn]] void refuse_part(const std::string& path) {
   throw records::FileError({.kind = "part", .path = path},
                            "is not a complete part of a reduced sweep: it is another kind of file, "
-                           "or was cut short");
+                           "was cut short, or has changed");
 }
 
 ReductionReport report_from(const ordered_json& document) {
@@ -164,6 +162,14 @@ void append(ReductionReport& total, const ReductionReport& more) {
 
 }  // namespace
 
+std::uint64_t digest_of(const ordered_json& report) {
+  sweep::Digest digest;
+  for (const char byte : report.dump()) {
+    digest.add(static_cast<std::uint64_t>(static_cast<unsigned char>(byte)));
+  }
+  return digest.value();
+}
+
 bool is_reduction(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   return file.get() == '{';
@@ -178,8 +184,10 @@ ReductionReport read_reduction(const std::string& path) {
   const std::string text = records::read_text_file("part", path, largest_file);
   try {
     sweep::require_json_object(text, {.kind = "part", .path = path});
-    const auto document = ordered_json::parse(text);
-    if (document.at("schema") != reduction_schema) {
+    auto document = ordered_json::parse(text);
+    const ordered_json digest = document.at("digest");
+    document.erase("digest");
+    if (document.at("schema") != reduction_schema || digest != digest_of(document)) {
       throw std::runtime_error("not a part");
     }
     ReductionReport report = report_from(document);

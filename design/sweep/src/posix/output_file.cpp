@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -125,21 +124,6 @@ std::filesystem::path behind_links(std::filesystem::path path) {
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code not_there;
   return std::filesystem::equivalent(a, b, not_there) || resolved_place(a) == resolved_place(b);
-}
-
-bool is_being_swept(const std::string& path) {
-  std::string part = behind_links(path).string();
-  if (part.ends_with(".part.json")) {
-    part.resize(part.size() - std::string_view(".json").size());
-  }
-  const int descriptor =
-      part.ends_with(".part") ? ::open(part.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK) : -1;
-  if (descriptor < 0) {
-    return false;
-  }
-  const bool locked = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-  ::close(descriptor);
-  return locked;
 }
 
 }  // namespace stillpoint::sweep

@@ -10,6 +10,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -27,6 +28,12 @@ struct PartLabel {
   /// How many the part has if it is complete; empty if there is no such part.
   [[nodiscard]] std::optional<std::int64_t> rows() const;
 };
+
+/// SweepSpec::identity of a spec that is otherwise complete: everything that a result depends on,
+/// as a JSON object. `inputs` is a JSON object with everything that was given and decides the
+/// numbers; `version` is that of the program that computes them.
+[[nodiscard]] std::string identity_of(const SweepSpec& spec, const std::string& inputs,
+                                      std::string_view version);
 
 /// The label of a sweep, with its identity; the path is that of the output. Throws InputError
 /// unless the identity is a JSON object.

@@ -54,16 +54,6 @@ struct ReducedRow {
   std::vector<double> values;  ///< one for each RowColumn
 };
 
-/// The finite values of one column.
-struct ReducedColumn {
-  std::size_t column{0};  ///< among the RowColumns
-  std::int64_t count{0};
-  std::int64_t absent{0};    ///< values that do not exist
-  std::int64_t infinite{0};  ///< what never happens
-  std::optional<ReducedRow> least{};
-  std::optional<ReducedRow> largest{};
-};
-
 struct Histogram {
   std::size_t column{0};
   std::vector<double> edges;         ///< bin i: edges[i] <= value < edges[i + 1]; the last has both
@@ -84,8 +74,8 @@ class BestRows {
   /// Best first.
   [[nodiscard]] std::vector<ReducedRow> rows() const;
 
-  /// Whether a row with this value and this place would be among them.
-  [[nodiscard]] bool takes(double value, std::int64_t entry) const;
+  /// What the value of a later row must beat to be among them; infinite while there is room.
+  [[nodiscard]] double bar() const;
   void add(ReducedRow row);
   void add(const BestRows& other);
 
@@ -96,6 +86,19 @@ class BestRows {
   std::size_t most_;
   bool largest_;
   std::vector<ReducedRow> heap_;  ///< the worst in front
+};
+
+/// The finite values of one column.
+struct ReducedColumn {
+  explicit ReducedColumn(std::size_t place)
+      : column(place), least(place, 1, false), largest(place, 1, true) {}
+
+  std::size_t column;  ///< among the RowColumns
+  std::int64_t count{0};
+  std::int64_t absent{0};    ///< values that do not exist
+  std::int64_t infinite{0};  ///< what never happens
+  BestRows least;            ///< one row, if there is a value
+  BestRows largest;          ///< likewise
 };
 
 struct Reduction {
