@@ -21,9 +21,9 @@ print(found)
 task, design = found.input, found.design
 f = np.linspace(0, 2 * design.f, points)
 delta = np.linspace(0, 2 * design.delta, points)
-motions = stillpoint.motions(f[:, None], delta, task.v0, task.p)
-stops = motions.outcome == stillpoint.outcomes.index("stopped_at_zero")
-works = stops & (motions.half_cycles == 1) & (motions.peak_amplitude <= task.beta)
+motions = stillpoint.sweep(v0=task.v0, p=task.p, f=f, delta=delta).table.reshape(points, points)
+stops = motions["outcome"] == stillpoint.outcomes.index("stopped_at_zero")
+works = stops & (motions["half_cycles"] == 1) & (motions["peak_amplitude"] <= task.beta)
 print(f"{works.mean():.1%} of the dampers stop at x = 0 on their first return, within the stroke")
 
 nearest = np.abs(f - design.f).argmin(), np.abs(delta - design.delta).argmin()
@@ -37,7 +37,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 figure, axes = plt.subplots(figsize=(6, 4.5))
-shades = axes.pcolormesh(f, delta, np.where(works, motions.peak_amplitude / task.beta, np.nan).T)
+shades = axes.pcolormesh(f, delta, np.where(works, motions["peak_amplitude"] / task.beta, np.nan).T)
 figure.colorbar(shades, label="peak / largest admissible displacement")
 axes.plot(design.f, design.delta, "o", color="tab:orange", label="design")
 box = design.tolerance

@@ -30,6 +30,9 @@ using sweep::SweepUnits;
 std::shared_ptr<sweep::List> open_list(const Settings& settings,
                                        const std::optional<SweepUnits>& units) {
   const auto path = settings.text("list");
+  if (path && settings.held_list()) {
+    return std::make_shared<sweep::List>(settings.held_list(), units);
+  }
   return path ? std::make_shared<sweep::List>(
                     *path, settings.named<sweep::ListFormat>("list-format"), units)
               : nullptr;

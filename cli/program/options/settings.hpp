@@ -9,6 +9,7 @@
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/records/record_file.hpp>
 #include <stillpoint/sweep/axis.hpp>
+#include <stillpoint/sweep/list.hpp>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -125,6 +126,10 @@ class Settings {
     return held_;
   }
 
+  /// The same of a list.
+  void hold_list(std::shared_ptr<const sweep::ListColumns> list) { list_ = std::move(list); }
+  [[nodiscard]] const std::shared_ptr<const sweep::ListColumns>& held_list() const { return list_; }
+
   /// Sets what `other` has and this does not have.
   void complete_with(const Settings& other) {
     entries_.insert(other.entries_.begin(), other.entries_.end());
@@ -148,6 +153,7 @@ class Settings {
 
   std::map<std::string_view, Entry> entries_;
   std::shared_ptr<const records::HeldFiles> held_;
+  std::shared_ptr<const sweep::ListColumns> list_;
 };
 
 /// Whether one or more records are named.

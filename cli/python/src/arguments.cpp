@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "arguments.hpp"
 
+#include "held_arrays.hpp"
 #include "input/warnings.hpp"
 #include "options/scene.hpp"
-#include "record_arrays.hpp"
 #include "values.hpp"
 
 #include <stillpoint/core/input_error.hpp>
@@ -47,13 +47,14 @@ const Option& option_of(Command command, const std::string& keyword) {
 
 /// The value of an option, or of a key that is none.
 nlohmann::json json_of(const Option* option, const std::string& key, py::handle value,
-                       RecordArrays& arrays) {
+                       HeldArrays& arrays) {
   return option == nullptr || option->traits.file == cli::FileUse::none ? to_json(key, value)
          : option->name == "record"                                     ? arrays.names_in(value)
+         : option->name == "list"                                       ? arrays.name_of_list(value)
                                                                         : to_paths(key, value);
 }
 
-Settings from_mapping(Command command, const py::object& scene, RecordArrays& arrays) {
+Settings from_mapping(Command command, const py::object& scene, HeldArrays& arrays) {
   nlohmann::json given = nlohmann::json::object();
   for (const auto& [key, value] : py::dict(scene)) {
     const auto name = py::str(key).cast<std::string>();
@@ -62,7 +63,7 @@ Settings from_mapping(Command command, const py::object& scene, RecordArrays& ar
   return cli::scene_settings(given, command);
 }
 
-Settings from_scene(Command command, const py::object& scene, RecordArrays& arrays) {
+Settings from_scene(Command command, const py::object& scene, HeldArrays& arrays) {
   Settings all =
       py::hasattr(scene, "keys")
           ? from_mapping(command, scene, arrays)
@@ -92,6 +93,7 @@ std::string type_of(const Option& option, Command command) {
   }
   return option.name == "record"
              ? option.repeats_in(command) ? "Record | Sequence[Record]" : "Record"
+         : option.name == "list" ? "Path | Mapping[str, ArrayLike] | ArrayLike"
          : option.traits.file != cli::FileUse::none
              ? option.repeats_in(command) ? "Path | Sequence[Path]" : "Path"
          : option.traits.in_scene == cli::InScene::group ? "str | Mapping[str, Any]"
@@ -151,7 +153,7 @@ void warn_of_doubts(const Settings& settings, Command command) {
 }
 
 Settings settings(Command command, const py::object& scene, const py::dict& options) {
-  RecordArrays arrays;
+  HeldArrays arrays;
   nlohmann::json given = nlohmann::json::object();
   for (const auto& [key, value] : options) {
     const Option& option = option_of(command, key.cast<std::string>());
@@ -167,6 +169,7 @@ Settings settings(Command command, const py::object& scene, const py::dict& opti
     all = cli::scene_and_flags(command, flags, of_scene);
   }
   all.hold_records(arrays.files());
+  all.hold_list(arrays.list());
   return all;
 }
 

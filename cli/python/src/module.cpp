@@ -15,7 +15,5 @@ PYBIND11_MODULE(_stillpoint, module) {
   stillpoint::python::add_result(module);
   stillpoint::python::add_commands(module);
   stillpoint::python::add_sweep(module);
-  stillpoint::python::add_motions(module);
   stillpoint::python::add_records(module);
-  stillpoint::python::add_merge(module);
 }

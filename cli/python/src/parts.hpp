@@ -8,8 +8,6 @@ namespace stillpoint::python {
 /// What each file adds to the module.
 void add_commands(pybind11::module_& module);
 void add_sweep(pybind11::module_& module);
-void add_motions(pybind11::module_& module);
 void add_records(pybind11::module_& module);
-void add_merge(pybind11::module_& module);
 
 }  // namespace stillpoint::python

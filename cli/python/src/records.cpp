@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "held_arrays.hpp"
 #include "parts.hpp"
-#include "record_arrays.hpp"
 #include "values.hpp"
 
 #include <stillpoint/core/input_error.hpp>
@@ -40,7 +40,7 @@ py::dict read_record(const py::object& record, const std::optional<std::string>&
   }
   options.scale = scale;
   options.gravity_m_per_s2 = gravity;
-  RecordArrays arrays;
+  HeldArrays arrays;
   const nlohmann::json named = arrays.names_in(record);
   const std::string path = named.is_string() ? named.get<std::string>() : to_path("record", record);
   options.held = arrays.files();

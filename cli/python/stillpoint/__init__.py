@@ -3,9 +3,8 @@
 
 design, region, simulate, spectrum and sweep take the options of the program's commands as keyword
 arguments, with '_' for '-'. Their results have the fields of the JSON report as attributes and the
-whole report as a dict, report; a notebook shows their figures. motions follows many free
-motions from arrays to arrays; read_record reads an acceleration record. Wrong input raises
-InputError, a ValueError with the text that the program prints.
+whole report as a dict, report; a notebook shows their figures. read_record reads an acceleration
+record. Wrong input raises InputError, a ValueError with the text that the program prints.
 """
 
 import functools
@@ -58,8 +57,6 @@ __all__ = [
     "Result",
     "Sweep",
     "design",
-    "merge",
-    "motions",
     "options",
     "outcomes",
     "read_record",

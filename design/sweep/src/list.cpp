@@ -5,6 +5,7 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/names.hpp>
+#include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/records/units.hpp>
@@ -19,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace stillpoint::sweep {
 
@@ -67,6 +69,20 @@ List::List(const std::string& path, std::optional<ListFormat> format,
   }
 }
 
+List::List(std::shared_ptr<const ListColumns> held, const std::optional<SweepUnits>& units)
+    : path_("arrays"), units_(units), held_(std::move(held)) {
+  for (const auto& [name, values] : *held_) {
+    add_column(name);
+    if (values.size() != held_->front().second.size()) {
+      refuse(fmt::format("{} has {}, but {} has {}", name, counted(values.size(), "value"),
+                         held_->front().first, held_->front().second.size()));
+    }
+  }
+  if (held_->empty()) {
+    refuse("has no columns");
+  }
+}
+
 List::~List() = default;
 
 bool List::has(Quantity column) const {
@@ -74,32 +90,42 @@ bool List::has(Quantity column) const {
 }
 
 const std::string& List::source() const {
-  return lines_->source();
+  return lines_ ? lines_->source() : path_;
 }
 
 std::int64_t List::line() const {
-  return lines_->number();
+  return lines_ ? lines_->number() : given_;
 }
 
 void List::refuse(std::int64_t line, std::string_view what) const {
-  lines_->refuse(line, what);
+  if (lines_) {
+    lines_->refuse(line, what);
+  }
+  records::FilePlace place{.kind = "list", .path = path_};
+  if (line > 0) {
+    place.line = static_cast<std::size_t>(line);
+  }
+  throw records::FileError(std::move(place), what);
 }
 
 void List::refuse(std::string_view what) const {
   refuse(line(), what);
 }
 
+void List::add_column(std::string_view field) {
+  const auto quantity = find_named(listed_inputs, field, units_);
+  if (!quantity) {
+    refuse(not_a("column", field, units_));
+  }
+  if (has(*quantity)) {
+    refuse(fmt::format("the column {} appears twice", name(*quantity, units_)));
+  }
+  columns_.push_back(*quantity);
+}
+
 void List::read_header(std::string_view line) {
   for (const std::string& name_of : lines_->fields(line, row_)) {
-    const std::string_view field = trimmed(name_of);
-    const auto quantity = find_named(listed_inputs, field, units_);
-    if (!quantity) {
-      refuse(not_a("column", field, units_));
-    }
-    if (has(*quantity)) {
-      refuse(fmt::format("the column {} appears twice", name(*quantity, units_)));
-    }
-    columns_.push_back(*quantity);
+    add_column(trimmed(name_of));
   }
 }
 
@@ -156,6 +182,21 @@ void List::read_object(std::string_view line, std::vector<double>& values) {
 }
 
 bool List::next(std::vector<double>& values, const std::stop_token& stop) {
+  if (held_) {
+    const auto entry = static_cast<std::size_t>(given_);
+    if (entry == held_->front().second.size()) {
+      return false;
+    }
+    ++given_;
+    values.resize(columns_.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] = (*held_)[i].second[entry];
+      if (!std::isfinite(values[i])) {
+        refuse(fmt::format("{} = {}: must be finite", name(columns_[i], units_), values[i]));
+      }
+    }
+    return true;
+  }
   if (first_) {
     values = *first_;
     first_.reset();
@@ -174,6 +215,10 @@ bool List::next(std::vector<double>& values, const std::stop_token& stop) {
 }
 
 ListExtent List::whole() const {
+  if (held_) {
+    List again(held_, units_);
+    return read_to_end(again);
+  }
   if (path_ == "-" || is_special_file(path_)) {
     lines_->refuse({}, "must be a file to be split into parts: it is read twice");
   }

@@ -110,7 +110,7 @@ def test_interrupt_ends_a_motion(interrupt):
 
 def test_interrupt_ends_slow_motions(interrupt):
     with pytest.raises(KeyboardInterrupt):
-        stillpoint.motions([5e-11] * 300, 1e-13, v0=1, p=1, half_cycle_limit=1e11)
+        stillpoint.sweep(list={"f": [5e-11] * 300}, delta=1e-13, v0=1, p=1, half_cycle_limit=1e11)
 
 
 def test_interrupt_ends_a_sweep(interrupt):
@@ -168,7 +168,7 @@ def test_interrupt_ends_a_free_motion(interrupt):
 def test_interrupt_ends_arrays(interrupt):
     with pytest.raises(KeyboardInterrupt):
         while True:
-            stillpoint.motions([1e-6] * 1000, 1e-12, 1, 1)
+            stillpoint.sweep(list={"f": [1e-6] * 1000}, delta=1e-12, v0=1, p=1)
 
 
 def test_scenes_and_paths_are_accepted_or_refused_by_name(program):
@@ -199,8 +199,8 @@ def test_axes_may_be_any_sequence():
 
 @pytest.mark.parametrize("wrong", [1j, ["a"], ["0.1"], np.array([1j]), np.array(["2020"], "M8[Y]"), {}])
 def test_arrays_are_of_numbers(wrong):
-    with pytest.raises(stillpoint.InputError, match="^f: must be a number or an array of numbers$"):
-        stillpoint.motions(wrong, 0.1, 1.0, 1.0)
+    with pytest.raises(stillpoint.InputError, match="^f = a column of the list: must be an array of numbers$"):
+        stillpoint.sweep(list={"f": wrong}, delta=0.1, v0=1, p=1)
 
 
 COMMAS = """

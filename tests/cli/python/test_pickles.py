@@ -54,9 +54,9 @@ def test_pools_of_processes_work():
         found = [*pool.map(stillpoint.design, [{"beta": beta, **HIT} for beta in betas])]
         regions = [*pool.map(partial(stillpoint.region, HIT), [])]
         wrong = pool.submit(stillpoint.design, v0=-1, p=1, beta=1)
-        many = pool.submit(stillpoint.motions, np.array([0.1, 0.2]), 0.1, 1, 1).result()
+        many = pool.submit(stillpoint.sweep, f=np.array([0.1, 0.2]), delta=0.1, v0=1, p=1).result()
         with pytest.raises(stillpoint.InputError, match="^v0 = -1: "):
             wrong.result()
     assert not regions
     assert [one.design for one in found] == [stillpoint.design(beta=beta, **HIT).design for beta in betas]
-    assert many.peak_amplitude.tolist() == stillpoint.motions([0.1, 0.2], 0.1, 1, 1).peak_amplitude.tolist()
+    assert many.table.tobytes() == stillpoint.sweep(f=[0.1, 0.2], delta=0.1, v0=1, p=1).table.tobytes()

@@ -109,60 +109,19 @@ def test_reduced_parts_merge_with_those_of_the_program(program):
     program.run("sweep", "--reduce", output="whole.json", **axes)
     whole = (program.folder / "whole.json").read_bytes()
     assert (program.folder / "r.json").read_bytes() == whole
-    found = stillpoint.merge(parts, output="here.json")
-    assert (program.folder / "here.json").read_bytes() == whole
-    assert isinstance(found, stillpoint.Sweep) and found.report == json.loads(whole)
     again = stillpoint.sweep(reduce=True, part="1/2", output="r-{part}.json", resume=True, **axes)
     assert again.report == first.report
     with pytest.raises(stillpoint.InputError, match="is part 1/2 of this sweep"):
         stillpoint.sweep(reduce=True, part="2/2", output="r-1-of-2.json", **axes)
 
 
-@pytest.mark.parametrize("suffix", ["npy", "csv"])
-def test_rows_of_parts_match_the_whole(program, suffix):
+def test_parts_are_those_of_the_program(program):
     axes = {"v0": 1, "p": 1, "f": "0:0.35:20", "delta": "0:0.5:21"}
-    parts = [f"rows-{i}-of-3.{suffix}" for i in (3, 1, 2)]
-    for i in (1, 2, 3):
-        stillpoint.sweep(part=f"{i}/3", output="rows-{part}." + suffix, **axes)
-    whole = stillpoint.sweep(output=f"whole.{suffix}", **axes)
-    found = stillpoint.merge(parts, output=f"rows.{suffix}")
-    assert (program.folder / f"rows.{suffix}").read_bytes() == (program.folder / f"whole.{suffix}").read_bytes()
-    assert found.table is None and found.rows == 420 == whole.rows
-    assert found.report == {"rows": 420, "parts": 3, "output": f"rows.{suffix}"}
-    assert repr(found) == "<Sweep: 420 rows of 3 parts.>" and "<svg" not in found._repr_html_()
-    if suffix == "npy":
-        table = stillpoint.merge(parts).table
-        wanted = stillpoint.sweep(**axes).table
-        assert table.dtype == wanted.dtype and table.tobytes() == wanted.tobytes()
-    else:
-        with pytest.raises(stillpoint.InputError, match="^output is missing: "):
-            stillpoint.merge(parts)
-
-
-def test_wrong_parts_of_a_sweep_are_refused_as_the_program_does(program):
-    axes = {"v0": 1, "p": 1, "f": "0:0.35:20", "delta": 0.1}
-    for output in ("p-{part}.npy", "r-{part}.json"):
-        for i in (1, 2):
-            stillpoint.sweep(part=f"{i}/2", output=output, reduce="json" in output, **axes)
-    stillpoint.sweep(part="2/2", output="other-{part}.npy", **{**axes, "delta": 0.2})
-    (program.folder / "cut.npy").write_bytes((program.folder / "p-2-of-2.npy").read_bytes()[:-9])
-    first = "p-1-of-2.npy"
-    for parts in ([first], [first, first], [first, "none"], ["none"], [first, "cut.npy"],
-                  [first, "other-2-of-2.npy"], ["r-1-of-2.json"], ["r-1-of-2.json", first]):
-        with pytest.raises(stillpoint.InputError) as caught:
-            stillpoint.merge(parts, output="whole")
-        done = program.run("sweep", "merge", "whole", *parts)
-        assert done.returncode == 2 and done.stderr == f"stillpoint: {caught.value}\n"
-        assert not (program.folder / "whole").exists()
-        with pytest.raises(stillpoint.InputError) as again:
-            stillpoint.merge(parts)
-        assert str(again.value) == str(caught.value)
-    for output in (first, 5):
-        with pytest.raises(stillpoint.InputError, match="^output "):
-            stillpoint.merge([first, "p-2-of-2.npy"], output=output)
-    for parts in ([], 5, [None]):
-        with pytest.raises(stillpoint.InputError, match="^parts = "):
-            stillpoint.merge(parts)
+    for i in (1, 2):
+        stillpoint.sweep(part=f"{i}/2", output="here-{part}.npy", **axes)
+        program.run("sweep", part=f"{i}/2", output="there-{part}.npy", **axes)
+        here, there = (program.folder / f"{where}-{i}-of-2.npy" for where in ("here", "there"))
+        assert here.read_bytes() == there.read_bytes()
 
 
 @pytest.mark.parametrize("more", [

@@ -13,6 +13,7 @@
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::sweep {
@@ -23,6 +24,9 @@ enum class ListFormat { csv, jsonl };
 
 [[nodiscard]] std::span<const Named<ListFormat>> enumerators(ListFormat) noexcept;
 using stillpoint::name;
+
+/// A list in memory: the names of its columns, and their values.
+using ListColumns = std::vector<std::pair<std::string, std::vector<double>>>;
 
 /// The length of a list and its digest.
 struct ListExtent {
@@ -40,6 +44,9 @@ class List {
   /// the names of physical inputs, and its numbers are in SI units.
   explicit List(const std::string& path, std::optional<ListFormat> format = {},
                 const std::optional<SweepUnits>& units = {});
+  /// Of what is in memory; "line" in errors is then the number of the entry.
+  explicit List(std::shared_ptr<const ListColumns> held,
+                const std::optional<SweepUnits>& units = {});
   List(const List&) = delete;
   List& operator=(const List&) = delete;
   ~List();
@@ -47,7 +54,7 @@ class List {
   [[nodiscard]] const std::vector<Quantity>& columns() const { return columns_; }
   [[nodiscard]] bool has(Quantity column) const;
   [[nodiscard]] ListFormat format() const { return format_; }
-  /// "standard input", or the path.
+  /// "standard input", the path, or "arrays".
   [[nodiscard]] const std::string& source() const;
 
   /// Of the whole list, which is read again. Throws FileError if it is not a file.
@@ -62,14 +69,17 @@ class List {
   [[noreturn]] void refuse(std::int64_t line, std::string_view what) const;
 
  private:
+  void add_column(std::string_view name);
   void read_header(std::string_view line);
   void read_row(std::string_view line, std::vector<double>& values);
   void read_object(std::string_view line, std::vector<double>& values);
   [[noreturn]] void refuse(std::string_view what) const;
 
   std::string path_;
-  std::unique_ptr<LineReader> lines_;
+  std::unique_ptr<LineReader> lines_;  ///< null if it is in memory
   std::optional<SweepUnits> units_;
+  std::shared_ptr<const ListColumns> held_{};
+  std::int64_t given_{0};  ///< entries of it
   ListFormat format_{ListFormat::csv};
   std::vector<Quantity> columns_;
   records::CsvRow row_;

@@ -2,19 +2,18 @@
 // The command sweep, with its rows in memory: what a file of the format npy holds, as an array. Or
 // without rows.
 
-#include "sweep_rows.hpp"
 #include "arguments.hpp"
 #include "input/request.hpp"
 #include "interruptible.hpp"
 #include "output.hpp"
 #include "parts.hpp"
+#include "result.hpp"
 #include "values.hpp"
 #include "written_files.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/report/reduction.hpp>
 #include <stillpoint/report/sweep.hpp>
-#include <stillpoint/sweep/merge.hpp>
 #include <stillpoint/sweep/open_rows.hpp>
 #include <stillpoint/sweep/run.hpp>
 
@@ -34,6 +33,12 @@ using sweep::SweepSpec;
 
 namespace {
 
+/// What sweep found, with its rows if they are in memory.
+class Sweep final : public Result {
+ public:
+  using Result::Result;
+};
+
 /// The records of a .npy file.
 py::dtype dtype_of(const SweepSpec& spec) {
   py::list columns;
@@ -51,7 +56,7 @@ py::dtype dtype_of(const SweepSpec& spec) {
 class RowsInMemory final : public sweep::RowSink {
  public:
   /// `size` is that of all rows, if known.
-  explicit RowsInMemory(std::size_t size = 0) {
+  explicit RowsInMemory(std::size_t size) {
     try {
       bytes_.reserve(size);
     } catch (const std::bad_alloc&) {
@@ -62,14 +67,11 @@ class RowsInMemory final : public sweep::RowSink {
   }
 
   void write(std::string_view bytes) override {
-    if (header_.empty()) {
-      header_ = bytes;
-    } else {
+    if (after_header_) {
       bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
     }
+    after_header_ = true;
   }
-
-  [[nodiscard]] const std::string& header() const { return header_; }
 
   /// The rows as an array that owns them.
   [[nodiscard]] py::array take(const py::dtype& type) {
@@ -80,48 +82,9 @@ class RowsInMemory final : public sweep::RowSink {
   }
 
  private:
-  std::string header_;  ///< comes first
+  bool after_header_{false};  ///< which comes first, alone
   std::vector<char> bytes_;
 };
-
-/// Apart, for its json() would hide the type of that name.
-namespace merged {
-
-/// What parts hold, which is less than a report of the sweep has.
-struct Rows {
-  sweep::Merged found;
-  std::size_t parts;
-  std::optional<std::string> output;
-};
-
-nlohmann::ordered_json json(const Rows& all) {
-  return {{"rows", all.found.rows},
-          {"parts", all.parts},
-          {"output", all.output ? nlohmann::ordered_json(*all.output) : nlohmann::ordered_json()}};
-}
-
-report::Document document(const Rows& all) {
-  report::Document said;
-  said.title = "Sweep";
-  said.verdict = fmt::format("{} rows of {} parts.", all.found.rows, all.parts);
-  return said;
-}
-
-}  // namespace merged
-
-/// From the header of a file.
-py::dtype dtype_of(const std::string& header) {
-  constexpr std::size_t magic = 8;  // with the version
-  if (!header.starts_with('\x93')) {
-    throw InputError::missing("output", "rows as CSV are joined in a file");
-  }
-  const py::object file =
-      py::module_::import("io").attr("BytesIO")(py::bytes(header.substr(magic)));
-  return py::module_::import("numpy.lib.format")
-      .attr("read_array_header_1_0")(file)
-      .cast<py::tuple>()[2]
-      .cast<py::dtype>();
-}
 
 /// Only a sweep over f and delta has a map.
 std::optional<sweep::SweepMap> map_of(const SweepSpec& spec) {
@@ -189,26 +152,12 @@ std::unique_ptr<Sweep> run_sweep(const py::object& scene, const py::kwargs& opti
 
 }  // namespace
 
-std::unique_ptr<Sweep> merged_reduction(const std::vector<std::string>& parts) {
-  return std::make_unique<Sweep>(
-      answers::answer_of(
-          interruptible([&](const std::stop_token& /*stop*/) { return report::merged(parts); })),
-      py::none());
-}
-
-std::unique_ptr<Sweep> merged_rows(const std::vector<std::string>& parts,
-                                   const std::optional<std::string>& output) {
-  RowsInMemory memory;
-  const sweep::Merged found = interruptible([&](const std::stop_token& stop) {
-    return output ? sweep::merge(*output, parts, {stop, {}})
-                  : sweep::merge(memory, parts, {stop, {}});
-  });
-  return std::make_unique<Sweep>(
-      answers::answer_of(merged::Rows{found, parts.size(), output}),
-      output ? py::object(py::none()) : memory.take(dtype_of(memory.header())));
-}
-
 void add_sweep(py::module_& module) {
+  py::list names;
+  for (std::size_t i = 0; i < sweep::sweep_outcome_count; ++i) {
+    names.append(py::str(std::string(sweep::sweep_outcome_name(i))));
+  }
+  module.attr("outcomes") = py::tuple(names);
   result_class<Sweep, Result>(
       module, "Sweep", "What sweep found: the fields of its report as attributes, and table.")
       .def_property_readonly("table", &Result::rows,
@@ -219,7 +168,8 @@ void add_sweep(py::module_& module) {
       documentation(Command::sweep,
                     "Many motions, or with beta many designs, over a grid or a list. An axis "
                     "is a number, an array, or a string: \"first:last:count\", with \":log\", or "
-                    "\"a,b,c\". The result has a table, a structured array with a field for each "
+                    "\"a,b,c\". A list is a file, or arrays: {\"f\": f, \"delta\": delta}. The "
+                    "result has a table, a structured array with a field for each "
                     "column; outcome is an index in stillpoint.outcomes. With output the rows "
                     "go to that file instead. With reduce there are no rows, but counts, extremes, "
                     "histograms and the best.")

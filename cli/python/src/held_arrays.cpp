@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "record_arrays.hpp"
+#include "held_arrays.hpp"
 
 #include "numbers.hpp"
 #include "values.hpp"
@@ -12,6 +12,7 @@
 #include <iterator>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace stillpoint::python {
 
@@ -25,8 +26,8 @@ bool is_name(py::handle value) {
          py::hasattr(value, "__fspath__");
 }
 
-std::optional<Doubles> column(py::handle value) {
-  auto found = is_name(value) ? std::nullopt : doubles("record", value);
+std::optional<Doubles> column(py::handle value, const std::string& field = "record") {
+  auto found = is_name(value) ? std::nullopt : doubles(field, value);
   return found && found->ndim() == 1 ? found : std::nullopt;
 }
 
@@ -57,9 +58,19 @@ std::string text_of(py::handle value) {
   return text;
 }
 
+/// The names of the columns of a dict, a table of pandas or a structured array; None for anything
+/// else.
+py::object column_names(py::handle value) {
+  if (py::hasattr(value, "keys")) {
+    return value.attr("keys")();
+  }
+  return py::hasattr(value, "dtype") ? py::object(value.attr("dtype").attr("names"))
+                                     : py::object(py::none());
+}
+
 }  // namespace
 
-std::string RecordArrays::hold(std::string text) {
+std::string HeldArrays::hold(std::string text) {
   if (!files_) {
     files_ = std::make_shared<records::HeldFiles>();
   }
@@ -71,7 +82,7 @@ std::string RecordArrays::hold(std::string text) {
   return name;
 }
 
-json RecordArrays::names_in(py::handle value) {
+json HeldArrays::names_in(py::handle value) {
   if (std::string text = text_of(value); !text.empty()) {
     return hold(std::move(text));
   }
@@ -94,6 +105,25 @@ json RecordArrays::names_in(py::handle value) {
     names.push_back(text.empty() ? to_paths("record", one) : json(hold(std::move(text))));
   }
   return names;
+}
+
+json HeldArrays::name_of_list(py::handle value) {
+  const py::object names = column_names(value);
+  if (names.is_none()) {
+    return to_paths("list", value);
+  }
+  sweep::ListColumns columns;
+  for (const py::handle key : names) {
+    const auto name = py::str(key).cast<std::string>();
+    const auto values = column(value[py::reinterpret_borrow<py::object>(key)], name);
+    if (!values) {
+      throw InputError(name, "a column of the list", "must be an array of numbers");
+    }
+    columns.emplace_back(name,
+                         std::vector<double>(values->data(), values->data() + values->size()));
+  }
+  list_ = std::make_shared<const sweep::ListColumns>(std::move(columns));
+  return "arrays";
 }
 
 }  // namespace stillpoint::python
