@@ -19,7 +19,7 @@ using namespace stillpoint::fuzz;
 using namespace stillpoint::sweep;
 
 void read_entries(const std::string& path, const std::optional<SweepUnits>& units) {
-  List list(path, {}, units);
+  List list(path, units);
   std::vector<double> values;
   std::int64_t entries = 0;
   while (list.next(values)) {
@@ -30,7 +30,7 @@ void read_entries(const std::string& path, const std::optional<SweepUnits>& unit
       require(std::isfinite(value), "the value {} on line {}", value, list.line());
     }
   }
-  List again(path, {}, units);
+  List again(path, units);
   require(read_to_end(again).entries == entries, "{} entries at first", entries);
 }
 

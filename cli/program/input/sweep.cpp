@@ -33,9 +33,7 @@ std::shared_ptr<sweep::List> open_list(const Settings& settings,
   if (path && settings.held_list()) {
     return std::make_shared<sweep::List>(settings.held_list(), units);
   }
-  return path ? std::make_shared<sweep::List>(
-                    *path, settings.named<sweep::ListFormat>("list-format"), units)
-              : nullptr;
+  return path ? std::make_shared<sweep::List>(*path, units) : nullptr;
 }
 
 bool given(const Settings& settings, const SweepSpec& spec, Quantity quantity) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/sweep/catalogue_file.hpp>
 
-#include "line_reader.hpp"
+#include "csv_table.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <unordered_map>
 
@@ -27,43 +26,25 @@ using records::printable;
 class CatalogueReader {
  public:
   CatalogueReader(const std::string& path, const CatalogueUnits& units)
-      : lines_(path, "catalogue"), units_(units) {}
+      : table_(path, "catalogue", " with name, f, and delta or delta_m"), units_(units) {}
 
   std::vector<design::Part> parts() {
     read_header();
     std::vector<design::Part> parts;
-    while (next_row()) {
+    while (table_.next()) {
       if (parts.size() == most_parts) {
         refuse(fmt::format("there are more than {} parts", most_parts));
-      }
-      if (fields_.size() != columns_) {
-        refuse(fmt::format("has {} values, but the header names {} columns", fields_.size(),
-                           columns_));
       }
       parts.push_back(part());
     }
     if (parts.empty()) {
-      lines_.refuse({}, "has no parts: below the header there must be at least one");
+      table_.lines().refuse({}, "has no parts: below the header there must be at least one");
     }
     return parts;
   }
 
  private:
-  /// The fields of the next line; false at the end.
-  bool next_row() {
-    std::string_view line;
-    if (!lines_.next(line, {})) {
-      return false;
-    }
-    fields_ = lines_.fields(line, row_);
-    return true;
-  }
-
   void read_header() {
-    if (!next_row()) {
-      lines_.refuse({}, "is empty: it must have a header with name, f, and delta or delta_m");
-    }
-    columns_ = fields_.size();
     name_ = column("name");
     f_ = column("f");
     delta_ = column("delta");
@@ -90,17 +71,17 @@ class CatalogueReader {
   }
 
   [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const {
-    if (std::ranges::count(fields_, name, records::trimmed) > 1) {
+    const auto& names = table_.names();
+    if (std::ranges::count(names, name) > 1) {
       refuse(fmt::format("the column {} appears twice", name));
     }
-    const auto found = std::ranges::find(fields_, name, records::trimmed);
-    return found == fields_.end()
-               ? std::nullopt
-               : std::optional(static_cast<std::size_t>(found - fields_.begin()));
+    const auto found = std::ranges::find(names, name);
+    return found == names.end() ? std::nullopt
+                                : std::optional(static_cast<std::size_t>(found - names.begin()));
   }
 
   design::Part part() {
-    const std::string& name = fields_[*name_];
+    const std::string name = table_.text(*name_);
     if (name.empty()) {
       refuse("name is empty: every part must have one");
     }
@@ -108,7 +89,7 @@ class CatalogueReader {
       refuse(fmt::format("name = {}: must be printable UTF-8 of at most {} bytes",
                          printable(name, longest_word), longest_part_name));
     }
-    if (const auto [first, alone] = line_of_.emplace(name, lines_.number()); !alone) {
+    if (const auto [first, alone] = line_of_.emplace(name, table_.lines().number()); !alone) {
       refuse(fmt::format("name = {}: appears twice, first on line {}", name, first->second));
     }
     design::Part part{name, number("f", *f_, 1), 0};
@@ -126,7 +107,7 @@ class CatalogueReader {
 
   /// The value of a cell in dimensionless units, of which one is `unit` in the cell's units.
   [[nodiscard]] double number(std::string_view field, std::size_t column, double unit) const {
-    const std::string_view text = records::trimmed(fields_[column]);
+    const std::string_view text = records::trimmed(table_.text(column));
     double value = 0;
     try {
       value = field == "delta_m" ? units_.parse_metres(text) : records::parse_number(field, text);
@@ -141,13 +122,10 @@ class CatalogueReader {
     return value / unit;
   }
 
-  [[noreturn]] void refuse(std::string_view what) const { lines_.refuse(lines_.number(), what); }
+  [[noreturn]] void refuse(std::string_view what) const { table_.refuse(what); }
 
-  LineReader lines_;
+  CsvTable table_;
   const CatalogueUnits& units_;
-  records::CsvRow row_;
-  std::span<const std::string> fields_;  ///< of the row
-  std::size_t columns_{0};
   std::optional<std::size_t> name_, f_, delta_, delta_m_;
   std::unordered_map<std::string, std::int64_t> line_of_;
 };

@@ -3,11 +3,8 @@
 
 #include "descriptor.hpp"
 
-#include <stillpoint/records/csv.hpp>
-
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -20,15 +17,11 @@ namespace stillpoint::sweep {
 class LineReader {
  public:
   /// `path` "-" is standard input; `kind` says what the file is to the program, file_error.hpp.
-  explicit LineReader(const std::string& path, std::string kind = "list");
+  LineReader(const std::string& path, std::string kind);
 
   /// The next line without its end (LF or CR LF) or a byte order mark, valid until the next call.
   /// False at the end and after a stop, even while it waits for input. A line has at most 64 KiB.
   [[nodiscard]] bool next(std::string_view& line, const std::stop_token& stop);
-
-  /// The fields of a row of CSV that begins with `line`, the last one; a quoted field may go on in
-  /// further lines. They are in `row`, until its next use. Throws FileError for a wrong row.
-  [[nodiscard]] std::span<const std::string> fields(std::string_view line, records::CsvRow& row);
 
   /// The line that was read last, from 1.
   [[nodiscard]] std::int64_t number() const { return number_; }

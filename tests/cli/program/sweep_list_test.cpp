@@ -38,8 +38,6 @@ const std::vector<Spelling> spellings{
     {"with_a_line_of_64_KiB",
      "f,delta\n0.1,0.2" + std::string(longest_line - 7, ' ') + "\n0.02,0.03\n0,0\n"},
     {"with_other_numerals", "f,delta\n+1e-1,.2\n2E-2,3e-02\n0.0,-0\n"},
-    {"as_json_lines",
-     " {\"f\": 0.1, \"delta\": 0.2}\n{\"delta\": 0.03, \"f\": 0.02}\n\n{\"f\": 0, \"delta\": 0}"},
 };
 
 }  // namespace
@@ -57,11 +55,9 @@ BOOST_DATA_TEST_CASE_F(Sandbox, spelling, data::make(spellings), one) {
 }
 
 BOOST_AUTO_TEST_CASE(of_scenes_gives_each_its_own_start) {
-  write("scenes.jsonl",
-        "{\"v0\": 1, \"p\": 2, \"f\": 0.1, \"delta\": 0.1}\n"
-        "{\"v0\": 2, \"p\": 1, \"f\": 0.1, \"delta\": 0.1}\n");
+  write("scenes.csv", "v0,p,f,delta\n1,2,0.1,0.1\n2,1,0.1,0.1\n");
   const SweepTable rows =
-      check_rows(*this, "simulate", {}, "--list scenes.jsonl",
+      check_rows(*this, "simulate", {}, "--list scenes.csv",
                  [](const SweepTable& table, std::size_t row, const json& report) {
                    BOOST_TEST(table.number(row, "peak_amplitude") ==
                               report["response"]["peak_amplitude"].get<double>());
@@ -138,19 +134,7 @@ const std::vector<WrongList> wrong_lists{
     {"f,delta\n0.1,0.2" + std::string(longest_line - 6, ' ') + "\n",
      {"line 2", "longer than 65536 bytes"}},
     {"f,delta\n" + std::string(100'000, '1'), {"line 2", "longer"}},
-    {"{\"f\": 1, \"delta\": 1}\n{\"f\": 1,\n", {"line 2", "not valid JSON"}, 1},
-    {"{\"f\": 1, \"delta\": 1}\n[1, 2]\n", {"line 2", "array", "object"}, 1},
-    {"{\"f\": {\"a\": 1}, \"delta\": 1}\n", {"line 1", "f is a JSON object"}},
-    {"{\"f\": \"1\", \"delta\": 1}\n", {"line 1", "f is a JSON string", "number"}},
-    {"{\"f\": 1, \"delta\": 1, \"f\": 2}\n", {"line 1, column 22", "f is set twice"}},
-    {"{\"f\": 1, \"delta\": 1, \"g\": 2}\n", {"line 1", "\"g\"", "is not a key"}},
-    {"{\"f\": 1, \"delta\": 1}\n{\"f\": 1}\n", {"line 2", "has 1 key,", "has 2"}, 1},
-    {"{\"f\": 1, \"delta\": 1}\n{\"f\": 1, \"delta\": 1, \"x0\": 1}\n",
-     {"line 2", "x0", "first object"},
-     1},
-    {"{\"f\": 1, \"delta\": 1} {}\n", {"line 1", "not valid JSON"}},
-    {"{}\n", {"line 1", "keys"}},
-    {"{\"f\": 1e999, \"delta\": 1}\n", {"line 1", "1e999"}},
+    {"{\"f\": 1}\n", {"line 1", "is not a column"}},
 };
 
 }  // namespace

@@ -96,15 +96,6 @@ bool LineReader::next(std::string_view& line, const std::stop_token& stop) {
   return false;
 }
 
-std::span<const std::string> LineReader::fields(std::string_view line, records::CsvRow& row) {
-  const std::int64_t first = number_;
-  const auto go_on = [this](std::string_view& more) { return next(more, {}); };
-  if (const std::string_view fault = row.read(line, go_on); !fault.empty()) {
-    refuse(first, fault);
-  }
-  return row.fields();
-}
-
 bool LineReader::next_of_all(std::string_view& line, const std::stop_token& stop) {
   std::size_t searched = 0;
   for (;;) {
