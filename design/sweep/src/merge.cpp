@@ -113,11 +113,12 @@ class Joiner {
 }  // namespace
 
 void require_apart(const NamedFile& written, const std::vector<std::string>& parts) {
-  const auto& [field, path] = written;
-  if (std::ranges::any_of(parts, [&to = path](const auto& part) { return same_file(part, to); })) {
-    throw records::FileError({.kind = field, .path = path},
-                             "would overwrite a part: give another file");
+  std::vector<NamedFile> read;
+  read.reserve(parts.size());
+  for (const std::string& part : parts) {
+    read.push_back({"part", part});
   }
+  require_apart(read, {written});
 }
 
 Merged merge(const std::string& output, const std::vector<std::string>& parts,

@@ -83,6 +83,9 @@ std::string difference(const PartLabel& one, const PartLabel& other) {
   if (one.task != other.task) {
     return difference_of_tasks(one.task, other.task);
   }
+  if (one.part.count != other.part.count) {
+    return fmt::format("it is part {}, not {}", text(other.part), text(one.part));
+  }
   if (one.whole.entries != other.whole.entries) {
     return fmt::format("the number of entries was {} and is now {}", one.whole.entries,
                        other.whole.entries);
@@ -91,7 +94,7 @@ std::string difference(const PartLabel& one, const PartLabel& other) {
 }
 
 bool is_that_part(const PartLabel& found, const PartLabel& wanted) {
-  if (found.part.count != wanted.part.count || !difference(found, wanted).empty()) {
+  if (!difference(found, wanted).empty()) {
     return false;
   }
   if (found.part != wanted.part) {
@@ -110,10 +113,6 @@ void PartOrder::add(PartLabel label) {
     if (const std::string differs = difference(first, label); !differs.empty()) {
       refuse_part(label,
                   fmt::format("belongs to a different sweep from {}: {}", first.path, differs));
-    }
-    if (first.part.count != label.part.count) {
-      refuse_part(label, fmt::format("is part {}, but {} is part {}", text(label.part), first.path,
-                                     text(first.part)));
     }
     label.task.clear();  // that of the first is enough, and may be long
   }

@@ -14,17 +14,18 @@
 namespace stillpoint::sweep {
 
 Output::~Output() {
-  for (const Staged& file : staged_) {
+  for (const File& file : files_) {
     std::error_code ignored;
-    std::filesystem::remove(file.temporary, ignored);
+    if (!file.temporary.empty()) {
+      std::filesystem::remove(file.temporary, ignored);
+    }
   }
 }
 
 void Output::write_file(std::string_view field, const std::string& path, std::string_view text) {
   require_file_name(field, path);
-  const bool standard = is_standard_output(path);
-  if (standard || is_special_file(path)) {
-    direct_.push_back({std::string(field), path, std::string(text), standard});
+  if (is_standard_output(path) || is_special_file(path)) {
+    files_.push_back({std::string(field), path, std::string(text)});
     return;
   }
   // A link stays a link: its target is replaced.
@@ -43,38 +44,37 @@ void Output::stage(std::string_view field, const std::filesystem::path& target,
   if (descriptor < 0) {
     refuse_writing(field, target.string(), errno);
   }
-  staged_.push_back({std::string(field), temporary, target});
+  files_.push_back({std::string(field), target.string(), "", temporary});
   if (const int error = write_and_close(descriptor, text); error != 0) {
     refuse_writing(field, target.string(), error);
   }
 }
 
 void Output::commit() {
-  for (const Direct& file : direct_) {
-    if (file.is_standard_output) {
-      if (const int error = write_all(STDOUT_FILENO, file.text); error != 0) {
-        refuse_writing(file.field, file.target, error);
+  for (const auto& [field, target, text, temporary] : files_) {
+    if (temporary.empty()) {
+      const int descriptor = is_standard_output(target)
+                                 ? ::dup(STDOUT_FILENO)
+                                 : ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
+      const int error = descriptor < 0 ? errno : write_and_close(descriptor, text);
+      if (error != 0) {
+        refuse_writing(field, target, error);
       }
-      continue;
-    }
-    const int descriptor = ::open(file.target.c_str(), O_WRONLY | O_CLOEXEC);
-    const int error = descriptor < 0 ? errno : write_and_close(descriptor, file.text);
-    if (error != 0) {
-      refuse_writing(file.field, file.target, error);
     }
   }
   if (std::fwrite(printed_.data(), 1, printed_.size(), stdout) != printed_.size() ||
       std::fflush(stdout) != 0) {
     refuse_writing("standard", "output", errno);
   }
-  while (!staged_.empty()) {
-    const Staged& file = staged_.back();
+  for (File& file : files_) {
     std::error_code error;
-    std::filesystem::rename(file.temporary, file.target, error);
-    if (error) {
-      refuse_writing(file.field, file.target.string(), error.value());
+    if (!file.temporary.empty()) {
+      std::filesystem::rename(file.temporary, file.target, error);
     }
-    staged_.pop_back();
+    if (error) {
+      refuse_writing(file.field, file.target, error.value());
+    }
+    file.temporary.clear();
   }
 }
 

@@ -28,23 +28,17 @@ class Output {
   void commit();
 
  private:
-  struct Staged {
-    std::string field;
-    std::filesystem::path temporary;
-    std::filesystem::path target;
-  };
-  struct Direct {
+  struct File {
     std::string field;
     std::string target;
-    std::string text;
-    bool is_standard_output;
+    std::string text;         ///< of what is no regular file
+    std::string temporary{};  ///< else it is here until it is moved
   };
 
   void stage(std::string_view field, const std::filesystem::path& target, std::string_view text);
 
   std::string printed_;
-  std::vector<Staged> staged_;
-  std::vector<Direct> direct_;
+  std::vector<File> files_;
 };
 
 }  // namespace stillpoint::sweep

@@ -39,7 +39,8 @@ struct PartLabel {
 /// unless the identity is a JSON object.
 [[nodiscard]] PartLabel label_of(const SweepSpec& spec);
 
-/// Empty if both belong to the same sweep, else how they differ: "f was 0:1:10, is 0:1:20".
+/// Empty if both belong to the same sweep in as many parts, else how they differ: "f was 0:1:10, is
+/// 0:1:20".
 [[nodiscard]] std::string difference(const PartLabel& one, const PartLabel& other);
 
 /// Whether an existing file, `found`, holds the part `wanted`. Throws FileError for another part of
