@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/sweep/catalogue_file.hpp>
 
-#include "csv_table.hpp"
+#include "csv_file.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
@@ -26,19 +26,19 @@ using records::printable;
 class CatalogueReader {
  public:
   CatalogueReader(const std::string& path, const CatalogueUnits& units)
-      : table_(path, "catalogue", " with name, f, and delta or delta_m"), units_(units) {}
+      : file_(path, "catalogue", " with name, f, and delta or delta_m"), units_(units) {}
 
   std::vector<design::Part> parts() {
     read_header();
     std::vector<design::Part> parts;
-    while (table_.next()) {
+    while (file_.next()) {
       if (parts.size() == most_parts) {
         refuse(fmt::format("there are more than {} parts", most_parts));
       }
       parts.push_back(part());
     }
     if (parts.empty()) {
-      table_.lines().refuse({}, "has no parts: below the header there must be at least one");
+      file_.refuse({}, "has no parts: below the header there must be at least one");
     }
     return parts;
   }
@@ -71,7 +71,7 @@ class CatalogueReader {
   }
 
   [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const {
-    const auto& names = table_.names();
+    const auto& names = file_.names();
     if (std::ranges::count(names, name) > 1) {
       refuse(fmt::format("the column {} appears twice", name));
     }
@@ -81,7 +81,7 @@ class CatalogueReader {
   }
 
   design::Part part() {
-    const std::string name = table_.text(*name_);
+    const std::string name = file_.text(*name_);
     if (name.empty()) {
       refuse("name is empty: every part must have one");
     }
@@ -89,7 +89,7 @@ class CatalogueReader {
       refuse(fmt::format("name = {}: must be printable UTF-8 of at most {} bytes",
                          printable(name, longest_word), longest_part_name));
     }
-    if (const auto [first, alone] = line_of_.emplace(name, table_.lines().number()); !alone) {
+    if (const auto [first, alone] = line_of_.emplace(name, file_.line()); !alone) {
       refuse(fmt::format("name = {}: appears twice, first on line {}", name, first->second));
     }
     design::Part part{name, number("f", *f_, 1), 0};
@@ -107,7 +107,7 @@ class CatalogueReader {
 
   /// The value of a cell in dimensionless units, of which one is `unit` in the cell's units.
   [[nodiscard]] double number(std::string_view field, std::size_t column, double unit) const {
-    const std::string_view text = records::trimmed(table_.text(column));
+    const std::string_view text = records::trimmed(file_.text(column));
     double value = 0;
     try {
       value = field == "delta_m" ? units_.parse_metres(text) : records::parse_number(field, text);
@@ -122,9 +122,9 @@ class CatalogueReader {
     return value / unit;
   }
 
-  [[noreturn]] void refuse(std::string_view what) const { table_.refuse(what); }
+  [[noreturn]] void refuse(std::string_view what) const { file_.refuse(file_.line(), what); }
 
-  CsvTable table_;
+  CsvFile file_;
   const CatalogueUnits& units_;
   std::optional<std::size_t> name_, f_, delta_, delta_m_;
   std::unordered_map<std::string, std::int64_t> line_of_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/sweep/list.hpp>
 
-#include "csv_table.hpp"
+#include "csv_file.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 namespace stillpoint::sweep {
@@ -34,8 +33,8 @@ constexpr std::array listed_inputs{v0,    v0_low, p,           p_high,     x0,  
 }  // namespace
 
 List::List(const std::string& path, const std::optional<SweepUnits>& units)
-    : path_(path), table_(std::make_unique<CsvTable>(path, "list", "")), units_(units) {
-  std::ranges::for_each(table_->names(), std::bind_front(&List::add_column, this));
+    : path_(path), file_(std::make_unique<CsvFile>(path, "list", "")), units_(units) {
+  std::ranges::for_each(file_->names(), [this](const std::string& name) { add_column(name); });
 }
 
 List::List(std::shared_ptr<const ListColumns> held, const std::optional<SweepUnits>& units)
@@ -60,16 +59,16 @@ bool List::has(Quantity column) const {
 }
 
 const std::string& List::source() const {
-  return table_ ? table_->lines().source() : path_;
+  return file_ ? file_->source() : path_;
 }
 
 std::int64_t List::line() const {
-  return table_ ? table_->lines().number() : given_;
+  return file_ ? file_->line() : given_;
 }
 
 void List::refuse(std::int64_t line, std::string_view what) const {
-  if (table_) {
-    table_->lines().refuse(line, what);
+  if (file_) {
+    file_->refuse(line, what);
   }
   records::FilePlace place{.kind = "list", .path = path_};
   if (line > 0) {
@@ -105,7 +104,7 @@ double List::value(std::size_t column) const {
     return value;
   }
   try {
-    return records::parse_number(field, records::trimmed(table_->text(column)));
+    return records::parse_number(field, records::trimmed(file_->text(column)));
   } catch (const InputError& error) {
     const bool has_unit = dimension(quantity, units_) != records::Dimension::none;
     refuse(printable(error.what(), 4 * longest_word) + (has_unit ? " in SI units" : ""));
@@ -113,7 +112,7 @@ double List::value(std::size_t column) const {
 }
 
 bool List::next(std::vector<double>& values, const std::stop_token& stop) {
-  const bool found = held_ ? given_ < std::ssize(held_->front().second) : table_->next(stop);
+  const bool found = held_ ? given_ < std::ssize(held_->front().second) : file_->next(stop);
   if (!found) {
     return false;
   }
@@ -131,7 +130,7 @@ ListExtent List::whole() const {
     return read_to_end(again);
   }
   if (path_ == "-" || is_special_file(path_)) {
-    table_->lines().refuse({}, "must be a file to be split into parts: it is read twice");
+    file_->refuse({}, "must be a file to be split into parts: it is read twice");
   }
   List again(path_, units_);
   return read_to_end(again);

@@ -15,7 +15,7 @@
 
 namespace stillpoint::sweep {
 
-class CsvTable;
+class CsvFile;
 
 /// A list in memory: the names of its columns, and their values.
 using ListColumns = std::vector<std::pair<std::string, std::vector<double>>>;
@@ -63,7 +63,7 @@ class List {
   [[noreturn]] void refuse(std::string_view what) const;
 
   std::string path_;
-  std::unique_ptr<CsvTable> table_;  ///< null if it is in memory
+  std::unique_ptr<CsvFile> file_;  ///< null if it is in memory
   std::optional<SweepUnits> units_;
   std::shared_ptr<const ListColumns> held_{};
   std::int64_t given_{0};  ///< entries of held_

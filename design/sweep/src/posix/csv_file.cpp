@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../line_reader.hpp"
+#include "../csv_file.hpp"
 
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/text.hpp>
@@ -36,9 +36,14 @@ bool ready(int descriptor, const std::stop_token& stop) {
   return false;
 }
 
+/// "1 value", "2 values"
+std::string counted(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 }  // namespace
 
-LineReader::LineReader(const std::string& path, std::string kind)
+CsvFile::CsvFile(const std::string& path, std::string kind, std::string_view needed)
     : kind_(std::move(kind)),
       source_(path == "-" ? "standard input" : path),
       descriptor_(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)),
@@ -46,9 +51,41 @@ LineReader::LineReader(const std::string& path, std::string kind)
   if (!descriptor_.is_open()) {
     refuse_unreadable(errno);
   }
+  if (!next_row({})) {
+    refuse({}, fmt::format("is empty: it must have a header{}", needed));
+  }
+  for (const std::string& name : row_.fields()) {
+    names_.emplace_back(records::trimmed(name));
+  }
 }
 
-void LineReader::refuse(std::optional<std::int64_t> line, std::string_view what) const {
+bool CsvFile::next(const std::stop_token& stop) {
+  if (!next_row(stop)) {
+    return false;
+  }
+  if (row_.fields().size() != names_.size()) {
+    refuse(line_,
+           fmt::format("has {}, but the header names {}", counted(row_.fields().size(), "value"),
+                       counted(names_.size(), "column")));
+  }
+  return true;
+}
+
+/// A quoted field may go on in further lines.
+bool CsvFile::next_row(const std::stop_token& stop) {
+  std::string_view text;
+  if (!next_line(text, stop)) {
+    return false;
+  }
+  const std::int64_t first = line_;
+  const auto go_on = [this](std::string_view& more) { return next_line(more, {}); };
+  if (const std::string_view fault = row_.read(text, go_on); !fault.empty()) {
+    refuse(first, fault);
+  }
+  return true;
+}
+
+void CsvFile::refuse(std::optional<std::int64_t> line, std::string_view what) const {
   records::FilePlace place{.kind = kind_, .path = source_};
   if (line) {
     place.line = static_cast<std::size_t>(*line);
@@ -56,12 +93,12 @@ void LineReader::refuse(std::optional<std::int64_t> line, std::string_view what)
   throw records::FileError(std::move(place), what);
 }
 
-void LineReader::refuse_unreadable(int error) const {
+void CsvFile::refuse_unreadable(int error) const {
   throw records::FileError::unreadable({.kind = kind_, .path = source_}, error);
 }
 
 /// False if there is nothing more.
-bool LineReader::read_more(const std::stop_token& stop) {
+bool CsvFile::read_more(const std::stop_token& stop) {
   if (begin_ > 0) {
     std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
     end_ -= begin_;
@@ -84,9 +121,10 @@ bool LineReader::read_more(const std::stop_token& stop) {
   return false;
 }
 
-bool LineReader::next(std::string_view& line, const std::stop_token& stop) {
+/// Without its end, LF or CR LF, or a byte order mark; valid until the next call.
+bool CsvFile::next_line(std::string_view& line, const std::stop_token& stop) {
   while (next_of_all(line, stop)) {
-    if (number_ == 1 && line.starts_with(records::byte_order_mark)) {
+    if (line_ == 1 && line.starts_with(records::byte_order_mark)) {
       line.remove_prefix(records::byte_order_mark.size());
     }
     if (!records::trimmed(line).empty()) {
@@ -96,7 +134,7 @@ bool LineReader::next(std::string_view& line, const std::stop_token& stop) {
   return false;
 }
 
-bool LineReader::next_of_all(std::string_view& line, const std::stop_token& stop) {
+bool CsvFile::next_of_all(std::string_view& line, const std::stop_token& stop) {
   std::size_t searched = 0;
   for (;;) {
     const char* const text = buffer_.data() + begin_;
@@ -107,10 +145,10 @@ bool LineReader::next_of_all(std::string_view& line, const std::stop_token& stop
                           ? static_cast<std::size_t>(static_cast<const char*>(found) - text)
                           : length;
     if (size > longest_line) {
-      refuse(number_ + 1, fmt::format("is longer than {} bytes", longest_line));
+      refuse(line_ + 1, fmt::format("is longer than {} bytes", longest_line));
     }
     if (whole) {
-      ++number_;
+      ++line_;
       begin_ += std::min(size + 1, length);
       line = {text, size};
       if (line.ends_with('\r')) {
