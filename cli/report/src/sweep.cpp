@@ -2,18 +2,24 @@
 #include <stillpoint/report/sweep.hpp>
 
 #include "figures/report_figures.hpp"
-#include "json/parts.hpp"
+#include "json/schema.hpp"
 #include "sections.hpp"
 #include "sweep_parts.hpp"
 
 #include <stillpoint/report/digits.hpp>
+#include <stillpoint/report/schemas.hpp>
 #include <stillpoint/sweep/json_text.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <tuple>
+#include <vector>
 
 namespace stillpoint::report {
 
@@ -71,12 +77,20 @@ void add_scene(Section& scene, const SweepReport& report) {
 
 }  // namespace
 
-ordered_json outcomes_json(const SweepState::Counts& outcomes) {
+ordered_json own_json(const Outcomes& outcomes) {
   ordered_json counts;
   for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
-    counts[std::string(sweep_outcome_name(i))] = outcomes[i];
+    counts[std::string(sweep_outcome_name(i))] = outcomes.counts[i];
   }
   return counts;
+}
+
+ordered_json own_schema(const Outcomes* /*outcomes*/) {
+  ordered_json counts;
+  for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
+    counts[std::string(sweep_outcome_name(i))] = number_schema(true, Numbers::counts);
+  }
+  return object_schema(std::move(counts));
 }
 
 void outcomes_from_json(const ordered_json& counts, SweepState::Counts& outcomes) {
@@ -93,28 +107,92 @@ Document document_of(std::string title, const SweepState& state, bool design) {
   return document;
 }
 
+namespace {
+
+constexpr auto sweep_name = std::to_array<std::string_view>({"stillpoint/sweep-report/1"});
+
+/// Where the rows are.
+struct ShownOutput {
+  const sweep::SweepSpec& spec;
+};
+
+/// What `get` gives of a sweep of motions, or of designs.
+template <class Get>
+constexpr auto rows_of(bool designs, Get get) {
+  return [designs, get](const SweepReport& report) {
+    return (report.spec.kind == SweepKind::design) == designs
+               ? std::optional(get(report.summary.state))
+               : std::nullopt;
+  };
+}
+
+}  // namespace
+
+}  // namespace stillpoint::report
+
+namespace stillpoint {
+
+template <>
+inline constexpr auto fields<report::ShownOutput> = [] {
+  using report::ShownOutput;
+  return std::tuple{Field{"file", [](const ShownOutput& now) { return now.spec.output; },
+                          "null for rows in memory"},
+                    Field{"format", [](const ShownOutput& now) { return now.spec.format; }},
+                    Field{"columns",
+                          [](const ShownOutput& now) {
+                            std::vector<std::string> names;
+                            for (const sweep::Quantity column : now.spec.columns) {
+                              names.emplace_back(sweep::name(column, now.spec.units));
+                            }
+                            return names;
+                          },
+                          "",
+                          {Numbers::from_one}}};
+}();
+
+template <>
+inline constexpr auto fields<report::SweepReport> = [] {
+  using namespace report;
+  return std::tuple{
+      Field{"schema",
+            [](const SweepReport&) { return sweep_name.front(); },
+            "",
+            {.texts = sweep_name}},
+      Field{"program", [](const SweepReport&) { return Program(); }},
+      Field{"kind", in(&SweepReport::spec, &sweep::SweepSpec::kind)},
+      Field{"output", [](const SweepReport& report) { return ShownOutput{report.spec}; }},
+      Field{"part", in(&SweepReport::spec, &sweep::SweepSpec::part), "null for a whole sweep"},
+      Field{"rows", in(&SweepReport::summary, &SweepSummary::state, &SweepState::rows),
+            "all rows in the file"},
+      Field{"outcomes",
+            rows_of(false, [](const SweepState& state) { return Outcomes{state.outcomes}; }),
+            "how many rows have each outcome; null for designs"},
+      Field{"locked", rows_of(false, [](const SweepState& state) { return state.locked(); }),
+            "motions that the notch holds while the load goes on"},
+      Field{"feasible", rows_of(true, [](const SweepState& state) { return state.feasible; }),
+            "how many designs there are; null for motions"},
+      Field{"resumed_at", in(&SweepReport::summary, &SweepSummary::resumed_at),
+            "how many rows existed when this run began"},
+      Field{"threads",
+            [](const SweepReport& report) { return int{report.spec.threads}; },
+            "",
+            {Numbers::from_one}},
+      Field{"wall_time_s", in(&SweepReport::summary, &SweepSummary::wall_time_s),
+            "of this run only, like rows_per_s"},
+      Field{"rows_per_s", [](const SweepReport& report) { return rate(report.summary); }}};
+}();
+
+}  // namespace stillpoint
+
+namespace stillpoint::report {
+
 ordered_json json(const SweepReport& report) {
-  const sweep::SweepSpec& spec = report.spec;
-  const SweepSummary& summary = report.summary;
-  const bool design = spec.kind == SweepKind::design;
-  const ordered_json columns =
-      list_json(spec.columns, [&](Quantity column) { return name(column, spec.units); });
-  const SweepState& state = summary.state;
-  return {
-      {"schema", "stillpoint/sweep-report/1"},
-      {"program", program_json()},
-      {"kind", name(spec.kind)},
-      {"output", {{"file", spec.output}, {"format", name(spec.format)}, {"columns", columns}}},
-      {"part", spec.part ? ordered_json{{"number", spec.part->number}, {"count", spec.part->count}}
-                         : ordered_json(nullptr)},
-      {"rows", state.rows},
-      {"outcomes", design ? ordered_json(nullptr) : outcomes_json(state.outcomes)},
-      {"locked", design ? ordered_json(nullptr) : ordered_json(state.locked())},
-      {"feasible", design ? ordered_json(state.feasible) : ordered_json(nullptr)},
-      {"resumed_at", summary.resumed_at},
-      {"threads", spec.threads},
-      {"wall_time_s", summary.wall_time_s},
-      {"rows_per_s", rate(summary)}};
+  return object_json(report);
+}
+
+ordered_json sweep_schema() {
+  return document_schema(sweep_name.front(), "sweep --output FILE --json", dimensionless_numbers,
+                         schema_of<SweepReport>());
 }
 
 Document document(const SweepReport& report) {

@@ -3,7 +3,10 @@
 
 // What the reports of sweeps with and without rows share.
 
+#include "json/motion_fields.hpp"
+
 #include <stillpoint/report/document.hpp>
+#include <stillpoint/sweep/part.hpp>
 #include <stillpoint/sweep/state.hpp>
 
 #include <nlohmann/json.hpp>
@@ -11,6 +14,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <tuple>
 
 namespace stillpoint::report {
 
@@ -19,7 +23,12 @@ inline constexpr std::string_view reduction_schema = "stillpoint/sweep-reduction
 /// Of everything else in the report of a part.
 [[nodiscard]] std::uint64_t digest_of(const nlohmann::ordered_json& report);
 
-[[nodiscard]] nlohmann::ordered_json outcomes_json(const sweep::SweepState::Counts& outcomes);
+/// How many entries have each outcome.
+struct Outcomes {
+  const sweep::SweepState::Counts& counts;
+};
+[[nodiscard]] nlohmann::ordered_json own_json(const Outcomes& outcomes);
+[[nodiscard]] nlohmann::ordered_json own_schema(const Outcomes* outcomes);
 /// Throws nlohmann's exceptions where one is missing.
 void outcomes_from_json(const nlohmann::ordered_json& counts, sweep::SweepState::Counts& outcomes);
 
@@ -27,3 +36,12 @@ void outcomes_from_json(const nlohmann::ordered_json& counts, sweep::SweepState:
 [[nodiscard]] Document document_of(std::string title, const sweep::SweepState& state, bool design);
 
 }  // namespace stillpoint::report
+
+namespace stillpoint {
+
+template <>
+inline constexpr auto fields<sweep::SweepPart> =
+    std::tuple{Field{"number", &sweep::SweepPart::number, "which part", {Numbers::from_one}},
+               Field{"count", &sweep::SweepPart::count, "of how many", {Numbers::from_one}}};
+
+}  // namespace stillpoint

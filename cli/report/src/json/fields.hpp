@@ -62,13 +62,18 @@ template <class Value>
   }
 }
 
+template <class Fields, class Result>
+void add_fields(nlohmann::ordered_json& json, const Fields& all, const Result& result) {
+  for_each_field(all, [&](const auto& field) {
+    json[std::string(field.name)] = value_json(std::invoke(field.get, result), field.measure);
+  });
+}
+
 /// By its table, in its order.
 template <class Result>
 nlohmann::ordered_json object_json(const Result& result) {
   auto json = nlohmann::ordered_json::object();
-  for_each_field(fields<Result>, [&](const auto& field) {
-    json[std::string(field.name)] = value_json(std::invoke(field.get, result), field.measure);
-  });
+  add_fields(json, fields<Result>, result);
   return json;
 }
 

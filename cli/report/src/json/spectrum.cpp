@@ -1,87 +1,213 @@
 // SPDX-License-Identifier: MIT
-#include "json/parts.hpp"
+#include "json/motion_fields.hpp"
+#include "json/schema.hpp"
 
+#include <stillpoint/report/schemas.hpp>
 #include <stillpoint/report/spectrum.hpp>
 #include <stillpoint/sweep/npy.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace stillpoint::report {
 
 namespace {
 
-using nlohmann::ordered_json;
+constexpr auto spectrum_name = std::to_array<std::string_view>({"stillpoint/spectrum-report/1"});
 
-/// The columns of the files; those of the JSON are the same, without_notch an object of its own.
-constexpr std::array spectrum_columns{"record",
-                                      "period_s",
-                                      "peak_m",
-                                      "residual_m",
-                                      "peak_absolute_acceleration",
-                                      "jump_m_per_s",
-                                      "locked_from_s",
-                                      "largest_load_while_locked",
-                                      "peak_m_without_notch",
-                                      "residual_m_without_notch",
-                                      "peak_absolute_acceleration_without_notch"};
+/// In metres and seconds.
+struct ShownFigures {
+  const design::SpectrumFigures& figures;
+  const design::Scales& scales;
+};
+struct ShownPoint : ShownFigures {
+  double period_s{0};
+  ShownFigures without;
+};
+struct SpectrumInput {
+  const design::SpectrumRequest& request;
+  const design::Scales& scales;
+};
+struct ShownRecord {
+  const design::SuiteRecord& record;
+  std::vector<ShownPoint> points;
+};
 
-constexpr std::size_t first_without = 8;  // of the columns
-constexpr std::size_t first_figure = 2;   // which has the same quantity as that one
-
-/// Empty where a value does not exist.
-using SpectrumRow = std::array<std::optional<double>, spectrum_columns.size()>;
-
-SpectrumRow row_of(const SpectrumReport& report, std::size_t record, std::size_t place,
-                   const design::SpectrumPoint& point) {
-  const double time_s = report.physical.scales.time_s;
-  const double length_m = report.physical.scales.length_m;
-  const auto times = [](const std::optional<double>& value, double unit) {
-    return value ? std::optional(*value * unit) : std::nullopt;
-  };
-  const auto& [with_notch, without] = point;
-  return {static_cast<double>(record + 1),
-          2 * std::numbers::pi / report.result.request.p[place] * time_s,
-          with_notch.peak * length_m,
-          times(with_notch.residual, length_m),
-          with_notch.acceleration,
-          with_notch.jump * report.physical.scales.velocity_m_per_s,
-          times(with_notch.locked_from, time_s),
-          with_notch.largest_load_while_locked,
-          without.peak * length_m,
-          times(without.residual, length_m),
-          without.acceleration};
+std::vector<ShownPoint> points_of(const SpectrumReport& report,
+                                  const std::vector<design::SpectrumPoint>& points) {
+  const design::Scales& scales = report.physical.scales;
+  std::vector<ShownPoint> shown;
+  shown.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double period = 2 * std::numbers::pi / report.result.request.p[i] * scales.time_s;
+    shown.push_back({{points[i].with_notch, scales}, period, {points[i].without, scales}});
+  }
+  return shown;
 }
 
-ordered_json points_json(const SpectrumReport& report,
-                         const std::vector<design::SpectrumPoint>& points) {
-  ordered_json list = ordered_json::array();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const SpectrumRow row = row_of(report, 0, i, points[i]);
-    ordered_json& json = list.emplace_back();
-    for (std::size_t column = 1; column < first_without; ++column) {
-      json[spectrum_columns.at(column)] = row.at(column);
-    }
-    ordered_json& without = json["without_notch"];
-    for (std::size_t column = first_without; column < row.size(); ++column) {
-      without[spectrum_columns.at(column - first_without + first_figure)] = row.at(column);
-    }
+std::vector<ShownRecord> records_of(const SpectrumReport& report) {
+  const design::Spectrum& result = report.result;
+  std::vector<ShownRecord> shown;
+  shown.reserve(result.records.size());
+  for (std::size_t i = 0; i < result.records.size(); ++i) {
+    shown.push_back({result.request.records[i], points_of(report, result.records[i])});
   }
-  return list;
+  return shown;
+}
+
+}  // namespace
+
+}  // namespace stillpoint::report
+
+namespace stillpoint {
+
+template <>
+inline constexpr auto fields<report::ShownFigures> = [] {
+  using report::ShownFigures;
+  return std::tuple{
+      Field{"peak_m",
+            [](const ShownFigures& now) { return now.figures.peak * now.scales.length_m; }},
+      Field{"residual_m",
+            [](const ShownFigures& now) {
+              return report::times(now.figures.residual, now.scales.length_m);
+            },
+            "null where the mass does not come to rest within 10 000 half-cycles"},
+      Field{"peak_absolute_acceleration",
+            [](const ShownFigures& now) { return now.figures.acceleration; }, "in g"}};
+}();
+
+template <>
+inline constexpr auto fields<report::ShownPoint> = [] {
+  using report::ShownFigures;
+  using report::ShownPoint;
+  return std::tuple_cat(
+      std::tuple{Field{"period_s", &ShownPoint::period_s}}, fields<ShownFigures>,
+      std::tuple{
+          Field{"jump_m_per_s",
+                [](const ShownFigures& now) {
+                  return now.figures.jump * now.scales.velocity_m_per_s;
+                }},
+          Field{"locked_from_s",
+                [](const ShownFigures& now) {
+                  return report::times(now.figures.locked_from, now.scales.time_s);
+                },
+                "null where the mass does not lock, like the next; for several records the "
+                "earliest and the largest"},
+          Field{"largest_load_while_locked",
+                [](const ShownFigures& now) { return now.figures.largest_load_while_locked; }},
+          Field{"without_notch", &ShownPoint::without}});
+}();
+
+template <>
+inline constexpr auto fields<report::ShownRecord> = [] {
+  using report::ShownRecord;
+  return std::tuple{
+      Field{"file", [](const ShownRecord& now) { return now.record.name; }, "", {Numbers::all}},
+      Field{"scale", [](const ShownRecord& now) { return now.record.scale; }, "", {Numbers::all}},
+      Field{"units", [](const ShownRecord& now) { return now.record.units; },
+            "of the values in the file"},
+      Field{"units_assumed", [](const ShownRecord& now) { return now.record.assumed_g; },
+            "whether neither the file nor an option gives them"},
+      Field{"pga", [](const ShownRecord& now) { return design::peak_load(now.record); },
+            "the largest |W| in g, scaled"},
+      Field{"points", &ShownRecord::points, "", {Numbers::from_one}}};
+}();
+
+template <>
+inline constexpr auto fields<report::SpectrumInput> = [] {
+  using report::SpectrumInput;
+  return std::tuple{
+      Field{"f", [](const SpectrumInput& now) { return now.request.f; }},
+      Field{"delta_m",
+            [](const SpectrumInput& now) { return now.request.delta * now.scales.length_m; }},
+      Field{"hold", [](const SpectrumInput& now) { return now.request.hold; },
+            "null with the paper's notch, like notch_width_m"},
+      Field{"notch_width_m",
+            [](const SpectrumInput& now) {
+              return report::times(now.request.notch_width, now.scales.length_m);
+            }},
+      Field{"combine", [](const SpectrumInput& now) { return now.request.combine.value(); }},
+      Field{"gravity_m_per_s2",
+            [](const SpectrumInput& now) { return now.scales.gravity_m_per_s2; }}};
+}();
+
+template <>
+inline constexpr auto fields<report::SpectrumReport> = [] {
+  using namespace report;
+  return std::tuple{
+      Field{"schema",
+            [](const SpectrumReport&) { return spectrum_name.front(); },
+            "",
+            {.texts = spectrum_name}},
+      Field{"program", [](const SpectrumReport&) { return Program(); }},
+      Field{"input",
+            [](const SpectrumReport& report) {
+              return SpectrumInput{report.result.request, report.physical.scales};
+            }},
+      Field{"combined",
+            [](const SpectrumReport& report) { return points_of(report, report.result.combined); },
+            "an entry for each period",
+            {Numbers::from_one}},
+      Field{"records", &records_of, "", {Numbers::from_one}}};
+}();
+
+}  // namespace stillpoint
+
+namespace stillpoint::report {
+
+namespace {
+
+/// Calls `use` with the name and the value of each column of a row but the record's.
+template <class Use>
+void for_each_column(const ShownPoint& point, const Use& use) {
+  for_each_field(fields<ShownPoint>, [&](const auto& field) {
+    if constexpr (std::is_same_v<decltype(field.get), ShownFigures ShownPoint::*>) {
+      for_each_field(fields<ShownFigures>, [&](const auto& figure) {
+        use(std::string(figure.name) + "_without_notch",
+            std::optional<double>(std::invoke(figure.get, std::invoke(field.get, point))));
+      });
+    } else {
+      use(std::string(field.name), std::optional<double>(std::invoke(field.get, point)));
+    }
+  });
+}
+
+/// Empty where a value does not exist.
+using SpectrumRow = std::vector<std::optional<double>>;
+
+std::vector<std::string> columns() {
+  const design::SpectrumFigures none;
+  const design::Scales scales;
+  std::vector<std::string> names{"record"};
+  for_each_column({{none, scales}, 0, {none, scales}},
+                  [&](std::string name, const auto&) { names.push_back(std::move(name)); });
+  return names;
 }
 
 template <class Write>
 void for_each_row(const SpectrumReport& report, const Write& write) {
-  const auto& records = report.result.records;
-  for (std::size_t record = 0; record < records.size(); ++record) {
-    for (std::size_t i = 0; i < records[record].size(); ++i) {
-      write(row_of(report, record, i, records[record][i]));
+  double number = 0;
+  for (const std::vector<design::SpectrumPoint>& record : report.result.records) {
+    ++number;
+    for (const ShownPoint& point : points_of(report, record)) {
+      SpectrumRow row{number};
+      for_each_column(point, [&](const auto&, const auto& value) { row.push_back(value); });
+      write(row);
     }
   }
 }
@@ -89,11 +215,7 @@ void for_each_row(const SpectrumReport& report, const Write& write) {
 }  // namespace
 
 std::string spectrum_csv(const SpectrumReport& report) {
-  std::string text;
-  for (const char* const column : spectrum_columns) {
-    text += fmt::format("{}{}", text.empty() ? "" : ",", column);
-  }
-  text += '\n';
+  std::string text = fmt::format("{}\n", fmt::join(columns(), ","));
   for_each_row(report, [&](const SpectrumRow& row) {
     for (const std::optional<double>& value : row) {
       text += value ? fmt::format("{},", *value) : ",";
@@ -104,12 +226,12 @@ std::string spectrum_csv(const SpectrumReport& report) {
 }
 
 std::string spectrum_npy(const SpectrumReport& report) {
-  std::string fields;
-  for (const char* const column : spectrum_columns) {
-    fields += sweep::npy_number(column);
+  std::string npy_fields;
+  for (const std::string& column : columns()) {
+    npy_fields += sweep::npy_number(column);
   }
   const std::size_t rows = report.result.records.size() * report.result.request.p.size();
-  std::string bytes = sweep::npy_header(fields, static_cast<std::int64_t>(rows));
+  std::string bytes = sweep::npy_header(npy_fields, static_cast<std::int64_t>(rows));
   for_each_row(report, [&](const SpectrumRow& row) {
     for (const std::optional<double>& value : row) {
       const double written = value.value_or(std::numeric_limits<double>::quiet_NaN());
@@ -121,28 +243,13 @@ std::string spectrum_npy(const SpectrumReport& report) {
   return bytes;
 }
 
-ordered_json json(const SpectrumReport& report) {
-  const design::SpectrumRequest& task = report.result.request;
-  ordered_json records = ordered_json::array();
-  for (std::size_t i = 0; i < task.records.size(); ++i) {
-    records.push_back({{"file", task.records[i].name},
-                       {"scale", task.records[i].scale},
-                       {"units", name(task.records[i].units)},
-                       {"units_assumed", task.records[i].assumed_g},
-                       {"pga", design::peak_load(task.records[i])},
-                       {"points", points_json(report, report.result.records[i])}});
-  }
-  return {{"schema", "stillpoint/spectrum-report/1"},
-          {"program", program_json()},
-          {"input",
-           {{"f", task.f},
-            {"delta_m", metres(report.physical, task.delta)},
-            {"hold", task.hold},
-            {"notch_width_m", metres(report.physical, task.notch_width)},
-            {"combine", name(task.combine.value())},
-            {"gravity_m_per_s2", report.physical.scales.gravity_m_per_s2}}},
-          {"combined", points_json(report, report.result.combined)},
-          {"records", std::move(records)}};
+nlohmann::ordered_json json(const SpectrumReport& report) {
+  return object_json(report);
+}
+
+nlohmann::ordered_json spectrum_schema() {
+  return document_schema(spectrum_name.front(), "spectrum --json", "In metres, seconds and g",
+                         schema_of<SpectrumReport>());
 }
 
 }  // namespace stillpoint::report

@@ -12,12 +12,19 @@ namespace stillpoint::report {
 
 [[nodiscard]] nlohmann::ordered_json accuracy_schema();
 [[nodiscard]] nlohmann::ordered_json simulation_schema();
+[[nodiscard]] nlohmann::ordered_json spectrum_schema();
+[[nodiscard]] nlohmann::ordered_json reduction_report_schema();
+[[nodiscard]] nlohmann::ordered_json sweep_schema();
 
 struct ReportSchema {
   std::string_view name;  ///< data/schemas/NAME.schema.json
   nlohmann::ordered_json (*make)();
 };
-inline constexpr std::array report_schemas{ReportSchema{"accuracy-report-1", accuracy_schema},
-                                           ReportSchema{"simulation-report-1", simulation_schema}};
+inline constexpr std::array report_schemas{
+    ReportSchema{"accuracy-report-1", accuracy_schema},
+    ReportSchema{"simulation-report-1", simulation_schema},
+    ReportSchema{"spectrum-report-1", spectrum_schema},
+    ReportSchema{"sweep-reduction-1", reduction_report_schema},
+    ReportSchema{"sweep-report-1", sweep_schema}};
 
 }  // namespace stillpoint::report
