@@ -10,8 +10,6 @@
 #include <stillpoint/figures/figure.hpp>
 #include <stillpoint/report/report.hpp>
 
-#include <nlohmann/json.hpp>
-
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,10 +38,5 @@ void add_trade_off(Document& document, const std::vector<design::TradeOff>& fron
 [[nodiscard]] std::vector<figures::Figure> trade_off_figures(
     const std::vector<design::TradeOff>& front, const design::Found& chosen,
     const FigureUnits& units);
-
-[[nodiscard]] nlohmann::ordered_json catalogue_json(const Catalogue& catalogue,
-                                                    const ShownTask& task);
-[[nodiscard]] nlohmann::ordered_json trade_off_json(const std::vector<design::TradeOff>& front,
-                                                    const Physical& physical);
 
 }  // namespace stillpoint::report

@@ -24,43 +24,6 @@ namespace {
                               : !json.is_number_float() || std::isfinite(json.get<double>());
 }
 
-ordered_json mend_json(const design::Mend& mend) {
-  return {{"input", mend.field}, {"value", mend.value}};
-}
-
-ordered_json point_json(const design::DesignPoint& point) {
-  return {{"tolerance", point.tolerance}, {"f", point.f}, {"delta", point.delta}};
-}
-
-ordered_json intervals_json(const std::vector<Interval>& intervals) {
-  return list_json(intervals, interval_json<Interval>);
-}
-
-/// The constraints and limits that conflict, by name; null where none do.
-ordered_json conflict_json(const design::Region& region) {
-  switch (region.conflict) {
-    case design::Conflict::none:
-      break;
-    case design::Conflict::amplitude_against_return:
-      return {"amplitude", "return"};
-    case design::Conflict::amplitude_against_dead_zone:
-      return {"amplitude", "dead_zone"};
-    case design::Conflict::amplitude_against_limit:
-      return {"amplitude", region.limit->constraint};
-    case design::Conflict::limit_alone:
-      return {region.limit->constraint};
-    case design::Conflict::stop_against_start:
-      return {"stop", "start"};
-    case design::Conflict::stop_against_limit:
-      return {"stop", region.limit->constraint};
-    case design::Conflict::no_arrival:
-      return {"stop", "arrivals"};
-    case design::Conflict::narrower_than_rounding:
-      return {"rounding"};
-  }
-  return nullptr;
-}
-
 }  // namespace
 
 std::string json_text(const ordered_json& json) {
@@ -87,73 +50,6 @@ ordered_json metres(const Physical& physical, const std::optional<double>& lengt
 
 ordered_json seconds(const Physical& physical, const std::optional<double>& tau) {
   return physical && tau ? ordered_json(*tau * physical->scales.time_s) : nullptr;
-}
-
-ordered_json region_fields(const design::RegionVerdict& verdict) {
-  const design::Region& region = verdict.region;
-  return {{"feasible", region.feasible},
-          {"reason", verdict.reason},
-          {"conflict", conflict_json(region)},
-          {"f1", region.f1},
-          {"f2", region.f2},
-          {"f3", region.f3},
-          {"f4", region.f4},
-          {"f_lower", region.f_lower},
-          {"f_upper", region.f_upper},
-          {"delta2", region.delta2},
-          {"beta_min", region.beta_min},
-          {"by", verdict.intervals ? ordered_json("forced_motion") : ordered_json(nullptr)},
-          {"intervals", or_null(verdict.intervals, intervals_json)},
-          {"most_tolerant", or_null(verdict.most_tolerant, point_json)},
-          {"mends", list_json(verdict.mends, mend_json)},
-          {"mends_cut_short", verdict.mends_cut_short},
-          {"largest_tolerance", verdict.largest_tolerance},
-          {"criterion_mend",
-           or_null(verdict.criterion_mend, [](const auto& criterion) { return name(criterion); })}};
-}
-
-ordered_json constraint_json(const design::Constraint& constraint) {
-  return {{"name", constraint.name},          {"variable", constraint.variable},
-          {"relation", constraint.relation},  {"value", constraint.value},
-          {"limit", constraint.limit},        {"slack", constraint.slack},
-          {"satisfied", constraint.satisfied}};
-}
-
-ordered_json response_json(const Response& response) {
-  return object_json(response);
-}
-
-ordered_json response_json(const ForcedResponse& response) {
-  return object_json(response);
-}
-
-ordered_json side_json(const design::BoxShape& shape, double tolerance, double below,
-                       double above) {
-  return shape == design::BoxShape{} ? ordered_json(nullptr)
-                                     : ordered_json{1 - tolerance * below, 1 + tolerance * above};
-}
-
-ordered_json task_json(const design::Problem& problem, const design::Limits& limits) {
-  const auto range = [](const std::optional<double>& low, const std::optional<double>& high) {
-    return low && high ? ordered_json{*low, *high} : ordered_json(nullptr);
-  };
-  const double t = limits.tolerance;
-  const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
-  ordered_json json{{"v0", problem.v0},
-                    {"v0_range", range(problem.v0_low, problem.v0)},
-                    {"p", problem.p},
-                    {"p_range", range(problem.p, problem.p_high)},
-                    {"beta", problem.beta},
-                    {"criterion", name(problem.criterion)},
-                    {"arrivals", problem.arrivals},
-                    {"residual", problem.residual},
-                    {"tolerance", t * std::min({f_low, f_high, delta_low, delta_high})},
-                    {"tolerance_f", side_json(limits.shape, t, f_low, f_high)},
-                    {"tolerance_delta", side_json(limits.shape, t, delta_low, delta_high)}};
-  for (const design::LimitKind& kind : design::limit_kinds()) {
-    json[std::string(kind.field)] = limits.*kind.value;
-  }
-  return json;
 }
 
 ordered_json program_json() {

@@ -57,27 +57,6 @@ template <class Range>
   return nlohmann::ordered_json::array({range.low, range.high});
 }
 
-/// The factors of one side of a tolerance box; null if the box has the usual shape.
-[[nodiscard]] nlohmann::ordered_json side_json(const design::BoxShape& shape, double tolerance,
-                                               double below, double above);
-/// The part of `input` that design and region share.
-[[nodiscard]] nlohmann::ordered_json task_json(const design::Problem& problem,
-                                               const design::Limits& limits);
-/// The field `region` of a report.
-[[nodiscard]] nlohmann::ordered_json region_fields(const design::RegionVerdict& verdict);
-[[nodiscard]] nlohmann::ordered_json constraint_json(const design::Constraint& constraint);
-[[nodiscard]] nlohmann::ordered_json served_json(const std::optional<design::WorksFor>& served,
-                                                 bool of_pulse);
-/// By the k of a pulse if there is one.
-[[nodiscard]] nlohmann::ordered_json hits_json(const design::Problem& problem,
-                                               const std::optional<design::Pulse>& pulse,
-                                               const design::PulseRanges& ranges, double f,
-                                               double delta);
-[[nodiscard]] nlohmann::ordered_json practice_json(
-    const std::optional<design::Practice>& lines,
-    const std::optional<std::vector<double>>& impulses = {});
-[[nodiscard]] nlohmann::ordered_json response_json(const Response& response);
-[[nodiscard]] nlohmann::ordered_json response_json(const ForcedResponse& response);
 [[nodiscard]] nlohmann::ordered_json program_json();
 
 }  // namespace stillpoint::report
