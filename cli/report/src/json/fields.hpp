@@ -11,7 +11,7 @@
 
 #include <functional>
 #include <optional>
-#include <string>
+#include <string_view>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -31,9 +31,10 @@ inline constexpr bool is_variant = false;
 template <class... Values>
 inline constexpr bool is_variant<std::variant<Values...>> = true;
 
-[[nodiscard]] inline bool are_counts(const Measure& measure) {
-  return measure.numbers == Numbers::counts || measure.numbers == Numbers::from_one;
-}
+/// An integer where the field has counts.
+[[nodiscard]] nlohmann::ordered_json number_json(double value, const Measure& measure);
+/// Out of line, as every field of every report comes here.
+void put(nlohmann::ordered_json& object, std::string_view name, nlohmann::ordered_json value);
 
 template <class Result>
 [[nodiscard]] nlohmann::ordered_json object_json(const Result& result);
@@ -44,7 +45,7 @@ template <class Value>
   if constexpr (is_optional<Value>) {
     return value ? value_json(*value, measure) : nlohmann::ordered_json(nullptr);
   } else if constexpr (std::is_same_v<Value, double>) {
-    return are_counts(measure) ? count(value) : nlohmann::ordered_json(value);
+    return number_json(value, measure);
   } else if constexpr (HasNames<Value>) {
     return name(value);
   } else if constexpr (HasFields<Value>) {
@@ -65,7 +66,7 @@ template <class Value>
 template <class Fields, class Result>
 void add_fields(nlohmann::ordered_json& json, const Fields& all, const Result& result) {
   for_each_field(all, [&](const auto& field) {
-    json[std::string(field.name)] = value_json(std::invoke(field.get, result), field.measure);
+    put(json, field.name, value_json(std::invoke(field.get, result), field.measure));
   });
 }
 

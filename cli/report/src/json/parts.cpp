@@ -11,6 +11,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace stillpoint::report {
 
@@ -42,6 +45,16 @@ ordered_json count(const std::optional<double>& value) {
     return static_cast<std::int64_t>(*value);
   }
   return value;
+}
+
+ordered_json number_json(double value, const Measure& measure) {
+  return measure.numbers == Numbers::counts || measure.numbers == Numbers::from_one
+             ? count(value)
+             : ordered_json(value);
+}
+
+void put(ordered_json& object, std::string_view name, ordered_json value) {
+  object[std::string(name)] = std::move(value);
 }
 
 ordered_json metres(const Physical& physical, const std::optional<double>& length) {
