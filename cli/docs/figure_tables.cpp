@@ -4,6 +4,7 @@
 #include <stillpoint/core/response_fields.hpp>
 #include <stillpoint/report/report.hpp>
 #include <stillpoint/report/schemas.hpp>
+#include <stillpoint/sweep/quantity.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -51,6 +52,20 @@ std::string table_of(const Fields& all) {
 
 std::string motion_tables() {
   return table_of<Response>(fields<Response>) + "\n" + table_of<ForcedResponse>(forced_fields);
+}
+
+std::string sweep_columns_row() {
+  std::string plain;
+  std::string physical;
+  for_each_field(sweep::motion_columns, [&](const auto& column) {
+    const sweep::QuantityForm form = sweep::form_of(column);
+    if (!form.physical.empty()) {
+      const std::string_view gap = plain.empty() ? "" : " ";
+      plain += fmt::format("{}{}", gap, form.name);
+      physical += fmt::format("{}{}", gap, form.physical);
+    }
+  });
+  return fmt::format("| `{}` | `{}` |\n", plain, physical);
 }
 
 std::string report_schema(std::string_view name) {

@@ -25,6 +25,9 @@ namespace stillpoint::cli {
 /// The tables of docs/reports.md with the figures of a motion: of any, and under a load besides.
 [[nodiscard]] std::string motion_tables();
 
+/// The row of docs/sweep.md that says what the figures of a motion are called in SI units.
+[[nodiscard]] std::string sweep_columns_row();
+
 /// The tables of docs/theory.md sections 12 and 13: the largest tolerance of each arrival, and with
 /// a residual.
 [[nodiscard]] std::string tolerance_tables();

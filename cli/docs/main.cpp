@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Prints what is made from the options, and tables of the docs:
 // stillpoint_docs
-// man|bash|zsh|fish|scene-schema|motion-tables|tolerance-tables|simulation-report-1|...
+// man|bash|zsh|fish|scene-schema|motion-tables|sweep-columns|tolerance-tables|simulation-report-1|...
 
 #include "generated_docs.hpp"
 
@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
         {"fish", cli::fish_completion},
         {"scene-schema", cli::scene_schema},
         {"motion-tables", cli::motion_tables},
+        {"sweep-columns", cli::sweep_columns_row},
         {"tolerance-tables", cli::tolerance_tables}};
     const std::string_view what = argc == 2 ? argv[1] : "";
     const auto maker = makers.find(what);
@@ -29,7 +30,7 @@ int main(int argc, char** argv) {
     if (text.empty()) {
       std::fputs(
           "usage: stillpoint_docs "
-          "man|bash|zsh|fish|scene-schema|motion-tables|tolerance-tables|NAME\n"
+          "man|bash|zsh|fish|scene-schema|motion-tables|sweep-columns|tolerance-tables|NAME\n"
           "NAME is that of a report, simulation-report-1 say, of which it prints the schema\n",
           stderr);
       return EXIT_FAILURE;

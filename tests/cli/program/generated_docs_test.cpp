@@ -144,6 +144,12 @@ BOOST_AUTO_TEST_CASE(name_options_of_the_same_command) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
+BOOST_AUTO_TEST_CASE(the_columns_of_a_sweep_have_the_names_of_the_docs) {
+  const std::string page = text_of(fs::path(STILLPOINT_DATA_DIR).parent_path() / "docs/sweep.md");
+  const std::string row = cli::sweep_columns_row();
+  BOOST_TEST((page.find("\n" + row) != std::string::npos), "made now:\n" << row);
+}
+
 /// Tables between empty lines.
 BOOST_AUTO_TEST_CASE(the_tables_of_the_docs_match_the_library) {
   const std::map<std::string, std::string> pages{{"theory.md", cli::tolerance_tables()},
