@@ -6,6 +6,7 @@
 #include "progress.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/motion_findings.hpp>
 #include <stillpoint/report/progress_words.hpp>
 #include <stillpoint/report/report.hpp>
 #include <stillpoint/report/spectrum.hpp>
@@ -117,7 +118,7 @@ ExitCode run_simulate(const Settings& settings, Output& output) {
   const auto trajectory = rows_to("trajectory", settings);
   report::MotionReport report = simulate_input(settings);
   report.answer = watched(report.request);
-  remark(report::lock_sentence(report));
+  report.findings = design::findings_of(report.request, report.answer);
   if (trajectory) {
     put_rows("trajectory", *trajectory,
              report::trajectory_csv(report.answer.trajectory, report.physical), output);
@@ -129,7 +130,6 @@ ExitCode run_spectrum(const Settings& settings, Output& output) {
   const auto table = rows_to("table", settings);
   report::SpectrumReport report = spectrum_input(settings);
   report.result = watched(report.result.request);
-  remark(report::lock_sentence(report));
   if (table) {
     put_rows("table", *table,
              table->ends_with(".npy") ? report::spectrum_npy(report) : report::spectrum_csv(report),

@@ -99,6 +99,7 @@ void run_simulate(const Settings& settings) {
   int calls = 0;
   report.answer = simulate(request, [&calls](double) { return ++calls < 3; });
   if (!report.answer.cancelled) {
+    report.findings = design::findings_of(request, report.answer);
     static_cast<void>(report::trajectory_csv(report.answer.trajectory, report.physical));
     show(report, settings);
   }

@@ -110,6 +110,9 @@ class RecordView {
         { id: "record-verdict", class: advice?.alarming ? "bad" : "" },
         advice?.remarks ?? "",
       ),
+      ...report.findings.map((/** @type {any} */ now) =>
+        make("p", { class: now.severity }, now.text),
+      ),
       make(
         "dl",
         { class: "facts" },

@@ -5,6 +5,7 @@
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/motion_findings.hpp>
 
 #include <fmt/format.h>
 
@@ -77,6 +78,9 @@ Settings traced(Settings settings) {
 report::MotionReport motion_report(const Settings& settings, const std::function<bool()>& go_on) {
   report::MotionReport report = simulate_input(traced(settings));
   report.answer = simulate(report.request, [&](double /*tau*/) { return go_on(); });
+  if (!report.answer.cancelled) {
+    report.findings = design::findings_of(report.request, report.answer);
+  }
   return report;
 }
 

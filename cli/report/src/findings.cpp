@@ -78,20 +78,92 @@ std::pair<std::string_view, double> si_unit(Dimension dimension, const design::S
   }
 }
 
+/// "The notch locks the mass at x = 0 from 2.717 s of 3.5 s on"
+std::string lock_words(const Told& told) {
+  if (told.has("records")) {
+    return format("The notch locks the mass to the end of {}", told.records());
+  }
+  if (told.has("periods")) {
+    const std::int64_t all = told.count("of_periods");
+    const std::int64_t locked = told.count("periods");
+    return format("The notch locks the mass to the end of {} record{}",
+                  told.count("of_records") == 1 ? "the" : "a",
+                  all == 1        ? ""
+                  : locked == all ? " at every period"
+                                  : format(" at {} of {} periods", locked, all));
+  }
+  return format("The notch locks the mass at x = {} {}", told["final_position"],
+                told.number("locked_from") == 0
+                    ? "throughout the load"
+                    : format("from {} of {} on", told["locked_from"], told["load_end"]));
+}
+
+std::string rest_words(const Told& told) {
+  if (told.has("records")) {
+    return format("it is held through {}, and the structure feels up to {}", told.records(),
+                  told["largest_load"]);
+  }
+  return format("{}{} holds it {}", told.text("by") == "notch" ? "the " : "", told.text("by"),
+                told.has("largest_load")
+                    ? "throughout the load, and the structure feels up to " + told["largest_load"]
+                    : "at x = " + told["stop_position"]);
+}
+
+std::string changed_words(const std::string& what) {
+  return what == "start"  ? "whether it starts"
+         : what == "stop" ? "the number of half-cycles or where it stops"
+         : what == "rest" ? "whether it comes to rest"
+                          : "whether it locks";
+}
+
+std::string peaks_words(const Told& told) {
+  const std::string& trend = told.text("trend");
+  return trend == "settle" ? format("The peaks settle at {}.", told["last_peak"])
+         : trend == "vary" ? format("The last peaks lie between {} and {}.", told["least_peak"],
+                                    told["largest_peak"])
+                           : format("The peaks {}, the last to {}.", trend, told["last_peak"]);
+}
+
+/// Of f and Delta slightly off.
+std::string sensitive_words(const Told& told, const Physical& physical) {
+  const std::string changes = told.has("changes") ? changed_words(told.text("changes")) : "";
+  if (!told.has("rest_low")) {
+    return format("If {} 1 % off, that may change {}.",
+                  told.text("varied") + (told.text("varied") == "f" ? " is" : " are"), changes);
+  }
+  constexpr int digits = 3;
+  return format("With {} 1 % off either way it rests from x = {} to {}{}{}.", told.text("varied"),
+                length_shown(physical, told.number("rest_low"), digits),
+                length_shown(physical, told.number("rest_high"), digits),
+                changes.empty() ? "" : ", and that may change ", changes);
+}
+
 }  // namespace
 
 std::string words(const design::Finding& finding, const Physical& physical) {
   const Told told(finding, physical);
   switch (finding.kind) {
+    case FindingKind::catches_hit:
+      return format(
+          "The notch catches the hit, as any below {}: the structure feels it in full, {}.",
+          told["least_velocity"], impulse_shown(physical, told.number("caught_impulse")));
     case FindingKind::check_failed:
       return format(
           "The independent check disagrees by {:.1e} where {:.0e} is allowed: do not rely on this "
           "design.",
           told.number("relative_error"), told.number("tolerance"));
+    case FindingKind::close_call:
+      return told.has("decision_margin")
+                 ? format("If all inputs shift by {}, that could change {}.",
+                          told.percent("decision_margin"), changed_words(told.text("changes")))
+                 : format("Rounding could change {}.", changed_words(told.text("changes")));
     case FindingKind::does_not_isolate:
       return format(
           "The structure feels {}, more than 95 % of the load of {}: this damper isolates nothing.",
           told["peak_absolute_acceleration"], told["largest_load"]);
+    case FindingKind::ends_before_load:
+      return format("The run ends after {} of the {} of the load.", told["end_time"],
+                    told["load_end"]);
     case FindingKind::exact_only:
       return "No other damper was tried: one that is not exactly this one may do anything.";
     case FindingKind::fails_if_off:
@@ -107,15 +179,21 @@ std::string words(const design::Finding& finding, const Physical& physical) {
       return "The search was interrupted: a complete one may find a better damper.";
     case FindingKind::jolts:
       return format(
-          "At the notch the velocity jumps by up to {}; the accelerations leave these jumps out.",
-          told["jump"]);
+          "At the notch the velocity jumps by up to {}{}; the accelerations leave these jumps out.",
+          told["jump"], told.has("p") ? ", at " + period_words(physical, told.number("p")) : "");
     case FindingKind::locks:
-      return format("The notch locks the mass to the end of {}; the structure then feels up to {}.",
-                    told.records(), told["largest_load_while_locked"]);
-    case FindingKind::never_moves:
       return format(
-          "The mass never moves: it is held through {}, and the structure feels up to {}.",
-          told.records(), told["largest_load"]);
+          "{}{}; the structure then feels up to {}.", lock_words(told),
+          told.has("moved") ? format(", after it moves for {} in all", told["moved"]) : "",
+          told["largest_load_while_locked"]);
+    case FindingKind::never_moves:
+      return format("The mass never moves: {}.", rest_words(told));
+    case FindingKind::no_notch_works:
+      return format(
+          "No notch works: only one wider than {} would let the load move the mass, but the peak "
+          "is "
+          "{}.",
+          length_limit(physical, told.number("least_width"), true), told["peak_amplitude"]);
     case FindingKind::notch_gains_little:
       return "The notch is left out: it would gain less than one per cent.";
     case FindingKind::notch_needs_width:
@@ -124,11 +202,15 @@ std::string words(const design::Finding& finding, const Physical& physical) {
           "it one; {} admits one without, as of a rocking support.",
           told.is_physical() ? "--notch-width-m or --search-notch-width-m" : "--notch-width",
           told.is_physical() ? "--jump-max" : "--jump-max-v");
+    case FindingKind::peaks_develop:
+      return peaks_words(told);
     case FindingKind::records_exceed_limit:
       return format("{} exceed{} a limit that the mean meets: under {} the {} is {}.",
                     told.records(), told.count("records") == 1 ? "s" : "",
                     scaled_name(told.text("record"), told.number("scale")), told.text("figure"),
                     told.beyond_limit());
+    case FindingKind::sensitive:
+      return sensitive_words(told, physical);
   }
   return {};
 }

@@ -4,7 +4,8 @@
 namespace stillpoint::report {
 
 std::optional<design::Practice> practice_of(const MotionReport& report) {
-  const auto& [request, answer, record, physical] = report;
+  const SimulationRequest& request = report.request;
+  const Simulation& answer = report.answer;
   const bool after_a_hit =
       !answer.forced && request.surface.plain() && request.start.x0 == 0 && moves(answer.response);
   return after_a_hit ? design::practice(request.oscillator, answer.response, std::nullopt)

@@ -105,17 +105,6 @@ std::string_view jumps_words(double delta, const std::optional<double>& width) {
   return delta > 0 && !width ? " between the velocity jumps at the notch" : "";
 }
 
-void add_jumps_note(Section& section, double delta, const std::optional<double>& width) {
-  if (const std::string_view words = jumps_words(delta, width); !words.empty()) {
-    section.line(format("The accelerations are those{}, which come on top.", words));
-  }
-}
-
-double friction_at_centre(const SimulationRequest& request) {
-  const auto& zones = request.surface.zones;
-  return zones.empty() ? request.oscillator.f : zones.front().f;
-}
-
 void add_zones(Section& section, const std::vector<FrictionZone>& zones, std::string_view beyond,
                const Physical& physical) {
   std::optional<double> from;
@@ -135,7 +124,7 @@ void add_surface(Section& section, const SimulationRequest& request, const Physi
   const auto& [p, f, delta, hold] = request.oscillator;
   const Surface& surface = request.surface;
   if (hold) {
-    const double friction = friction_at_centre(request);
+    const double friction = design::friction_at_centre(request);
     section.row("notch", format("holds a load of up to {} + {:.6g} g = {:.6g} g",
                                 surface.zones.empty() ? "f" : format("{:.6g} g", friction), *hold,
                                 friction + *hold));

@@ -8,6 +8,7 @@
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/design/built_notch.hpp>
 #include <stillpoint/design/design.hpp>
+#include <stillpoint/design/motion_findings.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/suite_task.hpp>
@@ -94,8 +95,6 @@ void add_start(Section& section, const StartUnderLoad& start, std::string_view f
                const Physical& physical);
 /// "480 kN s" for a speed; "0.4 N s per kg" if the mass is not known.
 [[nodiscard]] std::string impulse_shown(const Physical& physical, double impulse);
-/// Constant friction at x = 0, where zones change it.
-[[nodiscard]] double friction_at_centre(const SimulationRequest& request);
 /// How friction steps with |x|, to what is `beyond`; nothing without zones.
 void add_zones(Section& section, const std::vector<FrictionZone>& zones, std::string_view beyond,
                const Physical& physical);
@@ -115,8 +114,6 @@ void add_excitation(Section& section, const Excitation& excitation,
 /// " between the velocity jumps at the notch", of an acceleration that does not count them; empty
 /// of a notch with a width, and without a notch.
 [[nodiscard]] std::string_view jumps_words(double delta, const std::optional<double>& width);
-/// Below a table whose accelerations do not count them.
-void add_jumps_note(Section& section, double delta, const std::optional<double>& width);
 /// Where a notch under records differs from the paper's.
 void add_real_notch(Section& section, const std::optional<double>& hold,
                     const std::optional<double>& width, const Physical& physical);
@@ -284,8 +281,7 @@ void add_response(Section& section, const Simulation& answer, const Physical& ph
 [[nodiscard]] std::optional<double> felt_outside(const Response& response, double p, double f,
                                                  const std::optional<double>& notch_width);
 
-/// Not if friction or the notch holds the mass from the start.
-[[nodiscard]] bool moves(const Response& response);
+using design::moves;  // not if friction or the notch holds the mass from the start
 /// "stops at x = 0" and so on.
 [[nodiscard]] std::string outcome_phrase(Outcome outcome);
 /// A motion that is still running may be at rest.

@@ -10,10 +10,6 @@
 
 namespace stillpoint::report {
 
-bool moves(const Response& response) {
-  return response.stop_time != 0.0;
-}
-
 std::optional<double> felt_outside(const Response& response, double p, double f,
                                    const std::optional<double>& notch_width) {
   // It slides at the largest acceleration outside, f + p^2 |x|, where it is farthest.

@@ -5,6 +5,7 @@
 #include "sentence.hpp"
 
 #include <stillpoint/report/digits.hpp>
+#include <stillpoint/report/findings.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -57,63 +58,11 @@ bool only_locked(const SpectrumReport& report) {
   });
 }
 
-/// Where the notch holds the mass while the load goes on; empty if nowhere.
-std::string lock_words(const SpectrumReport& report) {
-  const std::vector<SpectrumPoint>& points = report.result.combined;
-  std::size_t count = 0;
-  double most = 0;
-  for (const SpectrumPoint& point : points) {
-    if (point.with_notch.locked_from) {
-      ++count;
-      most = std::max(most, *point.with_notch.largest_load_while_locked);
-    }
-  }
-  if (count == 0) {
-    return "";
-  }
-  const std::string where = points.size() == 1 ? ""
-                            : count == points.size()
-                                ? "at every period "
-                                : format("at {} of {} periods ", count, points.size());
-  return format(
-      "{}the notch holds the mass to the end of {} record; while it is locked the structure feels "
-      "up to {}",
-      where, report.result.records.size() == 1 ? "the" : "a", acceleration_shown(most));
-}
-
-/// A notch that lets go, or has a width, is to hold the mass at the end, unless that is what the
-/// structure feels most.
-bool locks_for_the_worse(const SpectrumReport& report) {
-  const design::SpectrumRequest& task = report.result.request;
-  return !lock_words(report).empty() && (!(task.hold || task.notch_width) || only_locked(report));
-}
-
 std::string period_words(const SpectrumReport& report, std::size_t i) {
   const FigureUnits units(report.physical);
   return format("a period of {:.4g}{}",
                 2 * std::numbers::pi / report.result.request.p[i] * units.time,
                 units.time_unit.empty() ? "" : " s");
-}
-
-/// The point with the largest jump of velocity; none where the velocity never jumps.
-std::optional<std::size_t> largest_jump(const SpectrumReport& report) {
-  const std::vector<SpectrumPoint>& points = report.result.combined;
-  const auto most = std::ranges::max_element(
-      points, {}, [](const SpectrumPoint& point) { return point.with_notch.jump; });
-  return most->with_notch.jump > 0 ? std::optional(static_cast<std::size_t>(most - points.begin()))
-                                   : std::nullopt;
-}
-
-/// "the velocity jumps by up to 0.89 m/s at a period of 2 s"; empty where it does not.
-std::string jump_words(const SpectrumReport& report) {
-  const auto most = largest_jump(report);
-  if (!most) {
-    return "";
-  }
-  const std::vector<SpectrumPoint>& points = report.result.combined;
-  return format("the velocity jumps by up to {}{}",
-                FigureUnits(report.physical).velocity_words(points[*most].with_notch.jump),
-                points.size() == 1 ? "" : " at " + period_words(report, *most));
 }
 
 /// "Friction alone ...", or of a suite "Largest of 2 records: friction alone ...".
@@ -130,7 +79,7 @@ std::string words_of_one(const SpectrumReport& report) {
   const FigureUnits units(report.physical);
   const auto words = [&](const SpectrumFigures& one) {
     return format("transmits {}{}; the peak is {}, {}", acceleration_shown(one.acceleration),
-                  only_locked(report) ? "" : between_jumps(report.physical, one.jump),
+                  only_locked(report) || one.jump == 0 ? "" : " between the jumps at the notch",
                   units.length_words(one.peak),
                   one.residual ? "the residual " + units.length_words(*one.residual)
                                : "and the mass never comes to rest");
@@ -173,7 +122,8 @@ std::string friction_words(const SpectrumReport& report) {
 Table spectrum_table(const SpectrumReport& report, const std::vector<SpectrumPoint>& points) {
   const FigureUnits units(report.physical);
   const bool compared = report.result.request.delta > 0;
-  const bool jumps = largest_jump(report).has_value();
+  const bool jumps = std::ranges::any_of(
+      points, [](const SpectrumPoint& point) { return point.with_notch.jump > 0; });
   Table table{{"period, s"}, {}};
   for (const auto& [name, unit] : {std::pair<std::string, std::string>{"transmitted", "g"},
                                    {"peak", units.length_unit},
@@ -227,7 +177,6 @@ void add_points(Section& section, const SpectrumReport& report,
   Table table = spectrum_table(report, points);
   const std::size_t shown = table.rows.size();
   section.parts.emplace_back(std::move(table));
-  add_jumps_note(section, report.result.request.delta, report.result.request.notch_width);
   if (points.size() > shown) {
     section.line(format("{} of {} periods, with those of the largest of each figure; --table FILE "
                         "has all.",
@@ -241,18 +190,13 @@ void add_damper(Section& answer, const SpectrumReport& report) {
   answer.row("damper", format("f = {}, delta = {}, the same at every period", digits(task.f),
                               length_shown(report.physical, task.delta)));
   add_real_notch(answer, task.hold, task.notch_width, report.physical);
-  const std::string jumps = jump_words(report);
-  if (!jumps.empty()) {
-    answer.row("in the notch", jumps);
-  }
   if (task.delta > 0 && !task.notch_width && !task.hold) {
     const double peak = std::ranges::max(report.result.combined, {}, [](const SpectrumPoint& now) {
                           return now.with_notch.peak;
                         }).with_notch.peak;
     const double stiffest = std::ranges::max(task.p);
-    answer.row(jumps.empty() ? "in the notch" : "",
-               inside_words(report.physical, {stiffest, task.f, task.delta}, peak,
-                            design::peak_load(task.records)));
+    answer.row("in the notch", inside_words(report.physical, {stiffest, task.f, task.delta}, peak,
+                                            design::peak_load(task.records)));
   }
   for (const design::SuiteRecord& record : task.records) {
     answer.row(&record == task.records.data() ? "record" : "",
@@ -265,25 +209,20 @@ void add_damper(Section& answer, const SpectrumReport& report) {
 
 }  // namespace
 
-std::string lock_sentence(const SpectrumReport& report) {
-  return !locks_for_the_worse(report) ? "" : "locked: " + lock_words(report);
+std::string verdict(const SpectrumReport& report) {
+  const design::Spectrum& result = report.result;
+  return result.combined.size() == 1                        ? words_of_one(report)
+         : result.request.delta == 0 || only_locked(report) ? friction_words(report)
+                                                            : design::summary(result);
 }
 
 Document document(const SpectrumReport& report) {
   const design::Spectrum& result = report.result;
   Document document;
   document.title = "Response spectrum";
-  const bool worse = locks_for_the_worse(report);
-  const bool alone = result.request.delta == 0;
-  const bool held = only_locked(report);
-  const std::string does = result.combined.size() == 1 ? words_of_one(report)
-                                                       : (held || alone ? friction_words(report)
-                                                                        : design::summary(result)) +
-                                                             next_sentence(jump_words(report));
-  document.verdict = worse ? format("{} {}", sentence(lock_sentence(report)), does)
-                           : does + next_sentence(lock_words(report));
-  document.tone = worse ? Tone::bad : Tone::plain;
+  document.verdict = verdict(report);
   add_damper(document.answer, report);
+  add_findings(document, result.findings, report.physical);
   const std::size_t count = result.records.size();
   add_points(document.section(heading(report)), report, result.combined);
   for (std::size_t i = 0; i < count && count > 1; ++i) {

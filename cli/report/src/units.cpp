@@ -28,12 +28,10 @@ std::string acceleration_shown(double acceleration) {
   return format("{:.4g} g", acceleration);
 }
 
-std::string jumps_shown(const Physical& physical, double largest) {
-  return "jumps of velocity of up to " + FigureUnits(physical).velocity_words(largest);
-}
-
 std::string between_jumps(const Physical& physical, double largest) {
-  return largest > 0 ? " between " + jumps_shown(physical, largest) : "";
+  return largest > 0 ? " between jumps of velocity of up to " +
+                           FigureUnits(physical).velocity_words(largest)
+                     : "";
 }
 
 std::string length_limit(const Physical& physical, double length, bool upwards,

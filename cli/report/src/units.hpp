@@ -20,8 +20,6 @@ using Physical = std::optional<design::PhysicalInput>;
                                        std::optional<int> digits = {});
 [[nodiscard]] std::string time_shown(const Physical& physical, double tau);
 [[nodiscard]] std::string acceleration_shown(double acceleration);
-/// "jumps of velocity of up to 0.891 m/s".
-[[nodiscard]] std::string jumps_shown(const Physical& physical, double largest);
 /// " between jumps of velocity of up to 0.891 m/s", of an acceleration; empty if nothing jumps.
 [[nodiscard]] std::string between_jumps(const Physical& physical, double largest);
 

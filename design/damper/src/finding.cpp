@@ -18,8 +18,11 @@ struct Form {
   Severity severity;
 };
 constexpr auto forms = std::to_array<Form>({
+    {catches_hit, "catches_hit", caution},
     {check_failed, "check_failed", fault},
+    {close_call, "close_call", caution},
     {does_not_isolate, "does_not_isolate", fault},
+    {ends_before_load, "ends_before_load", info},
     {exact_only, "exact_only", caution},
     {fails_if_off, "fails_if_off", info},
     {friction_above_weight, "friction_above_weight", caution},
@@ -27,9 +30,12 @@ constexpr auto forms = std::to_array<Form>({
     {jolts, "jolts", caution},
     {locks, "locks", caution},
     {never_moves, "never_moves", caution},
+    {no_notch_works, "no_notch_works", fault},
     {notch_gains_little, "notch_gains_little", info},
     {notch_needs_width, "notch_needs_width", info},
+    {peaks_develop, "peaks_develop", info},
     {records_exceed_limit, "records_exceed_limit", caution},
+    {sensitive, "sensitive", caution},
 });
 
 }  // namespace

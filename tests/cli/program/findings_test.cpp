@@ -26,6 +26,12 @@ const std::vector<std::string> tasks{
     "design " + records +
         "--period 2.8s --search-f 0.05 --search-delta-m 20mm --hold 0.1 "
         "--jump-max 5 --combine mean --max-displacement 400mm",
+    "simulate --v0 0.1 --p 1 --f 0.02 --delta 0.1 --excitation harmonic --k 0.3 --lambda 1 --t-end "
+    "20",
+    "simulate --p 1 --f 0.1 --delta 0.01 --excitation half-sine --k 0.3 --lambda 20",
+    "simulate --period 2.8s --f 0.058 --delta-m 20mm --hold 0.1 " +
+        records.substr(records.rfind("--")),
+    "spectrum --period 2s:3s:3 --f 0.03 --delta-m 70mm --hold 0.1 " + records,
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <stillpoint/answers/hit.hpp>
 #include <stillpoint/core/simulation.hpp>
+#include <stillpoint/design/motion_findings.hpp>
 #include <stillpoint/report/report.hpp>
 
 #include <chrono>
@@ -80,7 +81,8 @@ void check_motion(const Sandbox& sandbox, const Arguments& asked, SimulationRequ
   const Simulation answer = simulate(request);
   const Surroundings impatient{.patience = std::chrono::seconds(5)};
   BOOST_TEST(sandbox.succeed(command, impatient).out ==
-             report::json_text(report::json(report::MotionReport{request, answer})));
+             report::json_text(report::json(report::MotionReport{
+                 request, answer, {}, {}, design::findings_of(request, answer)})));
   BOOST_TEST(
       (!traced || sandbox.read("motion.csv") == report::trajectory_csv(answer.trajectory, {})));
 }

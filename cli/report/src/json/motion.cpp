@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "json/motion_fields.hpp"
 #include "json/schema.hpp"
+#include "json/shown_findings.hpp"
 
 #include <stillpoint/report/schemas.hpp>
 #include "sections.hpp"
@@ -64,6 +65,13 @@ inline constexpr auto fields<report::MotionReport> =
                 "",
                 {.texts = schema_name}},
           Field{"program", [](const MotionReport&) { return Program(); }},
+          Field{"verdict",
+                [](const MotionReport& report) { return verdict(report); },
+                "the answer, in a sentence or two"},
+          Field{"findings",
+                [](const MotionReport& report) {
+                  return ShownFindings{report.findings, report.physical};
+                }},
           Field{"input",
                 [](const MotionReport& report) {
                   return ShownMotion{{report.request}, report.record};
@@ -74,7 +82,10 @@ inline constexpr auto fields<report::MotionReport> =
                                               : AnyResponse(report.answer.response);
                 },
                 "the second under an excitation"},
-          Field{"caught_impulse", &caught_impulse,
+          Field{"caught_impulse",
+                [](const MotionReport& report) {
+                  return design::caught_impulse(report.request, report.answer.response);
+                },
                 "per mass, for a hit that the notch catches at the start; null if it does not"},
           Field{"practice", &practice_shown,
                 "docs/theory.md section 11; null except after a hit from x = 0 without a load and "

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <stillpoint/design/motion_findings.hpp>
 #include "json/physical_fields.hpp"
 #include "sections.hpp"
 
@@ -117,7 +118,7 @@ std::optional<AnyMotionSi> physical_of(const MotionReport& report) {
         .delta = report.request.oscillator.delta,
         .practice = practice_of(report),
         .motion = &report.answer.response,
-        .caught_impulse = caught_impulse(report)};
+        .caught_impulse = design::caught_impulse(report.request, report.answer.response)};
   add_wave(si, report.request.excitation);
   if (report.answer.forced) {
     si.forced = &*report.answer.forced;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "json/motion_fields.hpp"
 #include "json/schema.hpp"
+#include "json/shown_findings.hpp"
 
 #include <stillpoint/report/schemas.hpp>
 #include <stillpoint/report/spectrum.hpp>
@@ -155,6 +156,13 @@ inline constexpr auto fields<report::SpectrumReport> = [] {
             "",
             {.texts = spectrum_name}},
       Field{"program", [](const SpectrumReport&) { return Program(); }},
+
+      Field{"verdict", [](const SpectrumReport& report) { return verdict(report); },
+            "the answer, in a sentence or two"},
+      Field{"findings",
+            [](const SpectrumReport& report) {
+              return ShownFindings{report.result.findings, report.physical};
+            }},
       Field{"input",
             [](const SpectrumReport& report) {
               return SpectrumInput{report.result.request, report.physical.scales};

@@ -11,6 +11,7 @@
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/doubtful_values.hpp>
 #include <stillpoint/design/hits.hpp>
+#include <stillpoint/design/motion_findings.hpp>
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/design/practice.hpp>
 #include <stillpoint/design/problem.hpp>

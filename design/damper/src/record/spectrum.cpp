@@ -84,11 +84,50 @@ SpectrumFigures combined(const std::vector<std::vector<SpectrumPoint>>& records,
   return all;
 }
 
+/// Where the notch holds the mass while the load goes on. One that lets go, or has a width, is to
+/// hold it at the end, unless that is what the structure feels most.
+void add_lock(std::vector<Finding>& all, const Spectrum& spectrum) {
+  std::int64_t count = 0;
+  double most = 0;
+  bool worst = true;
+  for (const SpectrumPoint& point : spectrum.combined) {
+    const auto& held = point.with_notch.largest_load_while_locked;
+    count += point.with_notch.locked_from ? 1 : 0;
+    most = std::max(most, held.value_or(0));
+    worst = worst && held == point.with_notch.acceleration;
+  }
+  if (count == 0) {
+    return;
+  }
+  Finding& lock = all.emplace_back(FindingKind::locks);
+  lock.add("largest_load_while_locked", most, records::Dimension::gravities);
+  lock.values.push_back({"of_records", static_cast<std::int64_t>(spectrum.records.size())});
+  lock.values.push_back({"periods", count});
+  lock.values.push_back({"of_periods", static_cast<std::int64_t>(spectrum.combined.size())});
+  const SpectrumRequest& task = spectrum.request;
+  if ((task.hold || task.notch_width) && !worst) {
+    lock.severity = Severity::info;
+  }
+}
+
+std::vector<Finding> findings_of(const Spectrum& spectrum) {
+  std::vector<Finding> all;
+  add_lock(all, spectrum);
+  const auto jump = [](const SpectrumPoint& point) { return point.with_notch.jump; };
+  const auto most = std::ranges::max_element(spectrum.combined, {}, jump);
+  if (jump(*most) > 0) {
+    Finding& jolt = all.emplace_back(FindingKind::jolts);
+    jolt.add("jump", jump(*most), records::Dimension::velocity);
+    jolt.add("p", spectrum.request.p[static_cast<std::size_t>(most - spectrum.combined.begin())]);
+  }
+  return all;
+}
+
 }  // namespace
 
 Spectrum spectrum(const SpectrumRequest& request, const std::function<bool(double)>& go_on) {
   require_valid(request);
-  Spectrum result{request, {}, {}};
+  Spectrum result{request, {}, {}, {}};
   const Combine combine = request.combine.value_or(default_combine(request.records.size()));
   result.request.combine = combine;
   const std::vector<Excitation> loads = scaled_loads(request.records);
@@ -121,6 +160,7 @@ Spectrum spectrum(const SpectrumRequest& request, const std::function<bool(doubl
       point.*member = combined(result.records, i, member, combine);
     }
   }
+  result.findings = findings_of(result);
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <stillpoint/design/built_notch.hpp>
 #include <stillpoint/design/catalogue.hpp>
 #include <stillpoint/design/design.hpp>
+#include <stillpoint/design/finding.hpp>
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/trade_off.hpp>
@@ -69,6 +70,7 @@ struct MotionReport {
   Simulation answer;
   std::optional<RecordOrigin> record{};  ///< where the excitation comes from
   std::optional<design::PhysicalInput> physical{};
+  std::vector<design::Finding> findings{};
 };
 
 /// The motion of `request` by each method.
@@ -82,6 +84,11 @@ struct AccuracyReport {
 [[nodiscard]] Document document(const DesignReport& report);
 [[nodiscard]] Document document(const RegionReport& report);
 [[nodiscard]] Document document(const MotionReport& report);
+/// Where it rests, or what it does in place of that; how, the findings say.
+[[nodiscard]] std::string verdict(const MotionReport& report);
+[[nodiscard]] inline const std::vector<design::Finding>& findings(const MotionReport& report) {
+  return report.findings;
+}
 [[nodiscard]] Document document(const AccuracyReport& report);
 
 /// What the document says of a damper besides its numbers, for a page that shows these itself.
@@ -98,19 +105,13 @@ struct Advice {
 /// The verdict on a motion, which alarms where the mass stands still under its load.
 [[nodiscard]] Advice advice(const MotionReport& report);
 
-/// "locked at x = 0 from 1.61 s of 20 s; the structure then feels up to 0.35 g", in tau without
-/// physical input; for a mass that is held from the start, that it never starts or moves; else
+/// "The notch locks the mass at x = 0 from 1.61 s of 20 s on; ...", before its pulse is over; else
 /// empty.
-[[nodiscard]] std::string lock_sentence(const MotionReport& report);
-/// The same of a damper that stops the mass before its pulse is over; else empty.
 [[nodiscard]] std::string lock_sentence(const RegionReport& report);
 [[nodiscard]] std::string lock_sentence(const DesignReport& report);
 /// "with this notch the peak exceeds 150 mm", if a notch was asked for; else, under a pulse, "no
 /// notch works", if only a wider one than the stroke lets it move the mass. Empty if all is well.
 [[nodiscard]] std::string notch_sentence(const DesignReport& report);
-
-/// The impulse per mass, |v0|, of a hit that the notch catches at the start; empty if it does not.
-[[nodiscard]] std::optional<double> caught_impulse(const MotionReport& report);
 
 /// As docs/reports.md describes them. Numbers carry a double's full precision; a value that does
 /// not exist is null.

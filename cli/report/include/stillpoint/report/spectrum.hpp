@@ -22,7 +22,10 @@ struct SpectrumReport {
 };
 
 /// "locked: at 3 of 9 periods ..."; empty if it locks at none.
-[[nodiscard]] std::string lock_sentence(const SpectrumReport& report);
+[[nodiscard]] std::string verdict(const SpectrumReport& report);
+[[nodiscard]] inline const std::vector<design::Finding>& findings(const SpectrumReport& report) {
+  return report.result.findings;
+}
 
 [[nodiscard]] Document document(const SpectrumReport& report);
 /// As docs/reports.md describes it.

@@ -101,8 +101,7 @@ inline constexpr auto forced_fields = std::tuple{
         "the tau from which the notch holds the mass at x = 0, or within its width, although the "
         "load goes on (0 where the mass is caught at the start). null where the mass does not "
         "lock. A stop after the load is over is not a lock, nor is a rest in the dead zone, where "
-        "friction holds the mass. A simulation that locks, or that never moves, says so on "
-        "standard error as well",
+        "friction holds the mass",
         {Numbers::from_zero, Dimension::time, "locked_from_s"}},
     Field{"largest_load_while_locked",
           &ForcedResponse::largest_load_while_locked,

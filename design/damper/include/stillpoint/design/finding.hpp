@@ -23,8 +23,11 @@ enum class Severity {
 };
 
 enum class FindingKind {
+  catches_hit,
   check_failed,
+  close_call,
   does_not_isolate,
+  ends_before_load,
   exact_only,
   fails_if_off,
   friction_above_weight,
@@ -32,9 +35,12 @@ enum class FindingKind {
   jolts,
   locks,
   never_moves,
+  no_notch_works,
   notch_gains_little,
   notch_needs_width,
+  peaks_develop,
   records_exceed_limit,
+  sensitive,
 };
 
 [[nodiscard]] std::span<const Named<Severity>> enumerators(Severity) noexcept;

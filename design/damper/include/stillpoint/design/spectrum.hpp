@@ -3,6 +3,7 @@
 
 // What one damper does under records when the period changes: docs/records-design.md section 5.
 
+#include <stillpoint/design/finding.hpp>
 #include <stillpoint/design/record_design.hpp>
 
 #include <functional>
@@ -45,6 +46,7 @@ struct Spectrum {
   SpectrumRequest request;  ///< with the combination that was chosen
   std::vector<std::vector<SpectrumPoint>> records;
   std::vector<SpectrumPoint> combined;
+  std::vector<Finding> findings;
 };
 
 /// `go_on`, if not empty, is called by several threads, but one at a time, with the fraction done;

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What a motion must say beyond its figures.
+
+#include <stillpoint/core/simulation.hpp>
+#include <stillpoint/design/finding.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace stillpoint::design {
+
+/// Of a motion that was not cancelled. Motions with f and Delta slightly off are followed for that.
+[[nodiscard]] std::vector<Finding> findings_of(const SimulationRequest& request,
+                                               const Simulation& motion);
+
+/// Of a forced motion that the notch holds at the end of a load that lasts until `load_end`.
+[[nodiscard]] Finding lock_of(const ForcedResponse& motion, double load_end);
+
+/// |v0| of a hit that the notch catches, which the structure then feels in full, per mass.
+[[nodiscard]] std::optional<double> caught_impulse(const SimulationRequest& request,
+                                                   const Response& response);
+
+/// Constant friction at x = 0, where zones change it.
+[[nodiscard]] double friction_at_centre(const SimulationRequest& request);
+
+/// The width from which on a notch lets `load` move the mass from rest; infinite if friction alone
+/// holds it.
+[[nodiscard]] double least_width(double f, double delta, double load);
+
+/// No |W| is larger.
+[[nodiscard]] double largest_load(const Excitation& excitation);
+
+/// Of a rest from the start on.
+[[nodiscard]] bool moves(const Response& response);
+
+}  // namespace stillpoint::design
