@@ -7,6 +7,7 @@
 #include "output.hpp"
 
 #include <stillpoint/core/for_each_entry.hpp>
+#include <stillpoint/design/motion_findings.hpp>
 #include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/reduction.hpp>
 #include <stillpoint/report/spectrum.hpp>
