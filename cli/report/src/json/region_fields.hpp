@@ -25,9 +25,10 @@
 namespace stillpoint::report {
 
 /// What was asked for.
+// It is never made without a task. NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 struct ShownInput {
   ShownTask task;
-  std::optional<double> v0{};
+  std::optional<double> v0;
   const std::optional<Catalogue>& catalogue;
 
   /// The factors of one side of a tolerance box; empty if the box has the usual shape.

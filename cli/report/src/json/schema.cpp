@@ -62,7 +62,7 @@ ordered_json object_schema(ordered_json properties) {
 }
 
 ordered_json document_schema(std::string_view name, std::string_view command,
-                             std::string_view description, ordered_json object) {
+                             std::string_view description, const ordered_json& object) {
   ordered_json schema{
       {"$schema", "https://json-schema.org/draft/2020-12/schema"},
       {"$id", fmt::format("urn:{}", fmt::join(records::split(name, '/'), ":"))},

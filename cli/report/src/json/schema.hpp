@@ -35,7 +35,7 @@ inline constexpr std::string_view dimensionless_numbers =
 [[nodiscard]] nlohmann::ordered_json document_schema(std::string_view name,
                                                      std::string_view command,
                                                      std::string_view description,
-                                                     nlohmann::ordered_json object);
+                                                     const nlohmann::ordered_json& object);
 
 template <class Result>
 [[nodiscard]] nlohmann::ordered_json schema_of();

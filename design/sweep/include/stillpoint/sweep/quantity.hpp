@@ -76,7 +76,7 @@ enum class Missing : std::uint8_t { absent, never };
 /// A result of a motion, which a sweep writes.
 template <class Member>
 struct MotionColumn {
-  Quantity quantity;
+  Quantity quantity{};
   Member member;
   Missing missing{};
 };
