@@ -43,15 +43,6 @@ double merit(const BoxedDamper& box) {
   return box.worst.settled ? box.rank.value * (1 + price * box.rank.off) : HUGE_VAL;
 }
 
-/// That which is off by the least comes first if it is better than `bar`, then the others by merit.
-void by_promise(std::vector<BoxedDamper>& list, double bar) {
-  std::ranges::stable_sort(list, {}, merit);
-  const auto surest = std::ranges::min_element(list, {}, &BoxedDamper::rank);
-  if (surest != list.end() && surest->rank.value < bar) {
-    std::rotate(list.begin(), surest, surest + 1);
-  }
-}
-
 }  // namespace
 
 SuiteSearch::SuiteSearch(const Suite& suite, const RecordDesignRequest& task,
@@ -115,28 +106,32 @@ std::vector<BoxedDamper> SuiteSearch::roughly(const std::vector<BoxedDamper>& fo
   return list;
 }
 
-std::vector<SuiteDamper> SuiteSearch::around(const SuiteDamper& damper, double step) const {
+/// With so many steps that are long, which reach along a narrow valley.
+std::vector<SuiteDamper> SuiteSearch::around(const SuiteDamper& damper, double step,
+                                             int long_steps) const {
   static constexpr std::array steps{-1.0, 1.0, -4.0, 4.0};
-  // The long ones reach along a narrow valley; with more variables they would be too many.
-  const auto by_steps = std::span(steps).first(space_.searched() > 2 ? 2 : steps.size());
-  const SuitePlace here = space_.place(damper);
-  std::vector<SuitePlace> places{here};
+  struct Move {
+    SuitePlace place;
+    int long_steps;
+  };
+  std::vector<Move> moves{{space_.place(damper), 0}};
   for (std::size_t i = 0; i < space_.size(); ++i) {
-    if (space_.axes()[i].searched()) {
-      const std::size_t count = places.size();
-      for (std::size_t k = 0; k < count; ++k) {
-        for (const double by : by_steps) {
-          SuitePlace place = places[k];
-          place.at(i) =
-              std::clamp(place.at(i) + by * step, space_.axes()[i].low(), space_.axes()[i].high());
-          places.push_back(place);
-        }
+    const SuiteAxis& axis = space_.axes()[i];
+    const std::size_t count = axis.searched() ? moves.size() : 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      for (const double by : steps) {
+        Move move = moves[k];
+        move.place.at(i) = std::clamp(move.place.at(i) + by * step, axis.low(), axis.high());
+        move.long_steps += std::abs(by) > 1 ? 1 : 0;
+        moves.push_back(move);
       }
     }
   }
   std::vector<SuiteDamper> list;
-  for (std::size_t k = 1; k < places.size(); ++k) {
-    list.push_back(space_.at(places[k]));
+  for (std::size_t k = 1; k < moves.size(); ++k) {
+    if (moves[k].long_steps == long_steps) {
+      list.push_back(space_.at(moves[k].place));
+    }
   }
   return list;
 }
@@ -184,13 +179,17 @@ double SuiteSearch::first_step() const {
 }
 
 BoxedDamper SuiteSearch::polished(const BoxedDamper& from, double step, bool enough, double bar) {
-  constexpr double coarse = 4;  // is enough where only the limits matter
+  constexpr double coarse = 4;  // is enough where only the limits matter, or with many variables
+  const double last = (enough || space_.searched() > 2 ? coarse : 1) * last_step;
+  const int most_long = space_.searched() > 2 ? 1 : 2;
   BoxedDamper best = sampled(from.damper);
-  for (; step > (enough ? coarse : 1) * last_step && !(enough && best.rank.off == 0) &&
-         merit(best) < bar * (1 + step);
+  for (; step > last && !(enough && best.rank.off == 0) && merit(best) < bar * (1 + step);
        step /= 2) {
     for (int i = 0; i < most_moves && !watch_.stopped(); ++i) {
-      const BoxedDamper now = best_of(around(best.damper, step), best);
+      BoxedDamper now = best;
+      for (int longs = 0; longs <= most_long && !(now.rank < best.rank); ++longs) {
+        now = best_of(around(best.damper, step, longs), best);
+      }
       if (!(now.rank < best.rank)) {
         break;
       }
@@ -238,20 +237,15 @@ std::vector<BoxedDamper> SuiteSearch::shortlist(const std::vector<BoxedDamper>& 
   const BoxedDamper surest = std::ranges::min(list, {}, &BoxedDamper::rank);
   std::ranges::stable_sort(list, {}, merit);
   const double most = std::min(mediocre * merit(list.front()), beyond * bar);
-  std::vector<BoxedDamper> chosen;
-  const auto add = [&](const BoxedDamper& box) {
-    if (std::ranges::none_of(chosen, [&](const BoxedDamper& other) {
-          return are_near(space_.place(box.damper), space_.place(other.damper), grid);
-        })) {
-      chosen.push_back(box);
-    }
-  };
+  std::vector<BoxedDamper> chosen{surest};
   for (const BoxedDamper& each : list) {
-    if (merit(each) <= most && chosen.size() < candidate_counts.at(space_.size())) {
-      add(each);
+    if (merit(each) <= most && chosen.size() < candidate_counts.at(space_.size()) &&
+        std::ranges::none_of(chosen, [&](const BoxedDamper& other) {
+          return are_near(space_.place(each.damper), space_.place(other.damper), grid);
+        })) {
+      chosen.push_back(each);
     }
   }
-  add(surest);
   return chosen;
 }
 
@@ -265,14 +259,26 @@ std::vector<BoxedDamper> SuiteSearch::all_refined(const std::vector<BoxedDamper>
     fine = grid;
     each = refined(each, fine, first_levels);
   }
-  by_promise(list, bar);
+  // The surest stays the first.
+  std::ranges::stable_sort(list.begin() + std::min<std::ptrdiff_t>(1, std::ssize(list)), list.end(),
+                           {}, merit);
   std::erase_if(list, [&](const BoxedDamper& each) { return each.rank.value > unlikely * bar; });
-  list.resize(std::min(list.size(), most_refined.at(space_.size())));
+  const std::size_t most = most_refined.at(space_.size());
+  std::size_t tried = 0;
+  std::size_t admissible_ones = 0;
   for (BoxedDamper& each : list) {
+    if (admissible_ones == most || tried == 2 * most) {
+      break;
+    }
+    ++tried;
     SuiteGrid finest = fine;
     each = polished(refined(each, finest, most_levels), first_step(), false, bar);
-    bar = each.rank.off == 0 ? std::min(bar, each.rank.value) : bar;
+    if (each.rank.off == 0) {
+      bar = std::min(bar, each.rank.value);
+      ++admissible_ones;
+    }
   }
+  list.resize(tried);
   std::ranges::stable_sort(list, {}, &BoxedDamper::rank);
   return list;
 }
@@ -282,10 +288,9 @@ std::optional<VerifiedBox> SuiteSearch::best(const BoxMap& map, const SuiteGrid&
   std::erase_if(found, [&](const BoxedDamper& each) {
     return !each.worst.settled || each.rank.value > hopeless * bar;
   });
-  found = all_refined(found, grid, bar);
   std::optional<VerifiedBox> best;
   std::size_t count = 0;
-  for (const BoxedDamper& each : found) {
+  for (const BoxedDamper& each : all_refined(found, grid, bar)) {
     const double least = best ? std::min(bar, best->box.rank.value) : bar;
     if (watch_.stopped() || count == most_verified || each.rank.off > 0 ||
         each.rank.value >= least) {

@@ -55,7 +55,8 @@ class SuiteSearch {
                                                    const SuiteGrid& grid, double bar);
   /// By a few samples, which do for a choice.
   [[nodiscard]] std::vector<BoxedDamper> roughly(const std::vector<BoxedDamper>& found);
-  [[nodiscard]] std::vector<SuiteDamper> around(const SuiteDamper& damper, double step) const;
+  [[nodiscard]] std::vector<SuiteDamper> around(const SuiteDamper& damper, double step,
+                                                int long_steps) const;
   [[nodiscard]] BoxedDamper best_of(const std::vector<SuiteDamper>& dampers,
                                     const BoxedDamper& bar);
   [[nodiscard]] double first_step() const;

@@ -21,6 +21,8 @@ constexpr double relaxed_by = 2e-3;
 /// Dampers of a map with one variable, and with three and four in units of `scan_points`.
 constexpr std::int64_t line_points = 1000;
 constexpr std::int64_t more_points = 4;
+/// Part of a value by which a box that grew is moved at first.
+constexpr double grown_step = 0.0125;
 constexpr std::array every_friction{SuiteFrictions::constant, SuiteFrictions::point,
                                     SuiteFrictions::both};
 
@@ -78,6 +80,9 @@ class TaskSearch {
       }
     }
     if (!best) {
+      best = grown_to_tolerance(goal);
+    }
+    if (!best) {
       tell_why(goal);
       return std::nullopt;
     }
@@ -86,7 +91,7 @@ class TaskSearch {
 
   std::optional<ChosenBox> most_tolerant() {
     expect();
-    std::optional<LargestBox> best = largest(HUGE_VAL);
+    std::optional<LargestBox> best = largest();
     if (!best) {
       return std::nullopt;
     }
@@ -113,8 +118,8 @@ class TaskSearch {
         map.worst(), [&](const SuiteFigures& figures) { return admissible(figures, goal.limits); });
   }
 
-  /// At most `most` times the tolerance, and no part off by all of itself.
-  std::optional<LargestBox> largest(double most) {
+  /// No part is off by all of itself.
+  std::optional<LargestBox> largest() {
     constexpr double whole = 0.95;
     const SuiteTolerance& of = task_.tolerance;
     const double below =
@@ -124,7 +129,7 @@ class TaskSearch {
       if (!has_friction(task_, frictions) || watch_.stopped()) {
         continue;
       }
-      auto now = largest_box(suite_, task_, frictions, std::min(most, whole / below), watch_);
+      auto now = largest_box(suite_, task_, frictions, whole / below, watch_);
       const double bar =
           !best ? 0 : best->scale * (best->verified.box.damper.delta == 0 ? 1 + least_gain : 1);
       if (now && now->scale > bar) {
@@ -139,7 +144,25 @@ class TaskSearch {
     return best;
   }
 
-  /// The box that violates the limits least, the largest tolerance, and each limit that would do.
+  /// A box that is so hard to find that only one which grows gets there; leaves the largest
+  /// tolerance in the result if there is none.
+  std::optional<VerifiedBox> grown_to_tolerance(const SuiteGoal& goal) {
+    const std::optional<LargestBox> found = watch_.stopped() ? std::nullopt : largest();
+    if (!found || found->scale < 1) {
+      return std::nullopt;
+    }
+    result_.largest_tolerance.reset();
+    const SuiteDamper& damper = found->verified.box.damper;
+    const SuiteSpace space(task_, damper.delta == 0 ? SuiteFrictions::constant
+                                  : damper.f == 0   ? SuiteFrictions::point
+                                                    : SuiteFrictions::both);
+    SuiteSearch search(suite_, task_, space, goal, watch_);
+    const std::optional<VerifiedBox> better =
+        search.verified(search.polished(found->verified.box, grown_step));
+    return better ? better : search.tried(damper);
+  }
+
+  /// The box that violates the limits least, and each limit that would do.
   void tell_why(const SuiteGoal& goal) {
     std::optional<VerifiedBox> nearest;
     for (const Mapped& here : maps_) {
@@ -163,9 +186,6 @@ class TaskSearch {
         result_.shortfalls.push_back({&kind, *limit, nearest->box.worst.*kind.value,
                                       record_of(kind, nearest->of.at(k)), relaxed(kind)});
       }
-    }
-    if (!watch_.stopped()) {
-      static_cast<void>(largest(1));
     }
   }
 

@@ -139,7 +139,7 @@ std::optional<VerifiedBox> SuiteSearch::verified(BoxedDamper candidate) {
     }
     tighten(box.box.worst);
     candidate = polished(candidate, step);
-    if (candidate.rank.off > 0) {
+    if (!admissible(candidate.worst, limits_)) {
       break;
     }
   }
