@@ -106,9 +106,10 @@ std::vector<BoxedDamper> SuiteSearch::roughly(const std::vector<BoxedDamper>& fo
   return list;
 }
 
-/// With so many steps that are long, which reach along a narrow valley.
+/// Long steps reach along a narrow valley; with more than two variables they are taken one at a
+/// time, and `far` only.
 std::vector<SuiteDamper> SuiteSearch::around(const SuiteDamper& damper, double step,
-                                             int long_steps) const {
+                                             bool far) const {
   static constexpr std::array steps{-1.0, 1.0, -4.0, 4.0};
   struct Move {
     SuitePlace place;
@@ -129,7 +130,7 @@ std::vector<SuiteDamper> SuiteSearch::around(const SuiteDamper& damper, double s
   }
   std::vector<SuiteDamper> list;
   for (std::size_t k = 1; k < moves.size(); ++k) {
-    if (moves[k].long_steps == long_steps) {
+    if (space_.searched() <= 2 ? !far : moves[k].long_steps == (far ? 1 : 0)) {
       list.push_back(space_.at(moves[k].place));
     }
   }
@@ -179,16 +180,15 @@ double SuiteSearch::first_step() const {
 }
 
 BoxedDamper SuiteSearch::polished(const BoxedDamper& from, double step, bool enough, double bar) {
-  constexpr double coarse = 4;  // is enough where only the limits matter, or with many variables
-  const double last = (enough || space_.searched() > 2 ? coarse : 1) * last_step;
-  const int most_long = space_.searched() > 2 ? 1 : 2;
+  constexpr double coarse = 4;  // is enough where only the limits matter
+  const double last = (enough ? coarse : 1) * last_step;
   BoxedDamper best = sampled(from.damper);
   for (; step > last && !(enough && best.rank.off == 0) && merit(best) < bar * (1 + step);
        step /= 2) {
     for (int i = 0; i < most_moves && !watch_.stopped(); ++i) {
       BoxedDamper now = best;
-      for (int longs = 0; longs <= most_long && !(now.rank < best.rank); ++longs) {
-        now = best_of(around(best.damper, step, longs), best);
+      for (const bool far : {false, true}) {
+        now = now.rank < best.rank ? now : best_of(around(best.damper, step, far), best);
       }
       if (!(now.rank < best.rank)) {
         break;

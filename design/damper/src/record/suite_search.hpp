@@ -56,7 +56,7 @@ class SuiteSearch {
   /// By a few samples, which do for a choice.
   [[nodiscard]] std::vector<BoxedDamper> roughly(const std::vector<BoxedDamper>& found);
   [[nodiscard]] std::vector<SuiteDamper> around(const SuiteDamper& damper, double step,
-                                                int long_steps) const;
+                                                bool far) const;
   [[nodiscard]] BoxedDamper best_of(const std::vector<SuiteDamper>& dampers,
                                     const BoxedDamper& bar);
   [[nodiscard]] double first_step() const;
