@@ -35,13 +35,13 @@ const std::vector<Good> columns{
           with_step(0.02)),
     right("one_value", "0.5", {0.5}, 0.02, {}, with_step(0.02)),
     right("m_s_2", "0 1\n0.1 9.80665\n0.3 -9.80665\n", {1 / 9.80665, 1, -1}, 0, {0, 0.1, 0.3},
-          in(RecordUnits::m_per_s2)),
+          with_units(RecordUnits::m_per_s2)),
     right("cm_s_2", "0 1\n0.1 980.665\n0.3 -980.665\n", {1 / 980.665, 1, -1}, 0, {0, 0.1, 0.3},
-          in(RecordUnits::cm_per_s2)),
+          with_units(RecordUnits::cm_per_s2)),
     right("cm_s_2_on_the_moon", "0 0\n0.1 162\n0.3 -81\n", {0, 1, -0.5}, 0, {0, 0.1, 0.3},
-          in(RecordUnits::cm_per_s2, 1, 1.62)),
+          with_units(RecordUnits::cm_per_s2, 1, 1.62)),
     right("units_and_scale", "0 0\n0.1 1\n0.3 -2\n", {0, 0.3, -0.6}, 0, {0, 0.1, 0.3},
-          in(RecordUnits::m_per_s2, 3, 10)),
+          with_units(RecordUnits::m_per_s2, 3, 10)),
     right("heading", "time,accel\n0,0.5\n0.1,-1\n0.25,0.25\n", plain, 0, {0, 0.1, 0.25}),
     right("heading_with_units", "# a\n\nTime (s) \"Acc\" (g)\n" + uneven, plain, 0, {0, 0.1, 0.25}),
     right("heading_above_values", "accel\n0.5\n-1\n0.25\n", plain, 0.02, {}, with_step(0.02)),
@@ -192,8 +192,8 @@ BOOST_AUTO_TEST_CASE(doubts_of_columns) {
   check_says(doubt("t,acc (gal)\n" + uneven), {"the units cm/s2"});
   BOOST_TEST(doubt("# in g\n" + uneven) == "");
   BOOST_TEST(doubt("# m/s2, divided by 9.81: in g\n" + uneven) == "");
-  BOOST_TEST(doubt("# in m/s2\n" + uneven, in(RecordUnits::m_per_s2)) == "");
-  BOOST_TEST(doubt("# in m/s2\n" + uneven, in(RecordUnits::g)) == "");
+  BOOST_TEST(doubt("# in m/s2\n" + uneven, with_units(RecordUnits::m_per_s2)) == "");
+  BOOST_TEST(doubt("# in m/s2\n" + uneven, with_units(RecordUnits::g)) == "");
   // Of a slow wave neighbours are alike, and in a table of two waves the numbers of a column.
   std::string sequence;
   std::string table;
@@ -275,7 +275,8 @@ BOOST_AUTO_TEST_CASE(times_come_out_in_tau) {
 BOOST_AUTO_TEST_CASE(units_are_those_of_the_values) {
   BOOST_TEST(file_of("a.AT2", measured("UNITS: GAL")).units == RecordUnits::cm_per_s2);
   BOOST_TEST(file_of("a.AT2", measured("ACCELERATION")).units == RecordUnits::g);
-  BOOST_TEST(file_of("a.txt", uneven, in(RecordUnits::m_per_s2)).units == RecordUnits::m_per_s2);
+  BOOST_TEST(file_of("a.txt", uneven, with_units(RecordUnits::m_per_s2)).units ==
+             RecordUnits::m_per_s2);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

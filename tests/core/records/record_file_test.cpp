@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(options_out_of_bounds) {
     check_says(refusal(scaled(scale)), {"record-scale = ", "from 1e-100 to 1e+100"});
   }
   for (const double gravity : {0.0, -9.8, nan, infinity}) {
-    check_says(refusal(in(RecordUnits::g, 1, gravity)), {"gravity = "});
+    check_says(refusal(with_units(RecordUnits::g, 1, gravity)), {"gravity = "});
   }
 }
 

@@ -74,7 +74,8 @@ inline RecordOptions with_step(double step) {
   return {.step = step};
 }
 
-inline RecordOptions in(RecordUnits units, double scale = 1, double gravity_m_per_s2 = 9.80665) {
+inline RecordOptions with_units(RecordUnits units, double scale = 1,
+                                double gravity_m_per_s2 = 9.80665) {
   return {.units = units, .scale = scale, .gravity_m_per_s2 = gravity_m_per_s2};
 }
 

@@ -14,6 +14,8 @@
 
 namespace stillpoint::report {
 
+using nlohmann::ordered_json;
+
 namespace {
 
 constexpr auto schema_name = std::to_array<std::string_view>({"stillpoint/simulation-report/1"});
@@ -26,6 +28,18 @@ std::optional<ShownPractice> practice_shown(const MotionReport& report) {
 }
 
 }  // namespace
+
+ordered_json program_json() {
+  return object_json(Program());
+}
+
+ordered_json own_json(const Version& version) {
+  return version.text;
+}
+
+ordered_json own_schema(const Version* /*version*/) {
+  return {{"type", "string"}, {"pattern", "^[0-9]+\\.[0-9]+\\.[0-9]+$"}};
+}
 
 std::optional<ShownExcitation> shown(const Excitation& excitation,
                                      const std::optional<RecordOrigin>& record) {
@@ -65,8 +79,7 @@ inline constexpr auto fields<report::MotionReport> =
                 "",
                 {.texts = schema_name}},
           Field{"program", [](const MotionReport&) { return Program(); }},
-          Field{"verdict",
-                [](const MotionReport& report) { return verdict(report); },
+          Field{"verdict", [](const MotionReport& report) { return verdict(report); },
                 "the answer, in a sentence or two"},
           Field{"findings",
                 [](const MotionReport& report) {

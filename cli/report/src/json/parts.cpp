@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "json/parts.hpp"
-#include "json/motion_fields.hpp"
 
-#include <stillpoint/core/response_fields.hpp>
 #include <stillpoint/records/text.hpp>
-#include <stillpoint/report/version.hpp>
 
 #include <fmt/format.h>
 
@@ -47,34 +44,12 @@ ordered_json count(const std::optional<double>& value) {
   return value;
 }
 
-ordered_json number_json(double value, const Measure& measure) {
-  return measure.numbers == Numbers::counts || measure.numbers == Numbers::from_one
-             ? count(value)
-             : ordered_json(value);
-}
-
-void put(ordered_json& object, std::string_view name, ordered_json value) {
-  object[std::string(name)] = std::move(value);
-}
-
 ordered_json metres(const Physical& physical, const std::optional<double>& length) {
   return physical && length ? ordered_json(*length * physical->scales.length_m) : nullptr;
 }
 
 ordered_json seconds(const Physical& physical, const std::optional<double>& tau) {
   return physical && tau ? ordered_json(*tau * physical->scales.time_s) : nullptr;
-}
-
-ordered_json program_json() {
-  return object_json(Program());
-}
-
-ordered_json own_json(const Version& version) {
-  return version.text;
-}
-
-ordered_json own_schema(const Version* /*version*/) {
-  return {{"type", "string"}, {"pattern", "^[0-9]+\\.[0-9]+\\.[0-9]+$"}};
 }
 
 }  // namespace stillpoint::report
