@@ -24,7 +24,7 @@ int main() {
     std::cout << "no damper works: " << *result.reason << '\n';
     return 1;
   }
-  const stillpoint::design::Finding& found = *result.finding;
+  const stillpoint::design::Found& found = *result.finding;
   std::cout << "f             " << found.point.f << '\n'
             << "delta         " << 1000 * scales.delta_m(found.point.delta) << " mm\n"
             << "friction      " << *scales.friction_force_n(found.point.f) / 1000 << " kN\n"

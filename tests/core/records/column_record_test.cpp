@@ -223,7 +223,7 @@ BOOST_AUTO_TEST_CASE(decimal_times_from_below_zero_are_a_step) {
 namespace {
 
 /// The step that is read from these times.
-double step_of(const Numbers& times) {
+double step_of(const Samples& times) {
   std::string text;
   for (const double time : times) {
     text += in_full(time) + " 1\n";
@@ -237,7 +237,7 @@ double step_of(const Numbers& times) {
 
 BOOST_AUTO_TEST_CASE(decimal_times_are_a_step) {
   for (const double rate : {50.0, 100.0, 128.0, 200.0, 1000.0, 1024.0}) {
-    Numbers times;
+    Samples times;
     for (int i = 0; i < 20000; ++i) {
       times.push_back(i / rate);  // the double nearest to the decimal
     }
@@ -267,7 +267,7 @@ BOOST_AUTO_TEST_CASE(times_come_out_in_tau) {
   BOOST_TEST(even.times.empty());
   const Record uneven_times = record_of("a.txt", uneven, quarters);
   BOOST_TEST(uneven_times.step == 0);
-  BOOST_TEST(uneven_times.times == (Numbers{0, 0.4, 1}), tt::per_element());
+  BOOST_TEST(uneven_times.times == (Samples{0, 0.4, 1}), tt::per_element());
   BOOST_TEST(record_of("a.txt", "0 1\n0.02 1\n0.04 1\n", quarters).step == 0.08);
   BOOST_TEST(record_of("a.txt", "1\n2\n", {.step = 0.02, .clock = quarters.clock}).step == 0.08);
 }

@@ -8,7 +8,7 @@ namespace {
 using namespace stillpoint::test;
 
 const std::string eight = "1 2 3 4 5 6 7 8\n9 10 11 12 13 14 15 16\n17\n";
-const Numbers seventeen{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17};
+const Samples seventeen{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17};
 
 const std::vector<Good> peer{
     right("npts_and_dt_with_keys", header + three),

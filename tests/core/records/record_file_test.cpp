@@ -17,8 +17,8 @@ using namespace stillpoint::test;
 
 BOOST_AUTO_TEST_CASE(what_is_written_is_read_to_the_last_bit) {
   std::mt19937_64 random(20);
-  Numbers values;
-  Numbers times{0};
+  Samples values;
+  Samples times{0};
   while (values.size() < 3001) {
     // Every exponent of a value that a motion can follow and every fraction, by bits.
     const auto value = std::bit_cast<double>(random());

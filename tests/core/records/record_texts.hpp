@@ -16,7 +16,7 @@ using records::RecordFile;
 using records::RecordOptions;
 using records::RecordUnits;
 
-using Numbers = std::vector<double>;
+using Samples = std::vector<double>;
 
 inline const std::string titles =
     "PEER NGA STRONG MOTION DATABASE RECORD\n"
@@ -24,7 +24,7 @@ inline const std::string titles =
 inline const std::string quantity = "ACCELERATION TIME HISTORY IN UNITS OF G\n";
 inline const std::string header = titles + quantity + "NPTS= 3, DT= .02000 SEC\n";
 inline const std::string three = "0.5 -1 0.25\n";
-inline const Numbers plain{0.5, -1, 0.25};
+inline const Samples plain{0.5, -1, 0.25};
 
 /// A double as it is read back to the last bit.
 inline std::string in_full(double value) {
@@ -38,9 +38,9 @@ inline std::string in_full(double value) {
 struct Good {
   const char* name;
   std::string text;
-  Numbers values;
+  Samples values;
   double step;
-  Numbers times{};
+  Samples times{};
   RecordOptions options{};
 };
 
@@ -52,8 +52,8 @@ struct Bad {
   RecordOptions options{};
 };
 
-inline Good right(const char* name, std::string text, Numbers values = plain, double step = 0.02,
-                  Numbers times = {}, const RecordOptions& options = {}) {
+inline Good right(const char* name, std::string text, Samples values = plain, double step = 0.02,
+                  Samples times = {}, const RecordOptions& options = {}) {
   return {name, std::move(text), std::move(values), step, std::move(times), options};
 }
 

@@ -101,7 +101,7 @@ const std::map<std::string, std::vector<Wrong>> wrong_samples{
      }},
     {"V2c",
      {
-         {"Real-header values", "Numbers", "line 45: Real-header values are missing"},
+         {"Real-header values", "Samples", "line 45: Real-header values are missing"},
          {"    20.000000", "  -999.000000",
           "line 31: 100 points of 0.01 s (Real-header value 34) take 1 s, but value 35 says 2 s"},
          {"    20.000000", "     0.020000",

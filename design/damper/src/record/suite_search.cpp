@@ -43,6 +43,16 @@ double merit(const BoxedDamper& box) {
   return box.worst.settled ? box.rank.value * (1 + price * box.rank.off) : HUGE_VAL;
 }
 
+/// The surest as it was found stays the first; then the surest now, then the others by merit.
+void by_promise(std::vector<BoxedDamper>& list) {
+  const auto rest = std::span(list).subspan(std::min<std::size_t>(1, list.size()));
+  std::ranges::stable_sort(rest, {}, merit);
+  const auto surest = std::ranges::min_element(rest, {}, &BoxedDamper::rank);
+  if (surest != rest.end()) {
+    std::rotate(rest.begin(), surest, surest + 1);
+  }
+}
+
 }  // namespace
 
 SuiteSearch::SuiteSearch(const Suite& suite, const RecordDesignRequest& task,
@@ -180,8 +190,8 @@ double SuiteSearch::first_step() const {
 }
 
 BoxedDamper SuiteSearch::polished(const BoxedDamper& from, double step, bool enough, double bar) {
-  constexpr double coarse = 4;  // is enough where only the limits matter
-  const double last = (enough ? coarse : 1) * last_step;
+  constexpr double coarse = 4;  // is enough where only the limits matter, or with many variables
+  const double last = (enough || space_.searched() > 2 ? coarse : 1) * last_step;
   BoxedDamper best = sampled(from.damper);
   for (; step > last && !(enough && best.rank.off == 0) && merit(best) < bar * (1 + step);
        step /= 2) {
@@ -259,9 +269,7 @@ std::vector<BoxedDamper> SuiteSearch::all_refined(const std::vector<BoxedDamper>
     fine = grid;
     each = refined(each, fine, first_levels);
   }
-  // The surest stays the first.
-  std::ranges::stable_sort(list.begin() + std::min<std::ptrdiff_t>(1, std::ssize(list)), list.end(),
-                           {}, merit);
+  by_promise(list);
   std::erase_if(list, [&](const BoxedDamper& each) { return each.rank.value > unlikely * bar; });
   const std::size_t most = most_refined.at(space_.size());
   std::size_t tried = 0;

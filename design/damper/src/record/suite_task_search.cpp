@@ -125,6 +125,9 @@ class TaskSearch {
     const double below =
         std::max({of.f.below, of.delta.below, of.width.below, of.period.below, of.f.above});
     std::optional<LargestBox> best;
+    if (below == 0) {
+      return best;
+    }
     for (const SuiteFrictions frictions : every_friction) {
       if (!has_friction(task_, frictions) || watch_.stopped()) {
         continue;
