@@ -58,7 +58,7 @@ constexpr auto in(First first, More... more) {
   if constexpr (sizeof...(More) == 0) {
     return first;
   } else {
-    return [first, rest = in(more...)](const auto& whole) -> const auto& {
+    return [ first, rest = in(more...) ](const auto& whole) -> const auto& {
       return std::invoke(rest, std::invoke(first, whole));
     };
   }
