@@ -73,7 +73,8 @@ ReducedColumn column_from(const ordered_json& column, const std::vector<RowColum
   sweep::read_integers(column.at("count"), result.count);
   sweep::read_integers(column.at("absent"), result.absent);
   sweep::read_integers(column.at("infinite"), result.infinite);
-  for (auto& [key, extreme] : {std::pair{"least", &result.least}, {"largest", &result.largest}}) {
+  for (const auto& [key, extreme] :
+       {std::pair{"least", &result.least}, {"largest", &result.largest}}) {
     if (const ordered_json& row = column.at(key); !row.is_null()) {
       extreme->add(row_from(row, columns));
     }

@@ -58,7 +58,7 @@ class List {
   [[noreturn]] void refuse(std::int64_t line, std::string_view what) const;
 
  private:
-  void add_column(std::string_view name);
+  void add_column(std::string_view field);
   [[nodiscard]] double value(std::size_t column) const;
   [[noreturn]] void refuse(std::string_view what) const;
 
