@@ -4,6 +4,8 @@
 
 #include <stillpoint/design/finding.hpp>
 
+#include <fmt/format.h>
+
 #include <map>
 #include <regex>
 #include <string>
@@ -19,6 +21,8 @@ const std::string records =
     "--record " STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt --record " STILLPOINT_DATA_DIR
     "/records/strong_motion.AT2 ";
 
+const std::string harmonic = "--excitation harmonic --k 0.3 --lambda 1 --t-end 20";
+
 /// Tasks whose answers have findings of many kinds.
 const std::vector<std::string> tasks{
     "design " + records + "--period 2.8s --max-displacement 25mm --tolerance 0",
@@ -26,8 +30,7 @@ const std::vector<std::string> tasks{
     "design " + records +
         "--period 2.8s --search-f 0.05 --search-delta-m 20mm --hold 0.1 "
         "--jump-max 5 --combine mean --max-displacement 400mm",
-    "simulate --v0 0.1 --p 1 --f 0.02 --delta 0.1 --excitation harmonic --k 0.3 --lambda 1 --t-end "
-    "20",
+    "simulate --v0 0.1 --p 1 --f 0.02 --delta 0.1 " + harmonic,
     "simulate --p 1 --f 0.1 --delta 0.01 --excitation half-sine --k 0.3 --lambda 20",
     "simulate --period 2.8s --f 0.058 --delta-m 20mm --hold 0.1 " +
         records.substr(records.rfind("--")),
@@ -37,7 +40,7 @@ const std::vector<std::string> tasks{
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(each_kind_is_listed_with_its_severity) {
-  static const std::regex row("\\| `([a-z_]+)` \\| (info|caution|fault) \\| .+ \\|");
+  static const std::regex row(R"(\| `([a-z_]+)` \| (info|caution|fault) \| .+ \|)");
   std::ifstream page(STILLPOINT_DATA_DIR "/../docs/reports.md");
   std::map<std::string, std::string> listed;
   std::smatch match;
@@ -70,7 +73,7 @@ BOOST_AUTO_TEST_CASE(text_page_json_and_standard_error_say_the_same) {
         const auto words = now["text"].get<std::string>();
         const auto severity = now["severity"].get<std::string>();
         BOOST_TEST(contains(text, words), words);
-        alarms += severity == "info" ? "" : "stillpoint: " + severity + ": " + words + "\n";
+        alarms += severity == "info" ? "" : fmt::format("stillpoint: {}: {}\n", severity, words);
       }
       BOOST_TEST(structured.err == alarms);
     }

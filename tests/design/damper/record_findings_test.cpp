@@ -5,6 +5,8 @@
 
 #include <stillpoint/design/record_findings.hpp>
 
+#include <algorithm>
+
 BOOST_AUTO_TEST_SUITE(record_findings_test)
 
 namespace {
@@ -12,10 +14,8 @@ namespace {
 using namespace stillpoint::design_test;
 
 std::vector<FindingKind> kinds(const std::vector<Finding>& findings) {
-  std::vector<FindingKind> all;
-  for (const Finding& now : findings) {
-    all.push_back(now.kind);
-  }
+  std::vector<FindingKind> all(findings.size());
+  std::ranges::transform(findings, all.begin(), &Finding::kind);
   return all;
 }
 
