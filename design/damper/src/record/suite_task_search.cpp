@@ -154,15 +154,22 @@ class TaskSearch {
     if (!found || found->scale < 1) {
       return std::nullopt;
     }
-    result_.largest_tolerance.reset();
     const SuiteDamper& damper = found->verified.box.damper;
     const SuiteSpace space(task_, damper.delta == 0 ? SuiteFrictions::constant
                                   : damper.f == 0   ? SuiteFrictions::point
                                                     : SuiteFrictions::both);
     SuiteSearch search(suite_, task_, space, goal, watch_);
-    const std::optional<VerifiedBox> better =
+    std::optional<VerifiedBox> box =
         search.verified(search.polished(found->verified.box, grown_step));
-    return better ? better : search.tried(damper);
+    if (!box) {
+      box = search.verified(found->verified.box);
+    }
+    if (box) {
+      result_.largest_tolerance.reset();
+    } else {
+      *result_.largest_tolerance /= found->scale;
+    }
+    return box;
   }
 
   /// The box that violates the limits least, and each limit that would do.
