@@ -64,20 +64,6 @@ class Told {
   const Physical& physical_;
 };
 
-/// "_m" behind the name of a length in SI units, and the unit.
-std::pair<std::string_view, double> si_unit(Dimension dimension, const design::Scales& scales) {
-  switch (dimension) {
-    case Dimension::length:
-      return {"_m", scales.length_m};
-    case Dimension::time:
-      return {"_s", scales.time_s};
-    case Dimension::velocity:
-      return {"_m_per_s", scales.velocity_m_per_s};
-    default:
-      return {"", 1};
-  }
-}
-
 /// "The notch locks the mass at x = 0 from 2.717 s of 3.5 s on"
 std::string lock_words(const Told& told) {
   if (told.has("records")) {
@@ -224,10 +210,9 @@ ordered_json findings_json(std::span<const design::Finding> findings, const Phys
     for (const FindingValue& value : finding.values) {
       const std::string key(value.name);
       std::visit([&](const auto& of) { now[key] = of; }, value.value);
-      const auto [suffix, unit] =
-          si_unit(value.dimension, physical ? physical->scales : design::Scales());
-      if (physical && !suffix.empty()) {
-        now[key + std::string(suffix)] = std::get<double>(value.value) * unit;
+      if (const auto suffix = si_suffix(value.dimension); physical && !suffix.empty()) {
+        now[key + std::string(suffix)] =
+            physical->scales.in_si(value.dimension, std::get<double>(value.value)).value();
       }
     }
   }

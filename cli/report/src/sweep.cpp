@@ -2,6 +2,7 @@
 #include <stillpoint/report/sweep.hpp>
 
 #include "figures/report_figures.hpp"
+#include "json/head_fields.hpp"
 #include "json/schema.hpp"
 #include "sections.hpp"
 #include "sweep_parts.hpp"
@@ -153,33 +154,30 @@ inline constexpr auto fields<report::ShownOutput> = [] {
 template <>
 inline constexpr auto fields<report::SweepReport> = [] {
   using namespace report;
-  return std::tuple{
-      Field{"schema",
-            [](const SweepReport&) { return sweep_name.front(); },
-            "",
-            {.texts = sweep_name}},
-      Field{"program", [](const SweepReport&) { return Program(); }},
-      Field{"kind", in(&SweepReport::spec, &sweep::SweepSpec::kind)},
-      Field{"output", [](const SweepReport& report) { return ShownOutput{report.spec}; }},
-      Field{"part", in(&SweepReport::spec, &sweep::SweepSpec::part), "null for a whole sweep"},
-      Field{"rows", in(&SweepReport::summary, &SweepSummary::state, &SweepState::rows),
-            "all rows in the file"},
-      Field{"outcomes",
-            rows_of(false, [](const SweepState& state) { return Outcomes{state.outcomes}; }),
-            "how many rows have each outcome; null for designs"},
-      Field{"locked", rows_of(false, [](const SweepState& state) { return state.locked(); }),
-            "motions that the notch holds while the load goes on"},
-      Field{"feasible", rows_of(true, [](const SweepState& state) { return state.feasible; }),
-            "how many designs there are; null for motions"},
-      Field{"resumed_at", in(&SweepReport::summary, &SweepSummary::resumed_at),
-            "how many rows existed when this run began"},
-      Field{"threads",
-            [](const SweepReport& report) { return int{report.spec.threads}; },
-            "",
-            {Numbers::from_one}},
-      Field{"wall_time_s", in(&SweepReport::summary, &SweepSummary::wall_time_s),
-            "of this run only, like rows_per_s"},
-      Field{"rows_per_s", [](const SweepReport& report) { return rate(report.summary); }}};
+  return std::tuple_cat(
+      head_fields<SweepReport, sweep_name>,
+      std::tuple{
+          Field{"kind", in(&SweepReport::spec, &sweep::SweepSpec::kind)},
+          Field{"output", [](const SweepReport& report) { return ShownOutput{report.spec}; }},
+          Field{"part", in(&SweepReport::spec, &sweep::SweepSpec::part), "null for a whole sweep"},
+          Field{"rows", in(&SweepReport::summary, &SweepSummary::state, &SweepState::rows),
+                "all rows in the file"},
+          Field{"outcomes",
+                rows_of(false, [](const SweepState& state) { return Outcomes{state.outcomes}; }),
+                "how many rows have each outcome; null for designs"},
+          Field{"locked", rows_of(false, [](const SweepState& state) { return state.locked(); }),
+                "motions that the notch holds while the load goes on"},
+          Field{"feasible", rows_of(true, [](const SweepState& state) { return state.feasible; }),
+                "how many designs there are; null for motions"},
+          Field{"resumed_at", in(&SweepReport::summary, &SweepSummary::resumed_at),
+                "how many rows existed when this run began"},
+          Field{"threads",
+                [](const SweepReport& report) { return int{report.spec.threads}; },
+                "",
+                {Numbers::from_one}},
+          Field{"wall_time_s", in(&SweepReport::summary, &SweepSummary::wall_time_s),
+                "of this run only, like rows_per_s"},
+          Field{"rows_per_s", [](const SweepReport& report) { return rate(report.summary); }}});
 }();
 
 }  // namespace stillpoint

@@ -75,18 +75,24 @@ Scales physical_scales(const PhysicalIsolator& isolator, double reference_veloci
   return scales;
 }
 
-double Scales::unit(Dimension dimension) const {
+std::optional<double> Scales::in_si(Dimension dimension, double value) const {
   switch (dimension) {
     case Dimension::length:
-      return length_m;
+      return value * length_m;
     case Dimension::velocity:
-      return velocity_m_per_s;
+      return value * velocity_m_per_s;
     case Dimension::time:
-      return time_s;
+      return value * time_s;
     case Dimension::gravities:
-      return gravity_m_per_s2;
+      return value * gravity_m_per_s2;
+    case Dimension::force:
+      return friction_force_n(value);
+    case Dimension::energy:
+      return energy_per_passage_j(value);
+    case Dimension::impulse:
+      return impulse_n_s(value);
     default:
-      return 1;
+      return value;
   }
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "json/head_fields.hpp"
 #include "json/motion_fields.hpp"
 #include "json/schema.hpp"
 #include "sections.hpp"
@@ -128,28 +129,27 @@ inline constexpr auto fields<report::ShownMethod> = [] {
 template <>
 inline constexpr auto fields<report::AccuracyReport> = [] {
   using namespace report;
-  return std::tuple{
-      Field{"schema",
-            [](const AccuracyReport&) { return accuracy_name.front(); },
-            "",
-            {.texts = accuracy_name}},
-      Field{"program", [](const AccuracyReport&) { return Program(); }},
-      Field{"input",
-            [](const AccuracyReport& report) {
-              return ShownMotion{{report.request}, report.record};
-            }},
-      Field{"reference",
-            [](const AccuracyReport& report) { return Truth{{report.comparison.exact.rounded}}; }},
-      Field{"methods", &shown_methods, "", {Numbers::from_one}},
-      Field{"why", [](const AccuracyReport& report) { return reason(report.request); },
-            "why simulate uses its method"},
-      Field{"physical",
-            [](const AccuracyReport& report) {
-              return report.physical ? std::optional(TruthSi{{{report.comparison.exact.rounded},
-                                                              report.physical->scales}})
-                                     : std::nullopt;
-            },
-            "the reference in metres and seconds; null with dimensionless input"}};
+  return std::tuple_cat(
+      head_fields<AccuracyReport, accuracy_name>,
+      std::tuple{Field{"input",
+                       [](const AccuracyReport& report) {
+                         return ShownMotion{{report.request}, report.record};
+                       }},
+                 Field{"reference",
+                       [](const AccuracyReport& report) {
+                         return Truth{{report.comparison.exact.rounded}};
+                       }},
+                 Field{"methods", &shown_methods, "", {Numbers::from_one}},
+                 Field{"why", [](const AccuracyReport& report) { return reason(report.request); },
+                       "why simulate uses its method"},
+                 Field{"physical",
+                       [](const AccuracyReport& report) {
+                         return report.physical
+                                    ? std::optional(TruthSi{{{report.comparison.exact.rounded},
+                                                             report.physical->scales}})
+                                    : std::nullopt;
+                       },
+                       "the reference in metres and seconds; null with dimensionless input"}});
 }();
 
 }  // namespace stillpoint

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "design_parts.hpp"
+#include "json/head_fields.hpp"
 #include "json/region_fields.hpp"
 #include "json/schema.hpp"
 
@@ -351,9 +352,7 @@ inline constexpr auto fields<report::DesignReport> = [] {
   using namespace report;
   using Now = DesignReport;
   using Of = ShownDesign;
-  return std::tuple{
-      Field{"schema", [](const Now&) { return design_name.front(); }, "", {.texts = design_name}},
-      Field{"program", [](const Now&) { return Program(); }},
+  return std::tuple_cat(head_fields<Now, design_name>, std::tuple{
       Field{"input", &design_input},
       Field{"region", [](const Now& now) -> const design::RegionVerdict& { return now.result; }},
       Field{"design", of_design([](const Of& of) { return of; }),
@@ -419,7 +418,7 @@ inline constexpr auto fields<report::DesignReport> = [] {
             "every part, best first; null without a catalogue"},
       Field{"trade_off", &front_of, "along the front; null if not asked for"},
       Field{"physical", [](const Now& now) { return physical_of(now); },
-            "in the units at the ends of the names; null with dimensionless input"}};
+            "in the units at the ends of the names; null with dimensionless input"}});
 }();
 
 }  // namespace stillpoint

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "json/head_fields.hpp"
 #include "json/motion_fields.hpp"
 #include "json/schema.hpp"
-#include "json/shown_findings.hpp"
 
 #include <stillpoint/report/schemas.hpp>
 #include "sections.hpp"
@@ -28,10 +28,6 @@ std::optional<ShownPractice> practice_shown(const MotionReport& report) {
 }
 
 }  // namespace
-
-ordered_json program_json() {
-  return object_json(Program());
-}
 
 ordered_json own_json(const Version& version) {
   return version.text;
@@ -70,21 +66,11 @@ std::optional<ShownExcitation> shown(const Excitation& excitation,
 namespace stillpoint {
 
 template <>
-inline constexpr auto fields<report::MotionReport> =
-    [] {
-      using namespace report;
-      return std::tuple{
-          Field{"schema",
-                [](const MotionReport&) { return schema_name.front(); },
-                "",
-                {.texts = schema_name}},
-          Field{"program", [](const MotionReport&) { return Program(); }},
-          Field{"verdict", [](const MotionReport& report) { return verdict(report); },
-                "the answer, in a sentence or two"},
-          Field{"findings",
-                [](const MotionReport& report) {
-                  return ShownFindings{report.findings, report.physical};
-                }},
+inline constexpr auto fields<report::MotionReport> = [] {
+  using namespace report;
+  return std::tuple_cat(
+      head_fields<MotionReport, schema_name>, told_fields<MotionReport>,
+      std::tuple{
           Field{"input",
                 [](const MotionReport& report) {
                   return ShownMotion{{report.request}, report.record};
@@ -104,23 +90,14 @@ inline constexpr auto fields<report::MotionReport> =
                 "docs/theory.md section 11; null except after a hit from x = 0 without a load and "
                 "with "
                 "the paper's notch; notch_width_min is null"},
-          Field{"half_cycles",
-                [](const MotionReport& report) -> const auto& {return report.answer.half_cycles;
-    },
-                      "the first of them, at most --max-half-cycles"
-}
-,
-    Field{"half_cycles_listed",
-          [](const MotionReport& report) { return report.answer.half_cycles.size(); }},
-    Field {
-  "physical", [](const MotionReport& report) { return physical_of(report); },
-      "in the units at the ends of the names; null with dimensionless input; under an "
-      "excitation with its end as well"
-}
-}
-;
-}
-();
+          Field{"half_cycles", in(&MotionReport::answer, &Simulation::half_cycles),
+                "the first of them, at most --max-half-cycles"},
+          Field{"half_cycles_listed",
+                [](const MotionReport& report) { return report.answer.half_cycles.size(); }},
+          Field{"physical", [](const MotionReport& report) { return physical_of(report); },
+                "in the units at the ends of the names; null with dimensionless input; under an "
+                "excitation with its end as well"}});
+}();
 
 }  // namespace stillpoint
 

@@ -44,12 +44,4 @@ ordered_json count(const std::optional<double>& value) {
   return value;
 }
 
-ordered_json metres(const Physical& physical, const std::optional<double>& length) {
-  return physical && length ? ordered_json(*length * physical->scales.length_m) : nullptr;
-}
-
-ordered_json seconds(const Physical& physical, const std::optional<double>& tau) {
-  return physical && tau ? ordered_json(*tau * physical->scales.time_s) : nullptr;
-}
-
 }  // namespace stillpoint::report

@@ -29,18 +29,6 @@ namespace stillpoint::report {
 
 /// A count: an integer, if a double holds it exactly.
 [[nodiscard]] nlohmann::ordered_json count(const std::optional<double>& value);
-/// A length and a tau in SI units; null without physical input as well.
-[[nodiscard]] nlohmann::ordered_json metres(const Physical& physical,
-                                            const std::optional<double>& length);
-[[nodiscard]] nlohmann::ordered_json seconds(const Physical& physical,
-                                             const std::optional<double>& tau);
-
-/// What `make` makes of it; null where it does not exist.
-template <class Value, class Make>
-[[nodiscard]] nlohmann::ordered_json or_null(const std::optional<Value>& value, const Make& make) {
-  return value ? nlohmann::ordered_json(make(*value)) : nlohmann::ordered_json(nullptr);
-}
-
 /// An array of what `make` makes of each item.
 template <class Items, class Make>
 [[nodiscard]] nlohmann::ordered_json list_json(const Items& items, const Make& make) {
@@ -56,7 +44,5 @@ template <class Range>
 [[nodiscard]] nlohmann::ordered_json interval_json(const Range& range) {
   return nlohmann::ordered_json::array({range.low, range.high});
 }
-
-[[nodiscard]] nlohmann::ordered_json program_json();
 
 }  // namespace stillpoint::report

@@ -48,7 +48,12 @@ struct Si {
   [[nodiscard]] design::PhysicalWorksFor works_for() const {
     return physical_works_for(scales(), *served);
   }
-  [[nodiscard]] std::optional<double> length(const std::optional<double>& value) const;
+  /// Empty if it does not exist, is not finite, or needs a mass that is not known.
+  [[nodiscard]] std::optional<double> in_si(Dimension dimension,
+                                            const std::optional<double>& value) const;
+  [[nodiscard]] std::optional<double> length(const std::optional<double>& value) const {
+    return in_si(Dimension::length, value);
+  }
 };
 
 /// A row of the hits.
@@ -74,9 +79,8 @@ struct TwinOf {
 
   std::optional<double> operator()(const Si& of) const {
     const Motion* const from = of.*motion;
-    return from == nullptr
-               ? std::nullopt
-               : times(std::optional<double>(std::invoke(get, *from)), of.scales().unit(dimension));
+    return from == nullptr ? std::nullopt
+                           : of.in_si(dimension, std::optional<double>(std::invoke(get, *from)));
   }
 };
 
@@ -88,7 +92,7 @@ template <const auto& all, class Motion>
     if constexpr (field.measure.physical.empty()) {
       return std::tuple{};
     } else {
-      const auto& [numbers, dimension, physical, texts] = field.measure;
+      const auto& [numbers, dimension, physical, texts, si] = field.measure;
       return std::tuple{Field{
           physical,
           TwinOf<std::remove_cvref_t<decltype(field.get)>, Motion>{field.get, dimension, motion},
@@ -135,11 +139,9 @@ inline constexpr auto region_fields_si = std::tuple{
 inline constexpr auto damper_fields = std::tuple{
     Field{"f", [](const Si& of) { return times(of.f, 1); }},
     Field{"delta_m", [](const Si& of) { return of.length(of.delta); }},
-    Field{"friction_force_n",
-          [](const Si& of) { return of.f ? times(of.scales().friction_force_n(*of.f), 1) : of.f; }},
-    Field{"energy_per_passage_j", [](const Si& of) {
-            return of.delta ? times(of.scales().energy_per_passage_j(*of.delta), 1) : of.delta;
-          }}};
+    Field{"friction_force_n", [](const Si& of) { return of.in_si(Dimension::force, of.f); }},
+    Field{"energy_per_passage_j",
+          [](const Si& of) { return of.in_si(Dimension::energy, of.delta); }}};
 
 inline constexpr auto practice_fields_si = std::tuple{
     Field{"secant_stiffness_n_per_m",

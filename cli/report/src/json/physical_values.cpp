@@ -14,8 +14,8 @@ std::optional<double> times(const std::optional<double>& value, const std::optio
                                                         : std::nullopt;
 }
 
-std::optional<double> Si::length(const std::optional<double>& value) const {
-  return times(value, scales().length_m);
+std::optional<double> Si::in_si(Dimension dimension, const std::optional<double>& value) const {
+  return value ? times(scales().in_si(dimension, *value), 1) : value;
 }
 
 std::optional<double> mended(const Si& of, std::string_view field, bool by_stiffness) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A reduced sweep as JSON; reduction_parts.cpp reads it.
 
+#include "json/head_fields.hpp"
 #include "json/motion_fields.hpp"
 #include "json/schema.hpp"
 #include "sweep_parts.hpp"
@@ -172,12 +173,7 @@ inline constexpr auto fields<report::ReductionReport> = [] {
   using Now = ReductionReport;
   using sweep::PartLabel;
   using sweep::SweepState;
-  return std::tuple{
-      Field{"schema",
-            [](const ReductionReport&) { return reduction_schema; },
-            "",
-            {.texts = reduction_names}},
-      Field{"program", [](const ReductionReport&) { return Program(); }},
+  return std::tuple_cat(head_fields<Now, reduction_names>, std::tuple{
       Field{"kind", &ReductionReport::kind, "", {.texts = sweep_kinds}},
       Field{"part",
             [](const ReductionReport& report) {
@@ -213,7 +209,7 @@ inline constexpr auto fields<report::ReductionReport> = [] {
       Field{"list_digest", in(&Now::label, &PartLabel::whole, &sweep::ListExtent::digest),
             "of the entries of a list"},
       Field{"task", [](const ReductionReport& report) { return Task{report.label.task}; },
-            "the options that decide the numbers"}};
+            "the options that decide the numbers"}});
 }();
 
 }  // namespace stillpoint

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "design_parts.hpp"
+#include "json/head_fields.hpp"
 #include "json/region_fields.hpp"
 #include "json/schema.hpp"
 
@@ -163,9 +164,7 @@ inline constexpr auto fields<report::RegionReport> = [] {
   using namespace report;
   using Now = RegionReport;
   using design::RegionAnswer;
-  return std::tuple{
-      Field{"schema", [](const Now&) { return region_name.front(); }, "", {.texts = region_name}},
-      Field{"program", [](const Now&) { return Program(); }},
+  return std::tuple_cat(head_fields<Now, region_name>, std::tuple{
       Field{"input", &region_input},
       Field{"region", [](const Now& now) -> const design::RegionVerdict& { return now.answer; }},
       Field{"strips", in(&Now::answer, &RegionAnswer::strips),
@@ -201,7 +200,7 @@ inline constexpr auto fields<report::RegionReport> = [] {
       Field{"catalogue", [](const Now& now) { return parts_of(now.catalogue, task_of(now)); },
             "every part, best first; null without a catalogue"},
       Field{"physical", [](const Now& now) { return physical_of(now); },
-            "in the units at the ends of the names; null with dimensionless input"}};
+            "in the units at the ends of the names; null with dimensionless input"}});
 }();
 
 }  // namespace stillpoint

@@ -52,6 +52,21 @@ ordered_json or_null_schema(ordered_json schema) {
   return schema;
 }
 
+void add_property(ordered_json& properties, std::string_view name, std::string_view words,
+                  ordered_json schema, const Measure& measure) {
+  // In SI units it may always be null.
+  const bool can_be_null = schema.contains("type") && schema["type"].is_array();
+  const ordered_json in_si =
+      measure.si == InSi::apart || can_be_null ? schema : or_null_schema(schema);
+  ordered_json& now = properties[std::string(name)] = measure.si == InSi::alone ? in_si : schema;
+  if (!words.empty()) {
+    now["description"] = words;
+  }
+  if (measure.si == InSi::beside) {
+    properties[si_name(name, measure)] = in_si;
+  }
+}
+
 ordered_json object_schema(ordered_json properties) {
   auto required = ordered_json::array();
   for (const auto& [name, property] : properties.items()) {

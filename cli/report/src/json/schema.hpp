@@ -29,6 +29,9 @@ inline constexpr std::string_view dimensionless_numbers =
 [[nodiscard]] nlohmann::ordered_json interval_schema(bool open, Numbers numbers);
 /// Null as well.
 [[nodiscard]] nlohmann::ordered_json or_null_schema(nlohmann::ordered_json schema);
+/// Of a field, and of its value in SI units if the field says so.
+void add_property(nlohmann::ordered_json& properties, std::string_view name, std::string_view words,
+                  nlohmann::ordered_json schema, const Measure& measure);
 /// An object in which no field of `properties` is missing.
 [[nodiscard]] nlohmann::ordered_json object_schema(nlohmann::ordered_json properties);
 /// The whole of a report: "stillpoint/design-report/1" of what "design --json" prints.
@@ -88,11 +91,8 @@ template <class Result, class Fields>
   auto properties = nlohmann::ordered_json::object();
   for_each_field(all, [&]<class Get>(const Field<Get>& field) {
     using Value = std::remove_cvref_t<std::invoke_result_t<Get, const Result&>>;
-    auto schema = value_schema<Value>(field.measure);
-    if (!field.words.empty()) {
-      schema["description"] = field.words;
-    }
-    properties[std::string(field.name)] = std::move(schema);
+    add_property(properties, field.name, field.words, value_schema<Value>(field.measure),
+                 field.measure);
   });
   return properties;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "json/head_fields.hpp"
 #include "json/motion_fields.hpp"
 #include "json/schema.hpp"
-#include "json/shown_findings.hpp"
 
 #include <stillpoint/report/schemas.hpp>
 #include <stillpoint/report/spectrum.hpp>
@@ -150,28 +150,19 @@ inline constexpr auto fields<report::SpectrumInput> = [] {
 template <>
 inline constexpr auto fields<report::SpectrumReport> = [] {
   using namespace report;
-  return std::tuple{
-      Field{"schema",
-            [](const SpectrumReport&) { return spectrum_name.front(); },
-            "",
-            {.texts = spectrum_name}},
-      Field{"program", [](const SpectrumReport&) { return Program(); }},
-
-      Field{"verdict", [](const SpectrumReport& report) { return verdict(report); },
-            "the answer, in a sentence or two"},
-      Field{"findings",
-            [](const SpectrumReport& report) {
-              return ShownFindings{report.result.findings, report.physical};
-            }},
-      Field{"input",
-            [](const SpectrumReport& report) {
-              return SpectrumInput{report.result.request, report.physical.scales};
-            }},
-      Field{"combined",
-            [](const SpectrumReport& report) { return points_of(report, report.result.combined); },
-            "an entry for each period",
-            {Numbers::from_one}},
-      Field{"records", &records_of, "", {Numbers::from_one}}};
+  return std::tuple_cat(
+      head_fields<SpectrumReport, spectrum_name>, told_fields<SpectrumReport>,
+      std::tuple{Field{"input",
+                       [](const SpectrumReport& report) {
+                         return SpectrumInput{report.result.request, report.physical.scales};
+                       }},
+                 Field{"combined",
+                       [](const SpectrumReport& report) {
+                         return points_of(report, report.result.combined);
+                       },
+                       "an entry for each period",
+                       {Numbers::from_one}},
+                 Field{"records", &records_of, "", {Numbers::from_one}}});
 }();
 
 }  // namespace stillpoint

@@ -21,7 +21,30 @@ enum class Dimension : std::uint8_t {
   stiffness,
   acceleration,
   gravities,  ///< an acceleration as a multiple of g
+  force,      ///< these three per weight, weight times length, and mass times velocity
+  energy,
+  impulse,
 };
+
+/// What the name of a value in SI units ends in; empty of what reports have in one unit alone.
+[[nodiscard]] constexpr std::string_view si_suffix(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::length:
+      return "_m";
+    case Dimension::time:
+      return "_s";
+    case Dimension::velocity:
+      return "_m_per_s";
+    case Dimension::force:
+      return "_n";
+    case Dimension::energy:
+      return "_j";
+    case Dimension::impulse:
+      return "_n_s";
+    default:
+      return "";
+  }
+}
 
 /// Which numbers a field may hold.
 enum class Numbers : std::uint8_t {
@@ -31,13 +54,20 @@ enum class Numbers : std::uint8_t {
   from_one,   ///< 1, 2 and so on; of a list: how many there are
 };
 
-/// What the value of a field is. `physical` is its name in SI units; it is empty if a report does
-/// not repeat the number in them.
+/// Where a report has a value in SI units.
+enum class InSi : std::uint8_t {
+  apart,   ///< under its physical name, if it has one, among others in `physical`
+  beside,  ///< behind the value, under that name, or else its own with the suffix
+  alone,   ///< in place of the value
+};
+
+/// What the value of a field is. `physical` is its name in SI units.
 struct Measure {
   Numbers numbers{};
   Dimension dimension{};
   std::string_view physical{};
   std::span<const std::string_view> texts{};  ///< of a text: all that it may be; empty: any
+  InSi si{};
 };
 
 /// A figure of a result, stated once: its name in reports, the member that holds it, or a function

@@ -26,8 +26,9 @@ struct Scales {
   double p{1};                    ///< omega sqrt(H/g)
   std::optional<double> mass_kg;  ///< needed for forces and energies only
 
-  /// The SI value of 1; 1 of what no scale changes.
-  [[nodiscard]] double unit(Dimension dimension) const;
+  /// In SI units, by the table of dimensions: empty for what needs a mass that is not known; the
+  /// value itself if no scale changes it.
+  [[nodiscard]] std::optional<double> in_si(Dimension dimension, double value) const;
   [[nodiscard]] double delta_m(double delta) const { return delta * length_m; }
   /// The p of a spring with this period.
   [[nodiscard]] double p_of(double period_s) const;
