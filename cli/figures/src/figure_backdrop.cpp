@@ -50,27 +50,22 @@ double lowest_baseline(const Layout& layout, const Plane& plot) {
 /// "#rrggbb name|#rrggbb name", for the readout.
 std::string cell_names(const FigureMap& map) {
   std::string names;
-  for (std::size_t i = 0; i < map.names.size(); ++i) {
-    names += fmt::format("{}{} {}", i == 0 ? "" : "|", map.palette[i], escaped(map.names[i]));
+  for (const MapShade& shade : map.palette) {
+    names += fmt::format("{}{} {}", names.empty() ? "" : "|", shade.colour, escaped(shade.name));
   }
   return names;
 }
 
-/// The path of the cells, each 1 wide and high, of whose colour that channel, from red, is more
-/// than so far above blue, of 255.
-std::string cells_that_exceed(const FigureMap& map, std::size_t channel, int most) {
-  const auto exceeds = [&](std::int64_t row, std::int64_t column) {
-    const std::string& colour =
-        map.palette[map.cells[static_cast<std::size_t>(row * map.columns + column)]];
-    const auto part = [&colour](std::size_t index) {
-      return std::stoi(colour.substr(1 + 2 * index, 2), nullptr, 16);
-    };
-    return part(channel) - part(2) > most;
+/// The path of the cells, each 1 wide and high, with at least that hatching.
+std::string hatched_cells(const FigureMap& map, Hatch least) {
+  const auto is_hatched = [&](std::int64_t row, std::int64_t column) {
+    const auto cell = static_cast<std::size_t>(row * map.columns + column);
+    return map.palette[map.cells[cell]].hatch >= least;
   };
   std::string text;
   for (std::int64_t row = 0; row < map.rows; ++row) {
     for (std::int64_t from = 0, to = 0; from < map.columns; from = to + 1) {
-      for (to = from; to < map.columns && exceeds(row, to);) {
+      for (to = from; to < map.columns && is_hatched(row, to);) {
         ++to;
       }
       if (from < to) {
@@ -144,10 +139,10 @@ std::string map(const Figure& figure, const Layout& layout) {
       "<image id=\"{}-map\" {} preserveAspectRatio=\"none\" data-names=\"{}\" "
       "href=\"data:image/png;base64,{}\"/>\n",
       id, size, cell_names(figure.map), map_base64(figure.map));
-  const auto hatch = [&](std::string_view colour, std::size_t channel, int most, int angle) {
-    const std::string cells = cells_that_exceed(figure.map, channel, most);
+  for (const auto& [hatch, angle] : {std::pair(Hatch::one_way, 45), {Hatch::crossed, -45}}) {
+    const std::string cells = hatched_cells(figure.map, hatch);
     if (cells.empty()) {
-      return;
+      continue;
     }
     add(text,
         "<clipPath id=\"{0}-{2}\"><path transform=\"scale({3} {4})\" d=\"{5}\"/></clipPath>\n"
@@ -155,11 +150,10 @@ std::string map(const Figure& figure, const Layout& layout) {
         "patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate({6})\"><path class=\"over\" "
         "d=\"M4 0V8\"/><path class=\"over light\" d=\"M5 0V8\"/></pattern>\n<rect {1} "
         "fill=\"url(#{0}-{2}-over)\" clip-path=\"url(#{0}-{2})\"/>\n",
-        id, size, colour, layout.width / static_cast<double>(figure.map.columns),
+        id, size, hatch == Hatch::crossed ? "crossed" : "hatched",
+        layout.width / static_cast<double>(figure.map.columns),
         figure.height / static_cast<double>(figure.map.rows), cells, angle);
-  };
-  hatch("red", 0, 12, 45);
-  hatch("yellow", 1, 114, -45);
+  }
   return text;
 }
 

@@ -17,8 +17,7 @@ namespace stillpoint::figures {
 [[nodiscard]] std::string hatch_id(const Figure& figure, const std::string& name);
 inline constexpr double hatch_spacing = 7;  // pixels
 inline constexpr double thinnest = 1.5;     // pixels of an area that show its colour
-/// The picture of its map. Colours with more red than blue are hatched: the difference must survive
-/// printing in grey.
+/// The picture of its map.
 [[nodiscard]] std::string map(const Figure& figure, const Layout& layout);
 
 }  // namespace stillpoint::figures

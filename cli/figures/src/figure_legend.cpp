@@ -58,11 +58,11 @@ bool is_enlarged(const Figure& figure, const FigureArea& area) {
 
 /// Over the sample of an entry.
 std::string hatching(const MapKey& key) {
-  return !key.hatched
+  return key.hatch == Hatch::none
              ? ""
              : fmt::format(
                    R"(<path class="over" d="M2 2L14-10M10 2L22-10{}"/><path class="over light" d="M3 2L15-10M11 2L22-9"/>)",
-                   key.crossed ? "M2-10L14 2M10-10L22 2" : "");
+                   key.hatch == Hatch::crossed ? "M2-10L14 2M10-10L22 2" : "");
 }
 
 }  // namespace

@@ -46,9 +46,9 @@ std::string header(const FigureMap& map) {
 
 std::string palette(const FigureMap& map) {
   std::string data;
-  for (const std::string& colour : map.palette) {
+  for (const MapShade& shade : map.palette) {
     for (std::size_t i = 1; i < 7; i += 2) {
-      data += static_cast<char>(std::stoi(colour.substr(i, 2), nullptr, 16));
+      data += static_cast<char>(std::stoi(shade.colour.substr(i, 2), nullptr, 16));
     }
   }
   return data;

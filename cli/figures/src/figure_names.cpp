@@ -415,20 +415,20 @@ class Places {
     return inside;
   }
 
-  /// Entries that follow one another with the same label are one area.
   void map_labels() {
     const FigureMap& map = figure_.map;
-    for (std::size_t entry = 0, next = 0; entry < map.labels.size(); entry = next) {
-      while (next < map.labels.size() && map.labels[next] == map.labels[entry]) {
+    for (std::size_t entry = 0, next = 0; entry < map.palette.size(); entry = next) {
+      const std::string& text = map.palette[entry].label;
+      while (next < map.palette.size() && map.palette[next].label == text) {
         ++next;
       }
       const auto is_labelled = [&](std::size_t cell) {
         return entry <= map.cells[cell] && map.cells[cell] < next;
       };
-      if (!map.labels[entry].empty() && within(map.labels[entry], cells_that(is_labelled))) {
-        found_.named.erase(map.labels[entry]);  // its key is that of the names
+      if (!text.empty() && within(text, cells_that(is_labelled))) {
+        found_.named.erase(text);  // its key is that of the names
         for (std::size_t i = entry; i < next; ++i) {
-          found_.named.insert(map.names[i]);
+          found_.named.insert(map.palette[i].name);
         }
       }
     }

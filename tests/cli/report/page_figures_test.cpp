@@ -527,6 +527,26 @@ BOOST_AUTO_TEST_CASE(maps_show_where_a_damper_is_good_and_what_is_about_it) {
                                   [](const Figure& figure) { return figure.id == "map-near"; }));
 }
 
+/// Also the jump at a notch, whose lilac has more blue than red.
+BOOST_AUTO_TEST_CASE(all_that_violates_a_limit_is_hatched_whatever_its_colour) {
+  design::RecordDesignRequest request;
+  request.records = {{"three", Record{{0.4, -0.2, 0}, 1, {}}, 1}};
+  request.f = Interval{0, 0.3};
+  request.delta = Interval{0, 0.2};
+  request.limits.jump = 1e-3;
+  const figures::FigureMap map =
+      figure(page(RecordDesignReport{design::design(request), {}}), "map").map;
+  std::set<std::string> violated;
+  for (const std::uint8_t cell : map.cells) {
+    const figures::MapShade& shade = map.palette[cell];
+    const bool is_violated = !shade.label.empty();  // which names the limit
+    BOOST_TEST((shade.hatch == figures::Hatch::one_way) == is_violated, shade.name);
+    violated.insert(shade.label);
+  }
+  BOOST_TEST(violated.contains("jump too large"));
+  BOOST_TEST(violated.size() >= 2U);
+}
+
 /// Under the one record, as far as the worst stroke of the box, beyond that of the design.
 BOOST_AUTO_TEST_CASE(the_worst_damper_of_the_box_is_drawn_beside_the_design) {
   design::RecordDesignRequest request;

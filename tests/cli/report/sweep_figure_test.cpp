@@ -15,6 +15,7 @@
 BOOST_AUTO_TEST_SUITE(sweep_figure_test)
 
 using namespace stillpoint;
+using figures::Hatch;
 using sweep::Quantity;
 using test::contains;
 
@@ -68,11 +69,11 @@ BOOST_AUTO_TEST_CASE(has_the_values_in_the_middle_of_their_cells) {
   const std::set<std::uint8_t> shades(figure.map.cells.begin(), figure.map.cells.end());
   BOOST_TEST_REQUIRE(figure.map.key.size() == 2 + shades.size());
   BOOST_TEST(figure.map.key[0].name == "stops at x = 0");
-  BOOST_TEST(!figure.map.key[0].hatched);
+  BOOST_TEST((figure.map.key[0].hatch == Hatch::none));
   BOOST_TEST(figure.map.key[1].name == "stops off centre");
-  BOOST_TEST(figure.map.key[1].hatched);
-  BOOST_TEST(figure.map.labels.at(0) == "1");
-  BOOST_TEST(figure.map.labels.at(sweep::SweepClass::ranges * 2) == "never starts");
+  BOOST_TEST((figure.map.key[1].hatch == Hatch::one_way));
+  BOOST_TEST(figure.map.palette.at(0).label == "1");
+  BOOST_TEST(figure.map.palette.at(sweep::SweepClass::ranges * 2).label == "never starts");
   BOOST_TEST(
       figure.caption ==
       "The mass stops at x = 0 in blue areas and off centre in hatched ones; the darker, the "
@@ -101,21 +102,22 @@ BOOST_AUTO_TEST_CASE(has_no_swatch_twice_in_its_key_and_no_shade_of_a_few_cells)
   std::set<std::string> swatches;
   for (const auto& entry : map.key) {
     BOOST_TEST(swatches.insert(entry.colour).second, entry.name);
-    const auto index = std::ranges::find(map.names, entry.name) - map.names.begin();
+    const auto index =
+        std::ranges::find(map.palette, entry.name, &figures::MapShade::name) - map.palette.begin();
     const auto cells = std::ranges::count(map.cells, index);
     BOOST_TEST((entry.name.starts_with("stops ") || cells > 32), entry.name);
   }
-  BOOST_TEST(map.names.at(0) == "centred after 1 half-cycle");
-  BOOST_TEST(contains(map.names.at(4), " half-cycles"));
+  BOOST_TEST(map.palette.at(0).name == "centred after 1 half-cycle");
+  BOOST_TEST(contains(map.palette.at(4).name, " half-cycles"));
 }
 
 BOOST_AUTO_TEST_CASE(has_an_entry_of_its_own_where_the_notch_locks) {
   const figures::Figure figure = page(shaken("0.02:0.4:20", "0:0.3:10")).figures.at(0);
   const auto lock = std::ranges::find(figure.map.key, "locked at x = 0", &figures::MapKey::name);
   BOOST_TEST_REQUIRE((lock != figure.map.key.end()));
-  BOOST_TEST(lock->crossed);
+  BOOST_TEST((lock->hatch == Hatch::crossed));
   BOOST_TEST(contains(svg(figure, figures::Frame::in_page), ">locked at x = 0</text>"));
-  BOOST_TEST(std::ranges::count(figure.map.key, true, &figures::MapKey::crossed) == 3);
+  BOOST_TEST(std::ranges::count(figure.map.key, Hatch::crossed, &figures::MapKey::hatch) == 3);
   BOOST_TEST(figure.caption.starts_with(
                  "The mass stops at x = 0 in blue areas and off centre in those hatched one way; "),
              figure.caption);
@@ -143,7 +145,7 @@ BOOST_AUTO_TEST_CASE(shades_motions_that_lock_by_their_peaks) {
               }) == peaks.end()));
   BOOST_TEST(contains(figure.caption, "; the values are peaks, the darker, the smaller"));
   BOOST_TEST(std::ranges::any_of(figure.map.key, [](const figures::MapKey& key) {
-    return key.crossed && key.name.starts_with("locked, peak from ");
+    return key.hatch == Hatch::crossed && key.name.starts_with("locked, peak from ");
   }));
   // Not 0, which is the peak of what never moves.
   BOOST_TEST(std::ranges::none_of(figure.map.key, [](const figures::MapKey& key) {
@@ -191,7 +193,8 @@ BOOST_AUTO_TEST_CASE(its_title_says_what_is_drawn) {
   // Friction of 0.35 is more than the load; the notch locks where the load moves the mass.
   const figures::Figure locked = page(shaken("0.2:0.35:20", "0.1:0.3:10")).figures.at(0);
   BOOST_TEST(locked.title == "How the motions end, and their peaks");
-  BOOST_TEST(std::ranges::count(locked.map.labels, "stays at x = 0") == 1);
+  BOOST_TEST(std::ranges::count(locked.map.palette, "stays at x = 0", &figures::MapShade::label) ==
+             1);
 }
 
 BOOST_AUTO_TEST_CASE(names_the_record) {

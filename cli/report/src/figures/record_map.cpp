@@ -26,8 +26,7 @@ namespace {
 using design::SuiteFigures;
 using design::SuiteLimits;
 
-/// The objective from least to largest, then what is broken, from the least excess to the largest,
-/// which is hatched: more red than blue.
+/// The objective from least to largest, then what is broken, from the least excess to the largest.
 constexpr std::array shades{"#0b4f8a", "#2f7fc1", "#6aaede", "#9ecae9", "#c6dff2", "#e6f1fa"};
 constexpr std::size_t excesses = 4;
 constexpr std::array<std::string_view, 5> broken{
@@ -121,13 +120,11 @@ void add_shades(figures::FigureMap& drawn, const design::SuiteMap& map, const Sh
   const auto words = [&](double value) { return objective_words(task, value, units); };
   const auto& [least, most] = shown;
   for (std::size_t i = 0; i < shades.size(); ++i) {
-    drawn.palette.emplace_back(shades.at(i));
     const double from = least + shade_width(shown) * static_cast<double>(i);
-    drawn.labels.emplace_back();
-    drawn.names.push_back(least < most
-                              ? format("{} to {}", words(from), words(from + shade_width(shown)))
-                          : least == most && i == 0 ? words(least)
-                                                    : "");
+    drawn.palette.push_back({shades.at(i), least < most ? format("{} to {}", words(from),
+                                                                 words(from + shade_width(shown)))
+                                           : least == most && i == 0 ? words(least)
+                                                                     : ""});
   }
   if (least < most) {
     label_values(drawn, {0, shades.size()}, values_of(map, task), words);
@@ -164,15 +161,16 @@ bool add_faults(figures::FigureMap& drawn, const std::vector<double>& bounds) {
     for (std::size_t shade = 0; shade < excesses; ++shade) {
       const auto index = static_cast<std::uint8_t>(drawn.palette.size());
       there = there || std::ranges::count(drawn.cells, index) > 0;
-      drawn.labels.push_back(name);
-      drawn.palette.emplace_back(shade_of(broken.at(i), shade));
-      drawn.names.push_back(i == never || bounds.empty() ? name
-                                                         : format("{}, {} to {} over the limits",
-                                                                  name, excess_words(bounds[shade]),
-                                                                  excess_words(bounds[shade + 1])));
+      drawn.palette.push_back(
+          {shade_of(broken.at(i), shade),
+           i == never || bounds.empty()
+               ? name
+               : format("{}, {} to {} over the limits", name, excess_words(bounds[shade]),
+                        excess_words(bounds[shade + 1])),
+           name, figures::Hatch::one_way});
     }
     if (there) {
-      drawn.key.push_back({name, shade_of(broken.at(i), 1), true});
+      drawn.key.push_back({name, shade_of(broken.at(i), 1), figures::Hatch::one_way});
       any = true;
     }
   }

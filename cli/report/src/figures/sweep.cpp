@@ -26,13 +26,20 @@ using sweep::SweepAxis;
 using sweep::SweepClass;
 using sweep::SweepKind;
 
-/// More red than blue, which is hatched, only off x = 0 and where it locks, which is yellow and so
-/// hatched crosswise. Both scales have the same lightness. What never starts lies beside one
-/// half-cycle, which is dark.
+/// Both scales have the same lightness. What never starts lies beside one half-cycle, which is
+/// dark.
 constexpr std::array<const char*, SweepClass::count> palette{
     "#0b4f8a", "#2f7fc1", "#6aaede", "#9ecae9", "#c6dff2", "#e6f1fa",  // at x = 0
     "#8a3b00", "#c85a00", "#ef8a2b", "#f7b267", "#fbd3a4", "#fdebd5",  // off it
     "#b8b8b8", "#000000", "#a779cc", "#f0e020", "#009e73"};
+
+/// Off x = 0, and where it locks.
+figures::Hatch hatch_of(std::size_t index) {
+  using enum figures::Hatch;
+  return index == SweepClass::locked                                     ? crossed
+         : SweepClass::ranges <= index && index < 2 * SweepClass::ranges ? one_way
+                                                                         : none;
+}
 
 /// "3", "7–15", "16 or more".
 std::string count_label(std::size_t index) {
@@ -85,21 +92,20 @@ figures::FigureMap drawn(const sweep::SweepMap& map, const ClassCounts& counts, 
                          const std::string& place) {
   constexpr std::size_t ranges = SweepClass::ranges;
   const auto few = static_cast<std::int64_t>(map.cells().size() / 50);
-  figures::FigureMap drawn{map.f().cells(), map.delta().cells(), map.cells(), {}, {}, {}, {}};
+  figures::FigureMap drawn{map.f().cells(), map.delta().cells(), map.cells(), {}, {}, {}};
   if (any_rests(counts, 0)) {
     drawn.key.push_back({"stops " + place, "#4c96cf"});
   }
   if (any_rests(counts, ranges)) {
-    drawn.key.push_back({"stops off centre", "#dc7515", true});
+    drawn.key.push_back({"stops off centre", "#dc7515", hatch_of(ranges)});
   }
   for (std::size_t i = 0; i < SweepClass::count; ++i) {
-    drawn.palette.emplace_back(palette.at(i));
-    drawn.names.push_back(class_name(i, from_rest));
-    drawn.labels.push_back(i < 2 * ranges ? count_label(i) : drawn.names.back());
-    const bool locked = i == SweepClass::locked;  // in the key even if a label says so
+    const std::string name = class_name(i, from_rest);
+    drawn.palette.push_back(
+        {palette.at(i), name, i < 2 * ranges ? count_label(i) : name, hatch_of(i)});
     if (counts.at(i) > (i < 2 * ranges ? few : 0)) {
-      drawn.key.push_back({drawn.names.back() + (locked ? " " + place : ""), palette.at(i),
-                           locked || (ranges <= i && i < 2 * ranges), locked});
+      const bool locked = i == SweepClass::locked;  // in the key even if a label says so
+      drawn.key.push_back({name + (locked ? " " + place : ""), palette.at(i), hatch_of(i)});
     }
   }
   return drawn;
@@ -115,7 +121,6 @@ std::string peak_words(double peak, double most, const FigureUnits& units) {
 /// Shades a class by its peaks, if they differ; the key says from which to which.
 void shade(figures::FigureMap& drawn, const sweep::SweepMap& map, const ShadedClass& by,
            const FigureUnits& units) {
-  const bool crossed = by.index == SweepClass::locked;
   std::vector<double> peaks;
   for (std::size_t i = 0; i < map.peaks().size(); ++i) {
     if (map.cells()[i] == by.index) {
@@ -128,11 +133,13 @@ void shade(figures::FigureMap& drawn, const sweep::SweepMap& map, const ShadedCl
   }
   const auto words = [&](double peak) { return peak_words(peak, bounds.back(), units); };
   const std::size_t first = drawn.palette.size();
+  const std::string name = drawn.palette[by.index].name;
+  const figures::Hatch hatch = hatch_of(by.index);
   for (std::size_t i = 0; i < peak_shades; ++i) {
-    drawn.palette.push_back(shade_of(by.shades, i));
-    drawn.labels.emplace_back();
-    drawn.names.push_back(format("{}, peak {} to {}", drawn.names[by.index], words(bounds[2 * i]),
-                                 words(bounds[2 * i + 2])));
+    drawn.palette.push_back(
+        {shade_of(by.shades, i),
+         format("{}, peak {} to {}", name, words(bounds[2 * i]), words(bounds[2 * i + 2])), "",
+         hatch});
   }
   for (std::size_t i = 0; i < drawn.cells.size(); ++i) {
     if (map.cells()[i] == by.index) {
@@ -140,10 +147,10 @@ void shade(figures::FigureMap& drawn, const sweep::SweepMap& map, const ShadedCl
     }
   }
   label_values(drawn, {first, drawn.palette.size()}, map.peaks(), words);
-  drawn.key.push_back({format("{}, peak from {}", drawn.names[by.index], words(bounds.front())),
-                       shade_of(by.shades, 0), crossed, crossed});
-  drawn.key.push_back({format("{}, peak to {}", drawn.names[by.index], words(bounds.back())),
-                       shade_of(by.shades, peak_shades - 1), crossed, crossed});
+  drawn.key.push_back(
+      {format("{}, peak from {}", name, words(bounds.front())), shade_of(by.shades, 0), hatch});
+  drawn.key.push_back({format("{}, peak to {}", name, words(bounds.back())),
+                       shade_of(by.shades, peak_shades - 1), hatch});
 }
 
 /// From the edge of the first cell to that of the last, times a unit.
@@ -224,7 +231,7 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
   for (std::size_t i = 0; i < SweepClass::count; ++i) {
     if (counts.at(i) > 0) {
       figure.description += format(
-          " {}: {:.3g} %.", figure.map.names[i],
+          " {}: {:.3g} %.", figure.map.palette[i].name,
           100.0 * static_cast<double>(counts.at(i)) / static_cast<double>(map.cells().size()));
     }
   }

@@ -76,12 +76,23 @@ struct FigureNote {
   FigurePoint at;
 };
 
+/// Lines over the cells of a map, so that kinds differ on paper without colours too.
+enum class Hatch { none, one_way, crossed };
+
+/// An entry of the palette of a map.
+struct MapShade {
+  std::string colour;  ///< "#rrggbb"
+  std::string name{};  ///< under the pointer
+  std::string
+      label{};  ///< written in its largest areas; those that follow one another are one area
+  Hatch hatch{Hatch::none};
+};
+
 /// An entry of the legend of a map, unless an area that is labelled has that name.
 struct MapKey {
   std::string name;
-  std::string colour;  ///< "#rrggbb"
-  bool hatched{false};
-  bool crossed{false};  ///< hatched the other way too
+  std::string colour;
+  Hatch hatch{Hatch::none};
 };
 
 /// Words for some cells of a map, in ascending order, written among them if there is room.
@@ -96,11 +107,7 @@ struct FigureMap {
   std::int64_t columns{0};
   std::int64_t rows{0};
   std::vector<std::uint8_t> cells;  ///< rows * columns entries of the palette
-  /// "#rrggbb". What has more red than blue is hatched, and what has far more green than blue
-  /// crosswise.
-  std::vector<std::string> palette;
-  std::vector<std::string> names;   ///< of each entry, under the pointer
-  std::vector<std::string> labels;  ///< of each entry, written in its largest areas; or empty
+  std::vector<MapShade> palette;
   std::vector<MapKey> key;
   std::vector<MapLabel> values{};  ///< of single areas
 };
