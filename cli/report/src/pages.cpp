@@ -35,24 +35,22 @@ SimulationRequest moved(const DesignReport& report) {
   return request;
 }
 
-DrawnMotion drawn(const SimulationRequest& request) {
-  return drawn_motion(request, simulate(request));
-}
-
 /// With the notch that will be built, beside the motion with the paper's where that can be seen.
 DrawnMotion told(const DesignReport& report) {
   SimulationRequest request = moved(report);
   if (!report.built_notch) {
-    return drawn(request);
+    return DrawnMotion(design::shown_motion(request));
   }
-  const DrawnMotion ideal = drawn(request);
+  design::ShownMotion ideal = design::shown_motion(request);
   const design::NotchShape& shape = report.built_notch->shape;
   request.oscillator.hold = shape.hold;
   request.surface.notch_width = shape.width;
-  DrawnMotion motion = drawn(request);
-  add_if_visible(motion,
-                 {format("notch that {}", ideal_words(*report.built_notch, *report.result.finding)),
-                  ideal.states, figures::Ink::purple, figures::Dash::dashed});
+  DrawnMotion motion(design::shown_motion(request));
+  add_if_visible(motion, {.name = format("notch that {}",
+                                         ideal_words(*report.built_notch, *report.result.finding)),
+                          .states = std::move(ideal.states),
+                          .ink = figures::Ink::purple,
+                          .dash = figures::Dash::dashed});
   return motion;
 }
 
@@ -199,13 +197,13 @@ HtmlPage page(const RegionReport& report) {
 }
 
 std::vector<Figure> drawings(const MotionReport& report) {
-  const DrawnMotion motion = drawn_motion(report.request, report.answer);
+  const DrawnMotion motion(design::shown_motion(report.request, report.answer));
   return has_figures(motion) ? drawings_of(report, motion) : std::vector<Figure>{};
 }
 
 HtmlPage page(const MotionReport& report) {
   HtmlPage page = page_of(document(report));
-  const DrawnMotion motion = drawn_motion(report.request, report.answer);
+  const DrawnMotion motion(design::shown_motion(report.request, report.answer));
   if (!has_figures(motion)) {
     page.verdict += " Nothing moves, so there is nothing to draw.";
     return page;

@@ -24,7 +24,7 @@ std::vector<FigurePoint> points_of(const NoExcitation& /*none*/, double /*horizo
 template <class Law>
 std::vector<FigurePoint> points_of(const Law& law, double horizon) {
   const double last = std::min(duration(law).value_or(horizon), horizon);
-  const std::int64_t count = IsLine<Law> ? 1 : sample_count(law.lambda, last);
+  const std::int64_t count = IsLine<Law> ? 1 : design::sample_count(law.lambda, last);
   std::vector<FigurePoint> points;
   for (std::int64_t i = 0; i <= count; ++i) {
     const double tau = last * static_cast<double>(i) / static_cast<double>(count);

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
-#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -23,86 +23,42 @@ using figures::Ink;
 
 namespace {
 
-/// One side of a motion, the farthest point in each column of time, in `x` and upwards.
-using Side = std::vector<FigurePoint>;
+/// Where a motion is drawn.
+using Place = std::function<FigurePoint(const State&)>;
 
-/// Raises what lies between two crests, each the highest in a swing to either side, to the line
-/// from one to the next, before the first to that from the start of the motion, and behind the last
-/// if the motion goes on to its height.
-void join_crests(Side& side, const FigurePoint& start, double column, std::size_t swing,
-                 bool rests) {
-  const Side own = side;
-  const auto raise = [&](std::size_t from, std::size_t to, const FigurePoint& first,
-                         const FigurePoint& last) {
-    const auto height = [&](double x) {
-      return std::lerp(first.y, last.y, (x - first.x) / (last.x - first.x));
+/// The line through the crests on one side of a motion, whose turns are too many to be told apart:
+/// the farthest in each column of time, without those between two that are farther.
+std::vector<FigurePoint> crest_line(const std::vector<State>& states,
+                                    const std::vector<State>& turns, double side, bool rests,
+                                    const Place& place) {
+  constexpr double columns = 180;
+  const double column = states.back().tau / columns;
+  const State& first = states.front();
+  const State held = *std::prev(std::ranges::find_if(  // until it first moves
+      states, [&](const State& state) { return state.x != first.x; }));
+  std::vector<State> crests;
+  for (const State& turn : turns) {
+    if (!crests.empty() &&
+        std::floor(turn.tau / column) == std::floor(crests.back().tau / column)) {
+      crests.back() = side * turn.x > side * crests.back().x ? turn : crests.back();
+    } else {
+      crests.push_back(turn);
+    }
+  }
+  std::vector<FigurePoint> line{place(first), place(held)};
+  for (std::size_t i = 0; i < crests.size(); ++i) {
+    const auto is_farther = [&](std::size_t other) {
+      return other >= crests.size() || side * crests[other].x > side * crests[i].x;
     };
-    for (std::size_t i = from; i < to; ++i) {
-      if (own[i].y < height(own[i].x)) {
-        const double middle = column * (static_cast<double>(i) + 0.5);
-        side[i] = {middle, height(middle)};
-      }
-    }
-  };
-  auto from = static_cast<std::size_t>(start.x / column);
-  FigurePoint before = start;
-  for (std::size_t i = from; i + swing < own.size(); ++i) {
-    const std::size_t first = i - std::min(i, swing);
-    if (own[i].y >=
-        std::ranges::max(std::span(own).subspan(first, 2 * swing + 1), {}, &FigurePoint::y).y) {
-      raise(from, i, before, own[i]);
-      from = i + 1;
-      before = own[i];
+    if (!is_farther(i - 1) || !is_farther(i + 1)) {
+      line.push_back(place(crests[i]));
     }
   }
-  if (!rests) {
-    raise(from, own.size(), before, {before.x + 1, before.y});
+  if (rests) {
+    line.push_back(place(*std::next(states.rbegin())));
   }
-}
-
-/// Around the motion, in the order of an outline, from its crests to either side in columns of
-/// time. A rest of many columns is one line between two points.
-std::vector<FigurePoint> envelope(const std::vector<FigurePoint>& points, std::size_t turns,
-                                  double last_turn, bool rests) {
-  constexpr std::size_t columns = 180;
-  const double end = points.back().x;
-  const double width = end / columns;
-  Side above(columns, {0, -HUGE_VAL});
-  Side below = above;
-  const auto column = [&](const FigurePoint& at) {
-    return std::min(static_cast<std::size_t>(at.x / end * columns), columns - 1);
-  };
-  const auto include = [&](std::size_t i, const FigurePoint& at) {
-    const double left = width * static_cast<double>(i);
-    const double x = std::clamp(at.x, left, left + width);
-    above[i] = at.y > above[i].y ? FigurePoint{x, at.y} : above[i];
-    below[i] = -at.y > below[i].y ? FigurePoint{x, -at.y} : below[i];
-  };
-  const FigurePoint* before = &points.front();
-  for (const FigurePoint& at : points) {
-    for (std::size_t i = column(*before); i <= column(at); ++i) {
-      include(i, *before);
-      include(i, at);
-    }
-    before = &at;
-  }
-  const auto swing =
-      static_cast<std::size_t>(std::lround(last_turn / width / static_cast<double>(turns)));
-  const FigurePoint& first = points.front();
-  const FigurePoint start = *std::prev(std::ranges::find_if(
-      points, [&](const FigurePoint& at) { return at.y != first.y; }));  // the last that is held
-  join_crests(above, start, width, swing, rests);
-  join_crests(below, {start.x, -start.y}, width, swing, rests);
-  std::vector<FigurePoint> outline{first};
-  outline.reserve(2 * columns + 4);
-  outline.insert(outline.end(), above.begin(), above.end());
-  outline.push_back({end, above.back().y});
-  outline.push_back({end, -below.back().y});
-  for (std::size_t i = columns; i-- > 0;) {
-    outline.push_back({below[i].x, -below[i].y});
-  }
-  outline.push_back(first);
-  return outline;
+  line.push_back({place(states.back()).x, rests ? place(states.back()).y : line.back().y});
+  return line;
 }
 
 std::string count_of(const std::vector<State>& events, std::string_view one) {
@@ -188,11 +144,6 @@ figures::FigureAxis displacement_axis(const DrawnMotion& motion, const FigureUni
                      (most > 0 ? most + room : most) * units.length);
 }
 
-/// The least and the largest x of another motion.
-Interval whole_reach(const OtherMotion& other) {
-  return other.reach.value_or(extent(other.states, &State::x));
-}
-
 /// "without friction, beyond the frame to -158 mm", if the frame cuts it off.
 std::string name_of(const OtherMotion& other, const figures::FigureAxis& axis,
                     const FigureUnits& units) {
@@ -200,22 +151,19 @@ std::string name_of(const OtherMotion& other, const figures::FigureAxis& axis,
   const auto [least, most] = extent(other.states, &State::x);
   const bool below = least * units.length < axis.least;
   const bool above = most * units.length > axis.most;
-  const auto [low, high] = whole_reach(other);
+  const auto [low, high] = other.reach;
   return below || above ? format("{}, beyond the frame to {}", name,
                                  units.place_words(above && (!below || high > -low) ? high : low))
                         : name;
 }
 
 /// Of one with too many half-cycles to be told apart the lines through its crests.
-template <class Place>
 std::vector<std::vector<FigurePoint>> strokes_of(const OtherMotion& other, const Place& place) {
-  std::vector<FigurePoint> points = places(other.states, place);
   if (!is_long(other)) {
-    return {std::move(points)};
+    return {places(other.states, place)};
   }
-  const auto outline = envelope(points, other.turns.size(), place(other.turns.back()).x, false);
-  const auto lower = outline.begin() + static_cast<std::ptrdiff_t>(outline.size() / 2);
-  return {{outline.begin(), lower}, {lower, outline.end()}};
+  return {crest_line(other.states, other.turns, 1, false, place),
+          crest_line(other.states, other.turns, -1, false, place)};
 }
 
 void add_limits(Figure& figure, const DrawnMotion& motion, const FigureUnits& units) {
@@ -234,6 +182,36 @@ void add_limits(Figure& figure, const DrawnMotion& motion, const FigureUnits& un
 }
 
 }  // namespace
+
+DrawnMotion::DrawnMotion(ShownMotion shown) : ShownMotion(std::move(shown)) {
+  if (frictionless) {
+    const bool slides = oscillator.f > 0 || !surface.zones.empty();
+    others.push_back({.name = slides ? "without friction" : "without the notch",
+                      .states = std::move(frictionless->states),
+                      .reach = frictionless->reach,
+                      .turns = std::move(frictionless->turns),
+                      .if_comparable = true});
+  }
+}
+
+void add_if_visible(DrawnMotion& motion, OtherMotion other) {
+  double apart = 0;
+  for (const State& state : motion.states) {
+    apart = std::max(apart, std::abs(state.x - design::displacement(other.states, state.tau)));
+  }
+  constexpr double visible = 0.02;  // of the peak: a few pixels
+  if (apart >= visible * reach(motion.states) && !is_long(motion)) {
+    add(motion, std::move(other));
+  }
+}
+
+void add(DrawnMotion& motion, OtherMotion other) {
+  const double last = design::displacement(other.states, motion.shown_to);
+  std::erase_if(other.states, [&](const State& state) { return state.tau > motion.shown_to; });
+  other.states.push_back({motion.shown_to, last, 0});
+  other.reach = extent(other.states, &State::x);
+  motion.others.push_back(std::move(other));
+}
 
 bool is_moving(const DrawnMotion& motion) {
   return std::ranges::any_of(motion.states,
@@ -287,7 +265,7 @@ void add_lock(Figure& figure, const DrawnMotion& motion, const FigureUnits& unit
 }
 
 Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
-  const auto place = [&](const State& state) {
+  const Place place = [&](const State& state) {
     return FigurePoint{state.tau * units.time, state.x * units.length};
   };
   const bool long_one = is_long(motion);
@@ -324,7 +302,7 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
                                         : "";
   for (const OtherMotion& other : motion.others) {
     if (!is_drawn(motion, other)) {
-      const auto [low, high] = whole_reach(other);
+      const auto [low, high] = other.reach;
       beyond += format("; {} it would reach {}, beyond this figure", other.name,
                        units.length_words(std::max(high, -low)));
       continue;
@@ -336,8 +314,10 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
                              .hover = false});
   }
   if (long_one) {
-    auto outline = envelope(places(motion.states, place), motion.turns.size(),
-                            place(motion.turns.back()).x, motion.rest.has_value());
+    const bool rests = motion.rest.has_value();
+    auto outline = crest_line(motion.states, motion.turns, 1, rests, place);
+    const auto lower = crest_line(motion.states, motion.turns, -1, rests, place);
+    outline.insert(outline.end(), lower.rbegin(), lower.rend());
     figure.curves.push_back({"envelope", {outline}, Ink::blue});
     figure.areas.push_back(
         {.name = "", .outline = std::move(outline), .ink = Ink::blue, .told = "envelope"});

@@ -40,13 +40,9 @@ void add_worst_of_box(DrawnMotion& motion, const design::RecordDesign& result, s
     return;
   }
   const SimulationRequest request = motion_request(result, box.of.at(kind), index);
-  OtherMotion worst{"worst within the tolerance", drawn_motion(request, simulate(request)).states,
-                    figures::Ink::orange};
-  std::erase_if(worst.states, [&](const State& state) { return state.tau > motion.shown_to; });
-  if (!worst.states.empty()) {
-    worst.states.push_back({motion.shown_to, worst.states.back().x, 0});
-  }
-  motion.others.push_back(std::move(worst));
+  add(motion, {.name = "worst within the tolerance",
+               .states = design::shown_motion(request).states,
+               .ink = figures::Ink::orange});
 }
 
 /// The motion under a record and its load below it; the worst one is large.
@@ -56,7 +52,7 @@ void add_record(std::vector<Figure>& figures, const design::RecordDesign& result
   const SimulationRequest request = motion_request(result, result.finding->point.damper, index);
   const bool worst = index == worst_record(result);
   const std::string id = format("record-{}", index + 1);
-  DrawnMotion motion = drawn_motion(request, simulate(request));
+  DrawnMotion motion(design::shown_motion(request));
   if (*task.combine == design::Combine::max) {  // that of a mean bounds no single record
     motion.beta = task.limits.peak;
   }

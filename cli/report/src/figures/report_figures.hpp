@@ -5,11 +5,11 @@
 
 #include "units.hpp"
 
-#include <stillpoint/core/simulation.hpp>
 #include <stillpoint/core/state.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/pulse.hpp>
 #include <stillpoint/design/region.hpp>
+#include <stillpoint/design/shown_motion.hpp>
 #include <stillpoint/design/works_for.hpp>
 #include <stillpoint/figures/figure.hpp>
 #include <stillpoint/sweep/map.hpp>
@@ -57,35 +57,22 @@ Interval extent(const std::vector<Item>& items, double Item::*value) {
 struct OtherMotion {
   std::string name;
   std::vector<State> states;
+  Interval reach{};  ///< of x, also where it goes on beyond what is drawn
   figures::Ink ink{figures::Ink::grey};
   figures::Dash dash{figures::Dash::dotted};
-  std::vector<State> turns{};       ///< of one that may be drawn as its envelope
-  bool if_comparable{false};        ///< drawn only if it would not just cross the figure
-  std::optional<Interval> reach{};  ///< if it goes on beyond what is drawn
+  std::vector<State> turns{};  ///< of one that may be drawn as its envelope
+  bool if_comparable{false};   ///< drawn only if it would not just cross the figure
 };
 
-/// A motion in the form that its figures need.
-struct DrawnMotion {
-  Oscillator oscillator;
-  Surface surface;
-  std::vector<State> states;    ///< samples, edges and events; a passage has two at one instant
-  std::vector<State> turns;     ///< peaks
-  std::vector<State> passages;  ///< of x = 0, with the speed after the notch
-  std::optional<State> rest;    ///< the end of the motion
-  std::vector<std::pair<double, double>> sticks;  ///< tau from, to
-  std::vector<OtherMotion> others;                ///< those that do not hide it
-  std::optional<double> locked_from;  ///< held at x = 0 from then on, though the load goes on
-  std::optional<double> locked_to;    ///< the end of the load, if it is beyond the figure
-  double shown_to{0};                 ///< the end of the time axis
+/// A motion and what is drawn with it.
+struct DrawnMotion : design::ShownMotion {
+  std::vector<OtherMotion> others;  ///< those that do not hide it
   std::optional<double> beta;
-  bool whole{true};  ///< else only its beginning
   std::string with;  ///< "With the strongest hit, ", if it is one of several
+
+  explicit DrawnMotion(ShownMotion shown);
 };
 
-/// For a longer motion only the beginning is drawn: this many half-cycles, and periods of the
-/// spring or of the load, whichever is faster.
-inline constexpr std::int64_t most_drawn_half_cycles = 2000;
-inline constexpr double most_drawn_periods = 1000;
 /// With more half-cycles than can be distinguished, the envelope is drawn. A load turns the mass
 /// several times in some of them.
 inline constexpr std::size_t most_single_half_cycles = 40;
@@ -94,14 +81,8 @@ inline constexpr std::size_t most_single_half_cycles = 40;
   return motion.passages.size() > most_single_half_cycles || motion.turns.size() > most_turns;
 }
 
-/// Evenly spaced points that make a curve of an angular frequency look smooth up to tau =
-/// `horizon`.
-[[nodiscard]] std::int64_t sample_count(double rate, double horizon);
-
-/// The motion of an answer, or its beginning.
-[[nodiscard]] DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& answer);
-
-/// Adds another motion to compare with, if it can be told apart.
+/// Adds another motion to compare with, as far as the figure goes; only if it can be told apart.
+void add(DrawnMotion& motion, OtherMotion other);
 void add_if_visible(DrawnMotion& motion, OtherMotion other);
 
 /// Whether it moves at all: a load may be too weak.

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A motion sampled so that it can be drawn.
+
+#include <stillpoint/core/interval.hpp>
+#include <stillpoint/core/simulation.hpp>
+#include <stillpoint/core/state.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace stillpoint::design {
+
+/// The same start without friction.
+struct FrictionlessMotion {
+  std::vector<State> states;
+  std::vector<State> turns;
+  Interval reach;  ///< of x, also beyond what is shown
+};
+
+struct ShownMotion {
+  Oscillator oscillator;
+  Surface surface;
+  std::vector<State> states;    ///< samples, edges and events; a passage has two at one instant
+  std::vector<State> turns;     ///< peaks
+  std::vector<State> passages;  ///< of x = 0, with the speed after the notch
+  std::optional<State> rest;    ///< the end of the motion
+  std::vector<std::pair<double, double>> sticks;  ///< tau from, to
+  std::optional<double> locked_from;  ///< held at x = 0 from then on, though the load goes on
+  std::optional<double> locked_to;    ///< the end of the load, if it is not shown
+  double shown_to{0};                 ///< the end of the time axis
+  bool whole{true};                   ///< else only its beginning
+  std::optional<FrictionlessMotion> frictionless;  ///< if friction takes energy
+};
+
+/// For a longer motion only the beginning is shown: this many half-cycles, and periods of the
+/// spring or of the load, whichever is faster.
+inline constexpr std::int64_t most_shown_half_cycles = 2000;
+inline constexpr double most_shown_periods = 1000;
+
+/// The motion of an answer, or its beginning.
+[[nodiscard]] ShownMotion shown_motion(const SimulationRequest& request, const Simulation& answer);
+[[nodiscard]] ShownMotion shown_motion(const SimulationRequest& request);
+
+/// Evenly spaced points that make a curve of an angular frequency look smooth up to tau =
+/// `horizon`.
+[[nodiscard]] std::int64_t sample_count(double rate, double horizon);
+
+/// Where a motion in states is at tau; after the last it rests.
+[[nodiscard]] double displacement(const std::vector<State>& states, double tau);
+
+}  // namespace stillpoint::design
