@@ -151,6 +151,9 @@ struct DrawnDamper {
   return damper.admissible || damper.tolerance > 0;
 }
 
+/// A part of the plane is enlarged in a corner, unless rounding would be seen.
+void add_inset(figures::Figure& figure, const figures::FigurePoint& low,
+               const figures::FigurePoint& high);
 /// Enlarges a box if it is too small to see, unless it is one of next to nothing.
 void add_box_inset(figures::Figure& figure, const std::vector<figures::FigurePoint>& box);
 /// Adds to the caption of a region which part of it is enlarged, if any.
@@ -179,13 +182,6 @@ struct DrawnRegion {
   std::string mend;  ///< the title where nothing is admissible
 };
 
-/// What is admissible within the limits, regardless of the tolerance: of several arrivals the strip
-/// of each, the damper's own in front.
-[[nodiscard]] std::vector<figures::FigureArea> admissible_areas(const DrawnRegion& drawn,
-                                                                const FigureUnits& units);
-/// Of those that keep the tolerance asked for; none without one.
-[[nodiscard]] std::vector<std::vector<figures::FigurePoint>> tolerant_areas(
-    const DrawnRegion& drawn, double unit);
 /// A line around each.
 void add_tolerant(figures::Figure& figure, const design::Limits& limits,
                   std::vector<std::vector<figures::FigurePoint>> areas);
@@ -193,20 +189,6 @@ void add_tolerant(figures::Figure& figure, const design::Limits& limits,
 [[nodiscard]] figures::Ink arrival_ink(double arrival);
 /// "arrivals 3, 6, 9": those of `arrivals` that have the ink of `one`; empty if it is the only one.
 [[nodiscard]] std::string key_of_arrivals(const std::set<double>& arrivals, double one);
-/// Of so many admissible areas: no strips to tell apart.
-[[nodiscard]] bool is_one_area(const design::Problem& problem, std::size_t areas);
-/// Strips that can be told apart; those of later arrivals are drawn as one.
-inline constexpr std::int64_t most_drawn_strips = 12;
-
-/// Whether only a part of a strip is admissible, that of several later arrivals.
-[[nodiscard]] bool has_gaps(const figures::FigureArea& strip);
-
-/// Where the exact criterion admits a damper that the published one does not.
-inline constexpr std::string_view by_criterion_alone = "stops, but not by the published criterion";
-
-/// What forbids the rest of the figure, each side in words, and the gap where nothing is left.
-void add_sides(figures::Figure& figure, const DrawnRegion& drawn, const FigureUnits& units);
-
 /// The admissible region in the (f, Delta) plane, its forbidden sides in words, and a point in it.
 [[nodiscard]] figures::Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units);
 

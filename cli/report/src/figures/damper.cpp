@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// A damper with its tolerance in the plane of f and Delta.
+#include "figures/report_figures.hpp"
+#include "format.hpp"
+#include "sections.hpp"
+
+#include <stillpoint/records/decimal.hpp>
+#include <stillpoint/report/digits.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace stillpoint::report {
+
+using figures::AreaLook;
+using figures::Dash;
+using figures::Figure;
+using figures::FigurePoint;
+using figures::Ink;
+using figures::Shape;
+
+namespace {
+
+/// In so few digits that it still lies well within its box.
+std::string within_box(double value, double tolerance) {
+  constexpr double well = 0.1;
+  constexpr int fewest = 4;
+  constexpr int every = 17;  // that a double has
+  int shown = fewest;
+  while (shown < every &&
+         std::abs(records::decimal(value, shown) - value) > well * tolerance * value) {
+    ++shown;
+  }
+  return shown == fewest ? few_digits(value) : format("{:.{}g}", value, shown);
+}
+
+/// "±34.2 %", or "-10 to +20 %" where the sides differ.
+std::string percent(double low, double high) {
+  const std::string above = percent_digits(high);
+  const std::string below = percent_digits(low);
+  return low == high ? "±" + above : format("-{} to +{}", below.substr(0, below.find(' ')), above);
+}
+
+}  // namespace
+
+void add_inset(Figure& figure, const FigurePoint& low, const FigurePoint& high) {
+  constexpr double least_numbers = 1e-9;
+  constexpr double room = 0.6;  // on either side
+  const double wide = high.x - low.x;
+  const double tall = high.y - low.y;
+  if (wide > least_numbers * high.x && tall > least_numbers * high.y) {
+    figure.inset = {{"", std::max(figure.x.least, low.x - room * wide), high.x + room * wide},
+                    {"", std::max(figure.y.least, low.y - room * tall), high.y + room * tall}};
+  }
+}
+
+void caption_inset(Figure& figure, const FigureUnits& units) {
+  if (figure.inset) {
+    const auto& [x, y] = *figure.inset;
+    figure.caption.pop_back();
+    figure.caption +=
+        format("; the corner enlarges f of {} and Δ of {}{}.", interval_digits(x.least, x.most),
+               interval_digits(y.least, y.most), with_blank(units.length_unit));
+  }
+}
+
+void add_box_inset(Figure& figure, const std::vector<FigurePoint>& box) {
+  constexpr double visible = 0.05;          // of the plot
+  constexpr double next_to_nothing = 1e-6;  // of the axis
+  const bool small = box[2].x - box[0].x < visible * (figure.x.most - figure.x.least) ||
+                     box[2].y - box[0].y < visible * (figure.y.most - figure.y.least);
+  if (small && box[2].x > next_to_nothing * figure.x.most) {
+    add_inset(figure, box[0], box[2]);
+  }
+}
+
+std::vector<FigurePoint> tolerance_box(const DrawnDamper& damper, const design::BoxShape& shape,
+                                       double unit) {
+  const double r = damper.tolerance;
+  const double delta = damper.delta * unit;
+  const double left = damper.f * (1 - r * shape.f_low);
+  const double right = damper.f * (1 + r * shape.f_high);
+  const double bottom = delta * (1 - r * shape.delta_low);
+  const double top = delta * (1 + r * shape.delta_high);
+  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
+}
+
+std::string tolerance_words(const design::BoxShape& shape, double tolerance) {
+  const std::string f = percent(tolerance * shape.f_low, tolerance * shape.f_high);
+  return shape == design::BoxShape{}
+             ? "tolerance " + f
+             : format("tolerance: f {}, Δ {}", f,
+                      percent(tolerance * shape.delta_low, tolerance * shape.delta_high));
+}
+
+std::string region_clause(const std::optional<DrawnDamper>& damper, const design::Region& region,
+                          const design::Limits& limits, const FigureUnits& units) {
+  if (damper && is_within(*damper)) {
+    if (!leaves_any(damper->tolerance)) {
+      return "f or Δ must be exact: the damper is within a millionth of an edge of the admissible "
+             "region";
+    }
+    const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
+    const std::string delta =
+        format("Δ = {}{}", within_box(damper->delta * units.length, damper->tolerance),
+               with_blank(units.length_unit));
+    const std::string f = "f = " + within_box(damper->f, damper->tolerance);
+    const bool exact_f = f_low + f_high == 0;
+    return exact_f || begins_at_nothing(damper->f, region.f_upper.value_or(0))
+               ? format("The box shows how far {} may be off{}", delta,
+                        exact_f ? ", with f exactly as given" : "")
+           : delta_low + delta_high == 0
+               ? format("The box shows how far {} may be off, with Δ exactly as given", f)
+               : format("The box shows how far {} and {} may both be off", f, delta);
+  }
+  if (limits.tolerance > 0 && region.feasible) {
+    return "A damper inside the dotted line keeps the tolerance asked for";
+  }
+  return format("A damper in the area without hatching is admissible{}",
+                limits.tolerance > 0 ? " without the tolerance asked for" : "");
+}
+
+void add_tolerant(Figure& figure, const design::Limits& limits,
+                  std::vector<std::vector<FigurePoint>> areas) {
+  std::erase_if(areas, [](const auto& area) { return area.empty(); });
+  if (areas.empty()) {
+    return;
+  }
+  for (std::vector<FigurePoint>& area : areas) {
+    area.push_back(area.front());
+  }
+  figure.curves.push_back({.name = tolerance_words(limits.shape, limits.tolerance) + " asked for",
+                           .strokes = std::move(areas),
+                           .ink = Ink::blue,
+                           .dash = Dash::dotted,
+                           .hover = false});
+}
+
+void add_damper(Figure& figure, const DrawnDamper& damper, const design::BoxShape& shape,
+                const FigureUnits& units) {
+  const FigurePoint at{damper.f, damper.delta * units.length};
+  const std::string values =
+      format("f = {:.4g}, Δ = {}", damper.f, units.length_words(damper.delta));
+  figure.description += damper.name + " at " + values;
+  if (leaves_any(damper.tolerance)) {
+    const std::string words = tolerance_words(shape, damper.tolerance);
+    auto box = tolerance_box(damper, shape, units.length);
+    add_box_inset(figure, box);
+    if (begins_at_nothing(box[2].x, figure.x.most)) {  // a line along the axis would not be seen
+      constexpr double visible = 0.012;                // of the axis
+      box[1].x = box[2].x = visible * figure.x.most;
+    }
+    figure.areas.push_back({words, box, Ink::blue, AreaLook::box});
+    figure.description += ", " + words;
+  }
+  figure.description += ".";
+  figure.marks.push_back(
+      {damper.name, {at}, Shape::diamond, damper.admissible ? Ink::blue : Ink::orange});
+  if (figure.x.position(at.x) > 1 || figure.y.position(at.y) > 1) {
+    figure.marks.back().name = damper.name + ": " + values;
+    figure.caption = "The arrow points to the damper, which lies far outside this figure.";
+  }
+}
+
+}  // namespace stillpoint::report
