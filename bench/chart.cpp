@@ -103,7 +103,6 @@ Figure figure_of(const SceneRows& scene, const FigureAxis& time) {
   figure.description = description(scene);
   figure.x = {"largest error", 1e-17, 100, Scale::logarithmic};
   figure.y = time;
-  figure.caption = figure.description;
   FigureMarks wrong{"a wrong count", {}, Shape::cross, Ink::grey};
   for (std::size_t i = 0; i < scene.methods.size(); ++i) {
     add_method(figure, scene.methods[i], i, wrong);

@@ -86,7 +86,7 @@ ordered_json said_of(const Report& report, const json& request) {
       for (const figures::Figure& figure : drawings(report)) {
         if (std::ranges::find(wanted, json(figure.id)) != wanted.end()) {
           drawn.push_back(
-              {{"id", figure.id}, {"title", figure.title}, {"caption", figure.caption}});
+              {{"id", figure.id}, {"title", figure.title}, {"caption", figure.caption()}});
           behind += separator + svg(figure, figures::Frame::in_page);
         }
       }

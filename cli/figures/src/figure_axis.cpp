@@ -61,6 +61,14 @@ double FigureAxis::value(double position) const {
                                 : least * std::pow(most / least, position);
 }
 
+std::string Figure::caption() const {
+  std::string text;
+  for (const std::string& clause : clauses) {
+    text += (text.empty() || clause.empty() ? "" : "; ") + clause;
+  }
+  return text.empty() ? text : text + '.';
+}
+
 std::vector<double> ticks(const FigureAxis& axis, int wanted) {
   if (axis.scale == Scale::logarithmic) {
     const double from = std::log10(axis.least);

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <map>
 #include <utility>
 
 namespace stillpoint::figures {
@@ -272,18 +271,14 @@ std::string svg(const Figure& figure, Frame frame, double left) {
   return text + "</svg>\n";
 }
 
-std::string escaped(std::string_view text) {
-  static const std::map<char, std::string_view> entities{
-      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
-  std::string result;
-  for (const char& c : text) {
-    const auto found = entities.find(c);
-    result += found == entities.end() ? std::string_view(&c, 1) : found->second;
-  }
-  return result;
-}
-
 namespace {
+
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+  for (std::size_t i = text.find(from); i != std::string::npos;
+       i = text.find(from, i + to.size())) {
+    text.replace(i, from.size(), to);
+  }
+}
 
 constexpr std::string_view no_break = "\u00a0";
 
@@ -300,33 +295,29 @@ void bind_units(std::string& text) {
   constexpr std::string_view micro = "\u00b5";
   for (std::size_t i = text.size(); i-- > 2;) {
     if (is_digit(text[i - 2]) && text[i - 1] == ' ' &&
-        (text[i] == '%' || is_letter(text[i]) || text.substr(i, micro.size()) == micro)) {
+        (text[i] == '%' || is_letter(text[i]) || text.compare(i, micro.size(), micro) == 0)) {
       text.replace(i - 1, 1, no_break);
     }
   }
 }
 
-/// "+-5 %", ">=" and "m/s2" as they are printed, and "EN 15129" in one piece.
+/// "+-5 %", ">=" and "m/s2" as they are printed; "EN 15129", "f ≥ 0.02", "f + delta/w" and
+/// "delta/(k - f)" in one piece.
 void set_signs(std::string& text) {
-  constexpr auto signs = std::to_array<std::pair<std::string_view, std::string_view>>(
-      {{"+-", "\u00b1"}, {"&gt;=", "\u2265"}, {"&lt;=", "\u2264"}, {"m/s2", "m/s\u00b2"}});
+  using Signs = std::pair<std::string_view, std::string_view>;
+  constexpr auto signs = std::to_array<Signs>({{"+-", "\u00b1"},
+                                               {"m/s2", "m/s\u00b2"},
+                                               {"EN ", "EN\u00a0"},
+                                               {"&gt;=", "\u2265"},
+                                               {" \u2265 ", "\u00a0\u2265\u00a0"},
+                                               {"&lt;=", "\u2264"},
+                                               {" \u2264 ", "\u00a0\u2264\u00a0"},
+                                               {" &gt; ", "\u00a0&gt;\u00a0"},
+                                               {" &lt; ", "\u00a0&lt;\u00a0"},
+                                               {" + ", "\u00a0+\u00a0"},
+                                               {" - ", "\u00a0-\u00a0"}});
   for (const auto& [typed, printed] : signs) {
-    for (std::size_t i = text.find(typed); i != std::string::npos; i = text.find(typed, i)) {
-      text.replace(i, typed.size(), printed);
-    }
-  }
-  for (std::size_t i = text.find("EN "); i != std::string::npos; i = text.find("EN ", i + 1)) {
-    text.replace(i + 2, 1, no_break);
-  }
-}
-
-/// "f ≥ 0.02", "f ≤ f3", "f + delta/w" and "delta/(k - f)" in one piece.
-void bind_bounds(std::string& text) {
-  for (const std::string_view sign : {" \u2265 ", " \u2264 ", " &gt; ", " &lt; ", " + ", " - "}) {
-    for (std::size_t i = text.find(sign); i != std::string::npos; i = text.find(sign, i + 1)) {
-      text.replace(i + sign.size() - 1, 1, no_break);
-      text.replace(i, 1, no_break);
-    }
+    replace_all(text, typed, printed);
   }
 }
 
@@ -376,12 +367,21 @@ std::string with_whole_numbers(std::string_view text) {
 
 }  // namespace
 
+std::string escaped(std::string_view text) {
+  std::string result(text);
+  using Entity = std::pair<std::string_view, std::string_view>;
+  for (const auto& [sign, entity] :
+       {Entity{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}}) {
+    replace_all(result, sign, entity);
+  }
+  return result;
+}
+
 std::string prose(std::string_view text) {
   std::string result = escaped(text);
-  set_signs(result);
   bind_units(result);
   bind_equations(result);
-  bind_bounds(result);
+  set_signs(result);
   return with_whole_numbers(result);
 }
 

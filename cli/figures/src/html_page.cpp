@@ -71,7 +71,8 @@ std::string column(std::span<const Figure> group, bool only) {
   for (const Figure& figure : group) {
     text += "<div>" + svg(figure, Frame::in_page, left) +
             "<div class=\"readout\" aria-hidden=\"true\"></div></div>\n";
-    caption += (caption.empty() || figure.caption.empty() ? "" : " ") + prose(figure.caption);
+    const std::string own = prose(figure.caption());
+    caption += (caption.empty() || own.empty() ? "" : " ") + own;
   }
   return text + (caption.empty() ? "" : "<figcaption>" + caption + "</figcaption>\n") +
          "</figure>\n";

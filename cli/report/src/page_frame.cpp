@@ -33,10 +33,7 @@ void add_frame(figures::HtmlPage& page, const PageFrame& frame) {
 std::span<const std::string_view> all_design_figures() {
   static const std::vector<std::string_view> all = [] {
     std::vector<std::string_view> list(design_figures.begin(), design_figures.end());
-    for (std::string_view rest = record_design_figures; !rest.empty();) {
-      list.push_back(rest.substr(0, rest.find(' ')));
-      rest.remove_prefix(list.back().size() + 1);
-    }
+    list.insert(list.end(), record_design_figures.begin(), record_design_figures.end());
     list.insert(list.end(), spectrum_figure_names.begin(), spectrum_figure_names.end());
     return list;
   }();

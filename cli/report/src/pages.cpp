@@ -139,8 +139,8 @@ std::vector<Figure> drawings_of(const MotionReport& report, const DrawnMotion& m
 /// Of a design with which notch the captions are.
 void add_ideal(std::vector<Figure>& figures, const DesignReport& design) {
   for (Figure& figure : figures) {
-    if (std::string& caption = figure.caption; !caption.empty()) {  // it ends with a full stop
-      caption.insert(std::min(caption.find(';'), caption.size() - 1), with_ideal(design));
+    if (!figure.clauses.empty()) {
+      figure.clauses.front() += with_ideal(design);
     }
   }
 }

@@ -72,7 +72,7 @@ std::string said(Command command, const json& scene) {
                     text(found->document(), {.verbosity = report::Verbosity::full}) + page.verdict +
                     page.answer + page.body;
   for (const figures::Figure& figure : page.figures) {
-    all += svg(figure, figures::Frame::alone) + figure.caption;
+    all += svg(figure, figures::Frame::alone) + figure.caption();
   }
   for (const std::string_view clock : {R"("wall_time_s":)", "evaluations, "}) {
     for (std::size_t at = 0; (at = all.find(clock, at)) != std::string::npos;) {

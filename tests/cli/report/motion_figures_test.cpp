@@ -72,8 +72,8 @@ BOOST_AUTO_TEST_CASE(many_half_cycles_become_an_envelope_of_the_whole_motion) {
   BOOST_TEST(!has(drawn.curves, "x"));
   BOOST_TEST(drawn.title == "Motion");              // not only its beginning
   const HtmlPage longer = motion({1, 1e-4, 1e-4});  // 2254 half-cycles
-  BOOST_TEST(contains(figure(longer, "motion").caption, "is still moving where the figure ends"));
-  BOOST_TEST(contains(figure(longer, "energy").caption, "where the figure ends"));
+  BOOST_TEST(contains(figure(longer, "motion").caption(), "is still moving where the figure ends"));
+  BOOST_TEST(contains(figure(longer, "energy").caption(), "where the figure ends"));
   BOOST_TEST(has_note(drawn, "rest 0"));
   BOOST_TEST(has_note(drawn, "peak 0.999"));
   BOOST_TEST(!has(figure(motion({1, 0.02, 0.02}), "motion").curves, "envelope"));
@@ -163,11 +163,11 @@ BOOST_AUTO_TEST_CASE(a_motion_without_friction_is_drawn_to_the_end) {
 BOOST_AUTO_TEST_CASE(a_motion_from_rest_off_centre_starts_at_its_peak) {
   const HtmlPage drawn = motion({1, 0.05, 0.01}, {}, {-0.5, 0});
   BOOST_TEST(
-      figure(drawn, "motion").caption.starts_with("The mass starts at its peak of -0.5 and"));
+      figure(drawn, "motion").caption().starts_with("The mass starts at its peak of -0.5 and"));
   BOOST_TEST(has_note(figure(drawn, "motion"), "peak -0.5 at the start"));
-  BOOST_TEST(
-      figure(motion({1, 0.3, 0.4}), "motion")
-          .caption.starts_with("The mass reaches its peak of 0.744 after "));  // sqrt(1.09) - 0.3
+  BOOST_TEST(figure(motion({1, 0.3, 0.4}), "motion")
+                 .caption()
+                 .starts_with("The mass reaches its peak of 0.744 after "));  // sqrt(1.09) - 0.3
 }
 
 /// Only a rest has something to show behind the motion, and only what takes energy is drawn.
@@ -177,13 +177,15 @@ BOOST_AUTO_TEST_CASE(the_energy_of_a_motion_that_goes_on_fills_the_figure) {
   BOOST_TEST(drawn.areas.front().outline.back().x == 0);
   BOOST_TEST(drawn.curves.size() == 1U);
   BOOST_TEST(drawn.curves.front().strokes[0].back().x == drawn.x.most);
-  BOOST_TEST(drawn.caption.starts_with("Of the energy of 0.5 at the start, none is lost; 0.5 is "),
-             drawn.caption);
+  BOOST_TEST(
+      drawn.caption().starts_with("Of the energy of 0.5 at the start, none is lost; 0.5 is "),
+      drawn.caption());
   BOOST_TEST(figure(motion({1, 0.1, 0}), "energy").curves.size() == 2U);
   BOOST_TEST(figure(motion({1, 0, 0.1}), "energy")
-                 .caption.starts_with("Of the energy of 0.5 at the start, the notch took "));
+                 .caption()
+                 .starts_with("Of the energy of 0.5 at the start, the notch took "));
   // f times the path, pi/2 of a quarter of a turn at least, is below 0.1 % of 0.5.
-  BOOST_TEST(contains(figure(motion({1, 1e-9, 0.3}), "energy").caption,
+  BOOST_TEST(contains(figure(motion({1, 1e-9, 0.3}), "energy").caption(),
                       ", constant friction took less than 0.1 % and the notch 0.5."));
 }
 
@@ -204,9 +206,9 @@ BOOST_AUTO_TEST_CASE(zones_and_a_notch_with_a_width_take_their_part_of_the_energ
   BOOST_TEST(last(0) == rest * rest / 2, tt::tolerance(1e-9));
   BOOST_TEST(last(1) - last(0) == friction, tt::tolerance(1e-9));
   BOOST_TEST(last(2) - last(1) == 0.37 / 0.05 * (0.025 - rest), tt::tolerance(1e-9));
-  BOOST_TEST(contains(drawn.caption, " took 0.3"), drawn.caption);
-  BOOST_TEST(contains(drawn.caption, "; less than 0.1 % stays in the spring."), drawn.caption);
-  BOOST_TEST(contains(figure(motion({1, 0.1, 0}), "energy").caption, "; 0.00"));
+  BOOST_TEST(contains(drawn.caption(), " took 0.3"), drawn.caption());
+  BOOST_TEST(contains(drawn.caption(), "; less than 0.1 % stays in the spring."), drawn.caption());
+  BOOST_TEST(contains(figure(motion({1, 0.1, 0}), "energy").caption(), "; 0.00"));
 }
 
 /// Where the friction changes there is a state, a mark and a kink, out and in again.
@@ -237,9 +239,10 @@ BOOST_AUTO_TEST_CASE(the_edges_of_a_notch_with_a_width_are_drawn) {
   const double fallen = (peak * peak - 0.025 * 0.025) / 2 - 0.26 * (peak - 0.025);
   BOOST_TEST(v * v / 2 == fallen, tt::tolerance(1e-9));
   BOOST_TEST(figure(drawn, "phase").curves.front().strokes.size() == 3U);
-  BOOST_TEST(contains(figure(drawn, "motion").caption, ", inside the notch, after "));
+  BOOST_TEST(contains(figure(drawn, "motion").caption(), ", inside the notch, after "));
   BOOST_TEST(figure(drawn, "phase")
-                 .caption.ends_with(", but none when the hit moves the mass out of it."));
+                 .caption()
+                 .ends_with(", but none when the hit moves the mass out of it."));
   request.surface.notch_width = 4;  // beyond the figure on both sides
   const HtmlPage all = page_of(request);
   BOOST_TEST(!has(figure(all, "motion").areas, "notch"));
@@ -269,7 +272,7 @@ BOOST_AUTO_TEST_CASE(a_design_is_drawn_with_the_notch_that_will_be_built) {
   shaken.pulse = HalfSine{0.5, 20};
   shaken.problem = {.v0 = 0, .p = 1, .beta = 0.05};
   const HtmlPage held = drawn({.hold = 1}, shaken);
-  BOOST_TEST(figure(held, "pulse").caption == "The mass does not move.");
+  BOOST_TEST(figure(held, "pulse").caption() == "The mass does not move.");
   BOOST_TEST(has(figure(held, "pulse").bands, "locked throughout"));
   BOOST_TEST(has(figure(held, "pulse").curves, "notch that acts only after the start"));
   BOOST_TEST(std::ranges::count(held.figures, "phase", &Figure::id) == 0);
@@ -280,10 +283,10 @@ BOOST_AUTO_TEST_CASE(a_rest_at_the_peak_is_named_once) {
   const HtmlPage drawn = motion({1, 0.9, 0});
   BOOST_TEST(has_note(figure(drawn, "motion"), "rest at the peak 0.4454"));  // sqrt(1.81) - 0.9
   BOOST_TEST(figure(drawn, "motion").notes.size() == 1U);
-  BOOST_TEST(figure(drawn, "motion").caption.ends_with(" and stays there."));
+  BOOST_TEST(figure(drawn, "motion").caption().ends_with(" and stays there."));
   const HtmlPage back = motion({1, 0.9, 0}, {}, {0, -1});
   BOOST_TEST(has_note(figure(back, "motion"), "rest at the peak -0.4454"));
-  BOOST_TEST(contains(figure(back, "motion").caption, " reaches its peak of -0.4454 after "));
+  BOOST_TEST(contains(figure(back, "motion").caption(), " reaches its peak of -0.4454 after "));
 }
 
 /// The time at rest is a part of each figure over time.
@@ -311,7 +314,7 @@ BOOST_AUTO_TEST_CASE(energy_has_the_unit_of_its_size) {
     report.physical.emplace();
     report.physical->scales.velocity_m_per_s = velocity;
     report.physical->scales.mass_kg = mass;
-    return figure(page(report), "energy").caption;
+    return figure(page(report), "energy").caption();
   };
   BOOST_TEST(caption(0.4, 1.2e6).starts_with("Of the energy of 96 kJ at the start, "));
   BOOST_TEST(caption(0.2, 40).starts_with("Of the energy of 0.8 J at the start, "));
@@ -335,7 +338,7 @@ BOOST_AUTO_TEST_CASE(a_mass_that_a_load_does_not_move_is_a_line_over_the_whole_l
   const Harmonic load{.k = 0.05, .lambda = 3, .duration = 40};
   const HtmlPage drawn = motion({1, 0.3, 0.4}, load, {0, 0});
   const Figure& still = figure(drawn, "motion");
-  BOOST_TEST(still.caption == "The mass does not move.");
+  BOOST_TEST(still.caption() == "The mass does not move.");
   BOOST_TEST(still.x.most == 40);
   BOOST_TEST(still.y.most > 1);
   BOOST_TEST(still.y.least < -1);
@@ -394,8 +397,8 @@ BOOST_AUTO_TEST_CASE(a_motion_without_friction_is_left_out_where_it_only_crosses
   const auto drawn = [&](double f) { return figure(motion({1, f, 0}, load, {0, 0}), "motion"); };
   const Figure barely = drawn(0.345);
   BOOST_TEST(ghost_of(barely).strokes.empty());
-  BOOST_TEST(contains(barely.caption, "; without friction it would reach 3."), barely.caption);
-  BOOST_TEST(!contains(drawn(0.1).caption, "without friction"));
+  BOOST_TEST(contains(barely.caption(), "; without friction it would reach 3."), barely.caption());
+  BOOST_TEST(!contains(drawn(0.1).caption(), "without friction"));
   BOOST_TEST(!ghost_of(drawn(0.1)).strokes.empty());
 }
 
@@ -409,7 +412,7 @@ BOOST_AUTO_TEST_CASE(a_motion_without_friction_is_drawn_where_the_limit_makes_ro
     request.limits.peak = limit;
     const Figure drawn = figure(page(RecordDesignReport{design::design(request), {}}), "record-1");
     const bool room = limit == 0.08;
-    BOOST_TEST(contains(drawn.caption, "it would reach 0.1244,") != room, drawn.caption);
+    BOOST_TEST(contains(drawn.caption(), "it would reach 0.1244,") != room, drawn.caption());
     BOOST_TEST(ghost_of(drawn).strokes.empty() != room);
   }
 }
@@ -431,7 +434,7 @@ BOOST_AUTO_TEST_CASE(a_motion_without_friction_reaches_what_it_does_under_all_of
   request.t_end = 63;
   const Figure drawn = figure(page_of(request), "motion");
   BOOST_TEST(drawn.x.most < 60);
-  BOOST_TEST(contains(drawn.caption, "it would reach 31.42,"), drawn.caption);
+  BOOST_TEST(contains(drawn.caption(), "it would reach 31.42,"), drawn.caption());
 }
 
 BOOST_AUTO_TEST_CASE(a_damper_that_is_only_a_notch_is_compared_with_none) {
@@ -449,7 +452,7 @@ BOOST_AUTO_TEST_CASE(the_time_locked_is_shaded_above_the_whole_load) {
   BOOST_TEST(below.below);
   BOOST_TEST(below.x.most == moving.x.most);
   BOOST_TEST(below.x.most >= 40);
-  BOOST_TEST(!contains(moving.caption, ", locked to "), moving.caption);
+  BOOST_TEST(!contains(moving.caption(), ", locked to "), moving.caption());
   for (const Figure* const drawn : {&moving, &below}) {
     BOOST_TEST_REQUIRE(!drawn->bands.empty());
     BOOST_TEST(contains(drawn->bands.front().name, "locked from"));
@@ -474,7 +477,7 @@ BOOST_AUTO_TEST_CASE(the_time_locked_under_a_load_that_goes_on_is_shown) {
   const Figure cut = figure(page_of(request), "motion");
   BOOST_TEST(cut.x.most == 10 * stop);
   BOOST_TEST(cut.bands.front().name.ends_with(" to τ = 1000"));
-  BOOST_TEST(contains(cut.caption, ", locked to τ = 1000, beyond this figure."), cut.caption);
+  BOOST_TEST(contains(cut.caption(), ", locked to τ = 1000, beyond this figure."), cut.caption());
 }
 
 /// Both lie on the same figure.
@@ -531,16 +534,16 @@ BOOST_AUTO_TEST_CASE(a_short_motion_under_a_long_load_is_drawn_finely) {
 }
 
 BOOST_AUTO_TEST_CASE(the_phase_portrait_speaks_of_a_notch_where_one_acts_alone) {
-  BOOST_TEST(contains(figure(isolator(), "phase").caption,
+  BOOST_TEST(contains(figure(isolator(), "phase").caption(),
                       "the velocity jumps because the notch takes energy"));
-  BOOST_TEST(!contains(figure(motion({1, 0.1, 0}), "phase").caption, "notch"));
+  BOOST_TEST(!contains(figure(motion({1, 0.1, 0}), "phase").caption(), "notch"));
 }
 
 /// The speed at x = 0 falls by about Delta/v = 1e-3 of a height of 2, or a seventh of a pixel.
 BOOST_AUTO_TEST_CASE(a_jump_too_small_to_see_is_not_promised) {
   const Figure drawn = figure(motion({1, 0.05, 1e-3}), "phase");
   BOOST_TEST(
-      drawn.caption ==
+      drawn.caption() ==
       "The notch takes energy at x = 0, where the jump of the velocity is too small to see.");
   BOOST_TEST(!has(drawn.curves, "jump at x = 0"));
 }

@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(the_region_names_its_forbidden_sides_and_fills_the_toleranc
 BOOST_AUTO_TEST_CASE(a_tolerance_too_small_to_see_is_enlarged) {
   const Figure drawn = figure(region(0.9, 0.35355, 0.3), "region");
   BOOST_TEST(drawn.inset.has_value());
-  BOOST_TEST(contains(drawn.caption, "; the corner enlarges f of 0.35354"), drawn.caption);
+  BOOST_TEST(contains(drawn.caption(), "; the corner enlarges f of 0.35354"), drawn.caption());
 }
 
 /// That of the least peak lies on the edge.
@@ -59,14 +59,14 @@ BOOST_AUTO_TEST_CASE(a_damper_that_must_be_exact_has_no_box) {
   request.problem = {.v0 = 1, .p = 1, .beta = 0.9};
   request.search.objective = design::Objective::amplitude;
   const Figure drawn = figure(page(DesignReport{design::design(request), {}}), "region");
-  BOOST_TEST(drawn.caption ==
+  BOOST_TEST(drawn.caption() ==
              "f or Δ must be exact: the damper is within a millionth of an edge of the admissible "
              "region.");
   BOOST_TEST(!drawn.inset);
   BOOST_TEST(std::ranges::count(drawn.areas, figures::AreaLook::box, &figures::FigureArea::look) ==
              0);
   // At Delta2 = 0.5, which is admissible without any tolerance.
-  BOOST_TEST(figure(region(0.9, 0.3, 0.5), "region").caption == drawn.caption);
+  BOOST_TEST(figure(region(0.9, 0.3, 0.5), "region").caption() == drawn.caption());
 }
 
 /// With f <= 0.001 that of the first arrival lies between 0.5 - f and 0.5; without the limit it
@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(a_lack_of_tolerance_alone_leaves_a_clear_area_that_is_not_c
   request.limits.tolerance = 0.4;
   const Figure drawn = figure(page(DesignReport{design::design(request), {}}), "region");
   BOOST_TEST(drawn.title == "No damper with a tolerance above 22.21 %");
-  BOOST_TEST(contains(drawn.caption, "without the tolerance asked for"), drawn.caption);
+  BOOST_TEST(contains(drawn.caption(), "without the tolerance asked for"), drawn.caption());
   BOOST_TEST(drawn.areas.front().name == "admissible without a tolerance");
 }
 
@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(the_hits_are_those_of_the_design_with_the_range_that_it_wor
 BOOST_AUTO_TEST_CASE(a_damper_that_fails_says_how_the_hit_ends) {
   const std::string fails = "The damper does not work for the hit that was asked for";
   const auto caption = [](double f, double delta) {
-    return figure(region(2, f, delta), "hits").caption;
+    return figure(region(2, f, delta), "hits").caption();
   };
   BOOST_TEST(caption(0.2, 0.7) == fails + ": such hits are held at the start.");  // V0^2 < 2 delta
   BOOST_TEST(caption(0.9, 0) == fails + ": such hits rest off centre.");
@@ -174,7 +174,7 @@ BOOST_AUTO_TEST_CASE(what_is_said_of_ranges_names_the_hit_and_the_spring) {
   request.problem.criterion = design::Criterion::exact;
   const DesignReport report{design::design(request), {}};
   const HtmlPage drawn = page(report);
-  const std::string& caption = figure(drawn, "motion").caption;
+  const std::string& caption = figure(drawn, "motion").caption();
   BOOST_TEST(caption.starts_with("With the strongest hit, v0 = 1.1, and the softest spring, "
                                  "p = 0.95, the mass reaches its peak of "),
              caption);
@@ -207,7 +207,7 @@ BOOST_AUTO_TEST_CASE(the_hits_say_why_the_damper_works_for_no_stronger_ones) {
   design::DesignRequest request;
   request.problem = {.v0 = 0.4, .p = 0.4, .beta = 1.5, .v0_low = 0.3};
   const auto caption = [&request] {
-    return figure(page(DesignReport{design::design(request), {}}), "hits").caption;
+    return figure(page(DesignReport{design::design(request), {}}), "hits").caption();
   };
   BOOST_TEST(contains(caption(), "stop too, but not by the published criterion"), caption());
   request.problem.criterion = design::Criterion::exact;
@@ -322,7 +322,7 @@ BOOST_AUTO_TEST_CASE(the_hits_are_told_with_the_digits_that_tell_them_apart) {
   design::DesignRequest request;
   request.problem = {.v0 = 1, .p = 1, .beta = 0.7072};
   const HtmlPage drawn = page(DesignReport{design::design(request), {}});
-  const std::string& caption = figure(drawn, "hits").caption;
+  const std::string& caption = figure(drawn, "hits").caption();
   BOOST_TEST(contains(caption, "0.9998"), caption);
   BOOST_TEST(contains(caption, "1.0000"), caption);
 }
@@ -460,7 +460,7 @@ BOOST_AUTO_TEST_CASE(a_dead_zone_too_wide_is_what_is_wrong_where_the_mass_rests_
   const design::RegionRequest request{
       .problem = {.v0 = 1, .p = 1, .beta = 0.6, .residual = 0.1}, .f = 5, .delta = 0.1};
   const HtmlPage made = page(RegionReport{request, design::answer(request)});
-  BOOST_TEST(figure(made, "hits").caption ==
+  BOOST_TEST(figure(made, "hits").caption() ==
              "The damper does not work for the hit that was asked for: friction could hold the "
              "mass at 0.6.");
   const auto& sides = figure(made, "region").areas;
@@ -480,10 +480,10 @@ BOOST_AUTO_TEST_CASE(a_damper_unlike_its_cell_of_the_map_is_told_apart) {
   unlike.result.nearest.damper = {1, 0.4, 1};
   const Figure apart = figure(page(unlike), "map");
   BOOST_TEST(std::ranges::count(apart.map.cells, std::uint8_t{0}) > 0);
-  BOOST_TEST(contains(apart.caption, words), apart.caption);
+  BOOST_TEST(contains(apart.caption(), words), apart.caption());
   request.objective = design::SuiteObjective::amplitude;
   const Figure alike = figure(page(RecordDesignReport{design::design(request), {}}), "map");
-  BOOST_TEST(!contains(alike.caption, words), alike.caption);
+  BOOST_TEST(!contains(alike.caption(), words), alike.caption());
 }
 
 /// What is felt is friction at least, and 0.4 where friction holds the mass.
@@ -504,11 +504,11 @@ BOOST_AUTO_TEST_CASE(maps_show_where_a_damper_is_good_and_what_is_about_it) {
   BOOST_TEST(all.x.least == 0);
   BOOST_TEST(all.x.most > f);
   BOOST_TEST(all.x.most < 0.4);
-  BOOST_TEST(contains(all.caption, "; the search went beyond this map, over f = 0 to 0.4"),
-             all.caption);
+  BOOST_TEST(contains(all.caption(), "; the search went beyond this map, over f = 0 to 0.4"),
+             all.caption());
   const Figure near = figure(page(report), "map-near");
   BOOST_TEST(all.folded.empty());
-  BOOST_TEST(contains(all.caption, "a cell shows the worst within the tolerance"), all.caption);
+  BOOST_TEST(contains(all.caption(), "a cell shows the worst within the tolerance"), all.caption());
   BOOST_TEST(near.folded == "Without any error of f and Δ");
   constexpr double rounding = 1e-12;
   BOOST_TEST(std::abs(near.x.least - f * 0.8) <= rounding);
@@ -702,7 +702,7 @@ BOOST_AUTO_TEST_CASE(the_caption_of_hits_tells_what_is_beyond_a_strip_too_thin_t
   design::DesignRequest request;
   request.problem = {.v0 = 1, .p = 1, .beta = 0.8};
   const HtmlPage drawn = page(DesignReport{design::design(request), {}});
-  BOOST_TEST(contains(figure(drawn, "hits").caption,
+  BOOST_TEST(contains(figure(drawn, "hits").caption(),
                       "; slightly weaker ones rest off centre, weaker ones are held at the start "
                       "and stronger ones go too far"));
   BOOST_TEST(!contains(svg(figure(drawn, "hits"), figures::Frame::in_page), ">off centre</text>"));
@@ -711,7 +711,7 @@ BOOST_AUTO_TEST_CASE(the_caption_of_hits_tells_what_is_beyond_a_strip_too_thin_t
 BOOST_AUTO_TEST_CASE(the_caption_says_what_a_clear_area_and_a_strip_mean) {
   const auto caption = [](const design::Problem& problem) {
     const design::RegionRequest request{.problem = problem};
-    return figure(page(RegionReport{request, design::answer(request)}), "region").caption;
+    return figure(page(RegionReport{request, design::answer(request)}), "region").caption();
   };
   BOOST_TEST(caption({.v0 = 1, .p = 1, .beta = 0.95, .arrivals = 4}) ==
              "A damper in the area without hatching is admissible; "
@@ -733,7 +733,7 @@ BOOST_AUTO_TEST_CASE(the_caption_says_what_a_clear_area_and_a_strip_mean) {
           .v0 = 1.1, .p = 1, .beta = 0.95, .criterion = design::Criterion::exact, .v0_low = 0.9}};
   const Figure one = figure(page(RegionReport{only, design::answer(only)}), "region");
   BOOST_TEST((named(one.areas, "admissible").ink == figures::Ink::sky));
-  BOOST_TEST(one.caption ==
+  BOOST_TEST(one.caption() ==
              "A damper in the area without hatching is admissible with every hit of the range.");
 }
 
@@ -743,7 +743,7 @@ BOOST_AUTO_TEST_CASE(an_only_area_within_a_residual_is_called_admissible) {
   const Figure drawn = figure(page(RegionReport{request, design::answer(request)}), "region");
   BOOST_TEST((named(drawn.areas, "admissible").ink == figures::Ink::sky));
   BOOST_TEST(!has(drawn.areas, "arrival 1"));
-  BOOST_TEST(drawn.caption == "A damper in the area without hatching is admissible.");
+  BOOST_TEST(drawn.caption() == "A damper in the area without hatching is admissible.");
 }
 
 /// m V0^2/2 = 100 t (0.4 m/s)^2/2 = 8 kJ.
@@ -761,7 +761,7 @@ BOOST_AUTO_TEST_CASE(text_alternatives_carry_units) {
   for (const Figure& drawn : isolator().figures) {
     const char* const unit = drawn.id == "energy" ? " kJ" : drawn.id == "hits" ? " m/s" : " mm";
     BOOST_TEST(contains(drawn.description, unit), drawn.description);
-    BOOST_TEST(!drawn.caption.empty());
+    BOOST_TEST(!drawn.caption().empty());
   }
 }
 

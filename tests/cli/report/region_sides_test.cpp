@@ -305,7 +305,7 @@ BOOST_AUTO_TEST_CASE(limits_come_before_what_lies_behind_them) {
 // beta below 1/sqrt(2) leaves no f; Delta1 is at least 0.06 where f returns.
 BOOST_AUTO_TEST_CASE(a_figure_without_any_damper_says_why) {
   const auto caption = [](double beta, const design::Limits& limits = {}) {
-    return region_of({.v0 = 1, .p = 1, .beta = beta}, limits).caption;
+    return region_of({.v0 = 1, .p = 1, .beta = beta}, limits).caption();
   };
   BOOST_TEST(caption(0.6) ==
              "No damper is admissible: in the gap f is both too weak and too strong.");

@@ -67,9 +67,8 @@ void add_parts(Figure& figure, const Catalogue& catalogue, const FigureUnits& un
       Fill::hollow);
   add("parts that fit", std::move(fit), Shape::disc, Ink::green, Fill::hollow);
   if (outside > 0) {
-    figure.caption.back() = ';';
-    figure.caption += format(" {} of the {} parts {} outside this figure.", outside,
-                             catalogue.parts.size(), outside == 1 ? "lies" : "lie");
+    figure.clauses.push_back(format("{} of the {} parts {} outside this figure", outside,
+                                    catalogue.parts.size(), outside == 1 ? "lies" : "lie"));
   }
 }
 
@@ -90,9 +89,10 @@ std::vector<Figure> trade_off_figures(const std::vector<design::TradeOff>& front
   tolerance.id = "trade-off-tolerance";
   tolerance.title = "Tolerance of the same dampers";
   tolerance.below = true;
-  tolerance.caption =
+  tolerance.clauses = {
       "Each point is the most tolerant damper of its stroke: none is better in one of the three "
-      "without being worse in another; inside a notch the acceleration is f + Δ/w + spring.";
+      "without being worse in another",
+      "inside a notch the acceleration is f + Δ/w + spring"};
   acceleration.description = format(
       "The least transmitted acceleration for each stroke, from {} at {:.4g} g to {} at "
       "{:.4g} g. The design has {} at {:.4g} g.",

@@ -58,10 +58,9 @@ void add_inset(Figure& figure, const FigurePoint& low, const FigurePoint& high) 
 void caption_inset(Figure& figure, const FigureUnits& units) {
   if (figure.inset) {
     const auto& [x, y] = *figure.inset;
-    figure.caption.pop_back();
-    figure.caption +=
-        format("; the corner enlarges f of {} and Δ of {}{}.", interval_digits(x.least, x.most),
-               interval_digits(y.least, y.most), with_blank(units.length_unit));
+    figure.clauses.push_back(
+        format("the corner enlarges f of {} and Δ of {}{}", interval_digits(x.least, x.most),
+               interval_digits(y.least, y.most), with_blank(units.length_unit)));
   }
 }
 
@@ -159,7 +158,7 @@ void add_damper(Figure& figure, const DrawnDamper& damper, const design::BoxShap
       {damper.name, {at}, Shape::diamond, damper.admissible ? Ink::blue : Ink::orange});
   if (figure.x.position(at.x) > 1 || figure.y.position(at.y) > 1) {
     figure.marks.back().name = damper.name + ": " + values;
-    figure.caption = "The arrow points to the damper, which lies far outside this figure.";
+    figure.clauses = {"The arrow points to the damper, which lies far outside this figure"};
   }
 }
 

@@ -70,7 +70,7 @@ std::string named(const design::Hits& now) {
   return look_of(now.end).name + later + some_spring(now);
 }
 
-/// "; weaker ones are held at the start and stronger ones go too far"
+/// "weaker ones are held at the start and stronger ones go too far"
 std::string other_ones(const DrawnEnds& drawn) {
   constexpr double beside = 1e-6;  // an edge of both may differ by rounding
   const double weaker = drawn.works->low * (1 - beside);
@@ -104,7 +104,7 @@ std::string other_ones(const DrawnEnds& drawn) {
   }
   std::string text;
   for (const std::string& fate : fates) {
-    text += (&fate == &fates.front() ? "; " : &fate == &fates.back() ? " and " : ", ") + fate;
+    text += (&fate == &fates.front() ? "" : &fate == &fates.back() ? " and " : ", ") + fate;
   }
   return text;
 }
@@ -112,13 +112,13 @@ std::string other_ones(const DrawnEnds& drawn) {
 std::string where_it_fails(const DrawnEnds& drawn) {
   const std::string refusal = drawn.refusal.empty() ? "" : ": " + drawn.refusal;
   if (drawn.has_range) {
-    return format("The damper does not work for every {} of the range{}.", drawn.noun, refusal);
+    return format("The damper does not work for every {} of the range{}", drawn.noun, refusal);
   }
   const auto now = std::ranges::find_if(drawn.list, [&](const design::Hits& each) {
     return each.from < drawn.asked.high && drawn.asked.high < each.to;
   });
   const std::string_view fate = now == drawn.list.end() ? "" : look_of(now->end).fate;
-  return format("The damper does not work for the {} that was asked for{}.", drawn.noun,
+  return format("The damper does not work for the {} that was asked for{}", drawn.noun,
                 fate.empty() ? refusal : format(": such {}s {}", drawn.noun, fate));
 }
 
@@ -189,14 +189,15 @@ Figure ends_figure(const DrawnEnds& drawn) {
     auto box = strip(low, high, 0.05, 0.3);
     add_box_inset(figure, box);
     figure.areas.push_back({"works for " + range, std::move(box), Ink::blue, AreaLook::box});
-    figure.caption =
-        format("The damper works for {} of {}{}{}.", drawn.measured, range, other_ones(drawn),
-               figure.inset ? format("; the corner enlarges {}{}",
-                                     interval_digits(figure.inset->x.least, figure.inset->x.most),
-                                     with_blank(drawn.unit))
-                            : "");
+    figure.clauses = {format("The damper works for {} of {}", drawn.measured, range),
+                      other_ones(drawn)};
+    if (figure.inset) {
+      const figures::FigureAxis& x = figure.inset->x;
+      figure.clauses.push_back(format("the corner enlarges {}{}", interval_digits(x.least, x.most),
+                                      with_blank(drawn.unit)));
+    }
   } else {
-    figure.caption = where_it_fails(drawn);
+    figure.clauses = {where_it_fails(drawn)};
   }
   figure.description = format("Ends of the motion by the strength of the {}:", drawn.noun);
   for (const design::Hits& now : drawn.list) {
@@ -222,7 +223,7 @@ Figure ends_figure(const DrawnEnds& drawn) {
     figure.areas.push_back(
         {"not computed", strip(known, figure.x.most, 0, 1), Ink::purple, AreaLook::hatched});
   }
-  figure.description += ". " + figure.caption;
+  figure.description += ". " + figure.caption();
   figure.curves.push_back(asked(drawn));
   return figure;
 }

@@ -46,13 +46,13 @@ std::string taken(const std::string& friction, double constant, double point, do
   return text.empty() ? "none is lost" : text;
 }
 
-/// "; 2.3 kJ stays in the spring"; empty if nothing is left.
+/// "2.3 kJ stays in the spring"; empty if nothing is left.
 std::string what_is_left(const DrawnMotion& motion, double left, double whole,
                          const FigureUnits& units) {
   if (motion.rest && motion.rest->x == 0) {
     return "";
   }
-  return fmt::format("; {} {}", part_words(left, whole, units),
+  return fmt::format("{} {}", part_words(left, whole, units),
                      motion.rest    ? "stays in the spring"
                      : motion.whole ? "is left at the end"
                                     : "is left where the figure ends");
@@ -100,10 +100,10 @@ Figure energy_figure(const DrawnMotion& motion, const FigureUnits& units) {
   figure.y = {units.energy_label, 0, most > 0 ? 1.06 * most : 1};
   const double now = left.back().y / units.energy;
   const std::string friction = motion.surface.zones.empty() ? "constant friction" : "friction";
-  figure.description = fmt::format(
-      "Of the energy of {} at the start, {}{}.", units.energy_words(whole),
-      taken(friction, constant, point, whole, units), what_is_left(motion, now, whole, units));
-  figure.caption = figure.description;
+  figure.clauses = {fmt::format("Of the energy of {} at the start, {}", units.energy_words(whole),
+                                taken(friction, constant, point, whole, units)),
+                    what_is_left(motion, now, whole, units)};
+  figure.description = figure.caption();
   figure.areas = {{"kinetic and spring", between(nothing, left), Ink::blue},
                   {constant > 0 ? friction : "", between(left, with_constant), Ink::orange},
                   {point > 0 ? "notch" : "", between(with_constant, all), Ink::green}};

@@ -283,9 +283,13 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   const bool moves = is_moving(motion);
   const bool stays = motion.rest && std::abs(motion.rest->x) >= std::abs(peak.x) * rounding;
   const std::string mass = motion.with.empty() ? "The mass" : motion.with + "the mass";
-  figure.caption = !moves  ? mass + " does not move."
-                   : stays ? format("{} {} and stays there.", mass, reached(peak, units))
-                           : format("{} {} and is {}.", mass, reached(peak, units), rest_words);
+  figure.clauses = {(!moves  ? mass + " does not move"
+                     : stays ? format("{} {} and stays there", mass, reached(peak, units))
+                             : format("{} {} and is {}", mass, reached(peak, units), rest_words)) +
+                    (long_one ? ", swinging within the shaded envelope" : "") +
+                    (motion.locked_to ? format(", locked to {}, beyond this figure",
+                                               units.time_words(*motion.locked_to))
+                                      : "")};
   add_zones(figure, motion, units.length, Along::x);
   add_lock(figure, motion, units);
   constexpr double narrowest = 0.005;  // of the figure, to be seen
@@ -297,14 +301,11 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   if (motion.beta) {
     add_limits(figure, motion, units);
   }
-  std::string beyond = motion.locked_to ? format(", locked to {}, beyond this figure",
-                                                 units.time_words(*motion.locked_to))
-                                        : "";
   for (const OtherMotion& other : motion.others) {
     if (!is_drawn(motion, other)) {
       const auto [low, high] = other.reach;
-      beyond += format("; {} it would reach {}, beyond this figure", other.name,
-                       units.length_words(std::max(high, -low)));
+      figure.clauses.push_back(format("{} it would reach {}, beyond this figure", other.name,
+                                      units.length_words(std::max(high, -low))));
       continue;
     }
     figure.curves.push_back({.name = name_of(other, figure.y, units),
@@ -321,13 +322,11 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
     figure.curves.push_back({"envelope", {outline}, Ink::blue});
     figure.areas.push_back(
         {.name = "", .outline = std::move(outline), .ink = Ink::blue, .told = "envelope"});
-    beyond = ", swinging within the shaded envelope" + beyond;
     figure.marks.push_back(
         {"peak", {place(peak)}, figures::Shape::disc, Ink::blue, figures::Fill::hollow});
   } else {
     figure.curves.push_back({"x", {places(motion.states, place)}, Ink::blue});
   }
-  figure.caption.insert(figure.caption.size() - 1, beyond);
   mark_events(figure, motion, place, long_one ? 0 : motion.shown_to);
   if (long_one && motion.rest) {
     figure.marks.push_back({"rest", {place(*motion.rest)}, figures::Shape::square, Ink::green});

@@ -116,21 +116,21 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
   figure.curves = {std::move(arcs)};
   constexpr double visible = 0.01;  // of the height, some pixels
   if (largest_jump > visible * (v_most - v_least)) {
-    figure.caption = "At x = 0 the velocity jumps because the notch takes energy.";
+    figure.clauses = {"At x = 0 the velocity jumps because the notch takes energy"};
     figure.curves.push_back(std::move(jumps));
   } else if (!jumps.strokes.empty()) {
-    figure.caption =
-        "The notch takes energy at x = 0, where the jump of the velocity is too small to see.";
+    figure.clauses = {
+        "The notch takes energy at x = 0, where the jump of the velocity is too small to see"};
   } else if (motion.surface.notch_width) {
     const State& start = states.front();
-    figure.caption = fmt::format(
-        "The notch takes energy over its width{}.",
-        start.x == 0 && start.v != 0 ? ", but none when the hit moves the mass out of it" : "");
+    figure.clauses = {fmt::format(
+        "The notch takes energy over its width{}",
+        start.x == 0 && start.v != 0 ? ", but none when the hit moves the mass out of it" : "")};
   } else {
-    figure.caption = !motion.surface.zones.empty() ? "The curve bends where the friction changes."
-                     : motion.rest && !long_one    ? "The curve ends where friction holds the mass."
-                     : motion.oscillator.f > 0     ? "Friction takes energy along the whole curve."
-                                                   : "Nothing takes energy from the mass.";
+    figure.clauses = {!motion.surface.zones.empty() ? "The curve bends where the friction changes"
+                      : motion.rest && !long_one    ? "The curve ends where friction holds the mass"
+                      : motion.oscillator.f > 0     ? "Friction takes energy along the whole curve"
+                                                    : "Nothing takes energy from the mass"};
   }
   mark_events(figure, motion, place, long_one ? 0 : last);
   return figure;

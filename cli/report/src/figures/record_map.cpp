@@ -181,7 +181,7 @@ bool add_faults(figures::FigureMap& drawn, const std::vector<double>& bounds) {
 std::string excess_clause(const std::vector<double>& bounds, std::string_view where) {
   return bounds.empty() || bounds.front() == bounds.back()
              ? ""
-             : format("; {}the darker, the more the limits are exceeded, by {} to {} in all", where,
+             : format("{}the darker, the more the limits are exceeded, by {} to {} in all", where,
                       excess_words(bounds.front()), excess_words(bounds.back()));
 }
 
@@ -225,19 +225,23 @@ Figure drawn_map(const design::RecordDesign& result, const Window& window, bool 
       "The plane of f and Δ: the {} of the records combined{}, and where a limit is "
       "violated.",
       minimised(task).words, boxes ? ", the worst over the tolerance" : "");
-  figure.caption =
-      !(values.least <= values.most)
-          ? "Each area is named after the limit exceeded most there" + excess_clause(bounds, "")
-      : any_fails
-          ? "A cell that is not hatched meets every limit in its middle, the darker the better" +
-                excess_clause(bounds, "where it is hatched, ")
-          : "The darker, the better";
+  if (!(values.least <= values.most)) {
+    figure.clauses = {"Each area is named after the limit exceeded most there",
+                      excess_clause(bounds, "")};
+  } else if (any_fails) {
+    figure.clauses = {
+        "A cell that is not hatched meets every limit in its middle, the darker the "
+        "better",
+        excess_clause(bounds, "where it is hatched, ")};
+  } else {
+    figure.clauses = {"The darker, the better"};
+  }
   if (boxes && !is_exact(task.tolerance)) {
-    figure.caption += "; a cell shows the worst within the tolerance about its middle";
+    figure.clauses.emplace_back("a cell shows the worst within the tolerance about its middle");
   }
   constexpr std::uint8_t best_shade = 0;
   if (result.finding && shade_at(figure, place) != best_shade) {
-    figure.caption += "; the damper found is better than the middle of its cell";
+    figure.clauses.emplace_back("the damper found is better than the middle of its cell");
   }
   return figure;
 }

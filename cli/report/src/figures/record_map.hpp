@@ -26,8 +26,7 @@ struct ShownValues {
                                        const design::RecordDesignRequest& task);
 
 /// The objective over that part of the plane, for the spring and the width of the damper, the worst
-/// over the tolerance about each place or each place itself; without an id and a title, and the
-/// caption has no full stop yet.
+/// over the tolerance about each place or each place itself; without an id and a title.
 [[nodiscard]] figures::Figure drawn_map(const design::RecordDesign& result, const Window& window,
                                         bool boxes, const FigureUnits& units);
 

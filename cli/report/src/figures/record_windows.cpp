@@ -61,7 +61,7 @@ std::string beyond_words(const design::RecordDesignRequest& task, const Window& 
     ends += (ends.empty() ? "Δ = " : " and Δ = ") +
             span(*task.delta, [&](double delta) { return units.place_words(delta); });
   }
-  return ends.empty() ? "" : format("; the search went beyond this map, over {}", ends);
+  return ends.empty() ? "" : format("the search went beyond this map, over {}", ends);
 }
 
 /// With a quarter more on either side, to where the search ended if that is near.
@@ -132,7 +132,7 @@ Figure overview(const design::RecordDesign& result, const FigureUnits& units) {
   if (result.finding) {
     add_box_outline(figure, result.finding->box, units);
   }
-  figure.caption += beyond_words(task, window, units) + ".";
+  figure.clauses.push_back(beyond_words(task, window, units));
   return figure;
 }
 
@@ -148,7 +148,7 @@ Figure close_up(const design::RecordDesign& result, const FigureUnits& units) {
   figure.title = "Each damper by itself";
   figure.folded = "Without any error of f and Δ";
   add_box_outline(figure, box, units);
-  figure.caption += "; the box is what the design may become.";
+  figure.clauses.emplace_back("the box is what the design may become");
   return figure;
 }
 

@@ -124,38 +124,38 @@ void add_edge(Figure& figure, std::string name, FigurePoint from, FigurePoint to
                            .labelled = true});
 }
 
-/// Several strips, of which those of later arrivals lie below those of earlier ones.
-std::string strips_clause(const Problem& problem, const std::vector<PlaneArea>& strips) {
+/// Of several strips, those of later arrivals lie below those of earlier ones.
+void add_strips_clauses(Figure& figure, const Problem& problem,
+                        const std::vector<PlaneArea>& strips) {
   if (!has(strips, PlaneKind::arrival) || (problem.arrivals == 1 && strips.size() == 1)) {
-    return "";
+    return;
   }
   const bool any_rest = has(strips, PlaneKind::any_rest);
-  return format("; in {} strip{} the mass {} at that arrival{}{}", any_rest ? "the" : "each",
-                any_rest ? " of an arrival" : "",
-                problem.residual ? "rests within the residual" : "stops at x = 0",
-                strips.size() > 1 && !problem.residual ? ", in a lower strip at a later one" : "",
-                has(strips, PlaneKind::later_arrivals)
-                    ? "; the grey area is admissible only in thin strips"
-                    : "");
+  figure.clauses.push_back(
+      format("in {} strip{} the mass {} at that arrival{}", any_rest ? "the" : "each",
+             any_rest ? " of an arrival" : "",
+             problem.residual ? "rests within the residual" : "stops at x = 0",
+             strips.size() > 1 && !problem.residual ? ", in a lower strip at a later one" : ""));
+  if (has(strips, PlaneKind::later_arrivals)) {
+    figure.clauses.emplace_back("the grey area is admissible only in thin strips");
+  }
 }
 
-std::string caption_of(const DrawnRegion& drawn, const std::vector<PlaneArea>& strips,
-                       const FigureUnits& units) {
+std::string main_clause(const DrawnRegion& drawn, const FigureUnits& units) {
   const Problem& problem = drawn.problem;
   const std::string_view ranges = problem.v0_low && problem.p_high
                                       ? " with every hit and spring of the ranges"
                                   : problem.v0_low ? " with every hit of the range"
                                   : problem.p_high ? " with every spring of the range"
                                                    : "";
-  return format("{}{}{}.", region_clause(drawn.damper, drawn.region, drawn.limits, units), ranges,
-                strips_clause(problem, strips));
+  return format("{}{}", region_clause(drawn.damper, drawn.region, drawn.limits, units), ranges);
 }
 
 /// Without any admissible damper.
-std::string empty_caption(const std::vector<PlaneArea>& areas) {
+std::string empty_clause(const std::vector<PlaneArea>& areas) {
   using enum PlaneKind;
   return format(
-      "No damper is admissible: {}.",
+      "No damper is admissible: {}",
       has(areas, too_weak_and_strong)          ? "in the gap f is both too weak and too strong"
       : has(areas, notch_too_weak_and_limited) ? "in the gap even the largest Δ is too weak"
       : has(areas, too_weak_and_limited) ? "in the gap f is too weak and already beyond a limit"
@@ -283,7 +283,9 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   const auto forbidden =
       design::forbidden_areas(drawn.problem, drawn.limits, region, window(figure, unit));
   add_areas(figure, forbidden, words, unit);
-  figure.caption = strips.empty() ? empty_caption(forbidden) : caption_of(drawn, strips, units);
+  figure.clauses = strips.empty() ? std::vector{empty_clause(forbidden)}
+                                  : std::vector{main_clause(drawn, units)};
+  add_strips_clauses(figure, drawn.problem, strips);
   if (!several) {
     add_delta1(figure, drawn.problem, region.f3, unit);
   }
@@ -319,20 +321,21 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
       "The plane of f and Δ under the pulse. No f above {:.4g} lets the mass return; "
       "where it does, every Δ above the curve stops it. ",
       drawn.region.f3);
-  const bool bounded = std::isfinite(design::largest_delta_allowed(drawn.limits));
-  figure.caption =
-      drawn.intervals.empty()
-          ? "With every f the mass misses x = 0 or violates a limit."
-          : format(
-                "{}{}.", region_clause(drawn.damper, drawn.region, drawn.limits, units),
-                bounded ? "" : "; nothing bounds Δ from above, because the mass starts from rest");
+  if (drawn.intervals.empty()) {
+    figure.clauses = {"With every f the mass misses x = 0 or violates a limit"};
+  } else {
+    figure.clauses = {region_clause(drawn.damper, drawn.region, drawn.limits, units)};
+    if (std::isinf(design::largest_delta_allowed(drawn.limits))) {
+      figure.clauses.emplace_back("nothing bounds Δ from above, because the mass starts from rest");
+    }
+  }
   add_areas(figure,
             design::pulse_areas(drawn.problem, drawn.limits, drawn.region, drawn.intervals,
                                 window(figure, units.length)),
             PlaneWords(units.length_words(drawn.problem.beta)), units.length);
   for (figures::FigureArea& area : figure.areas) {
-    area.name +=
-        area.name == "admissible" && drawn.limits.tolerance > 0 ? " without a tolerance" : "";
+    const bool loose = area.name == "admissible" && drawn.limits.tolerance > 0;
+    area.name += loose ? " without a tolerance" : "";
   }
   figure.curves.push_back(std::move(curve));
   if (drawn.region.feasible) {

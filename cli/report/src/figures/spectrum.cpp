@@ -117,8 +117,9 @@ struct Kind {
 };
 
 /// What it comes to: its largest value, or the largest about the period of a design.
-std::string caption(const Kind& kind, const Figure& figure, const design::Spectrum& spectrum,
-                    const FigureUnits& units, const std::optional<double>& chosen) {
+std::vector<std::string> clauses(const Kind& kind, const Figure& figure,
+                                 const design::Spectrum& spectrum, const FigureUnits& units,
+                                 const std::optional<double>& chosen) {
   const auto value = [&](double y) {
     return format("{:.4g}{}{}", y, kind.unit_name.empty() ? "" : " ", kind.unit_name);
   };
@@ -126,8 +127,8 @@ std::string caption(const Kind& kind, const Figure& figure, const design::Spectr
   if (chosen) {
     constexpr double about = 0.05;
     const double most = highest(shown, (1 - about) * *chosen, (1 + about) * *chosen).y;
-    return format("Within {} % of the period of the design, the {} is {}.", 100 * about, kind.name,
-                  most == 0 ? "zero" : "at most " + value(most));
+    return {format("Within {} % of the period of the design, the {} is {}", 100 * about, kind.name,
+                   most == 0 ? "zero" : "at most " + value(most))};
   }
   const auto words = [&](const FigureCurve& curve) {
     if (curve.strokes.empty()) {
@@ -142,10 +143,11 @@ std::string caption(const Kind& kind, const Figure& figure, const design::Spectr
                 : format("largest at a period of {:.4g}{}, {}", most.x,
                          units.time_unit.empty() ? "" : " s", value(most.y));
   };
-  return format("The {} is {}{}.", kind.name, words(shown),
-                spectrum.request.delta > 0
-                    ? "; without the notch " + words(*std::prev(figure.curves.end(), 2))
-                    : "");
+  std::vector<std::string> said{format("The {} is {}", kind.name, words(shown))};
+  if (spectrum.request.delta > 0) {
+    said.push_back("without the notch " + words(*std::prev(figure.curves.end(), 2)));
+  }
+  return said;
 }
 
 }  // namespace
@@ -181,7 +183,7 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
                                     longest);
     figure.x.least = std::max(figure.x.least, 0.0);
     add_curves(figure, spectrum, {kind.drawn, kind.unit, periods});
-    figure.caption = caption(kind, figure, spectrum, units,
+    figure.clauses = clauses(kind, figure, spectrum, units,
                              chosen ? std::optional(period(*chosen)) : std::nullopt);
     add_points(figure, periods.size());
     double most = 0;
@@ -212,12 +214,10 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
   };
   if (std::ranges::all_of(spectrum.combined, moves_without)) {
     if (chosen) {  // else it is said
-      all.back().caption.back() = ';';
-      all.back().caption += " without the notch the mass never comes to rest.";
+      all.back().clauses.emplace_back("without the notch the mass never comes to rest");
     }
   } else if (std::ranges::any_of(spectrum.combined, moves)) {
-    all.back().caption.back() = ';';
-    all.back().caption += " a line has a gap where the mass does not come to rest.";
+    all.back().clauses.emplace_back("a line has a gap where the mass does not come to rest");
   }
   return all;
 }

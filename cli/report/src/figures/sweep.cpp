@@ -164,7 +164,7 @@ FigureAxis figure_axis(const std::string& label, const MapAxis& swept, double un
 }
 
 /// Of the colours that are there.
-std::string caption(const ClassCounts& counts, const std::string& place) {
+std::vector<std::string> clauses(const ClassCounts& counts, const std::string& place) {
   const bool centred = any_rests(counts, 0);
   const bool off = any_rests(counts, SweepClass::ranges);
   const bool locks = counts.at(SweepClass::locked) > 0;
@@ -175,22 +175,16 @@ std::string caption(const ClassCounts& counts, const std::string& place) {
                             : off     ? format("The mass stops off centre in every {}",
                                            locks ? "area hatched one way" : "hatched area")
                                       : "";
-  std::string text = words.empty() ? "" : words + "; the darker, the fewer half-cycles it takes";
-  if (locks) {
-    text += format("{} the hatching is crossed, the notch holds the mass while the load goes on",
-                   text.empty() ? "Where" : "; where");
+  std::vector<std::string> said;
+  if (!words.empty()) {
+    said = {words, "the darker, the fewer half-cycles it takes"};
   }
-  return text.empty() ? "No mass that moves comes to rest" : text;
-}
-
-/// What the lines of Delta1 are.
-std::string bounds_clause(const Figure& figure) {
-  return std::ranges::any_of(figure.curves,
-                             [](const figures::FigureCurve& curve) {
-                               return curve.name.find("Δ₁") != std::string::npos;
-                             })
-             ? "; above the line of Δ₁ it stops on the first return if it returns at all"
-             : "";
+  if (locks) {
+    said.push_back(
+        format("{} the hatching is crossed, the notch holds the mass while the load goes on",
+               said.empty() ? "Where" : "where"));
+  }
+  return said.empty() ? std::vector<std::string>{"No mass that moves comes to rest"} : said;
 }
 
 /// Without its unit.
@@ -235,18 +229,23 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
           100.0 * static_cast<double>(counts.at(i)) / static_cast<double>(map.cells().size()));
     }
   }
-  figure.caption =
-      caption(counts, place) +
-      (any_peaks ? "; the values are peaks, the darker, the smaller where the motions end alike"
-                 : "");
+  figure.clauses = clauses(counts, place);
+  if (any_peaks) {
+    figure.clauses.emplace_back(
+        "the values are peaks, the darker, the smaller where the motions end alike");
+  }
   const double p = only_value(spec, Quantity::p);
   if (spec.kind == SweepKind::free && from_zero(spec) && plain_surface(spec) && v0 > 0 && p > 0) {
     add_boundaries(figure, {.v0 = v0, .p = p, .beta = v0 / p}, units,
                    {map.f().value(map.f().cells() - 1),
                     map.delta().value(map.delta().cells() - 1) * units.length});
-    figure.caption += bounds_clause(figure);
+    if (std::ranges::any_of(figure.curves, [](const figures::FigureCurve& curve) {
+          return curve.name.find("Δ₁") != std::string::npos;
+        })) {
+      figure.clauses.emplace_back(
+          "above the line of Δ₁ it stops on the first return if it returns at all");
+    }
   }
-  figure.caption += '.';
   return figure;
 }
 

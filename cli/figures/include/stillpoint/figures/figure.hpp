@@ -147,7 +147,7 @@ struct Figure {
   std::string id;           ///< of its file, "region" for instance
   std::string title;        ///< above it
   std::string description;  ///< for readers who cannot see it
-  std::string caption;      ///< a sentence below it
+  std::vector<std::string> clauses;  ///< of the sentence below it; empty ones do not count
   double height{270};       ///< of the plot, in pixels of a figure 450 wide
   bool below{false};        ///< belongs below the previous figure, on the same horizontal axis
   std::string folded;       ///< opens it, below the previous figure of a page; empty: always shown
@@ -160,6 +160,9 @@ struct Figure {
   std::vector<FigureMarks> marks;
   std::vector<FigureNote> notes;
   std::optional<FigureInset> inset;
+
+  /// The sentence: its clauses with semicolons between them, and a full stop.
+  [[nodiscard]] std::string caption() const;
 };
 
 /// The width of an area in pixels, on average.

@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -50,12 +51,13 @@ struct RecordDesignReport {
 [[nodiscard]] figures::HtmlPage page(const RecordDesignReport& report);
 
 inline constexpr std::size_t most_drawn_records = 11;
-/// The ids of the figures that the page may have, besides those of a spectrum, and after each a
-/// blank.
-inline constexpr std::string_view record_design_figures{
-    "map map-near worst worst-load record-1 record-2 record-3 record-4 record-5 record-6 record-7 "
-    "record-8 record-9 record-10 record-11 record-1-load record-2-load record-3-load record-4-load "
-    "record-5-load record-6-load record-7-load record-8-load record-9-load record-10-load "
-    "record-11-load "};
+/// The ids of the figures that the page may have, besides those of a spectrum.
+inline constexpr std::array<std::string_view, 26> record_design_figures{
+    "map",           "map-near",      "worst",         "worst-load",    "record-1",
+    "record-2",      "record-3",      "record-4",      "record-5",      "record-6",
+    "record-7",      "record-8",      "record-9",      "record-10",     "record-11",
+    "record-1-load", "record-2-load", "record-3-load", "record-4-load", "record-5-load",
+    "record-6-load", "record-7-load", "record-8-load", "record-9-load", "record-10-load",
+    "record-11-load"};
 
 }  // namespace stillpoint::report
