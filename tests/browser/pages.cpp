@@ -31,6 +31,7 @@ std::vector<Wanted> wanted() {
   return {
       {"design", {"design", data + "/scenes/isolator.json"}, 0},
       {"infeasible", {"design", data + "/scenes/infeasible.json"}, 3},
+      {"arrivals", {"design", "--v0", "1", "--p", "1", "--beta", "1", "--arrivals", "20"}, 0},
       {"free", {"simulate", "--v0", "1", "--p", "1", "--f", "0.02", "--delta", "0.02"}, 0},
       {"forced",
        {"simulate", "--period", "2.8", "--f", "0.02", "--delta-m", "0.001", "--record",

@@ -11,9 +11,9 @@
 
 namespace stillpoint::browser_test {
 
-/// The pages under test, written by the program, by name: design, infeasible, free, forced, region,
-/// pulse, sweep (with a logarithmic axis), trade_off, varying, records. All are made once for the
-/// whole test program.
+/// The pages under test, written by the program, by name: design, infeasible, arrivals, free,
+/// forced, region, pulse, sweep (with a logarithmic axis), trade_off, varying, records. All are
+/// made once for the whole test program.
 struct Pages {
   Pages();
 

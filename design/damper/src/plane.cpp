@@ -17,9 +17,9 @@ namespace {
 constexpr int grid_parts = 200;  // of an axis
 
 struct Span {
-  PlaneKind kind;
-  std::int64_t arrival;
-  Interval delta;
+  PlaneKind kind{PlaneKind::arrival};
+  std::int64_t arrival{0};
+  Interval delta{};
 };
 using Spans = std::vector<Span>;
 

@@ -80,13 +80,14 @@ PlaneWords::PlaneWords(const design::Problem& problem, const design::Limits& lim
 
 std::vector<FigurePoint> outline(const PlaneArea& area, double unit) {
   std::vector<FigurePoint> points;
+  std::vector<FigurePoint> upper;
   points.reserve(2 * area.columns.size());
+  upper.reserve(area.columns.size());
   for (const auto& [f, delta] : area.columns) {
     points.push_back({f, delta.low * unit});
+    upper.push_back({f, delta.high * unit});
   }
-  for (auto column = area.columns.rbegin(); column != area.columns.rend(); ++column) {
-    points.push_back({column->f, column->delta.high * unit});
-  }
+  points.insert(points.end(), upper.rbegin(), upper.rend());
   return points;
 }
 

@@ -173,6 +173,7 @@ std::string plane_words(const Region& region, const FigureUnits& units) {
 
 std::vector<std::vector<FigurePoint>> outlines(const std::vector<PlaneArea>& areas, double unit) {
   std::vector<std::vector<FigurePoint>> made;
+  made.reserve(areas.size());
   for (const PlaneArea& area : areas) {
     made.push_back(outline(area, unit));
   }

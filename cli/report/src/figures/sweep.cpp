@@ -105,7 +105,8 @@ figures::FigureMap drawn(const sweep::SweepMap& map, const ClassCounts& counts, 
         {palette.at(i), name, i < 2 * ranges ? count_label(i) : name, hatch_of(i)});
     if (counts.at(i) > (i < 2 * ranges ? few : 0)) {
       const bool locked = i == SweepClass::locked;  // in the key even if a label says so
-      drawn.key.push_back({name + (locked ? " " + place : ""), palette.at(i), hatch_of(i)});
+      drawn.key.push_back(
+          {locked ? format("{} {}", name, place) : name, palette.at(i), hatch_of(i)});
     }
   }
   return drawn;

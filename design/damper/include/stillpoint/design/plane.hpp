@@ -39,10 +39,10 @@ enum class PlaneKind {
 /// Of one kind, in columns beside each other.
 struct PlaneArea {
   struct Column {
-    double f;
-    Interval delta;
+    double f{0};
+    Interval delta{};
   };
-  PlaneKind kind;
+  PlaneKind kind{PlaneKind::arrival};
   std::int64_t arrival{0};  ///< of a strip
   std::vector<Column> columns{};
 
