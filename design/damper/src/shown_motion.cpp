@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <stillpoint/core/elementary.hpp>
 #include <stillpoint/core/half_cycles.hpp>
 #include <stillpoint/core/trajectory.hpp>
 #include <stillpoint/design/shown_motion.hpp>
@@ -50,7 +51,7 @@ Interval reach_of(const ForcedTrajectory& path, const Excitation& excitation, do
   }
   if (const double load = duration(excitation).value_or(HUGE_VAL); load <= end) {
     const State last = path.at(load);
-    const double amplitude = std::hypot(last.x, last.v / p);
+    const double amplitude = elementary::hypot(last.x, last.v / p);
     include(amplitude);
     include(-amplitude);
   }
