@@ -84,16 +84,11 @@ ExitCode run_design(const Settings& settings, Output& output) {
   if (designs_under_records(settings)) {
     return run_record_design(settings, output);
   }
-  const report::DesignReport report = answers::answer(design_input(settings));
-  remark(report::notch_sentence(report));
-  remark(report::lock_sentence(report));
-  return finish(report, Command::design, settings, output);
+  return finish(answers::answer(design_input(settings)), Command::design, settings, output);
 }
 
 ExitCode run_region(const Settings& settings, Output& output) {
-  const report::RegionReport report = answers::answer(region_input(settings));
-  remark(report::lock_sentence(report));
-  return finish(report, Command::region, settings, output);
+  return finish(answers::answer(region_input(settings)), Command::region, settings, output);
 }
 
 /// The file that the option gives its rows, or "-" for them instead of the report; empty for none.

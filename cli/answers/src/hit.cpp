@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/answers/hit.hpp>
 
+#include <stillpoint/design/damper_findings.hpp>
+
 #include <utility>
 
 namespace stillpoint::answers {
@@ -23,18 +25,23 @@ report::DesignReport answer(DesignTask task) {
   if (report.result.finding && task.notch) {
     report.built_notch = design::built_notch(report.result, *task.notch);
   }
+  report.findings =
+      design::findings_of(report.result, report.built_notch,
+                          {report.physical.has_value(), report.catalogue.has_value()});
   return report;
 }
 
 report::RegionReport answer(RegionTask task) {
   const auto& [problem, limits, f, delta, pulse, ranges] = task.request;
-  report::RegionReport report{task.request, design::answer(task.request), task.physical, {}};
+  report::RegionReport report{task.request, design::answer(task.request), task.physical};
   if (task.catalogue) {
     const std::vector<design::Part>& parts = task.catalogue->parts;
     report.catalogue = {std::move(task.catalogue->file),
                         pulse ? design::choose({problem, limits, {}, pulse, ranges}, parts).parts
                               : design::ranked(problem, limits, design::Objective::robust, parts)};
   }
+  report.findings =
+      design::findings_of(report.request, report.answer, {report.physical.has_value()});
   return report;
 }
 

@@ -63,15 +63,6 @@ Settings given(Command command, const json& options) {
   return scene_and_flags(command, {}, settings);
 }
 
-template <class Report>
-ordered_json advice_of(const Report& report) {
-  const auto& [alarming, too_exact, little_friction, remarks] = report::advice(report);
-  return {{"alarming", alarming},
-          {"too_exact", too_exact},
-          {"little_friction", little_friction},
-          {"remarks", remarks}};
-}
-
 /// Its report, if wanted, and figures stand behind it.
 template <class Report>
 ordered_json said_of(const Report& report, const json& request) {
@@ -92,9 +83,7 @@ ordered_json said_of(const Report& report, const json& request) {
       }
     }
   }
-  return {{"exit", static_cast<int>(answers::exit_code(report))},
-          {"figures", drawn},
-          {"advice", advice_of(report)}};
+  return {{"exit", static_cast<int>(answers::exit_code(report))}, {"figures", drawn}};
 }
 
 // A page waits for its answer: both take less than a second.

@@ -30,6 +30,16 @@ function motion_of({ response, physical, input }) {
   };
 }
 
+/** Whether a finding is more than a note. @param {any} report @returns {boolean} */
+function alarms_of({ findings }) {
+  return findings.some((/** @type {any} */ now) => now.severity !== "info");
+}
+
+/** What is to be known beyond the numbers. @param {any} report @returns {string} */
+function remarks_of({ findings }) {
+  return findings.map((/** @type {any} */ now) => now.text).join(" ");
+}
+
 /** The largest displacement allowed. @param {any} report of design or region */
 function limit_of({ input, physical }) {
   return input.beta * (physical?.length_unit_m ?? 1);

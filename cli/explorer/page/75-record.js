@@ -83,7 +83,7 @@ class RecordView {
   }
 
   /** @param {string} name @param {Answer} answer */
-  show(name, { report, figures, doubts, advice }) {
+  show(name, { report, figures, doubts }) {
     const { response, physical } = report;
     const { length, time, velocity } = units_of(physical);
     const { peak, acceleration } = motion_of(report);
@@ -107,8 +107,8 @@ class RecordView {
       el("record-answer"),
       make(
         "p",
-        { id: "record-verdict", class: advice?.alarming ? "bad" : "" },
-        advice?.remarks ?? "",
+        { id: "record-verdict", class: alarms_of(report) ? "bad" : "" },
+        report.verdict,
       ),
       ...report.findings.map((/** @type {any} */ now) =>
         make("p", { class: now.severity }, now.text),

@@ -31,7 +31,6 @@ const most_full_rows = 4; // of hits: more do not leave room for the plots
  * @property {any} motion
  * @property {boolean} chosen the damper was set by hand
  * @property {boolean} admissible
- * @property {Advice | null} advice
  * @property {number | null} tolerance
  * @property {string} command
  * @property {string} link
@@ -301,7 +300,7 @@ function whole_words(text) {
 
 /** @param {Sheet} sheet */
 function draw_sheet(sheet) {
-  const { options, chosen, admissible, advice, command, link, version } = sheet;
+  const { options, chosen, admissible, command, link, version } = sheet;
   const task = Object.entries(without(options, ["title", ...damper_options]));
   const title = options.title ?? "Damper with constant and point friction";
   const day = new Date().toLocaleDateString("en-GB", {
@@ -311,11 +310,9 @@ function draw_sheet(sheet) {
   });
   const head = chosen
     ? `Damper chosen by hand; ${admissible ? "it meets every condition" : "it is NOT admissible"}.`
-    : advice?.too_exact
-      ? "The damper found is too exact to be built."
-      : options.objective && options.objective !== "robust"
-        ? `The best damper for the objective ${options.objective}.`
-        : "Of all dampers, this one tolerates the largest manufacturing errors.";
+    : options.objective && options.objective !== "robust"
+      ? `The best damper for the objective ${options.objective}.`
+      : "Of all dampers, this one tolerates the largest manufacturing errors.";
   const hits = hit_nodes(sheet.report);
   const ranges = Boolean(sheet.report.practice_worst); // whose figures leave no room for the hits
   fill(
@@ -327,7 +324,7 @@ function draw_sheet(sheet) {
       make("p", {}, `Damper specification. ${head}`),
       make("h2", {}, "To build"),
       build_rows(sheet),
-      make("p", {}, advice?.remarks ?? ""),
+      make("p", {}, remarks_of(sheet.report)),
       sheet_heading("What it does", shown_words(sheet.report)),
       performance_rows(sheet),
       ...practice_nodes(sheet),

@@ -11,28 +11,8 @@
  * @property {number | null} tolerance
  * @property {boolean} admissible
  * @property {boolean} chosen the damper was set by hand
- * @property {Advice | null} advice of the program on the damper that is shown
  * @property {Options} options
  */
-
-/**
- * "a friction force of 305 kN and a notch that takes 69 kJ at a passage", or f and Δ without a mass.
- * @param {any} report @param {{ f: number, delta: number }} damper
- * @param {boolean} little f is to be as small as possible
- * @returns {Part[]}
- */
-function damper_parts({ physical }, { f, delta }, little) {
-  const force = physical?.friction_force_n;
-  const energy = physical?.energy_per_passage_j;
-  const weighed = Boolean(force && energy);
-  const friction = weighed ? ["a friction force of ", number(force, "N")] : ["f = ", number(f)];
-  const notch = weighed
-    ? ["a notch that takes ", number(energy, "J"), " at a passage"]
-    : ["Δ = ", physical ? number(physical.delta_m, "m") : number(delta)];
-  return little
-    ? [...notch, " and as little constant friction as you can"]
-    : [...friction, " and ", ...notch];
-}
 
 class AnswerView {
   /** @param {(options: Options) => void} go */
@@ -90,36 +70,14 @@ class AnswerView {
     }
   }
 
-  /** @param {Answered} shown */
-  show_verdict({ design, judged, damper, options, chosen, advice }) {
-    const parts = damper
-      ? [
-          chosen ? "You chose " : advice?.too_exact ? "Too exact to be built: " : "Build ",
-          ...damper_parts(judged, damper, !chosen && advice?.little_friction === true),
-          ".",
-        ]
-      : [...this.conflict_words(design), ...this.mends(design, options)];
-    fill(el("verdict"), ...parts);
-    const alarming = damper !== null && advice?.alarming === true;
-    el("verdict").classList.toggle("broken", alarming && !chosen);
-    el("remarks").classList.toggle("broken", alarming);
-    write(el("remarks"), (damper && advice?.remarks) || "");
-  }
-
-  /** @param {any} design @returns {Part[]} */
-  conflict_words({ region, physical, input }) {
-    if (String(region.conflict) !== "amplitude,return" || input.residual !== null)
-      return [`No damper works: ${region.reason}.`];
-    const limit = number(limit_of({ input, physical }), units_of(physical).length);
-    return [
-      "No damper works. To stay within ",
-      limit,
-      ", f must be at least ",
-      number(region.f2),
-      "; to come back to x = 0, at most ",
-      number(region.f3),
-      ".",
-    ];
+  /** In the program's words. @param {Answered} shown */
+  show_verdict({ design, judged, damper, options }) {
+    const report = damper ? judged : design;
+    const alarms = alarms_of(report);
+    fill(el("verdict"), report.verdict, ...(damper ? [] : this.mends(design, options)));
+    el("verdict").classList.toggle("broken", alarms);
+    el("remarks").classList.toggle("broken", alarms);
+    write(el("remarks"), remarks_of(report));
   }
 
   /** What would make it feasible, each to be applied. @param {any} design @param {Options} options @returns {Part[]} */

@@ -32,8 +32,6 @@ class Bench {
     this.unknown = [];
     /** @type {any} */ this.design = null;
     /** @type {any} */ this.judged = null;
-    /** @type {Advice | null} */ this.advice_of_design = null;
-    /** @type {Advice | null} */ this.advice = null; // of the damper that is shown
     /** @type {any} */ this.motion = null;
     /** @type {{ f: number, delta: number } | null} */ this.damper = null;
     this.tolerance = /** @type {number | null} */ (null);
@@ -206,19 +204,14 @@ class Bench {
       if ("error" in design) return design.error;
       this.keep_damper(design.report);
       this.design = design.report;
-      this.advice_of_design = design.advice;
       this.doubts = design.doubts;
     }
     if (level >= Level.damper) {
       this.judged = this.design;
-      this.advice = this.advice_of_design;
       if (damper_options.some((name) => name in this.options)) {
         const judged = engine.run("region", options_of("region", this.options));
         if ("error" in judged) return judged.error;
-        if (has_damper(this.options)) {
-          this.judged = judged.report;
-          this.advice = judged.advice;
-        }
+        if (has_damper(this.options)) this.judged = judged.report;
       }
       this.take_damper();
     }
@@ -400,7 +393,6 @@ class Bench {
       motion: this.motion,
       chosen: this.judged !== this.design,
       admissible: this.admissible,
-      advice: this.advice,
       tolerance: this.tolerance,
       command: this.commands().trim(),
       link: to_fragment(this.options),

@@ -19,24 +19,12 @@ interface Figure {
   svg: string;
 }
 
-interface Advice {
-  alarming: boolean;
-  /** Nobody can build it. */
-  too_exact: boolean;
-  /** f is to be as small as possible. */
-  little_friction: boolean;
-  /** Sentences: the notch that will be built, a lock, what the structure feels. */
-  remarks: string;
-}
-
 interface Answer {
   /** The program's exit code: 0, or 3 if no damper is admissible. */
   exit: number;
   /** The JSON report, as text and read; empty and null where none is asked for. */
   json: string;
   report: any;
-  /** What the program says of the damper of a design or a region besides its numbers. */
-  advice: Advice | null;
   /** Values that are absurd together, each with what may have been meant. */
   doubts: string[];
   figures: Figure[];

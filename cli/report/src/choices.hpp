@@ -29,9 +29,7 @@ void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& 
 /// Their marks, without those beyond the axes.
 void add_parts(figures::Figure& figure, const Catalogue& catalogue, const FigureUnits& units);
 
-/// From one end of the front to the other, in a sentence; and its table.
-[[nodiscard]] std::string trade_off_words(const std::vector<design::TradeOff>& front,
-                                          const Physical& physical);
+/// The table of the front.
 void add_trade_off(Document& document, const std::vector<design::TradeOff>& front,
                    const ShownTask& task);
 /// Acceleration over stroke, and tolerance below it.

@@ -1,35 +1,61 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
-#include "design_parts.hpp"
+#include "damper.hpp"
 #include "format.hpp"
-#include "sentence.hpp"
 
+#include <stillpoint/design/damper_findings.hpp>
 #include <stillpoint/report/digits.hpp>
+#include <stillpoint/report/findings.hpp>
 #include <stillpoint/report/report.hpp>
+
+#include <stillpoint/records/decimal.hpp>
+
+#include <algorithm>
 
 namespace stillpoint::report {
 
 namespace {
 
-/// A pulse is shown in place of the velocity to which it reduces.
-void add_task(Document& document, const design::DesignRequest& request, const Physical& physical) {
-  const auto& [problem, limits, search, pulse, ranges] = request;
-  Section& task = add_problem(document, problem, limits, physical, pulse.has_value());
-  if (pulse) {
-    add_pulse(task, *pulse, ranges, physical);
+/// The friction of the design, rounded so that it is still feasible: to six digits, or to more
+/// where none of six is.
+double shown_f(const design::DesignResult& result) {
+  constexpr int fewest = 6;
+  constexpr int every = 17;  // that a double has
+  using enum records::Rounding;
+  const double f = result.finding->point.f;
+  for (int shown = fewest; shown < every; ++shown) {
+    for (const records::Rounding rounding : {nearest, up, down}) {
+      const double found = records::decimal(f, shown, rounding);
+      if (*result.region.f_lower <= found && found <= *result.region.f_upper) {
+        return found;
+      }
+    }
   }
-  task.row("objective", std::string(name(search.objective)));
+  return f;
 }
 
-std::string judgement(const design::CheckMethod& method) {
-  if (!method.passed) {
-    return "disagrees";
-  }
-  return method.decided ? "agrees" : "agrees in the peak; too close to a tie to compare more";
+std::string_view method_words(std::string_view name) {
+  return name == "half_cycle_map" ? "half-cycle map"
+         : name == "forced_pulse" ? "forced motion"
+         : name == "runge_kutta"  ? "Runge-Kutta"
+                                  : name;
 }
 
-void add_checks(Document& document, const design::CrossCheck& check, std::string_view with,
-                const Physical& physical) {
+std::string error_words(const design::CheckMethod& method) {
+  return method.relative_error == 0 ? "exactly" : format("to {:.1e}", method.relative_error);
+}
+
+/// "half-cycle map to 5.6e-17, Runge-Kutta to 1.3e-12"
+std::string agreement(const design::CrossCheck& check) {
+  std::string text;
+  for (const design::CheckMethod& method : check.methods) {
+    text +=
+        format("{}{} {}", text.empty() ? "" : ", ", method_words(method.name), error_words(method));
+  }
+  return text;
+}
+
+void add_checks(Document& document, const design::CrossCheck& check, const Physical& physical) {
   const FigureUnits units(physical);
   Table table{{"", in("peak", units.length_unit), in("stop time", units.time_unit),
                "relative error", "allowed", ""},
@@ -37,182 +63,142 @@ void add_checks(Document& document, const design::CrossCheck& check, std::string
   for (const design::CheckMethod& method : check.methods) {
     table.rows.push_back(
         {{std::string(method_words(method.name)), digits(method.peak_amplitude * units.length),
-          digits(method.stop_time * units.time),
-          method.relative_error == 0 ? "0" : format("{:.1e}", method.relative_error),
-          format("{:.1e}", method.tolerance), judgement(method)},
+          digits(method.stop_time * units.time), format("{:.1e}", method.relative_error),
+          format("{:.1e}", method.tolerance),
+          !method.passed   ? "disagrees"
+          : method.decided ? "agrees"
+                           : "agrees in the peak; too close to a tie to compare more"},
          method.passed ? Tone::good : Tone::bad});
   }
-  const std::string heading =
-      format("Cross-check{}: {}", with, check.passed ? "agrees" : "DISAGREES");
-  Section& section = check.passed ? document.detail(heading) : document.section(heading);
+  Section& section = document.detail("Cross-check");
+  section.detail = check.passed;
   section.parts.emplace_back(std::move(table));
-}
-
-/// The choice among parts and the front, if requested.
-void add_choices(Document& document, const DesignReport& report, const Physical& physical) {
-  if (report.catalogue) {
-    document.answer.row("catalogue", how_many_fit(report.catalogue->parts));
-    add_parts(document, *report.catalogue, task_of(report));
-  }
-  if (report.trade_off && !report.trade_off->empty()) {
-    document.answer.row("trade-off", trade_off_words(*report.trade_off, physical));
-    add_trade_off(document, *report.trade_off, task_of(report));
-  }
-}
-
-/// The least margin at the ends of the ranges, and what a damper with so little still works for.
-void add_margin(Section& section, const design::DesignResult& result, const Physical& physical) {
-  const design::Found& finding = *result.finding;
-  const auto& [f, delta, tolerance] = finding.point;
-  std::optional<double> least;
-  const auto ends = design::ends_of_ranges(result.request.problem);
-  for (const design::Problem& end : ends) {
-    const auto margin = free_response({end.p, f, delta}, {0, end.v0}).decision_margin;
-    least = least && margin ? std::min(least, margin) : std::max(least, margin);
-  }
-  if (!least) {
-    return;
-  }
-  std::string serves;
-  if (const auto& works = finding.works_for) {
-    const FigureUnits units(physical);
-    const Interval asked = asked_hits(result.request.problem);
-    const std::string own = own_limit_of_hits(*works, result.request.problem);
-    serves =
-        format("; it works {}for hits of {}{}{}", own.empty() ? "only " : "",
-               interval_text({works->hit.low * units.velocity, *works->hit.high * units.velocity},
-                             {asked.low * units.velocity, asked.high * units.velocity}),
-               with_blank(units.velocity_unit), own);
-  }
-  section.row(
-      "decision margin",
-      format("{:.2g} %{}: it may stop elsewhere if all inputs shift by about this much{}",
-             100 * *least, ends.size() > 1 ? " at the worst end of the ranges" : "", serves));
-}
-
-/// Of the motion with the paper's notch. Its peak, acceleration and rest are in the answer.
-void add_motion(Document& document, const DesignReport& report, const Physical& physical) {
-  const design::Found& finding = *report.result.finding;
-  const auto heading = [&report](std::string_view title, const std::string& which) {
-    return format("{}{}{}{}", title, which.empty() ? "" : ": ", which, with_ideal(report));
-  };
-  Section& motion = document.detail(
-      heading(finding.pulse ? "Under the pulse itself" : "Motion", shown_words(task_of(report))));
-  Response response = finding.response;
-  if (!finding.pulse) {
-    response.decision_margin = {};
-  }
-  add_counts(motion, response, physical, !finding.pulse);
-  if (!finding.pulse) {
-    add_margin(motion, report.result, physical);
-  }
-  const ToldPractice told =
-      told_practice(task_of(report), finding.practice, finding.point.f, finding.point.delta);
-  add_practice(document.detail(heading("In practice", told.which)), told, physical);
-  if (const design::Problem& problem = report.result.request.problem; problem.arrivals > 1) {
-    const auto& [f, delta, tolerance] = finding.point;
-    add_half_cycles(document.detail(heading("Half-cycles", shown_words(task_of(report)))),
-                    first_half_cycles({problem.p, f, delta}, {0, problem.v0}, most_half_cycles),
-                    response.half_cycles, "lists all impulses", physical);
-  }
 }
 
 void add_search(Document& document, const design::SearchRecord& search,
                 const design::DesignResult& result) {
-  Section& sought = document.detail("Search");
-  sought.row("NLopt", format("{} {}, {} after {}, {:.2g} ms", design::nlopt_version(),
-                             search.algorithm, status_words(search.status),
-                             plural(static_cast<double>(search.evaluations), "evaluation"),
-                             1e3 * search.wall_time_s));
+  Section& section = document.detail("Search");
+  section.row("NLopt",
+              format("{} {}, {} after {}, {:.2g} ms", design::nlopt_version(), search.algorithm,
+                     search.status, plural(static_cast<double>(search.evaluations), "evaluation"),
+                     1e3 * search.wall_time_s));
   const auto [found, along_f] = optimum_of(result);
   if (along_f) {
-    const bool same = digits(found) == digits(along_f);
-    sought.row("without NLopt",
-               same ? "a search along f alone finds the same optimum"
-                    : format("a search along f alone finds {}, NLopt {}; the better one is built",
-                             digits(along_f), digits(found)));
+    section.row("objective",
+                format("{} by NLopt, {} along f alone", digits(found), digits(along_f)));
   }
 }
 
-}  // namespace
-
-std::string status_words(std::string_view status) {
-  return status == "XTOL_REACHED" || status == "FTOL_REACHED" || status == "SUCCESS" ||
-                 status == "STOPVAL_REACHED"
-             ? "converged"
-         : status == "ROUNDOFF_LIMITED" ? "converged as far as rounding allows"
-         : status == "MAXEVAL_REACHED"  ? "stopped at its limit of evaluations"
-         : status == "MAXTIME_REACHED"  ? "stopped at its limit of time"
-                                        : format("no step improved the start ({})", status);
+std::string best_part(const DesignReport& report) {
+  const design::Limits& limits = report.result.request.limits;
+  const design::RatedPart& best = report.catalogue->parts.front();
+  return best.tolerance ? format("No admissible design: no part has {}; the best, {}, has {}.",
+                                 tolerance_shown(limits, limits.tolerance), best.part.name,
+                                 tolerance_shown(limits, *best.tolerance))
+                        : "";
 }
+
+void add_answer(Section& answer, const DesignReport& report, const ShownDamper& shown) {
+  const auto& [f, delta, tolerance] = shown.point;
+  const design::Limits& limits = report.result.request.limits;
+  const Physical& physical = report.physical;
+  const bool no_friction = design::wants_no_friction(report.result);
+  answer.row("damper",
+             format("{}, delta = {}",
+                    no_friction ? "f as small as you can make it"
+                                : format("f = {}", shown_f(report.result)),
+                    length_shown(physical, delta)),
+             Tone::heading);
+  add_motion(answer, shown);
+  answer.row("tolerance",
+             no_friction && leaves_any(tolerance)
+                 ? format("delta may be off by +-{} with next to no f", percent_digits(tolerance))
+                 : tolerance_words(limits, tolerance, delta));
+  add_works_for(answer, shown.works_for, shown.task);
+  const design::CrossCheck& check = report.result.finding->cross_check;
+  answer.row("checks", format("{}: {}", check.passed ? "agree" : "DISAGREE", agreement(check)),
+             check.passed ? Tone::good : Tone::bad);
+}
+
+/// A pulse is shown in place of the velocity to which it reduces.
+void add_task(Document& document, const DesignReport& report) {
+  const auto& [problem, limits, search, pulse, ranges] = report.result.request;
+  Section& task = add_problem(document, problem, limits, report.physical, pulse.has_value());
+  if (pulse) {
+    add_pulse(task, *pulse, ranges, report.physical);
+  }
+  task.row("objective", std::string(name(search.objective)));
+}
+
+}  // namespace
 
 Optimum optimum_of(const design::DesignResult& result) {
   const auto& search = result.finding->search;
   return search ? Optimum{search->by_nlopt, search->along_f} : Optimum();
 }
 
-Tone tone_of(const DesignReport& report) {
-  const bool sound = report.result.finding && report.result.finding->cross_check.passed &&
-                     notch_sentence(report).empty() && !is_too_exact(report);
-  return sound ? Tone::good : Tone::bad;
-}
-
-Advice advice(const DesignReport& report) {
-  if (!report.result.finding) {
-    return {.alarming = true, .remarks = {}};
+std::string verdict(const DesignReport& report) {
+  const design::DesignResult& result = report.result;
+  if (!result.finding) {
+    const std::string best = report.catalogue ? best_part(report) : "";
+    return best.empty() ? none_admissible(result, task_of(report)) : best;
   }
-  const std::string fault = report.built_notch ? "" : notch_sentence(report);
-  return {tone_of(report) == Tone::bad, is_too_exact(report), wants_no_friction(report),
-          sentence(fault) + remarks(report, report.physical) +
-              next_sentence("the structure feels " + felt_words(report, report.physical))};
+  const ShownDamper shown = shown_damper(report);
+  const Physical& physical = report.physical;
+  const auto& [f, delta, tolerance] = shown.point;
+  const bool weighed = physical && physical->scales.mass_kg;
+  const std::string damper =
+      report.catalogue
+          ? format("part {}: f = {}, delta = {}", report.catalogue->parts.front().part.name,
+                   digits(f), length_shown(physical, delta))
+          : damper_words(
+                physical,
+                design::wants_no_friction(result) ? std::nullopt
+                                                  : std::optional(weighed ? f : shown_f(result)),
+                delta, report.built_notch ? report.built_notch->shape : design::NotchShape());
+  const std::string_view does = is_useless(report.findings) ? "The damper found has"
+                                : report.catalogue          ? "Order"
+                                                            : "Build";
+  return format("{} {}: {}.", does, damper, does_words(shown));
 }
 
 Document document(const DesignReport& report) {
   const design::DesignResult& result = report.result;
   const auto& [problem, limits, search, pulse, ranges] = result.request;
-  Physical physical = report.physical;
-  if (pulse && physical) {
-    physical->velocity_m_per_s = 0;
-  }
+  const Physical& physical = report.physical;
   Document document;
   document.title = "Damper design";
-  if (!result.finding) {
-    add_emptiness(document, result, task_of(report));
+  document.verdict = verdict(report);
+  document.tone = result.finding ? Tone::good : Tone::bad;
+  if (result.finding) {
+    const ShownDamper shown = shown_damper(report);
+    add_answer(document.answer, report, shown);
     if (report.catalogue) {
-      const design::RatedPart& best = report.catalogue->parts.front();
-      if (best.tolerance) {  // it is admissible but for that
-        document.verdict = format("No admissible design: no part has {}; the best, {}, has {}.",
-                                  tolerance_shown(limits, limits.tolerance), best.part.name,
-                                  tolerance_shown(limits, *best.tolerance));
-      }
+      add_parts(document, *report.catalogue, shown.task);
+    }
+    if (report.trade_off && !report.trade_off->empty()) {
+      add_trade_off(document, *report.trade_off, shown.task);
+    }
+    add_task(document, report);
+    const design::Found& found = *result.finding;
+    add_details(document, shown,
+                stops_by_delta1(found.constraints) ? delta_needs(result) : DeltaNeeds(),
+                physical_of(report));
+    add_constraints(document, found.constraints, limits, physical);
+    add_region(document, result, problem, limits, physical);
+    add_checks(document, found.cross_check, physical);
+    if (found.search) {
+      add_search(document, *found.search, result);
+    }
+  } else {
+    add_mends(document, result, task_of(report));
+    if (report.catalogue) {
       add_parts(document, *report.catalogue, task_of(report));
     }
-    add_task(document, result.request, physical);
+    add_task(document, report);
     add_region(document, result, problem, limits, physical);
-    return document;
   }
-  const design::Found& finding = *result.finding;
-  document.verdict = verdict(report, physical);
-  document.tone = tone_of(report);
-  add_answer(document.answer, report, physical);
-  add_choices(document, report, physical);
-  if (report.built_notch) {
-    add_built_notch(document, report, physical);
-  }
-  add_task(document, result.request, physical);
-  add_damper(document.detail("Damper" + with_ideal(report)), finding.point,
-             stops_by_delta1(finding.constraints) ? delta_needs(result) : DeltaNeeds(),
-             told_practice(task_of(report), finding.practice, finding.point.f, finding.point.delta),
-             physical);
-  Section& constraints =
-      add_constraints(document, finding.constraints, limits, finding.response, physical);
-  constraints.heading += with_ideal(report);
-  add_feasible(constraints, result, problem, limits, physical);
-  add_motion(document, report, physical);
-  add_checks(document, finding.cross_check, with_ideal(report), physical);
-  if (finding.search) {
-    add_search(document, *finding.search, result);
-  }
+  add_findings(document, report.findings, physical);
   return document;
 }
 

@@ -124,15 +124,66 @@ std::string sensitive_words(const Told& told, const Physical& physical) {
                 changes.empty() ? "" : ", and that may change ", changes);
 }
 
+/// What the notch that will be built spoils, and after which motion of the ranges.
+std::string notch_words(const Told& told, const Physical& physical) {
+  const std::string& what = told.text("what");
+  if (what == "held") {
+    return format("With this notch a pulse of {} never moves the mass.", told["k"]);
+  }
+  if (what == "moving") {
+    return "With this notch the mass never comes to rest.";
+  }
+  if (what == "inside") {
+    return format("The mass never leaves this notch{}.",
+                  told.has("value") ? ", and rests at x = " + told["value"] : "");
+  }
+  std::string motion;
+  if (told.has("v0")) {
+    motion = format(" after a hit of {}{}", told["v0"],
+                    told.has("from") ? " from inside the notch" : "");
+  } else if (told.has("k")) {
+    motion = format(" after a pulse of {}{}", told["k"],
+                    told.has("duration") ? " and " + told["duration"] : "");
+  }
+  if (told.has("p")) {
+    motion += ", with " + period_words(physical, told.number("p"));
+  }
+  const std::string value = told.has("limit") ? told.beyond_limit() : told["value"];
+  return what == "peak" ? format("With this notch the peak is {}{}.", value, motion)
+         : what == "rest"
+             ? format("With this notch the mass rests off centre by {}{}.", value, motion)
+             : format("In this notch the structure feels {}{}.", value, motion);
+}
+
+/// Of a search whose best has next to no constant friction.
+std::string least_friction_words(const Told& told) {
+  return format("The less constant friction, the better{}.",
+                told.has("f")
+                    ? format(": with any f up to {}, delta may be off by {}",
+                             limit_digits(told.number("f"), false, 3), told.percent("tolerance"))
+                    : "");
+}
+
 }  // namespace
 
 std::string words(const design::Finding& finding, const Physical& physical) {
   const Told told(finding, physical);
   switch (finding.kind) {
+    case FindingKind::acts_late:
+      return format(
+          "This is for a notch that acts only after the start; --notch-width{} shows what a real "
+          "one "
+          "does.",
+          told.is_physical() ? "-m" : "");
     case FindingKind::catches_hit:
       return format(
           "The notch catches the hit, as any below {}: the structure feels it in full, {}.",
           told["least_velocity"], impulse_shown(physical, told.number("caught_impulse")));
+    case FindingKind::catches_weak_hits:
+      return format("The notch catches {}, which the structure feels in full: up to {}.",
+                    told.has("least_velocity") ? "every hit below " + told["least_velocity"]
+                                               : "all hits of the range",
+                    impulse_shown(physical, told.number("caught_impulse")));
     case FindingKind::check_failed:
       return format(
           "The independent check disagrees by {:.1e} where {:.0e} is allowed: do not rely on this "
@@ -143,6 +194,12 @@ std::string words(const design::Finding& finding, const Physical& physical) {
                  ? format("If all inputs shift by {}, that could change {}.",
                           told.percent("decision_margin"), changed_words(told.text("changes")))
                  : format("Rounding could change {}.", changed_words(told.text("changes")));
+    case FindingKind::delta_unbounded:
+      return format(
+          "Nothing bounds delta: anything above {} stops the mass, and more only adds tolerance. "
+          "--delta-max{} {} keeps the notch small.",
+          length_shown(physical, told.number("least_delta")), told.is_physical() ? "-m" : "",
+          length_shown(physical, told.number("proposed"), 2));
     case FindingKind::does_not_isolate:
       return format(
           "The structure feels {}, more than 95 % of the load of {}: this damper isolates nothing.",
@@ -152,6 +209,9 @@ std::string words(const design::Finding& finding, const Physical& physical) {
                     told["load_end"]);
     case FindingKind::exact_only:
       return "No other damper was tried: one that is not exactly this one may do anything.";
+    case FindingKind::exceeds_later:
+      return format("After the first swing, which meets its limit, the {} is {}.",
+                    told.text("figure"), told.beyond_limit());
     case FindingKind::fails_if_off:
       return format(
           "If {} off by {} as well, {}.",
@@ -167,6 +227,8 @@ std::string words(const design::Finding& finding, const Physical& physical) {
       return format(
           "At the notch the velocity jumps by up to {}{}; the accelerations leave these jumps out.",
           told["jump"], told.has("p") ? ", at " + period_words(physical, told.number("p")) : "");
+    case FindingKind::least_friction_is_best:
+      return least_friction_words(told);
     case FindingKind::locks:
       return format(
           "{}{}; the structure then feels up to {}.", lock_words(told),
@@ -180,6 +242,10 @@ std::string words(const design::Finding& finding, const Physical& physical) {
           "is "
           "{}.",
           length_limit(physical, told.number("least_width"), true), told["peak_amplitude"]);
+    case FindingKind::notch_changes_nothing:
+      return "With this notch the mass moves as with the paper's.";
+    case FindingKind::notch_fails:
+      return notch_words(told, physical);
     case FindingKind::notch_gains_little:
       return "The notch is left out: it would gain less than one per cent.";
     case FindingKind::notch_needs_width:
@@ -188,15 +254,31 @@ std::string words(const design::Finding& finding, const Physical& physical) {
           "it one; {} admits one without, as of a rocking support.",
           told.is_physical() ? "--notch-width-m or --search-notch-width-m" : "--notch-width",
           told.is_physical() ? "--jump-max" : "--jump-max-v");
+    case FindingKind::notch_unused:
+      return "The mass never comes back to the notch: delta has no effect on this hit.";
     case FindingKind::peaks_develop:
       return peaks_words(told);
+    case FindingKind::ranges_estimated:
+      return "Durations and periods between those that were tried are estimated.";
+    case FindingKind::recentres_weakly:
+      return format(
+          "Re-centring is weak without the notch: E_s/E_h is {:.2g}, EN 15129 asks for {:.2g}.",
+          told.number("energy_ratio"), told.number("limit"));
     case FindingKind::records_exceed_limit:
       return format("{} exceed{} a limit that the mean meets: under {} the {} is {}.",
                     told.records(), told.count("records") == 1 ? "s" : "",
                     scaled_name(told.text("record"), told.number("scale")), told.text("figure"),
                     told.beyond_limit());
+    case FindingKind::search_cut_short:
+      return "The search for changes was cut short after a second: another may help as well.";
     case FindingKind::sensitive:
       return sensitive_words(told, physical);
+    case FindingKind::too_exact:
+      return format("Too exact to be built: {}.",
+                    !told.has("tolerance") ? "f is on the edge of the region"
+                    : leaves_any(told.number("tolerance"))
+                        ? "the tolerance is only " + percent_digits(told.number("tolerance"))
+                        : "it has no tolerance");
   }
   return {};
 }
@@ -217,6 +299,12 @@ ordered_json findings_json(std::span<const design::Finding> findings, const Phys
     }
   }
   return list;
+}
+
+bool is_useless(std::span<const design::Finding> findings) {
+  return std::ranges::any_of(findings, [](const design::Finding& now) {
+    return now.severity == Severity::fault || now.kind == FindingKind::too_exact;
+  });
 }
 
 bool is_alarming(std::span<const design::Finding> findings) {

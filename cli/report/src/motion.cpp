@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "format.hpp"
+#include "json/motion_fields.hpp"
+#include "rows.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/design/motion_findings.hpp>
@@ -36,7 +38,9 @@ std::string felt_where(const MotionReport& report) {
     return "";
   }
   const auto& [notch_width, zones] = report.request.surface;
-  const auto outside = zones.empty() ? felt_outside(response, p, f, notch_width) : std::nullopt;
+  const auto outside = zones.empty() ? felt_outside(response.peak_absolute_acceleration,
+                                                    response.peak_amplitude, p, f, notch_width)
+                                     : std::nullopt;
   if (wide) {
     return outside && report.request.start.x0 == 0
                ? format(" inside the notch, {} outside it", acceleration_shown(*outside))
@@ -89,12 +93,6 @@ void add_answer(Section& answer, const MotionReport& report) {
 
 }  // namespace
 
-std::string locked_words(const ForcedResponse& locked, double load_end, const Physical& physical) {
-  std::string text = words(design::lock_of(locked, load_end), physical);
-  text.pop_back();
-  return text;
-}
-
 std::string verdict(const MotionReport& report) {
   const Response& response = report.answer.response;
   const auto& forced = report.answer.forced;
@@ -121,16 +119,6 @@ std::string verdict(const MotionReport& report) {
   return text + ".";
 }
 
-Advice advice(const MotionReport& report) {
-  Advice advice;
-  advice.alarming = std::ranges::any_of(report.findings, [](const design::Finding& now) {
-    using enum design::FindingKind;
-    return now.kind == locks || now.kind == never_moves || now.kind == catches_hit;
-  });
-  advice.remarks = verdict(report);
-  return advice;
-}
-
 Document document(const MotionReport& report) {
   const auto& [p, f, delta, hold] = report.request.oscillator;
   const Start& start = report.request.start;
@@ -145,17 +133,27 @@ Document document(const MotionReport& report) {
   }
   scene.row("dimensionless", format("v0 = {:.6g}, p = {:.6g}, x0 = {:.6g}, delta = {:.6g}",
                                     start.v0, p, start.x0, delta));
-  add_damper_physics(scene, report.physical, f, delta,
-                     report.request.surface.zones.empty() ? "" : ", beyond the zones");
   if (is_forced(report.request)) {
     add_excitation(scene, report.request.excitation, report.record, report.physical);
   }
-  add_response(document.detail("Motion"), report.answer, report.physical,
-               report.request.surface.plain());
+  if (const Response& response = report.answer.response; moves(response)) {
+    Section& motion = document.detail("Motion");
+    add_rows(motion, response, report.physical);
+    if (response.outcome == Outcome::running) {
+      add_rows(motion, forced_fields, *report.answer.forced, report.physical);
+    }
+  }
   if (const auto lines = practice_of(report)) {
-    Section& practice = document.detail("In practice");
-    add_practice(practice, {lines, ""}, report.physical);
-    add_notch_used(practice, {lines, ""}, report.physical);
+    add_rows(document.detail("In practice"), ShownPractice{*lines}, report.physical);
+  }
+  if (const auto si = physical_of(report); si && report.physical->scales.mass_kg) {
+    Section& forces = document.detail("Forces and energies");
+    std::visit(
+        [&](const Si& now) {
+          add_si_rows(forces, damper_fields, now);
+          add_si_rows(forces, practice_fields_si, now);
+        },
+        *si);
   }
   if (const auto& half_cycles = report.answer.half_cycles; !half_cycles.empty()) {
     add_half_cycles(document.section("Half-cycles"), half_cycles,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
-#include "design_parts.hpp"
+#include "damper.hpp"
 #include "figures/report_figures.hpp"
 #include "format.hpp"
 #include "sections.hpp"
@@ -46,8 +46,7 @@ DrawnMotion told(const DesignReport& report) {
   request.oscillator.hold = shape.hold;
   request.surface.notch_width = shape.width;
   DrawnMotion motion(design::shown_motion(request));
-  add_if_visible(motion, {.name = format("notch that {}",
-                                         ideal_words(*report.built_notch, *report.result.finding)),
+  add_if_visible(motion, {.name = format("notch that {}", ideal_words(shown_damper(report))),
                           .states = std::move(ideal.states),
                           .ink = figures::Ink::purple,
                           .dash = figures::Dash::dashed});
@@ -102,7 +101,7 @@ std::vector<Figure> damper_figures(const DesignReport& report, const FigureUnits
 /// What the design does after its hit, or under its pulse.
 std::vector<Figure> told_figures(const DesignReport& report, const FigureUnits& units) {
   DrawnMotion motion = told(report);
-  if (const std::string which = shown_motion(report, report.physical); !which.empty()) {
+  if (const std::string which = shown_motion(shown_damper(report)); !which.empty()) {
     motion.with = fmt::format("With {}, ", which);
   }
   motion.beta = report.result.request.problem.beta;
@@ -137,10 +136,10 @@ std::vector<Figure> drawings_of(const MotionReport& report, const DrawnMotion& m
 }
 
 /// Of a design with which notch the captions are.
-void add_ideal(std::vector<Figure>& figures, const DesignReport& design) {
+void add_ideal(std::vector<Figure>& figures, const std::string& ideal) {
   for (Figure& figure : figures) {
     if (!figure.clauses.empty()) {
-      figure.clauses.front() += with_ideal(design);
+      figure.clauses.front() += ideal;
     }
   }
 }
@@ -167,7 +166,7 @@ HtmlPage page(const DesignReport& report) {
     return page;
   }
   std::ranges::move(damper_figures(report, units), std::back_inserter(page.figures));
-  add_ideal(page.figures, report);
+  add_ideal(page.figures, with_ideal(shown_damper(report)));
   std::ranges::move(told_figures(report, units), std::back_inserter(page.figures));
   return page;
 }
@@ -185,7 +184,6 @@ std::vector<Figure> drawings(const RegionReport& report) {
   if (f && delta) {
     figures.push_back(
         damper_figure(report.request, *f, *delta, answer.works_for, FigureUnits(report.physical)));
-    add_ideal(figures, as_design(report));
   }
   return figures;
 }

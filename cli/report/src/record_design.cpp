@@ -2,7 +2,9 @@
 #include <stillpoint/design/record_findings.hpp>
 #include <stillpoint/report/record_design.hpp>
 #include "format.hpp"
+#include "json/physical_fields.hpp"
 #include "record_design_parts.hpp"
+#include "rows.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/report/digits.hpp>
@@ -81,7 +83,10 @@ void add_damper(Document& document, const RecordDesignReport& report) {
   const Physical& physical = report.physical;
   const design::SuiteDamper& damper = report.result.finding->point.damper;
   Section& section = document.detail("Damper");
-  add_damper_physics(section, physical, damper.f, damper.delta);
+  if (physical) {
+    add_si_rows(section, damper_fields,
+                Si{.input = *physical, .f = damper.f, .delta = damper.delta});
+  }
   if (!is_searched(report.result.request.p)) {
     section.row("spring", spring_words(physical, damper.p));
   }

@@ -55,9 +55,8 @@ void add_decision_margin(Section& section, const design::RecordDesign& result) {
     const auto index = static_cast<std::size_t>(nearest - all.begin());
     section.row(
         "decision margin",
-        format("{:.2g} %{}: {}", 100 * *nearest->decision_margin,
-               all.size() == 1 ? "" : ", under " + record_label(result.request.records[index]),
-               closest_decision()));
+        format("{:.2g} %{}", 100 * *nearest->decision_margin,
+               all.size() == 1 ? "" : ", under " + record_label(result.request.records[index])));
   }
 }
 

@@ -87,20 +87,6 @@ std::string spring_words(const Physical& physical, double p, std::optional<int> 
          (stiffness ? format(" (stiffness {})", with_unit(*stiffness, "N/m")) : "");
 }
 
-void add_damper_physics(Section& section, const Physical& physical, double f, double delta,
-                        std::string_view where_f_acts) {
-  if (!physical) {
-    return;
-  }
-  if (const auto force = physical->scales.friction_force_n(f)) {
-    section.row("friction force", format("{}{}", with_unit(*force, "N"), where_f_acts));
-  }
-  if (const auto energy = physical->scales.energy_per_passage_j(delta);
-      energy && delta > 0 && std::isfinite(*energy)) {
-    section.row("notch capacity", with_unit(*energy, "J") + " for a whole passage");
-  }
-}
-
 std::string_view jumps_words(double delta, const std::optional<double>& width) {
   return delta > 0 && !width ? " between the velocity jumps at the notch" : "";
 }

@@ -55,44 +55,13 @@ void add_physical_input(Section& section, const design::PhysicalInput& physical,
 /// The same with the stiffness, if the mass is known.
 [[nodiscard]] std::string spring_words(const Physical& physical, double p,
                                        std::optional<int> digits = {});
-/// If friction is above the weight, which a number without a scale may well be.
-void add_brake(Section& answer, const Physical& physical, double f, std::string key = "");
-/// Force and energy of a damper, if the mass is known; the energy if there is a notch.
-void add_damper_physics(Section& section, const Physical& physical, double f, double delta,
-                        std::string_view where_f_acts = "");
-/// "0.340 to 0.429", "up to 0.463" or "at least 0.5", about what was asked for.
+/// "0.340 to 0.429", "up to 0.463", "at least 0.5" or "any size", about what was asked for; with
+/// its low end where that is only how far a search went.
 [[nodiscard]] std::string interval_text(const design::ServedInterval& interval,
-                                        const Interval& asked);
-/// The V0 that were asked for.
-[[nodiscard]] Interval asked_hits(const design::Problem& problem);
-/// The width of a notch as an example: 20 mm, or 1, 2 or 5 times a power of ten if that is above a
-/// fifth of the peak; that fifth without physical input.
-[[nodiscard]] double example_width(const Physical& physical, double peak);
-/// "at most 0.325 g inside one 20 mm wide: f + delta/w + spring", unless from rest the largest load
-/// cannot move the mass out of it.
-[[nodiscard]] std::string inside_words(const Physical& physical, const Oscillator& damper,
-                                       double peak, double load = HUGE_VAL);
-/// The paper's notch under a pulse, of which the motion starts in it.
-inline constexpr std::string_view acts_late = "acts only after the start";
-struct StartUnderLoad {
-  double f;
-  double delta;
-  double load;  ///< the largest
-
-  /// From rest, a notch that is not wider holds the mass: the load is at most f + delta/w.
-  [[nodiscard]] double width() const { return load > f ? delta / (load - f) : HUGE_VAL; }
-};
-/// "no notch works: only one wider than 441 mm would let this pulse move the mass, but the stroke
-/// is 208 mm", `under` what; empty if one does.
-[[nodiscard]] std::string no_notch_words(const StartUnderLoad& start, double peak,
-                                         std::string_view under, std::string_view load,
-                                         const Physical& physical);
-/// Which hits of a range the notch of the damper passes on in full.
-void add_weak_hits(Section& section, const design::Problem& problem, double delta,
-                   const Physical& physical);
-/// How wide the notch must be so that the mass may go, as `formula` says.
-void add_start(Section& section, const StartUnderLoad& start, std::string_view formula,
-               const Physical& physical);
+                                        const Interval& asked, bool searched = false);
+/// "at most 0.325 g inside one 20 mm wide": the friction there and, at its edge, the spring.
+[[nodiscard]] std::string inside_example(const Physical& physical, const Oscillator& damper,
+                                         double peak);
 /// "480 kN s" for a speed; "0.4 N s per kg" if the mass is not known.
 [[nodiscard]] std::string impulse_shown(const Physical& physical, double impulse);
 /// How friction steps with |x|, to what is `beyond`; nothing without zones.
@@ -155,9 +124,6 @@ struct ToldPractice {
 [[nodiscard]] ToldPractice told_practice(const ShownTask& task,
                                          const std::optional<design::Practice>& own, double f,
                                          double delta);
-void add_practice(Section& section, const ToldPractice& told, const Physical& physical);
-/// How much of its notch the stop uses.
-void add_notch_used(Section& section, const ToldPractice& told, const Physical& physical);
 /// Of the motion after a hit, from x = 0 without a load, with the paper's notch; else empty.
 [[nodiscard]] std::optional<design::Practice> practice_of(const MotionReport& report);
 /// The first of `count` as a table, and what --json has of others.
@@ -194,9 +160,6 @@ struct DeltaNeeds {
   std::optional<double> published;
   std::optional<double> exact;
 };
-/// What the damper takes: force, energy and how much of its notch the stop uses.
-void add_damper(Section& section, const design::DesignPoint& damper, const DeltaNeeds& needs,
-                const ToldPractice& told, const Physical& physical);
 /// Of a finding.
 [[nodiscard]] DeltaNeeds delta_needs(const design::DesignResult& result);
 
@@ -208,17 +171,14 @@ struct Optimum {
 };
 [[nodiscard]] Optimum optimum_of(const design::DesignResult& result);
 
-/// NLopt's status in words.
-[[nodiscard]] std::string status_words(std::string_view status);
-
-/// " (the upper end is the program's own limit)", if an end is.
-[[nodiscard]] std::string own_limit_of_hits(const design::WorksFor& served,
-                                            const design::Problem& problem);
 /// The hits or pulses, and the periods, for which it works, if known.
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
                    const ShownTask& task);
-/// Why there is no admissible design, which is the verdict, and what would make it feasible.
-void add_emptiness(Document& document, const design::RegionVerdict& empty, const ShownTask& task);
+/// Why there is no admissible design, and one way out.
+[[nodiscard]] std::string none_admissible(const design::RegionVerdict& empty,
+                                          const ShownTask& task);
+/// What would make it feasible.
+void add_mends(Document& document, const design::RegionVerdict& empty, const ShownTask& task);
 /// "No damper with a max displacement below 168.8 mm", the title of the region's figure.
 [[nodiscard]] std::string mend_title(const design::RegionVerdict& empty, const ShownTask& task,
                                      std::string_view what = "damper");
@@ -229,56 +189,12 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty, const
 [[nodiscard]] bool stops_by_delta1(std::span<const design::Constraint> constraints);
 /// Else whether it stops there does not matter.
 [[nodiscard]] bool returns(std::span<const design::Constraint> constraints);
-/// Under a pulse, peak and acceleration count up to the first return.
-[[nodiscard]] bool of_first_swing(const design::Constraint& constraint);
-/// Each with its slack: by how much a damper meets or misses it; and what the `whole` motion breaks
-/// after its first swing.
+/// Each with its slack: by how much a damper meets or misses it.
 Section& add_constraints(Document& document, std::span<const design::Constraint> constraints,
-                         const design::Limits& limits, const Response& whole,
-                         const Physical& physical);
-
-/// What a damper does, for an answer about it.
-struct ToldMotion {
-  const Response& response;
-  std::optional<std::int64_t> arrival{};      ///< at which it stops at x = 0
-  std::optional<design::PulseWorst> worst{};  ///< over the ranges of a pulse
-  bool admissible{true};                      ///< so every rest of the ranges is as asked
-  /// In place of those of `response`, the largest of the motions that were tried.
-  struct Tried {
-    double peak;
-    std::string of_peak;  ///< which of them: " (strongest hit)"
-    std::string rest;
-    bool rests_far;  ///< farther than allowed
-  };
-  std::optional<Tried> tried{};
-};
-/// What the structure feels: outside the notch, at most over the ranges, and inside one that has a
-/// width, as `inside` says if it is given.
-[[nodiscard]] std::string felt(const ShownTask& task, const design::DesignPoint& damper,
-                               const ToldMotion& motion, const ToldPractice& practice,
-                               const std::string& inside);
-/// Peak, rest and acceleration.
-void add_motion(Section& answer, const ShownTask& task, const ToldMotion& motion,
-                const std::string& acceleration);
-
-/// The last arrival, what was counted and the decision margin, which is one of the inputs only in
-/// free motion with the paper's notch.
-void add_counts(Section& section, const Response& response, const Physical& physical,
-                bool margin_of_inputs);
-/// "how close a decision ... came to going the other way": what the decision margin of a
-/// motion under a load is.
-[[nodiscard]] std::string_view closest_decision();
-/// All that is known of a motion.
-void add_response(Section& section, const Simulation& answer, const Physical& physical,
-                  bool margin_of_inputs);
-
-/// "locked at x = 0 from 1.61 s of 20 s; the structure then feels up to 0.35 g", of a motion that
-/// is locked under a load that lasts until `load_end`.
-[[nodiscard]] std::string locked_words(const ForcedResponse& locked, double load_end,
-                                       const Physical& physical);
+                         const design::Limits& limits, const Physical& physical);
 
 /// What the mass feels outside the notch, from x = 0 on, if it feels more in it.
-[[nodiscard]] std::optional<double> felt_outside(const Response& response, double p, double f,
+[[nodiscard]] std::optional<double> felt_outside(double felt, double peak, double p, double f,
                                                  const std::optional<double>& notch_width);
 
 using design::moves;  // not if friction or the notch holds the mass from the start

@@ -195,8 +195,8 @@ void add_damper(Section& answer, const SpectrumReport& report) {
                           return now.with_notch.peak;
                         }).with_notch.peak;
     const double stiffest = std::ranges::max(task.p);
-    answer.row("in the notch", inside_words(report.physical, {stiffest, task.f, task.delta}, peak,
-                                            design::peak_load(task.records)));
+    answer.row("in the notch",
+               inside_example(report.physical, {stiffest, task.f, task.delta}, peak));
   }
   for (const design::SuiteRecord& record : task.records) {
     answer.row(&record == task.records.data() ? "record" : "",

@@ -199,7 +199,8 @@ test("numbers in sentences stand in full in data-value", () =>
           NodeFilter.SHOW_TEXT,
         );
         for (let node = walker.nextNode(); node; node = walker.nextNode()) {
-          if (node.parentElement?.id === "remarks") continue; // the program's own words
+          const place = node.parentElement?.id ?? "";
+          if (["remarks", "verdict"].includes(place)) continue; // the program's own words
           const text = (node.textContent ?? "").replaceAll("x = 0", "");
           const full = node.parentElement?.closest("[data-value]")?.getAttribute("data-value");
           if (/\d/.test(text) && !(full && Number.isFinite(Number(full)))) found.push(text);

@@ -11,9 +11,8 @@ namespace {
 using namespace stillpoint::cli_test;
 
 constexpr std::size_t columns = 80;
-constexpr std::size_t lines_at_most = 16;  ///< about ten, with title, blank lines and long rows
-/// Parts or a trade-off were asked for: 20 rows and what stands around them.
-constexpr std::size_t lines_of_a_table = 26;
+constexpr std::size_t lines_at_most = 32;
+constexpr std::size_t lines_of_a_spectrum = 8;  ///< above that: a row for each period
 
 }  // namespace
 
@@ -26,9 +25,7 @@ BOOST_FIXTURE_TEST_CASE(of_each_scene_fits_a_terminal, Sandbox) {
     const char* const command = spectrum ? "spectrum" : "design";
     const std::string text = run({command, entry.path().string()}).out;
     const auto lines = lines_of(text);
-    const bool table = spectrum || contains(text, "\nRecords\n") ||
-                       contains(text, "\nParts, best") || contains(text, "\nTrade-off of");
-    BOOST_TEST(lines.size() <= lines_at_most + (table ? lines_of_a_table : 0), text);
+    BOOST_TEST(lines.size() <= lines_at_most + (spectrum ? lines_of_a_spectrum : 0), text);
     BOOST_TEST(lines.back() == "  --verbose shows more.");
     for (const std::string& line : lines) {
       BOOST_TEST(line.size() <= columns, line);
@@ -71,10 +68,10 @@ BOOST_FIXTURE_TEST_CASE(of_a_design_within_an_acceleration_names_the_least_notch
   const Arguments asked{"design", STILLPOINT_DATA_DIR "/scenes/isolator.json", "--acceleration-max",
                         "0.12"};
   const std::string text = run(asked).out;
-  BOOST_TEST(contains(text, "0.12 g at most inside one"), text);
+  BOOST_TEST(contains(text, "0.12 g inside one"), text);
   // p^2 (delta - w^2) = 0.00145609: delta / (sqrt(0.12^2 + that) - f) = 0.325088 times
   // H = 178.2535 mm
-  BOOST_TEST(contains(text, "57.949 mm wide"), text);
+  BOOST_TEST(contains(one_line(text), "57.949 mm wide"), text);
 }
 
 /// The hits of the range that the paper's notch holds are in it as well.
@@ -84,10 +81,7 @@ BOOST_FIXTURE_TEST_CASE(of_ranges_names_the_notch_within_an_acceleration, Sandbo
   const std::string text = one_line(run(asked).out);
   std::smatch found;
   BOOST_TEST_REQUIRE(
-      std::regex_search(text, found,
-                        std::regex("; 0.2 g at most inside one ([.0-9]+) mm wide, with f and delta "
-                                   "as given ")),
-      text);
+      std::regex_search(text, found, std::regex("; 0.2 g inside one ([.0-9]+) mm wide ")), text);
   const double width = std::stod(found[1]);
   const auto felt = [&](double wide) {
     return reported(asked + Arguments{"--notch-width-m",
@@ -101,7 +95,7 @@ BOOST_FIXTURE_TEST_CASE(of_ranges_names_the_notch_within_an_acceleration, Sandbo
   BOOST_TEST(contains(one_line(run({"design", STILLPOINT_DATA_DIR "/scenes/isolator.json",
                                     "--acceleration-max", "0.2"})
                                    .out),
-                      " at least 32.868 mm wide, with f, delta and the hit as given "));
+                      "; 0.2 g inside one 32.868 mm wide "));
 }
 
 BOOST_FIXTURE_TEST_CASE(of_a_comparison_gives_the_error_of_the_kernel, Sandbox) {
@@ -233,12 +227,10 @@ BOOST_FIXTURE_TEST_CASE(of_a_mass_that_never_moves_gives_no_figures_of_a_motion,
        {"--v0 0.1 --f 0.1 --delta 0.1", "--v0 0 --x0 0.04 --f 0.05 --delta 0",
         "--f 0.5 --delta 0 --excitation harmonic --k 0.2 --lambda 1 --t-end 20"}) {
     const std::string text = run(simulate + still).out;
-    for (const char* const absent :
-         {"peak", "relative", "stop time", "stop position", "counts", " 0 g"}) {
+    for (const char* const absent : {"peak", "stop time", "stop position", "half cycles", " 0 g"}) {
       BOOST_TEST(!contains(text, absent), absent << " in " << text);
     }
   }
-  check_contains(run(simulate + "--v0 0 --x0 0.04 --f 0.05 --delta 0").out, {"never moves\n"});
 }
 
 /// In resonance |x| grows by pi k/2 - 2 f a half-cycle; beyond the beginning of another one it does
@@ -280,7 +272,7 @@ BOOST_FIXTURE_TEST_CASE(of_a_motion_says_how_close_it_is_to_another_outcome, San
   BOOST_TEST(contains(run(near).out, "If all inputs shift by 0.0067 %, "));
   const Arguments far("simulate --v0 1 --p 1 --f 0.26 --delta 0.37");
   BOOST_TEST(!contains(run(far).out, "could change"));
-  BOOST_TEST(contains(one_line(run(far + "--verbose").out), "decision margin 9.5 %: "));
+  BOOST_TEST(contains(one_line(run(far + "--verbose").out), " decision margin 0.09"));
   // Under a load the margin is no tolerance: only one that rounding could use up is worth a note.
   const Arguments shaken(
       "simulate --v0 0.5 --p 1 --f 0.18 --delta 0 --excitation harmonic --k 0.2 "
@@ -292,11 +284,11 @@ BOOST_FIXTURE_TEST_CASE(of_a_motion_says_how_close_it_is_to_another_outcome, San
 BOOST_FIXTURE_TEST_CASE(of_a_point_says_what_it_violates, Sandbox) {
   const std::string text = run("region --v0 1 --p 1 --beta 0.9 --f 0.5 --delta 0.6").out;
   check_contains(
-      text, {"  The damper is not admissible. It is held by the notch: delta is 20 % too large",
-             "(start). Also violated: return."});
-  BOOST_TEST(!contains(text, "violates return and"), text);  // whether it stops is not reached
+      one_line(text),
+      {" The damper is not admissible: it is held by the notch: delta is 20 % too large. ",
+       " stop - - not reached "});
   check_contains(one_line(run("region --v0 1 --p 1 --beta 0.9 --f 0.3 --delta 1e-6").out),
-                 {"It passes x = 0: delta is far too small (stop)."});
+                 {": it passes x = 0: delta is far too small."});
   BOOST_TEST(contains(text, "violated"));
 }
 
@@ -308,7 +300,7 @@ BOOST_FIXTURE_TEST_CASE(of_an_f_alone_says_which_delta_goes_with_it, Sandbox) {
   const auto answer = [&](const char* more) { return lines_of(run(region + more).out).at(1); };
   const double radius = std::hypot(1, 0.3);
   BOOST_TEST(answer("--f 0.3").starts_with(
-      "  At f = 0.3, delta from " + limit_digits((radius - 0.6) * (radius - 0.6) / 2, true, 6) +
+      "  At f = 0.3, delta of " + limit_digits((radius - 0.6) * (radius - 0.6) / 2, true, 6) +
       " to 0.5 is admissible."));
   BOOST_TEST(answer("--f 0.4").starts_with("  At f = 0.4 no delta is admissible. "));
   // Without f it comes back with v0, and delta > 1/2 is caught at the start.
@@ -316,7 +308,7 @@ BOOST_FIXTURE_TEST_CASE(of_an_f_alone_says_which_delta_goes_with_it, Sandbox) {
   BOOST_TEST(answer("--f 0.2 --delta-max 0.15").starts_with("  At f = 0.2 no delta"));
   const double worst = std::hypot(1, 0.27);  // of the box
   BOOST_TEST(answer("--f 0.3 --tolerance 0.1")
-                 .starts_with("  At f = 0.3, delta from " +
+                 .starts_with("  At f = 0.3, delta of " +
                               limit_digits((worst - 0.54) * (worst - 0.54) / 2 / 0.9, true, 6) +
                               " to 0.454545 keeps the tolerance"));
 }
@@ -333,12 +325,12 @@ BOOST_FIXTURE_TEST_CASE(of_a_region_says_which_delta_goes_with_some_f, Sandbox) 
     return (radius - f) * (radius + f) / 2;
   };
   const std::string one = answer("--beta 2");
-  BOOST_TEST(contains(one, "Feasible f: up to 0.353553. At f = 0.176776, delta from " +
+  BOOST_TEST(contains(one, "Feasible f: up to 0.353553. At f = 0.176776, delta of " +
                                limit_digits(half_square(0.176776), true, 6)),
              one);
   const std::string two = answer("--beta 2 --arrivals 2 --f 0.1");
   BOOST_TEST(contains(two, " to " + limit_digits(half_square(0.1) - 0.04, false, 6)), two);
-  BOOST_TEST(contains(two, "from " + limit_digits(half_square(0.1), true, 6) + " to 0.5"), two);
+  BOOST_TEST(contains(two, " or " + limit_digits(half_square(0.1), true, 6) + " to 0.5"), two);
   const std::string many = answer("--beta 2 --arrivals 9 --f 0.01");
   BOOST_TEST(contains(many, "or in 6 lower ranges is admissible."), many);
   const std::string four = answer("--beta 2 --arrivals 4 --f 0.01");
@@ -347,36 +339,30 @@ BOOST_FIXTURE_TEST_CASE(of_a_region_says_which_delta_goes_with_some_f, Sandbox) 
 
 BOOST_FIXTURE_TEST_CASE(of_a_design_says_what_delta_and_its_tolerance_are, Sandbox) {
   const Arguments design("design --velocity 0.4 --period 2.8 --max-displacement 150mm");
-  const std::string energy =
-      "Delta is an energy, not a size: each passage takes as much as lifting the mass";
-  check_contains(one_line(run(design).out), {energy});
-  BOOST_TEST(!contains(one_line(run(design + "--mass 1200t").out), energy));  // it is in kJ
-  check_contains(
-      run("design --velocity 1.2 --period 0.1 --max-displacement 15mm").out,
-      {"\n                    friction of more than the weight: a brake, not a bearing\n"});
+  BOOST_TEST(has_finding(reported("design --velocity 1.2 --period 0.1 --max-displacement 15mm"),
+                         "friction_above_weight"));
   const Arguments point(
       "region --velocity 1.2 --period 0.1 --max-displacement 15mm --delta-m 10mm");
-  check_contains(run(point + "--f 2").out, {"  friction of more than the weight: a brake, "});
-  BOOST_TEST(!contains(run(point + "--f 1").out, "brake"));
+  BOOST_TEST(has_finding(reported(point + "--f 2"), "friction_above_weight"));
+  BOOST_TEST(!has_finding(reported(point + "--f 1"), "friction_above_weight"));
   // The largest tolerance of delta alone is that at f3, beyond which nothing returns.
   check_contains(one_line(run(design + "--tolerance-delta 0.2").out),
-                 {"+-77.77 % of delta, with f exactly as given, which is on an edge "});
+                 {"+-77.77 % of delta, with f exactly as given ",
+                  " caution Too exact to be built: f is on the edge of the region. "});
   check_contains(one_line(run(design + "--tolerance-f 0.2").out),
                  {"+-34.18 % of f, with delta exactly as given "});
   // Stiffer springs bring it back.
   BOOST_TEST(
-      !contains(run("design --v0 1 --p 1:2.5 --beta 0.9 --residual 0.5").out, "never comes"));
+      !has_finding(reported("design --v0 1 --p 1:2.5 --beta 0.9 --residual 0.5"), "notch_unused"));
   // Any rest is, so that only the dead zone bounds f.
   check_contains(one_line(run("region --v0 1 --p 1 --beta 0.9 --residual 0.9 --f 0.8 --delta 0.2 "
                               "--verbose")
                               .out),
                  {" dead zone f < 0.9 0.1 met", " residual any f - met"});
   // A rest at the first peak is within the residual.
-  check_contains(
-      one_line(run("design --velocity 0.4 --period 2.8 --max-displacement 190mm "
-                   "--residual-m 120mm --tolerance 0.2")
-                   .out),
-      {" note the mass never comes back to the notch: delta has no effect on this hit "});
+  BOOST_TEST(has_finding(reported("design --velocity 0.4 --period 2.8 --max-displacement 190mm "
+                                  "--residual-m 120mm --tolerance 0.2"),
+                         "notch_unused"));
 }
 
 BOOST_FIXTURE_TEST_CASE(of_a_damper_on_an_edge_is_true_and_reads_well, Sandbox) {
@@ -384,34 +370,32 @@ BOOST_FIXTURE_TEST_CASE(of_a_damper_on_an_edge_is_true_and_reads_well, Sandbox) 
     return one_line(run(Arguments("region") + more).out);
   };
   check_contains(answer("--v0 1 --p 1 --beta 0.8 --f 0.3 --delta 0.5"),
-                 {"The damper is admissible, but f or delta must be exact: "});
+                 {"The damper is admissible: f or delta must be exact: "});
   // Without friction the mass comes back with all of V0^2/2 = 0.5.
   check_contains(answer("--v0 1 --p 1 --beta 0.8 --f 0 --delta 0.5"),
-                 {"It also is on the edge of passing x = 0: delta is just too small (stop)."});
+                 {" delta needed ", " stop delta > 0.5 0 violated "});
   // A single f is left.
   const std::string single = answer("--v0 1 --p 1 --beta 0.7071067811865476");
   BOOST_TEST(contains(single, "Feasible f: 0.35355339"), single);
   BOOST_TEST(!contains(single, "0.353554"), single);
   check_contains(answer("--v0 1 --p 1 --beta 0.70710679 --f 0.3535533 --delta 0.2"),
-                 {" 100.00001 % of the ", " f >= 0.35355338 -7.7", " f <= 0.35355339 "});
-  // A/(2 f) = 999.5
-  check_contains(answer("--v0 1 --p 1 --beta 1 --f 0.0005 --delta 0.4998 --verbose"),
-                 {"E_s / E_h = 1000 without the notch"});
+                 {"peak 0.70710684, 100 % of the 0.70710679 allowed ", " f >= 0.35355338 -7.7",
+                  " f <= 0.35355339 "});
 }
 
 /// The largest f of the task is in its bounds; no delta and no hit helps beyond it.
 BOOST_FIXTURE_TEST_CASE(of_too_large_an_f_with_a_residual_names_f, Sandbox) {
   const std::string scene = STILLPOINT_DATA_DIR "/scenes/residual.json";
-  check_contains(
-      one_line(run({"region", scene, "--f", "0.2", "--delta-m", "5mm"}).out),
-      {"It rests too far off: f is 5.83 times the limit (residual)", "residual f <= 0.0342924 -"});
+  check_contains(one_line(run({"region", scene, "--f", "0.2", "--delta-m", "5mm"}).out),
+                 {"it rests too far off: f is 5.83 times the limit.", "residual f <= 0.0342924 -"});
   check_contains(
       one_line(run("region --v0 1 --p 1 --beta 0.9 --residual 0.05 --f 0.4 --delta 0.3").out),
-      {"It rests too far off: f is 7.5 % too large (residual)", "residual f <= 0.372358 -",
+      {"it rests too far off: f is 7.5 % too large.", "residual f <= 0.372358 -",
        "stop - - not reached"});
   check_contains(
       one_line(run("region --v0 0:1 --p 1 --beta 2 --residual 0.05 --f 0.5 --delta 0.9").out),
-      {"all hits of the range are felt in full, up to 1 times the mass"});
+      {" The notch catches all hits of the range, which the structure feels in full: up to 1 times "
+       "the mass. "});
 }
 
 /// After the strongest hit it rests at -7.8 mm, after 0.44 m/s at 41.8 mm.
@@ -420,23 +404,11 @@ BOOST_FIXTURE_TEST_CASE(a_rest_within_a_residual_is_told_for_every_hit_of_a_rang
   const auto told = [&](const char* command) {
     return one_line(run(Arguments(command) + task).out);
   };
-  const std::string every = "rest any hit: within 50 mm; strongest hit: x = -7.7572 mm after ";
-  BOOST_TEST(contains(told("design --residual-m 50mm --arrivals 2"), every));
-  BOOST_TEST(!contains(told("region --residual-m 50mm --f 0.02 --delta-m 1mm"), "any hit"));
-  BOOST_TEST(!contains(told("region --f 0.03 --delta-m 1mm"), "any hit"));
-}
-
-/// More f would do for a stop at x = 0.
-BOOST_FIXTURE_TEST_CASE(of_a_bound_says_what_it_belongs_to, Sandbox) {
   check_contains(
-      one_line(run({"design", STILLPOINT_DATA_DIR "/scenes/residual.json", "--verbose"}).out),
-      {" residual, any rest f <= 0.00513479 ", " feasible f up to 0.0342924 "});
-  check_contains(one_line(run("design --v0 1e150 --p 1 --beta 1e150 --verbose").out),
-                 {"it works for hits of 8.57e+149 to 1.00e+150 (the upper end is the program's own "
-                  "limit) "});
-  const std::string free = one_line(run("simulate --v0 1 --p 1 --f 0.1 --delta 0 --verbose").out);
-  check_contains(free, {" % of critical, in a cycle at this peak "});
-  BOOST_TEST(!contains(free, "a limit may be exceeded"), free);
+      told("design --residual-m 50mm --arrivals 2"),
+      {" rest at x = -7.7572 mm after ", " (strongest hit); within 50 mm after any other "});
+  BOOST_TEST(!contains(told("region --residual-m 50mm --f 0.02 --delta-m 1mm"), "any other"));
+  BOOST_TEST(!contains(told("region --f 0.03 --delta-m 1mm"), "any other"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

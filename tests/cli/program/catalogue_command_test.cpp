@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(is_ranked_and_explained) {
 
 BOOST_AUTO_TEST_CASE(the_text_says_what_to_order_first) {
   const ProgramRun answer = succeed(design("--catalogue few.csv"));
-  BOOST_TEST(answer.out.starts_with("Damper design\n  Order part good: f = 0.26, delta = 0.37.\n"),
+  BOOST_TEST(answer.out.starts_with("Damper design\n  Order part good: f = 0.26, delta = 0.37: "),
              answer.out);
   check_contains(answer.out, {"2 of 4 parts fit\n", "rests off centre: f is 14 % too large\n"});
 }
@@ -215,8 +215,8 @@ BOOST_AUTO_TEST_CASE(of_a_thousand_parts_swamps_neither_the_text_nor_the_page) {
        ++at) {
     ++rows;
   }
-  BOOST_TEST(rows == 20U);
-  BOOST_TEST(contains(page, "980 more"));
+  BOOST_TEST(rows == 12U);
+  BOOST_TEST(contains(page, "988 more"));
   const std::string printed = run(design("--catalogue many.csv")).out;
   BOOST_TEST(std::ranges::count(printed, '\n') < 50);
 }
@@ -288,7 +288,7 @@ BOOST_AUTO_TEST_CASE(is_a_table_of_aligned_numbers) {
 // f3 = 1/sqrt(8) has the peak 1/sqrt(2) and S = 3/sqrt(8).
 BOOST_AUTO_TEST_CASE(a_long_front_is_shown_up_to_its_end) {
   const std::string text = run("design --v0 1 --p 1 --beta 0.9 --trade-off 26").out;
-  check_contains(text, {"\n  0.707107           1.06066 ", "14 of 26 dampers"});
+  check_contains(text, {"\n  0.707107           1.06066 ", "10 of 26 dampers"});
 }
 
 BOOST_AUTO_TEST_CASE(is_drawn_with_the_design_on_it) {
@@ -314,7 +314,7 @@ BOOST_FIXTURE_TEST_CASE(a_part_with_a_strong_notch_is_ordered_as_it_is, Sandbox)
   const std::string advice = "Nothing bounds delta";
   BOOST_TEST(contains(one_line(run(task).out), advice));
   const std::string text = one_line(run(task + "--catalogue strong.csv").out);
-  BOOST_TEST(contains(text, "Order part strong: f = 0.01, delta = 0.004."), text);
+  BOOST_TEST(contains(text, "Order part strong: f = 0.01, delta = 0.004: "), text);
   BOOST_TEST(!contains(text, advice), text);
 }
 

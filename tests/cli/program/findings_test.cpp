@@ -35,6 +35,17 @@ const std::vector<std::string> tasks{
     "simulate --period 2.8s --f 0.058 --delta-m 20mm --hold 0.1 " +
         records.substr(records.rfind("--")),
     "spectrum --period 2s:3s:3 --f 0.03 --delta-m 70mm --hold 0.1 " + records,
+    "design " STILLPOINT_DATA_DIR "/scenes/near_fault_pulse.json",
+    "design " STILLPOINT_DATA_DIR "/scenes/residual.json",
+    "design " STILLPOINT_DATA_DIR
+    "/scenes/varying_hits.json --notch-width-m 1mm "
+    "--acceleration-max 0.12",
+    "design --v0 1 --p 1 --beta 0.9 --objective time",
+    "design --v0 1 --p 1 --beta 0.70710679",
+    "design --velocity 1.2 --period 0.1 --max-displacement 15mm",
+    "design --pulse half-sine --k 0.4:0.5 --lambda 18:20 --p 1 --beta 0.05 --notch-width 0.02",
+    "region --v0 0:1 --p 1 --beta 0.9 --f 0.3 --delta 0.3 --residual 0.1",
+    "region --pulse full-sine --k 0.1 --lambda 1 --p 1 --beta 0.2 --f 0 --delta 0",
 };
 
 }  // namespace

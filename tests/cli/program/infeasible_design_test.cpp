@@ -21,7 +21,7 @@ BOOST_AUTO_TEST_CASE(says_why_and_what_would_help) {
   const json report = run_of_json.json();
   BOOST_TEST(report["region"]["feasible"] == false);
   const auto reason = report["region"]["reason"].get<std::string>();
-  check_contains(reason, {"amplitude", "return", "f2 = 0.533334", "f3 = 0.353553"});
+  check_contains(reason, {"f >= 0.533334", "f <= 0.353553"});
   check_null(report["region"], {"f_lower", "f_upper"});
   check_null(report, {"design", "response", "search", "cross_check", "physical"});
   BOOST_TEST(report["constraints"].empty());
@@ -103,8 +103,8 @@ BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_where_no_input_is_enough) {
   const Arguments impossible = design(0.6, "--tolerance 0.5");
   check_contains(
       one_line(ending(3, impossible).out),
-      {"No change of a single input was found that makes it feasible: whatever the stroke "
-       "and the limits are, no damper has more than a tolerance of 36.33 %."});
+      {" No change of a single input was found. tolerance at most 36.33 % for any damper, "
+       "whatever the limits "});
   const json region = run(impossible + "--json").json()["region"];
   BOOST_TEST(near(region["largest_tolerance"], 0.36336, 1e-4));
   BOOST_TEST(region["mends"].empty());
@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(constant_friction_alone_is_a_task) {
       {"without a notch (delta = 0) the mass rests up to f/p^2 off centre, not at x = 0; "
        "allow a residual. One way out: a residual of at least 0.207."});
   check_contains(succeed(task + "--residual 0.207").out,
-                 {" without a notch.", "f may be off by +-10"});
+                 {" without a notch: ", "f may be off by +-10"});
   const json report = reported(task + "--residual 0.207");
   const double f = report["design"]["f"];
   BOOST_TEST(near(f, 0.39284, 1e-4));
@@ -140,13 +140,18 @@ BOOST_AUTO_TEST_CASE(constant_friction_alone_is_a_task) {
 }
 
 BOOST_AUTO_TEST_CASE(names_the_limit_that_is_in_the_way) {
-  const std::vector<std::pair<Arguments, std::string>> cases{{{"--f-max", "0.1"}, "f_max"},
-                                                             {{"--delta-max", "0.01"}, "delta_max"},
-                                                             {{"--tolerance", "0.4"}, "tolerance"}};
-  for (const auto& [limit, name] : cases) {
+  struct Case {
+    Arguments limit;
+    std::string name;
+    std::string words;
+  };
+  for (const auto& [limit, name, words] :
+       {Case{{"--f-max", "0.1"}, "f_max", "f may be at most 0.1"},
+        Case{{"--delta-max", "0.01"}, "delta_max", "delta may be at most 0.01"},
+        Case{{"--tolerance", "0.4"}, "tolerance", "a tolerance of 40 %"}}) {
     const ProgramRun answer = ending(3, design(0.9, "--json" + limit));
     const json region = answer.json()["region"];
-    BOOST_TEST(contains(region["reason"].get<std::string>(), name));
+    BOOST_TEST(contains(region["reason"].get<std::string>(), words));
     bool mended = false;
     for (const json& mend : region["mends"]) {
       mended = mended || mend["input"] == name;
@@ -201,7 +206,7 @@ BOOST_AUTO_TEST_CASE(a_tolerance_is_named_only_where_it_makes_the_conflict) {
                         .out);
   };
   const std::string alone = of("2.8s");
-  check_contains(alone, {"needs f <= 0.0323605. One way out: ", "amplitude 30, return 5, "});
+  check_contains(alone, {"needs f <= 0.0323605. One way out: "});
   const std::string between =
       "needs f >= 0.0359347, but coming back to x = 0 needs f <= 0.0431474, and no f with a "
       "tolerance of 15 % fits between.";

@@ -119,12 +119,10 @@ BOOST_AUTO_TEST_CASE(ranges_of_a_pulse_are_in_the_report) {
   BOOST_TEST(report["input"]["lambda_range"].is_null());
   BOOST_TEST(near(report["pulse"]["worst"]["peak_amplitude"], 2 * (0.55 - 0.1625), 1e-8));
   BOOST_TEST(report["pulse"]["p"] == 1);
-  const std::string shown = run(ranged).out;
-  BOOST_TEST(contains(shown, "\n  ranges "));
-  BOOST_TEST(!contains(shown, "sampled"));
+  BOOST_TEST(!has_finding(report, "ranges_estimated"));
   Arguments of_lengths = ranged;
   of_lengths[6] = "0.9:1";
-  BOOST_TEST(contains(run(of_lengths).out, "between those tried"));
+  BOOST_TEST(has_finding(reported(of_lengths), "ranges_estimated"));
 }
 
 // f + delta/w <= 0.08 g for w up to 441 mm, and the mass moves by 34 mm.
@@ -133,24 +131,17 @@ BOOST_AUTO_TEST_CASE(ranges_of_a_pulse_are_in_the_report) {
 BOOST_AUTO_TEST_CASE(a_damper_that_locks_during_its_pulse_is_reported) {
   const ProgramRun answer = succeed(
       {"design", STILLPOINT_DATA_DIR "/scenes/near_fault_pulse.json", "--html", "page.html"});
-  BOOST_TEST(
-      answer.err ==
-      "stillpoint: no notch works: only one wider than 440.88 mm would let this pulse move "
-      "the mass, but the peak is 34.384 mm\n"
-      "stillpoint: The notch locks the mass at x = 0 from 2.7172 s of 3.5 s on; the structure "
-      "then feels up to 0.07891 g\n");
   const std::string page = read("page.html");
   BOOST_TEST(contains(page, "locked from"));
   BOOST_TEST(contains(page, "too strong: never starts"));
-  BOOST_TEST(contains(one_line(answer.out), " mm. The notch locks the mass at x = 0 "), answer.out);
   check_contains(one_line(answer.out),
-                 {"No notch works: only one wider than 440.88 mm would let this pulse move",
-                  "the peak is 34.384 mm.", "; 0.08 g if it holds the mass"});
+                 {" fault No notch works: only one wider than 440.88 mm would let ",
+                  " caution The notch locks the mass at x = 0 from 2.7172 s of 3.5 s on; "});
   const json report =
       run({"design", STILLPOINT_DATA_DIR "/scenes/near_fault_pulse.json", "--json"}).json();
-  BOOST_TEST(
-      report["notch_fault"].get<std::string>().starts_with("no notch works: only one wider"));
-  BOOST_TEST(!contains(run(asked).err, "locked"));
+  BOOST_TEST(near(finding(report, "no_notch_works")["least_width_m"], 0.44088, 1e-4));
+  BOOST_TEST(near(finding(report, "locks")["largest_load_while_locked"], 0.07891, 1e-4));
+  BOOST_TEST(!has_finding(reported(asked), "locks"));
 }
 
 /// A pulse between the ends may leave it farther out than the strongest; the weakest may not move
@@ -176,14 +167,15 @@ BOOST_AUTO_TEST_CASE(the_notch_that_will_be_built_is_tried_with_every_pulse_of_t
   BOOST_TEST(motion["response"]["stop_position"] == rest);
   const std::string text = one_line(run(design + "--notch-width-m 60mm").out);
   check_contains(text,
-                 {"the mass rests 30.274 mm off centre after a pulse of 0.55 g and 0.11429 s, with "
-                  "a period of 2.8 s.",
-                  " g outside it (pulse of 0.6 g and 0.12 s, stiffest spring) "});
+                 {"the mass rests off centre by 30.274 mm after a pulse of 0.55 g and 0.11429 s, "
+                  "with a period of 2.8 s.",
+                  " rest within 30.274 mm of x = 0 (k = 0.55 g, 0.11429 s, a period of 2.8 s) "});
 
   const Arguments holds = design + "--hold 0.4";
-  check_contains(one_line(run(holds).out),
-                 {"with this notch the mass is held throughout the weakest pulse, k = 0.4 g."});
-  BOOST_TEST(!contains(run(design + "--hold 0.3").out, "held throughout"));
+  const json held = finding(reported(holds), "notch_fails");
+  BOOST_TEST(held["what"] == "held");
+  BOOST_TEST(near(held["k"], 0.4, 1e-12));
+  BOOST_TEST(finding(reported(design + "--hold 0.3"), "notch_fails")["what"] != "held");
 }
 
 /// What holds the mass at x = 0 is the capacity, f + hold, not delta over a width.
@@ -192,9 +184,8 @@ BOOST_AUTO_TEST_CASE(a_pulse_design_with_a_hold_needs_no_width) {
       run("design --pulse half-sine --k 0.3 --pulse-duration 0.8s --period 2.5 --max-displacement "
           "400mm --hold 0.05 --delta-max-m 20mm")
           .out);
-  check_contains(text, {" acceleration 0.2841 g outside the notch, with f and delta as given "});
+  check_contains(text, {" acceleration 0.2841 g, the notch included "});
   BOOST_TEST(!contains(text, "wider than"), text);
-  BOOST_TEST(!contains(text, "if it holds"), text);
 }
 
 BOOST_AUTO_TEST_CASE(a_point_that_locks_during_its_pulse_is_reported) {
@@ -202,18 +193,17 @@ BOOST_AUTO_TEST_CASE(a_point_that_locks_during_its_pulse_is_reported) {
       "region --pulse full-sine --k 0.08 --lambda 0.8 --p 1 --beta 0.077 --f 0.062 --delta 0.004");
   BOOST_TEST(contains(one_line(judged.out), " The notch locks the mass at x = 0 from tau = "),
              judged.out);
-  BOOST_TEST(judged.err.starts_with("stillpoint: The notch locks the mass at x = 0 from tau = "),
-             judged.err);
   BOOST_TEST(run(region + "--f 0.175 --delta 0.49").err == "");
 }
 
 BOOST_AUTO_TEST_CASE(an_infeasible_pulse_says_why_in_the_units_of_the_task) {
   const std::string pulse = STILLPOINT_DATA_DIR "/scenes/pulse.json";
   const std::string text = ending(3, {"design", pulse, "--max-displacement", "20mm"}).out;
-  check_contains(text, {"peak is at least 66.953 mm, where 20 mm is allowed."});
+  check_contains(one_line(text), {"and then the peak is at least 3.34761 times the largest "
+                                  "displacement allowed."});
   const std::string limited =
       ending(3, {"design", pulse, "--max-displacement", "70mm", "--f-max", "0.001"}).out;
-  check_contains(limited, {"a peak within 70 mm needs"});
+  check_contains(one_line(limited), {"a peak within the displacement allowed needs f >= "});
 }
 
 // In metres and seconds as without them, and every way to say how long the pulse is.
@@ -257,22 +247,21 @@ BOOST_AUTO_TEST_CASE(region_matches_the_design) {
 BOOST_AUTO_TEST_CASE(region_judges_a_point_under_the_pulse) {
   // Held at rest up to f + delta/w = k: w = 0.49/(0.5 - 0.175).
   check_contains(one_line(run(region + "--f 0.175 --delta 0.49").out),
-                 {" No notch works: only one wider than 1.5077 would let this pulse move the mass",
-                  " g outside the notch; 0.5 g if it holds the mass "});
+                 {" No notch works: only one wider than 1.5077 would let the load move the mass",
+                  " g outside the notch; 0.5 g if the notch holds the mass "});
   const std::string weak = one_line(run(region + "--f 0.05 --delta 0.49").out);
-  check_contains(
-      weak, {"Even with a notch that acts only after the start, the damper is not admissible",
-             "It exceeds ", ": the peak of the first swing is ", " peak ",
-             " rest at x = ", "At f = 0.05 no delta is admissible.", "Feasible f: 0.100001 to"});
+  check_contains(weak,
+                 {"The damper is not admissible: it exceeds ", ": the peak of the first swing is ",
+                  " peak ", " rest at x = ", " feasible delta none ", " feasible f 0.100001 to",
+                  " This is for a notch that acts only after the start; "});
   check_contains(weak, {" start needs a notch wider than 1.08889, delta/(k - f)", "violated"});
   const std::string none = one_line(run(region + "--f 0.12 --delta 0").out);
-  check_contains(none, {"Admissible region The damper is not admissible. It passes x = 0"});
+  check_contains(none, {"Admissible region The damper is not admissible: it passes x = 0"});
   BOOST_TEST(!contains(none, "a notch that acts only after the start"));
   const Arguments lacking = region + "--f 0.12 --delta 0.49 --tolerance 0.2";
   check_contains(one_line(run(lacking).out),
                  {"not admissible with a tolerance of 20 %", "+-16.66 %"});
-  BOOST_TEST(contains(one_line(run(region + "--f 0.12").out),
-                      " This is for a notch that acts only after the start."));
+  BOOST_TEST(has_finding(reported(region + "--f 0.12"), "acts_late"));
 }
 
 /// It returns for k >= 2 f, and reaches 2 (k - f).
@@ -293,15 +282,14 @@ BOOST_AUTO_TEST_CASE(a_point_says_which_pulses_and_springs_it_works_for) {
     BOOST_TEST(near(hits[i]["to"], to.at(i), 1e-12));
   }
   check_contains(one_line(run(point).out),
-                 {" works for k of 0.351 to 0.574 g; p of ", " to 10.0 or more "});
+                 {" works for k of 0.351 to 0.574 g p of ", " to 10.0, each with "});
   const Arguments any("region --pulse half-sine --k 1 --beta 1e6 --f 0 --lambda 20000 --p 1");
-  check_contains(one_line(run(any + "--delta 1000").out),
-                 {" p of 0.01 or less to 2.00e+05 or more "});
+  check_contains(one_line(run(any + "--delta 1000").out), {" p of 0.01 to 2e+05, "});
   const std::string text =
       one_line(run("region --pulse half-sine --k 100 --pulse-duration 0.1ms --period 2 "
                    "--max-displacement 1000m --f 0 --delta-m 1000")
                    .out);
-  check_contains(text, {" periods of 2.01e-05 or less to 199.0 s or more "});
+  check_contains(text, {" periods of 2.01e-05 to 199 s, "});
   check_null(reported(region + "--f 0.05 --delta 0.49"), {"works_for"});
   const json physical = reported(
       "region --pulse half-sine --k 0.5g --pulse-duration 0.1s --period 2s"
@@ -314,12 +302,19 @@ BOOST_AUTO_TEST_CASE(a_point_says_which_pulses_and_springs_it_works_for) {
 /// k/2, the next at pi k.
 BOOST_AUTO_TEST_CASE(a_limit_that_later_swings_exceed_is_not_simply_met) {
   const Arguments task("--pulse full-sine --k 0.1 --lambda 1 --p 1 --acceleration-max 0.2 --beta");
-  const std::string exceeds = run("region --f 0 --delta 0" + task + "0.2 --html page.html").out;
-  check_contains(one_line(exceeds), {" peak <= 0.2 0.04292 met, but 0.3142 later",
-                                     " outside the notch <= 0.2 g 0.04292 g met, but 0.3142 g"});
-  check_contains(read("page.html"), {"<tr class=\"violated\"><td>amplitude</td>"});
-  const std::string within = run("region --f 0 --delta 0" + task + "0.32").out;
-  check_contains(one_line(within), {" peak <= 0.32 0.1629 met return "});
+  const auto later = [&](const char* beta) {
+    std::vector<std::string> figures;
+    const json report = reported(Arguments("region --f 0 --delta 0") + task + beta);
+    for (const json& now : report["findings"]) {
+      if (now["kind"] == "exceeds_later") {
+        BOOST_TEST(near(now["value"], 0.1 * M_PI, 1e-9));
+        figures.push_back(now["figure"]);
+      }
+    }
+    return figures;
+  };
+  BOOST_TEST((later("0.2") == std::vector<std::string>{"peak", "acceleration"}));
+  BOOST_TEST((later("0.32") == std::vector<std::string>{"acceleration"}));
 }
 
 BOOST_AUTO_TEST_CASE(region_of_a_pulse_is_drawn) {
@@ -334,8 +329,7 @@ BOOST_AUTO_TEST_CASE(region_of_a_pulse_is_drawn) {
 
 BOOST_AUTO_TEST_CASE(page_for_people_says_it_in_words) {
   const ProgramRun run = succeed(asked + "--verbose");
-  check_contains(run.out, {"half-sine, k = 0.5 g, lambda = 20", "Under the pulse itself",
-                           "forced motion", "finds the same optimum"});
+  check_contains(run.out, {"half-sine, k = 0.5 g, lambda = 20", "forced motion", " by NLopt, "});
   for (const char* part : {"the pulse is not short", "v0 = 0 ", "inf"}) {
     BOOST_TEST(!contains(run.out, part), part << " in " << run.out);
   }
@@ -343,8 +337,9 @@ BOOST_AUTO_TEST_CASE(page_for_people_says_it_in_words) {
 
 BOOST_AUTO_TEST_CASE(says_that_it_hardly_re_centres_and_the_unit_of_a_limit) {
   const Arguments soft("design --pulse full-sine --k 0.08 --lambda 0.8 --p 1 --beta 0.077");
-  check_contains(run(soft + "--delta-max 0.005 --acceleration-max 0.12 --verbose").out,
-                 {" (EN 15129 needs 0.25)\n", " (EN 1998-2)\n", "outside the notch <= 0.12 g  "});
+  check_contains(
+      run(soft + "--delta-max 0.005 --acceleration-max 0.12 --verbose").out,
+      {"Re-centring is weak without the notch: E_s/E_h is ", "outside the notch <= 0.12 g  "});
 }
 
 /// f just below the peak load leaves hardly any motion, and delta/(k - f) is far.
@@ -353,7 +348,7 @@ BOOST_AUTO_TEST_CASE(says_very_small_and_large_sizes_in_words_and_metres) {
       "design --pulse full-sine --k 0.08g --pulse-duration 3.5s --period 2.8s "
       "--max-displacement 150mm --delta-max-m 10mm --objective amplitude");
   const std::string text = one_line(run(task).out);
-  check_contains(text, {" less than 0.01 % of the 150 mm allowed", "only one wider than 12"});
+  check_contains(text, {" % of the 150 mm allowed", "only one wider than 12"});
   BOOST_TEST(contains(text, "0 m would let"), text);
   BOOST_TEST(!contains(text, "e+0"), text);
 }
@@ -387,24 +382,15 @@ BOOST_AUTO_TEST_CASE(the_headline_says_that_the_notch_acts_only_after_the_start)
       "--delta-max-m 5mm --tolerance 0.05");
   const ProgramRun ideal = run(design);
   BOOST_TEST(contains(one_line(ideal.out),
-                      " That is for a notch that acts only after the start; --notch-width-m shows "
+                      " This is for a notch that acts only after the start; --notch-width-m shows "
                       "what a real one does. "),
              ideal.out);
   BOOST_TEST(ideal.err.empty(), ideal.err);
   for (const char* width : {"1mm", "2mm", "4mm", "8mm", "12mm", "20mm"}) {
     const ProgramRun built = run(design + Arguments{"--notch-width-m", width});
-    BOOST_TEST(contains(built.out, " But with this"), width);
-    BOOST_TEST(contains(built.err, ": with this notch "), width);
+    BOOST_TEST(contains(built.out, "  fault  "), width);
+    BOOST_TEST(contains(built.out, "The damper found has"), width);
   }
-}
-
-BOOST_AUTO_TEST_CASE(a_built_notch_is_compared_with_one_that_acts_only_after_the_start) {
-  const std::string compared =
-      one_line(run("design --pulse rectangle --k 0.05g --pulse-duration 2.5s --period 2.8s "
-                   "--max-displacement 150mm --notch-width-m 20mm --verbose")
-                   .out);
-  check_contains(compared, {" note what follows is for a notch that acts only after the start ",
-                            " compare with a notch that acts only after the start it rests "});
 }
 
 // A hit leaves the notch freely, and what the paper's stops at x = 0, one with a width stops in it.
@@ -417,12 +403,11 @@ BOOST_AUTO_TEST_CASE(an_ordinary_notch_keeps_what_a_design_for_a_hit_promises) {
 // Held while the load is at most f + delta/w = 0.0778 g; the paper's notch locks it later.
 BOOST_AUTO_TEST_CASE(the_warning_of_a_lock_is_about_the_notch_that_will_be_built) {
   const Arguments design{"design", STILLPOINT_DATA_DIR "/scenes/near_fault_pulse.json"};
-  check_contains(
-      run(design + "--notch-width-m 5mm").err,
-      {"The notch locks the mass at x = 0 throughout the load; the structure then feels up to "
-       "0.08 g"});
+  const json held = finding(reported(design + "--notch-width-m 5mm"), "locks");
+  BOOST_TEST(held["locked_from"] == 0);
+  BOOST_TEST(near(held["largest_load_while_locked"], 0.08, 1e-12));
   // This one lets it move, and holds it in the end.
-  check_contains(run(design + "--notch-width-m 500mm").err, {"The notch locks the mass at x = "});
+  BOOST_TEST(finding(reported(design + "--notch-width-m 500mm"), "locks")["locked_from"] > 0);
 }
 
 /// For a pulse given in seconds the suggested change is in seconds, as it can be given.
@@ -461,7 +446,7 @@ BOOST_AUTO_TEST_CASE(the_period_asked_for_is_an_end_of_the_periods_that_it_works
   const ProgramRun text =
       run("design --pulse half-sine --k 0.4 --pulse-duration 2s --period 0.2 "
           "--max-displacement 20mm --delta-max-m 1mm");
-  check_contains(one_line(text.out), {"; periods of 0.200 or less to 0.444 s "});
+  check_contains(one_line(text.out), {" periods of 0.200 to 0.444 s, "});
 }
 
 namespace {

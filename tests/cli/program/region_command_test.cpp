@@ -175,13 +175,13 @@ BOOST_AUTO_TEST_CASE(mends_name_the_stiffness_if_it_was_given) {
 
 /// f >= 0.0051 p^2 rests off centre by more than 10 mm after some weaker hit of the range.
 BOOST_AUTO_TEST_CASE(a_damper_that_only_weaker_hits_spoil_is_told_so) {
-  const ProgramRun text =
-      run("region --velocity 0:0.4 --period 2.8 --max-displacement 0.2 "
-          "--arrivals 3 --residual-m 0.01 --f 0.006 --delta-m 0.002");
-  BOOST_TEST(contains(text.out, "The damper is not admissible. It rests too far off after the"),
-             text.out);
-  // sqrt(2 * 2 mm * 1 g)
-  BOOST_TEST(contains(text.out, "  weak hits         those below 0.1981 m/s"), text.out);
+  const json report = reported(
+      "region --velocity 0:0.4 --period 2.8 --max-displacement 0.2 "
+      "--arrivals 3 --residual-m 0.01 --f 0.006 --delta-m 0.002");
+  check_contains(report["verdict"].get<std::string>(),
+                 {"The damper is not admissible: it rests too far off after the weaker hits"});
+  BOOST_TEST(near(finding(report, "catches_weak_hits")["least_velocity_m_per_s"],
+                  std::sqrt(2 * 0.002 * 9.80665), 1e-12));
 }
 
 /// f = 5 turns V0 = 1 within 0.0991, but the dead zone is wider than beta from f = 0.6 on.
@@ -195,7 +195,7 @@ BOOST_AUTO_TEST_CASE(friction_that_could_hold_the_mass_at_the_limit_is_all_that_
   }
   const std::string text = run(arguments).out;
   check_contains(one_line(text),
-                 {"It moves and rests as asked, but could be held at 0.6 by friction"});
+                 {"The damper is not admissible: it could be held at 0.6 by friction: "});
 }
 
 /// Delta1(f2) = (2 f2 - S)^2/2 with f2 = 0.225, the largest of all feasible f, rounded up.
@@ -205,7 +205,7 @@ BOOST_AUTO_TEST_CASE(says_which_delta_goes_with_every_feasible_f) {
   const std::string text = one_line(run("region --v0 1 --p 1 --beta 0.8").out);
   std::smatch found;
   BOOST_TEST_REQUIRE(std::regex_search(
-      text, found, std::regex("With any of them, delta from ([0-9.]+) to 0.5 is admissible")));
+      text, found, std::regex("With any of them, delta of ([0-9.]+) to 0.5 is admissible")));
   BOOST_TEST(std::stod(found[1]) >= least);
   BOOST_TEST(near(std::stod(found[1]), least, 1e-5));
 }
@@ -232,16 +232,16 @@ BOOST_AUTO_TEST_CASE(text_shows_bounds_and_judgement) {
 /// Between the two Delta1 the mass stops: only the published criterion is violated.
 BOOST_AUTO_TEST_CASE(between_both_delta1_the_words_are_those_of_the_criterion) {
   const Arguments beside("region --v0 1 --p 1 --beta 0.9 --f 0.2 --delta");
-  check_contains(succeed(beside + "0.18").out, {"It stops at x = 0, but not by"});
-  check_contains(succeed(beside + "0.17").out, {"It passes x = 0: delta must be"});
+  check_contains(one_line(succeed(beside + "0.18").out), {": it stops at x = 0, but not by "});
+  check_contains(one_line(succeed(beside + "0.17").out), {": it passes x = 0: delta must be "});
 }
 
 BOOST_AUTO_TEST_CASE(a_friction_alone_has_no_notch) {
   const Arguments isolator(
       "region --velocity 0.4 --period 2.8 --mass 1200t --max-displacement 0.15");
   const std::string alone = run(isolator + "--f 0.024").out;
-  BOOST_TEST(contains(alone, "friction force    282.43 kN"), alone);
-  BOOST_TEST(!contains(alone, "capacity"), alone);
+  BOOST_TEST(contains(alone, "a friction force of 282.43 kN"), alone);
+  BOOST_TEST(!contains(alone, "takes"), alone);
   BOOST_TEST(contains(run(isolator + "--f 0.024 --delta-m 6mm").out, "70.608 kJ"));
 }
 
@@ -249,7 +249,7 @@ BOOST_AUTO_TEST_CASE(a_friction_alone_has_no_notch) {
 BOOST_AUTO_TEST_CASE(delta1_is_shown_only_where_the_first_arrival_decides) {
   const auto shown = [&](const Arguments& command) {
     const std::string text = run(command).out;
-    return contains(text, "Delta1(f)");
+    return contains(text, "Delta1(f)") || contains(text, "  delta needed  ");
   };
   const Arguments first("--f 0.3 --delta 0.4");
   const Arguments second("--f 0.071 --delta 0.235");
@@ -313,34 +313,27 @@ BOOST_AUTO_TEST_CASE(an_admissible_point_under_a_pulse_says_when_its_notch_acts)
       "region --pulse full-sine --k 0.08g --pulse-duration 3.5s --period 2.8s --max-displacement "
       "150mm --delta-max-m 10mm --f 0.062 --delta-m 8mm");
   check_contains(one_line(run(strong).out),
-                 {"No notch works: only one wider than 444.45 mm would let this pulse move the "
+                 {"No notch works: only one wider than 444.45 mm would let the load move the "
                   "mass, but the peak is 34.255 mm.",
-                  "; 0.08 g if it holds the mass"});
-  BOOST_TEST(reported(strong)["notch_fault"] ==
-             "no notch works: only one wider than 444.45 mm would let this pulse move the mass, "
-             "but the peak is 34.255 mm");
+                  "; 0.08 g if the notch holds the mass"});
   const Arguments weak(
       "region --pulse half-sine --k 4g --pulse-duration 9ms --period 2.8s --max-displacement 97mm "
       "--delta-max-m 1mm --f 0.0125 --delta-m 1mm");
   check_contains(one_line(run(weak).out),
-                 {" That is for a notch that acts only after the start; simulate --notch-width-m "
-                  "shows what a real one does. "});
-  BOOST_TEST(reported(weak)["notch_fault"].is_null());
+                 {" This is for a notch that acts only after the start; --notch-width-m shows "
+                  "what a real one does. "});
 }
 
 /// The strongest hit with the stiffest spring has the largest base shear 0.1087, of which the
 /// spring's share is 0.08467: A = 0.08467 g (2.66 s/(2 pi))^2 = 148.8 mm, and m g 0.1087/A.
 BOOST_AUTO_TEST_CASE(the_secant_stiffness_of_ranges_says_of_which_end_it_is) {
-  const auto practice = [this](const std::string& scene, const char* delta) {
-    const std::string file = STILLPOINT_DATA_DIR "/scenes/" + scene;
-    return run({"region", file, "--f", "0.024", "--delta-m", delta, "--verbose"}).out;
-  };
-  const std::string text = practice("varying_hits.json", "4mm");
-  std::smatch found;
-  BOOST_TEST_REQUIRE(
-      std::regex_search(text, found, std::regex("([0-9.]+) MN/m, at that base shear")), text);
-  BOOST_TEST(std::stod(found[1]) == 1.2 * 9.80665 * 0.1087 / 0.1488, tt::tolerance(1e-3));
-  BOOST_TEST(!contains(practice("isolator.json", "6mm"), "at that base shear"));
+  const json report = reported({"region", STILLPOINT_DATA_DIR "/scenes/varying_hits.json", "--f",
+                                "0.024", "--delta-m", "4mm"});
+  const double spring = report["input"]["p"].get<double>() * report["input"]["p"].get<double>();
+  const double stiffest = std::pow(2.94 / 2.66, 2);
+  BOOST_TEST(report["practice_worst"]["secant_stiffness"].get<double>() / spring ==
+                 stiffest * 0.1087 / 0.08467,
+             tt::tolerance(1e-3));
 }
 
 /// With the strongest hit on the softest spring, and at the worst end: S = sqrt(f^2 + (V0 p)^2).
@@ -385,7 +378,7 @@ BOOST_AUTO_TEST_CASE(a_later_arrival_may_miss_the_published_criterion_alone) {
     BOOST_TEST(motion["zero_passages"] == arrival - 1);
     const Arguments task = Arguments("region --beta 1 --arrivals 40") + damper;
     check_contains(one_line(run(task).out),
-                   {"It stops at x = 0, but not by the published criterion: "});
+                   {": it stops at x = 0, but not by the published criterion: "});
     const json point = reported(task);
     BOOST_TEST(point["constraints"][3]["satisfied"] == true);
     BOOST_TEST(point["constraints"][4]["satisfied"] == false);
@@ -396,7 +389,7 @@ BOOST_AUTO_TEST_CASE(a_later_arrival_may_miss_the_published_criterion_alone) {
 BOOST_AUTO_TEST_CASE(a_rest_within_the_residual_after_the_last_arrival_says_so) {
   check_contains(
       one_line(run("region --v0 1 --p 1 --beta 1 --residual 0.6 --f 0.3 --delta 0.02").out),
-      {"It passes x = 0, and only the first arrival counts (--arrivals): ",
+      {": it passes x = 0, and only the first arrival counts (--arrivals): ",
        " none needed, rest within the residual up to "});
 }
 
@@ -408,9 +401,8 @@ BOOST_AUTO_TEST_CASE(what_is_too_small_must_grow_by_so_much_which_is_enough) {
   };
   const std::string text = one_line(run(at(1)).out);
   std::smatch found;
-  BOOST_TEST_REQUIRE(
-      std::regex_search(text, found, std::regex("v0 must be ([.0-9]+) % larger \\(return\\)")),
-      text);
+  BOOST_TEST_REQUIRE(std::regex_search(text, found, std::regex("v0 must be ([.0-9]+) % larger\\.")),
+                     text);
   const double percent = std::stod(found[1]);
   const auto returns = [&](double more) {
     return reported(at(1 + more / 100))["constraints"][3]["satisfied"] == true;
@@ -419,16 +411,7 @@ BOOST_AUTO_TEST_CASE(what_is_too_small_must_grow_by_so_much_which_is_enough) {
   BOOST_TEST(!returns(percent - 0.1));  // the last of two digits
 }
 
-/// As in a design: what is of the paper's notch alone says so.
-BOOST_AUTO_TEST_CASE(a_damper_for_which_no_notch_works_names_its_notch) {
-  const Arguments task(
-      "region --pulse rectangle --k 0.5 --lambda 1 --p 1 --beta 0.8 --f 0.175 --delta 0.49 "
-      "--verbose --html page.html");
-  check_contains(run(task).out, {"At f = 0.175, with a notch that acts only after the start\n",
-                                 "In practice, with a notch that acts only after the start\n",
-                                 "Constraints, with a notch that acts only after the start\n"});
-  check_contains(read("page.html"), {"may both be off, with a notch that acts only after the start",
-                                     "0.574\u00a0g, with a notch that acts only after the start"});
+BOOST_AUTO_TEST_CASE(a_limit_of_the_acceleration_is_one_outside_the_notch) {
   const std::string near_fault =
       one_line(run({"region", STILLPOINT_DATA_DIR "/scenes/near_fault_pulse.json"}).out);
   check_contains(near_fault, {" acceleration outside the notch <= 0.12 g "});

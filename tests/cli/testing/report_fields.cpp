@@ -85,4 +85,17 @@ bool near(double a, double b, double tolerance) {
   return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
 }
 
+nlohmann::json finding(const nlohmann::json& report, std::string_view kind) {
+  for (const nlohmann::json& now : report.at("findings")) {
+    if (now.at("kind") == kind) {
+      return now;
+    }
+  }
+  return nullptr;
+}
+
+bool has_finding(const nlohmann::json& report, std::string_view kind) {
+  return !finding(report, kind).is_null();
+}
+
 }  // namespace stillpoint::cli_test

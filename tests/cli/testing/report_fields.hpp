@@ -29,6 +29,10 @@ void check_only_finite(std::string_view report);
 /// The report without its wall times, which are the only thing that differs from run to run.
 [[nodiscard]] nlohmann::json without_wall_times(nlohmann::json report);
 
+/// The first finding of a kind, null without one; and whether there is one.
+[[nodiscard]] nlohmann::json finding(const nlohmann::json& report, std::string_view kind);
+[[nodiscard]] bool has_finding(const nlohmann::json& report, std::string_view kind);
+
 /// |a - b| <= tolerance * max(|a|, |b|)
 [[nodiscard]] bool near(double a, double b, double tolerance);
 

@@ -85,30 +85,30 @@ BOOST_AUTO_TEST_CASE(every_conflict_is_explained) {
   const auto none = std::nullopt;
   // f2 = (1 - 0.25)/1 = 0.75, f3 = 0.353553.
   check_explained({1, 1, 0.5}, {}, Conflict::amplitude_against_return,
-                  {"amplitude", "return", "f2 = 0.75", "f3 = 0.353553"});
+                  {"f >= 0.75", "f <= 0.353553"});
   // f2 = 0.225 and f3 = 0.3536 do not fit with 25 %: 0.281 > 0.265.
   check_explained({1, 1, 0.8}, {none, none, 0.25}, Conflict::amplitude_against_return,
                   {"tolerance of 25 %"});
   check_explained({1, 1, 0.8}, {0.2, none, 0}, Conflict::amplitude_against_limit,
-                  {"amplitude", "f_max", "f2 = 0.225", "0.2"});
+                  {"f >= 0.225", "f may be at most 0.2"});
   // With a residual: f2 = 0.75 and f1 = 0.5; f2 = 0.533, f1 = 0.6 and (55) up to (0.3 +
   // sqrt(8.01))/8.
   Problem within{1, 1, 0.5};
   within.residual = 0.45;
   check_explained(within, {}, Conflict::amplitude_against_dead_zone,
-                  {"amplitude and dead_zone", "f2 = 0.75", "unless f < f1 = 0.5"});
+                  {"f >= 0.75", "unless f < 0.5"});
   within.beta = 0.6;
   within.residual = 0.1;
   check_explained(
       within, {}, Conflict::amplitude_against_return,
-      {"f2 = 0.533334",
+      {"f >= 0.533334",
        "if friction cannot hold it there, coming to rest within the residual needs f <= 0.391274"});
   // f <= 0.01 leaves a strip of 4 %, too narrow for +-10 %.
   check_explained({1, 1, 1.1}, {0.01, none, 0.1}, Conflict::stop_against_start,
-                  {"stop", "start", "delta2 = 0.5", "tolerance of 10 %"});
+                  {"stop", "start", "delta <= 0.5", "tolerance of 10 %"});
   // Even at f3 the published Delta1 is 1/16.
   check_explained({1, 1, 1.1}, {none, 0.06, 0}, Conflict::stop_against_limit,
-                  {"stop", "delta_max is 0.06", "0.0625"});
+                  {"stop", "delta may be at most 0.06", "0.0625"});
   const Problem exact{1, 1, 1.1, Criterion::exact};
   BOOST_TEST(admissible_region(exact, {none, 0.06, 0}).feasible);
 }
@@ -127,7 +127,8 @@ BOOST_AUTO_TEST_CASE(a_reason_is_in_the_units_asked_for) {
   const Limits limits{std::nullopt, 0.06, 0};
   const std::string text =
       reason(admissible_region(problem, limits), problem, limits, {1000, "mm", 2, "m/s"}).value();
-  BOOST_TEST(text.find("delta > 62.5 mm, but delta_max is 60 mm") != std::string::npos, text);
+  BOOST_TEST(text.find("delta > 62.5 mm, but delta may be at most 60 mm") != std::string::npos,
+             text);
 }
 
 BOOST_AUTO_TEST_CASE(a_region_narrower_than_rounding_is_explained) {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "design_parts.hpp"
 #include "json/head_fields.hpp"
 #include "json/region_fields.hpp"
 #include "json/schema.hpp"
@@ -352,73 +351,76 @@ inline constexpr auto fields<report::DesignReport> = [] {
   using namespace report;
   using Now = DesignReport;
   using Of = ShownDesign;
-  return std::tuple_cat(head_fields<Now, design_name>, std::tuple{
-      Field{"input", &design_input},
-      Field{"region", [](const Now& now) -> const design::RegionVerdict& { return now.result; }},
-      Field{"design", of_design([](const Of& of) { return of; }),
-            "null without an admissible design, like response, search and cross_check; search is "
-            "null with a catalogue too"},
-      Field{"constraints",
-            [](const Now& now) {
-              const auto& found = now.result.finding;
-              return found ? found->constraints : std::vector<design::Constraint>();
-            }},
-      Field{"works_for", of_design([](const Of& of) {
-              return served(of.found().works_for, task_of(of.report));
-            }),
-            "around the given v0, or k of a pulse, and p, each with the other as given: where the "
-            "point itself meets every requirement, both ends included"},
-      Field{"hits", of_design([](const Of& of) {
-              return hits_of(task_of(of.report), of.found().point.f, of.found().point.delta);
-            }),
-            "how the motion ends, for every v0 from 0 to twice the given one"},
-      Field{"practice", of_design([](const Of& of) {
-              const auto& [f, delta, tolerance] = of.found().point;
-              const auto& lines = of.found().practice;
-              return lines ? std::optional(ShownPractice{
-                                 {*lines},
-                                 design::impulses({of.result().request.problem.p, f, delta},
-                                                  of.found().response)})
-                           : std::nullopt;
-            })},
-      Field{"practice_worst", of_design([](const Of& of) {
-              return practice_at_ends(task_of(of.report), of.found().practice, of.found().point.f,
-                                      of.found().point.delta);
-            }),
-            "each figure at the end of the ranges where it is worst; null without ranges and with "
-            "a pulse"},
-      Field{"response", of_design([](const Of& of) {
-              return of.found().pulse ? AnyResponse(of.found().pulse->response)
-                                      : AnyResponse(of.found().response);
-            }),
-            "the second under a pulse"},
-      Field{"search", of_design([](const Of& of) {
-              const auto& search = of.found().search;
-              return search ? std::optional(ShownSearch{*search, optimum_of(of.result())})
-                            : std::nullopt;
-            })},
-      Field{"cross_check", of_design([](const Of& of) { return of.found().cross_check; })},
-      Field{"pulse", of_design([](const Of& of) {
-              const auto& pulse = of.found().pulse;
-              return pulse ? std::optional(ShownPulse{*pulse, optimum_of(of.result())})
-                           : std::nullopt;
-            }),
-            "null without a pulse"},
-      Field{"built_notch",
-            [](const Now& now) {
-              return now.built_notch ? std::optional(ShownNotch{*now.built_notch, now.physical})
-                                     : std::nullopt;
-            },
-            "the motion of the design with the notch that will be built; null without "
-            "--notch-width"},
-      Field{"notch_fault", [](const Now& now) { return if_any(notch_sentence(now)); },
-            "what the notch as built spoils; without one, under a pulse, that no notch works; null "
-            "if nothing was found"},
-      Field{"catalogue", [](const Now& now) { return parts_of(now.catalogue, task_of(now)); },
-            "every part, best first; null without a catalogue"},
-      Field{"trade_off", &front_of, "along the front; null if not asked for"},
-      Field{"physical", [](const Now& now) { return physical_of(now); },
-            "in the units at the ends of the names; null with dimensionless input"}});
+  return std::tuple_cat(
+      head_fields<Now, design_name>, told_fields<Now>,
+      std::tuple{
+          Field{"input", &design_input},
+          Field{"region",
+                [](const Now& now) -> const design::RegionVerdict& { return now.result; }},
+          Field{
+              "design", of_design([](const Of& of) { return of; }),
+              "null without an admissible design, like response, search and cross_check; search is "
+              "null with a catalogue too"},
+          Field{"constraints",
+                [](const Now& now) {
+                  const auto& found = now.result.finding;
+                  return found ? found->constraints : std::vector<design::Constraint>();
+                }},
+          Field{"works_for", of_design([](const Of& of) {
+                  return served(of.found().works_for, task_of(of.report));
+                }),
+                "around the given v0, or k of a pulse, and p, each with the other as given: where "
+                "the "
+                "point itself meets every requirement, both ends included"},
+          Field{"hits", of_design([](const Of& of) {
+                  return hits_of(task_of(of.report), of.found().point.f, of.found().point.delta);
+                }),
+                "how the motion ends, for every v0 from 0 to twice the given one"},
+          Field{"practice", of_design([](const Of& of) {
+                  const auto& [f, delta, tolerance] = of.found().point;
+                  const auto& lines = of.found().practice;
+                  return lines ? std::optional(ShownPractice{
+                                     {*lines},
+                                     design::impulses({of.result().request.problem.p, f, delta},
+                                                      of.found().response)})
+                               : std::nullopt;
+                })},
+          Field{"practice_worst", of_design([](const Of& of) {
+                  return practice_at_ends(task_of(of.report), of.found().practice,
+                                          of.found().point.f, of.found().point.delta);
+                }),
+                "each figure at the end of the ranges where it is worst; null without ranges and "
+                "with "
+                "a pulse"},
+          Field{"response", of_design([](const Of& of) {
+                  return of.found().pulse ? AnyResponse(of.found().pulse->response)
+                                          : AnyResponse(of.found().response);
+                }),
+                "the second under a pulse"},
+          Field{"search", of_design([](const Of& of) {
+                  const auto& search = of.found().search;
+                  return search ? std::optional(ShownSearch{*search, optimum_of(of.result())})
+                                : std::nullopt;
+                })},
+          Field{"cross_check", of_design([](const Of& of) { return of.found().cross_check; })},
+          Field{"pulse", of_design([](const Of& of) {
+                  const auto& pulse = of.found().pulse;
+                  return pulse ? std::optional(ShownPulse{*pulse, optimum_of(of.result())})
+                               : std::nullopt;
+                }),
+                "null without a pulse"},
+          Field{"built_notch",
+                [](const Now& now) {
+                  return now.built_notch ? std::optional(ShownNotch{*now.built_notch, now.physical})
+                                         : std::nullopt;
+                },
+                "the motion of the design with the notch that will be built; null without "
+                "--notch-width"},
+          Field{"catalogue", [](const Now& now) { return parts_of(now.catalogue, task_of(now)); },
+                "every part, best first; null without a catalogue"},
+          Field{"trade_off", &front_of, "along the front; null if not asked for"},
+          Field{"physical", [](const Now& now) { return physical_of(now); },
+                "in the units at the ends of the names; null with dimensionless input"}});
 }();
 
 }  // namespace stillpoint

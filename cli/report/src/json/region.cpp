@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "design_parts.hpp"
 #include "json/head_fields.hpp"
 #include "json/region_fields.hpp"
 #include "json/schema.hpp"
@@ -164,43 +163,49 @@ inline constexpr auto fields<report::RegionReport> = [] {
   using namespace report;
   using Now = RegionReport;
   using design::RegionAnswer;
-  return std::tuple_cat(head_fields<Now, region_name>, std::tuple{
-      Field{"input", &region_input},
-      Field{"region", [](const Now& now) -> const design::RegionVerdict& { return now.answer; }},
-      Field{"strips", in(&Now::answer, &RegionAnswer::strips),
-            "one for each arrival up to input.arrivals at which some damper can stop"},
-      Field{"delta1_published", in(&Now::answer, &RegionAnswer::delta1_published),
-            "at the given f"},
-      Field{"delta1_exact", in(&Now::answer, &RegionAnswer::delta1_exact),
-            "null if the motion does not return, for a hit with f > f3"},
-      Field{"admissible", in(&Now::answer, &RegionAnswer::admissible),
-            "of the given point; null without one"},
-      Field{"tolerance", in(&Now::answer, &RegionAnswer::tolerance),
-            "the largest that the point allows"},
-      Field{"arrival", in(&Now::answer, &RegionAnswer::arrival),
-            "at which an admissible point stops the mass; else, and with a pulse, null",
-            at_least_one},
-      Field{"constraints", in(&Now::answer, &RegionAnswer::constraints)},
-      Field{"works_for", [](const Now& now) { return served(now.answer.works_for, task_of(now)); },
-            "around the given v0, or k of a pulse, and p, each with the other as given: where the "
-            "point itself meets every requirement, both ends included"},
-      Field{"hits",
-            [](const Now& now) { return hits_of(task_of(now), now.request.f, now.request.delta); },
-            "how the motion ends, for every v0 from 0 to twice the given one"},
-      Field{"practice", &point_practice},
-      Field{"practice_worst",
-            [](const Now& now) {
-              return practice_at_ends(task_of(now), now.answer.practice, now.request.f,
-                                      now.request.delta);
-            },
-            "each figure at the end of the ranges where it is worst; null without ranges and with "
-            "a pulse"},
-      Field{"notch_fault", [](const Now& now) { return if_any(notch_sentence(as_design(now))); },
-            "under a pulse, that no notch works; null if nothing was found"},
-      Field{"catalogue", [](const Now& now) { return parts_of(now.catalogue, task_of(now)); },
-            "every part, best first; null without a catalogue"},
-      Field{"physical", [](const Now& now) { return physical_of(now); },
-            "in the units at the ends of the names; null with dimensionless input"}});
+  return std::tuple_cat(
+      head_fields<Now, region_name>, told_fields<Now>,
+      std::tuple{
+          Field{"input", &region_input},
+          Field{"region",
+                [](const Now& now) -> const design::RegionVerdict& { return now.answer; }},
+          Field{"strips", in(&Now::answer, &RegionAnswer::strips),
+                "one for each arrival up to input.arrivals at which some damper can stop"},
+          Field{"delta1_published", in(&Now::answer, &RegionAnswer::delta1_published),
+                "at the given f"},
+          Field{"delta1_exact", in(&Now::answer, &RegionAnswer::delta1_exact),
+                "null if the motion does not return, for a hit with f > f3"},
+          Field{"admissible", in(&Now::answer, &RegionAnswer::admissible),
+                "of the given point; null without one"},
+          Field{"tolerance", in(&Now::answer, &RegionAnswer::tolerance),
+                "the largest that the point allows"},
+          Field{"arrival", in(&Now::answer, &RegionAnswer::arrival),
+                "at which an admissible point stops the mass; else, and with a pulse, null",
+                at_least_one},
+          Field{"constraints", in(&Now::answer, &RegionAnswer::constraints)},
+          Field{"works_for",
+                [](const Now& now) { return served(now.answer.works_for, task_of(now)); },
+                "around the given v0, or k of a pulse, and p, each with the other as given: where "
+                "the "
+                "point itself meets every requirement, both ends included"},
+          Field{"hits",
+                [](const Now& now) {
+                  return hits_of(task_of(now), now.request.f, now.request.delta);
+                },
+                "how the motion ends, for every v0 from 0 to twice the given one"},
+          Field{"practice", &point_practice},
+          Field{"practice_worst",
+                [](const Now& now) {
+                  return practice_at_ends(task_of(now), now.answer.practice, now.request.f,
+                                          now.request.delta);
+                },
+                "each figure at the end of the ranges where it is worst; null without ranges and "
+                "with "
+                "a pulse"},
+          Field{"catalogue", [](const Now& now) { return parts_of(now.catalogue, task_of(now)); },
+                "every part, best first; null without a catalogue"},
+          Field{"physical", [](const Now& now) { return physical_of(now); },
+                "in the units at the ends of the names; null with dimensionless input"}});
 }();
 
 }  // namespace stillpoint

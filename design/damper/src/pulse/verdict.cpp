@@ -117,17 +117,17 @@ std::string reason_of(const Region& found, const PulseRegion& region, const Puls
   const FirstReturn last = last_return(region);
   const LimitKind* const kind = found.limit;
   const double limit = kind == nullptr ? 0 : (limits.*kind->value).value_or(0);
+  constexpr std::string_view stroke = "a peak within the displacement allowed needs";
   switch (found.conflict) {
     case Conflict::amplitude_against_return:
       if (amplitude.islands().empty()) {
         return fmt::format(
-            "amplitude and return conflict: coming back to x = 0 needs f <= {:.6g}, and "
-            "then the peak is at least {:.6g} times beta",
+            "coming back to x = 0 needs f <= {:.6g}, and then the peak is at least {:.6g} times "
+            "the largest displacement allowed",
             last.f * k, last.peak * region.length_unit() / problem.beta);
       }
       return fmt::format(
-          "amplitude and return conflict: a peak within beta needs f >= {:.6g}, but coming "
-          "back to x = 0 needs f <= {:.6g}{}",
+          "{} f >= {:.6g}, but coming back to x = 0 needs f <= {:.6g}{}", stroke,
           amplitude.islands().front().low * k, amplitude.islands().back().high * k,
           none_between("f", amplitude.islands().front().low, amplitude.islands().back().high, box));
     case Conflict::limit_alone:
@@ -136,25 +136,19 @@ std::string reason_of(const Region& found, const PulseRegion& region, const Puls
     case Conflict::amplitude_against_limit:
       return kind->figure
                  ? fmt::format(
-                       "amplitude and {} conflict: no f brings the mass back and keeps "
-                       "the peak within beta and the {} within {:.6g}{}{}",
-                       kind->constraint, kind->quantity, limit, kind->unit, box)
-                 : fmt::format(
-                       "amplitude and {} conflict: a peak within beta needs f >= {:.6g}, "
-                       "but {} is {:.6g}{}",
-                       kind->constraint, amplitude.islands().front().low * k, kind->field, limit,
-                       none_between("f", amplitude.islands().front().low * k, limit, box));
+                       "no f brings the mass back and keeps the peak within the displacement "
+                       "allowed and the {} within {:.6g}{}{}",
+                       kind->quantity, limit, kind->unit, box)
+                 : fmt::format("{} f >= {:.6g}, but f may be at most {:.6g}{}", stroke,
+                               amplitude.islands().front().low * k, limit,
+                               none_between("f", amplitude.islands().front().low * k, limit, box));
     default:
-      if (kind->bounds == Bounded::delta && limit == 0) {
-        return fmt::format(
-            "stop and {} conflict: without a notch (delta = 0) the mass rests up to f/p^2 off "
-            "centre, not at x = 0, where a design for a pulse stops it",
-            kind->constraint);
-      }
-      return fmt::format(
-          "stop and {} conflict: no f that meets the other requirements arrives "
-          "slowly enough for a notch within {}{}",
-          kind->constraint, kind->field, box);
+      return kind->bounds == Bounded::delta && limit == 0
+                 ? "without a notch (delta = 0) the mass rests up to f/p^2 off centre, not at "
+                   "x = 0, where a design for a pulse stops it"
+                 : "no f that meets the other requirements arrives slowly enough for a notch with "
+                   "the largest delta allowed" +
+                       box;
   }
 }
 

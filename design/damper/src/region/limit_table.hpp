@@ -41,8 +41,8 @@ inline constexpr std::array limit_table{
               .quantity = "transmitted acceleration",
               .unit = " g",
               .beyond = "too strong: acceleration",
-              .figure = LimitedFigure{acceleration_edge, "f4", least_acceleration, "p V0",
-                                      roomiest_p, &FirstReturn::acceleration}},
+              .figure = LimitedFigure{acceleration_edge, least_acceleration, roomiest_p,
+                                      &FirstReturn::acceleration}},
 };
 
 /// The rows that limit a figure.

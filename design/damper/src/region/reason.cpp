@@ -53,31 +53,28 @@ std::string stroke(const Problem& problem, const ReasonUnits& units) {
 
 /// f2 is above `most`, which is `what`, or leaves too little below it.
 std::string too_much_friction(const Region& region, double most, const std::string& stroke,
-                              std::string_view rival, std::string_view what,
-                              const std::string& box) {
+                              std::string_view what, const std::string& box) {
   const auto [least, allowed] = told_apart(region.f2, most);
-  return fmt::format("amplitude and {} conflict: a peak within {} needs f >= f2 = {}, but {} {}{}",
-                     rival, stroke, least, what, allowed, none_between("f", region.f2, most, box));
+  return fmt::format("a peak within {} needs f >= {}, but {} {}{}", stroke, least, what, allowed,
+                     none_between("f", region.f2, most, box));
 }
 
 /// A figure that is above its limit without friction.
 std::string limit_alone(const LimitKind& kind, const Problem& problem, double limit) {
   const auto& figure = kind.figure.value();
   const auto [least, most] = told_apart(figure.least(problem), limit);
-  return fmt::format("even without friction the {} is {} = {}{}, above the limit of {}{}",
-                     kind.quantity, figure.least_name, least, kind.unit, most, kind.unit);
+  return fmt::format("even without friction the {} is {}{}, above the limit of {}{}", kind.quantity,
+                     least, kind.unit, most, kind.unit);
 }
 
 std::string amplitude_against(const LimitKind& kind, const Region& region, const Problem& problem,
                               double limit, const std::string& stroke, const std::string& box) {
   if (!kind.figure) {
-    return too_much_friction(region, limit, stroke, kind.constraint,
-                             fmt::format("{} is", kind.field), box);
+    return too_much_friction(region, limit, stroke, "f may be at most", box);
   }
-  return too_much_friction(region, kind.figure->edge(problem, limit), stroke, kind.constraint,
-                           fmt::format("a {} within {:.6g}{} needs f <= {} =", kind.quantity, limit,
-                                       kind.unit, kind.figure->edge_name),
-                           box);
+  return too_much_friction(
+      region, kind.figure->edge(problem, limit), stroke,
+      fmt::format("a {} within {:.6g}{} needs f <=", kind.quantity, limit, kind.unit), box);
 }
 
 /// For one hit and one spring.
@@ -100,9 +97,9 @@ std::string no_arrival(const Problem& problem, const Limits& limits, const Reaso
                    last, box);
 }
 
-/// `rival` bounds Delta from above, by `what`.
+/// Delta is bounded from above, by `what`.
 std::string too_fast(const Problem& problem, const Limits& limits, const ReasonUnits& units,
-                     std::string_view rival, std::string_view what, const std::string& box) {
+                     std::string_view what, const std::string& box) {
   const Edges edge = edges(problem, limits);
   const auto needed = [&](double f) { return delta1(problem, f).value_or(0); };
   const bool alone = needed(edge.f_cap) >= edge.delta_cap;
@@ -110,13 +107,11 @@ std::string too_fast(const Problem& problem, const Limits& limits, const ReasonU
   const double needs = needed(alone ? f : f * (1 - limits.tolerance));
   const auto [least, most] =
       told_apart(needs * units.delta, edge.delta_cap * units.delta, units.delta_unit);
-  return fmt::format(
-      "stop and {} conflict: even at the largest f, {:.6g}, stopping needs delta > {}, "
-      "but {} {}{}",
-      rival, f, least, what, most,
-      alone                    ? ""
-      : needs < edge.delta_cap ? none_between("delta", needs, edge.delta_cap, box)
-                               : box);
+  return fmt::format("even at the largest f, {:.6g}, stopping needs delta > {}, but {} {}{}", f,
+                     least, what, most,
+                     alone                    ? ""
+                     : needs < edge.delta_cap ? none_between("delta", needs, edge.delta_cap, box)
+                                              : box);
 }
 
 }  // namespace
@@ -132,15 +127,15 @@ std::optional<std::string> reason(const Region& region, const Problem& problem,
     case Conflict::none:
       break;
     case Conflict::amplitude_against_return:
-      return problem.residual ? too_much_friction(region, largest_f(problem), allowed, "return",
+      return problem.residual ? too_much_friction(region, largest_f(problem), allowed,
                                                   "if friction cannot hold it there, coming to "
                                                   "rest within the residual needs f <=",
                                                   box)
-                              : too_much_friction(region, region.f3, allowed, "return",
-                                                  "coming back to x = 0 needs f <= f3 =", box);
+                              : too_much_friction(region, region.f3, allowed,
+                                                  "coming back to x = 0 needs f <=", box);
     case Conflict::amplitude_against_dead_zone:
-      return too_much_friction(region, region.f1, allowed, "dead_zone",
-                               "friction could hold it at that limit unless f < f1 =", box);
+      return too_much_friction(region, region.f1, allowed,
+                               "friction could hold it at that limit unless f <", box);
     case Conflict::amplitude_against_limit:
       return amplitude_against(*region.limit, region, problem, limit, allowed, box);
     case Conflict::limit_alone:
@@ -151,15 +146,13 @@ std::optional<std::string> reason(const Region& region, const Problem& problem,
       return is_plain(problem, limits) ? no_arrival(problem, limits, units, box)
                                        : no_way(problem, box);
     case Conflict::stop_against_start:
-      return too_fast(problem, limits, units, "start", "starting needs delta <= delta2 =", box);
+      return too_fast(problem, limits, units, "starting needs delta <=", box);
     case Conflict::stop_against_limit:
       if (needs_a_notch(problem, limits)) {
-        return "stop and delta_max conflict: without a notch (delta = 0) the mass rests up to "
-               "f/p^2 "
-               "off centre, not at x = 0; allow a residual";
+        return "without a notch (delta = 0) the mass rests up to f/p^2 off centre, not at x = 0; "
+               "allow a residual";
       }
-      return too_fast(problem, limits, units, region.limit->constraint,
-                      fmt::format("{} is", region.limit->field), box);
+      return too_fast(problem, limits, units, "delta may be at most", box);
   }
   return std::nullopt;
 }

@@ -23,6 +23,8 @@ namespace stillpoint::report {
     std::span<const design::Finding> findings,
     const std::optional<design::PhysicalInput>& physical);
 
+/// Whether nobody should build what they are about: a fault, or too exact.
+[[nodiscard]] bool is_useless(std::span<const design::Finding> findings);
 /// Whether one of them is a caution or a fault.
 [[nodiscard]] bool is_alarming(std::span<const design::Finding> findings);
 

@@ -41,6 +41,7 @@ struct DesignReport {
   std::optional<Catalogue> catalogue{};             ///< of which the finding is the best
   std::optional<std::int64_t> trade_offs{};         ///< how many were asked for
   std::optional<std::vector<design::TradeOff>> trade_off{};
+  std::vector<design::Finding> findings{};
 };
 
 struct RegionReport {
@@ -48,6 +49,7 @@ struct RegionReport {
   design::RegionAnswer answer;
   std::optional<design::PhysicalInput> physical{};
   std::optional<Catalogue> catalogue{};
+  std::vector<design::Finding> findings{};
 };
 
 /// Where an acceleration record comes from.
@@ -84,34 +86,16 @@ struct AccuracyReport {
 [[nodiscard]] Document document(const DesignReport& report);
 [[nodiscard]] Document document(const RegionReport& report);
 [[nodiscard]] Document document(const MotionReport& report);
-/// Where it rests, or what it does in place of that; how, the findings say.
-[[nodiscard]] std::string verdict(const MotionReport& report);
-[[nodiscard]] inline const std::vector<design::Finding>& findings(const MotionReport& report) {
-  return report.findings;
-}
 [[nodiscard]] Document document(const AccuracyReport& report);
 
-/// What the document says of a damper besides its numbers, for a page that shows these itself.
-struct Advice {
-  bool alarming{false};         ///< the tone of the document
-  bool too_exact{false};        ///< nobody can build it
-  bool little_friction{false};  ///< f is to be as small as possible
-  std::string remarks;          ///< sentences: the notch that will be built, a lock, what is felt
-};
-/// Of the design, if there is one.
-[[nodiscard]] Advice advice(const DesignReport& report);
-/// Of the damper that is judged.
-[[nodiscard]] Advice advice(const RegionReport& report);
-/// The verdict on a motion, which alarms where the mass stands still under its load.
-[[nodiscard]] Advice advice(const MotionReport& report);
-
-/// "The notch locks the mass at x = 0 from 1.61 s of 20 s on; ...", before its pulse is over; else
-/// empty.
-[[nodiscard]] std::string lock_sentence(const RegionReport& report);
-[[nodiscard]] std::string lock_sentence(const DesignReport& report);
-/// "with this notch the peak exceeds 150 mm", if a notch was asked for; else, under a pulse, "no
-/// notch works", if only a wider one than the stroke lets it move the mass. Empty if all is well.
-[[nodiscard]] std::string notch_sentence(const DesignReport& report);
+/// The answer in a sentence or two; what else is to be known of it, the findings say.
+[[nodiscard]] std::string verdict(const DesignReport& report);
+[[nodiscard]] std::string verdict(const RegionReport& report);
+[[nodiscard]] std::string verdict(const MotionReport& report);
+template <class Report>
+[[nodiscard]] const std::vector<design::Finding>& findings(const Report& report) {
+  return report.findings;
+}
 
 /// As docs/reports.md describes them. Numbers carry a double's full precision; a value that does
 /// not exist is null.

@@ -23,24 +23,36 @@ enum class Severity {
 };
 
 enum class FindingKind {
+  acts_late,
   catches_hit,
+  catches_weak_hits,
   check_failed,
   close_call,
+  delta_unbounded,
   does_not_isolate,
   ends_before_load,
   exact_only,
+  exceeds_later,
   fails_if_off,
   friction_above_weight,
   interrupted,
   jolts,
+  least_friction_is_best,
   locks,
   never_moves,
   no_notch_works,
+  notch_changes_nothing,
+  notch_fails,
   notch_gains_little,
   notch_needs_width,
+  notch_unused,
   peaks_develop,
+  ranges_estimated,
+  recentres_weakly,
   records_exceed_limit,
+  search_cut_short,
   sensitive,
+  too_exact,
 };
 
 [[nodiscard]] std::span<const Named<Severity>> enumerators(Severity) noexcept;

@@ -21,10 +21,7 @@ struct LimitedFigure {
   /// The largest f that keeps it for the strongest hit and the stiffest spring; negative if none
   /// does.
   double (*edge)(const Problem& problem, double limit);
-  std::string_view edge_name;  ///< "f4"
-  /// Without friction, and what that is.
-  double (*least)(const Problem& problem);
-  std::string_view least_name;
+  double (*least)(const Problem& problem);  ///< without friction
   /// The p at which a box has the most room between f2 and the edge.
   double (*roomiest_p)(const Problem& problem, const Limits& limits, double limit);
   double FirstReturn::*under_pulse;  ///< in units of k

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <span>
 #include <string_view>
 
@@ -16,7 +15,7 @@ namespace stillpoint::report {
 
 namespace {
 
-constexpr std::size_t most_rows = 20;
+constexpr std::size_t most_rows = 12;  // with the answer, a screen
 
 /// What goes wrong if a constraint is violated: "exceeds 150 mm".
 std::string consequence(const design::Constraint& violated, const ShownTask& task) {
@@ -51,7 +50,7 @@ std::string consequence(const design::Constraint& violated, const ShownTask& tas
 /// "f must be 12 % larger", "f is 12 % too large", "delta is 3.4 times the limit".
 std::string by_how_much(const design::Constraint& violated) {
   const auto& [name, measured, relation, value, limit, slack, satisfied, by_criterion] = violated;
-  const std::string variable = of_first_swing(violated)
+  const std::string variable = (violated.variable == "peak" || violated.variable == "acceleration")
                                    ? format("the {} of the first swing", measured)
                                    : std::string(measured);
   const bool too_large = relation.front() == '<';
@@ -127,37 +126,11 @@ void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& 
                 tolerance_cells(task.limits, rated.tolerance), {judgement(rated, task)}),
          rated.admissible ? Tone::good : Tone::bad});
   }
-  Section& section = document.section("Parts, best first");
+  Section& section = document.section(format("Parts, best first: {}", how_many_fit(parts)));
   section.parts.emplace_back(std::move(table));
   if (parts.size() > shown) {
     section.line(format("{} more; --json lists them all.", parts.size() - shown), Tone::faint);
   }
-  std::map<std::string, std::size_t> reasons;  // a part may have several
-  for (const design::RatedPart& rated : parts) {
-    if (!rated.admissible && rated.violated.empty()) {
-      ++reasons["too little tolerance"];
-    }
-    for (const design::Constraint& violated : rated.violated) {
-      ++reasons[in_words(violated.name)];
-    }
-  }
-  std::string ruled_out;
-  for (const auto& [reason, count] : reasons) {
-    ruled_out += format("{}{} {}", ruled_out.empty() ? "Ruled out, some by several, by: " : ", ",
-                        reason, count);
-  }
-  if (!ruled_out.empty()) {
-    section.line(ruled_out + ".");
-  }
-}
-
-std::string trade_off_words(const std::vector<design::TradeOff>& front, const Physical& physical) {
-  const auto at = [&](const design::TradeOff& end) {
-    return format("{} at {}", length_shown(physical, end.peak_amplitude),
-                  acceleration_shown(end.peak_absolute_acceleration));
-  };
-  return format("from a stroke of {} to {}, outside the notch", at(front.front()),
-                at(front.back()));
 }
 
 void add_trade_off(Document& document, const std::vector<design::TradeOff>& front,
@@ -180,11 +153,11 @@ void add_trade_off(Document& document, const std::vector<design::TradeOff>& fron
   const std::size_t shown = table.rows.size();
   Section& section = document.section("Trade-off of stroke, acceleration and tolerance");
   section.parts.emplace_back(std::move(table));
-  const std::string some =
-      step == 1 ? "" : format("{} of {} dampers; --json lists them all. ", shown, front.size());
-  section.line(some +
-               "Accelerations are those outside the notch. Where several delta are equally "
-               "tolerant, the table has the middle one, and the design may have another.");
+  section.line(
+      format("{}Accelerations are those outside the notch.",
+             step == 1 ? ""
+                       : format("{} of {} dampers; --json lists them all. ", shown, front.size())),
+      Tone::faint);
 }
 
 }  // namespace stillpoint::report

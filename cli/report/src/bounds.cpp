@@ -30,10 +30,6 @@ bool returns(std::span<const design::Constraint> constraints) {
   });
 }
 
-bool of_first_swing(const design::Constraint& constraint) {
-  return constraint.variable == "peak" || constraint.variable == "acceleration";
-}
-
 namespace {
 
 std::pair<double, std::string> unit_of(std::string_view variable, const FigureUnits& units) {
@@ -209,26 +205,9 @@ Section& add_region(Document& document, const design::RegionVerdict& verdict,
   return section;
 }
 
-namespace {
-
-/// What breaks a limit after the first swing, which meets it.
-std::optional<double> later(const design::Constraint& now, const Response& whole) {
-  const double most =
-      now.variable == "peak" ? whole.peak_amplitude : whole.peak_absolute_acceleration;
-  return now.satisfied && of_first_swing(now) && most > now.limit * for_rounding
-             ? std::optional(most)
-             : std::nullopt;
-}
-
-}  // namespace
-
 Section& add_constraints(Document& document, std::span<const design::Constraint> constraints,
-                         const design::Limits& limits, const Response& whole,
-                         const Physical& physical) {
+                         const design::Limits& limits, const Physical& physical) {
   const FigureUnits units(physical);
-  const bool all_met = std::ranges::all_of(constraints, [&](const design::Constraint& now) {
-    return now.satisfied && !later(now, whole);
-  });
   const bool back = returns(constraints);
   const int shown = digits_between(constraints);
   Table table{{"", "requirement", "slack", ""}, {}};
@@ -237,24 +216,22 @@ Section& add_constraints(Document& document, std::span<const design::Constraint>
       table.rows.push_back({{"stop", "-", "-", "not reached"}});
       continue;
     }
-    // With more friction than that it may still stop at x = 0.
-    const bool of_any_rest = now.name == "residual" && now.satisfied && now.relation == "<=";
     const auto [unit, unit_name] = unit_of(now.variable, units);
-    const auto then = later(now, whole);
     table.rows.push_back(
-        {{in_words(now.name) + (of_any_rest ? ", any rest" : ""), requirement(now, units, shown),
+        {{in_words(now.name), requirement(now, units, shown),
           bounds_nothing(now) ? "-" : few_digits(now.slack * unit) + with_blank(unit_name),
-          then ? format("met, but {} later", few_digits(*then * unit) + with_blank(unit_name))
-          : now.satisfied ? "met"
-                          : "violated"},
-         now.satisfied && !then ? Tone::good : Tone::bad});
+          now.satisfied ? "met" : "violated"},
+         now.satisfied ? Tone::good : Tone::bad});
   }
-  Section& section = all_met ? document.detail("Constraints") : document.section("Constraints");
+  Section& section = document.section("Constraints");
+  section.detail = std::ranges::all_of(constraints, &design::Constraint::satisfied);
   section.parts.emplace_back(std::move(table));
   if (limits.tolerance > 0) {
     section.row("tolerance", "at least " + box_text(limits, limits.tolerance));
   }
-  if (std::ranges::any_of(constraints, of_first_swing)) {
+  if (std::ranges::any_of(constraints, [](const design::Constraint& now) {
+        return now.variable == "peak" || now.variable == "acceleration";
+      })) {
     section.line("Each is of the motion up to the first return.");
   }
   return section;

@@ -98,100 +98,53 @@ std::string most_tolerant_text(const design::DesignPoint& most, const design::Li
                 length_shown(physical, most.delta));
 }
 
-/// The reason in the units of the task, without the names that scripts read: "stop and delta_max
-/// conflict: stopping needs delta > 1.02 mm, but delta_max is 1 mm".
-std::string reason_in_words(const design::RegionVerdict& empty, const ShownTask& task) {
-  const design::Region& region = empty.region;
+/// In the units of the task; a catalogue that misses the region has a reason of its own.
+std::string reason_in_units(const design::RegionVerdict& empty, const ShownTask& task) {
   const FigureUnits units(task.physical);
-  const std::string allowed = length_shown(task.physical, task.problem.beta);
-  if (task.pulse && region.conflict == design::Conflict::amplitude_against_return &&
-      region.beta_min > task.problem.beta) {
-    return format(
-        "coming back to x = 0 needs f <= {}, and then the peak is at least {}, where {} is "
-        "allowed",
-        limit_digits(region.f3, false, 6), length_limit(task.physical, region.beta_min, true),
-        allowed);
-  }
-  // A catalogue that misses the region has a reason of its own.
-  std::string text =
-      task.pulse || region.conflict == design::Conflict::none
-          ? empty.reason.value()
-          : design::reason(region, task.problem, task.limits,
-                           {units.length, units.length_unit, units.velocity, units.velocity_unit})
-                .value();
-  constexpr std::string_view conflict = "conflict: ";
-  if (const std::size_t at = text.find(conflict); at != std::string::npos) {
-    text.erase(0, at + conflict.size());
-  }
-  for (const auto& [name, words] :
-       {std::pair<std::string_view, std::string>{"f2 = ", ""},
-        {"f1 = ", ""},
-        {"f3 = ", ""},
-        {"f4 = ", ""},
-        {"delta2 = ", ""},
-        {"p V0 = ", ""},
-        {"f_max is", "f may be at most"},
-        {"delta_max is", "delta may be at most"},
-        {"within delta_max", "with the largest delta allowed"},
-        {"within beta", "within " + (task.physical ? allowed : "beta")}}) {
-    if (const std::size_t at = text.find(name); at != std::string::npos) {
-      text.replace(at, name.size(), words);
-    }
-  }
-  return text;
+  return task.pulse || empty.region.conflict == design::Conflict::none
+             ? empty.reason.value()
+             : design::reason(
+                   empty.region, task.problem, task.limits,
+                   {units.length, units.length_unit, units.velocity, units.velocity_unit})
+                   .value();
 }
 
 /// " One way out: a max displacement of at least 168.8 mm."
 std::string way_out(const design::RegionVerdict& empty, const ShownTask& task) {
-  if (!empty.mends.empty()) {
-    const design::Mend& mend = named_mend(empty.mends);
-    return empty.most_tolerant && mend.field == "tolerance"
-               ? ""  // which the verdict says
-               : format(" One way out: {}.", words_of(way_of(mend, task)));
+  if (empty.mends.empty()) {
+    return empty.criterion_mend ? " One way out: the exact criterion." : "";
   }
-  return empty.criterion_mend ? " One way out: the exact criterion." : "";
-}
-
-/// Where there is no mend.
-
-std::string none_alone(const design::RegionVerdict& empty, const ShownTask& task) {
-  return format("No change of a single input was found that makes it feasible{}.",
-                empty.largest_tolerance
-                    ? format(": whatever the stroke and the limits are, no damper has more than {}",
-                             tolerance_shown(task.limits, *empty.largest_tolerance))
-                    : "");
+  const design::Mend& mend = named_mend(empty.mends);
+  return empty.most_tolerant && mend.field == "tolerance"
+             ? ""  // which the verdict says
+             : format(" One way out: {}.", words_of(way_of(mend, task)));
 }
 
 }  // namespace
 
-void add_emptiness(Document& document, const design::RegionVerdict& empty, const ShownTask& task) {
-  const bool exact = empty.criterion_mend.has_value();
-  document.verdict = format(
-      "No admissible design: {}.{}",
-      empty.most_tolerant ? most_tolerant_text(*empty.most_tolerant, task.limits, task.physical)
-                          : reason_in_words(empty, task),
-      way_out(empty, task));
-  document.tone = Tone::bad;
-  Section& section = document.section("What would make it feasible");
-  const std::size_t ways = empty.mends.size() + (exact ? 1 : 0);
-  section.line(
-      ways == 0 ? none_alone(empty, task)
-      : ways == 1
-          ? "This change makes it feasible; the value is the nearest that does:"
-          : "Changing any one of these makes it feasible; each value is the nearest that does:");
+std::string none_admissible(const design::RegionVerdict& empty, const ShownTask& task) {
+  return format("No admissible design: {}.{}",
+                empty.most_tolerant
+                    ? most_tolerant_text(*empty.most_tolerant, task.limits, task.physical)
+                    : reason_in_units(empty, task),
+                way_out(empty, task));
+}
+
+void add_mends(Document& document, const design::RegionVerdict& empty, const ShownTask& task) {
+  Section& section = document.section("What would make it feasible, each alone");
   for (const design::Mend& mend : empty.mends) {
     const Way way = way_of(mend, task);
-    section.row(way.name,
-                format("at {} {}{}", way.upwards ? "least" : "most", way.bound,
-                       mend.field == "arrivals" ? ": it may pass x = 0 before it stops" : ""));
+    section.row(way.name, format("at {} {}", way.upwards ? "least" : "most", way.bound));
   }
-  if (empty.mends_cut_short) {
-    section.line(
-        "The search was cut short, because it would have taken longer than a second: changing "
-        "another input may also make it feasible.");
-  }
-  if (exact) {
+  if (empty.criterion_mend) {
     section.row("criterion", "exact: the published one requires more delta than needed");
+  }
+  if (section.parts.empty()) {
+    section.line("No change of a single input was found.");
+    if (empty.largest_tolerance) {
+      section.row("tolerance", format("at most {} for any damper, whatever the limits",
+                                      percent_digits(*empty.largest_tolerance)));
+    }
   }
 }
 

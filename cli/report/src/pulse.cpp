@@ -1,38 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What a report says of a pulse.
-#include "design_parts.hpp"
 #include "format.hpp"
+#include "sections.hpp"
 
 #include <stillpoint/report/digits.hpp>
 
 namespace stillpoint::report {
-
-namespace {
-
-/// Before the pulse ends.
-std::string lock_under(const design::Pulse& pulse, const ForcedResponse& motion,
-                       const Physical& physical) {
-  return motion.locked_from
-             ? locked_words(motion, duration(design::excitation(pulse)).value(), physical)
-             : "";
-}
-
-}  // namespace
-
-std::string lock_sentence(const DesignReport& report) {
-  const auto& finding = report.result.finding;
-  if (!finding || !finding->pulse) {
-    return {};
-  }
-  const design::PulseCheck& check = *finding->pulse;
-  return lock_under(check.pulse, report.built_notch ? report.built_notch->response : check.response,
-                    report.physical);
-}
-
-std::string lock_sentence(const RegionReport& report) {
-  const auto& forced = report.answer.forced;
-  return forced ? lock_under(*report.request.pulse, *forced, report.physical) : "";
-}
 
 void add_pulse(Section& task, const design::Pulse& pulse, const design::PulseRanges& ranges,
                const Physical& physical) {

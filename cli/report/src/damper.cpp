@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+#include "damper.hpp"
+#include "format.hpp"
+
+#include <stillpoint/design/damper_findings.hpp>
+#include <stillpoint/design/motion_findings.hpp>
+#include <stillpoint/report/digits.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace stillpoint::report {
+
+namespace {
+
+/// " (strongest hit, softest spring)"; empty of nothing.
+std::string in_brackets(const std::string& words) {
+  return words.empty() ? "" : format(" ({})", words);
+}
+
+/// Of ranges: which of the motions that were tried with the notch as built.
+std::string which_words(const design::TriedMotion& now, const ShownTask& task) {
+  const auto& [problem, limits, pulse, ranges, physical] = task;
+  std::string words;
+  if (now.pulse) {
+    words = format("k = {:.4g} g", design::peak_load(*now.pulse));
+    if (ranges.lambda_high) {
+      words += ", " + time_shown(physical, duration(design::excitation(*now.pulse)).value());
+    }
+  } else if (problem.v0_low) {
+    words = now.v0 == problem.v0
+                ? "strongest hit"
+                : format("hit of {}{}", FigureUnits(physical).velocity_words(now.v0),
+                         now.from_inside ? " from inside the notch" : "");
+  }
+  return !problem.p_high ? words
+         : words.empty() ? period_words(physical, now.p)
+                         : format("{}, {}", words, period_words(physical, now.p));
+}
+
+/// A figure of the motion, and which motion of the ranges has it.
+struct MostOf {
+  double value;
+  std::string of;
+};
+
+MostOf peak_of(const ShownDamper& shown) {
+  const auto& worst = shown.built != nullptr ? shown.built->worst : std::nullopt;
+  return worst ? MostOf{worst->peak.response.peak_amplitude, which_words(worst->peak, shown.task)}
+               : MostOf{shown.response.peak_amplitude,
+                        shown.task.pulse ? "" : extreme_words(shown.task.problem, "softest")};
+}
+
+/// Outside the notch; of a notch as built the most inside it as well.
+MostOf felt_of(const ShownDamper& shown) {
+  const auto& [problem, limits, pulse, ranges, physical] = shown.task;
+  if (shown.built != nullptr) {
+    const auto& worst = shown.built->worst;
+    return worst ? MostOf{worst->felt.response.peak_absolute_acceleration,
+                          which_words(worst->felt, shown.task)}
+                 : MostOf{shown.response.peak_absolute_acceleration, ""};
+  }
+  return pulse ? MostOf{shown.worst ? shown.worst->acceleration
+                                    : shown.response.peak_absolute_acceleration,
+                        ""}
+               : MostOf{std::hypot(shown.point.f, problem.stiffest_p() * problem.v0),
+                        extreme_words(problem, "stiffest")};
+}
+
+/// Of the paper's notch, what one with a width adds.
+std::string inside_words(const ShownDamper& shown) {
+  const auto& [problem, limits, pulse, ranges, physical] = shown.task;
+  const auto& [f, delta, tolerance] = shown.point;
+  if (pulse) {
+    return format("{} if the notch holds the mass", acceleration_shown(design::peak_load(*pulse)));
+  }
+  const auto lines = told_practice(shown.task, shown.practice, f, delta).lines;
+  if (lines && limits.acceleration_max) {
+    return lines->notch_width_min
+               ? format("{} inside one {} wide", acceleration_shown(*limits.acceleration_max),
+                        length_limit(physical, *lines->notch_width_min, true))
+               : format("no width is known to keep it within {} inside",
+                        acceleration_shown(*limits.acceleration_max));
+  }
+  return inside_example(physical, {problem.stiffest_p(), f, delta}, shown.response.peak_amplitude);
+}
+
+/// "0.0947 g outside the notch (strongest hit), at most 0.325 g inside one 20 mm wide"
+std::string felt_words(const ShownDamper& shown) {
+  const auto& [value, of] = felt_of(shown);
+  const std::string felt = acceleration_shown(value);
+  if (shown.point.delta == 0) {
+    return felt + in_brackets(of);
+  }
+  if (shown.built == nullptr) {
+    return format("{} outside the notch{}; {}", felt, in_brackets(of), inside_words(shown));
+  }
+  const auto& worst = shown.built->worst;
+  const Response& slides = worst ? worst->outside.response : shown.response;
+  const double p = worst ? worst->outside.p : shown.shown_p;
+  const auto outside =
+      felt_outside(value, slides.peak_amplitude, p, shown.point.f, shown.built->shape.width);
+  return outside
+             ? format("{} {}{}, {} outside it", felt,
+                      shown.built->shape.width ? "inside the notch" : "while the notch holds it",
+                      in_brackets(of), acceleration_shown(*outside))
+             : format("{}, the notch included{}", felt, in_brackets(of));
+}
+
+/// 0 if it is next to nothing of the stroke.
+std::string rest_shown(const ShownDamper& shown, double x) {
+  const bool centre = begins_at_nothing(std::abs(x), shown.response.peak_amplitude);
+  return length_shown(shown.task.physical, centre ? 0 : x);
+}
+
+std::string rest_words(const ShownDamper& shown) {
+  const auto& [problem, limits, pulse, ranges, physical] = shown.task;
+  const Response& response = shown.response;
+  if (!response.stop_time) {
+    return "none: it " + outcome_phrase(response.outcome);
+  }
+  if (shown.built != nullptr && shown.built->worst) {
+    const design::TriedMotion& farthest = shown.built->worst->farthest;
+    return format("within {} of x = 0{}", rest_shown(shown, std::abs(farthest.rest())),
+                  in_brackets(which_words(farthest, shown.task)));
+  }
+  const std::string which = pulse ? "" : extreme_words(problem, "softest");
+  const double residual = std::min(problem.residual.value_or(0), problem.beta);
+  return format(
+      "at x = {} {} {}{}{}{}", rest_shown(shown, *response.stop_position),
+      shown.worst ? "within" : "after",
+      time_shown(physical, shown.worst ? shown.worst->stop_time : *response.stop_time),
+      shown.arrival && problem.arrivals > 1 ? format(", at arrival {}", *shown.arrival) : "",
+      in_brackets(which),
+      which.empty() || residual == 0 || !shown.admissible
+          ? ""
+          : format("; within {} after any other", length_shown(physical, residual)));
+}
+
+/// In per cent.
+std::string share_of(double value, double limit) {
+  constexpr double least = 0.01;
+  const double share = 100 * value / limit;
+  return share < least ? format("less than {}", least) : format("{:.4g}", share);
+}
+
+}  // namespace
+
+ShownDamper shown_damper(const DesignReport& report) {
+  const design::Found& found = *report.result.finding;
+  const auto& pulse = found.pulse;
+  const bool built = report.built_notch.has_value();
+  return {task_of(report),
+          found.point,
+          built ? report.built_notch->response : found.response,
+          found.practice,
+          found.works_for,
+          built ? &*report.built_notch : nullptr,
+          pulse && !built ? pulse->worst : std::nullopt,
+          built ? std::nullopt : found.arrival,
+          true,
+          pulse ? &pulse->pulse : nullptr,
+          pulse ? pulse->p : report.result.request.problem.p};
+}
+
+std::optional<ShownDamper> shown_damper(const RegionReport& report) {
+  const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
+  const design::RegionAnswer& answer = report.answer;
+  if (!answer.response || !moves(*answer.response)) {
+    return std::nullopt;
+  }
+  const auto& shown = answer.shown;
+  return ShownDamper{task_of(report),
+                     {*f, *delta, answer.tolerance.value_or(0)},
+                     *answer.response,
+                     answer.practice,
+                     answer.works_for,
+                     nullptr,
+                     answer.worst,
+                     answer.arrival,
+                     answer.tolerance.has_value(),
+                     shown ? &shown->first : nullptr,
+                     shown ? shown->second : problem.p};
+}
+
+std::string does_words(const ShownDamper& shown) {
+  const Response& response = shown.response;
+  const Physical& physical = shown.task.physical;
+  const double felt = felt_of(shown).value;
+  return format(
+      "peak {}, {}, {} transmitted{}", length_shown(physical, peak_of(shown).value),
+      response.stop_time ? "at rest after " + time_shown(physical, *response.stop_time) : "no rest",
+      acceleration_shown(felt),
+      shown.built == nullptr && shown.point.delta > 0 ? " outside the notch" : "");
+}
+
+void add_motion(Section& answer, const ShownDamper& shown) {
+  const auto& [problem, limits, pulse, ranges, physical] = shown.task;
+  const Response& response = shown.response;
+  const auto& [peak, of] = peak_of(shown);
+  const auto [now, allowed] = told_apart(physical, Dimension::length, peak, problem.beta);
+  answer.row(
+      "peak",
+      format("{}, {} % of the {} allowed{}{}", now, share_of(peak, problem.beta), allowed,
+             in_brackets(of),
+             pulse && response.zero_passages.value_or(0) > 0 ? ", later swings included" : ""),
+      peak > problem.beta * for_rounding ? Tone::bad : Tone::plain);
+  answer.row("rest", rest_words(shown), response.stop_time ? Tone::plain : Tone::bad);
+  answer.row("acceleration", felt_words(shown));
+  if (!pulse || shown.built != nullptr || shown.point.delta == 0) {
+    return;
+  }
+  const double width = design::least_width(shown.point.f, shown.point.delta,
+                                           ranges.k_low.value_or(design::peak_load(*pulse)));
+  if (width < 2 * response.peak_amplitude) {
+    answer.row("start", format("needs a notch wider than {}, delta/(k - f)",
+                               length_limit(physical, width, true)));
+  }
+}
+
+std::string shown_motion(const ShownDamper& shown) {
+  const auto& [problem, limits, pulse, ranges, physical] = shown.task;
+  const FigureUnits units(physical);
+  if (pulse && !design::pulse_problem(problem, *pulse, ranges).has_ranges()) {
+    return {};
+  }
+  std::string words;
+  if (pulse) {
+    words = format("k = {:.6g} g", design::peak_load(*shown.shown_pulse));
+    if (ranges.lambda_high) {
+      words += ", a pulse of " +
+               time_shown(physical, duration(design::excitation(*shown.shown_pulse)).value());
+    }
+  } else if (problem.v0_low) {
+    words = format("the strongest hit, {}{}",
+                   physical ? "" : "v0 = ", units.velocity_words(problem.v0));
+  }
+  if (problem.p_high) {
+    words += format("{}{}{}", words.empty() ? "" : ", and ", pulse ? "" : "the softest spring, ",
+                    period_words(physical, shown.shown_p));
+  }
+  return words;
+}
+
+std::string_view ideal_words(const ShownDamper& shown) {
+  return shown.task.pulse           ? "acts only after the start"
+         : shown.built->shape.width ? "has no width"
+                                    : "holds any load";
+}
+
+std::string with_ideal(const ShownDamper& shown) {
+  return shown.built != nullptr ? format(", with a notch that {}", ideal_words(shown)) : "";
+}
+
+}  // namespace stillpoint::report

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A damper for a hit or a pulse, found by a design or judged by a region, in rows.
+
+#include "json/physical_fields.hpp"
+#include "sections.hpp"
+
+#include <stillpoint/report/report.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace stillpoint::report {
+
+struct ShownDamper {
+  ShownTask task;
+  design::DesignPoint point;
+  const Response& response;  ///< with the notch that will be built, if there is one
+  const std::optional<design::Practice>& practice;
+  const std::optional<design::WorksFor>& works_for;
+  const design::BuiltNotch* built{};
+  std::optional<design::PulseWorst> worst{};  ///< over the ranges of a pulse
+  std::optional<std::int64_t> arrival{};      ///< at which it stops at x = 0
+  bool admissible{true};
+  const design::Pulse* shown_pulse{};         ///< of ranges, that of the motion, and its spring
+  double shown_p{1};
+};
+/// Of a design with a damper.
+[[nodiscard]] ShownDamper shown_damper(const DesignReport& report);
+/// Of a damper that was judged and moves.
+[[nodiscard]] std::optional<ShownDamper> shown_damper(const RegionReport& report);
+
+/// "peak 137.37 mm, at rest after 1.5287 s, 0.09465 g transmitted outside the notch"
+[[nodiscard]] std::string does_words(const ShownDamper& shown);
+/// Peak, rest and acceleration, and how wide its notch must be so that a pulse moves the mass.
+void add_motion(Section& answer, const ShownDamper& shown);
+/// What it takes, its motion in full, and the figures used in practice; for the paper's notch.
+void add_details(Document& document, const ShownDamper& shown, const DeltaNeeds& needs,
+                 const std::optional<Si>& si);
+
+/// "the strongest hit, 0.44 m/s, and the softest spring, 2.94 s" or "k = 0.5 g": which motion of a
+/// task with ranges is shown; empty without.
+[[nodiscard]] std::string shown_motion(const ShownDamper& shown);
+/// What a notch as built is compared with: "has no width", "holds any load", "acts only after the
+/// start".
+[[nodiscard]] std::string_view ideal_words(const ShownDamper& shown);
+/// ", with a notch that has no width" behind what is not of the notch as built; empty without one.
+[[nodiscard]] std::string with_ideal(const ShownDamper& shown);
+
+}  // namespace stillpoint::report

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/design/damper_findings.hpp>
+
+#include <stillpoint/design/motion_findings.hpp>
+#include <stillpoint/design/tolerance.hpp>
+#include <stillpoint/records/decimal.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string>
+
+namespace stillpoint::design {
+
+namespace {
+
+using enum FindingKind;
+
+constexpr double buildable = 0.01;  // a smaller tolerance is too little for a real damper
+constexpr double for_rounding = 1 + 1e-9;
+constexpr double off_centre = 0.1;  // a rest beyond that share of the peak, without a residual
+
+/// A damper, the motion that its answer shows, and what was asked for.
+struct Shown {
+  const Problem& problem;
+  const Limits& limits;
+  const std::optional<Pulse>& pulse;
+  const PulseRanges& ranges;
+  double f;
+  double delta;
+  const Response& response;
+  const ForcedResponse* forced;  ///< under the next
+  const Pulse* of_pulse;
+  std::span<const Constraint> constraints;
+  const std::optional<Practice>& practice;
+  bool built;  ///< the motion is with the notch that will be built
+};
+
+void add_pulse_notch(std::vector<Finding>& all, const Shown& now) {
+  if (!now.pulse || now.delta == 0 || now.built || !moves(now.response)) {
+    return;
+  }
+  const double width =
+      least_width(now.f, now.delta, now.ranges.k_low.value_or(peak_load(*now.pulse)));
+  if (width < 2 * now.response.peak_amplitude) {
+    all.emplace_back(acts_late);
+    return;
+  }
+  Finding& none = all.emplace_back(no_notch_works);
+  none.add("least_width", width, Dimension::length);
+  none.add("peak_amplitude", now.response.peak_amplitude, Dimension::length);
+}
+
+/// The requirements on peak and acceleration under a pulse end with the first swing.
+void add_later(std::vector<Finding>& all, const Shown& now) {
+  for (const Constraint& bound : now.constraints) {
+    const bool peak = bound.variable == "peak";
+    if (!bound.satisfied || (!peak && bound.variable != "acceleration")) {
+      continue;
+    }
+    const double whole =
+        peak ? now.response.peak_amplitude : now.response.peak_absolute_acceleration;
+    if (whole > bound.limit * for_rounding) {
+      Finding& later = all.emplace_back(exceeds_later);
+      later.values.push_back({"figure", std::string(bound.variable)});
+      const Dimension dimension = peak ? Dimension::length : Dimension::gravities;
+      later.add("value", whole, dimension);
+      later.add("limit", bound.limit, dimension);
+    }
+  }
+}
+
+void add_weak_hits(std::vector<Finding>& all, const Shown& now) {
+  if (now.pulse || !now.problem.has_caught_hits(now.delta)) {
+    return;
+  }
+  // A weaker hit than this is caught at the start: rule 4 of docs/theory.md, section 2.
+  const double caught = std::sqrt(2 * now.delta);
+  Finding& weak = all.emplace_back(catches_weak_hits);
+  weak.add("caught_impulse", std::min(caught, now.problem.v0), Dimension::velocity);
+  if (caught < now.problem.v0) {
+    weak.add("least_velocity", caught, Dimension::velocity);
+  }
+}
+
+void add_recentring(std::vector<Finding>& all, const Shown& now) {
+  constexpr double asked = 0.25;  // EN 15129
+  const auto ratio = now.practice ? now.practice->energy_ratio : std::nullopt;
+  if (ratio && *ratio < asked) {
+    Finding& weak = all.emplace_back(recentres_weakly);
+    weak.add("energy_ratio", ratio);
+    weak.add("limit", asked);
+  }
+}
+
+std::vector<Finding> findings_of(const Shown& now, const AskedWith& asked) {
+  std::vector<Finding> all;
+  if (now.forced != nullptr && now.forced->locked_from) {
+    all.push_back(lock_of(*now.forced, duration(excitation(*now.of_pulse)).value()));
+  }
+  add_later(all, now);
+  if (asked.weight && now.f > 1) {  // without units f has no weight
+    all.emplace_back(friction_above_weight).add("f", now.f);
+  }
+  add_weak_hits(all, now);
+  add_recentring(all, now);
+  add_pulse_notch(all, now);
+  return all;
+}
+
+/// The motion of the ranges after which the notch as built does what it must not.
+void add_motion(Finding& finding, const TriedMotion& motion, const DesignRequest& request) {
+  if (!motion.pulse) {
+    finding.add("v0", motion.v0, Dimension::velocity);
+    if (motion.from_inside) {
+      finding.values.push_back({"from", std::string("inside")});
+    }
+  } else {
+    finding.add("k", peak_load(*motion.pulse), Dimension::gravities);
+    if (request.pulse_ranges.lambda_high) {
+      finding.add("duration", duration(excitation(*motion.pulse)), Dimension::time);
+    }
+  }
+  if (request.problem.p_high) {
+    finding.add("p", motion.p);
+  }
+}
+
+/// What the notch that will be built spoils, first of all that the motion is another one.
+void add_built(std::vector<Finding>& all, const DesignRequest& request, const BuiltNotch& built) {
+  const auto& [problem, limits, search, pulse, ranges] = request;
+  const ForcedResponse& response = built.response;
+  const double rest = std::abs(response.stop_position.value_or(0));
+  const bool within =
+      problem.residual && response.stop_position && rest <= *problem.residual * for_rounding;
+  const auto fails = [&](std::string_view what) -> Finding& {
+    return all.emplace_back(notch_fails, std::vector<FindingValue>{{"what", std::string(what)}});
+  };
+  const auto exceeds = [&](std::string_view what, double value, std::optional<double> limit,
+                           Dimension dimension, TriedMotion WorstMotions::*of) {
+    Finding& finding = fails(what);
+    finding.add("value", value, dimension);
+    finding.add("limit", limit, dimension);
+    if (built.worst) {
+      add_motion(finding, *built.worst.*of, request);
+    }
+  };
+  const auto largest = [&](TriedMotion WorstMotions::*of) -> const ForcedResponse& {
+    return built.worst ? (*built.worst.*of).response : response;
+  };
+  if (response.half_cycles == 0 || built.holds_weakest) {
+    fails("held").add(
+        "k", built.holds_weakest ? ranges.k_low.value_or(peak_load(*pulse)) : peak_load(*pulse),
+        Dimension::gravities);
+    return;
+  }
+  if (built.shape.width && *built.shape.width / 2 >= response.peak_amplitude && !within) {
+    fails("inside").add("value", response.stop_position, Dimension::length);
+    return;
+  }
+  const double peak = largest(&WorstMotions::peak).peak_amplitude;
+  if (peak > problem.beta * for_rounding) {
+    exceeds("peak", peak, problem.beta, Dimension::length, &WorstMotions::peak);
+    return;
+  }
+  const double allowed = problem.residual.value_or(off_centre * response.peak_amplitude);
+  const double farthest = built.worst ? std::abs(built.worst->farthest.rest()) : rest;
+  const bool stops =
+      response.outcome == Outcome::stopped_at_zero || response.outcome == Outcome::stopped_in_notch;
+  if (!response.stop_position) {
+    fails("moving");
+  } else if (farthest > allowed * for_rounding || !(problem.residual ? within : stops)) {
+    exceeds("rest", farthest, problem.residual, Dimension::length, &WorstMotions::farthest);
+  } else if (const double felt = largest(&WorstMotions::felt).peak_absolute_acceleration;
+             limits.acceleration_max && felt > *limits.acceleration_max * for_rounding) {
+    exceeds("acceleration", felt, limits.acceleration_max, Dimension::gravities,
+            &WorstMotions::felt);
+  }
+}
+
+/// Of a hit, with a box of delta alone: whether f has next to no room.
+bool is_f_on_an_edge(const DesignRequest& request, const DesignPoint& point) {
+  Limits alone = request.limits;
+  const bool asked = alone.shape.f_low + alone.shape.f_high > 0;
+  alone.shape = {1, 1, 0, 0};
+  return !asked && !request.pulse &&
+         largest_tolerance(request.problem, alone, point.f, point.delta).value_or(0) < buildable;
+}
+
+/// Of the search, not of a part.
+void add_search(std::vector<Finding>& all, const DesignResult& design) {
+  const DesignRequest& request = design.request;
+  const DesignPoint& point = design.finding->point;
+  if (wants_no_friction(design)) {
+    Finding& least = all.emplace_back(least_friction_is_best);
+    constexpr double kept = 0.9;
+    const double less = records::decimal(kept * point.tolerance, 2);
+    const auto largest = request.pulse || request.limits.shape != BoxShape{}
+                             ? std::nullopt
+                             : any_f_up_to(request.problem, request.limits, point.delta, less);
+    if (largest && less > 0) {
+      least.add("tolerance", less);
+      least.add("f", *largest);
+    }
+  } else if (point.tolerance < buildable) {
+    all.emplace_back(too_exact).add("tolerance", point.tolerance);
+  } else if (is_f_on_an_edge(request, point)) {
+    all.emplace_back(too_exact).add("f", point.f);
+  }
+  if (!request.pulse || request.limits.delta_max) {
+    return;
+  }
+  constexpr double far_beyond = 3;  // times what stops the mass
+  const double least = least_delta(pulse_request(request).problem, point.f).value_or(0);
+  if (point.delta > far_beyond * least) {
+    Finding& unbounded = all.emplace_back(delta_unbounded);
+    unbounded.add("least_delta", least, Dimension::length);
+    unbounded.add("proposed", far_beyond * least, Dimension::length);
+  }
+}
+
+/// Without a damper; a region of a pulse is that of a notch which acts late.
+std::vector<Finding> of_region(const RegionVerdict& verdict, bool late) {
+  std::vector<Finding> all;
+  if (late) {
+    all.emplace_back(acts_late);
+  }
+  if (verdict.mends_cut_short) {
+    all.emplace_back(search_cut_short);
+  }
+  return all;
+}
+
+}  // namespace
+
+bool wants_no_friction(const DesignResult& design) {
+  constexpr double nothing = 1e-6;  // of the largest f
+  return design.finding->search &&
+         design.finding->point.f <= nothing * std::max(*design.region.f_upper, design.region.f3);
+}
+
+std::vector<Finding> findings_of(const DesignResult& design, const std::optional<BuiltNotch>& built,
+                                 const AskedWith& asked) {
+  if (!design.finding) {
+    return of_region(design, false);
+  }
+  const auto& [problem, limits, search, pulse, ranges] = design.request;
+  const Found& found = *design.finding;
+  const ForcedResponse* const under_pulse = found.pulse ? &found.pulse->response : nullptr;
+  const auto all_of = findings_of(Shown{problem, limits, pulse, ranges, found.point.f,
+                                        found.point.delta, built ? built->response : found.response,
+                                        built && found.pulse ? &built->response : under_pulse,
+                                        found.pulse ? &found.pulse->pulse : nullptr,
+                                        found.constraints, found.practice, built.has_value()},
+                                  asked);
+  std::vector<Finding> all;
+  const auto failed = std::ranges::find(found.cross_check.methods, false, &CheckMethod::passed);
+  if (failed != found.cross_check.methods.end()) {
+    Finding& check = all.emplace_back(check_failed);
+    check.add("relative_error", failed->relative_error);
+    check.add("tolerance", failed->tolerance);
+  }
+  if (built) {
+    add_built(all, design.request, *built);
+  }
+  all.insert(all.end(), all_of.begin(), all_of.end());
+  if (!asked.a_part) {
+    add_search(all, design);
+  }
+  const bool ranged = problem.v0_low || problem.p_high;
+  if (!pulse && !ranged && !found.arrival && !built && found.point.delta > 0 &&
+      found.response.zero_passages == 0.0) {
+    all.emplace_back(notch_unused);
+  }
+  if (built && built->changes_nothing) {
+    all.emplace_back(notch_changes_nothing);
+  }
+  if (pulse && (problem.p_high || ranges.lambda_high)) {
+    all.emplace_back(ranges_estimated);
+  }
+  return all;
+}
+
+std::vector<Finding> findings_of(const RegionRequest& request, const RegionAnswer& answer,
+                                 const AskedWith& asked) {
+  const auto& [problem, limits, f, delta, pulse, ranges] = request;
+  if (!answer.response) {
+    return of_region(answer, pulse && answer.region.feasible);
+  }
+  const bool forced = answer.forced && answer.shown;
+  return findings_of(
+      Shown{problem, limits, pulse, ranges, *f, *delta, *answer.response,
+            forced ? &*answer.forced : nullptr, forced ? &answer.shown->first : nullptr,
+            answer.constraints, answer.practice, false},
+      asked);
+}
+
+}  // namespace stillpoint::design
