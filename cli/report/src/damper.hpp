@@ -24,7 +24,7 @@ struct ShownDamper {
   std::optional<design::PulseWorst> worst{};  ///< over the ranges of a pulse
   std::optional<std::int64_t> arrival{};      ///< at which it stops at x = 0
   bool admissible{true};
-  const design::Pulse* shown_pulse{};         ///< of ranges, that of the motion, and its spring
+  const design::Pulse* shown_pulse{};  ///< of ranges, that of the motion, and its spring
   double shown_p{1};
 };
 /// Of a design with a damper.

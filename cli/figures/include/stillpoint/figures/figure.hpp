@@ -144,13 +144,13 @@ struct FigureInset {
 
 /// All values are finite, and both axes are longer than 0. An axis without a label has no ticks.
 struct Figure {
-  std::string id;           ///< of its file, "region" for instance
-  std::string title;        ///< above it
-  std::string description;  ///< for readers who cannot see it
+  std::string id;                    ///< of its file, "region" for instance
+  std::string title;                 ///< above it
+  std::string description;           ///< for readers who cannot see it
   std::vector<std::string> clauses;  ///< of the sentence below it; empty ones do not count
-  double height{270};       ///< of the plot, in pixels of a figure 450 wide
-  bool below{false};        ///< belongs below the previous figure, on the same horizontal axis
-  std::string folded;       ///< opens it, below the previous figure of a page; empty: always shown
+  double height{270};                ///< of the plot, in pixels of a figure 450 wide
+  bool below{false};   ///< belongs below the previous figure, on the same horizontal axis
+  std::string folded;  ///< opens it, below the previous figure of a page; empty: always shown
   FigureAxis x;
   FigureAxis y;
   FigureMap map;
