@@ -14,6 +14,7 @@
 
 namespace stillpoint::report {
 
+// It is never made without a task. NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 struct ShownDamper {
   ShownTask task;
   design::DesignPoint point;

@@ -17,7 +17,6 @@ using design::FindingKind;
 using design::FindingValue;
 using design::Severity;
 using nlohmann::ordered_json;
-using records::Dimension;
 
 /// The values of a finding by their names.
 class Told {

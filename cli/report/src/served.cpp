@@ -60,9 +60,10 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
   const Interval hits = pulse ? Interval{ranges.k_low.value_or(k), k}
                               : Interval{problem.v0_low.value_or(problem.v0), problem.v0};
   const auto asked = in_units({{hits.low, hits.high}, {problem.p, problem.stiffest_p()}});
-  const auto text = [&](design::ServedInterval design::PhysicalWorksFor::*of) {
-    return interval_text(works.*of, {(asked.*of).low, *(asked.*of).high}, pulse.has_value());
-  };
+  const auto text =
+      [&, searched = pulse.has_value()](design::ServedInterval design::PhysicalWorksFor::*of) {
+        return interval_text(works.*of, {(asked.*of).low, *(asked.*of).high}, searched);
+      };
   const std::string of_hits =
       pulse ? interval_text(served->hit, hits) : text(&design::PhysicalWorksFor::velocity_m_per_s);
   section.row("works for", pulse      ? format("k of {} g", of_hits)

@@ -26,14 +26,14 @@ struct Shown {
   const Limits& limits;
   const std::optional<Pulse>& pulse;
   const PulseRanges& ranges;
-  double f;
-  double delta;
+  double f{0};
+  double delta{0};
   const Response& response;
-  const ForcedResponse* forced;  ///< under the next
-  const Pulse* of_pulse;
-  std::span<const Constraint> constraints;
+  const ForcedResponse* forced{};  ///< under the next
+  const Pulse* of_pulse{};
+  std::span<const Constraint> constraints{};
   const std::optional<Practice>& practice;
-  bool built;  ///< the motion is with the notch that will be built
+  bool built{false};  ///< the motion is with the notch that will be built
 };
 
 void add_pulse_notch(std::vector<Finding>& all, const Shown& now) {
