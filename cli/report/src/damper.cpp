@@ -187,6 +187,9 @@ std::string does_words(const ShownDamper& shown) {
   const Response& response = shown.response;
   const Physical& physical = shown.task.physical;
   const double felt = felt_of(shown).value;
+  if (!moves(response)) {
+    return format("the mass never moves, {} transmitted", acceleration_shown(felt));
+  }
   return format(
       "peak {}, {}, {} transmitted{}", length_shown(physical, peak_of(shown).value),
       response.stop_time ? "at rest after " + time_shown(physical, *response.stop_time) : "no rest",

@@ -3,6 +3,7 @@
 #include "format.hpp"
 #include "sections.hpp"
 
+#include <stillpoint/records/decimal.hpp>
 #include <stillpoint/report/digits.hpp>
 
 #include <algorithm>
@@ -154,6 +155,12 @@ std::string notch_words(const Told& told, const Physical& physical) {
              : format("In this notch the structure feels {}{}.", value, motion);
 }
 
+/// As it would be ordered: "29 mm".
+std::string two_digits(const Physical& physical, double length) {
+  const double unit = physical ? physical->scales.length_m : 1;
+  return length_shown(physical, records::decimal(length * unit, 2) / unit);
+}
+
 /// Of a search whose best has next to no constant friction.
 std::string least_friction_words(const Told& told) {
   return format("The less constant friction, the better{}.",
@@ -198,7 +205,7 @@ std::string words(const design::Finding& finding, const Physical& physical) {
           "Nothing bounds delta: anything above {} stops the mass, and more only adds tolerance. "
           "--delta-max{} {} keeps the notch small.",
           length_shown(physical, told.number("least_delta")), told.is_physical() ? "-m" : "",
-          length_shown(physical, told.number("proposed"), 2));
+          two_digits(physical, told.number("proposed")));
     case FindingKind::does_not_isolate:
       return format(
           "The structure feels {}, more than 95 % of the load of {}: this damper isolates nothing.",
