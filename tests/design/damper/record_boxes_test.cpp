@@ -34,6 +34,17 @@ Record random_record(RandomSource& random) {
   return record;
 }
 
+/// Half a wave of 0.4 g, and as long a step of rest as between its samples.
+SuiteRecord half_sine(double seconds) {
+  constexpr int samples = 200;
+  Record record{{}, seconds * omega / samples, {}};
+  for (int i = 0; i < samples; ++i) {
+    record.values.push_back(0.4 * std::sin(std::numbers::pi * i / samples));
+  }
+  record.values.insert(record.values.end(), 2, 0.0);
+  return {"half a sine", record, 1};
+}
+
 /// Records, limits, a notch, a tolerance and an objective at random; many of them have no damper.
 RecordDesignRequest random_record_task(RandomSource& random) {
   RecordDesignRequest request;
@@ -170,6 +181,59 @@ BOOST_AUTO_TEST_CASE(no_box_of_a_dense_scan_is_better) {
         BOOST_TEST(found <= value + slack, found << " where the scan has " << best->value);
       }
     }
+  }
+}
+
+// Boxes that dense scans found: each survives dampers that are drawn here, and the search, with the
+// width among its variables, finds one that is as good.
+BOOST_AUTO_TEST_CASE(no_known_box_is_better_than_one_with_a_searched_width) {
+  constexpr double mm = 1e-3 * metre;
+  RecordDesignRequest both = two_records();
+  both.limits = {.peak = 400 * mm, .residual = 30 * mm};
+  both.width = Interval{20 * mm, 200 * mm};
+  both.scan_points = RecordDesignRequest().scan_points;
+  RecordDesignRequest sines = both;
+  sines.records = {half_sine(0.3), half_sine(0.6), half_sine(1)};
+  sines.limits.residual = 100 * mm;
+  RecordDesignRequest residual = sines;
+  residual.objective = SuiteObjective::residual;
+  residual.limits.acceleration = 0.37;
+  residual.f = Interval{0.03, 0.3};
+  struct Known {
+    RecordDesignRequest task;
+    double tolerance;
+    SuiteDamper damper;
+  };
+  for (const auto& [task, tolerance, damper] :
+       {Known{both, 0.1, {1, 0.158461, 2.288 * mm, 51.02 * mm}},
+        Known{both, 0.2, {1, 0.176313, 3.109 * mm, 48.15 * mm}},
+        Known{sines, 0.05, {1, 0.0728727, 35.907 * mm, 192.02 * mm}},
+        Known{residual, 0.1, {1, 0.0433408, 40.796 * mm, 159.07 * mm}}}) {
+    RecordDesignRequest request = task;
+    request.tolerance.f = request.tolerance.delta =
+        request.tolerance.width = {tolerance, tolerance};
+    const RecordDesign design = design::design(request);
+    BOOST_TEST_REQUIRE(design.finding.has_value());
+    const DenseBoxes truth(design.request);
+    double value = 0;
+    std::vector<test::DamperValues> box = truth.samples(test::values_of(damper), 4000, 7);
+    for (const double f : {1 - tolerance, 1 + tolerance}) {
+      for (const double delta : {1 - tolerance, 1 + tolerance}) {
+        for (const double width : {1 - tolerance, 1 + tolerance}) {
+          box.push_back({f * damper.f, delta * damper.delta, 1 / damper.p, width * damper.width});
+        }
+      }
+    }
+    for (const DenseBoxes::Figures& each : truth.figures(box)) {
+      BOOST_TEST_REQUIRE(truth.excess(each) <= 0);
+      value = std::max(value, truth.objective(each));
+    }
+    const double found = design.nearest.figures.*minimised(request).value;
+    const double slack =
+        promised_quality *
+        (request.objective == SuiteObjective::residual ? *request.limits.residual : value);
+    BOOST_TEST(found <= value + slack, "within " << tolerance << ": " << found
+                                                 << " where f = " << damper.f << " has " << value);
   }
 }
 

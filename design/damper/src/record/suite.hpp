@@ -89,6 +89,8 @@ struct SuiteRank {
 
   [[nodiscard]] auto operator<=>(const SuiteRank&) const = default;
 };
+/// The largest part of a limit that is used.
+[[nodiscard]] double use(const SuiteFigures& figures, const SuiteLimits& limits);
 [[nodiscard]] SuiteRank rank(const SuiteFigures& figures, const SuiteGoal& goal);
 
 }  // namespace stillpoint::design

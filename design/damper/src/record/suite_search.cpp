@@ -12,13 +12,15 @@ namespace stillpoint::design {
 
 namespace {
 
-constexpr std::size_t usual_samples = 48;
+/// By the number of variables: where three are moved, 48 leave gaps in which a limit breaks.
+constexpr std::array<std::size_t, most_axes + 1> sample_counts{48, 48, 48, 160, 160};
 constexpr std::size_t few_samples = 16;
-/// After so many, boxes that a sample rules out are dropped: those that were worst last rule out
+/// After so many, boxes that a sample rules out are dropped: those that did most harm last rule out
 /// most.
-constexpr std::array<std::size_t, 4> sample_stages{2, 8, 20, SIZE_MAX};
-constexpr double last_step = 4e-4;  ///< of a value, relative
-constexpr int most_moves = 6;       ///< at each step
+constexpr std::array<std::size_t, 5> sample_stages{2, 8, 20, 56, SIZE_MAX};
+constexpr double last_step = 4e-4;   ///< of a value, relative
+constexpr int most_moves = 6;        ///< at each step
+constexpr double least_move = 2e-4;  ///< that is followed by another with the same step
 constexpr std::size_t most_verified = 2;
 /// A candidate that is this much worse than the bar will not get below it: on the map, by a few
 /// samples, and refined twice.
@@ -63,7 +65,7 @@ SuiteSearch::SuiteSearch(const Suite& suite, const RecordDesignRequest& task,
       goal_(goal),
       limits_(goal.limits),
       watch_(watch),
-      samples_(box_samples(space, usual_samples)) {}
+      samples_(box_samples(space, sample_counts.at(space.searched()))) {}
 
 std::vector<SuiteFigures> SuiteSearch::figures(const std::vector<SuiteDamper>& dampers) {
   if (dampers.empty()) {
@@ -74,7 +76,8 @@ std::vector<SuiteFigures> SuiteSearch::figures(const std::vector<SuiteDamper>& d
   return list;
 }
 
-/// The box of a damper by the samples, which are sorted by how bad they are in it.
+/// The box of a damper by the samples, which are sorted by how near to a limit each of them is, or
+/// to the worst value of the objective: where it decides, a better box nearby is likely to fail.
 BoxedDamper SuiteSearch::sampled(const SuiteDamper& damper) {
   std::vector<SuiteDamper> dampers;
   dampers.reserve(samples_.size());
@@ -82,15 +85,18 @@ BoxedDamper SuiteSearch::sampled(const SuiteDamper& damper) {
     dampers.push_back(space_.off(damper, unit));
   }
   const std::vector<SuiteFigures> all = figures(dampers);
+  const SuiteFigures worst = std::accumulate(all.begin(), all.end(), SuiteFigures(), worse);
   std::vector<std::size_t> order(all.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, std::ranges::greater(),
-                           [&](std::size_t i) { return rank(all[i], goal_); });
+  std::ranges::stable_sort(order, std::ranges::greater(), [&](std::size_t i) {
+    return !all[i].settled ? HUGE_VAL
+           : goal_.figure == nullptr
+               ? use(all[i], goal_.limits)
+               : std::max(use(all[i], goal_.limits), all[i].*goal_.figure / worst.*goal_.figure);
+  });
   std::vector<SuitePlace> sorted;
-  SuiteFigures worst;
   for (const std::size_t i : order) {
     sorted.push_back(samples_[i]);
-    worst = worse(worst, all[i]);
   }
   samples_ = std::move(sorted);
   return boxed(damper, worst);
@@ -203,7 +209,12 @@ BoxedDamper SuiteSearch::polished(const BoxedDamper& from, double step, bool eno
       if (!(now.rank < best.rank)) {
         break;
       }
+      const SuiteRank before = best.rank;
       best = sampled(now.damper);
+      if (best.rank.off > before.off - least_move &&
+          best.rank.value > (1 - least_move) * before.value) {
+        break;
+      }
     }
   }
   return best;
@@ -212,6 +223,8 @@ BoxedDamper SuiteSearch::polished(const BoxedDamper& from, double step, bool eno
 BoxedDamper SuiteSearch::refined(BoxedDamper candidate, SuiteGrid& grid, int levels) {
   const std::size_t axes = space_.size();
   const std::int64_t most = most_windows.at(axes);
+  // Valleys of three variables run across the map.
+  const std::int64_t reach = axes == 3 && space_.searched() == 3 ? 3 : reaches.at(axes);
   const auto is_finest = [&](std::size_t i) {
     const GridSide& side = grid.at(i);
     const SuiteAxis& axis = space_.axes()[i];
@@ -228,7 +241,7 @@ BoxedDamper SuiteSearch::refined(BoxedDamper candidate, SuiteGrid& grid, int lev
       break;
     }
     grid = finer(space_, grid, most);
-    const SuiteGrid patch = grid_about(space_, grid, candidate.damper, reaches.at(axes));
+    const SuiteGrid patch = grid_about(space_, grid, candidate.damper, reach);
     const BoxMap map(space_, patch, grid_figures(suite_, space_, patch, task_.threads, watch_));
     const std::vector<BoxedDamper> best = map.best(goal_, 1);
     if (!best.empty()) {
