@@ -21,6 +21,8 @@ const std::string records =
     "--record " STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt --record " STILLPOINT_DATA_DIR
     "/records/strong_motion.AT2 ";
 
+const std::string scenes = STILLPOINT_DATA_DIR "/scenes/";
+
 const std::string harmonic = "--excitation harmonic --k 0.3 --lambda 1 --t-end 20";
 
 /// Tasks whose answers have findings of many kinds.
@@ -35,11 +37,9 @@ const std::vector<std::string> tasks{
     "simulate --period 2.8s --f 0.058 --delta-m 20mm --hold 0.1 " +
         records.substr(records.rfind("--")),
     "spectrum --period 2s:3s:3 --f 0.03 --delta-m 70mm --hold 0.1 " + records,
-    "design " STILLPOINT_DATA_DIR "/scenes/near_fault_pulse.json",
-    "design " STILLPOINT_DATA_DIR "/scenes/residual.json",
-    "design " STILLPOINT_DATA_DIR
-    "/scenes/varying_hits.json --notch-width-m 1mm "
-    "--acceleration-max 0.12",
+    "design " + scenes + "near_fault_pulse.json",
+    "design " + scenes + "residual.json",
+    "design " + scenes + "varying_hits.json --notch-width-m 1mm --acceleration-max 0.12",
     "design --v0 1 --p 1 --beta 0.9 --objective time",
     "design --v0 1 --p 1 --beta 0.70710679",
     "design --velocity 1.2 --period 0.1 --max-displacement 15mm",
