@@ -13,9 +13,11 @@ const files = (/** @type {string} */ folder, /** @type {string} */ ending) =>
   readdirSync(folder)
     .filter((name) => name.endsWith(ending))
     .sort();
-/** Without what only readers need: indentation and lines that are only a comment. */
+/** Without what only readers need: indentation, types and lines that are only a comment. */
 const stripped = (/** @type {string} */ text) =>
   text
+    .replace(/(?<=\S.*)\/\*\* @type [^*]*\*\/ ?/g, "")
+    .replace(/^ *\/\* [^*]*\*\/$/gm, "")
     .split("\n")
     .map((line) => line.trim())
     .filter((line) => line && !/^(\/\/|\*)/.test(line) && !/^\/\*\*((?!\*\/).)*(\*\/)?$/.test(line))
@@ -74,7 +76,11 @@ const packed = execFileSync("xz", ["--format=lzma", "-9e", "--stdout"], {
 });
 const loader = `${stripped(read(page, "loader.js"))}
 start_page(\`${dense(packed)}\`, ${packed.length}, ${plain.length}, ${script.length});`;
-const style = files(page, ".css").map((name) => stripped(read(page, name)));
+const style = files(page, ".css").map((name) =>
+  stripped(read(page, name))
+    .replace(/(?<=^[a-z-]+:) | (?=\{$)/gm, "")
+    .replace(/;\n(?=\})|(?<=[{};,])\n/g, ""),
+);
 const html = read(page, "page.html")
   .replace("<!-- style -->", () => `<style>\n${style.join("\n")}</style>`)
   .replace("<!-- scripts -->", () => `<script>\n${loader}</script>`);

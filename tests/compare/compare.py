@@ -240,6 +240,10 @@ def differing_fields(old, new, table, relative):
         target = renamed(path, table)
         if target is None or value == "#":
             continue
+        if path in now:  # of a command whose fields have their old names
+            target = path
+        if target not in now and value is None:  # an object that does not exist has no fields
+            continue
         if target not in now:
             found.append(f"{path}: {value!r} -> no field {target}")
         elif not same(value, now[target], relative):

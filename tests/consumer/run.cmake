@@ -15,7 +15,7 @@ include("${CMAKE_CURRENT_LIST_DIR}/use.cmake")
 # What the installed program comes with.
 foreach(file IN ITEMS man/man1/stillpoint.1 bash-completion/completions/stillpoint
         fish/vendor_completions.d/stillpoint.fish stillpoint/schemas/scene.schema.json
-        stillpoint/schemas/design-report-1.schema.json doc/stillpoint/copyright)
+        stillpoint/schemas/design-report-2.schema.json doc/stillpoint/copyright)
   if(NOT EXISTS "${PREFIX}/share/${file}")
     message(FATAL_ERROR "not installed: share/${file}")
   endif()

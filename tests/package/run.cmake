@@ -45,7 +45,7 @@ check_package(stillpoint "libnlopt[^\n]*libstdc"
   bin/stillpoint man/man1/stillpoint.1.gz
   bash-completion/completions/stillpoint zsh/vendor-completions/_stillpoint
   fish/vendor_completions.d/stillpoint.fish
-  stillpoint/schemas/scene.schema.json stillpoint/schemas/design-report-1.schema.json
+  stillpoint/schemas/scene.schema.json stillpoint/schemas/design-report-2.schema.json
   doc/stillpoint/scenes/isolator.json doc/stillpoint/records/strong_motion.AT2)
 check_package(libstillpoint-dev
   "libeigen3-dev[^\n]*libfmt-dev .>= [0-9]+.,[^\n]*libhwy-dev[^\n]*libnlopt-cxx-dev"

@@ -19,8 +19,15 @@ function units_of(physical) {
     : { length: "", time: "", velocity: "" };
 }
 
+/** The motion of a design, a given damper or a run. @param {any} report */
+function response_of(report) {
+  return report.response ?? report.cases[0].motions[0]?.response;
+}
+
 /** The figures of a motion. @param {any} report of design or simulate */
-function motion_of({ response, physical, input }) {
+function motion_of(report) {
+  const { physical, input } = report;
+  const response = response_of(report);
   return {
     peak: physical ? physical.peak_m : response.peak_amplitude,
     rest: physical ? physical.stop_position_m : response.stop_position,

@@ -105,11 +105,7 @@ class RecordView {
     const locked = value("locked_from_s", "locked_from");
     fill(
       el("record-answer"),
-      make(
-        "p",
-        { id: "record-verdict", class: alarms_of(report) ? "bad" : "" },
-        report.verdict,
-      ),
+      make("p", { id: "record-verdict", class: alarms_of(report) ? "bad" : "" }, report.verdict),
       ...report.findings.map((/** @type {any} */ now) =>
         make("p", { class: now.severity }, now.text),
       ),

@@ -179,7 +179,7 @@ function practice_nodes({ report, motion, options }) {
         ? [number(velocity_unit_m_per_s * value, "N s"), " per kg"]
         : [number(value), " times the mass"];
   const columns = [practice, practice_worst].filter(Boolean);
-  const range_worst = report.built_notch?.largest_acceleration?.peak_absolute_acceleration;
+  const range_worst = report.built_notch?.largest_acceleration?.response.peak_absolute_acceleration;
   /** @param {string} name @param {(now: any) => Part[] | null} cell @returns {[string, ...(Part[] | null)[]]} */
   const row = (name, cell) => [name, ...columns.map(cell)];
   const rows = [

@@ -44,7 +44,7 @@ class AnswerView {
     const force = physical?.friction_force_n;
     fill(el("f-sub"), ...(force ? [number(force, "N")] : []));
     fill(el("delta-sub"), ...(physical && damper ? ["dimensionless ", number(damper.delta)] : []));
-    const peak = shown?.response.peak_amplitude;
+    const peak = shown && response_of(shown).peak_amplitude;
     fill(
       el("peak-sub"),
       ...(shown
@@ -81,7 +81,7 @@ class AnswerView {
   }
 
   /** What would make it feasible, each to be applied. @param {any} design @param {Options} options @returns {Part[]} */
-  mends({ region, physical }, options) {
+  mends({ mends, physical }, options) {
     const buttons = /** @type {Part[]} */ ([]);
     const offer = (
       /** @type {string} */ name,
@@ -110,12 +110,7 @@ class AnswerView {
     } else {
       const names = { beta: "Use a limit of", v0: "a hit of", p: "p =" };
       for (const [name, title] of Object.entries(names)) {
-        offer(
-          name,
-          region.mends.find((/** @type {any} */ one) => one.input === name)?.value,
-          "",
-          title,
-        );
+        offer(name, mends.find((/** @type {any} */ one) => one.input === name)?.value, "", title);
       }
     }
     return buttons;

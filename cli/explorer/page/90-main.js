@@ -238,17 +238,10 @@ class Bench {
   }
 
   take_damper() {
-    const { judged } = this;
-    if (judged === this.design) {
-      const { design } = judged;
-      this.damper = design && { f: design.f, delta: design.delta };
-      this.tolerance = design?.tolerance ?? null;
-      this.admissible = design !== null;
-    } else {
-      this.damper = { f: judged.input.f, delta: judged.input.delta };
-      this.tolerance = judged.tolerance;
-      this.admissible = judged.admissible === true;
-    }
+    const { design, admissible } = this.judged;
+    this.damper = design && { f: design.f, delta: design.delta };
+    this.tolerance = design?.tolerance ?? null;
+    this.admissible = admissible ?? design !== null;
   }
 
   show_preset() {
@@ -320,9 +313,9 @@ class Bench {
     const task = without(options_of("region", this.options), damper_options);
     const answer = this.engine.run("region", { ...task, [name]: String(small) });
     if ("error" in answer) return null;
-    const { physical, region } = answer.report;
+    const { physical, mends } = answer.report;
     if (physical) return physical.max_displacement_mend_m;
-    return region.mends.find((/** @type {any} */ one) => one.input === "beta")?.value ?? null;
+    return mends.find((/** @type {any} */ one) => one.input === "beta")?.value ?? null;
   }
 
   show_nothing() {

@@ -16,7 +16,6 @@
 #include <limits>
 #include <span>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace stillpoint::report {
@@ -148,12 +147,8 @@ Document document(const MotionReport& report) {
   }
   if (const auto si = physical_of(report); si && report.physical->scales.mass_kg) {
     Section& forces = document.detail("Forces and energies");
-    std::visit(
-        [&](const Si& now) {
-          add_si_rows(forces, damper_fields, now);
-          add_si_rows(forces, practice_fields_si, now);
-        },
-        *si);
+    add_si_rows(forces, damper_fields, *si);
+    add_si_rows(forces, practice_fields_si, *si);
   }
   if (const auto& half_cycles = report.answer.half_cycles; !half_cycles.empty()) {
     add_half_cycles(document.section("Half-cycles"), half_cycles,

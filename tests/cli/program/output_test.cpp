@@ -13,7 +13,7 @@ using right::design;
 
 bool is_report(const std::string& text) {
   const json report = json::parse(text, nullptr, false);
-  return report.is_object() && report.value("schema", "") == "stillpoint/design-report/1";
+  return report.is_object() && report.value("schema", "") == "stillpoint/design-report/2";
 }
 
 bool has_escapes(const std::string& text) {
@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(that_is_standard_output_is_appended_to) {
   succeed(design("--output /dev/stdout"), into_file(path("log")));
   const std::string log = read("log");
   BOOST_TEST(log.starts_with("a line from before\n"));
-  check_contains(log, {"design-report/1", "Damper design\n"});
+  check_contains(log, {"design-report/2", "Damper design\n"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(of_a_pulse_show_what_the_pulse_itself_does) {
   BOOST_TEST(contains(page, "Motion under the pulse itself"));
   BOOST_TEST(page.find("id=\"pulse-title\"") < page.find("id=\"excitation-title\""));
   BOOST_TEST(page.find("id=\"excitation-title\"") < page.find("id=\"phase-title\""));
-  const auto response = answer.json()["pulse"]["response"];
+  const auto response = motion_of(answer.json())["response"];
   const std::string figure = page.substr(page.find("id=\"pulse-title\""));
   std::smatch found;
   BOOST_TEST_REQUIRE(std::regex_search(

@@ -81,12 +81,12 @@ BOOST_FIXTURE_TEST_CASE(a_suite_has_a_factor_for_each_record, Recorded) {
   write("spectra.csv", "file,spectrum\nb.txt,1\n");
   const auto check = [&](const Arguments& arguments, const std::vector<double>& scales,
                          const std::vector<double>& peaks) {
-    const json list = reported(held + arguments)["records"];
+    const json list = reported(held + arguments)["cases"][0]["motions"];
     BOOST_TEST_REQUIRE(list.size() == scales.size());
     for (std::size_t i = 0; i < list.size(); ++i) {
       BOOST_TEST(near(list[i]["scale"], scales[i], hand_tolerance), list[i].dump());
       BOOST_TEST(near(list[i]["pga"], peaks[i], hand_tolerance), list[i].dump());
-      BOOST_TEST(near(list[i]["peak_absolute_acceleration"], peaks[i], hand_tolerance));
+      BOOST_TEST(near(list[i]["response"]["peak_absolute_acceleration"], peaks[i], hand_tolerance));
     }
   };
   check("--records-list list.csv", {2, -1}, {0.8, 0.25});
@@ -107,10 +107,10 @@ BOOST_FIXTURE_TEST_CASE(a_folder_is_its_records_by_name, Sandbox) {
   write("list.csv", "file,scale\nsuite,2\n");
   for (const Arguments& given : std::vector<Arguments>{{"--record", "suite", "--record-scale", "2"},
                                                        {"--records-list", "list.csv"}}) {
-    const json list = reported(held + given)["records"];
+    const json list = reported(held + given)["cases"][0]["motions"];
     BOOST_TEST_REQUIRE(list.size() == 2U);
-    BOOST_TEST(list[0]["file"] == "suite/a.csv");
-    BOOST_TEST(list[1]["file"] == "suite/b.txt");
+    BOOST_TEST(list[0]["what"] == "suite/a.csv");
+    BOOST_TEST(list[1]["what"] == "suite/b.txt");
     BOOST_TEST(list[0]["scale"] == 2);
   }
 }

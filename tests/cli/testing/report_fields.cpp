@@ -49,6 +49,10 @@ void check_near(const json& object, std::initializer_list<std::pair<const char*,
   }
 }
 
+const nlohmann::json& motion_of(const nlohmann::json& report) {
+  return report.at("cases").at(0).at("motions").at(0);
+}
+
 void check_only_finite(std::string_view report) {
   const std::string ended = std::string(report) + '\n';
   std::string word;

@@ -23,6 +23,9 @@ void check_values(const nlohmann::json& object,
 void check_near(const nlohmann::json& object,
                 std::initializer_list<std::pair<const char*, double>> values, double tolerance);
 
+/// The first motion of a design or a given damper: what it is, its response, and that in SI units.
+[[nodiscard]] const nlohmann::json& motion_of(const nlohmann::json& report);
+
 /// Asserts that no word of a report is "nan" or "inf".
 void check_only_finite(std::string_view report);
 

@@ -23,10 +23,13 @@ ordered_json in_si(const ordered_json& value, Dimension dimension, Scales scales
 
 }  // namespace
 
-ordered_json number_json(double value, const Measure& measure) {
-  return measure.numbers == Numbers::counts || measure.numbers == Numbers::from_one
-             ? count(value)
-             : ordered_json(value);
+ordered_json number_json(double value, Numbers numbers) {
+  return numbers == Numbers::counts || numbers == Numbers::from_one ? count(value)
+                                                                    : ordered_json(value);
+}
+
+void put(ordered_json& object, std::string_view name, ordered_json value) {
+  object[std::string(name)] = std::move(value);
 }
 
 std::string si_name(std::string_view name, const Measure& measure) {

@@ -9,12 +9,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
-#include <variant>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::report {
@@ -27,13 +29,43 @@ template <class Value>
 inline constexpr bool is_vector = false;
 template <class Value>
 inline constexpr bool is_vector<std::vector<Value>> = true;
+
+/// Optional, by a pointer into the answer.
 template <class Value>
-inline constexpr bool is_variant = false;
-template <class... Values>
-inline constexpr bool is_variant<std::variant<Values...>> = true;
+inline constexpr bool is_reference =
+    std::is_pointer_v<Value>&& std::is_class_v<std::remove_pointer_t<Value>>;
+
+/// What `get` gives of the optional, or the pointer, that `whole` gives; empty without it.
+template <class Whole, class Get>
+struct IfAny {
+  Whole whole;
+  Get get;
+
+  template <class Result>
+  auto operator()(const Result& result) const {
+    const auto& of = std::invoke(whole, result);
+    using Value = std::remove_cvref_t<std::invoke_result_t<Get, decltype(*of)>>;
+    using Shown =
+        std::conditional_t<is_optional<Value> || is_reference<Value>, Value, std::optional<Value>>;
+    return of ? Shown(std::invoke(get, *of)) : Shown();
+  }
+};
+template <class Whole, class Get>
+IfAny(Whole, Get) -> IfAny<Whole, Get>;
+
+/// A table of part of a result: each field is taken from what `whole` gives; empty without it.
+template <class Whole, class... Gets>
+constexpr auto fields_if_any(Whole whole, const std::tuple<Field<Gets>...>& part) {
+  return std::apply(
+      [whole](const auto&... field) {
+        return std::tuple{
+            Field{field.name, IfAny{whole, field.get}, field.words, field.measure}...};
+      },
+      part);
+}
 
 /// An integer where the field has counts.
-[[nodiscard]] nlohmann::ordered_json number_json(double value, const Measure& measure);
+[[nodiscard]] nlohmann::ordered_json number_json(double value, Numbers numbers);
 /// Those of a report with physical input; else null.
 using Scales = const design::Scales*;
 [[nodiscard]] inline Scales scales_of(const Physical& physical) {
@@ -41,6 +73,7 @@ using Scales = const design::Scales*;
 }
 /// The value of a field, and in SI units if the field says so: a number, or the ends of an
 /// interval. Out of line, as every field of every report comes here.
+void put(nlohmann::ordered_json& object, std::string_view name, nlohmann::ordered_json value);
 void put(nlohmann::ordered_json& object, std::string_view name, nlohmann::ordered_json value,
          const Measure& measure, Scales scales);
 /// "delta_m" beside "delta".
@@ -51,43 +84,51 @@ template <class Result>
 
 /// The value of a field.
 template <class Value>
-[[nodiscard]] nlohmann::ordered_json value_json(const Value& value, const Measure& measure = {},
+[[nodiscard]] nlohmann::ordered_json value_json(const Value& value, Numbers numbers = {},
                                                 Scales scales = nullptr) {
-  if constexpr (is_optional<Value>) {
-    return value ? value_json(*value, measure, scales) : nlohmann::ordered_json(nullptr);
+  if constexpr (is_optional<Value> || is_reference<Value>) {
+    return value ? value_json(*value, numbers, scales) : nlohmann::ordered_json(nullptr);
   } else if constexpr (std::is_same_v<Value, double>) {
-    return number_json(value, measure);
+    return number_json(value, numbers);
   } else if constexpr (HasNames<Value>) {
     return name(value);
   } else if constexpr (HasFields<Value>) {
     return object_json(value, scales);
   } else if constexpr (requires { own_json(value); }) {
     return own_json(value);
-  } else if constexpr (is_variant<Value>) {
-    return std::visit([&](const auto& one) { return value_json(one, measure, scales); }, value);
   } else if constexpr (requires { value.low, value.high; }) {
     return interval_json(value);
   } else if constexpr (is_vector<Value>) {
-    return list_json(value, [&](const auto& item) { return value_json(item, measure, scales); });
+    return list_json(value, [&](const auto& item) { return value_json(item, numbers, scales); });
   } else {
     return value;
   }
 }
 
-template <class Fields, class Result>
-void add_fields(nlohmann::ordered_json& json, const Fields& all, const Result& result,
-                Scales scales = nullptr) {
-  for_each_field(all, [&](const auto& field) {
-    put(json, field.name, value_json(std::invoke(field.get, result), field.measure, scales),
-        field.measure, scales);
-  });
+/// The table is an argument of the template, so that no words of it, which schemas need, are in
+/// what prints a report.
+template <const auto& all, std::size_t i, class Result>
+void add_field(nlohmann::ordered_json& json, const Result& result, Scales scales) {
+  constexpr auto get = std::get<i>(all).get;
+  constexpr std::string_view name = std::get<i>(all).name;
+  constexpr Measure measure = std::get<i>(all).measure;
+  auto value = value_json(std::invoke(get, result), measure.numbers, scales);
+  if constexpr (measure.si == InSi::apart) {
+    put(json, name, std::move(value));
+  } else {
+    static constexpr Measure in_si = measure;
+    put(json, name, std::move(value), in_si, scales);
+  }
 }
 
 /// By its table, in its order.
 template <class Result>
 nlohmann::ordered_json object_json(const Result& result, Scales scales) {
   auto json = nlohmann::ordered_json::object();
-  add_fields(json, fields<Result>, result, scales);
+  [&]<std::size_t... i>(std::index_sequence<i...>) {
+    (add_field<fields<Result>, i>(json, result, scales), ...);
+  }
+  (std::make_index_sequence<std::tuple_size_v<std::remove_cvref_t<decltype(fields<Result>)>>>());
   return json;
 }
 

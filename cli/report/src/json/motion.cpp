@@ -10,7 +10,6 @@
 #include <stillpoint/report/report.hpp>
 
 #include <tuple>
-#include <variant>
 
 namespace stillpoint::report {
 
@@ -77,10 +76,9 @@ inline constexpr auto fields<report::MotionReport> = [] {
                 }},
           Field{"response",
                 [](const MotionReport& report) {
-                  return report.answer.forced ? AnyResponse(*report.answer.forced)
-                                              : AnyResponse(report.answer.response);
-                },
-                "the second under an excitation"},
+                  return report.answer.forced ? ShownResponse(*report.answer.forced)
+                                              : ShownResponse(report.answer.response);
+                }},
           Field{"caught_impulse",
                 [](const MotionReport& report) {
                   return design::caught_impulse(report.request, report.answer.response);

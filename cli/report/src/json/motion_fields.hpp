@@ -18,7 +18,6 @@
 #include <string_view>
 #include <tuple>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace stillpoint::report {
@@ -54,17 +53,11 @@ struct Version {
 [[nodiscard]] nlohmann::ordered_json own_json(const Version& version);
 [[nodiscard]] nlohmann::ordered_json own_schema(const Version* version);
 
-/// A member of the record's origin, of an excitation that is a record.
+/// Of the record's origin, of an excitation that is a record.
 template <class Member>
-struct OfRecord {
-  Member RecordOrigin::*member;
-  auto operator()(const ShownExcitation& now) const {
-    using Shown = std::conditional_t<is_optional<Member>, Member, std::optional<Member>>;
-    return now.record ? Shown((*now.record).*member) : Shown();
-  }
-};
-template <class Member>
-OfRecord(Member RecordOrigin::*) -> OfRecord<Member>;
+constexpr auto of_record(Member RecordOrigin::*member) {
+  return IfAny{&ShownExcitation::record, member};
+}
 
 inline constexpr auto program_names = std::to_array<std::string_view>({"stillpoint"});
 inline constexpr auto excitation_types =
@@ -72,7 +65,15 @@ inline constexpr auto excitation_types =
 inline constexpr auto record_units =
     std::to_array<std::string_view>({"g", "m/s2", "cm/s2", "mm/s2"});
 
-using AnyResponse = std::variant<Response, ForcedResponse>;
+/// A motion; without a load it has no ForcedResponse.
+struct ShownResponse {
+  const Response* response;
+  const ForcedResponse* forced;
+
+  explicit ShownResponse(const Response& free) : response(&free), forced(nullptr) {}
+  explicit ShownResponse(const ForcedResponse& under_load)
+      : response(&under_load), forced(&under_load) {}
+};
 
 }  // namespace stillpoint::report
 
@@ -99,28 +100,41 @@ inline constexpr auto fields<report::ShownExcitation> = std::tuple{
     Field{"lambda", &report::ShownExcitation::lambda},
     Field{"phase", &report::ShownExcitation::phase, "", {Numbers::all}},
     Field{"duration", &report::ShownExcitation::duration, "null if it never ends"},
-    Field{"record", report::OfRecord{&report::RecordOrigin::file}},
+    Field{"record", report::of_record(&report::RecordOrigin::file)},
     Field{"samples", &report::ShownExcitation::samples},
     Field{"record_units",
-          report::OfRecord{&report::RecordOrigin::units},
+          report::of_record(&report::RecordOrigin::units),
           "",
           {.texts = report::record_units}},
-    Field{"record_step", report::OfRecord{&report::RecordOrigin::step}},
-    Field{"record_scale", report::OfRecord{&report::RecordOrigin::scale}, "", {Numbers::all}},
-    Field{"record_peak", report::OfRecord{&report::RecordOrigin::peak}},
-    Field{"record_spectrum", report::OfRecord{&report::RecordOrigin::spectrum}},
-    Field{"record_spectrum_period", report::OfRecord{&report::RecordOrigin::spectrum_period}},
+    Field{"record_step", report::of_record(&report::RecordOrigin::step)},
+    Field{"record_scale", report::of_record(&report::RecordOrigin::scale), "", {Numbers::all}},
+    Field{"record_peak", report::of_record(&report::RecordOrigin::peak)},
+    Field{"record_spectrum", report::of_record(&report::RecordOrigin::spectrum)},
+    Field{"record_spectrum_period", report::of_record(&report::RecordOrigin::spectrum_period)},
     Field{"record_units_read",
-          report::OfRecord{&report::RecordOrigin::units_read},
+          report::of_record(&report::RecordOrigin::units_read),
           "of the values in the file",
           {.texts = report::record_units}},
-    Field{"record_units_assumed", report::OfRecord{&report::RecordOrigin::assumed},
+    Field{"record_units_assumed", report::of_record(&report::RecordOrigin::assumed),
           "whether neither the file nor an option gives them"},
     Field{"record_factor",
-          report::OfRecord{&report::RecordOrigin::factor},
+          report::of_record(&report::RecordOrigin::factor),
           "on the values in the file",
           {Numbers::all}},
     Field{"pga", &report::ShownExcitation::pga, "the largest |W|, with that factor"}};
+
+template <>
+inline constexpr auto fields<report::ShownResponse> = std::tuple_cat(
+    std::apply(
+        [](const auto&... field) {
+          return std::tuple{
+              Field{field.name,
+                    in(
+                        [](const auto& now) -> const auto& { return *now.response; }, field.get),
+                    field.words, field.measure}...};
+        },
+        fields<Response>),
+    report::fields_if_any(&report::ShownResponse::forced, forced_fields));
 
 template <>
 inline constexpr auto fields<report::ShownMotion> = [] {

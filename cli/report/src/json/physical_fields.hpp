@@ -19,7 +19,6 @@
 #include <optional>
 #include <tuple>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace stillpoint::report {
@@ -28,7 +27,8 @@ namespace stillpoint::report {
 struct Si {
   design::PhysicalInput input;
   std::optional<double> velocity_m_per_s{};
-  const design::RegionVerdict* region{};
+  const design::Region* region{};
+  std::vector<design::Mend> mends{};
   std::optional<double> f{};
   std::optional<double> delta{};
   std::optional<design::WorksFor> served{};
@@ -51,9 +51,6 @@ struct Si {
   /// Empty if it does not exist, is not finite, or needs a mass that is not known.
   [[nodiscard]] std::optional<double> in_si(Dimension dimension,
                                             const std::optional<double>& value) const;
-  [[nodiscard]] std::optional<double> length(const std::optional<double>& value) const {
-    return in_si(Dimension::length, value);
-  }
 };
 
 /// A row of the hits.
@@ -70,34 +67,31 @@ struct HitsSi {
 /// What would mend an empty region; empty if that input alone cannot.
 [[nodiscard]] std::optional<double> mended(const Si& of, std::string_view field, bool by_stiffness);
 
-/// A figure of a motion in SI units.
-template <class Get, class Motion>
-struct TwinOf {
+/// A value of `Si`, which may be empty, in SI units.
+template <class Get>
+struct Scaled {
   Get get;
   Dimension dimension;
-  const Motion* Si::*motion;
 
   std::optional<double> operator()(const Si& of) const {
-    const Motion* const from = of.*motion;
-    return from == nullptr ? std::nullopt
-                           : of.in_si(dimension, std::optional<double>(std::invoke(get, *from)));
+    return of.in_si(dimension, std::invoke(get, of));
   }
 };
+template <class Get>
+Scaled(Get, Dimension) -> Scaled<Get>;
 
-/// The fields of a table that have a physical name.
-template <const auto& all, class Motion>
-[[nodiscard]] consteval auto twins(const Motion* Si::*motion) {
-  const auto twin = [motion]<std::size_t i>(std::integral_constant<std::size_t, i>) {
+/// The fields of a table that have a physical name, of what `whole` gives.
+template <const auto& all, class Whole>
+[[nodiscard]] consteval auto twins(Whole whole) {
+  const auto twin = [whole]<std::size_t i>(std::integral_constant<std::size_t, i>) {
     constexpr const auto& field = std::get<i>(all);
     if constexpr (field.measure.physical.empty()) {
       return std::tuple{};
     } else {
-      const auto& [numbers, dimension, physical, texts, si] = field.measure;
-      return std::tuple{Field{
-          physical,
-          TwinOf<std::remove_cvref_t<decltype(field.get)>, Motion>{field.get, dimension, motion},
-          {},
-          {numbers}}};
+      return std::tuple{Field{field.measure.physical,
+                              Scaled{IfAny{whole, field.get}, field.measure.dimension},
+                              {},
+                              {field.measure.numbers}}};
     }
   };
   return [twin]<std::size_t... i>(std::index_sequence<i...>) {
@@ -125,8 +119,8 @@ inline constexpr auto scale_fields = std::tuple{
 inline constexpr auto region_fields_si = std::tuple{
     Field{"max_displacement_m", [](const Si& of) { return times(of.input.max_displacement_m, 1); }},
     Field{"max_displacement_min_m",
-          [](const Si& of) { return of.length(of.region->region.beta_min); }},
-    Field{"delta2_m", [](const Si& of) { return of.length(of.region->region.delta2); }, "",
+          Scaled{IfAny{&Si::region, &design::Region::beta_min}, Dimension::length}},
+    Field{"delta2_m", Scaled{IfAny{&Si::region, &design::Region::delta2}, Dimension::length}, "",
           any_number},
     Field{"velocity_mend_m_per_s", [](const Si& of) { return mended(of, "v0", false); },
           "with the next four: the mends of the region"},
@@ -136,12 +130,11 @@ inline constexpr auto region_fields_si = std::tuple{
     Field{"max_displacement_mend_m", [](const Si& of) { return mended(of, "beta", false); }},
     Field{"delta_max_mend_m", [](const Si& of) { return mended(of, "delta_max", false); }}};
 
-inline constexpr auto damper_fields = std::tuple{
-    Field{"f", [](const Si& of) { return times(of.f, 1); }},
-    Field{"delta_m", [](const Si& of) { return of.length(of.delta); }},
-    Field{"friction_force_n", [](const Si& of) { return of.in_si(Dimension::force, of.f); }},
-    Field{"energy_per_passage_j",
-          [](const Si& of) { return of.in_si(Dimension::energy, of.delta); }}};
+inline constexpr auto damper_fields =
+    std::tuple{Field{"f", [](const Si& of) { return times(of.f, 1); }},
+               Field{"delta_m", Scaled{&Si::delta, Dimension::length}},
+               Field{"friction_force_n", Scaled{&Si::f, Dimension::force}},
+               Field{"energy_per_passage_j", Scaled{&Si::delta, Dimension::energy}}};
 
 inline constexpr auto practice_fields_si = std::tuple{
     Field{"secant_stiffness_n_per_m",
@@ -152,15 +145,9 @@ inline constexpr auto practice_fields_si = std::tuple{
                        : std::nullopt;
           }},
     Field{"impulse_at_stop_n_s",
-          [](const Si& of) {
-            return of.practice ? times(of.practice->impulse_at_stop, of.scales().impulse_n_s(1))
-                               : std::nullopt;
-          }},
+          Scaled{IfAny{&Si::practice, &design::Practice::impulse_at_stop}, Dimension::impulse}},
     Field{"impulse_largest_n_s",
-          [](const Si& of) {
-            return of.practice ? times(of.practice->impulse_largest, of.scales().impulse_n_s(1))
-                               : std::nullopt;
-          }},
+          Scaled{IfAny{&Si::practice, &design::Practice::impulse_largest}, Dimension::impulse}},
     Field{"energy_at_stop_j",
           [](const Si& of) {
             return of.practice
@@ -169,7 +156,7 @@ inline constexpr auto practice_fields_si = std::tuple{
                        : std::nullopt;
           },
           "what the notch took at the stop, of energy_per_passage_j"},
-    Field{"notch_width_min_m", [](const Si& of) { return of.length(of.notch_width_min); }}};
+    Field{"notch_width_min_m", Scaled{&Si::notch_width_min, Dimension::length}}};
 
 inline constexpr auto wave_fields =
     std::tuple{Field{"excitation_rad_per_s",
@@ -196,16 +183,17 @@ inline constexpr auto served_fields_si = std::tuple{
     Field{"hits", [](const Si& of) { return of.hits ? std::optional(hits_si(of)) : std::nullopt; },
           "in the order of those of the report"}};
 
-/// Of a free and of a forced motion, of a design and of a region.
-struct MotionSi : Si {};
-struct ForcedMotionSi : Si {};
-struct DesignSi : Si {};
-struct RegionSi : Si {};
+inline constexpr auto motion_fields_si =
+    std::tuple_cat(twins<fields<Response>>(&Si::motion), twins<forced_fields>(&Si::forced));
 
-[[nodiscard]] std::optional<DesignSi> physical_of(const DesignReport& report);
-[[nodiscard]] std::optional<RegionSi> physical_of(const RegionReport& report);
-using AnyMotionSi = std::variant<MotionSi, ForcedMotionSi>;
-[[nodiscard]] std::optional<AnyMotionSi> physical_of(const MotionReport& report);
+/// Of a motion and its task, of a damper and its task, and of a motion alone.
+struct MotionSi : Si {};
+struct AnswerSi : Si {};
+struct TwinsSi : Si {};
+
+[[nodiscard]] std::optional<AnswerSi> physical_of(const DesignReport& report);
+[[nodiscard]] std::optional<AnswerSi> physical_of(const RegionReport& report);
+[[nodiscard]] std::optional<MotionSi> physical_of(const MotionReport& report);
 
 }  // namespace stillpoint::report
 
@@ -219,32 +207,23 @@ inline constexpr auto fields<report::HitsSi> =
 
 template <>
 inline constexpr auto fields<report::MotionSi> = std::tuple_cat(
-    report::scale_fields, report::damper_fields,
-    report::twins<fields<Response>>(&report::Si::motion), report::practice_fields_si,
+    report::scale_fields, report::damper_fields, report::motion_fields_si,
+    report::practice_fields_si,
     std::tuple{Field{"caught_impulse_n_s",
-                     [](const report::Si& of) {
-                       return report::times(of.caught_impulse, of.scales().impulse_n_s(1));
-                     }}},
+                     report::Scaled{&report::Si::caught_impulse, Dimension::impulse}}},
     report::wave_fields);
 
 template <>
-inline constexpr auto fields<report::ForcedMotionSi> =
-    std::tuple_cat(fields<report::MotionSi>, report::twins<forced_fields>(&report::Si::forced));
-
-template <>
-inline constexpr auto fields<report::DesignSi> =
-    std::tuple_cat(report::scale_fields, report::region_fields_si, report::damper_fields,
-                   report::served_fields_si, report::practice_fields_si,
-                   report::twins<fields<Response>>(&report::Si::motion), report::wave_fields);
-
-template <>
-inline constexpr auto fields<report::RegionSi> = std::tuple_cat(
+inline constexpr auto fields<report::AnswerSi> = std::tuple_cat(
     report::scale_fields, report::region_fields_si, report::damper_fields, report::served_fields_si,
     report::practice_fields_si,
     std::tuple{
         Field{"delta1_published_m",
-              [](const report::Si& of) { return of.length(of.delta1_published); }},
-        Field{"delta1_exact_m", [](const report::Si& of) { return of.length(of.delta1_exact); }}},
-    report::wave_fields);
+              report::Scaled{&report::Si::delta1_published, Dimension::length}},
+        Field{"delta1_exact_m", report::Scaled{&report::Si::delta1_exact, Dimension::length}}},
+    report::motion_fields_si, report::wave_fields);
+
+template <>
+inline constexpr auto fields<report::TwinsSi> = report::motion_fields_si;
 
 }  // namespace stillpoint

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 namespace stillpoint::report {
 
@@ -19,9 +18,8 @@ std::optional<double> Si::in_si(Dimension dimension, const std::optional<double>
 }
 
 std::optional<double> mended(const Si& of, std::string_view field, bool by_stiffness) {
-  const auto& mends = of.region->mends;
-  const auto mend = std::ranges::find(mends, field, &design::Mend::field);
-  if (mend == mends.end()) {
+  const auto mend = std::ranges::find(of.mends, field, &design::Mend::field);
+  if (mend == of.mends.end()) {
     return std::nullopt;
   }
   design::PhysicalInput given = of.input;
@@ -71,60 +69,67 @@ void add_point(Si& si, const ShownTask& task, const std::optional<design::Practi
 
 }  // namespace
 
-std::optional<DesignSi> physical_of(const DesignReport& report) {
+std::optional<AnswerSi> physical_of(const DesignReport& report) {
   if (!report.physical) {
     return std::nullopt;
   }
   const design::DesignResult& result = report.result;
-  DesignSi si{{.input = *report.physical, .region = &result}};
+  AnswerSi si{{.input = *report.physical, .region = &result.region, .mends = result.mends}};
   const std::optional<double> v0 =
       result.request.pulse ? result.reduced_v0 : result.request.problem.v0;
   si.velocity_m_per_s = v0 ? std::optional(*v0 * si.scales().velocity_m_per_s) : v0;
-  if (result.finding) {
-    si.f = result.finding->point.f;
-    si.delta = result.finding->point.delta;
-    si.served = result.finding->works_for;
-    si.motion = &result.finding->response;
+  if (const auto& found = result.finding) {
+    si.f = found->point.f;
+    si.delta = found->point.delta;
+    si.served = found->works_for;
+    const auto [published, exact] = delta_needs(result);
+    si.delta1_published = published;
+    si.delta1_exact = exact;
+    si.motion = &found->response;
+    if (found->pulse) {
+      si.motion = si.forced = &found->pulse->response;
+    }
   }
   add_point(si, task_of(report), result.finding ? result.finding->practice : std::nullopt);
   return si;
 }
 
-std::optional<RegionSi> physical_of(const RegionReport& report) {
+std::optional<AnswerSi> physical_of(const RegionReport& report) {
   if (!report.physical) {
     return std::nullopt;
   }
-  RegionSi si{{.input = *report.physical,
-               .region = &report.answer,
+  const design::RegionAnswer& answer = report.answer;
+  AnswerSi si{{.input = *report.physical,
+               .region = &answer.region,
+               .mends = answer.mends,
                .f = report.request.f,
                .delta = report.request.delta,
-               .served = report.answer.works_for,
-               .delta1_published = report.answer.delta1_published,
-               .delta1_exact = report.answer.delta1_exact}};
+               .served = answer.works_for,
+               .delta1_published = answer.delta1_published,
+               .delta1_exact = answer.delta1_exact,
+               .motion = answer.response ? &*answer.response : nullptr,
+               .forced = answer.forced ? &*answer.forced : nullptr}};
   if (!report.request.pulse) {
     si.velocity_m_per_s = report.physical->velocity_m_per_s;
   }
-  add_point(si, task_of(report), report.answer.practice);
+  add_point(si, task_of(report), answer.practice);
   return si;
 }
 
-std::optional<AnyMotionSi> physical_of(const MotionReport& report) {
+std::optional<MotionSi> physical_of(const MotionReport& report) {
   if (!report.physical) {
     return std::nullopt;
   }
-  Si si{.input = *report.physical,
-        .velocity_m_per_s = report.physical->velocity_m_per_s,
-        .f = report.request.oscillator.f,
-        .delta = report.request.oscillator.delta,
-        .practice = practice_of(report),
-        .motion = &report.answer.response,
-        .caught_impulse = design::caught_impulse(report.request, report.answer.response)};
+  MotionSi si{{.input = *report.physical,
+               .velocity_m_per_s = report.physical->velocity_m_per_s,
+               .f = report.request.oscillator.f,
+               .delta = report.request.oscillator.delta,
+               .practice = practice_of(report),
+               .motion = &report.answer.response,
+               .forced = report.answer.forced ? &*report.answer.forced : nullptr,
+               .caught_impulse = design::caught_impulse(report.request, report.answer.response)}};
   add_wave(si, report.request.excitation);
-  if (report.answer.forced) {
-    si.forced = &*report.answer.forced;
-    return ForcedMotionSi{si};
-  }
-  return MotionSi{si};
+  return si;
 }
 
 }  // namespace stillpoint::report

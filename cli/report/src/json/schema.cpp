@@ -10,6 +10,12 @@ namespace stillpoint::report {
 
 using nlohmann::ordered_json;
 
+namespace {
+
+constexpr const char* mark = "$def";
+
+}  // namespace
+
 ordered_json number_schema(bool whole, Numbers numbers) {
   ordered_json schema{{"type", whole ? "integer" : "number"}};
   if (numbers != Numbers::all) {
@@ -40,6 +46,9 @@ ordered_json interval_schema(bool open, Numbers numbers) {
 }
 
 ordered_json or_null_schema(ordered_json schema) {
+  if (schema.contains(mark)) {
+    return {{"anyOf", {std::move(schema), {{"type", "null"}}}}};
+  }
   if (schema.contains("enum")) {
     schema["enum"].push_back(nullptr);
   } else if (schema.contains("anyOf")) {
@@ -76,8 +85,34 @@ ordered_json object_schema(ordered_json properties) {
       {"type", "object"}, {"required", std::move(required)}, {"properties", std::move(properties)}};
 }
 
+namespace {
+
+/// Moves the marked schemas into `definitions`.
+void share(ordered_json& schema, ordered_json& definitions) {
+  for (ordered_json& part : schema) {
+    if (part.is_structured()) {
+      share(part, definitions);
+    }
+  }
+  if (schema.is_object() && schema.contains(mark)) {
+    const std::string name = schema[mark];
+    schema.erase(mark);
+    definitions[name] = std::move(schema);
+    schema = {{"$ref", "#/$defs/" + name}};
+  }
+}
+
+}  // namespace
+
+ordered_json shared_schema(ordered_json schema, std::string_view name) {
+  if (!name.empty()) {
+    schema[mark] = name;
+  }
+  return schema;
+}
+
 ordered_json document_schema(std::string_view name, std::string_view command,
-                             std::string_view description, const ordered_json& object) {
+                             std::string_view description, ordered_json object) {
   ordered_json schema{
       {"$schema", "https://json-schema.org/draft/2020-12/schema"},
       {"$id", fmt::format("urn:{}", fmt::join(records::split(name, '/'), ":"))},
@@ -85,7 +120,12 @@ ordered_json document_schema(std::string_view name, std::string_view command,
       {"description",
        fmt::format("{}; what does not exist is null. docs/reports.md says what each field holds.",
                    description)}};
+  ordered_json definitions;
+  share(object, definitions);
   schema.update(object);
+  if (!definitions.is_null()) {
+    schema["$defs"] = std::move(definitions);
+  }
   return schema;
 }
 

@@ -14,7 +14,6 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
-#include <variant>
 
 namespace stillpoint::report {
 
@@ -34,17 +33,20 @@ void add_property(nlohmann::ordered_json& properties, std::string_view name, std
                   nlohmann::ordered_json schema, const Measure& measure);
 /// An object in which no field of `properties` is missing.
 [[nodiscard]] nlohmann::ordered_json object_schema(nlohmann::ordered_json properties);
-/// The whole of a report: "stillpoint/design-report/1" of what "design --json" prints.
+/// For a result that a report has in many places, the name of its schema among the $defs.
+template <class Result>
+inline constexpr std::string_view shared_name{};
+/// The mark of such a schema, of which document_schema makes references to one.
+[[nodiscard]] nlohmann::ordered_json shared_schema(nlohmann::ordered_json schema,
+                                                   std::string_view name);
+/// The whole of a report: "stillpoint/design-report/2" of what "design --json" prints.
 [[nodiscard]] nlohmann::ordered_json document_schema(std::string_view name,
                                                      std::string_view command,
                                                      std::string_view description,
-                                                     const nlohmann::ordered_json& object);
+                                                     nlohmann::ordered_json object);
 
 template <class Result>
 [[nodiscard]] nlohmann::ordered_json schema_of();
-
-template <class Variant>
-[[nodiscard]] nlohmann::ordered_json any_schema();
 
 template <class Value>
 [[nodiscard]] nlohmann::ordered_json value_schema(const Measure& measure = {}) {
@@ -52,6 +54,8 @@ template <class Value>
     return own_schema(static_cast<const Value*>(nullptr));
   } else if constexpr (is_optional<Value>) {
     return or_null_schema(value_schema<typename Value::value_type>(measure));
+  } else if constexpr (is_reference<Value>) {
+    return or_null_schema(value_schema<std::remove_cvref_t<std::remove_pointer_t<Value>>>(measure));
   } else if constexpr (std::is_same_v<Value, bool>) {
     return {{"type", "boolean"}};
   } else if constexpr (std::is_arithmetic_v<Value>) {
@@ -63,8 +67,6 @@ template <class Value>
     return text_schema(measure.texts, measure.numbers == Numbers::all);
   } else if constexpr (HasFields<Value>) {
     return schema_of<Value>();
-  } else if constexpr (is_variant<Value>) {
-    return any_schema<Value>();
   } else if constexpr (requires(const Value& value) { value.low, value.high; }) {
     return interval_schema(is_optional<decltype(Value::high)>, measure.numbers);
   } else if constexpr (requires { typename Value::value_type; }) {
@@ -76,13 +78,6 @@ template <class Value>
     static_assert(std::is_same_v<Value, nlohmann::ordered_json>, "a value without a schema");
     return {};
   }
-}
-
-template <class Variant>
-nlohmann::ordered_json any_schema() {
-  return []<class... Values>(std::type_identity<std::variant<Values...>>) {
-    return nlohmann::ordered_json{{"anyOf", {value_schema<Values>()...}}};
-  }(std::type_identity<Variant>());
 }
 
 /// The properties of the fields of such a result.
@@ -99,7 +94,7 @@ template <class Result, class Fields>
 
 template <class Result>
 nlohmann::ordered_json schema_of() {
-  return object_schema(properties_of<Result>(fields<Result>));
+  return shared_schema(object_schema(properties_of<Result>(fields<Result>)), shared_name<Result>);
 }
 
 }  // namespace stillpoint::report

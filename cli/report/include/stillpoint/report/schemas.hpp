@@ -12,7 +12,6 @@ namespace stillpoint::report {
 
 [[nodiscard]] nlohmann::ordered_json accuracy_schema();
 [[nodiscard]] nlohmann::ordered_json design_schema();
-[[nodiscard]] nlohmann::ordered_json record_design_schema();
 [[nodiscard]] nlohmann::ordered_json region_schema();
 [[nodiscard]] nlohmann::ordered_json simulation_schema();
 [[nodiscard]] nlohmann::ordered_json spectrum_schema();
@@ -25,9 +24,8 @@ struct ReportSchema {
 };
 inline constexpr std::array report_schemas{
     ReportSchema{"accuracy-report-1", accuracy_schema},
-    ReportSchema{"design-report-1", design_schema},
-    ReportSchema{"record-design-report-1", record_design_schema},
-    ReportSchema{"region-report-1", region_schema},
+    ReportSchema{"design-report-2", design_schema},
+    ReportSchema{"region-report-2", region_schema},
     ReportSchema{"simulation-report-1", simulation_schema},
     ReportSchema{"spectrum-report-1", spectrum_schema},
     ReportSchema{"sweep-reduction-1", reduction_report_schema},
