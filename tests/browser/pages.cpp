@@ -168,11 +168,10 @@ std::vector<MapRow> map_rows() {
 json points_of_interest(const std::string& page) {
   if (page == "design") {
     const json& report = pages().reports.at(page);
-    const json& design = report["design"];
     const double unit = millimetres(report);
     json points = json::array();
     for (const char* bound : {"delta1_published", "delta1_exact"}) {
-      points.push_back({design["f"], design[bound].get<double>() * unit});
+      points.push_back({report["design"]["f"], report[bound].get<double>() * unit});
     }
     return {{"region", points}};
   }
