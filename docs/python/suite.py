@@ -20,10 +20,10 @@ print(found)
 
 # The same motions one by one, with their trajectories.
 design = found.design
-for row in found.records:
+for row in found.cases[0].motions:
     motion = stillpoint.simulate(
-        record=row.file, f=design.f, delta_m=design.delta_m, notch_width_m=design.notch_width_m,
+        record=row.what, f=design.f, delta_m=design.delta_m, notch_width_m=design.notch_width_m,
         samples=200, **isolator)
     peak = np.abs(motion.trajectory["x_m"]).max()
-    print(f"{row.file}: peak {peak:.4f} m, rests at {motion.physical.stop_position_m:.4f} m")
-    assert abs(peak - row.peak_m) <= 1e-9 * row.peak_m
+    print(f"{row.what}: peak {peak:.4f} m, rests at {motion.physical.stop_position_m:.4f} m")
+    assert abs(peak - row.physical.peak_m) <= 1e-9 * peak

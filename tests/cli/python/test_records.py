@@ -24,7 +24,8 @@ def without_names(report):
     """The report without what only a file says of its record."""
     if isinstance(report, dict):
         return {key: without_names(value) for key, value in report.items()
-                if key not in ("file", "record", "records", "description", "record_step", "step")}
+                if key not in ("file", "record", "records", "what", "motion", "description",
+                               "record_step", "step")}
     return [without_names(entry) for entry in report] if isinstance(report, list) else report
 
 
