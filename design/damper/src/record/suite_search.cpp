@@ -95,6 +95,7 @@ BoxedDamper SuiteSearch::sampled(const SuiteDamper& damper) {
                : std::max(use(all[i], goal_.limits), all[i].*goal_.figure / worst.*goal_.figure);
   });
   std::vector<SuitePlace> sorted;
+  sorted.reserve(order.size());
   for (const std::size_t i : order) {
     sorted.push_back(samples_[i]);
   }
