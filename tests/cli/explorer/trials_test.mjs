@@ -316,11 +316,7 @@ test("of a damper under a record the page says what the program says", () =>
     const path = fileURLToPath(
       new URL("../../../data/records/near_fault_pulse.txt", import.meta.url),
     );
-    for (const notch of [
-      "",
-      "&notch-width-m=80mm",
-      "&hold=0.05",
-    ]) {
+    for (const notch of ["", "&notch-width-m=80mm", "&hold=0.05"]) {
       const damper = `f=0.03&delta-m=4mm${notch}`;
       await go(page, `${isolator}&${damper}`);
       await drop(page, "near_fault_pulse.txt", readFileSync(path, "utf8"));
