@@ -37,9 +37,9 @@ function motion_of(report) {
   };
 }
 
-/** Whether a finding is more than a note. @param {any} report @returns {boolean} */
-function alarms_of({ findings }) {
-  return findings.some((/** @type {any} */ now) => now.severity !== "info");
+/** Whether a damper fails or must be warned of. @param {any} report @returns {boolean} */
+function alarms_of({ admissible, findings }) {
+  return admissible === false || findings.some((/** @type {any} */ now) => now.severity !== "info");
 }
 
 /** What is to be known beyond the numbers. @param {any} report @returns {string} */

@@ -130,6 +130,9 @@ std::string feasible_words(const design::RegionVerdict& verdict, const design::P
   return words;
 }
 
+namespace {
+
+/// The least stroke, and the f that are feasible.
 void add_feasible(Section& section, const design::RegionVerdict& verdict,
                   const design::Problem& problem, const design::Limits& limits,
                   const Physical& physical) {
@@ -163,6 +166,8 @@ void add_feasible(Section& section, const design::RegionVerdict& verdict,
     section.row("feasible f", feasible + ", with the tolerance asked for");
   }
 }
+
+}  // namespace
 
 Section& add_region(Document& document, const design::RegionVerdict& verdict,
                     const design::Problem& problem, const design::Limits& limits,

@@ -89,6 +89,13 @@ std::vector<std::string> around(std::vector<std::string> cells,
   return cells;
 }
 
+/// "7 of 40 parts fit"
+std::string how_many_fit(const std::vector<design::RatedPart>& parts) {
+  const auto fit = std::ranges::count(parts, true, &design::RatedPart::admissible);
+  return format("{} of {} part{} fit{}", fit, parts.size(), parts.size() == 1 ? "" : "s",
+                fit == 1 ? "s" : "");
+}
+
 }  // namespace
 
 std::string violation(const design::Constraint& violated, const ShownTask& task) {
@@ -104,12 +111,6 @@ std::string judgement(const design::RatedPart& rated, const ShownTask& task) {
     text += (text.empty() ? "" : "; ") + violation(violated, task);
   }
   return text;
-}
-
-std::string how_many_fit(const std::vector<design::RatedPart>& parts) {
-  const auto fit = std::ranges::count(parts, true, &design::RatedPart::admissible);
-  return format("{} of {} part{} fit{}", fit, parts.size(), parts.size() == 1 ? "" : "s",
-                fit == 1 ? "s" : "");
 }
 
 void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& task) {

@@ -21,9 +21,6 @@ namespace stillpoint::report {
 /// The violations of a part, or "fits".
 [[nodiscard]] std::string judgement(const design::RatedPart& rated, const ShownTask& task);
 
-/// "7 of 40 parts fit".
-[[nodiscard]] std::string how_many_fit(const std::vector<design::RatedPart>& parts);
-
 /// The best parts, and how far the others fail.
 void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& task);
 /// Their marks, without those beyond the axes.

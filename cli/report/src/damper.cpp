@@ -2,12 +2,10 @@
 #include "damper.hpp"
 #include "format.hpp"
 
-#include <stillpoint/design/damper_findings.hpp>
 #include <stillpoint/design/motion_findings.hpp>
 #include <stillpoint/report/digits.hpp>
 
 #include <cmath>
-#include <numbers>
 
 namespace stillpoint::report {
 

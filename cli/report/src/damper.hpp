@@ -37,7 +37,7 @@ struct ShownDamper {
 [[nodiscard]] std::string does_words(const ShownDamper& shown);
 /// Peak, rest and acceleration, and how wide its notch must be so that a pulse moves the mass.
 void add_motion(Section& answer, const ShownDamper& shown);
-/// What it takes, its motion in full, and the figures used in practice; for the paper's notch.
+/// Its motion in full; what it takes and the figures used in practice, with the paper's notch.
 void add_details(Document& document, const ShownDamper& shown, const DeltaNeeds& needs,
                  const std::optional<Si>& si);
 

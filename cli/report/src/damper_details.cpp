@@ -25,7 +25,9 @@ void add_details(Document& document, const ShownDamper& shown, const DeltaNeeds&
   if (si) {
     add_si_rows(damper, damper_fields, *si);
   }
-  add_rows(document.detail(heading("Motion", shown_words(shown.task))), shown.response, physical);
+  const std::string which = shown_words(shown.task);
+  add_rows(document.detail(which.empty() ? "Motion" : "Motion: " + which), shown.response,
+           physical);
   const ToldPractice told = told_practice(shown.task, shown.practice, f, delta);
   if (told.lines) {
     Section& practice = document.detail(heading("In practice", told.which));
@@ -35,7 +37,7 @@ void add_details(Document& document, const ShownDamper& shown, const DeltaNeeds&
     }
   }
   if (problem.arrivals > 1 && !pulse && shown.built == nullptr) {
-    add_half_cycles(document.detail(heading("Half-cycles", shown_words(shown.task))),
+    add_half_cycles(document.detail(heading("Half-cycles", which)),
                     first_half_cycles({problem.p, f, delta}, {0, problem.v0}, most_half_cycles),
                     shown.response.half_cycles, "lists all impulses", physical);
   }

@@ -4,13 +4,12 @@
 #include "format.hpp"
 
 #include <stillpoint/design/damper_findings.hpp>
+#include <stillpoint/records/decimal.hpp>
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/findings.hpp>
 #include <stillpoint/report/report.hpp>
 
-#include <stillpoint/records/decimal.hpp>
-
-#include <algorithm>
+#include <utility>
 
 namespace stillpoint::report {
 

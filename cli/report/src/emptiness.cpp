@@ -6,7 +6,6 @@
 #include <stillpoint/report/digits.hpp>
 
 #include <algorithm>
-#include <utility>
 
 namespace stillpoint::report {
 

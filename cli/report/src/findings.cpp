@@ -313,11 +313,6 @@ bool is_useless(std::span<const design::Finding> findings) {
   });
 }
 
-bool is_alarming(std::span<const design::Finding> findings) {
-  return std::ranges::any_of(
-      findings, [](const design::Finding& now) { return now.severity != Severity::info; });
-}
-
 void add_findings(Document& document, std::span<const design::Finding> findings,
                   const Physical& physical) {
   Section before;

@@ -9,14 +9,8 @@
 #include <stillpoint/report/findings.hpp>
 #include <stillpoint/report/report.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
 #include <iterator>
-#include <limits>
-#include <span>
 #include <string_view>
-#include <vector>
 
 namespace stillpoint::report {
 

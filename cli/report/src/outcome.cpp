@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "format.hpp"
 #include "sections.hpp"
-
-#include <stillpoint/records/decimal.hpp>
-#include <stillpoint/report/digits.hpp>
-
-#include <algorithm>
-#include <cmath>
 
 namespace stillpoint::report {
 

@@ -71,17 +71,8 @@ struct SiUnit {
 };
 [[nodiscard]] inline SiUnit si_unit_of(std::string_view name) {
   // Those that end in others first.
-  static constexpr std::array units{SiUnit{"_n_per_m", "N/m"},
-                                    SiUnit{"_m_per_s2", "m/s2"},
-                                    SiUnit{"_m_per_s", "m/s"},
-                                    SiUnit{"_n_s", "N s"},
-                                    SiUnit{"_rad_per_s", "rad/s"},
-                                    SiUnit{"_n", "N"},
-                                    SiUnit{"_j", "J"},
-                                    SiUnit{"_m", "m"},
-                                    SiUnit{"_s", "s"},
-                                    SiUnit{"_kg", "kg"},
-                                    SiUnit{"_hz", "Hz"}};
+  static constexpr std::array units{SiUnit{"_n_per_m", "N/m"}, SiUnit{"_n_s", "N s"},
+                                    SiUnit{"_n", "N"}, SiUnit{"_j", "J"}, SiUnit{"_m", "m"}};
   const auto* const found =
       std::ranges::find_if(units, [&](const SiUnit& now) { return name.ends_with(now.suffix); });
   return found == units.end() ? SiUnit{} : *found;

@@ -147,10 +147,6 @@ Section& add_region(Document& document, const design::RegionVerdict& verdict,
 [[nodiscard]] std::string feasible_words(const design::RegionVerdict& verdict,
                                          const design::Problem& problem,
                                          const design::Limits& limits);
-/// The least stroke, and the f that are feasible.
-void add_feasible(Section& section, const design::RegionVerdict& verdict,
-                  const design::Problem& problem, const design::Limits& limits,
-                  const Physical& physical);
 /// The rows of a pulse in the section of the task.
 void add_pulse(Section& task, const design::Pulse& pulse, const design::PulseRanges& ranges,
                const Physical& physical);

@@ -17,9 +17,4 @@ namespace stillpoint::report {
   return text;
 }
 
-/// The same behind another sentence.
-[[nodiscard]] inline std::string next_sentence(std::string_view clause) {
-  return clause.empty() ? "" : " " + sentence(clause);
-}
-
 }  // namespace stillpoint::report

@@ -44,11 +44,9 @@ void add_pulse_notch(std::vector<Finding>& all, const Shown& now) {
       least_width(now.f, now.delta, now.ranges.k_low.value_or(peak_load(*now.pulse)));
   if (width < 2 * now.response.peak_amplitude) {
     all.emplace_back(acts_late);
-    return;
+  } else {
+    all.push_back(no_notch(width, now.response.peak_amplitude));
   }
-  Finding& none = all.emplace_back(no_notch_works);
-  none.add("least_width", width, Dimension::length);
-  none.add("peak_amplitude", now.response.peak_amplitude, Dimension::length);
 }
 
 /// The requirements on peak and acceleration under a pulse end with the first swing.

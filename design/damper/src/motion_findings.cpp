@@ -175,6 +175,13 @@ Finding lock_of(const ForcedResponse& motion, double load_end) {
   return lock;
 }
 
+Finding no_notch(double width, double peak) {
+  Finding none(no_notch_works);
+  none.add("least_width", width, Dimension::length);
+  none.add("peak_amplitude", peak, Dimension::length);
+  return none;
+}
+
 std::optional<double> caught_impulse(const SimulationRequest& request, const Response& response) {
   const Oscillator& oscillator = request.oscillator;
   const Start& start = request.start;
@@ -194,9 +201,7 @@ std::vector<Finding> findings_of(const SimulationRequest& request, const Simulat
     const double width =
         least_width(friction_at_centre(request), delta, largest_load(request.excitation));
     if (width >= 2 * response.peak_amplitude) {
-      Finding& none = all.emplace_back(no_notch_works);
-      none.add("least_width", width, Dimension::length);
-      none.add("peak_amplitude", response.peak_amplitude, Dimension::length);
+      all.push_back(no_notch(width, response.peak_amplitude));
     }
   }
   if (forced && forced->locked_from) {

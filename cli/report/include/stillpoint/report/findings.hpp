@@ -25,8 +25,6 @@ namespace stillpoint::report {
 
 /// Whether nobody should build what they are about: a fault, or too exact.
 [[nodiscard]] bool is_useless(std::span<const design::Finding> findings);
-/// Whether one of them is a caution or a fault.
-[[nodiscard]] bool is_alarming(std::span<const design::Finding> findings);
 
 /// A line for each of them, around what the answer has already: faults and cautions before it,
 /// notes behind it; and the tone of the verdict.

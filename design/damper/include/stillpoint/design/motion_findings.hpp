@@ -18,6 +18,10 @@ namespace stillpoint::design {
 /// Of a forced motion that the notch holds at the end of a load that lasts until `load_end`.
 [[nodiscard]] Finding lock_of(const ForcedResponse& motion, double load_end);
 
+/// Of a load that moves the mass only out of a notch wider than `width`, which is wider than the
+/// motion.
+[[nodiscard]] Finding no_notch(double width, double peak);
+
 /// |v0| of a hit that the notch catches, which the structure then feels in full, per mass.
 [[nodiscard]] std::optional<double> caught_impulse(const SimulationRequest& request,
                                                    const Response& response);
