@@ -153,13 +153,6 @@ BOOST_AUTO_TEST_CASE(is_ranked_and_explained) {
   BOOST_TEST(report["catalogue"][3]["tolerance"].is_null());
 }
 
-BOOST_AUTO_TEST_CASE(the_text_says_what_to_order_first) {
-  const ProgramRun answer = succeed(design("--catalogue few.csv"));
-  BOOST_TEST(answer.out.starts_with("Damper design\n  Order part good: f = 0.26, delta = 0.37: "),
-             answer.out);
-  check_contains(answer.out, {"2 of 4 parts fit\n", "rests off centre: f is 14 % too large\n"});
-}
-
 BOOST_AUTO_TEST_CASE(without_a_part_that_fits_ends_with_3_and_says_why_for_each) {
   const ProgramRun answer = ending(3, design("--catalogue few.csv --tolerance 0.5 --json"));
   const json report = answer.json();
@@ -173,14 +166,6 @@ BOOST_AUTO_TEST_CASE(without_a_part_that_fits_ends_with_3_and_says_why_for_each)
   BOOST_TEST_REQUIRE(report["mends"].size() == 1U);
   BOOST_TEST(report["mends"][0]["input"] == "tolerance");
   BOOST_TEST(near(report["mends"][0]["value"], report["catalogue"][0]["tolerance"], 1e-14));
-  const ProgramRun text = ending(3, design("--catalogue few.csv --tolerance 0.5"));
-  check_contains(text.out,
-                 {"No admissible design: no part has a tolerance of 50 %; the best, good, has",
-                  "good ", "fair ", "strong ", "weak "});
-  // By hand: f3 = 1/sqrt(8).
-  write("far.csv", "name,f,delta\nfar,0.8,0.4\n");
-  check_contains(run("design --v0 1 --p 1 --beta 0.9 --catalogue far.csv").out,
-                 {"rests off centre: f is 2.26 times the limit"});
 }
 
 BOOST_AUTO_TEST_CASE(in_metres_may_carry_units) {
@@ -199,34 +184,12 @@ BOOST_AUTO_TEST_CASE(in_metres_may_carry_units) {
                 {"catalogue negative.csv, line 2", "delta_m = -6mm", "from 0"});
 }
 
-BOOST_AUTO_TEST_CASE(of_a_thousand_parts_swamps_neither_the_text_nor_the_page) {
-  std::string text = "name,f,delta\n";
-  for (int i = 0; i < 1000; ++i) {
-    text += "part-" + std::to_string(i) + "," + std::to_string(0.0005 * i) + "," +
-            std::to_string(0.0006 * ((i * 37) % 1000)) + "\n";
-  }
-  write("many.csv", text);
-  const json report = reported(design("--catalogue many.csv --html page.html"));
-  BOOST_TEST(report["catalogue"].size() == 1000U);
-  const std::string page = read("page.html");
-  std::size_t rows = 0;
-  for (std::size_t at = 0; (at = page.find("<td data-head=\"part\">", at)) != std::string::npos;
-       ++at) {
-    ++rows;
-  }
-  BOOST_TEST(rows == 12U);
-  BOOST_TEST(contains(page, "988 more"));
-  const std::string printed = run(design("--catalogue many.csv")).out;
-  BOOST_TEST(std::ranges::count(printed, '\n') < 50);
-}
-
 BOOST_AUTO_TEST_CASE(is_drawn_by_region_and_works_with_arrivals) {
   write("few.csv", "name,f,delta\nfirst,0.26,0.37\nsecond,0.05,0.2\nfar,9,9\n");
   const Arguments region("region --v0 1 --p 1 --beta 1.1 --catalogue few.csv --svg out --arrivals");
   BOOST_TEST(reported(region + "2")["catalogue"][1]["admissible"] == true);
   const std::string figure = read("out/region.svg");
   BOOST_TEST(contains(figure, "parts that fit"));
-  BOOST_TEST(!contains(figure, "1 of the 3 parts lies outside"));  // in the caption
   BOOST_TEST(!contains(figure, "tolerate too little"));
   // The first withstands 35 %.
   BOOST_TEST(run(region + "1 --tolerance 0.4").exit_code == 3);
@@ -239,12 +202,9 @@ BOOST_AUTO_TEST_CASE(is_drawn_by_region_and_works_with_arrivals) {
 /// Its only part is too weak for the first return, and stops the mass at the second.
 BOOST_AUTO_TEST_CASE(that_needs_more_arrivals_says_how_many) {
   write("weak.csv", "name,f,delta\nsecond,0.05,0.2\n");
-  const ProgramRun text =
-      ending(3, Arguments("design --v0 1 --p 1 --beta 1.1 --catalogue weak.csv"));
-  BOOST_TEST(contains(one_line(text.out), "One way out: at least 2 arrivals."), text.out);
-  ending(3, Arguments("design --v0 1 --p 1 --beta 1.1 --f-max 0.06 --delta-max 0.3 "
-                      "--catalogue weak.csv --html page.html"));
-  BOOST_TEST(contains(read("page.html"), ">No part with fewer than 2 arrivals<"));
+  const json report =
+      ending(3, "design --v0 1 --p 1 --beta 1.1 --catalogue weak.csv --json").json();
+  check_values(report["mends"][0], {{"input", "arrivals"}, {"value", 2}});
 }
 
 BOOST_AUTO_TEST_CASE(is_not_overwritten_and_may_be_in_a_scene) {
@@ -278,26 +238,6 @@ BOOST_AUTO_TEST_CASE(has_the_fields_of_the_contract_and_metres) {
   BOOST_TEST(reported(isolator())["trade_off"].is_null());
 }
 
-/// All six digits, so that the points of a column are below each other.
-BOOST_AUTO_TEST_CASE(is_a_table_of_aligned_numbers) {
-  check_contains(run(isolator("--trade-off 11")).out,
-                 {"\n  150.000      0.0928958         0 %     1.44050   ", "  1.55980   "});
-}
-
-// f3 = 1/sqrt(8) has the peak 1/sqrt(2) and S = 3/sqrt(8).
-BOOST_AUTO_TEST_CASE(a_long_front_is_shown_up_to_its_end) {
-  const std::string text = run("design --v0 1 --p 1 --beta 0.9 --trade-off 26").out;
-  check_contains(text, {"\n  0.707107           1.06066 ", "10 of 26 dampers"});
-}
-
-BOOST_AUTO_TEST_CASE(is_drawn_with_the_design_on_it) {
-  succeed(isolator("--trade-off 30 --svg out"));
-  for (const char* name : {"out/trade-off.svg", "out/trade-off-tolerance.svg"}) {
-    const std::string figure = read(name);
-    check_contains(figure, {"stroke, mm", "design"});
-  }
-}
-
 BOOST_AUTO_TEST_CASE(of_an_empty_region_is_empty) {
   const ProgramRun answer = ending(3, "design --v0 1 --p 1 --beta 0.5 --trade-off 5 --json");
   BOOST_TEST(answer.json()["trade_off"].is_array());
@@ -305,17 +245,6 @@ BOOST_AUTO_TEST_CASE(of_an_empty_region_is_empty) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
-/// Nothing bounds delta, which is advice for a notch to be built.
-BOOST_FIXTURE_TEST_CASE(a_part_with_a_strong_notch_is_ordered_as_it_is, Sandbox) {
-  const Arguments task("design --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.05");
-  write("strong.csv", "name,f,delta\nstrong,0.01,0.004\n");
-  const std::string advice = "Nothing bounds delta";
-  BOOST_TEST(contains(one_line(run(task).out), advice));
-  const std::string text = one_line(run(task + "--catalogue strong.csv").out);
-  BOOST_TEST(contains(text, "Order part strong: f = 0.01, delta = 0.004: "), text);
-  BOOST_TEST(!contains(text, advice), text);
-}
 
 /// With all of the Delta that is allowed; twice that is 100 % too large.
 BOOST_FIXTURE_TEST_CASE(a_part_at_a_limit_under_a_pulse_fits, Sandbox) {
@@ -328,8 +257,6 @@ BOOST_FIXTURE_TEST_CASE(a_part_at_a_limit_under_a_pulse_fits, Sandbox) {
   BOOST_TEST(best["admissible"] == true);
   BOOST_TEST(alone["admissible"] == true);
   BOOST_TEST(best["tolerance"] == alone["design"]["tolerance"]);
-  check_contains(one_line(run(design).out), {" tolerance f or delta must be exact: ", " 0 % fits ",
-                                             " delta is 100 % too large "});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

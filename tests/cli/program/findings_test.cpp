@@ -48,7 +48,104 @@ const std::vector<std::string> tasks{
     "region --pulse full-sine --k 0.1 --lambda 1 --p 1 --beta 0.2 --f 0 --delta 0",
 };
 
+/// What a motion, a damper or a design must be told to have, with values worked out by hand.
+struct Told {
+  std::string task;
+  const char* kind;
+  json values{};  ///< of its finding; null: it has none of that kind
+};
+
+const std::string motion = "simulate --p 1 ";
+const std::string grows = motion + "--excitation harmonic --k 0.1 --delta 0 ";
+const std::string hold = motion +
+                         "--f 0.1 --delta 0.1 --excitation half-sine --lambda 1 --hold 0.3 "
+                         "--friction-zones 0.5:0.2 --k ";
+const std::string pulse = "region --pulse rectangle --k 0.5 --lambda 1 --p 1 --beta 0.8 ";
+const std::string shaken =
+    "simulate --period 2.8 --record " STILLPOINT_DATA_DIR "/records/strong_motion.AT2 --f 0.05 ";
+const std::string brake =
+    "region --velocity 1.2 --period 0.1 --max-displacement 15mm --delta-m 10mm --f ";
+const std::string isolator = "design --velocity 0.4 --period 2.8 --max-displacement ";
+const std::vector<Told> all_told{
+    // Just as much as the notch holds; a run that is cut, where the load is 0.2 sin 0.2.
+    {motion +
+         "--v0 0.01 --f 0.01 --delta 0.1 --hold 0.1 --excitation rectangle --k 0.11 --lambda 1",
+     "locks",
+     {{"locked_from", 0}, {"largest_load_while_locked", 0.11}, {"load_end", M_PI}}},
+    {motion + "--v0 0.5 --f 0.05 --delta 0.2 --hold 0.1 --excitation harmonic --k 0.2 "
+              "--lambda 0.01 --t-end 20",
+     "locks",
+     {{"largest_load_while_locked", 0.2 * std::sin(0.2)}}},
+    // In zones x = 0 has the friction of the first: 0.2 + 0.3.
+    {hold + "0.49", "locks", {{"locked_from", 0}}},
+    {hold + "0.51", "locks"},
+    {motion + "--v0 0.1 --f 0.1 --delta 0.1",
+     "catches_hit",
+     {{"caught_impulse", 0.1}, {"least_velocity", std::sqrt(0.2)}}},
+    {motion + "--f 0.5 --delta 0.1 --excitation harmonic --k 0.2 --lambda 1 --t-end 20",
+     "never_moves",
+     {{"by", "friction"}, {"largest_load", 0.2}}},
+    {motion + "--v0 0 --x0 0.04 --f 0.05 --delta 0.01",
+     "never_moves",
+     {{"by", "friction"}, {"stop_position", 0.04}}},
+    {motion + "--v0 0 --x0 0.05 --f 0.02 --delta 0.01 --notch-width 0.1",
+     "never_moves",
+     {{"by", "notch"}, {"stop_position", 0.05}}},
+    // In resonance |x| grows by pi k/2 - 2 f a half-cycle.
+    {grows + "--f 0.05 --lambda 1 --t-end 100", "peaks_develop", {{"trend", "grow"}}},
+    {grows + "--f 0.02 --lambda 0.7 --t-end 300", "peaks_develop", {{"trend", "settle"}}},
+    {grows + "--f 0 --lambda 0.9 --t-end 200", "peaks_develop", {{"trend", "vary"}}},
+    {grows + "--f 0.09 --lambda 1 --t-end 100", "peaks_develop", {{"trend", "settle"}}},
+    {grows + "--f 0.02 --lambda 0.7 --t-end 20", "peaks_develop"},  // too few
+    {grows + "--f 0.02 --lambda 0.7 --t-end 300 --max-half-cycles 20", "peaks_develop"},
+    {motion + "--v0 1 --f 0 --delta 0.4999", "close_call", {{"changes", "stop"}}},
+    {motion + "--v0 1 --f 0.26 --delta 0.37", "close_call"},
+    {shaken + "--delta-m 0 --end-time 15", "ends_before_load", {{"end_time_s", 15}}},
+    {shaken + "--delta-m 20mm --hold 0.1", "sensitive"},  // it locks in all of them
+    // Held at rest up to f + delta/w = k: w = 0.01/(0.3 - 0.1) and 0.49/(0.5 - 0.175).
+    {motion + "--f 0.1 --delta 0.01 --excitation half-sine --k 0.3 --lambda 20",
+     "no_notch_works",
+     {{"least_width", 0.05}}},
+    {pulse + "--f 0.175 --delta 0.49", "no_notch_works", {{"least_width", 0.49 / 0.325}}},
+    {pulse + "--f 0.05 --delta 0.49", "acts_late", json::object()},
+    {pulse + "--f 0.12 --delta 0", "acts_late"},
+    {pulse + "--f 0.12", "acts_late", json::object()},
+    {brake + "2", "friction_above_weight", {{"f", 2}}},
+    {brake + "1", "friction_above_weight"},
+    // The largest tolerance of delta alone is that at f3, beyond which nothing returns.
+    {isolator + "150mm --tolerance-delta 0.2", "too_exact", json::object()},
+    {isolator + "150mm --tolerance-f 0.2", "too_exact"},
+    // A rest at the first peak is within the residual; stiffer springs bring it back.
+    {isolator + "190mm --residual-m 120mm --tolerance 0.2", "notch_unused", json::object()},
+    {"design --v0 1 --p 1:2.5 --beta 0.9 --residual 0.5", "notch_unused"},
+    {"region --v0 0:1 --p 1 --beta 2 --residual 0.05 --f 0.5 --delta 0.9",
+     "catches_weak_hits",
+     {{"caught_impulse", 1}}},
+    {"design --v0 1 --p 1 --beta 1.1 --arrivals 2 --f-max 0.1", "least_friction_is_best",
+     json::object()},
+    {"design --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.05", "delta_unbounded",
+     json::object()},
+    {"design --pulse full-sine --k 0.08 --lambda 0.8 --p 1 --beta 0.077 --delta-max 0.005",
+     "recentres_weakly",
+     {{"limit", 0.25}}},
+};
+
 }  // namespace
+
+BOOST_AUTO_TEST_CASE(each_kind_is_told_where_it_holds_and_nowhere_else) {
+  for (const auto& [task, kind, values] : all_told) {
+    BOOST_TEST_CONTEXT(task) {
+      const json report = json::parse(run(Arguments(task.c_str()) + "--json").out);
+      const json found = finding(report, kind);
+      BOOST_TEST(found.is_null() == values.is_null(), kind);
+      for (const auto& [name, value] : values.items()) {
+        BOOST_TEST((value.is_number() ? near(found.at(name), value, 1e-12)
+                                      : found.at(name) == value),
+                   name);
+      }
+    }
+  }
+}
 
 BOOST_AUTO_TEST_CASE(each_kind_is_listed_with_its_severity) {
   static const std::regex row(R"(\| `([a-z_]+)` \| (info|caution|fault) \| .+ \|)");

@@ -89,17 +89,6 @@ BOOST_FIXTURE_TEST_CASE(motions_are_those_of_simulate, Sandbox) {
   }
 }
 
-BOOST_FIXTURE_TEST_CASE(the_scene_names_the_zones, Sandbox) {
-  const std::string text = one_line(
-      succeed("sweep --velocity 0.4 --period 2.8 --f 0.02:0.03:2 --delta-m 2mm --friction-zones "
-              "30mm:0.03,50mm:0.04 --output rows.csv --verbose")
-          .out);
-  BOOST_TEST(contains(text,
-                      " friction 0.03 for |x| < 30 mm 0.04 for |x| from 30 mm to 50 mm f "
-                      "beyond "),
-             text);
-}
-
 BOOST_FIXTURE_TEST_CASE(dampers_are_those_of_design, Sandbox) {
   write("parts.csv", "name,f,delta_m\na,0.02,6mm\nb,0.025,5mm\nc,0.03,4mm\n");
   const Arguments ranged("--max-displacement 170mm --arrivals 2");

@@ -50,76 +50,6 @@ BOOST_AUTO_TEST_CASE(a_real_notch_and_zones_come_from_flags_and_from_a_scene) {
   BOOST_TEST(scene["input"]["friction_zones"][1]["f"] == 0.4);
 }
 
-BOOST_AUTO_TEST_CASE(the_answer_says_where_the_acceleration_is_felt) {
-  const auto says = [&](const Arguments& more, const std::string& where) {
-    const ProgramRun answer = run(simulate("0.26", "0.37") + more);
-    const std::string text = one_line(answer.out);
-    const std::string row = "g transmitted" + where;
-    BOOST_TEST((contains(text, row + " Half-") || contains(text, row + " note ")), text);
-  };
-  says({}, ", outside the notch");
-  // Outside it is that of the peak, 0.26 + 0.7732.
-  says("--notch-width 0.1", " inside the notch, 1.033 g outside it");
-  says("--notch-width 2", ", the notch included");
-  // It stops at x = 0 under a load that goes on, and then grows.
-  write("late.csv", "0 0\n10 0\n14 3\n");
-  says("--record late.csv", " while it is locked");
-  // The notch holds up to 0.1 + 0.4 until a short load of 0.6 frees the mass, which slides with
-  // less, and never comes back to the notch.
-  write("freed.csv", "0 0\n9.9 0\n10 0.6\n10.1 0\n20 0\n");
-  const ProgramRun freed = run("simulate --p 1 --f 0.1 --delta 0.01 --hold 0.4 --record freed.csv");
-  BOOST_TEST(contains(freed.out, "g transmitted while the notch holds it\n"), freed.out);
-}
-
-/// Friction and notch hold up to f + delta/w.
-BOOST_AUTO_TEST_CASE(from_rest_the_answer_says_which_notch_would_hold_the_start) {
-  const Arguments motion("simulate --p 1 --f 0.1 --delta 0.01 --t-end 9 --lambda 0.5 --excitation");
-  const std::string start = "  start             needs a notch wider than 0.05, delta/(load - f)\n";
-  for (const char* const load : {"half-sine --k 0.3", "harmonic --k=-0.3"}) {
-    BOOST_TEST(contains(run(motion + load).out, start), load);
-  }
-  write("load.csv", "0 0\n1 -0.3\n2 0.2\n");
-  BOOST_TEST(contains(run("simulate --p 1 --f 0.1 --delta 0.01 --record load.csv").out, start));
-  BOOST_TEST(!contains(run(motion + "half-sine --k 0.3 --v0 1").out, "  start  "));
-  // A short load moves it by less than half of that.
-  const ProgramRun shaken =
-      run("simulate --p 1 --f 0.1 --delta 0.01 --excitation half-sine --k 0.3 --lambda 20");
-  check_contains(one_line(shaken.out),
-                 {" fault No notch works: only one wider than 0.05 would let the "
-                  "load move the mass, but the peak is 0.0"});
-}
-
-BOOST_AUTO_TEST_CASE(the_answer_names_zones_and_the_notch_that_was_given) {
-  const auto says = [&](const Arguments& more, const std::string& what) {
-    const ProgramRun answer = run(simulate("0.1", "0.1") + more);
-    BOOST_TEST(contains(answer.out, what), answer.out);
-  };
-  says("--notch-width 0.1", "friction 1.1 for |x| < 0.05\n");
-  says("--hold 0.3", "holds a load of up to f + 0.3 g = 0.4 g\n");
-  // In zones x = 0 has the friction of the first: 0.2 + 0.3 = 0.5, and 0.1/(0.9 - 0.2) = 1/7.
-  const Arguments zone("--friction-zones 0.5:0.2");
-  says(zone + "--notch-width 0.1", "adds 1 to the friction for |x| < 0.05\n");
-  says(zone + "--hold 0.3", "holds a load of up to 0.2 g + 0.3 g = 0.5 g\n");
-  const Arguments pulse("simulate --p 1 --f 0.1 --delta 0.1 --excitation half-sine --lambda 1");
-  BOOST_TEST(
-      contains(run(pulse + zone + "--k 0.9").out, "wider than 0.142858, delta/(load - 0.2)\n"));
-  for (const auto& [k, held] : {std::pair("0.49", true), std::pair("0.51", false)}) {
-    const std::string out = run(pulse + zone + "--hold 0.3 --k" + k).out;
-    BOOST_TEST(contains(out, "throughout the load") == held, out);
-  }
-  const ProgramRun zones = run(simulate("0.1", "0", "--friction-zones 0.2:0.3,0.5:0.15"));
-  const ProgramRun weighed =
-      run("simulate --velocity 1 --period 2 --mass 1t --gravity 10 --f 0.1 --delta-m 0 "
-          "--friction-zones 0.1:0.2 --verbose");
-  BOOST_TEST(contains(weighed.out, "  friction force  "), weighed.out);
-  const ProgramRun free = run(simulate("0.1", "0", "--friction-zones 2:0"));
-  check_contains(free.out, {"It never stops: there is no friction where it moves."});
-  for (const char* const row : {" f = 0.1 beyond 0.5, delta = 0\n", " 0.3 for |x| < 0.2\n",
-                                " 0.15 for |x| from 0.2 to 0.5\n", " f = 0.1 beyond\n"}) {
-    BOOST_TEST(contains(zones.out, row), zones.out);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(edges_of_zones_and_the_hold_may_carry_their_unit) {
   const Arguments motion("simulate --velocity 0.4 --period 2.8 --f 0.02");
   const Arguments delta("--delta-m 1mm");
@@ -162,10 +92,6 @@ BOOST_AUTO_TEST_CASE(a_design_is_simulated_with_the_notch_that_will_be_built) {
           .c_str()));
   BOOST_TEST(near(strip["response"]["peak_amplitude"], zone["response"]["peak_amplitude"], 1e-12));
   BOOST_TEST(near(strip["response"]["stop_position"], zone["response"]["stop_position"], 1e-9));
-  check_contains(one_line(run(design + "--notch-width-m 0.02 --verbose").out),
-                 {" way out if the notch acts there too: peak 103 mm, 0.3242 g "});
-  // The rest in one that is so thin, 4.5e-10 m, is none.
-  check_contains(one_line(run(design + "--notch-width-m 1e-9").out), {" rest at x = 0 after "});
 }
 
 // A weak hit that leaves a wide notch comes to rest beyond it.
@@ -189,17 +115,6 @@ BOOST_AUTO_TEST_CASE(the_notch_that_will_be_built_is_tried_with_every_hit_of_a_r
                             built["friction"].get<double>())
                     .c_str()));
   BOOST_TEST(motion["response"]["stop_position"] == rest);
-  const ProgramRun told = run(design);
-  // The end of the dead zone, f/omega^2 = 0.0214808 9.80665 / (2 pi / 2.8)^2.
-  BOOST_TEST(contains(one_line(told.out),
-                      " fault With this notch the mass rests off centre by 41.834 mm where 10 mm "
-                      "is allowed after a hit of 0.3217 m/s from inside the notch."),
-             told.out);
-  BOOST_TEST(!contains(told.out, "after any"), told.out);  // which the paper's notch keeps
-  check_contains(one_line(told.out), {" rest within 41.834 mm of x = 0 (hit of 0.3217 m/s from "
-                                      "inside the notch) ",
-                                      " g inside the notch (hit of 0.2883 m/s from inside the "
-                                      "notch), "});
 }
 
 /// The strongest hit feels most with the stiffest spring, but has its largest peak with the
@@ -239,55 +154,16 @@ BOOST_AUTO_TEST_CASE(the_limit_inside_the_notch_holds_for_every_spring) {
   BOOST_TEST((peak["v0"] == input["v0"] && peak["p"] == input["p"]));
   BOOST_TEST(
       near(peak["physical"]["peak_m"], report["physical"]["peak_m"], 1e-14));  // by another kernel
-  check_contains(
-      one_line(run(design + "--acceleration-max 0.2").out),
-      {" fault In this notch the structure feels 0.2008 g where 0.2 g is allowed after a hit of "
-       "0.44 m/s, with a period of 2.66 s. ",
-       " 0.2008 g inside the notch (strongest hit, a period of 2.66 s), 0.1085 g outside it "});
   BOOST_TEST(!has_finding(reported(design + "--acceleration-max 0.201"), "notch_fails"));
-}
-
-/// A notch may be felt less than the springs.
-BOOST_AUTO_TEST_CASE(a_weak_notch_is_felt_no_more_than_what_is_outside_it) {
-  const std::string text = one_line(run("design --velocity 0.25:0.3 --period 1.5:2.9 "
-                                        "--max-displacement 140mm --notch-width-m 30mm")
-                                        .out);
-  BOOST_TEST(contains(text,
-                      " acceleration 0.1294 g, the notch included (strongest hit, a period of "
-                      "1.5 s) "),
-             text);
-}
-
-/// The answer first: what explains it is in the whole report.
-BOOST_AUTO_TEST_CASE(the_answer_with_a_notch_that_will_be_built_is_short) {
-  const Arguments design{"design", STILLPOINT_DATA_DIR "/scenes/varying_hits.json",
-                         "--notch-width-m", "20mm"};
-  const std::string text = run(design).out;
-  constexpr std::size_t around = 4;  // title, two empty lines, "--verbose shows more."
-  BOOST_TEST(lines_of(text).size() <= 16 + around, text);
-  BOOST_TEST(!contains(text, "The notch as built"), text);
-  check_contains(one_line(run(design + "--verbose").out),
-                 {" The notch as built width 20 mm friction inside ", " way out if the notch "});
 }
 
 // The answer is that of the notch that will be built, and says what it spoils.
 BOOST_AUTO_TEST_CASE(the_answer_of_a_design_is_with_the_notch_that_will_be_built) {
   const Arguments design("design --velocity 0.4 --period 2.8 --max-displacement 0.15");
-  const auto says = [&](const Arguments& more, const std::vector<std::string>& words) {
-    check_contains(one_line(run(design + more).out), words);
-  };
-  says("--notch-width-m 0.02", {"a notch 20 mm wide: peak ", "rest at x = 4.4596 mm after 1.5327 s",
-                                "0.3168 g inside the notch, 0.09465 g outside it"});
-  says("--notch-width-m 0.02 --mass 1200000", {"a notch 20 mm wide that takes 69.423 kJ"});
-  says("--notch-width-m 0.02 --acceleration-max 0.095",
-       {" fault In this notch the structure feels 0.3145 g where 0.095 g is allowed. "});
-  says("--notch-width-m 2", {" fault The mass never leaves this notch, and rests at x = "});
   // Half of it is less than the peak.
   BOOST_TEST(finding(reported(design + "--notch-width-m 0.2"), "notch_fails")["what"] != "inside");
   BOOST_TEST(!has_finding(reported(design + "--notch-width-m 0.02"), "notch_fails"));
   BOOST_TEST(!has_finding(reported(design + "--hold 0"), "notch_fails"));
-  says("--hold 0.05", {" in a notch that lets go at 0.05 g above the friction: ",
-                       " acceleration 0.09465 g, the notch included "});
 }
 
 // Off centre, but that is admissible.
@@ -307,8 +183,8 @@ BOOST_AUTO_TEST_CASE(a_rest_within_the_residual_is_no_fault_of_the_notch) {
 
 // A mass that stops beyond x = 0 has not passed the notch.
 BOOST_AUTO_TEST_CASE(a_stop_within_the_notch_counts_crossings) {
-  const ProgramRun answer = run(simulate("0.2", "0.28", "--notch-width 0.1 --verbose"));
-  check_contains(one_line(answer.out), {" half cycles 2 turning points 2 zero passages 1 "});
+  check_values(reported(simulate("0.2", "0.28", "--notch-width 0.1"))["response"],
+               {{"half_cycles", 2}, {"turning_points", 2}, {"zero_passages", 1}});
 }
 
 // A hit leaves no load, so the notch has nothing to hold, not even one that holds nothing.
@@ -357,7 +233,6 @@ BOOST_AUTO_TEST_CASE(a_pulse_that_lasts_can_free_the_mass_from_a_weak_notch) {
 BOOST_AUTO_TEST_CASE(a_hit_that_the_notch_holds_is_passed_on_in_full) {
   const Arguments caught(
       "simulate --velocity 0.4 --period 2.8s --mass 1200t --f 0.02 --delta-m 12mm");
-  const std::string held = run(caught).out;
   const json report = reported(caught);
   BOOST_TEST(near(report["caught_impulse"], report["input"]["v0"], 1e-15));
   BOOST_TEST(near(report["physical"]["caught_impulse_n_s"], 480e3, 1e-12));
@@ -369,9 +244,6 @@ BOOST_AUTO_TEST_CASE(a_hit_that_the_notch_holds_is_passed_on_in_full) {
   BOOST_TEST(freed["response"]["outcome"] == "stopped_at_zero");
   BOOST_TEST(freed["caught_impulse"] == 0.2);
   BOOST_TEST(reported(simulate("0.02", "0.02"))["caught_impulse"].is_null());
-  check_contains(one_line(held),
-                 {" The notch catches the hit, as any below 0.4851 m/s: the structure feels it in "
-                  "full, 480 kN s. "});
   BOOST_TEST(has_finding(reported("design --velocity 0:0.4 --period 2.8s --mass 1200t "
                                   "--max-displacement 170mm --residual-m 5mm"),
                          "catches_weak_hits"));
@@ -391,9 +263,6 @@ BOOST_AUTO_TEST_CASE(a_motion_has_the_figures_used_in_practice) {
               {"impulse_at_stop", std::numbers::sqrt2},
               {"notch_used", 0.4}},
              1e-14);
-  check_contains(run("simulate --verbose" + hit).out,
-                 {"In practice", "  base shear over weight  2.5\n",
-                  "  impulse at stop         1.414\n", "  notch used              0.4\n"});
   BOOST_TEST(reported("simulate --friction-zones 1:0.4" + hit)["practice"].is_null());
   BOOST_TEST(reported("simulate --notch-width 0.5" + hit)["practice"].is_null());
   BOOST_TEST(reported("simulate --x0 0.1" + hit)["practice"].is_null());
@@ -421,16 +290,12 @@ BOOST_AUTO_TEST_CASE(without_friction_it_never_stops_and_says_so_at_once) {
   check_null(response, {"half_cycles", "turning_points", "zero_passages", "stop_time",
                         "stop_position", "arrival_speed", "decision_margin"});
   BOOST_TEST(report["half_cycles_listed"] == 3);
-  const ProgramRun text = run(simulate("0", "0"));
-  BOOST_TEST(contains(text.out, "never stops"), text.out);
 }
 
 BOOST_AUTO_TEST_CASE(counts_beyond_the_integers_of_a_double_are_numbers) {
   const json response = reported(simulate("0", "1e-20"), impatient())["response"];
   BOOST_TEST(near(response["half_cycles"], 5e19, 1e-12));
   BOOST_TEST(near(response["stop_time"], 5e19 * std::numbers::pi, 1e-12));
-  const ProgramRun text = run(simulate("0", "1e-20", "--verbose"), impatient());
-  BOOST_TEST(contains(text.out, "5e+19 half-cycles"), text.out);
   // A count that a double holds exactly is written as an integer.
   const ProgramRun exact = run(simulate("0", "4.9e-13", "--json"), impatient());
   BOOST_TEST(contains(exact.out, "\"half_cycles\": 1020408163266,"));
@@ -476,12 +341,6 @@ BOOST_AUTO_TEST_CASE(figures_beyond_a_double_are_refused_or_left_out_but_never_i
   BOOST_TEST((answer.exit_code == 0 || answer.exit_code == 2));
 }
 
-BOOST_AUTO_TEST_CASE(text_lists_the_first_half_cycles) {
-  const ProgramRun text = succeed(simulate("0.02", "0.02", "--verbose"));
-  check_contains(text.out, {"Free motion", "stops at x = 0", "0.9802", "34.5989", "Half-cycles"});
-  check_contains(one_line(text.out), {" half cycles 11 turning points 11 zero passages 10 "});
-}
-
 /// The four motions with f and delta 1 % off, one by one.
 BOOST_AUTO_TEST_CASE(a_forced_motion_says_where_it_rests_if_the_damper_is_slightly_off) {
   const std::string record = STILLPOINT_DATA_DIR "/records/strong_motion.AT2";
@@ -502,20 +361,9 @@ BOOST_AUTO_TEST_CASE(a_forced_motion_says_where_it_rests_if_the_damper_is_slight
   }
   BOOST_TEST(locked == 2);
   BOOST_TEST(least == 0);
-  const std::string text = std::regex_replace(run(moved(0.058, 20)).out, std::regex("\\s+"), " ");
-  BOOST_TEST(contains(text, fmt::format("With f and delta 1 % off either way it rests from "
-                                        "x = 0 to {:.3g} mm, and that may change whether it locks",
-                                        1e3 * most)),
-             text);
-  BOOST_TEST(!contains(run(moved(0.05, 20)).out, "1 % off"));  // it locks in all of them
-}
-
-/// The rests of the four motions lie 14 mm apart, 2 % of the peak of 651 mm, about 33 mm.
-BOOST_AUTO_TEST_CASE(a_rest_that_moves_by_much_of_itself_is_told_if_the_peak_is_far_larger) {
-  const std::string record = STILLPOINT_DATA_DIR "/records/near_fault_pulse.txt";
-  const ProgramRun text =
-      run(Arguments("simulate --period 2.8s --f 0.02 --delta-m 1mm --record") + Arguments{record});
-  BOOST_TEST(contains(one_line(text.out), "1 % off either way it rests from x = "), text.out);
+  const json told = finding(reported(moved(0.058, 20)), "sensitive");
+  check_values(told, {{"varied", "f and delta"}, {"changes", "lock"}, {"rest_low_m", 0}});
+  BOOST_TEST(near(told["rest_high_m"], most, 1e-12));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
