@@ -139,9 +139,9 @@ BOOST_AUTO_TEST_CASE(each_kind_is_told_where_it_holds_and_nowhere_else) {
       const json found = finding(report, kind);
       BOOST_TEST(found.is_null() == values.is_null(), kind);
       for (const auto& [name, value] : values.items()) {
-        BOOST_TEST((value.is_number() ? near(found.at(name), value, 1e-12)
-                                      : found.at(name) == value),
-                   name);
+        BOOST_TEST(
+            (value.is_number() ? near(found.at(name), value, 1e-12) : found.at(name) == value),
+            name);
       }
     }
   }

@@ -40,17 +40,6 @@ std::string checked(std::string page) {
   return page;
 }
 
-struct Range {
-  double least;
-  double most;
-};
-
-Range attribute(const std::string& svg, const std::string& name) {
-  std::smatch found;
-  BOOST_TEST_REQUIRE(std::regex_search(svg, found, std::regex(name + "=\"(\\S+) ([^\"]+)\"")));
-  return {std::stod(found[1]), std::stod(found[2])};
-}
-
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(of_a_design_are_all_there) {
@@ -63,8 +52,6 @@ BOOST_AUTO_TEST_CASE(of_a_design_are_all_there) {
     BOOST_TEST(!tree.get<std::string>("svg.title").empty());
     BOOST_TEST(!tree.get<std::string>("svg.desc").empty());
   }
-  check_contains(page, {"Constraints", "Cross-check", "scene.json", "Δ₁ published", "Δ₁ exact",
-                        "too strong: does not return", "tolerance ±"});
 }
 
 /// Those that the README shows.
@@ -78,31 +65,6 @@ BOOST_AUTO_TEST_CASE(of_the_docs_are_what_the_program_draws) {
     BOOST_TEST(committed.str() == read("figures/" + std::string(name)),
                name << ": ./dev run design data/scenes/isolator.json --svg docs/pictures");
   }
-}
-
-BOOST_AUTO_TEST_CASE(of_an_infeasible_design_show_why) {
-  const ProgramRun answer = ending(3, "design --v0 1 --p 1 --beta 0.6 --html page.html");
-  const std::string page = checked(read("page.html"));
-  check_contains(page, {"No admissible design", "gap: no f returns within 0.6"});
-  BOOST_TEST(!contains(page, "motion-title"));
-}
-
-BOOST_AUTO_TEST_CASE(account_for_all_energy) {
-  // The notch takes delta at each passage, and what is left of the speed at the stop.
-  const json report =
-      succeed("simulate --v0 1 --p 1 --f 0.02 --delta 0.02 --svg figures --json").json();
-  const double arrival = report["response"]["arrival_speed"];
-  const double passages = report["response"]["zero_passages"];
-  const double notch = 0.02 * passages + arrival * arrival / 2;
-  const std::string text = read("figures/energy.svg");
-  std::smatch found;
-  BOOST_TEST_REQUIRE(
-      std::regex_search(text, found,
-                        std::regex("Of the energy of (\\S+) at the start, "
-                                   "constant friction took (\\S+) and the notch (\\S+)\\.<")));
-  BOOST_TEST(std::abs(std::stod(found[1]) - 0.5) < 1e-4);  // four digits
-  BOOST_TEST(std::abs(std::stod(found[2]) + notch - 0.5) < 1e-4);
-  BOOST_TEST(std::abs(std::stod(found[3]) - notch) < 1e-4);
 }
 
 BOOST_AUTO_TEST_CASE(of_any_motion_are_finite) {
@@ -144,41 +106,13 @@ BOOST_AUTO_TEST_CASE(give_the_same_page_from_their_input) {
   BOOST_TEST(figures(read("two.html")) == figures(page));
 }
 
-BOOST_AUTO_TEST_CASE(of_a_pulse_show_what_the_pulse_itself_does) {
-  const ProgramRun answer = succeed(
-      "design --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.05 --html page.html --json");
-  const std::string page = checked(read("page.html"));
-  BOOST_TEST(contains(page, "Motion under the pulse itself"));
-  BOOST_TEST(page.find("id=\"pulse-title\"") < page.find("id=\"excitation-title\""));
-  BOOST_TEST(page.find("id=\"excitation-title\"") < page.find("id=\"phase-title\""));
-  const auto response = motion_of(answer.json())["response"];
-  const std::string figure = page.substr(page.find("id=\"pulse-title\""));
-  std::smatch found;
-  BOOST_TEST_REQUIRE(std::regex_search(
-      figure, found, std::regex("data-name=\"turn\" data-at=\"(\\S+) ([^\"]+)\"")));
-  const double peak = response["peak_amplitude"];
-  BOOST_TEST(std::abs(std::stod(found[2])) == peak, tt::tolerance(1e-12));
-}
-
 BOOST_AUTO_TEST_CASE(of_a_large_sweep_stay_small) {
   succeed(
       "sweep --v0 1 --p 1 --f 1e-3:0.4:1000 --delta 0:0.55:1000 --output map.npy --html "
       "page.html --svg figures");
   const std::string page = checked(read("page.html"));
   BOOST_TEST(page.size() < 1'000'000U);
-  check_contains(page, {"Δ₁ exact", "does not return →", "held ↑", "centred after 1 half-cycle",
-                        "off centre after 2", "never starts", "1000000"});
   BOOST_TEST(read("figures/map.svg").size() < 1'000'000U);
-}
-
-BOOST_AUTO_TEST_CASE(of_a_forced_sweep_have_no_boundaries) {
-  succeed(
-      "sweep --p 1 --f 0.01:0.3:20 --delta 0:0.03:20 --excitation harmonic --k 0.2 --lambda "
-      "0.35 --t-end 100 --html page.html");
-  const std::string page = checked(read("page.html"));
-  check_contains(page, {"not known to have stopped", "locked at x = 0"});
-  BOOST_TEST(!contains(page, "Δ₁ exact"));
-  BOOST_TEST(!contains(page, "the theory's edges"));
 }
 
 BOOST_AUTO_TEST_CASE(of_a_sweep_that_has_no_such_plane_are_refused_before_it_runs) {
@@ -206,23 +140,6 @@ BOOST_AUTO_TEST_CASE(of_a_sweep_that_cannot_be_written_are_refused_before_it_run
   }
 }
 
-/// W as it is, also where the run ends before it does.
-BOOST_AUTO_TEST_CASE(of_an_excitation_end_with_the_run) {
-  write("record.txt", "0 0.25\n1 0.25\n2 -0.25\n3 0.25\n");
-  for (const auto& [excitation, last] : std::vector<std::pair<Arguments, double>>{
-           {{"--excitation", "rectangle", "--k", "0.5", "--lambda", "0.1", "--t-end", "5"}, 0.5},
-           {{"--record", "record.txt", "--t-end", "2.5"}, 0}}) {
-    succeed("simulate --p 1 --f 0.02 --delta 0 --svg figures" + excitation);
-    const std::string text = read("figures/excitation.svg");
-    const Range y = attribute(text, "data-y");
-    std::smatch curve;
-    BOOST_TEST_REQUIRE(
-        std::regex_search(text, curve, std::regex("hover\" d=\"[^\"]* ([0-9.]+)\"")));
-    const double drawn = y.most - std::stod(curve[1]) / 130 * (y.most - y.least);
-    BOOST_TEST(std::abs(drawn - last) < 0.01 * (y.most - y.least));
-  }
-}
-
 BOOST_AUTO_TEST_CASE(of_a_long_record_stay_small) {
   std::string record;
   for (int i = 0; i < 200'000; ++i) {
@@ -233,11 +150,6 @@ BOOST_AUTO_TEST_CASE(of_a_long_record_stay_small) {
       "simulate --p 0.01 --f 0.001 --delta 0 --record record.txt --record-step 0.01 --html "
       "page.html");
   BOOST_TEST(read("page.html").size() < 1'000'000U);
-}
-
-BOOST_AUTO_TEST_CASE(create_their_directory) {
-  succeed(plain + "--svg new/figures");
-  BOOST_TEST(fs::exists(path("new/figures/region.svg")));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -302,20 +302,4 @@ BOOST_AUTO_TEST_CASE(limits_come_before_what_lies_behind_them) {
   BOOST_TEST(only(0.1, 0.19) == "arrival 2");
 }
 
-// beta below 1/sqrt(2) leaves no f; Delta1 is at least 0.06 where f returns.
-BOOST_AUTO_TEST_CASE(a_figure_without_any_damper_says_why) {
-  const auto caption = [](double beta, const design::Limits& limits = {}) {
-    return region_of({.v0 = 1, .p = 1, .beta = beta}, limits).caption();
-  };
-  BOOST_TEST(caption(0.6) ==
-             "No damper is admissible: in the gap f is both too weak and too strong.");
-  BOOST_TEST(caption(0.9, {.delta_max = 0.05}) ==
-             "No damper is admissible: in the gap even the largest Δ is too weak.");
-  BOOST_TEST(caption(0.9, {.f_max = 0.05}) ==
-             "No damper is admissible: in the gap f is too weak and already beyond a limit.");
-  BOOST_TEST(
-      caption(0.9, {.tolerance = 0.5}) ==
-      "A damper in the area without hatching is admissible without the tolerance asked for.");
-}
-
 BOOST_AUTO_TEST_SUITE_END()

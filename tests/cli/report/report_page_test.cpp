@@ -27,13 +27,6 @@ DesignReport isolator() {
   return {design::design(request), physical};
 }
 
-MotionReport free_motion() {
-  SimulationRequest request;
-  request.oscillator = {1, 0.1, 0.1};
-  request.start = {0, 1};
-  return {request, simulate(request)};
-}
-
 }  // namespace
 
 /// The three formats agree: the numbers of the JSON are in the text and on the page.
@@ -67,41 +60,6 @@ BOOST_AUTO_TEST_CASE(a_page_may_load_nothing) {
     BOOST_TEST(file.find(begin) > policy, begin);
   }
   BOOST_TEST(!std::regex_search(file, std::regex("(src|href)=\"(?!data:|#)")));
-}
-
-BOOST_AUTO_TEST_CASE(pages_have_the_figures_that_they_announce) {
-  for (const figures::Figure& figure : page(isolator()).figures) {
-    BOOST_TEST(std::ranges::count(design_figures, figure.id) == 1, figure.id);
-  }
-  for (const figures::Figure& figure : page(free_motion()).figures) {
-    BOOST_TEST(std::ranges::count(motion_figures, figure.id) == 1, figure.id);
-  }
-}
-
-/// beta = 0.6 < 1/sqrt(2): the verdict is the reason, and every mend has a row.
-BOOST_AUTO_TEST_CASE(an_empty_region_says_why_and_what_would_help) {
-  const design::RegionRequest request{.problem = {.v0 = 1, .p = 1, .beta = 0.6}};
-  const RegionReport report{request, design::answer(request)};
-  const Document made = document(report);
-  BOOST_TEST((made.tone == Tone::bad));
-  const std::string reason = report.answer.reason.value();
-  const std::string unnamed = std::regex_replace(reason, std::regex("f[23] = "), "");
-  BOOST_TEST(contains(made.verdict, unnamed.substr(unnamed.find(": ") + 2)), made.verdict);
-  BOOST_TEST_REQUIRE(!report.answer.mends.empty());
-  for (const design::Mend& mend : report.answer.mends) {
-    BOOST_TEST(contains(text(made), limit_digits(mend.value, mend.upwards, 5)), text(made));
-  }
-}
-
-/// As on the axes; options and files keep their names.
-BOOST_AUTO_TEST_CASE(a_page_has_the_letters_of_its_figures) {
-  Section section;
-  section.row("Delta1(f)", "tau = 1, v0 = 2, delta/w, see --delta-max, data/delta.txt.");
-  const std::string shown = html(section);
-  BOOST_TEST(contains(shown, "<th>Δ₁(f)</th>"), shown);
-  BOOST_TEST(
-      contains(shown, figures::prose("τ = 1, V₀ = 2, Δ/w, see --delta-max, data/delta.txt.")),
-      shown);
 }
 
 BOOST_AUTO_TEST_CASE(a_mass_at_rest_has_no_figures) {
