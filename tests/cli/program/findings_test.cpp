@@ -66,6 +66,11 @@ const std::string shaken =
 const std::string brake =
     "region --velocity 1.2 --period 0.1 --max-displacement 15mm --delta-m 10mm --f ";
 const std::string isolator = "design --velocity 0.4 --period 2.8 --max-displacement ";
+const std::string swings =
+    "region --f 0 --delta 0 --pulse full-sine --k 0.1 --lambda 1 --p 1 --acceleration-max 0.2 "
+    "--beta ";
+const std::string near_fault = "design " + scenes + "near_fault_pulse.json --notch-width-m ";
+const std::string ranged = "design --pulse rectangle --p 1 --beta 0.9 --criterion exact --lambda ";
 const std::vector<Told> all_told{
     // Just as much as the notch holds; a run that is cut, where the load is 0.2 sin 0.2.
     {motion +
@@ -107,6 +112,14 @@ const std::vector<Told> all_told{
      "no_notch_works",
      {{"least_width", 0.05}}},
     {pulse + "--f 0.175 --delta 0.49", "no_notch_works", {{"least_width", 0.49 / 0.325}}},
+    // In resonance, without friction, the first swing turns at pi k/2, the next at pi k.
+    {swings + "0.2", "exceeds_later", {{"figure", "peak"}, {"value", 0.1 * M_PI}}},
+    {swings + "0.32", "exceeds_later", {{"figure", "acceleration"}, {"value", 0.1 * M_PI}}},
+    {near_fault + "5mm", "locks", {{"locked_from", 0}, {"largest_load_while_locked", 0.08}}},
+    {near_fault + "500mm", "locks", json::object()},
+    // The rectangle is the strongest where it is longest; of k alone that is known.
+    {ranged + "0.9:1 --k 0.5", "ranges_estimated", json::object()},
+    {ranged + "1 --k 0.45:0.55", "ranges_estimated"},
     {pulse + "--f 0.05 --delta 0.49", "acts_late", json::object()},
     {pulse + "--f 0.12 --delta 0", "acts_late"},
     {pulse + "--f 0.12", "acts_late", json::object()},

@@ -61,33 +61,6 @@ BOOST_AUTO_TEST_CASE(of_a_command_lists_only_its_options) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(of_a_command_says_where_a_range_is_taken) {
-  const auto help = [&](const char* command) {
-    return succeed({command, "--help"}, of_width("1000")).out;
-  };
-  const std::string velocity = "initial velocity, just after the hit, in m/s";
-  const std::string range = "; LOW:HIGH for a range\n";
-  for (const char* command : {"design", "region"}) {
-    BOOST_TEST(contains(help(command), velocity + range), command);
-  }
-  for (const char* command : {"simulate", "sweep"}) {
-    BOOST_TEST(contains(help(command), velocity + "\n"), command);
-  }
-  BOOST_TEST(contains(help("spectrum"), "friction in s; first:last:count\n"));
-}
-
-BOOST_AUTO_TEST_CASE(lists_the_values_that_an_option_takes) {
-  const auto help = [](const char* option) { return stillpoint::cli::find_option(option)->help; };
-  BOOST_TEST(help("objective") ==
-             "what is best: robust (default), amplitude, time or acceleration; under records "
-             "acceleration (default), "
-             "amplitude, residual or robust");
-  BOOST_TEST(contains(help("excitation"), "harmonic, half-sine, full-sine, rectangle or record"));
-  BOOST_TEST(contains(help("pulse"), "half-sine, full-sine or rectangle"));
-  BOOST_TEST(contains(help("record-units"), "g (default), m/s2, cm/s2 or mm/s2"));
-  BOOST_TEST(contains(help("duration"), "0 or more"));
-}
-
 BOOST_AUTO_TEST_CASE(examples_work) {
   // The lines of "Examples:" that need no file; a line that ends in \ goes on.
   int tried = 0;
@@ -132,35 +105,6 @@ BOOST_AUTO_TEST_CASE(is_as_wide_as_the_terminal_or_80_columns) {
       }
       BOOST_TEST(full, "no line of " << columns << " columns is filled");
       BOOST_TEST(words_of(text) == whole, tt::per_element());
-    }
-  }
-}
-
-BOOST_AUTO_TEST_CASE(parts_no_number_from_its_unit_and_no_option_from_its_value) {
-  for (const Command command : commands) {
-    for (const char* columns : {"60", "72", "80", "100"}) {
-      std::string before;
-      for (const std::string& line :
-           lines_of(run({std::string(name(command)), "--help"}, of_width(columns)).out)) {
-        const auto first = line.find_first_not_of(' ');
-        if (first != std::string::npos && first > 2 && line[first] != '-') {  // it continues
-          BOOST_TEST(
-              !std::regex_search(before, std::regex("([ (]-?[0-9][.0-9]*|--[-a-z]+)( \\\\)?$")),
-              columns << ": " << before << " / " << line);
-        }
-        before = line;
-      }
-    }
-  }
-}
-
-BOOST_AUTO_TEST_CASE(starts_what_an_option_does_in_one_column) {
-  for (const Command command : commands) {
-    for (const std::string& line : lines_of(run({std::string(name(command)), "--help"}).out)) {
-      if (line.starts_with("  --")) {
-        const auto gap = line.find("  ", 4);
-        BOOST_TEST((gap == std::string::npos || line.find_first_not_of(' ', gap) == 31U), line);
-      }
     }
   }
 }

@@ -85,63 +85,6 @@ BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_where_no_input_is_enough) {
   BOOST_TEST(by_pulse["mends"][0]["input"] == "k");
 }
 
-/// From f3 = 0.35355 on the mass does not come back and rests at 3 f - S. The box of 10 % begins
-/// there: f = 0.39284, and its other end, 0.43212, rests at 0.20699.
-BOOST_AUTO_TEST_CASE(constant_friction_alone_is_a_task) {
-  const Arguments task = design(0.85, "--criterion exact --tolerance 0.1 --delta-max 0");
-  ending(3, task);
-  const json report = reported(task + "--residual 0.207");
-  const double f = report["design"]["f"];
-  BOOST_TEST(near(f, 0.39284, 1e-4));
-  BOOST_TEST(report["design"]["delta"] == 0);
-  BOOST_TEST(
-      near(motion_of(report)["response"]["stop_position"], 3 * f - std::sqrt(1 + f * f), 1e-12));
-  // Parts without a notch, each within its f/p^2 of x = 0.
-  write("parts.csv", "name,f,delta\nplain,0.1,0\n");
-  const Arguments parts = design(0.95, "--arrivals 10 --catalogue parts.csv");
-  ending(3, parts + "--residual 0.001");
-  BOOST_TEST(reported(parts + "--residual 0.1")["cross_check"]["passed"] == true);
-}
-
-BOOST_AUTO_TEST_CASE(names_the_limit_that_is_in_the_way) {
-  struct Case {
-    Arguments limit;
-    std::string name;
-    std::string words;
-  };
-  for (const auto& [limit, name, words] :
-       {Case{{"--f-max", "0.1"}, "f_max", "f may be at most 0.1"},
-        Case{{"--delta-max", "0.01"}, "delta_max", "delta may be at most 0.01"},
-        Case{{"--tolerance", "0.4"}, "tolerance", "a tolerance of 40 %"}}) {
-    const ProgramRun answer = ending(3, design(0.9, "--json" + limit));
-    const json report = answer.json();
-    BOOST_TEST(contains(report["region"]["reason"].get<std::string>(), words));
-    bool mended = false;
-    for (const json& mend : report["mends"]) {
-      mended = mended || mend["input"] == name;
-    }
-    BOOST_TEST(mended, name);
-  }
-}
-
-// Delta1 at f3 is 1/16 published and 0 exact: delta <= 0.05 leaves a damper only with the latter.
-// For a pulse and for the parts of a catalogue as well.
-BOOST_AUTO_TEST_CASE(offers_the_exact_criterion_where_it_mends) {
-  write("parts.csv", "name,f,delta\nA,0.35,0.05\n");
-  const Arguments delta("--delta-max 0.05");
-  const std::vector<Arguments> tasks{
-      design(2) + delta, Arguments("region --v0 1 --p 1 --beta 2") + delta,
-      design(2) + Arguments("--catalogue parts.csv"),
-      Arguments("design --pulse rectangle --k 20 --lambda 62.83 --p 1 --beta 2 --delta-max 0.05")};
-  for (const Arguments& task : tasks) {
-    BOOST_TEST(run(task + "--json").json()["region"]["criterion_mend"] == "exact");
-    const ProgramRun exact = run(task + "--criterion exact --json");
-    BOOST_TEST(exact.exit_code == 0, exact.err);
-    BOOST_TEST(exact.json()["region"]["criterion_mend"].is_null());
-  }
-  BOOST_TEST(run(design(0.6, "--json")).json()["region"]["criterion_mend"].is_null());
-}
-
 BOOST_AUTO_TEST_CASE(report_is_still_written_to_a_file) {
   BOOST_TEST(run(design(0.6, "--output report.json")).exit_code == 3);
   BOOST_TEST(json::parse(read("report.json"))["region"]["feasible"] == false);
@@ -150,13 +93,6 @@ BOOST_AUTO_TEST_CASE(report_is_still_written_to_a_file) {
 BOOST_AUTO_TEST_CASE(wrong_input_comes_before_an_empty_region) {
   BOOST_TEST(run(design(0.6, "--objective best")).exit_code == 2);
   BOOST_TEST(run(design(0.6, "--algorithm LD_BEST")).exit_code == 2);
-}
-
-// From a peak just beyond the dead zone the mass slips by next to nothing, and late.
-BOOST_FIXTURE_TEST_CASE(the_stroke_that_a_residual_asks_for_makes_a_design, Sandbox) {
-  BOOST_TEST(
-      contains(run("design --v0 1 --p 1 --beta 0.5 --residual 0.6").out, "at least 0.57736"));
-  BOOST_TEST(run("design --v0 1 --p 1 --beta 0.57736 --residual 0.6").exit_code == 0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -41,14 +41,6 @@ BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_peak, Recorded) {
   BOOST_TEST(twice["input"]["excitation"]["pga"] == 0.8);
   // The other way round, the motion is the same.
   BOOST_TEST(peak["response"]["peak_amplitude"] == twice["response"]["peak_amplitude"]);
-  const ProgramRun text = run(record + "--record-peak 0.8g --verbose");
-  BOOST_TEST(contains(one_line(text.out), "record 2 x a.txt, in g (assumed), peak 0.8 g"),
-             text.out);
-  BOOST_TEST(
-      contains(one_line(run(record + "--record-units g").out), "record a.txt, in g, peak 0.4 g"));
-  BOOST_TEST(contains(one_line(text.out),
-                      "values in g, which is assumed, times 2; the peak is then 0.8 g"),
-             text.out);
 }
 
 BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_spectrum, Sandbox) {
@@ -97,22 +89,6 @@ BOOST_FIXTURE_TEST_CASE(a_suite_has_a_factor_for_each_record, Recorded) {
   const double spectrum = 1 / (0.25 * overshoot);
   check("--records-list spectra.csv", {spectrum}, {0.25 * spectrum});
   check("--record b.txt --record-spectrum 1g", {spectrum}, {0.25 * spectrum});
-}
-
-BOOST_FIXTURE_TEST_CASE(a_folder_is_its_records_by_name, Sandbox) {
-  fs::create_directory(path("suite"));
-  write("suite/b.txt", small_record);
-  write("suite/a.csv", long_load);
-  write("suite/readme.md", "no record\n");
-  write("list.csv", "file,scale\nsuite,2\n");
-  for (const Arguments& given : std::vector<Arguments>{{"--record", "suite", "--record-scale", "2"},
-                                                       {"--records-list", "list.csv"}}) {
-    const json list = reported(held + given)["cases"][0]["motions"];
-    BOOST_TEST_REQUIRE(list.size() == 2U);
-    BOOST_TEST(list[0]["what"] == "suite/a.csv");
-    BOOST_TEST(list[1]["what"] == "suite/b.txt");
-    BOOST_TEST(list[0]["scale"] == 2);
-  }
 }
 
 BOOST_FIXTURE_TEST_CASE(a_folder_leaves_out_notes_and_says_so, Sandbox) {

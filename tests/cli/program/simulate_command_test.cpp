@@ -94,78 +94,6 @@ BOOST_AUTO_TEST_CASE(a_design_is_simulated_with_the_notch_that_will_be_built) {
   BOOST_TEST(near(strip["response"]["stop_position"], zone["response"]["stop_position"], 1e-9));
 }
 
-// A weak hit that leaves a wide notch comes to rest beyond it.
-BOOST_AUTO_TEST_CASE(the_notch_that_will_be_built_is_tried_with_every_hit_of_a_range) {
-  const Arguments design(
-      "design --velocity 0:0.45 --period 2.8 --max-displacement 180mm --residual-m 10mm "
-      "--arrivals 4 --notch-width-m 20mm");
-  const json report = reported(design);
-  const json& farthest = report["built_notch"]["farthest_rest"];
-  const double rest = farthest["response"]["stop_position"];
-  BOOST_TEST(std::abs(rest) > report["input"]["residual"].get<double>());
-  const double v0 = farthest["v0"];
-  BOOST_TEST(v0 * v0 < 2 * report["design"]["delta"].get<double>());
-  BOOST_TEST(farthest["from_inside"] == true);
-  BOOST_TEST(report["built_notch"]["largest_peak"]["from_inside"] == false);
-  const json& built = report["built_notch"];
-  const json motion = reported(
-      Arguments(fmt::format("simulate --p {} --v0 {} --f {} --delta 0 --friction-zones {}:{}",
-                            farthest["p"].get<double>(), v0, report["design"]["f"].get<double>(),
-                            report["design"]["notch_width"].get<double>() / 2,
-                            built["friction"].get<double>())
-                    .c_str()));
-  BOOST_TEST(motion["response"]["stop_position"] == rest);
-}
-
-/// The strongest hit feels most with the stiffest spring, but has its largest peak with the
-/// softest.
-BOOST_AUTO_TEST_CASE(the_limit_inside_the_notch_holds_for_every_spring) {
-  const Arguments design(
-      "design --velocity 0.36:0.44 --period 2.66:2.94 --max-displacement 170mm --criterion exact "
-      "--notch-width-m 30mm");
-  const json report = reported(design + "--acceleration-max 0.2");
-  const json& most = report["built_notch"]["largest_acceleration"];
-  const double felt = most["response"]["peak_absolute_acceleration"];
-  BOOST_TEST(felt > 0.2);
-  BOOST_TEST(
-      report["built_notch"]["motion"]["response"]["peak_absolute_acceleration"].get<double>() <
-      0.2);
-  BOOST_TEST(most["v0"] == report["input"]["v0"]);
-  BOOST_TEST(most["p"] == report["input"]["p_range"][1]);
-  const auto simulated = [&](double v0, double p) {
-    Arguments simulate("simulate");
-    for (const auto& [option, value] :
-         {std::pair("--v0", v0), std::pair("--p", p),
-          std::pair("--f", report["design"]["f"].get<double>()),
-          std::pair("--delta", report["design"]["delta"].get<double>()),
-          std::pair("--notch-width", report["design"]["notch_width"].get<double>())}) {
-      simulate = simulate + Arguments{option, in_full(value)};
-    }
-    return reported(simulate)["response"]["peak_absolute_acceleration"].get<double>();
-  };
-  const json& input = report["input"];
-  BOOST_TEST(simulated(most["v0"], most["p"]) == felt);
-  for (const json& v0 : input["v0_range"]) {
-    for (const json& p : input["p_range"]) {
-      BOOST_TEST(simulated(v0, p) <= felt);
-    }
-  }
-  const json& peak = report["built_notch"]["largest_peak"];
-  BOOST_TEST((peak["v0"] == input["v0"] && peak["p"] == input["p"]));
-  BOOST_TEST(
-      near(peak["physical"]["peak_m"], report["physical"]["peak_m"], 1e-14));  // by another kernel
-  BOOST_TEST(!has_finding(reported(design + "--acceleration-max 0.201"), "notch_fails"));
-}
-
-// The answer is that of the notch that will be built, and says what it spoils.
-BOOST_AUTO_TEST_CASE(the_answer_of_a_design_is_with_the_notch_that_will_be_built) {
-  const Arguments design("design --velocity 0.4 --period 2.8 --max-displacement 0.15");
-  // Half of it is less than the peak.
-  BOOST_TEST(finding(reported(design + "--notch-width-m 0.2"), "notch_fails")["what"] != "inside");
-  BOOST_TEST(!has_finding(reported(design + "--notch-width-m 0.02"), "notch_fails"));
-  BOOST_TEST(!has_finding(reported(design + "--hold 0"), "notch_fails"));
-}
-
 // Off centre, but that is admissible.
 BOOST_AUTO_TEST_CASE(a_rest_within_the_residual_is_no_fault_of_the_notch) {
   const Arguments design{"design", STILLPOINT_DATA_DIR "/scenes/residual.json", "--velocity",
@@ -226,58 +154,6 @@ BOOST_AUTO_TEST_CASE(a_pulse_that_lasts_can_free_the_mass_from_a_weak_notch) {
   BOOST_TEST(strong["built_notch"]["motion"]["response"]["peak_amplitude"] == 0);
   BOOST_TEST(finding(strong, "notch_fails")["what"] == "held");
   BOOST_TEST(finding(report, "notch_fails")["what"] != "held");
-}
-
-// A notch of 12 mm holds hits of up to sqrt(2 g delta) = 0.485 m/s; 0.4 m/s times 1200 t are 480 kN
-// s.
-BOOST_AUTO_TEST_CASE(a_hit_that_the_notch_holds_is_passed_on_in_full) {
-  const Arguments caught(
-      "simulate --velocity 0.4 --period 2.8s --mass 1200t --f 0.02 --delta-m 12mm");
-  const json report = reported(caught);
-  BOOST_TEST(near(report["caught_impulse"], report["input"]["v0"], 1e-15));
-  BOOST_TEST(near(report["physical"]["caught_impulse_n_s"], 480e3, 1e-12));
-  // A load frees the mass from a notch that holds only so much; the hit was felt all the same.
-  const Arguments pulse(
-      "simulate --v0 0.2 --p 1 --f 0.02 --delta 0.1 --excitation half-sine "
-      "--k 0.3 --lambda 0.5 --hold");
-  const json freed = reported(pulse + "0.05");
-  BOOST_TEST(freed["response"]["outcome"] == "stopped_at_zero");
-  BOOST_TEST(freed["caught_impulse"] == 0.2);
-  BOOST_TEST(reported(simulate("0.02", "0.02"))["caught_impulse"].is_null());
-  BOOST_TEST(has_finding(reported("design --velocity 0:0.4 --period 2.8s --mass 1200t "
-                                  "--max-displacement 170mm --residual-m 5mm"),
-                         "catches_weak_hits"));
-}
-
-/// f = 0.5, p = 1, V0^2 = 6: S = 2.5, A = 2, and it arrives with w^2 = (S - f)(S - 3f) = 2.
-BOOST_AUTO_TEST_CASE(a_motion_has_the_figures_used_in_practice) {
-  const Arguments hit("--v0 2.449489742783178 --p 1 --f 0.5 --delta 2.5");
-  const json lines = reported("simulate" + hit)["practice"];
-  BOOST_TEST(lines == reported("region --beta 3" + hit)["practice"]);
-  check_near(lines,
-             {{"base_shear_over_weight", 2.5},
-              {"restoring_over_weight", 2},
-              {"secant_stiffness", 1.25},
-              {"energy_ratio", 2},
-              {"residual_ratio", 4},
-              {"impulse_at_stop", std::numbers::sqrt2},
-              {"notch_used", 0.4}},
-             1e-14);
-  BOOST_TEST(reported("simulate --friction-zones 1:0.4" + hit)["practice"].is_null());
-  BOOST_TEST(reported("simulate --notch-width 0.5" + hit)["practice"].is_null());
-  BOOST_TEST(reported("simulate --x0 0.1" + hit)["practice"].is_null());
-  BOOST_TEST(
-      reported("simulate --excitation rectangle --k 0.1 --lambda 1" + hit)["practice"].is_null());
-}
-
-BOOST_AUTO_TEST_CASE(each_passage_has_its_impulse) {
-  const json report = reported(simulate("0.02", "0.05"));
-  const json& impulses = report["practice"]["impulses"];
-  BOOST_TEST_REQUIRE(impulses.size() > 3U);
-  for (std::size_t i = 0; i < impulses.size(); ++i) {
-    BOOST_TEST(near(impulses[i], report["half_cycles"][i]["impulse"], 1e-13));
-  }
-  BOOST_TEST(report["practice"]["impulse_largest"] == std::ranges::max(impulses));
 }
 
 BOOST_AUTO_TEST_CASE(without_friction_it_never_stops_and_says_so_at_once) {

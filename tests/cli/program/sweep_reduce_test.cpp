@@ -207,20 +207,6 @@ BOOST_AUTO_TEST_CASE(that_are_complete_are_not_computed_again) {
   check_refusal(run(part + "2/2"), {"r.json", "1/2", "{part}"});
 }
 
-BOOST_AUTO_TEST_CASE(are_text_for_people) {
-  const std::string text = run(motions + asked).out;
-  check_contains(text,
-                 {"motions stop at x = 0", "stop_time", "largest", "Smallest stop_time", "entry"});
-  const std::string longest =
-      run("sweep --velocity 0.4 --period 2.8 --f 0.005:0.08:40 --delta-m 0:0.1:50 --excitation "
-          "harmonic --k 0.1 --excitation-frequency 0.5 --end-time 20 --reduce --best peak_m:2")
-          .out;
-  check_contains(longest, {"peak_absolute_acceleration", "Smallest peak_m", "--json lists"});
-  for (const std::string& line : lines_of(longest)) {
-    BOOST_TEST(line.size() <= 80U, line);
-  }
-}
-
 BOOST_AUTO_TEST_SUITE_END()
 
 namespace {

@@ -213,11 +213,6 @@ BOOST_FIXTURE_TEST_CASE(trajectories_end_at_the_given_second, Sandbox) {
     line.erase(0, line.find(',') + 1);
   }
   BOOST_TEST(near(std::stod(line), 1, conversion_tolerance), line);
-  // The report goes to its file all the same.
-  const ProgramRun both =
-      run("simulate --v0 1 --p 1 --f 0.02 --delta 0 --trajectory - --output report.json");
-  BOOST_TEST(both.out.starts_with("tau,x,v\n"));
-  BOOST_TEST(json::parse(read("report.json"))["schema"] == "stillpoint/simulation-report/1");
 }
 
 BOOST_FIXTURE_TEST_CASE(quiet_leaves_errors_alone, Sandbox) {
