@@ -8,13 +8,14 @@
 
 namespace stillpoint::report {
 
-void add_details(Document& document, const ShownDamper& shown, const DeltaNeeds& needs,
-                 const std::optional<Si>& si) {
+void add_details(Document& document, const ShownDamper& shown, const DeltaNeeds& needs) {
   const auto& [problem, limits, pulse, ranges, physical] = shown.task;
   const auto& [f, delta, tolerance] = shown.point;
   const auto heading = [&](std::string_view title, const std::string& which) {
     return format("{}{}{}{}", title, which.empty() ? "" : ": ", which, with_ideal(shown));
   };
+  const ToldPractice told = told_practice(shown.task, shown.practice, f, delta);
+  const auto si = physical_of(physical, f, delta, shown.practice, told.lines);
   Section& damper = document.detail("Damper" + with_ideal(shown));
   if (needs.published) {
     damper.row("Delta1(f)",
@@ -28,7 +29,6 @@ void add_details(Document& document, const ShownDamper& shown, const DeltaNeeds&
   const std::string which = shown_words(shown.task);
   add_rows(document.detail(which.empty() ? "Motion" : "Motion: " + which), shown.response,
            physical);
-  const ToldPractice told = told_practice(shown.task, shown.practice, f, delta);
   if (told.lines) {
     Section& practice = document.detail(heading("In practice", told.which));
     add_rows(practice, ShownPractice{*told.lines}, physical);

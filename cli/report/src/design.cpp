@@ -181,8 +181,7 @@ Document document(const DesignReport& report) {
     add_task(document, report);
     const design::Found& found = *result.finding;
     add_details(document, shown,
-                stops_by_delta1(found.constraints) ? delta_needs(result) : DeltaNeeds(),
-                physical_of(report));
+                stops_by_delta1(found.constraints) ? delta_needs(result) : DeltaNeeds());
     add_constraints(document, found.constraints, limits, physical);
     add_region(document, result, problem, limits, physical);
     add_checks(document, found.cross_check, physical);

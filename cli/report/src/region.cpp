@@ -230,7 +230,7 @@ Document document(const RegionReport& report) {
   if (const auto shown = shown_damper(report)) {
     add_motion(document.answer, *shown);
     add_works_for(document.answer, shown->works_for, shown->task);
-    add_details(document, *shown, DeltaNeeds(), physical_of(report));
+    add_details(document, *shown, DeltaNeeds());
   }
   add_findings(document, report.findings, physical);
   return document;

@@ -77,7 +77,7 @@ std::vector<Figure> trade_off_figures(const std::vector<design::TradeOff>& front
   const double stroke = chosen.response.peak_amplitude * units.length;
   Figure acceleration =
       over_stroke(front, units, "acceleration outside the notch, g",
-                  [](const design::TradeOff& now) { return now.peak_absolute_acceleration; },
+                  [](const design::TradeOff& now) { return now.transmitted; },
                   Ink::orange, {stroke, chosen.response.peak_absolute_acceleration});
   acceleration.id = "trade-off";
   acceleration.y.label = "acceleration, g";  // the name is too long for its height
@@ -96,8 +96,8 @@ std::vector<Figure> trade_off_figures(const std::vector<design::TradeOff>& front
   acceleration.description = format(
       "The least transmitted acceleration for each stroke, from {} at {:.4g} g to {} at "
       "{:.4g} g. The design has {} at {:.4g} g.",
-      units.length_words(front.front().peak_amplitude), front.front().peak_absolute_acceleration,
-      units.length_words(front.back().peak_amplitude), front.back().peak_absolute_acceleration,
+      units.length_words(front.front().peak_amplitude), front.front().transmitted,
+      units.length_words(front.back().peak_amplitude), front.back().transmitted,
       units.length_words(chosen.response.peak_amplitude),
       chosen.response.peak_absolute_acceleration);
   tolerance.description = format("The largest tolerance for each stroke; the design has {}.",

@@ -24,26 +24,74 @@ struct Truth : peers::Result {
   design::Scales scales{};
 
   [[nodiscard]] double final_velocity() const { return outcome == Outcome::running ? v : 0; }
+
+  static constexpr auto field_table() {
+    return std::tuple{Field{"digits", [](const Truth&) { return 50; }},
+                      Field{"outcome", &Truth::outcome},
+                      Field{"peak_amplitude", &Truth::peak},
+                      Field{"end_time", &Truth::end_time},
+                      Field{"final_position", &Truth::x, "", any_number},
+                      Field{"final_velocity", &Truth::final_velocity, "", any_number},
+                      Field{"zero_passages", &Truth::passages},
+                      Field{"turning_points", &Truth::turns},
+                      Field{"sticks", &Truth::sticks}};
+  }
 };
-struct TruthSi : Truth {};
+struct TruthSi : Truth {
+  static constexpr auto field_table() {
+    constexpr Measure signed_length{Numbers::all, Dimension::length, {}, {}, InSi::always};
+    constexpr Measure signed_velocity{Numbers::all, Dimension::velocity, {}, {}, InSi::always};
+    return std::tuple{Field{"length_unit_m", in(&Truth::scales, &design::Scales::length_m)},
+                      Field{"time_unit_s", in(&Truth::scales, &design::Scales::time_s)},
+                      Field{"peak_m", &Truth::peak, "", si_always(Dimension::length)},
+                      Field{"end_time_s", &Truth::end_time, "", si_always(Dimension::time)},
+                      Field{"final_position_m", &Truth::x, "", signed_length},
+                      Field{"final_velocity_m_per_s", &Truth::final_velocity, "", signed_velocity}};
+  }
+};
 
 /// A method, and whether it is what simulate uses.
 struct ShownMethod {
   const peers::MethodRow& row;
   bool used{false};
-};
 
-/// What only a method that was run has.
-template <class Get>
-struct IfRun {
-  Get get;
-  auto operator()(const ShownMethod& now) const {
-    const auto value = get(now.row);
-    return now.row.run == peers::Run::done ? std::optional(value) : std::nullopt;
+  [[nodiscard]] const peers::MethodRow* run() const {
+    return row.run == peers::Run::done ? &row : nullptr;
+  }
+  static constexpr auto field_table() {
+    using Now = ShownMethod;
+    using peers::MethodRow;
+    using peers::Result;
+    return std::tuple_cat(
+        std::tuple{Field{"name", [](const Now& now) { return now.row.name; }},
+                   Field{"setting", [](const Now& now) { return setting(now.row); }, "",
+                         any_number},
+                   Field{"used_by_simulate", &Now::used}},
+        fields_if_any(
+            &Now::run,
+            std::tuple{
+                Field{"wall_time_s", [](const MethodRow& row) { return row.time.median; },
+                      "the median of repeated runs; null, like all that follows, for a method that "
+                      "was not run"},
+                Field{"peak_error", &MethodRow::peak_error, "relative to the peak"},
+                Field{"end_error", &MethodRow::end_error,
+                      "the larger of the errors of x, relative to the peak, and of the stop time, "
+                      "relative to itself, or if the motion goes on, of v at the end, relative to "
+                      "p times the peak"},
+                Field{"zero_passages", in(&MethodRow::result, &Result::passages)},
+                Field{"turning_points", in(&MethodRow::result, &Result::turns)},
+                Field{"sticks", in(&MethodRow::result, &Result::sticks)},
+                Field{"counts_right", &MethodRow::counts_right}}),
+        std::tuple{Field{"not_run",
+                         [](const Now& now) {
+                           return now.run() != nullptr
+                                      ? std::nullopt
+                                      : std::optional(reasons_not_run.at(
+                                            now.row.run == peers::Run::nothing_moves ? 0 : 1));
+                         },
+                         "null if it was run", one_of(reasons_not_run)}});
   }
 };
-template <class Get>
-IfRun(Get) -> IfRun<Get>;
 
 std::vector<ShownMethod> shown_methods(const AccuracyReport& report) {
   std::vector<ShownMethod> methods;
@@ -58,73 +106,6 @@ std::vector<ShownMethod> shown_methods(const AccuracyReport& report) {
 }  // namespace stillpoint::report
 
 namespace stillpoint {
-
-template <>
-inline constexpr auto fields<report::Truth> = [] {
-  using report::Truth;
-  return std::tuple{Field{"digits", [](const Truth&) { return 50; }},
-                    Field{"outcome", &Truth::outcome},
-                    Field{"peak_amplitude", &Truth::peak},
-                    Field{"end_time", &Truth::end_time},
-                    Field{"final_position", &Truth::x, "", {Numbers::all}},
-                    Field{"final_velocity", &Truth::final_velocity, "", {Numbers::all}},
-                    Field{"zero_passages", &Truth::passages},
-                    Field{"turning_points", &Truth::turns},
-                    Field{"sticks", &Truth::sticks}};
-}();
-
-template <>
-inline constexpr auto fields<report::TruthSi> = [] {
-  using report::Truth;
-  return std::tuple{
-      Field{"length_unit_m", in(&Truth::scales, &design::Scales::length_m)},
-      Field{"time_unit_s", in(&Truth::scales, &design::Scales::time_s)},
-      Field{"peak_m", [](const Truth& now) { return now.peak * now.scales.length_m; }},
-      Field{"end_time_s", [](const Truth& now) { return now.end_time * now.scales.time_s; }},
-      Field{"final_position_m",
-            [](const Truth& now) { return now.x * now.scales.length_m; },
-            "",
-            {Numbers::all}},
-      Field{"final_velocity_m_per_s",
-            [](const Truth& now) { return now.final_velocity() * now.scales.velocity_m_per_s; },
-            "",
-            {Numbers::all}}};
-}();
-
-template <>
-inline constexpr auto fields<report::ShownMethod> = [] {
-  using peers::MethodRow;
-  using report::IfRun;
-  using report::ShownMethod;
-  return std::tuple{
-      Field{"name", [](const ShownMethod& now) { return now.row.name; }},
-      Field{"setting",
-            [](const ShownMethod& now) { return report::setting(now.row); },
-            "",
-            {Numbers::all}},
-      Field{"used_by_simulate", &ShownMethod::used},
-      Field{"wall_time_s", IfRun{[](const MethodRow& row) { return row.time.median; }},
-            "the median of repeated runs; null, like all that follows, for a method that was not "
-            "run"},
-      Field{"peak_error", IfRun{[](const MethodRow& row) { return row.peak_error; }},
-            "relative to the peak"},
-      Field{"end_error", IfRun{[](const MethodRow& row) { return row.end_error; }},
-            "the larger of the errors of x, relative to the peak, and of the stop time, relative "
-            "to itself, or if the motion goes on, of v at the end, relative to p times the peak"},
-      Field{"zero_passages", IfRun{[](const MethodRow& row) { return row.result.passages; }}},
-      Field{"turning_points", IfRun{[](const MethodRow& row) { return row.result.turns; }}},
-      Field{"sticks", IfRun{[](const MethodRow& row) { return row.result.sticks; }}},
-      Field{"counts_right", IfRun{[](const MethodRow& row) { return row.counts_right; }}},
-      Field{"not_run",
-            [](const ShownMethod& now) {
-              return now.row.run == peers::Run::done
-                         ? std::nullopt
-                         : std::optional(report::reasons_not_run.at(
-                               now.row.run == peers::Run::nothing_moves ? 0 : 1));
-            },
-            "null if it was run",
-            {.texts = report::reasons_not_run}}};
-}();
 
 template <>
 inline constexpr auto fields<report::AccuracyReport> = [] {
@@ -157,7 +138,7 @@ inline constexpr auto fields<report::AccuracyReport> = [] {
 namespace stillpoint::report {
 
 nlohmann::ordered_json json(const AccuracyReport& report) {
-  return object_json(report);
+  return object_json(report, scales_of(report.physical));
 }
 
 nlohmann::ordered_json accuracy_schema() {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "json/answer_fields.hpp"
 
-#include <utility>
-
 namespace stillpoint::report {
 
 namespace {
@@ -46,9 +44,9 @@ ShownNotch shown_notch(const ShownTask& task, const design::Found& found,
   return shown;
 }
 
-void add_found(ShownAnswer& now, ShownCase& only, const DesignReport& report,
-               const design::Found& found) {
+void add_found(ShownAnswer& now, const DesignReport& report, const design::Found& found) {
   const ShownTask task = task_of(report);
+  ShownCase& only = now.cases.front();
   const auto& [f, delta, tolerance] = found.point;
   const auto& [below_f, above_f, below_delta, above_delta] = task.limits.shape;
   BoxedDamper& damper = now.design.emplace(boxed_damper(task, f, delta));
@@ -71,9 +69,6 @@ void add_found(ShownAnswer& now, ShownCase& only, const DesignReport& report,
   now.delta1_published = published;
   now.delta1_exact = exact;
   now.constraints = shown_constraints(found.constraints);
-  if (found.works_for) {
-    now.works_for = ShownServed{*found.works_for, task.pulse.has_value()};
-  }
   if (found.search) {
     now.search = shown_search(*found.search, optimum_of(report.result));
   }
@@ -84,7 +79,7 @@ void add_found(ShownAnswer& now, ShownCase& only, const DesignReport& report,
     now.input.hold = built->shape.hold;
     now.input.notch_width = built->shape.width;
   }
-  add_point(now, task, f, delta, found.practice, &found.response);
+  add_point(now, task, f, delta, found.practice, &found.response, found.works_for);
 }
 
 }  // namespace
@@ -93,25 +88,20 @@ ShownAnswer shown(const DesignReport& report) {
   const design::DesignResult& result = report.result;
   const design::DesignRequest& request = result.request;
   const ShownTask task = task_of(report);
-  ShownAnswer now{.units = report.physical,
-                  .findings = report.findings,
-                  .verdict = verdict(report),
-                  .input = asked_task(task),
-                  .region = &result,
-                  .largest_tolerance = result.largest_tolerance,
-                  .mends = shown_mends(result.mends),
-                  .trade_off = report.trade_off,
-                  .physical = physical_of(report)};
+  ShownAnswer now = asked(task, result, report.findings);
+  now.verdict = verdict(report);
+  now.trade_off = report.trade_off;
   now.input.v0 = request.pulse ? result.reduced_v0 : std::optional(request.problem.v0);
+  if (now.input.v0 && report.physical) {
+    now.velocity_m_per_s = *now.input.v0 * report.physical->scales.velocity_m_per_s;
+  }
   now.input.objective = name(request.search.objective);
   now.input.algorithm = request.search.algorithm;
   now.input.trade_off = report.trade_offs;
   add_catalogue(now, report.catalogue, task);
-  ShownCase only{.load = load_of(task)};
   if (result.finding) {
-    add_found(now, only, report, *result.finding);
+    add_found(now, report, *result.finding);
   }
-  now.cases.push_back(std::move(only));
   return now;
 }
 

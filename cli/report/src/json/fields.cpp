@@ -39,7 +39,7 @@ std::string si_name(std::string_view name, const Measure& measure) {
 
 void put(ordered_json& object, std::string_view name, ordered_json value, const Measure& measure,
          Scales scales) {
-  if (measure.si == InSi::alone) {
+  if (measure.si == InSi::alone || measure.si == InSi::always) {
     object[std::string(name)] = in_si(value, measure.dimension, scales);
     return;
   }

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -20,6 +21,26 @@
 #include <vector>
 
 namespace stillpoint::report {
+
+using stillpoint::in;
+
+inline constexpr Measure any_number{Numbers::all};
+inline constexpr Measure counted{Numbers::counts};
+inline constexpr Measure at_least_one{Numbers::from_one};
+constexpr Measure one_of(std::span<const std::string_view> texts) {
+  return {.texts = texts};
+}
+/// With the value in SI units beside it, or in its place.
+constexpr Measure with_si(Dimension dimension, std::string_view name = {}) {
+  return {{}, dimension, name, {}, InSi::beside};
+}
+constexpr Measure si_alone(Dimension dimension, Numbers numbers = {}) {
+  return {numbers, dimension, {}, {}, InSi::alone};
+}
+constexpr Measure si_always(Dimension dimension) {
+  return {{}, dimension, {}, {}, InSi::always};
+}
+inline constexpr Measure in_metres = with_si(Dimension::length);
 
 template <class Value>
 inline constexpr bool is_optional = false;
@@ -54,14 +75,19 @@ template <class Whole, class Get>
 IfAny(Whole, Get) -> IfAny<Whole, Get>;
 
 /// A table of part of a result: each field is taken from what `whole` gives; empty without it.
-template <class Whole, class... Gets>
-constexpr auto fields_if_any(Whole whole, const std::tuple<Field<Gets>...>& part) {
+template <class Make, class... Gets>
+constexpr auto fields_of(const std::tuple<Field<Gets>...>& part, Make make) {
   return std::apply(
-      [whole](const auto&... field) {
-        return std::tuple{
-            Field{field.name, IfAny{whole, field.get}, field.words, field.measure}...};
+      [make](const auto&... field) {
+        return std::tuple{Field{field.name, make(field.get), field.words, field.measure}...};
       },
       part);
+}
+constexpr auto fields_in(auto whole, const auto& part) {
+  return fields_of(part, [whole](auto get) { return in(whole, get); });
+}
+constexpr auto fields_if_any(auto whole, const auto& part) {
+  return fields_of(part, [whole](auto get) { return IfAny{whole, get}; });
 }
 
 /// An integer where the field has counts.

@@ -13,6 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,10 @@ struct nlohmann::adl_serializer<std::optional<Value>> {
 
 namespace stillpoint::report {
 
+/// The period of the spring alone, in tau.
+[[nodiscard]] inline double turn(double p) {
+  return 2 * std::numbers::pi / p;
+}
 /// A count: an integer, if a double holds it exactly.
 [[nodiscard]] nlohmann::ordered_json count(const std::optional<double>& value);
 /// An array of what `make` makes of each item.

@@ -26,23 +26,18 @@ namespace stillpoint::report {
 /// What the fields are taken from; what a report does not have is empty.
 struct Si {
   design::PhysicalInput input;
-  std::optional<double> velocity_m_per_s{};
+  std::optional<double> velocity_m_per_s{}, f{}, delta{}, delta1_published{}, delta1_exact{};
+  std::optional<design::Practice> practice{};
+  std::optional<double> notch_width_min{};     ///< of ranges that of the worst
+  std::optional<double> lambda{}, duration{};  ///< of a wave
+  std::optional<double> caught_impulse{};
   const design::Region* region{};
   std::vector<design::Mend> mends{};
-  std::optional<double> f{};
-  std::optional<double> delta{};
   std::optional<design::WorksFor> served{};
   bool of_pulse{false};
-  std::optional<std::vector<design::Hits>> hits{};
-  std::optional<design::Practice> practice{};
-  std::optional<double> notch_width_min{};  ///< of ranges that of the worst
-  std::optional<double> delta1_published{};
-  std::optional<double> delta1_exact{};
+  const std::vector<design::Hits>* hits{};
   const Response* motion{};
   const ForcedResponse* forced{};
-  std::optional<double> caught_impulse{};
-  std::optional<double> lambda{};  ///< of a wave
-  std::optional<double> duration{};
 
   [[nodiscard]] const design::Scales& scales() const { return input.scales; }
   [[nodiscard]] design::PhysicalWorksFor works_for() const {
@@ -55,11 +50,16 @@ struct Si {
 
 /// A row of the hits.
 struct HitsSi {
-  double from_m_per_s{0};
-  double to_m_per_s{0};
+  double from_m_per_s{0}, to_m_per_s{0};
   std::optional<double> rest_m{};
+
+  static constexpr auto field_table() {
+    return std::tuple{Field{"from_m_per_s", &HitsSi::from_m_per_s},
+                      Field{"to_m_per_s", &HitsSi::to_m_per_s},
+                      Field{"rest_m", &HitsSi::rest_m, "", any_number}};
+  }
 };
-[[nodiscard]] std::vector<HitsSi> hits_si(const Si& of);
+[[nodiscard]] std::optional<std::vector<HitsSi>> hits_si(const Si& of);
 
 /// The product, if both exist and it is finite.
 [[nodiscard]] std::optional<double> times(const std::optional<double>& value,
@@ -100,19 +100,19 @@ template <const auto& all, class Whole>
   (std::make_index_sequence<std::tuple_size_v<std::remove_cvref_t<decltype(all)>>>());
 }
 
-inline constexpr Measure any_number{Numbers::all};
-
+constexpr auto of_scales(auto design::Scales::*scale) {
+  return in(&Si::input, &design::PhysicalInput::scales, scale);
+}
 inline constexpr auto scale_fields = std::tuple{
-    Field{"length_unit_m", [](const Si& of) { return of.scales().length_m; }},
-    Field{"time_unit_s", [](const Si& of) { return of.scales().time_s; }},
-    Field{"velocity_unit_m_per_s", [](const Si& of) { return of.scales().velocity_m_per_s; }},
-    Field{"gravity_m_per_s2", [](const Si& of) { return of.scales().gravity_m_per_s2; }},
-    Field{"omega_rad_per_s", [](const Si& of) { return of.scales().omega_rad_per_s; }},
-    Field{"period_s", [](const Si& of) { return of.input.period_s; }},
+    Field{"length_unit_m", of_scales(&design::Scales::length_m)},
+    Field{"time_unit_s", of_scales(&design::Scales::time_s)},
+    Field{"velocity_unit_m_per_s", of_scales(&design::Scales::velocity_m_per_s)},
+    Field{"gravity_m_per_s2", of_scales(&design::Scales::gravity_m_per_s2)},
+    Field{"omega_rad_per_s", of_scales(&design::Scales::omega_rad_per_s)},
+    Field{"period_s", in(&Si::input, &design::PhysicalInput::period_s)},
     Field{"natural_frequency_hz",
           [](const Si& of) { return of.scales().omega_rad_per_s / (2 * std::numbers::pi); }},
-    Field{"mass_kg", [](const Si& of) { return of.scales().mass_kg; },
-          "forces and energies need it"},
+    Field{"mass_kg", of_scales(&design::Scales::mass_kg), "forces and energies need it"},
     Field{"stiffness_n_per_m", [](const Si& of) { return of.scales().stiffness_n_per_m(); }},
     Field{"velocity_m_per_s", &Si::velocity_m_per_s, "", any_number}};
 
@@ -180,50 +180,37 @@ inline constexpr auto served_fields_si = std::tuple{
           [](const Si& of) {
             return of.served ? std::optional(of.works_for().period_s) : std::nullopt;
           }},
-    Field{"hits", [](const Si& of) { return of.hits ? std::optional(hits_si(of)) : std::nullopt; },
-          "in the order of those of the report"}};
+    Field{"hits", &hits_si, "in the order of those of the report"}};
 
 inline constexpr auto motion_fields_si =
     std::tuple_cat(twins<fields<Response>>(&Si::motion), twins<forced_fields>(&Si::forced));
 
 /// Of a motion and its task, of a damper and its task, and of a motion alone.
-struct MotionSi : Si {};
-struct AnswerSi : Si {};
-struct TwinsSi : Si {};
+struct MotionSi : Si {
+  static constexpr auto field_table() {
+    return std::tuple_cat(
+        scale_fields, damper_fields, motion_fields_si, practice_fields_si,
+        std::tuple{Field{"caught_impulse_n_s", Scaled{&Si::caught_impulse, Dimension::impulse}}},
+        wave_fields);
+  }
+};
+struct AnswerSi : Si {
+  static constexpr auto field_table() {
+    return std::tuple_cat(
+        scale_fields, region_fields_si, damper_fields, served_fields_si, practice_fields_si,
+        std::tuple{Field{"delta1_published_m", Scaled{&Si::delta1_published, Dimension::length}},
+                   Field{"delta1_exact_m", Scaled{&Si::delta1_exact, Dimension::length}}},
+        motion_fields_si, wave_fields);
+  }
+};
+struct TwinsSi : Si {
+  static constexpr auto field_table() { return motion_fields_si; }
+};
 
-[[nodiscard]] std::optional<AnswerSi> physical_of(const DesignReport& report);
-[[nodiscard]] std::optional<AnswerSi> physical_of(const RegionReport& report);
+/// Of a damper alone.
+[[nodiscard]] std::optional<Si> physical_of(const Physical& physical, double f, double delta,
+                                            const std::optional<design::Practice>& practice,
+                                            const std::optional<design::Practice>& told);
 [[nodiscard]] std::optional<MotionSi> physical_of(const MotionReport& report);
 
 }  // namespace stillpoint::report
-
-namespace stillpoint {
-
-template <>
-inline constexpr auto fields<report::HitsSi> =
-    std::tuple{Field{"from_m_per_s", &report::HitsSi::from_m_per_s},
-               Field{"to_m_per_s", &report::HitsSi::to_m_per_s},
-               Field{"rest_m", &report::HitsSi::rest_m, "", report::any_number}};
-
-template <>
-inline constexpr auto fields<report::MotionSi> = std::tuple_cat(
-    report::scale_fields, report::damper_fields, report::motion_fields_si,
-    report::practice_fields_si,
-    std::tuple{Field{"caught_impulse_n_s",
-                     report::Scaled{&report::Si::caught_impulse, Dimension::impulse}}},
-    report::wave_fields);
-
-template <>
-inline constexpr auto fields<report::AnswerSi> = std::tuple_cat(
-    report::scale_fields, report::region_fields_si, report::damper_fields, report::served_fields_si,
-    report::practice_fields_si,
-    std::tuple{
-        Field{"delta1_published_m",
-              report::Scaled{&report::Si::delta1_published, Dimension::length}},
-        Field{"delta1_exact_m", report::Scaled{&report::Si::delta1_exact, Dimension::length}}},
-    report::motion_fields_si, report::wave_fields);
-
-template <>
-inline constexpr auto fields<report::TwinsSi> = report::motion_fields_si;
-
-}  // namespace stillpoint

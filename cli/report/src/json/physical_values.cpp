@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/design/motion_findings.hpp>
+#include "json/answer_fields.hpp"
 #include "json/physical_fields.hpp"
 #include "sections.hpp"
+
+#include <stillpoint/design/motion_findings.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +30,10 @@ std::optional<double> mended(const Si& of, std::string_view field, bool by_stiff
   return times(physical_mend(given, *mend)->value, 1);
 }
 
-std::vector<HitsSi> hits_si(const Si& of) {
+std::optional<std::vector<HitsSi>> hits_si(const Si& of) {
+  if (of.hits == nullptr) {
+    return std::nullopt;
+  }
   const design::Scales& scales = of.scales();
   std::vector<HitsSi> rows;
   rows.reserve(of.hits->size());
@@ -52,67 +57,46 @@ void add_wave(Si& si, const Excitation& excitation) {
       excitation);
 }
 
-/// What a design and a point of a region have in common. A pulse is no hit.
-void add_point(Si& si, const ShownTask& task, const std::optional<design::Practice>& practice) {
-  const bool point = si.f && si.delta;
-  si.of_pulse = task.pulse.has_value();
-  si.practice = practice;
-  const auto told = told_practice(task, practice, si.f.value_or(0), si.delta.value_or(0)).lines;
-  si.notch_width_min = told ? told->notch_width_min : std::nullopt;
-  if (point && !task.pulse) {
-    si.hits = shown_hits(task.problem, *si.f, *si.delta);
-  }
-  if (task.pulse) {
-    add_wave(si, design::excitation(*task.pulse));
-  }
-}
-
 }  // namespace
 
-std::optional<AnswerSi> physical_of(const DesignReport& report) {
-  if (!report.physical) {
-    return std::nullopt;
-  }
-  const design::DesignResult& result = report.result;
-  AnswerSi si{{.input = *report.physical, .region = &result.region, .mends = result.mends}};
-  const std::optional<double> v0 =
-      result.request.pulse ? result.reduced_v0 : result.request.problem.v0;
-  si.velocity_m_per_s = v0 ? std::optional(*v0 * si.scales().velocity_m_per_s) : v0;
-  if (const auto& found = result.finding) {
-    si.f = found->point.f;
-    si.delta = found->point.delta;
-    si.served = found->works_for;
-    const auto [published, exact] = delta_needs(result);
-    si.delta1_published = published;
-    si.delta1_exact = exact;
-    si.motion = &found->response;
-    if (found->pulse) {
-      si.motion = si.forced = &found->pulse->response;
-    }
-  }
-  add_point(si, task_of(report), result.finding ? result.finding->practice : std::nullopt);
-  return si;
+std::optional<Si> physical_of(const Physical& physical, double f, double delta,
+                              const std::optional<design::Practice>& practice,
+                              const std::optional<design::Practice>& told) {
+  return physical
+             ? std::optional(Si{.input = *physical,
+                                .f = f,
+                                .delta = delta,
+                                .practice = practice,
+                                .notch_width_min = told ? told->notch_width_min : std::nullopt})
+             : std::nullopt;
 }
 
-std::optional<AnswerSi> physical_of(const RegionReport& report) {
-  if (!report.physical) {
+std::optional<AnswerSi> physical_of(const ShownAnswer& now) {
+  if (!now.units) {
     return std::nullopt;
   }
-  const design::RegionAnswer& answer = report.answer;
-  AnswerSi si{{.input = *report.physical,
-               .region = &answer.region,
-               .mends = answer.mends,
-               .f = report.request.f,
-               .delta = report.request.delta,
-               .served = answer.works_for,
-               .delta1_published = answer.delta1_published,
-               .delta1_exact = answer.delta1_exact,
-               .motion = answer.response ? &*answer.response : nullptr,
-               .forced = answer.forced ? &*answer.forced : nullptr}};
-  if (!report.request.pulse) {
-    si.velocity_m_per_s = report.physical->velocity_m_per_s;
+  const AskedTask& input = now.input;
+  AnswerSi si{{.input = *now.units,
+               .velocity_m_per_s = now.velocity_m_per_s,
+               .f = now.design ? std::optional(now.design->f) : input.f,
+               .delta = now.design ? std::optional(now.design->delta) : input.delta,
+               .delta1_published = now.delta1_published,
+               .delta1_exact = now.delta1_exact,
+               .practice = now.practice,
+               .notch_width_min = now.notch_width_min,
+               .lambda = input.lambda,
+               .duration = now.duration,
+               .region = now.region != nullptr ? &now.region->region : nullptr,
+               .mends = {now.mends.begin(), now.mends.end()},
+               .served = now.works_for,
+               .of_pulse = input.pulse.has_value(),
+               .hits = now.hits && !input.pulse ? &*now.hits : nullptr}};
+  if (now.region == nullptr) {  // under records, whose motions have their own
+    si.input.max_displacement_m = si.in_si(Dimension::length, input.beta);
+  } else if (const auto& motions = now.cases.front().motions; !motions.empty()) {
+    si.motion = motions.front().response.response;
+    si.forced = motions.front().response.forced;
   }
-  add_point(si, task_of(report), answer.practice);
   return si;
 }
 
@@ -125,9 +109,9 @@ std::optional<MotionSi> physical_of(const MotionReport& report) {
                .f = report.request.oscillator.f,
                .delta = report.request.oscillator.delta,
                .practice = practice_of(report),
+               .caught_impulse = design::caught_impulse(report.request, report.answer.response),
                .motion = &report.answer.response,
-               .forced = report.answer.forced ? &*report.answer.forced : nullptr,
-               .caught_impulse = design::caught_impulse(report.request, report.answer.response)}};
+               .forced = report.answer.forced ? &*report.answer.forced : nullptr}};
   add_wave(si, report.request.excitation);
   return si;
 }

@@ -17,13 +17,13 @@ struct Condition {
   std::string_view name;
   std::string_view variable;
   std::string_view input;
-  std::optional<WorstAt> WorstOf::*of;
+  std::optional<WorstAt> OfFigures<WorstAt>::*of;
 };
 constexpr std::array<Condition, design::suite_figure_kinds.size()> conditions{
-    {{"amplitude", "peak", "beta", &WorstOf::peak},
-     {"acceleration", "acceleration", "acceleration_max", &WorstOf::acceleration},
-     {"residual", "residual", "residual", &WorstOf::residual},
-     {"jump", "jump", "jump_max", &WorstOf::jump}}};
+    {{"amplitude", "peak", "beta", &OfFigures<WorstAt>::peak},
+     {"acceleration", "acceleration", "acceleration_max", &OfFigures<WorstAt>::acceleration},
+     {"residual", "residual", "residual", &OfFigures<WorstAt>::residual},
+     {"jump", "jump", "jump_max", &OfFigures<WorstAt>::jump}}};
 
 Interval factors(const design::Spread& spread) {
   return {1 - spread.below, 1 + spread.above};
@@ -39,19 +39,19 @@ Worst worst_of(const design::SuiteFigures& figures) {
 
 AskedTask asked_task(const design::RecordDesignRequest& task) {
   const auto& [f, delta, width, period] = task.tolerance;
-  AskedTask asked{.p_range = task.p,
-                  .beta = task.limits.peak,
+  AskedTask asked{.beta = task.limits.peak,
                   .residual = task.limits.residual,
-                  .tolerance = std::max({f.below, f.above, delta.below, delta.above}),
+                  .jump_max = task.limits.jump,
+                  .hold = task.hold,
+                  .p_range = task.p,
                   .tolerance_f = factors(f),
                   .tolerance_delta = factors(delta),
                   .tolerance_width = factors(width),
                   .tolerance_period = factors(period),
-                  .jump_max = task.limits.jump,
                   .f_range = task.f,
                   .delta_range = task.delta,
                   .notch_width_range = task.width,
-                  .hold = task.hold,
+                  .tolerance = std::max({f.below, f.above, delta.below, delta.above}),
                   .objective = name(task.objective)};
   asked.limits.f_max = task.f_max;
   asked.limits.delta_max = task.delta_max;
@@ -105,8 +105,8 @@ ShownConstraint constraint(std::size_t kind, double limit, const IfReal& value) 
           conditions.at(kind).variable,
           "<=",
           value,
-          limit,
           value ? std::optional(limit - *value) : std::nullopt,
+          limit,
           value && *value <= limit};
 }
 
@@ -130,7 +130,7 @@ void add_shortfalls(ShownAnswer& now, const design::RecordDesign& result) {
         kind, of.limit, result.nearest.figures.settled ? std::optional(of.nearest) : std::nullopt));
     now.constraints.back().motion = result.request.records[of.record].name;
     if (of.relaxed) {
-      now.mends.push_back({{}, conditions.at(kind).input, *of.relaxed});
+      now.mends.push_back({{conditions.at(kind).input, *of.relaxed, true}});
     }
   }
 }
@@ -151,23 +151,6 @@ ShownCheck shown_check(const design::SuiteCheck& check) {
   return {check.passed,
           {{"runge_kutta", check.tolerance, check.relative_error, check.wall_time_s, true,
             check.passed, nullptr, check.records}}};
-}
-
-/// Of the damper and its stroke alone: its motions have their own.
-std::optional<AnswerSi> physical_of(const RecordDesignReport& report, const ShownAnswer& now) {
-  if (!report.physical) {
-    return std::nullopt;
-  }
-  AnswerSi si{{.input = *report.physical}};
-  si.input.max_displacement_m = si.in_si(Dimension::length, now.input.beta);
-  if (now.design) {
-    si.f = now.design->f;
-    si.delta = now.design->delta;
-  }
-  for (const ShownMend& mend : now.mends) {
-    si.mends.push_back({mend.input, mend.value, true});
-  }
-  return si;
 }
 
 }  // namespace
@@ -199,7 +182,6 @@ ShownAnswer shown(const RecordDesignReport& report) {
     add_shortfalls(now, result);
   }
   now.cases.push_back(std::move(only));
-  now.physical = physical_of(report, now);
   return now;
 }
 

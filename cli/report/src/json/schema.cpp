@@ -65,8 +65,9 @@ void add_property(ordered_json& properties, std::string_view name, std::string_v
                   ordered_json schema, const Measure& measure) {
   // In SI units it may always be null.
   const bool can_be_null = schema.contains("type") && schema["type"].is_array();
-  const ordered_json in_si =
-      measure.si == InSi::apart || can_be_null ? schema : or_null_schema(schema);
+  const ordered_json in_si = measure.si == InSi::apart || measure.si == InSi::always || can_be_null
+                                 ? schema
+                                 : or_null_schema(schema);
   ordered_json& now = properties[std::string(name)] = measure.si == InSi::alone ? in_si : schema;
   if (!words.empty()) {
     now["description"] = words;

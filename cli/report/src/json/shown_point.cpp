@@ -19,27 +19,19 @@ bool has_ranges(const ShownTask& task) {
   return task.problem.p_high || task.problem.v0_low || task.ranges.k_low || task.ranges.lambda_high;
 }
 
-}  // namespace
-
-IfRange side_of(const design::BoxShape& shape, double tolerance, double below, double above) {
-  return shape == design::BoxShape{}
-             ? std::nullopt
-             : std::optional(Interval{1 - tolerance * below, 1 + tolerance * above});
-}
-
 AskedTask asked_task(const ShownTask& task) {
   const auto& [problem, limits, pulse, ranges, physical] = task;
   const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
-  AskedTask asked{.v0_range = range_of(problem.v0_low, problem.v0),
-                  .p = problem.p,
-                  .p_range = range_of(problem.p, problem.p_high),
+  AskedTask asked{.p = problem.p,
                   .beta = problem.beta,
-                  .criterion = problem.criterion,
-                  .arrivals = problem.arrivals,
                   .residual = problem.residual,
-                  .tolerance = limits.tolerance * std::min({f_low, f_high, delta_low, delta_high}),
+                  .v0_range = range_of(problem.v0_low, problem.v0),
+                  .p_range = range_of(problem.p, problem.p_high),
                   .tolerance_f = side_of(limits.shape, limits.tolerance, f_low, f_high),
                   .tolerance_delta = side_of(limits.shape, limits.tolerance, delta_low, delta_high),
+                  .arrivals = problem.arrivals,
+                  .criterion = problem.criterion,
+                  .tolerance = limits.tolerance * std::min({f_low, f_high, delta_low, delta_high}),
                   .limits = limits};
   if (pulse) {
     asked.pulse = design::name(*pulse);
@@ -51,8 +43,29 @@ AskedTask asked_task(const ShownTask& task) {
   return asked;
 }
 
-ShownLoad load_of(const ShownTask& task) {
-  return {task.pulse ? design::name(*task.pulse) : "hit"};
+}  // namespace
+
+IfRange side_of(const design::BoxShape& shape, double tolerance, double below, double above) {
+  return shape == design::BoxShape{}
+             ? std::nullopt
+             : std::optional(Interval{1 - tolerance * below, 1 + tolerance * above});
+}
+
+ShownAnswer asked(const ShownTask& task, const design::RegionVerdict& region,
+                  std::span<const design::Finding> findings) {
+  ShownAnswer now{.units = task.physical,
+                  .findings = findings,
+                  .input = asked_task(task),
+                  .largest_tolerance = region.largest_tolerance,
+                  .region = &region};
+  for (const design::Mend& mend : region.mends) {
+    now.mends.push_back({mend});
+  }
+  if (task.pulse) {
+    now.duration = duration(design::excitation(*task.pulse));
+  }
+  now.cases.push_back({.load = {task.pulse ? design::name(*task.pulse) : "hit"}});
+  return now;
 }
 
 BoxedDamper boxed_damper(const ShownTask& task, double f, double delta) {
@@ -79,15 +92,7 @@ std::vector<ShownConstraint> shown_constraints(std::span<const design::Constrain
   std::vector<ShownConstraint> shown;
   for (const design::Constraint& now : constraints) {
     shown.push_back(
-        {{}, now.name, now.variable, now.relation, now.value, now.limit, now.slack, now.satisfied});
-  }
-  return shown;
-}
-
-std::vector<ShownMend> shown_mends(std::span<const design::Mend> mends) {
-  std::vector<ShownMend> shown;
-  for (const design::Mend& now : mends) {
-    shown.push_back({{}, now.field, now.value});
+        {{}, now.name, now.variable, now.relation, now.value, now.slack, now.limit, now.satisfied});
   }
   return shown;
 }
@@ -142,7 +147,11 @@ void add_worst(ShownCase& now, const ShownTask& task, const BoxedDamper& damper,
 }
 
 void add_point(ShownAnswer& answer, const ShownTask& task, const IfReal& f, const IfReal& delta,
-               const std::optional<design::Practice>& practice, const Response* response) {
+               const std::optional<design::Practice>& practice, const Response* response,
+               const std::optional<design::WorksFor>& works_for) {
+  if (works_for) {
+    answer.works_for = ShownServed{*works_for, task.pulse.has_value()};
+  }
   if (f && delta) {
     answer.hits =
         task.pulse
@@ -154,6 +163,7 @@ void add_point(ShownAnswer& answer, const ShownTask& task, const IfReal& f, cons
         ShownPractice{{*practice}, design::impulses({task.problem.p, *f, *delta}, *response)};
   }
   const ToldPractice told = told_practice(task, practice, f.value_or(0), delta.value_or(0));
+  answer.notch_width_min = told.lines ? told.lines->notch_width_min : std::nullopt;
   if (told.at_ends && told.lines) {
     answer.practice_worst = ShownPractice{{*told.lines}, {}};
   }
@@ -165,7 +175,8 @@ void add_catalogue(ShownAnswer& answer, const std::optional<Catalogue>& catalogu
     answer.input.catalogue = spelled_out(catalogue->file);
     answer.catalogue.emplace();
     for (const design::RatedPart& rated : catalogue->parts) {
-      answer.catalogue->push_back({rated, task});
+      answer.catalogue->push_back(
+          {rated, rated.admissible ? std::nullopt : std::optional(judgement(rated, task))});
     }
   }
 }

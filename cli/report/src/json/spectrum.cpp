@@ -31,32 +31,54 @@ namespace {
 
 constexpr auto spectrum_name = std::to_array<std::string_view>({"stillpoint/spectrum-report/1"});
 
-/// In metres and seconds.
-struct ShownFigures {
-  const design::SpectrumFigures& figures;
-  const design::Scales& scales;
-};
-struct ShownPoint : ShownFigures {
-  double period_s{0};
-  ShownFigures without;
+/// A point of the spectrum with its spring.
+struct ShownPoint : design::SpectrumPoint {
+  double p{1};
+
+  static constexpr auto field_table();
 };
 struct SpectrumInput {
   const design::SpectrumRequest& request;
-  const design::Scales& scales;
+  double gravity_m_per_s2;
+
+  static constexpr auto field_table() {
+    using Now = SpectrumInput;
+    return std::tuple{Field{"f", [](const Now& now) { return now.request.f; }},
+                      Field{"delta_m", [](const Now& now) { return now.request.delta; }, "",
+                            si_always(Dimension::length)},
+                      Field{"hold", [](const Now& now) { return now.request.hold; },
+                            "null with the paper's notch, like notch_width_m"},
+                      Field{"notch_width_m", [](const Now& now) { return now.request.notch_width; },
+                            "", si_always(Dimension::length)},
+                      Field{"combine", [](const Now& now) { return now.request.combine.value(); }},
+                      Field{"gravity_m_per_s2", &Now::gravity_m_per_s2}};
+  }
 };
 struct ShownRecord {
   const design::SuiteRecord& record;
   std::vector<ShownPoint> points;
+
+  static constexpr auto field_table() {
+    using Now = ShownRecord;
+    return std::tuple{
+        Field{"file", [](const Now& now) { return now.record.name; }, "", any_number},
+        Field{"scale", [](const Now& now) { return now.record.scale; }, "", any_number},
+        Field{"units", [](const Now& now) { return now.record.units; },
+              "of the values in the file"},
+        Field{"units_assumed", [](const Now& now) { return now.record.assumed_g; },
+              "whether neither the file nor an option gives them"},
+        Field{"pga", [](const Now& now) { return design::peak_load(now.record); },
+              "the largest |W| in g, scaled"},
+        Field{"points", &Now::points, "", at_least_one}};
+  }
 };
 
 std::vector<ShownPoint> points_of(const SpectrumReport& report,
                                   const std::vector<design::SpectrumPoint>& points) {
-  const design::Scales& scales = report.physical.scales;
   std::vector<ShownPoint> shown;
   shown.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double period = 2 * std::numbers::pi / report.result.request.p[i] * scales.time_s;
-    shown.push_back({{points[i].with_notch, scales}, period, {points[i].without, scales}});
+    shown.push_back({points[i], report.result.request.p[i]});
   }
   return shown;
 }
@@ -78,91 +100,32 @@ std::vector<ShownRecord> records_of(const SpectrumReport& report) {
 namespace stillpoint {
 
 template <>
-inline constexpr auto fields<report::ShownFigures> = [] {
-  using report::ShownFigures;
-  return std::tuple{
-      Field{"peak_m",
-            [](const ShownFigures& now) { return now.figures.peak * now.scales.length_m; }},
-      Field{"residual_m",
-            [](const ShownFigures& now) {
-              return report::times(now.figures.residual, now.scales.length_m);
-            },
-            "null where the mass does not come to rest within 10 000 half-cycles"},
-      Field{"peak_absolute_acceleration",
-            [](const ShownFigures& now) { return now.figures.acceleration; }, "in g"}};
-}();
-
-template <>
-inline constexpr auto fields<report::ShownPoint> = [] {
-  using report::ShownFigures;
-  using report::ShownPoint;
-  return std::tuple_cat(
-      std::tuple{Field{"period_s", &ShownPoint::period_s}}, fields<ShownFigures>,
-      std::tuple{
-          Field{"jump_m_per_s",
-                [](const ShownFigures& now) {
-                  return now.figures.jump * now.scales.velocity_m_per_s;
-                }},
-          Field{"locked_from_s",
-                [](const ShownFigures& now) {
-                  return report::times(now.figures.locked_from, now.scales.time_s);
-                },
-                "null where the mass does not lock, like the next; for several records the "
-                "earliest and the largest"},
-          Field{"largest_load_while_locked",
-                [](const ShownFigures& now) { return now.figures.largest_load_while_locked; }},
-          Field{"without_notch", &ShownPoint::without}});
-}();
-
-template <>
-inline constexpr auto fields<report::ShownRecord> = [] {
-  using report::ShownRecord;
-  return std::tuple{
-      Field{"file", [](const ShownRecord& now) { return now.record.name; }, "", {Numbers::all}},
-      Field{"scale", [](const ShownRecord& now) { return now.record.scale; }, "", {Numbers::all}},
-      Field{"units", [](const ShownRecord& now) { return now.record.units; },
-            "of the values in the file"},
-      Field{"units_assumed", [](const ShownRecord& now) { return now.record.assumed_g; },
-            "whether neither the file nor an option gives them"},
-      Field{"pga", [](const ShownRecord& now) { return design::peak_load(now.record); },
-            "the largest |W| in g, scaled"},
-      Field{"points", &ShownRecord::points, "", {Numbers::from_one}}};
-}();
-
-template <>
-inline constexpr auto fields<report::SpectrumInput> = [] {
-  using report::SpectrumInput;
-  return std::tuple{
-      Field{"f", [](const SpectrumInput& now) { return now.request.f; }},
-      Field{"delta_m",
-            [](const SpectrumInput& now) { return now.request.delta * now.scales.length_m; }},
-      Field{"hold", [](const SpectrumInput& now) { return now.request.hold; },
-            "null with the paper's notch, like notch_width_m"},
-      Field{"notch_width_m",
-            [](const SpectrumInput& now) {
-              return report::times(now.request.notch_width, now.scales.length_m);
-            }},
-      Field{"combine", [](const SpectrumInput& now) { return now.request.combine.value(); }},
-      Field{"gravity_m_per_s2",
-            [](const SpectrumInput& now) { return now.scales.gravity_m_per_s2; }}};
+inline constexpr auto fields<design::SpectrumFigures> = [] {
+  using Now = design::SpectrumFigures;
+  using report::si_always;
+  return std::tuple{Field{"peak_m", &Now::peak, "", si_always(Dimension::length)},
+                    Field{"residual_m", &Now::residual,
+                          "null where the mass does not come to rest within 10 000 half-cycles",
+                          si_always(Dimension::length)},
+                    Field{"peak_absolute_acceleration", &Now::acceleration, "in g"}};
 }();
 
 template <>
 inline constexpr auto fields<report::SpectrumReport> = [] {
   using namespace report;
-  return std::tuple_cat(
-      head_fields<SpectrumReport, spectrum_name>, told_fields<SpectrumReport>,
-      std::tuple{Field{"input",
-                       [](const SpectrumReport& report) {
-                         return SpectrumInput{report.result.request, report.physical.scales};
-                       }},
-                 Field{"combined",
-                       [](const SpectrumReport& report) {
-                         return points_of(report, report.result.combined);
-                       },
-                       "an entry for each period",
-                       {Numbers::from_one}},
-                 Field{"records", &records_of, "", {Numbers::from_one}}});
+  return std::tuple_cat(head_fields<SpectrumReport, spectrum_name>, told_fields<SpectrumReport>,
+                        std::tuple{Field{"input",
+                                         [](const SpectrumReport& report) {
+                                           return SpectrumInput{
+                                               report.result.request,
+                                               report.physical.scales.gravity_m_per_s2};
+                                         }},
+                                   Field{"combined",
+                                         [](const SpectrumReport& report) {
+                                           return points_of(report, report.result.combined);
+                                         },
+                                         "an entry for each period", at_least_one},
+                                   Field{"records", &records_of, "", at_least_one}});
 }();
 
 }  // namespace stillpoint
@@ -171,17 +134,39 @@ namespace stillpoint::report {
 
 namespace {
 
+constexpr auto ShownPoint::field_table() {
+  using Now = design::SpectrumFigures;
+  return std::tuple_cat(
+      std::tuple{Field{"period_s", [](const ShownPoint& now) { return turn(now.p); }, "",
+                       si_always(Dimension::time)}},
+      fields_in(&ShownPoint::with_notch, fields<Now>),
+      fields_in(
+          &ShownPoint::with_notch,
+          std::tuple{Field{"jump_m_per_s", &Now::jump, "", si_always(Dimension::velocity)},
+                     Field{"locked_from_s", &Now::locked_from,
+                           "null where the mass does not lock, like the next; for several records "
+                           "the earliest and the largest",
+                           si_always(Dimension::time)},
+                     Field{"largest_load_while_locked", &Now::largest_load_while_locked}}),
+      std::tuple{Field{"without_notch", &ShownPoint::without}});
+}
+
 /// Calls `use` with the name and the value of each column of a row but the record's.
 template <class Use>
-void for_each_column(const ShownPoint& point, const Use& use) {
+void for_each_column(const ShownPoint& point, const design::Scales& scales, const Use& use) {
+  const auto add = [&](const auto& field, const std::optional<double>& value,
+                       std::string_view suffix) {
+    use(std::string(field.name).append(suffix),
+        value ? scales.in_si(field.measure.dimension, *value) : value);
+  };
   for_each_field(fields<ShownPoint>, [&](const auto& field) {
-    if constexpr (std::is_same_v<decltype(field.get), ShownFigures ShownPoint::*>) {
-      for_each_field(fields<ShownFigures>, [&](const auto& figure) {
-        use(std::string(figure.name) + "_without_notch",
-            std::optional<double>(std::invoke(figure.get, std::invoke(field.get, point))));
+    const auto& value = std::invoke(field.get, point);
+    if constexpr (HasFields<std::remove_cvref_t<decltype(value)>>) {
+      for_each_field(fields<design::SpectrumFigures>, [&](const auto& figure) {
+        add(figure, std::invoke(figure.get, value), "_without_notch");
       });
     } else {
-      use(std::string(field.name), std::optional<double>(std::invoke(field.get, point)));
+      add(field, value, "");
     }
   });
 }
@@ -190,11 +175,8 @@ void for_each_column(const ShownPoint& point, const Use& use) {
 using SpectrumRow = std::vector<std::optional<double>>;
 
 std::vector<std::string> columns() {
-  const design::SpectrumFigures none;
-  const design::Scales scales;
   std::vector<std::string> names{"record"};
-  for_each_column({{none, scales}, 0, {none, scales}},
-                  [&](std::string name, const auto&) { names.push_back(std::move(name)); });
+  for_each_column({}, {}, [&](std::string name, const auto&) { names.push_back(std::move(name)); });
   return names;
 }
 
@@ -205,7 +187,8 @@ void for_each_row(const SpectrumReport& report, const Write& write) {
     ++number;
     for (const ShownPoint& point : points_of(report, record)) {
       SpectrumRow row{number};
-      for_each_column(point, [&](const auto&, const auto& value) { row.push_back(value); });
+      for_each_column(point, report.physical.scales,
+                      [&](const auto&, const auto& value) { row.push_back(value); });
       write(row);
     }
   }
@@ -243,7 +226,7 @@ std::string spectrum_npy(const SpectrumReport& report) {
 }
 
 nlohmann::ordered_json json(const SpectrumReport& report) {
-  return object_json(report);
+  return object_json(report, &report.physical.scales);
 }
 
 nlohmann::ordered_json spectrum_schema() {

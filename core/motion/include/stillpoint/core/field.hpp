@@ -59,6 +59,7 @@ enum class InSi : std::uint8_t {
   apart,   ///< under its physical name, if it has one, among others in `physical`
   beside,  ///< behind the value, under that name, or else its own with the suffix
   alone,   ///< in place of the value
+  always,  ///< the same in a report that has no other
 };
 
 /// What the value of a field is. `physical` is its name in SI units.
@@ -84,7 +85,8 @@ Field(std::string_view, Get, std::string_view = {}, Measure = {}) -> Field<Get>;
 
 /// A member of a member, and so on: in(&Simulation::response, &Response::jump).
 template <class First, class... More>
-constexpr auto in(First first, More... more) {
+requires(!std::is_convertible_v<First, std::string_view>) constexpr auto in(First first,
+                                                                            More... more) {
   if constexpr (sizeof...(More) == 0) {
     return first;
   } else {
@@ -94,10 +96,20 @@ constexpr auto in(First first, More... more) {
   }
 }
 
-/// The figures of a result, a tuple of Field in the order of its report. What a report, its schema,
-/// a sweep and the docs say of the result follows from it.
 template <class Result>
-inline constexpr auto fields = nullptr;
+constexpr auto own_fields() {
+  if constexpr (requires { Result::field_table(); }) {
+    return Result::field_table();
+  } else {
+    return nullptr;
+  }
+}
+
+/// The figures of a result, a tuple of Field in the order of its report. What a report, its schema,
+/// a sweep and the docs say of the result follows from it. What only reports have states it itself,
+/// in `field_table()`.
+template <class Result>
+inline constexpr auto fields = own_fields<Result>();
 
 template <class Result>
 concept HasFields = !std::is_null_pointer_v<std::remove_const_t<decltype(fields<Result>)>>;

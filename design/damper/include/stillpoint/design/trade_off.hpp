@@ -14,7 +14,7 @@ namespace stillpoint::design {
 struct TradeOff {
   DesignPoint damper;
   double peak_amplitude{0};
-  double peak_absolute_acceleration{0};
+  double transmitted{0};  ///< acceleration
   double stop_time{0};
 };
 
