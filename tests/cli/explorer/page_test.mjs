@@ -108,36 +108,6 @@ test("sliders write what the engine reads", () =>
     assert.equal(await bench.notice(page), "");
   }));
 
-test("a slider stands where the text is, in any unit", () =>
-  with_page(`${isolator}&notch-width-m=2cm`, {}, async (page) => {
-    for (const [text, metres] of /** @type {const} */ ([
-      ["2cm", 0.02],
-      ["35 mm", 0.035],
-      ["0.05", 0.05],
-    ])) {
-      await bench.type(page, "notch-width-m", text);
-      assert.equal(await bench.notice(page), "");
-      assert.equal(await page.getAttribute("#in-notch-width-m", "data-value"), String(metres));
-      // Of a thousand steps up to 100 mm.
-      const place = Number(await page.inputValue("#slide-notch-width-m-low"));
-      assert.equal(place, Math.round(metres * 1e4));
-    }
-  }));
-
-test("the left half of the velocity's handle makes a range", () =>
-  with_page(isolator, {}, async (page) => {
-    const slider = await bench.box_of(page, "#slide-velocity-low");
-    // Thumbs keep within the slider, so half of one is missing at either end.
-    const at = slider.x + 5 + (slider.width - 10) * 0.2;
-    const y = slider.y + slider.height / 2;
-    await page.mouse.move(at - 4, y);
-    await page.mouse.down();
-    await page.mouse.move(at - 20, y, { steps: 5 });
-    await page.mouse.up();
-    await settle(page);
-    assert.match(await page.inputValue("#in-velocity"), /^0\.[\d]+m\/s:0\.4m\/s$/);
-  }));
-
 test("a damper that is built keeps its length when the task changes", () =>
   with_page(`${isolator}&f=0.024&delta=0.03`, {}, async (page) => {
     const { f, delta } = await numbers(page);
@@ -233,22 +203,6 @@ test("400 pixels wide, no text is smaller than 11", () =>
     );
   }));
 
-test("every end of a hit has a name, and a motion without end is not drawn", () =>
-  with_page("v0=1&p=1&beta=0.8&f=0&delta=0", {}, async (page) => {
-    assert.equal(await bench.words(page, "#hit-key"), "never stops up to 0.8too far beyond");
-    assert.equal(await page.locator("#motion svg.figure").count(), 1);
-    assert.equal(await page.isVisible("#motion-caption"), true);
-    await bench.go(page, "v0=1&p=1&beta=0.8&f=1e-5&delta=0");
-    assert.match(await bench.words(page, "#motion"), /^It moves for \d+ half-cycles, too many/);
-    assert.equal(await page.locator(":is(#motion, #phase, #cloud) svg.figure").count(), 0);
-    assert.equal(await page.isVisible("#motion-caption"), false);
-    await page.click("#play");
-    assert.equal(await bench.words(page, "#play"), "Play");
-    await page.click("#release");
-    await settle(page);
-    assert.equal(await page.locator(":is(#motion, #phase, #cloud) svg.figure").count(), 3);
-  }));
-
 test("what would block the page is left to the program", () =>
   with_page("v0=1&p=1&beta=0.9&f=1e-9&delta=1e-8", {}, async (page) => {
     assert.match(await bench.notice(page), /^f and delta are so small .* at most 1e\+06/);
@@ -341,35 +295,6 @@ test("while each frame has a change, what is postponed is drawn too, one after t
     assert.ok(Math.max(...gaps("change")) <= 2);
     assert.ok(Math.max(...gaps("soon")) <= 4);
     assert.ok(Math.max(...gaps("late")) <= 200 / 16 + 3);
-  }));
-
-test("the transmitted acceleration says whether the notch is in it", () =>
-  with_page(isolator, {}, async (page) => {
-    assert.equal(await bench.words(page, "#acceleration-sub"), "outside the notch");
-    const built = `${isolator}&f=0.03&delta=0.04`;
-    await bench.go(page, built);
-    assert.equal(await bench.words(page, "#acceleration-sub"), "outside the notch");
-    const outside = Number(await page.getAttribute("#acceleration", "data-value"));
-    await bench.go(page, `${built}&notch-width-m=2cm`);
-    assert.equal(await bench.words(page, "#acceleration-sub"), "the notch included");
-    // By about Delta/w, both in metres.
-    const inside = Number(await page.getAttribute("#acceleration", "data-value"));
-    const { delta } = await numbers(page);
-    assert.ok(Math.abs((inside - outside) / (delta / 0.02) - 1) < 0.2, `${inside} ${outside}`);
-  }));
-
-test("no mark of a hit stands in the name of a part", () =>
-  with_page(isolator, {}, async (page) => {
-    const crossed = await page.evaluate(() => {
-      const boxes = (/** @type {string} */ which) =>
-        [...document.querySelectorAll(which)].map((node) => node.getBoundingClientRect());
-      const names = boxes("#lane span").filter(({ width }) => width > 0);
-      const crossed = boxes("#lane .designed").filter((mark) =>
-        names.some((name) => mark.top < name.bottom && name.top < mark.bottom),
-      );
-      return { names: names.length, crossed: crossed.length };
-    });
-    assert.deepEqual(crossed, { names: 3, crossed: 0 });
   }));
 
 test("a redraw while dragging takes less than a frame", async () => {
