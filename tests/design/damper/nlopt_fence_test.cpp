@@ -77,34 +77,26 @@ BOOST_AUTO_TEST_CASE(algorithms_that_take_constraints_come_by_the_constrained_mi
   }
 }
 
-BOOST_AUTO_TEST_CASE(an_exception_from_the_objective_is_rethrown_unchanged) {
-  const auto is_the_one = [](const OwnError& error) { return std::string(error.what()) == "mine"; };
+/// In its first call or a later one.
+BOOST_AUTO_TEST_CASE(an_exception_is_rethrown_unchanged) {
   for (const NloptAlgorithm& algorithm : nlopt_algorithms()) {
     for (const int calls : {1, 3}) {
-      NloptProblem problem = bowl();
-      problem.objective = [left = calls, inner = problem.objective](const VectorXd& at,
-                                                                    VectorXd& gradient) mutable {
-        if (--left == 0) {
-          throw OwnError("mine");
+      const bool constrained = algorithm.constraints == ConstraintSupport::yes;
+      for (const bool of_constraint : {false, constrained}) {
+        NloptProblem problem = of_constraint ? cut_bowl() : bowl();
+        Function& function = of_constraint ? problem.constraints.front() : problem.objective;
+        function = [left = of_constraint ? 1 : calls, inner = function](
+                       const VectorXd& at, VectorXd& gradient) mutable {
+          if (--left == 0) {
+            throw OwnError("mine");
+          }
+          return inner(at, gradient);
+        };
+        BOOST_TEST_CONTEXT(algorithm.name << ", call " << calls) {
+          BOOST_CHECK_EXCEPTION(
+              (void)minimise(problem, algorithm.name, plenty), OwnError,
+              [](const OwnError& error) { return std::string(error.what()) == "mine"; });
         }
-        return inner(at, gradient);
-      };
-      BOOST_TEST_CONTEXT(algorithm.name << ", call " << calls) {
-        BOOST_CHECK_EXCEPTION((void)minimise(problem, algorithm.name, plenty), OwnError,
-                              is_the_one);
-      }
-    }
-  }
-}
-
-BOOST_AUTO_TEST_CASE(an_exception_from_a_constraint_is_rethrown_unchanged) {
-  NloptProblem problem = cut_bowl();
-  problem.constraints.emplace_back(
-      [](const VectorXd&, VectorXd&) -> double { throw OwnError("mine"); });
-  for (const NloptAlgorithm& algorithm : nlopt_algorithms()) {
-    if (algorithm.constraints == ConstraintSupport::yes) {
-      BOOST_TEST_CONTEXT(algorithm.name) {
-        BOOST_CHECK_THROW((void)minimise(problem, algorithm.name, plenty), OwnError);
       }
     }
   }
