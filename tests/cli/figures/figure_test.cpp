@@ -280,19 +280,6 @@ BOOST_AUTO_TEST_CASE(labels_keep_clear_of_each_other_at_the_corner) {
   BOOST_TEST(contains(narrow, "y=\"302.00\" text-anchor=\"end\">0</text>"));
 }
 
-BOOST_AUTO_TEST_CASE(names_areas_where_there_is_room) {
-  Figure figure = one_of_everything();
-  figure.map = {};
-  figure.marks = {};
-  figure.areas = {{"roomy", {{0, 0}, {9, 0}, {9, 4}, {0, 4}}, Ink::sky},
-                  {"too narrow", {{9.8, 0}, {9.9, 0}, {9.9, 1}, {9.8, 1}}, Ink::sky}};
-  const std::string text = svg(figure, Frame::in_page);
-  const std::size_t plot_ends = text.find(R"(class="frame")");
-  BOOST_TEST(text.find(">roomy</text>") < plot_ends);
-  BOOST_TEST(text.find(">roomy</text>") == text.rfind(">roomy</text>"));  // not in the legend
-  BOOST_TEST(text.find(">too narrow</text>") > plot_ends);
-}
-
 /// A pixel is 0.027 s wide and 0.037 mm high.
 BOOST_AUTO_TEST_CASE(the_legend_leaves_out_what_is_too_thin_to_see) {
   Figure figure = one_of_everything();
@@ -322,36 +309,6 @@ PlacedName placed(const Figure& figure, const std::string& text) {
   return *found;
 }
 
-BOOST_AUTO_TEST_CASE(a_band_is_named_where_no_other_lies_on_it) {
-  Figure figure;
-  figure.x = {"x", 0, 10};
-  figure.y = {"y", 0, 10};
-  figure.bands = {{"pulse", 0, 10, Ink::sky}, {"held", 3, 7, Ink::grey}};
-  BOOST_TEST(std::abs(placed(figure, "pulse").centre.x - 200) > 80);
-  BOOST_TEST(std::abs(placed(figure, "held").centre.x - 200) < 20);
-}
-
-BOOST_AUTO_TEST_CASE(an_area_is_never_named_on_a_box) {
-  Figure figure;
-  figure.x = {"x", 0, 10};
-  figure.y = {"y", 0, 10};
-  figure.areas = {{"admissible", {{1, 0}, {9, 0}, {9, 10}, {1, 10}}, Ink::sky},
-                  {"tolerance", {{1, 2}, {9, 2}, {9, 9}, {1, 9}}, Ink::blue, AreaLook::box}};
-  BOOST_TEST(placed(figure, "admissible").centre.y > 240);  // below y = 2
-  BOOST_TEST(placed(figure, "tolerance").centre.y < 240);
-  figure.areas[1].outline = {{1, 0.3}, {9, 0.3}, {9, 9.7}, {1, 9.7}};
-  BOOST_TEST(contains(svg(figure, Frame::in_page), "<text x=\"30\">admissible"));
-}
-
-BOOST_AUTO_TEST_CASE(marks_are_not_clipped_at_the_frame) {
-  Figure figure = one_of_everything();
-  figure.marks = {{"at the corner", {{0, -5}}, Shape::diamond, Ink::green}};
-  const std::string text = svg(figure, Frame::in_page);
-  const std::size_t pins = text.find(R"(class="plot pins" overflow="visible")");
-  BOOST_TEST(pins > text.find(R"(class="frame")"));
-  BOOST_TEST(pins < text.find(R"-(translate(0.00 270.00)" data-name="at the corner")-"));
-}
-
 /// Of 22 rows, of which none is the second entry yet.
 FigureMap striped(std::vector<MapKey> key) {
   return {1,
@@ -359,14 +316,6 @@ FigureMap striped(std::vector<MapKey> key) {
           std::vector<std::uint8_t>(22, 0),
           {{"#000000", "a"}, {"#ffffff", "b", "3"}},
           std::move(key)};
-}
-
-BOOST_AUTO_TEST_CASE(points_to_marks_beyond_the_axes) {
-  Figure figure = one_of_everything();
-  figure.marks = {{"far off", {{1000, 2.5}}, Shape::disc, Ink::blue}};
-  const std::string text = svg(figure, Frame::in_page);
-  BOOST_TEST(contains(text, "translate(360.00 67.50)\" data-far=\"far off\""));
-  BOOST_TEST(contains(text, ">far off</text>"));
 }
 
 BOOST_AUTO_TEST_CASE(draws_an_inset_outside_the_plot_that_zooms) {

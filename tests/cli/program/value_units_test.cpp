@@ -143,16 +143,6 @@ BOOST_FIXTURE_TEST_CASE(natural_frequency_gives_the_period, Sandbox) {
   const Arguments rest("--velocity 0.4 --max-displacement 0.2");
   BOOST_TEST(without_wall_times(reported("design --natural-frequency 0.25Hz" + rest)) ==
              without_wall_times(reported("design --period 4s" + rest)));
-  // The suggested change of p is in hertz, and works.
-  const Arguments narrow("region --velocity 0.4 --max-displacement 0.1");
-  const ProgramRun empty = ending(3, narrow + "--natural-frequency 0.25");
-  const std::string words = "natural frequency  at least ";
-  const std::size_t place = empty.out.find(words);
-  BOOST_TEST_REQUIRE(place != std::string::npos, empty.out);
-  const std::string rest_of_it = empty.out.substr(place + words.size());
-  BOOST_TEST(rest_of_it.substr(rest_of_it.find(' ')).starts_with(" Hz"));
-  succeed(narrow +
-          Arguments{"--natural-frequency", rest_of_it.substr(0, rest_of_it.find(' ')) + "Hz"});
 }
 
 // A frequency in hertz is lambda/(2 pi) over a unit of time; a half-sine lasts pi/lambda of them, a
@@ -186,20 +176,6 @@ BOOST_FIXTURE_TEST_CASE(frequencies_and_durations_are_those_of_the_load, Sandbox
   BOOST_TEST(reported("simulate flat.json") == harmonic);
   BOOST_TEST(reported("simulate object.json") == harmonic);
   BOOST_TEST(reported("simulate flat.json --lambda 2")["input"]["excitation"]["lambda"] == 2);
-}
-
-BOOST_FIXTURE_TEST_CASE(pulses_of_a_design_are_in_seconds, Sandbox) {
-  const Arguments task("design --pulse half-sine --k 0.5g --period 2.8s --max-displacement 100mm");
-  const json in_seconds = reported(task + "--pulse-duration 70ms");
-  BOOST_TEST(near(in_seconds["physical"]["excitation_duration_s"], 0.07, conversion_tolerance));
-  const double lambda = in_seconds["input"]["lambda"];
-  BOOST_TEST(without_wall_times(reported(task + Arguments{"--lambda", in_full(lambda)})) ==
-             without_wall_times(in_seconds));
-  write("scene.json", R"({"pulse": "half-sine", "k": "0.5g", "pulse_duration": "70ms",
-      "period": "2.8s", "max_displacement": "100mm"})");
-  BOOST_TEST(without_wall_times(reported("design scene.json")) == without_wall_times(in_seconds));
-  // Another hit replaces the pulse and all its options.
-  succeed("region scene.json --velocity 0.2");
 }
 
 BOOST_FIXTURE_TEST_CASE(trajectories_end_at_the_given_second, Sandbox) {

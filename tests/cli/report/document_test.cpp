@@ -53,71 +53,6 @@ BOOST_AUTO_TEST_CASE(a_section_without_lines_has_no_heading) {
   BOOST_TEST(html(document) == html(sample()));
 }
 
-BOOST_AUTO_TEST_CASE(a_long_label_widens_the_column_of_its_section) {
-  Document document;
-  Section& counts = document.section("Counts");
-  counts.row("never", "1");
-  counts.row("not known to have stopped", "35");
-  document.section("Rows").row("mass", "1 kg");
-  const std::string written = text(document, {});
-  BOOST_TEST(contains(written,
-                      "  never                      1\n"
-                      "  not known to have stopped  35\n"));
-  BOOST_TEST(contains(written, "\n  mass              1 kg\n"));
-}
-
-BOOST_AUTO_TEST_CASE(a_wide_table_has_its_units_below) {
-  Document document;
-  const std::string wide(28, 'x');
-  document.section("Wide").parts.emplace_back(
-      Table{{"", "starts, s", wide, wide, "peak, mm"}, {{{"1", "0", "2", "3", "4"}}}});
-  const std::string written = text(document, {});
-  const std::string::size_type heads = written.find("  starts");
-  BOOST_TEST_REQUIRE(heads != std::string::npos);
-  const std::size_t next = written.find('\n', heads) + 1;
-  BOOST_TEST(contains(written.substr(heads, next - heads), "peak\n"));
-  BOOST_TEST(contains(written.substr(next, written.find('\n', next) + 1 - next), " s "));
-  BOOST_TEST(!contains(written, "starts, s"));
-}
-
-BOOST_AUTO_TEST_CASE(words_at_the_end_of_a_row_continue_below_and_a_long_name_stands_above) {
-  Document document;
-  std::string why;
-  for (int i = 0; i < 12; ++i) {
-    why += "exceeds it; ";
-  }
-  document.section("Parts").parts.emplace_back(
-      Table{{"part", "f", ""}, {{{"A", "0.5", why}}, {{"B", "0.25", "fits"}}}});
-  const std::string name(30, 'n');
-  Table records{{"record"}, {{{name}}}};
-  for (int i = 0; i < 7; ++i) {
-    records.head.emplace_back("x");
-    records.rows[0].cells.emplace_back("1.23456");
-  }
-  document.section("Records").parts.emplace_back(records);
-  const std::string written = text(document);
-  BOOST_TEST(!std::regex_search(written, std::regex("[^\n]{81}")), written);
-  BOOST_TEST(std::regex_search(written, std::regex("\n  A +0.5   exceeds it; .*\n {16}exceeds")),
-             written);
-  BOOST_TEST(contains(written, "\n  B      0.25   fits\n"), written);
-  BOOST_TEST(contains(written, "\n  " + name + "\n          1.23456"), written);
-}
-
-/// If that is too narrow for their units, the words of heads stand in two lines.
-BOOST_AUTO_TEST_CASE(heads_of_a_wide_table_break_between_words) {
-  Document document;
-  Table table{{""}, {{{"first"}}}};
-  for (int i = 0; i < 8; ++i) {
-    table.head.emplace_back(i % 2 == 0 ? "relative error" : "half-cycles");
-    table.rows[0].cells.emplace_back("1.23");
-  }
-  document.section("Wide").parts.emplace_back(table);
-  const std::string written = text(document);
-  BOOST_TEST(contains(written, "         relative   half-  relative"), written);
-  BOOST_TEST(contains(written, "            error  cycles     error"), written);
-  BOOST_TEST(contains(written, "  first      1.23    1.23      1.23"), written);
-}
-
 BOOST_AUTO_TEST_CASE(as_html_is_tables_and_paragraphs) {
   BOOST_TEST(html(sample()) ==
              "<section><h2>Rows</h2>\n"
@@ -133,18 +68,6 @@ BOOST_AUTO_TEST_CASE(as_html_is_tables_and_paragraphs) {
              "<tr><td>long</td><td data-head=\"size\" data-unit=\"mm\">22</td><td></td></tr>\n"
              "</table></div>\n"
              "<p>A note.</p>\n</section>\n");
-}
-
-/// Lines break between words, so that only the longest counts.
-BOOST_AUTO_TEST_CASE(a_table_too_wide_for_half_a_page_goes_across) {
-  const auto page = [](std::size_t letters) {
-    Document document;
-    document.section("Table").parts.emplace_back(
-        Table{{"", "of some words"}, {{{"a b c d e f", std::string(letters, '1')}}}});
-    return html(document);
-  };
-  BOOST_TEST(page(53).starts_with("<section><h2>"));
-  BOOST_TEST(page(54).starts_with("<section class=\"across\"><h2>"));
 }
 
 /// Text in a document never brings in markup or control characters.

@@ -110,19 +110,6 @@ BOOST_AUTO_TEST_CASE(the_envelope_of_a_motion_that_goes_on_does_not_end) {
   }
 }
 
-/// Without friction every peak is V0/p = 1, and so are both sides behind the first column.
-BOOST_AUTO_TEST_CASE(an_envelope_without_friction_lies_beside_that_with_it) {
-  const auto ghost = ghost_of(figure(motion({1, 1e-3, 1e-4}), "motion"));
-  BOOST_TEST((ghost.dash == figures::Dash::dotted));
-  BOOST_TEST_REQUIRE(ghost.strokes.size() == 2U);
-  for (const auto& side : ghost.strokes) {
-    for (const figures::FigurePoint& at : side) {
-      BOOST_TEST((at.x == 0 || std::abs(std::abs(at.y) - 1) < 5e-3), at.y << " at " << at.x);
-    }
-  }
-  BOOST_TEST(ghost_of(figure(motion({1, 0, 0}), "motion")).strokes.empty());
-}
-
 /// From x = 0 freely to the peak A and back to the rest x: the zones take theirs over every path,
 /// a notch with a width takes delta/w for the way into it.
 BOOST_AUTO_TEST_CASE(zones_and_a_notch_with_a_width_take_their_part_of_the_energy) {
@@ -278,24 +265,6 @@ BOOST_AUTO_TEST_CASE(the_time_locked_is_shaded_above_the_whole_load) {
   }
 }
 
-/// A load that goes on is shown to the end of the run, but at most ten times as long as the motion.
-BOOST_AUTO_TEST_CASE(the_time_locked_under_a_load_that_goes_on_is_shown) {
-  SimulationRequest request;
-  request.oscillator = {1, 0.3, 0.4};
-  request.start = {0, 1};
-  request.excitation = Harmonic{.k = 0.05, .lambda = 3};
-  request.t_end = 20;
-  const HtmlPage page = page_of(request);
-  BOOST_TEST(figure(page, "motion").x.most == 20);
-  BOOST_TEST(figure(page, "excitation").x.most == 20);
-  const double stop = figure(page, "motion").bands.front().from;
-  BOOST_TEST(!contains(figure(page, "motion").bands.front().name, " to "));
-  request.t_end = 1000;
-  const Figure cut = figure(page_of(request), "motion");
-  BOOST_TEST(cut.x.most == 10 * stop);
-  BOOST_TEST(cut.bands.front().name.ends_with(" to τ = 1000"));
-}
-
 /// The amplitude falls from 1 by 2 f = 0.002 a half-cycle: loops 0.05 apart.
 BOOST_AUTO_TEST_CASE(loops_of_a_phase_portrait_of_many_turns_are_told_apart) {
   const Figure drawn = figure(motion({1, 1e-3, 0}), "phase");
@@ -307,14 +276,6 @@ BOOST_AUTO_TEST_CASE(loops_of_a_phase_portrait_of_many_turns_are_told_apart) {
     BOOST_TEST(std::abs(strokes[i].front().x) < std::abs(strokes[i - 1].front().x) - 0.049);
   }
   BOOST_TEST(drawn.curves.front().directed);
-}
-
-BOOST_AUTO_TEST_CASE(an_orbit_without_friction_is_drawn_once) {
-  const Figure drawn = figure(motion({1, 0, 0}), "phase");
-  BOOST_TEST(drawn.title == "Phase portrait");
-  BOOST_TEST_REQUIRE(drawn.curves.size() == 1U);
-  BOOST_TEST(drawn.curves.front().strokes.size() == 1U);
-  BOOST_TEST(named(drawn.marks, "turn").points.size() == 3U);
 }
 
 /// A motion over 3 under a load that lasts 2000: too few points would be joined by a curve that
