@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "damper.hpp"
+#include "pulse/random_pulse.hpp"
 
 BOOST_AUTO_TEST_SUITE(catalogue_test)
 
@@ -13,123 +14,208 @@ using namespace stillpoint::design_test;
 constexpr double undecided_within = 1e-9;
 
 struct Shop {
-  Problem problem;
-  Limits limits;
+  DesignRequest request;
   std::vector<Part> parts;
 };
 
-Shop random_shop(RandomSource& random, int size) {
-  Shop shop{random_problem(random, 0.75, 1.5), {}, {}};
-  shop.problem.criterion = Criterion::exact;  // which the simulation knows
-  shop.problem.arrivals = 1 + random.pick(3);
-  shop.limits.tolerance = random.pick(2) == 0 ? 0 : random.uniform(0, 0.2);
-  const double p_v0 = shop.problem.p * shop.problem.v0;
-  random.one_in(3, shop.limits.f_max, [&] { return random.uniform(0.1, 0.4) * p_v0; });
-  random.one_in(3, shop.limits.delta_max,
-                [&] { return random.uniform(0.2, 0.6) * shop.problem.v0 * shop.problem.v0; });
-  random.one_in(3, shop.limits.acceleration_max, [&] { return random.uniform(1.01, 1.07) * p_v0; });
+/// What the motion after the hit or under the pulse has.
+template <class Use>
+auto moved(const DesignRequest& request, double f, double delta, const Use& use) {
+  const Oscillator damper{request.problem.p, f, delta};
+  return request.pulse ? use(forced_response(damper, {}, excitation(*request.pulse)))
+                       : use(free_response(damper, {0, request.problem.v0}));
+}
+
+/// Of the exact criterion, which the simulation knows.
+Shop random_shop(RandomSource& random, int size, bool pulsed) {
+  Shop shop;
+  const auto [problem, limits, search, pulse] =
+      std::tie(shop.request.problem, shop.request.limits, shop.request.search, shop.request.pulse);
+  double f_unit = 0;
+  double delta_unit = 0;
+  double felt = 0;
+  if (pulsed) {
+    problem.p = random.log_uniform(0.1, 10);
+    const double k = random.log_uniform(0.1, 10);
+    pulse = random_pulse(random, k, problem.p / random.log_uniform(0.05, 3));
+    moved(shop.request, 1e-3 * k, 1e200, [&](const auto& free) {
+      const double w = free.arrival_speed.value_or(0);
+      felt = free.peak_absolute_acceleration;
+      f_unit = std::min(k, felt);
+      delta_unit = 2 * w * w;
+      problem.beta = random.uniform(0.5, 1.2) * free.peak_amplitude;
+    });
+  } else {
+    problem = random_problem(random, 0.75, 1.5);
+    problem.arrivals = 1 + random.pick(3);
+    felt = f_unit = problem.p * problem.v0;
+    delta_unit = problem.v0 * problem.v0;
+  }
+  problem.criterion = Criterion::exact;
+  limits.tolerance = random.pick(2) == 0 ? 0 : random.uniform(0, 0.3);
+  random.one_in(3, limits.f_max, [&] { return random.uniform(0.1, 0.4) * f_unit; });
+  random.one_in(3, limits.delta_max, [&] { return random.uniform(0.2, 0.6) * delta_unit; });
+  random.one_in(3, limits.acceleration_max, [&] { return random.uniform(0.95, 1.1) * felt; });
+  search.objective = random_objective(random);
   for (int i = 0; i < size; ++i) {
-    shop.parts.push_back({"part " + std::to_string(i), random.uniform(0, 0.45) * p_v0,
-                          random.uniform(0, 0.6) * shop.problem.v0 * shop.problem.v0});
+    shop.parts.push_back({"part " + std::to_string(i), i == 0 ? 0 : random.uniform(0, 0.5) * f_unit,
+                          random.uniform(0, 0.6) * delta_unit});
   }
   return shop;
 }
 
-/// By simulation: it stops at x = 0 in time, within beta and the limits.
-bool works(const Shop& shop, double f, double delta) {
-  const auto& [problem, limits, parts] = shop;
-  if (problem.v0 * problem.v0 < 2 * delta) {
-    return false;
-  }
-  const Response motion = free_response({problem.p, f, delta}, {0, problem.v0});
-  return motion.outcome == Outcome::stopped_at_zero && motion.half_cycles <= problem.arrivals &&
-         motion.peak_amplitude <= problem.beta && f <= limits.f_max.value_or(HUGE_VAL) &&
-         delta <= limits.delta_max.value_or(HUGE_VAL) &&
-         motion.peak_absolute_acceleration <= limits.acceleration_max.value_or(HUGE_VAL);
+/// By simulation: it stops at x = 0 in time, within beta and the limits, all changed by this
+/// factor.
+bool works(const DesignRequest& request, double f, double delta, double factor = 1) {
+  const auto [problem, limits] = std::tie(request.problem, request.limits);
+  const auto within = [factor](double value, const std::optional<double>& limit) {
+    return value <= limit.value_or(HUGE_VAL) * factor;
+  };
+  return (request.pulse || 2 * delta <= problem.v0 * problem.v0 * factor) &&
+         within(f, limits.f_max) && within(delta, limits.delta_max) &&
+         moved(request, f, delta * factor, [&](const auto& motion) {
+           return motion.stops_at_zero &&
+                  motion.half_cycles <= static_cast<double>(problem.arrivals) &&
+                  within(motion.peak_amplitude, problem.beta) &&
+                  within(motion.peak_absolute_acceleration, limits.acceleration_max);
+         });
 }
 
-/// The value that the objective minimises, from the simulation.
-double part_value(const Shop& shop, Objective objective, const RatedPart& rated) {
+bool box_works(const DesignRequest& request, const Part& part, double r, double factor = 1,
+               int steps = 20) {
+  for (int i = -steps; i <= steps; ++i) {
+    const double f = part.f * (1 + r * i / steps);
+    if (!works(request, f, part.delta * (1 - r), factor) ||
+        !works(request, f, part.delta * (1 + r), factor)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// What the objective minimises.
+double part_value(const DesignRequest& request, const RatedPart& rated) {
+  const Objective objective = request.search.objective;
   return objective == Objective::robust
              ? -rated.tolerance.value()
-             : value_of(objective, free_response({shop.problem.p, rated.part.f, rated.part.delta},
-                                                 {0, shop.problem.v0}));
+             : moved(request, rated.part.f, rated.part.delta,
+                     [&](const auto& motion) { return value_of(objective, motion); });
 }
 
-std::vector<std::string> names_of(const std::vector<RatedPart>& parts) {
-  std::vector<std::string> names;
-  names.reserve(parts.size());
-  for (const RatedPart& rated : parts) {
-    names.push_back(rated.part.name);
+/// Nearer to the edge than the first mend is, less than which does not suffice.
+double less_than(const Mend& mend, bool pulsed) {
+  return mend.field == "arrivals" ? mend.value - 1
+         : pulsed                 ? mend.value * (mend.upwards ? 1 - 1e-9 : 1 + 1e-9)
+                                  : std::nextafter(mend.value, mend.upwards ? 0 : 1);
+}
+
+struct Counts {
+  int fit{0};
+  int fail{0};
+  int mended{0};
+  int more_arrivals{0};
+};
+
+void check_part(const DesignRequest& request, const RatedPart& now) {
+  const double asked = request.limits.tolerance;
+  BOOST_TEST(now.tolerance.has_value() == now.violated.empty());
+  BOOST_TEST(now.admissible == (now.tolerance && *now.tolerance >= asked));
+  BOOST_TEST((!now.tolerance || works(request, now.part.f, now.part.delta, 1 + undecided_within)));
+  BOOST_TEST((now.tolerance || !works(request, now.part.f, now.part.delta, 1 - undecided_within)));
+  for (const Constraint& constraint : now.violated) {
+    BOOST_TEST(!constraint.satisfied);
   }
-  return names;
+  if (!now.tolerance) {
+    return;
+  }
+  constexpr double beside = 1e-6;
+  BOOST_TEST(box_works(request, now.part, *now.tolerance * (1 - beside)));
+  // Between the strips of two arrivals lie gaps that no grid sees. Even a fine one misses a kink of
+  // what Delta must take; the search ends at 0.995.
+  constexpr double missed = 1e-3;
+  if (request.problem.arrivals == 1 && *now.tolerance < 0.995) {
+    BOOST_TEST(!box_works(request, now.part, *now.tolerance + missed, 1, 200));
+  }
+}
+
+void check_mends(const Shop& shop, const std::vector<Mend>& mends, Counts& counts) {
+  const bool pulsed = shop.request.pulse.has_value();
+  const auto any_fits = [&shop](const Mend& mend, double value) {
+    const Task changed = Task{shop.request.problem, shop.request.limits}.with(mend.field, value);
+    DesignRequest request = shop.request;
+    std::tie(request.problem, request.limits) = std::tie(changed.problem, changed.limits);
+    return choose(request, shop.parts).parts.front().admissible;
+  };
+  for (const Mend& mend : mends) {
+    BOOST_TEST_CONTEXT(mend.field << " = " << mend.value) {
+      BOOST_TEST(mend.upwards == (mend.field != "tolerance"));
+      BOOST_TEST(any_fits(mend, mend.value));
+      BOOST_TEST(!any_fits(mend, less_than(mend, pulsed)));
+      ++(mend.field == "arrivals" ? counts.more_arrivals : counts.mended);
+    }
+  }
+}
+
+/// Those that fit come first, as the objective has them, then the nearest misses.
+void check_order(const DesignRequest& request, const std::vector<RatedPart>& parts) {
+  for (std::size_t k = 1; k < parts.size(); ++k) {
+    const RatedPart& before = parts[k - 1];
+    const RatedPart& now = parts[k];
+    BOOST_TEST((before.admissible || !now.admissible));
+    BOOST_TEST((before.tolerance || !now.tolerance));
+    if (now.admissible) {
+      BOOST_TEST(part_value(request, before) <= part_value(request, now) + undecided_within);
+    } else if (now.tolerance && !before.admissible) {
+      BOOST_TEST(*before.tolerance >= *now.tolerance);
+    }
+  }
 }
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(every_part_is_judged_as_it_moves) {
-  RandomSource random(21);
-  int fit = 0;
-  int fail = 0;
-  for (int i = 0; i < 40; ++i) {
-    const Shop shop = random_shop(random, 50);
-    for (const RatedPart& rated :
-         ranked(shop.problem, shop.limits, Objective::robust, shop.parts)) {
-      const auto& [name, f, delta] = rated.part;
-      const bool moves_right = works(shop, f, delta);
-      if (moves_right != works(shop, f * (1 + undecided_within), delta) ||
-          moves_right != works(shop, f * (1 - undecided_within), delta)) {
-        continue;
-      }
-      BOOST_TEST_CONTEXT(name << ", f = " << f << ", delta = " << delta) {
-        BOOST_TEST(rated.tolerance.has_value() == moves_right);
-        BOOST_TEST(rated.violated.empty() == moves_right);
-        BOOST_TEST(rated.admissible ==
-                   (rated.tolerance && *rated.tolerance >= shop.limits.tolerance));
-        for (const double r : {0.0, rated.tolerance.value_or(0) * 0.999}) {
-          for (int corner = 0; corner < 4 && moves_right; ++corner) {
-            BOOST_TEST(works(shop, f * (1 + (corner % 2 == 0 ? r : -r)),
-                             delta * (1 + (corner < 2 ? r : -r))));
+  for (const bool pulsed : {false, true}) {
+    RandomSource random(20261122);
+    Counts counts;
+    for (int i = 0; i < (pulsed ? 30 : 150); ++i) {
+      const Shop shop = random_shop(random, i % 2 == 0 ? 4 : 20, pulsed);
+      const DesignRequest& request = shop.request;
+      const auto& [result, parts] = choose(request, shop.parts);
+      BOOST_TEST_CONTEXT("shop " << i << (pulsed ? ", pulsed" : "")) {
+        BOOST_TEST(parts.size() == shop.parts.size());
+        for (const RatedPart& now : parts) {
+          BOOST_TEST_CONTEXT(now.part.name << ", f = " << now.part.f
+                                           << ", delta = " << now.part.delta) {
+            check_part(request, now);
+            ++(now.admissible ? counts.fit : counts.fail);
           }
         }
-        for (const Constraint& now : rated.violated) {
-          BOOST_TEST(!now.satisfied);
-        }
-        (rated.admissible ? fit : fail) += 1;
-      }
-    }
-  }
-  BOOST_TEST(fit > 100);
-  BOOST_TEST(fail > 100);
-}
-
-BOOST_AUTO_TEST_CASE(the_order_is_that_of_the_objective) {
-  RandomSource random(22);
-  int compared = 0;
-  for (int i = 0; i < 40; ++i) {
-    const Shop shop = random_shop(random, 60);
-    for (const Objective objective : objectives) {
-      const auto parts = ranked(shop.problem, shop.limits, objective, shop.parts);
-      BOOST_TEST_REQUIRE(parts.size() == shop.parts.size());
-      const auto fits = [](const RatedPart& rated) { return rated.admissible; };
-      const auto stands = [](const RatedPart& rated) { return rated.tolerance.has_value(); };
-      BOOST_TEST(std::is_partitioned(parts.begin(), parts.end(), fits));
-      BOOST_TEST(std::is_partitioned(parts.begin(), parts.end(), stands));
-      for (std::size_t k = 1; k < parts.size(); ++k) {
-        if (parts[k].admissible) {
-          ++compared;
-          BOOST_TEST(part_value(shop, objective, parts[k - 1]) <=
-                     part_value(shop, objective, parts[k]));
-        } else if (parts[k].tolerance && !parts[k - 1].admissible) {
-          BOOST_TEST(*parts[k - 1].tolerance >= *parts[k].tolerance);
+        check_order(request, parts);
+        const RatedPart& best = parts.front();
+        BOOST_TEST(result.finding.has_value() == best.admissible);
+        BOOST_TEST(result.reason.has_value() != best.admissible);
+        BOOST_TEST((result.mends.empty() || !best.admissible));
+        check_mends(shop, result.mends, counts);
+        if (best.admissible) {
+          const Found& finding = *result.finding;
+          BOOST_TEST(finding.point.f == best.part.f);
+          BOOST_TEST(finding.point.delta == best.part.delta);
+          BOOST_TEST(finding.point.tolerance == *best.tolerance);
+          BOOST_TEST(finding.cross_check.passed);
+          BOOST_TEST((!finding.search && finding.works_for));
+          // No part is better than the best damper of any size.
+          DesignRequest any = request;
+          any.search.objective = Objective::robust;
+          const DesignResult robust = design::design(any);
+          BOOST_TEST(robust.finding.value().point.tolerance >= *best.tolerance - 1e-8);
         }
       }
-      std::vector<std::string> names = names_of(parts);
-      std::ranges::sort(names);
-      BOOST_TEST((std::ranges::adjacent_find(names) == names.end()));
     }
+    BOOST_TEST(counts.fit >= 40);
+    BOOST_TEST(counts.fail >= 100);
+    BOOST_TEST(counts.mended >= (pulsed ? 4 : 50));
+    BOOST_TEST((pulsed || counts.more_arrivals > 5));
   }
-  BOOST_TEST(compared > 500);
 }
 
 BOOST_AUTO_TEST_CASE(equals_keep_their_order_and_the_nearest_miss_is_first_of_those_that_fail) {
@@ -138,7 +224,10 @@ BOOST_AUTO_TEST_CASE(equals_keep_their_order_and_the_nearest_miss_is_first_of_th
                                 {"near", 0.1, 0.45},       {"twin 1", 0.2, 0.45},
                                 {"twin 2", 0.2, 0.45},     {"too strong", 0.36, 0.45}};
   const auto all = ranked({1, 1, 0.9}, {}, Objective::acceleration, parts);
-  const std::vector<std::string> names = names_of(all);
+  std::vector<std::string> names;
+  for (const RatedPart& rated : all) {
+    names.push_back(rated.part.name);
+  }
   // f2/f - 1: 10.6, 4.28 and 0.056, which is worse than delta/Delta2 - 1 = 0.002; f/f3 - 1: 0.018.
   const std::vector<std::string> expected{"twin 1", "twin 2",   "too strong",
                                           "near",   "far in f", "far"};
@@ -148,77 +237,54 @@ BOOST_AUTO_TEST_CASE(equals_keep_their_order_and_the_nearest_miss_is_first_of_th
   BOOST_TEST(all[3].violated[0].name == "amplitude");
 }
 
-BOOST_AUTO_TEST_CASE(the_best_part_is_the_design) {
-  RandomSource random(23);
-  int designs = 0;
-  for (int i = 0; i < 60; ++i) {
-    const Shop shop = random_shop(random, 30);
-    DesignRequest request{shop.problem, shop.limits};
-    request.search.objective = random_objective(random);
-    const Choice choice = choose(request, shop.parts);
-    const RatedPart& best = choice.parts.front();
-    BOOST_TEST(choice.result.finding.has_value() == best.admissible);
-    BOOST_TEST(choice.result.reason.has_value() != best.admissible);
-    if (!best.admissible) {
-      continue;
-    }
-    ++designs;
-    const Found& finding = *choice.result.finding;
-    BOOST_TEST(finding.point.f == best.part.f);
-    BOOST_TEST(finding.point.delta == best.part.delta);
-    BOOST_TEST(finding.point.tolerance == *best.tolerance);
-    BOOST_TEST(finding.cross_check.passed);
-    BOOST_TEST(!finding.search.has_value());
-    BOOST_TEST(finding.works_for.has_value());
-    // No part is better than the best damper of any size.
-    const DesignResult any = design::design(request);
-    BOOST_TEST_REQUIRE(any.finding.has_value());
-    if (request.search.objective == Objective::robust) {
-      BOOST_TEST(any.finding->point.tolerance >= finding.point.tolerance - undecided_within);
-    }
-  }
-  BOOST_TEST(designs > 20);
+// Known by hand, docs/theory.md section 8: a rectangle of k = 1/2 and lambda = p = 1 returns for
+// f <= 1/4 with the peak 2 (k - f) and half the square of the speed 2 (k - f) (k - 2 f).
+BOOST_AUTO_TEST_CASE(parts_under_a_known_pulse_fail_as_they_must) {
+  DesignRequest request;
+  request.problem.beta = 0.8;
+  request.problem.criterion = Criterion::exact;
+  request.pulse = Rectangle{0.5, 1};
+  const std::vector<Part> parts{{"held", 0.6, 1},
+                                {"off centre", 0.3, 1},
+                                {"too far", 0.05, 1},
+                                {"passes", 0.2, 0.05},
+                                {"fits", 0.2, 0.3}};
+  const Choice choice = choose(request, parts);
+  const auto of = [&](std::string_view name) {
+    return *std::ranges::find(choice.parts, name,
+                              [](const RatedPart& now) { return now.part.name; });
+  };
+  const auto violates = [&](std::string_view name) { return of(name).violated.at(0).name; };
+  BOOST_TEST(choice.parts.front().part.name == "fits");
+  BOOST_TEST(of("fits").tolerance.value() == 0.25, tt::tolerance(1e-9));
+  BOOST_TEST(violates("held") == "start");
+  BOOST_TEST(violates("off centre") == "return");
+  BOOST_TEST(violates("too far") == "amplitude");
+  BOOST_TEST(violates("passes") == "stop");
+  BOOST_TEST(of("passes").violated.at(0).limit == 2 * 0.3 * 0.1, tt::tolerance(1e-9));
+  BOOST_CHECK_THROW((void)choose(request, {}), InputError);
+  // f = 0.175 needs 0.65 * 0.3 / 2 = 0.0975, by the published criterion f^2/2 = 0.0153 more.
+  request.problem.criterion = Criterion::published;
+  const std::vector<Part> between{{"between", 0.175, 0.1}};
+  const Choice refused = choose(request, between);
+  BOOST_TEST(!refused.parts.front().admissible);
+  BOOST_TEST(refused.parts.front().violated.at(0).by_criterion_alone);
+  BOOST_TEST((refused.result.criterion_mend == Criterion::exact));
 }
 
-BOOST_AUTO_TEST_CASE(a_mend_is_the_least_change_that_lets_a_part_in) {
-  RandomSource random(24);
-  int mended = 0;
-  int more_arrivals = 0;
-  for (int i = 0; i < 200; ++i) {
-    const Shop shop = random_shop(random, 4);
-    const auto any_fits = [&](const Problem& problem, const Limits& limits) {
-      return std::ranges::any_of(shop.parts, [&](const Part& part) {
-        return admissible(problem, limits, part.f, part.delta);
-      });
-    };
-    const auto mends = part_mends(shop.problem, shop.limits, shop.parts);
-    if (any_fits(shop.problem, shop.limits)) {
-      BOOST_TEST(mends.empty());
-      continue;
-    }
-    for (const Mend& mend : mends) {
-      Problem problem = shop.problem;
-      if (mend.field == "arrivals") {
-        problem.arrivals = static_cast<std::int64_t>(mend.value);
-        BOOST_TEST(any_fits(problem, shop.limits));
-        --problem.arrivals;
-        BOOST_TEST(!any_fits(problem, shop.limits));
-        ++more_arrivals;
-        continue;
-      }
-      Task now{problem, shop.limits};
-      double& input = now.input(mend.field);
-      BOOST_TEST(mend.upwards == (mend.value > input));
-      BOOST_TEST(mend.upwards == (mend.field != "tolerance"));
-      input = mend.value;
-      BOOST_TEST(any_fits(now.problem, now.limits), mend.field << " = " << mend.value);
-      input = std::nextafter(mend.value, mend.upwards ? 0 : 1);
-      BOOST_TEST(!any_fits(now.problem, now.limits), mend.field << " = " << mend.value << ", less");
-      ++mended;
-    }
-  }
-  BOOST_TEST(mended > 50);
-  BOOST_TEST(more_arrivals > 5);
+// One that returns under every pulse of the range; the weakest is k = 0.35.
+BOOST_AUTO_TEST_CASE(parts_hold_for_a_range_of_pulses) {
+  DesignRequest request;
+  request.problem.beta = 0.8;
+  request.problem.criterion = Criterion::exact;
+  request.pulse = Rectangle{0.5, 1};
+  request.pulse_ranges.k_low = 0.35;
+  const std::vector<Part> parts{{"too strong", 0.2, 0.3}, {"fits", 0.17, 0.3}};
+  const Choice choice = choose(request, parts);
+  BOOST_TEST(choice.parts.at(0).part.name == "fits");
+  BOOST_TEST(choice.parts.at(0).admissible);
+  BOOST_TEST(!choice.parts.at(1).admissible);
+  BOOST_TEST(choice.parts.at(1).violated.at(0).limit == 0.175, tt::tolerance(1e-9));
 }
 
 BOOST_AUTO_TEST_CASE(the_largest_values_are_judged_and_mended_in_doubles) {
