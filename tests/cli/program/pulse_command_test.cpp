@@ -95,26 +95,6 @@ BOOST_AUTO_TEST_CASE(a_length_of_a_pulse_may_be_given_as_any_range) {
   BOOST_TEST(near(by_hertz["input"]["p_range"][1], 2.1 / 1.9, 1e-12));
 }
 
-// `design` says the same of the region, whether it finds a damper or not.
-BOOST_AUTO_TEST_CASE(region_matches_the_design) {
-  write("parts.csv", "name,f,delta\nweak,0.05,0.4\ngood,0.2,0.4\nstrong,0.3,0.4\n");
-  const Arguments near_fault{STILLPOINT_DATA_DIR "/scenes/near_fault_pulse.json"};
-  for (const Arguments& task :
-       {Arguments(region.begin() + 1, region.end()), near_fault,
-        near_fault + "--acceleration-max 0.06", near_fault + "--k 0.07:0.09 --tolerance-f 0.9:1.1",
-        Arguments(region.begin() + 1, region.end()) + "--tolerance 0.5"}) {
-    const ProgramRun bounds = run("region --json" + task + "--catalogue parts.csv");
-    const ProgramRun design = run("design --json" + task);
-    BOOST_TEST(bounds.exit_code == design.exit_code);
-    BOOST_TEST(bounds.json()["region"] == design.json()["region"]);
-    for (const char* field : {"pulse", "k", "k_range", "lambda", "lambda_range", "p", "beta"}) {
-      BOOST_TEST(bounds.json()["input"][field] == design.json()["input"][field], field);
-    }
-    const ProgramRun chosen = run("design --json" + task + "--catalogue parts.csv");
-    BOOST_TEST(bounds.json()["catalogue"] == chosen.json()["catalogue"]);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(without_a_design_the_mends_are_in_terms_of_the_pulse) {
   Arguments tight = without(asked, "--beta");
   tight = tight + "--beta 0.02";

@@ -20,19 +20,10 @@ inline Arguments pulse(const char* type, const Arguments& more = {}) {
 
 inline const Arguments harmonic = pulse("harmonic", "--t-end 20");
 
-/// Scene S3 of the speed comparison, at resonance.
-inline const Arguments s3(
-    "simulate --v0 0.5 --p 1 --f 0.05 --delta 0.01 --excitation harmonic --k 0.2 --lambda 1 "
-    "--t-end 200");
 /// Scene S4, with stops.
 inline const Arguments s4(
     "simulate --v0 0.5 --p 1 --f 0.18 --delta 0 --excitation harmonic --k 0.2 --lambda 0.35 "
     "--t-end 200");
-
-/// Without friction, for answers in closed form.
-inline Arguments free_at_rest(const Arguments& more) {
-  return "simulate --p 1 --f 0 --delta 0" + more;
-}
 
 using Row = std::vector<double>;
 

@@ -141,43 +141,6 @@ BOOST_AUTO_TEST_CASE(constant_friction_alone_passes) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(every_design_that_is_found_passes) {
-  RandomSource random(901);
-  double worst_map = 0;
-  double worst_integrated = 0;
-  int count = 0;
-  for (int round = 0; round < 30; ++round) {
-    for (const Objective objective : objectives) {
-      for (const Criterion criterion : {Criterion::published, Criterion::exact}) {
-        DesignRequest request;
-        request.problem = random_feasible_problem(random);
-        request.problem.criterion = criterion;
-        request.search.objective = objective;
-        const Region region = admissible_region(request.problem);
-        if (region.f2 < 0 && random.pick(2) == 0) {  // a thin strip
-          request.limits.f_max = region.f3 * random.log_uniform(1e-12, 1);
-        }
-        const DesignResult result = design::design(request);
-        BOOST_REQUIRE(result.finding.has_value());
-        const CrossCheck& check = result.finding->cross_check;
-        const CheckMethod& map = check.methods.at(0);
-        const CheckMethod& integrated = check.methods.at(1);
-        BOOST_TEST(check.passed, name(objective) << ": errors " << map.relative_error << " and "
-                                                 << integrated.relative_error);
-        // Where the arrival grazes, at most half of the digits are lost.
-        BOOST_TEST(map.tolerance <= 1.01 * std::sqrt(map_tolerance));
-        BOOST_TEST(integrated.tolerance <= 1.01 * std::sqrt(runge_kutta_tolerance));
-        worst_map = std::max(worst_map, map.relative_error / map.tolerance);
-        worst_integrated =
-            std::max(worst_integrated, integrated.relative_error / integrated.tolerance);
-        ++count;
-      }
-    }
-  }
-  BOOST_TEST_MESSAGE(count << " designs; the worst error is " << worst_map << " and "
-                           << worst_integrated << " of its tolerance");
-}
-
 BOOST_AUTO_TEST_CASE(a_grazing_design_passes_and_a_wrong_prediction_of_it_does_not) {
   for (const double distance : {0.0, 1e-15, 1e-12, 1e-9, 1e-6}) {
     const double grazing = admissible_region(problem).f3 * (1 - distance);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "damper.hpp"
+#include "ranges_task.hpp"
 
 BOOST_AUTO_TEST_SUITE(mends_test)
 
@@ -171,6 +172,9 @@ BOOST_AUTO_TEST_CASE(every_mend_mends_and_no_smaller_change_does) {
         BOOST_TEST(!now.with(field, std::nextafter(value, old)).feasible());
         for (int k = 1; k < 30; ++k) {
           BOOST_TEST(!now.with(field, old + (value - old) * k / 30).feasible());
+          // Nor is a change the other way smaller: what fits may be an interval of p.
+          const double factor = std::pow(old / value, k / 30.0);
+          BOOST_TEST((field != "p" || !now.with(field, old * factor).feasible()));
         }
       }
     }
@@ -179,6 +183,29 @@ BOOST_AUTO_TEST_CASE(every_mend_mends_and_no_smaller_change_does) {
     BOOST_TEST(met[field] > 50, field << " met " << met[field] << " times");
   }
   BOOST_TEST((lowered > 20 && lowered < met["p"] - 20), lowered << " of " << met["p"]);
+}
+
+/// With ranges, a residual and boxes of any shape.
+BOOST_AUTO_TEST_CASE(every_mend_of_ranges_mends_and_hardly_less_does_not) {
+  int mended = 0;
+  for (std::uint64_t seed = 1'205'000; mended < 60; ++seed) {
+    RandomSource random(seed);
+    Task task = in_ranges::random_task(random);
+    task.problem.beta *= 0.8;
+    const Region region = admissible_region(task.problem, task.limits);
+    BOOST_TEST(reason(region, task.problem, task.limits).has_value() == !region.feasible);
+    for (const Mend& mend : mends(task.problem, task.limits)) {
+      constexpr double beyond = 1e-6;
+      const double less = mend.value * (mend.upwards ? 1 - beyond : 1 + beyond);
+      ++mended;
+      BOOST_TEST_CONTEXT(mend.field << " = " << mend.value << ", " << context_of(task)) {
+        const Task now = task.with(mend.field, mend.value);
+        BOOST_TEST(now.feasible());
+        BOOST_TEST(search(now.problem, now.limits).has_value());
+        BOOST_TEST(!task.with(mend.field, less).feasible());
+      }
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(what_is_not_listed_cannot_mend_alone) {

@@ -78,27 +78,4 @@ BOOST_AUTO_TEST_CASE(a_narrow_interval_of_f_below_a_tip_has_a_damper) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_mend_is_the_nearest_that_helps) {
-  int mended = 0;
-  for (int i = 0; i < 60 && mended < 60; ++i) {
-    RandomSource random(1'205'000 + static_cast<std::uint64_t>(i));
-    Task task = random_task(random);
-    task.problem.beta *= 0.8;
-    const Region region = admissible_region(task.problem, task.limits);
-    BOOST_TEST(reason(region, task.problem, task.limits).has_value() == !region.feasible);
-    for (const Mend& mend : mends(task.problem, task.limits)) {
-      constexpr double beyond = 1e-6;
-      const double less = mend.value * (mend.upwards ? 1 - beyond : 1 + beyond);
-      ++mended;
-      BOOST_TEST_CONTEXT(mend.field << " = " << mend.value << ", " << context_of(task)) {
-        const Task now = task.with(mend.field, mend.value);
-        BOOST_TEST(now.feasible());
-        BOOST_TEST(search(now.problem, now.limits).has_value());
-        BOOST_TEST(!task.with(mend.field, less).feasible());
-      }
-    }
-  }
-  BOOST_TEST(mended > 20);
-}
-
 BOOST_AUTO_TEST_SUITE_END()
