@@ -73,11 +73,11 @@ void link_explorer(const Settings& settings, Command command, figures::HtmlPage&
 
 }  // namespace
 
-std::string shown(const report::Document& document, const Settings& settings) {
-  return text(document, {.title = settings.text("title").value_or(""),
-                         .coloured = report::terminal_has_colours(),
-                         .verbosity = settings.flag("verbose") ? report::Verbosity::full
-                                                               : report::Verbosity::normal});
+report::TextOptions text_options(const Settings& settings) {
+  return {
+      .title = settings.text("title").value_or(""),
+      .coloured = report::terminal_has_colours(),
+      .verbosity = settings.flag("verbose") ? report::Verbosity::full : report::Verbosity::normal};
 }
 
 void require_no_json(const Settings& settings, std::string_view rows, std::string_view option) {

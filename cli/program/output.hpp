@@ -20,8 +20,15 @@ namespace stillpoint::cli {
 
 using sweep::Output;
 
-/// The document as text for the terminal, under the title of the settings.
-[[nodiscard]] std::string shown(const report::Document& document, const Settings& settings);
+/// For the terminal, under the title of the settings.
+[[nodiscard]] report::TextOptions text_options(const Settings& settings);
+
+/// The report as text, with its details if they are asked for.
+template <class Report>
+[[nodiscard]] std::string shown(const Report& report, const Settings& settings) {
+  const report::TextOptions options = text_options(settings);
+  return text(document(report, options.verbosity), options);
+}
 
 /// The report on standard output: JSON if asked for, else the document; nothing if `print` is
 /// false. Each is made only if wanted.
@@ -32,7 +39,7 @@ void print_report(const Report& report, const Settings& settings, Output& output
   const bool print_json = settings.flag("json");
   const std::string written = print_json || path ? report::json_text(json(report)) : "";
   if (print) {
-    output.print(print_json ? written : shown(document(report), settings));
+    output.print(print_json ? written : shown(report, settings));
   }
   if (path) {
     output.write_file("output", *path, written);

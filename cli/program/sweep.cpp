@@ -87,8 +87,8 @@ report::ReductionReport reduction_report(const SweepSpec& spec) {
 }  // namespace
 
 ExitCode run_sweep(const Settings& settings, Output& output) {
-  report::SweepReport report{.spec = sweep_request(settings), .record = settings.text("record")};
-  const auto& [spec, summary, map, record] = report;
+  report::SweepReport report{.spec = sweep_request(settings)};
+  const auto& [spec, summary, map] = report;
   if (spec.reduction) {
     print_report(reduction_report(spec), settings, output);
     return exit_done;
@@ -109,7 +109,7 @@ ExitCode run_sweep(const Settings& settings, Output& output) {
   }
   if (!rows_on_standard_output) {
     output.print(settings.flag("json") ? report::json_text(report::json(report))
-                                       : shown(document(report), settings));
+                                       : shown(report, settings));
   }
   return exit_done;
 }

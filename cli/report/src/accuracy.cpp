@@ -49,25 +49,6 @@ std::string exponent(double error) {
   return error == 0 ? "0" : format("{:.1e}", error);
 }
 
-/// All digits, and with physical input the usual units as well.
-std::string exact_text(const Physical& physical, double value, const std::string& words) {
-  return format("{:.17g}{}", value, physical ? " = " + words : "");
-}
-
-void add_truth(Document& document, const AccuracyReport& report, bool stops) {
-  const peers::Result& truth = report.comparison.exact.rounded;
-  const FigureUnits units(report.physical);
-  Section& section = document.section("In 50 digits");
-  section.row("peak", exact_text(report.physical, truth.peak, units.length_words(truth.peak)));
-  section.row(stops ? "rests at tau" : "ends at tau",
-              exact_text(report.physical, truth.end_time, units.time_words(truth.end_time)));
-  section.row("x there", exact_text(report.physical, truth.x, units.length_words(truth.x)));
-  if (!stops) {
-    section.row("v there", exact_text(report.physical, truth.v, units.velocity_words(truth.v)));
-  }
-  section.row("counts", counts(truth) + " (passages, turning points, sticks)");
-}
-
 TableRow method_row(const peers::MethodRow& now) {
   if (now.run != peers::Run::done) {
     return {{std::string(now.name), setting(now), "", "", "", "",
@@ -93,25 +74,11 @@ std::string verdict(const peers::MethodRow& kernel, bool stops) {
 }  // namespace
 
 Document document(const AccuracyReport& report) {
-  const auto& [p, f, delta, hold] = report.request.oscillator;
-  const Start& start = report.request.start;
   const peers::Result& truth = report.comparison.exact.rounded;
   const bool stops = truth.outcome != Outcome::running;
   Document document;
   document.title = "Accuracy";
   document.verdict = verdict(report.comparison.rows.front(), stops);
-  Section& scene = document.section("Scene");
-  scene.row("dimensionless",
-            format("v0 = {:.6g}, p = {:.6g}, x0 = {:.6g}, f = {:.6g}, delta = {:.6g}", start.v0, p,
-                   start.x0, f, delta));
-  add_surface(scene, report.request, report.physical);
-  if (is_forced(report.request)) {
-    add_excitation(scene, report.request.excitation, report.record, report.physical);
-  }
-  if (report.physical) {
-    add_physical_input(scene, *report.physical);
-  }
-  add_truth(document, report, stops);
   Table table{{"", "setting", "time", "error of peak", stops ? "of rest" : "of end", "counts", ""},
               {}};
   for (const peers::MethodRow& now : report.comparison.rows) {

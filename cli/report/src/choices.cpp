@@ -47,46 +47,23 @@ std::string consequence(const design::Constraint& violated, const ShownTask& tas
                                : "exceeds the " + in_words(name);
 }
 
-/// "f must be 12 % larger", "f is 12 % too large", "delta is 3.4 times the limit".
+/// "f must be 12 % larger", "f is 12 % too large", "delta is far too large".
 std::string by_how_much(const design::Constraint& violated) {
   const auto& [name, measured, relation, value, limit, slack, satisfied, by_criterion] = violated;
-  const std::string variable = (violated.variable == "peak" || violated.variable == "acceleration")
+  const std::string variable = (measured == "peak" || measured == "acceleration")
                                    ? format("the {} of the first swing", measured)
                                    : std::string(measured);
   const bool too_large = relation.front() == '<';
-  const double off = std::abs(slack) / (too_large ? limit : value);
-  if (limit <= 0 && too_large) {
-    return format("no {} is small enough", variable);
+  const std::string_view how = too_large ? "large" : "small";
+  const double off = 100 * std::abs(slack) / (too_large ? limit : value);
+  constexpr double far = 1e3;  // per cent
+  constexpr double next_to_all = 99;
+  if (!(off > 0 && off < far)) {
+    return format("{} is {} too {}", variable, off == 0 ? "just" : "far", how);
   }
-  if (!std::isfinite(off)) {
-    return format("{} is too {}", variable, too_large ? "large" : "small");
-  }
-  if (off == 0) {
-    return format("{} is just too {}", variable, too_large ? "large" : "small");
-  }
-  constexpr double next_to_all = 0.99;  // which two digits may call all of it
-  constexpr double far = 200;           // times
-  if (off <= 1) {
-    const std::string part =
-        off < next_to_all ? limit_digits(100 * off * (1 - 1e-12), true, 2) : "100";
-    return too_large ? format("{} is {} % too large", variable, part)
-                     : format("{} must be {} % larger", variable, part);
-  }
-  if (off >= far) {
-    return format("{} is far too {}", variable, too_large ? "large" : "small");
-  }
-  return too_large ? format("{} is {:.3g} times the limit", variable, value / limit)
-                   : format("{} must be {} times as large", variable,
-                            limit_digits(limit / value * (1 - 1e-12), true, 3));
-}
-
-/// What fills the columns of the tolerance, with what stands before and behind it.
-std::vector<std::string> around(std::vector<std::string> cells,
-                                const std::vector<std::string>& tolerance,
-                                const std::vector<std::string>& behind) {
-  cells.insert(cells.end(), tolerance.begin(), tolerance.end());
-  cells.insert(cells.end(), behind.begin(), behind.end());
-  return cells;
+  const std::string part = limit_digits(off * (1 - 1e-12), true, off < next_to_all ? 2 : 3);
+  return too_large ? format("{} is {} % too large", variable, part)
+                   : format("{} must be {} % larger", variable, part);
 }
 
 /// "7 of 40 parts fit"
@@ -116,16 +93,13 @@ std::string judgement(const design::RatedPart& rated, const ShownTask& task) {
 void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& task) {
   const FigureUnits units(task.physical);
   const auto& parts = catalogue.parts;
-  Table table{
-      around({"part", "f", in("delta", units.length_unit)}, tolerance_heads(task.limits), {""}),
-      {}};
+  Table table{{"part", "f", in("delta", units.length_unit), tolerance_head(task.limits), ""}, {}};
   const std::size_t shown = std::min(parts.size(), most_rows);
   for (const design::RatedPart& rated : std::span(parts).first(shown)) {
     const auto& [name, f, delta] = rated.part;
-    table.rows.push_back(
-        {around({name, digits(f), digits(delta * units.length)},
-                tolerance_cells(task.limits, rated.tolerance), {judgement(rated, task)}),
-         rated.admissible ? Tone::good : Tone::bad});
+    table.rows.push_back({{name, digits(f), digits(delta * units.length),
+                           tolerance_cell(task.limits, rated.tolerance), judgement(rated, task)},
+                          rated.admissible ? Tone::good : Tone::bad});
   }
   Section& section = document.section(format("Parts, best first: {}", how_many_fit(parts)));
   section.parts.emplace_back(std::move(table));
@@ -137,19 +111,18 @@ void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& 
 void add_trade_off(Document& document, const std::vector<design::TradeOff>& front,
                    const ShownTask& task) {
   const FigureUnits units(task.physical);
-  Table table{
-      around({in("stroke", units.length_unit), "acceleration, g"}, tolerance_heads(task.limits),
-             {in("stop time", units.time_unit), "f", in("delta", units.length_unit)}),
-      {}};
+  Table table{{in("stroke", units.length_unit), "acceleration, g", tolerance_head(task.limits),
+               in("stop time", units.time_unit), "f", in("delta", units.length_unit)},
+              {}};
   const auto aligned = [](double value) { return format("{:#.6g}", value); };  // zeros too
   const std::size_t step = (front.size() + most_rows - 1) / most_rows;
   // Every n-th damper, and the end of the front.
   for (std::size_t i = 0; i < front.size() + step - 1; i += step) {
     const auto& [damper, peak, acceleration, stop_time] = front[std::min(i, front.size() - 1)];
-    table.rows.push_back({around({aligned(peak * units.length), aligned(acceleration)},
-                                 tolerance_cells(task.limits, damper.tolerance),
-                                 {aligned(stop_time * units.time), aligned(damper.f),
-                                  aligned(damper.delta * units.length)})});
+    table.rows.push_back(
+        {{aligned(peak * units.length), aligned(acceleration),
+          tolerance_cell(task.limits, damper.tolerance), aligned(stop_time * units.time),
+          aligned(damper.f), aligned(damper.delta * units.length)}});
   }
   const std::size_t shown = table.rows.size();
   Section& section = document.section("Trade-off of stroke, acceleration and tolerance");

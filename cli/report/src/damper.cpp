@@ -16,25 +16,8 @@ std::string in_brackets(const std::string& words) {
   return words.empty() ? "" : format(" ({})", words);
 }
 
-/// Of ranges: which of the motions that were tried with the notch as built.
-std::string which_words(const design::TriedMotion& now, const ShownTask& task) {
-  const auto& [problem, limits, pulse, ranges, physical] = task;
-  std::string words;
-  if (now.pulse) {
-    words = format("k = {:.4g} g", design::peak_load(*now.pulse));
-    if (ranges.lambda_high) {
-      words += ", " + time_shown(physical, duration(design::excitation(*now.pulse)).value());
-    }
-  } else if (problem.v0_low) {
-    words = now.v0 == problem.v0
-                ? "strongest hit"
-                : format("hit of {}{}", FigureUnits(physical).velocity_words(now.v0),
-                         now.from_inside ? " from inside the notch" : "");
-  }
-  return !problem.p_high ? words
-         : words.empty() ? period_words(physical, now.p)
-                         : format("{}, {}", words, period_words(physical, now.p));
-}
+/// Of the motions that were tried with the notch as built.
+constexpr const char* worst_of_ranges = "worst of the ranges";
 
 /// A figure of the motion, and which motion of the ranges has it.
 struct MostOf {
@@ -44,7 +27,7 @@ struct MostOf {
 
 MostOf peak_of(const ShownDamper& shown) {
   const auto& worst = shown.built != nullptr ? shown.built->worst : std::nullopt;
-  return worst ? MostOf{worst->peak.response.peak_amplitude, which_words(worst->peak, shown.task)}
+  return worst ? MostOf{worst->peak.response.peak_amplitude, worst_of_ranges}
                : MostOf{shown.response.peak_amplitude,
                         shown.task.pulse ? "" : extreme_words(shown.task.problem, "softest")};
 }
@@ -54,8 +37,7 @@ MostOf felt_of(const ShownDamper& shown) {
   const auto& [problem, limits, pulse, ranges, physical] = shown.task;
   if (shown.built != nullptr) {
     const auto& worst = shown.built->worst;
-    return worst ? MostOf{worst->felt.response.peak_absolute_acceleration,
-                          which_words(worst->felt, shown.task)}
+    return worst ? MostOf{worst->felt.response.peak_absolute_acceleration, worst_of_ranges}
                  : MostOf{shown.response.peak_absolute_acceleration, ""};
   }
   return pulse ? MostOf{shown.worst ? shown.worst->acceleration
@@ -120,7 +102,7 @@ std::string rest_words(const ShownDamper& shown) {
   if (shown.built != nullptr && shown.built->worst) {
     const design::TriedMotion& farthest = shown.built->worst->farthest;
     return format("within {} of x = 0{}", rest_shown(shown, std::abs(farthest.rest())),
-                  in_brackets(which_words(farthest, shown.task)));
+                  in_brackets(worst_of_ranges));
   }
   const std::string which = pulse ? "" : extreme_words(problem, "softest");
   const double residual = std::min(problem.residual.value_or(0), problem.beta);
@@ -133,13 +115,6 @@ std::string rest_words(const ShownDamper& shown) {
       which.empty() || residual == 0 || !shown.admissible
           ? ""
           : format("; within {} after any other", length_shown(physical, residual)));
-}
-
-/// In per cent.
-std::string share_of(double value, double limit) {
-  constexpr double least = 0.01;
-  const double share = 100 * value / limit;
-  return share < least ? format("less than {}", least) : format("{:.4g}", share);
 }
 
 }  // namespace
@@ -202,7 +177,7 @@ void add_motion(Section& answer, const ShownDamper& shown) {
   const auto [now, allowed] = told_apart(physical, Dimension::length, peak, problem.beta);
   answer.row(
       "peak",
-      format("{}, {} % of the {} allowed{}{}", now, share_of(peak, problem.beta), allowed,
+      format("{}, {:.4g} % of the {} allowed{}{}", now, 100 * peak / problem.beta, allowed,
              in_brackets(of),
              pulse && response.zero_passages.value_or(0) > 0 ? ", later swings included" : ""),
       peak > problem.beta * for_rounding ? Tone::bad : Tone::plain);
@@ -211,12 +186,9 @@ void add_motion(Section& answer, const ShownDamper& shown) {
   if (!pulse || shown.built != nullptr || shown.point.delta == 0) {
     return;
   }
-  const double width = design::least_width(shown.point.f, shown.point.delta,
-                                           ranges.k_low.value_or(design::peak_load(*pulse)));
-  if (width < 2 * response.peak_amplitude) {
-    answer.row("start", format("needs a notch wider than {}, delta/(k - f)",
-                               length_limit(physical, width, true)));
-  }
+  const double load = ranges.k_low.value_or(design::peak_load(*pulse));
+  add_start(answer, design::least_width(shown.point.f, shown.point.delta, load), response,
+            physical);
 }
 
 std::string shown_motion(const ShownDamper& shown) {

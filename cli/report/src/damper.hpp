@@ -3,7 +3,6 @@
 
 // A damper for a hit or a pulse, found by a design or judged by a region, in rows.
 
-#include "json/physical_fields.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/report/report.hpp>
@@ -37,9 +36,6 @@ struct ShownDamper {
 [[nodiscard]] std::string does_words(const ShownDamper& shown);
 /// Peak, rest and acceleration, and how wide its notch must be so that a pulse moves the mass.
 void add_motion(Section& answer, const ShownDamper& shown);
-/// Its motion in full; what it takes and the figures used in practice, with the paper's notch.
-void add_details(Document& document, const ShownDamper& shown, const DeltaNeeds& needs);
-
 /// "the strongest hit, 0.44 m/s, and the softest spring, 2.94 s" or "k = 0.5 g": which motion of a
 /// task with ranges is shown; empty without.
 [[nodiscard]] std::string shown_motion(const ShownDamper& shown);

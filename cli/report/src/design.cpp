@@ -54,40 +54,6 @@ std::string agreement(const design::CrossCheck& check) {
   return text;
 }
 
-void add_checks(Document& document, const design::CrossCheck& check, const Physical& physical) {
-  const FigureUnits units(physical);
-  Table table{{"", in("peak", units.length_unit), in("stop time", units.time_unit),
-               "relative error", "allowed", ""},
-              {}};
-  for (const design::CheckMethod& method : check.methods) {
-    table.rows.push_back(
-        {{std::string(method_words(method.name)), digits(method.peak_amplitude * units.length),
-          digits(method.stop_time * units.time), format("{:.1e}", method.relative_error),
-          format("{:.1e}", method.tolerance),
-          !method.passed   ? "disagrees"
-          : method.decided ? "agrees"
-                           : "agrees in the peak; too close to a tie to compare more"},
-         method.passed ? Tone::good : Tone::bad});
-  }
-  Section& section = document.detail("Cross-check");
-  section.detail = check.passed;
-  section.parts.emplace_back(std::move(table));
-}
-
-void add_search(Document& document, const design::SearchRecord& search,
-                const design::DesignResult& result) {
-  Section& section = document.detail("Search");
-  section.row("NLopt",
-              format("{} {}, {} after {}, {:.2g} ms", design::nlopt_version(), search.algorithm,
-                     search.status, plural(static_cast<double>(search.evaluations), "evaluation"),
-                     1e3 * search.wall_time_s));
-  const auto [found, along_f] = optimum_of(result);
-  if (along_f) {
-    section.row("objective",
-                format("{} by NLopt, {} along f alone", digits(found), digits(along_f)));
-  }
-}
-
 std::string best_part(const DesignReport& report) {
   const design::Limits& limits = report.result.request.limits;
   const design::RatedPart& best = report.catalogue->parts.front();
@@ -119,21 +85,25 @@ void add_answer(Section& answer, const DesignReport& report, const ShownDamper& 
              check.passed ? Tone::good : Tone::bad);
 }
 
-/// A pulse is shown in place of the velocity to which it reduces.
-void add_task(Document& document, const DesignReport& report) {
-  const auto& [problem, limits, search, pulse, ranges] = report.result.request;
-  Section& task = add_problem(document, problem, limits, report.physical, pulse.has_value());
-  if (pulse) {
-    add_pulse(task, *pulse, ranges, report.physical);
-  }
-  task.row("objective", std::string(name(search.objective)));
-}
-
 }  // namespace
 
 Optimum optimum_of(const design::DesignResult& result) {
   const auto& search = result.finding->search;
   return search ? Optimum{search->by_nlopt, search->along_f} : Optimum();
+}
+
+DeltaNeeds delta_needs(const design::DesignResult& result) {
+  const auto& [problem, limits, search, pulse, ranges] = result.request;
+  const double f = result.finding->point.f;
+  if (!pulse) {
+    return {design::delta1_published(problem, f), design::delta1_exact(problem, f)};
+  }
+  const auto least = [&](design::Criterion criterion) {
+    design::PulseProblem task = design::pulse_request(result.request).problem;
+    task.criterion = criterion;
+    return design::least_delta(task, f);
+  };
+  return {least(design::Criterion::published).value_or(0), least(design::Criterion::exact)};
 }
 
 std::string verdict(const DesignReport& report) {
@@ -163,7 +133,6 @@ std::string verdict(const DesignReport& report) {
 
 Document document(const DesignReport& report) {
   const design::DesignResult& result = report.result;
-  const auto& [problem, limits, search, pulse, ranges] = result.request;
   const Physical& physical = report.physical;
   Document document;
   document.title = "Damper design";
@@ -178,23 +147,12 @@ Document document(const DesignReport& report) {
     if (report.trade_off && !report.trade_off->empty()) {
       add_trade_off(document, *report.trade_off, shown.task);
     }
-    add_task(document, report);
-    const design::Found& found = *result.finding;
-    add_details(document, shown,
-                stops_by_delta1(found.constraints) ? delta_needs(result) : DeltaNeeds());
-    add_constraints(document, found.constraints, limits, physical);
-    add_region(document, result, problem, limits, physical);
-    add_checks(document, found.cross_check, physical);
-    if (found.search) {
-      add_search(document, *found.search, result);
-    }
+    add_constraints(document, result.finding->constraints, physical);
   } else {
     add_mends(document, result, task_of(report));
     if (report.catalogue) {
       add_parts(document, *report.catalogue, task_of(report));
     }
-    add_task(document, report);
-    add_region(document, result, problem, limits, physical);
   }
   add_findings(document, report.findings, physical);
   return document;

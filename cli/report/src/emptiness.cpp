@@ -149,19 +149,13 @@ void add_mends(Document& document, const design::RegionVerdict& empty, const Sho
 
 std::string mend_title(const design::RegionVerdict& empty, const ShownTask& task,
                        std::string_view what) {
-  const bool ranges = task.problem.v0_low || task.problem.p_high;
-  if (!empty.mends.empty() && !(ranges && is_given(named_mend(empty.mends)))) {
-    const Way way = way_of(named_mend(empty.mends), task);
-    if (way.name == "arrivals") {
-      return format("No {} with fewer than {} arrivals", what, way.bound);
-    }
-    return format("No {} with a {} {} {}", what, way.name, way.upwards ? "below" : "above",
-                  way.bound);
+  if (empty.mends.empty()) {
+    return format("No {} is admissible", what);
   }
-  return empty.criterion_mend ? format("No {} by the published criterion", what)
-         : ranges && !task.pulse
-             ? format("No {} for {}", what, range_words(task.problem, task.physical))
-             : format("No {} is admissible", what);
+  const auto& [name, bound, upwards] = way_of(named_mend(empty.mends), task);
+  return name == "arrivals"
+             ? format("No {} with fewer than {} arrivals", what, bound)
+             : format("No {} with a {} {} {}", what, name, upwards ? "below" : "above", bound);
 }
 
 }  // namespace stillpoint::report

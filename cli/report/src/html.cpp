@@ -29,7 +29,7 @@ bool in_name(char c) {
 /// the name of a file.
 std::string lettered(std::string_view text) {
   static constexpr auto letters =
-      std::to_array<std::pair<std::string_view, std::string_view>>({{"Delta1", "Δ₁"},
+      std::to_array<std::pair<std::string_view, std::string_view>>({{"delta1", "Δ₁"},
                                                                     {"delta", "Δ"},
                                                                     {"tau", "τ"},
                                                                     {"lambda", "λ"},
@@ -110,30 +110,12 @@ std::string head_of(std::string_view name) {
   return text;
 }
 
-std::size_t longest_word(std::string_view text) {
-  std::size_t longest = 0;
-  std::size_t word = 0;
-  for (const char c : text) {
-    word = c == ' ' ? 0 : word + 1;
-    longest = std::max(longest, word);
-  }
-  return longest;
-}
-
-/// Whether it has a table too wide for half a page: on paper 92 mm, 56 letters of 7.5 points.
+/// Whether it has a table too wide for half a page.
 bool is_wide(const Section& section) {
-  constexpr std::size_t room = 56;
+  constexpr std::size_t most = 4;  // columns
   return std::ranges::any_of(section.parts, [](const auto& part) {
     const Table* const table = std::get_if<Table>(&part);
-    std::size_t wide = 0;
-    for (std::size_t i = 0; table != nullptr && i < table->head.size(); ++i) {
-      std::size_t longest = longest_word(table->head[i]);
-      for (const TableRow& row : table->rows) {
-        longest = std::max(longest, longest_word(row.cells[i]));
-      }
-      wide += longest + 1;
-    }
-    return wide > room;
+    return table != nullptr && table->head.size() > most;
   });
 }
 

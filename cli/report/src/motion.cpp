@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "format.hpp"
-#include "json/motion_fields.hpp"
-#include "rows.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/design/motion_findings.hpp>
@@ -9,7 +7,9 @@
 #include <stillpoint/report/findings.hpp>
 #include <stillpoint/report/report.hpp>
 
-#include <iterator>
+#include <algorithm>
+#include <cmath>
+#include <span>
 #include <string_view>
 
 namespace stillpoint::report {
@@ -69,13 +69,8 @@ void add_answer(Section& answer, const MotionReport& report) {
   }
   if (report.answer.forced && report.answer.forced->left_notch_from_rest) {
     const double centre = design::friction_at_centre(report.request);
-    const double width =
-        design::least_width(centre, delta, design::largest_load(report.request.excitation));
-    if (width < 2 * response.peak_amplitude) {
-      answer.row("start",
-                 format("needs a notch wider than {}, delta/(load - {})",
-                        length_limit(physical, width, true), zones.empty() ? "f" : digits(centre)));
-    }
+    const double load = design::largest_load(report.request.excitation);
+    add_start(answer, design::least_width(centre, delta, load), response, physical);
   }
   if (report.answer.forced && response.outcome == Outcome::running) {
     const ForcedResponse& forced = *report.answer.forced;
@@ -84,7 +79,49 @@ void add_answer(Section& answer, const MotionReport& report) {
   }
 }
 
+/// The first of `count` as a table.
+void add_half_cycles(Section& section, std::span<const HalfCycle> half_cycles,
+                     const std::optional<double>& count, const Physical& physical) {
+  constexpr std::size_t most_half_cycles = 12;
+  const FigureUnits units(physical);
+  Table table{{"", in("starts", units.time_unit), in("leaves with", units.velocity_unit),
+               in("peak at", units.time_unit), in("peak", units.length_unit),
+               in("ends", units.time_unit), in("arrives with", units.velocity_unit)},
+              {}};
+  const bool impulses = std::ranges::any_of(
+      half_cycles, [](const HalfCycle& now) { return now.impulse.value_or(0) > 0; });
+  if (impulses) {
+    table.head.push_back(in("impulse/mass", units.velocity_unit));
+  }
+  const std::size_t listed = std::min(most_half_cycles, half_cycles.size());
+  for (const HalfCycle& now : half_cycles.first(listed)) {
+    table.rows.push_back(
+        {{format("{}", now.index), digits(now.start_time * units.time),
+          digits(now.departure_speed * units.velocity), digits(now.peak_time * units.time),
+          digits(now.side * now.peak * units.length), digits(now.end_time * units.time),
+          now.arrival_speed ? digits(*now.arrival_speed * units.velocity) : "none"}});
+    if (impulses) {
+      table.rows.back().cells.push_back(now.impulse ? digits(*now.impulse * units.velocity) : "");
+    }
+  }
+  section.parts.emplace_back(std::move(table));
+  if (count.value_or(HUGE_VAL) > static_cast<double>(listed)) {
+    section.line(format("The first {}{}; --json lists more, see --max-half-cycles.", listed,
+                        count ? " of " + plural(count, "half-cycle") : ""),
+                 Tone::faint);
+  }
+}
+
 }  // namespace
+
+std::optional<design::Practice> practice_of(const MotionReport& report) {
+  const SimulationRequest& request = report.request;
+  const Simulation& answer = report.answer;
+  const bool after_a_hit =
+      !answer.forced && request.surface.plain() && request.start.x0 == 0 && moves(answer.response);
+  return after_a_hit ? design::practice(request.oscillator, answer.response, std::nullopt)
+                     : std::nullopt;
+}
 
 std::string verdict(const MotionReport& report) {
   const Response& response = report.answer.response;
@@ -113,41 +150,14 @@ std::string verdict(const MotionReport& report) {
 }
 
 Document document(const MotionReport& report) {
-  const auto& [p, f, delta, hold] = report.request.oscillator;
-  const Start& start = report.request.start;
   Document document;
   document.title = is_forced(report.request) ? "Forced motion" : "Free motion";
   document.verdict = verdict(report);
   add_answer(document.answer, report);
   add_findings(document, report.findings, report.physical);
-  Section& scene = document.detail("Scene");
-  if (report.physical) {
-    add_physical_input(scene, *report.physical);
-  }
-  scene.row("dimensionless", format("v0 = {:.6g}, p = {:.6g}, x0 = {:.6g}, delta = {:.6g}",
-                                    start.v0, p, start.x0, delta));
-  if (is_forced(report.request)) {
-    add_excitation(scene, report.request.excitation, report.record, report.physical);
-  }
-  if (const Response& response = report.answer.response; moves(response)) {
-    Section& motion = document.detail("Motion");
-    add_rows(motion, response, report.physical);
-    if (response.outcome == Outcome::running) {
-      add_rows(motion, forced_fields, *report.answer.forced, report.physical);
-    }
-  }
-  if (const auto lines = practice_of(report)) {
-    add_rows(document.detail("In practice"), ShownPractice{*lines}, report.physical);
-  }
-  if (const auto si = physical_of(report); si && report.physical->scales.mass_kg) {
-    Section& forces = document.detail("Forces and energies");
-    add_si_rows(forces, damper_fields, *si);
-    add_si_rows(forces, practice_fields_si, *si);
-  }
   if (const auto& half_cycles = report.answer.half_cycles; !half_cycles.empty()) {
     add_half_cycles(document.section("Half-cycles"), half_cycles,
-                    report.answer.response.half_cycles, "lists more, see --max-half-cycles",
-                    report.physical);
+                    report.answer.response.half_cycles, report.physical);
   }
   return document;
 }

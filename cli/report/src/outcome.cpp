@@ -12,6 +12,13 @@ std::optional<double> felt_outside(double felt, double peak, double p, double f,
              : std::nullopt;
 }
 
+void add_start(Section& answer, double least_width, const Response& response,
+               const Physical& physical) {
+  if (least_width < 2 * response.peak_amplitude) {
+    answer.row("start", "needs a notch wider than " + length_limit(physical, least_width, true));
+  }
+}
+
 std::string outcome_phrase(Outcome outcome) {
   switch (outcome) {
     case Outcome::stopped_at_zero:

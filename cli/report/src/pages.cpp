@@ -154,7 +154,7 @@ bool has_figures(const DrawnMotion& motion) {
 HtmlPage page(const DesignReport& report) {
   const design::DesignRequest& request = report.result.request;
   const FigureUnits units(report.physical);
-  HtmlPage page = page_of(document(report));
+  HtmlPage page = page_of(document(report, Verbosity::full));
   const auto& found = report.result.finding;
   std::optional<DrawnDamper> damper;
   if (found) {
@@ -189,7 +189,7 @@ std::vector<Figure> drawings(const RegionReport& report) {
 }
 
 HtmlPage page(const RegionReport& report) {
-  HtmlPage page = page_of(document(report));
+  HtmlPage page = page_of(document(report, Verbosity::full));
   page.figures = drawings(report);
   return page;
 }
@@ -200,7 +200,7 @@ std::vector<Figure> drawings(const MotionReport& report) {
 }
 
 HtmlPage page(const MotionReport& report) {
-  HtmlPage page = page_of(document(report));
+  HtmlPage page = page_of(document(report, Verbosity::full));
   const DrawnMotion motion(design::shown_motion(report.request, report.answer));
   if (!has_figures(motion)) {
     page.verdict += " Nothing moves, so there is nothing to draw.";

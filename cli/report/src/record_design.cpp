@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/design/record_findings.hpp>
 #include <stillpoint/report/record_design.hpp>
 #include "format.hpp"
-#include "json/physical_fields.hpp"
 #include "record_design_parts.hpp"
-#include "rows.hpp"
 #include "sections.hpp"
 
+#include <stillpoint/design/record_findings.hpp>
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/findings.hpp>
 
@@ -22,30 +20,36 @@ namespace stillpoint::report {
 
 namespace {
 
-using design::SuiteObjective;
+constexpr int printed_digits = 12;  // of a design: as many as it was rounded to, or almost all
+
+/// In which a period is printed; the usual ones unless it was searched.
+std::optional<int> period_digits(const design::RecordDesignRequest& task) {
+  return task.p.low < task.p.high ? std::optional(printed_digits) : std::nullopt;
+}
 
 std::string row_name(const design::SuiteFigureKind& kind) {
-  return kind.objective == SuiteObjective::acceleration ? "transmitted" : std::string(kind.words);
+  return kind.objective == design::SuiteObjective::acceleration ? "transmitted"
+                                                                : std::string(kind.words);
 }
 
-std::string_view combined(design::Combine combine) {
-  return combine == design::Combine::max ? "largest" : "mean";
+/// "0.1991 g transmitted, stroke 307.18 mm, residual 35.709 mm"
+std::string figures_words(const design::SuiteFigures& figures, const Physical& physical) {
+  return acceleration_shown(figures.acceleration) + " transmitted" +
+         (figures.peak == 0 ? ""
+                            : format(", stroke {}, residual {}",
+                                     figure_shown(physical, Dimension::length, figures.peak),
+                                     figure_shown(physical, Dimension::length, figures.residual)));
 }
 
-bool is_searched(const Interval& range) {
-  return range.low < range.high;
-}
-
-/// What a reader should know of a spring at an end of what was searched; empty elsewhere.
-std::string end_words(const Interval& searched, double p, bool of_period) {
-  constexpr double apart = 1e-6;
-  if (p <= searched.low * (1 + apart)) {
-    return of_period ? ", the longest that was searched" : ", the least that was searched";
-  }
-  if (p >= searched.high * (1 - apart)) {
-    return of_period ? ", the shortest that was searched" : ", the largest that was searched";
-  }
-  return {};
+/// Whose figures the verdict has: "Worst of 7 records within the tolerance".
+std::string whose_words(const design::RecordDesign& result) {
+  const std::size_t count = result.request.records.size();
+  const bool mean = is_mean(result.request);
+  const std::string records =
+      count == 1 ? "Under the record" : format("{} of {} records", mean ? "Mean" : "Worst", count);
+  return records + (result.finding->box.samples == 1 ? ""
+                    : count == 1 || mean             ? ", worst within the tolerance"
+                                                     : " within the tolerance");
 }
 
 /// With the digits with which its figures come true.
@@ -57,17 +61,59 @@ std::string exact_words(const Physical& physical, const design::SuiteDamper& dam
                     : "");
 }
 
+/// "f 0.0588 to 0.0719, delta 1 mm to 1.2 mm": the sides of a box, without those that are exact.
+std::string sides_words(const design::SuiteBox& box, const Physical& physical) {
+  std::string text;
+  const auto add = [&](std::string_view name, const Interval& range, const auto& words) {
+    if (range.low < range.high) {
+      text += format("{}{} {} to {}", text.empty() ? "" : ", ", name, words(range.low),
+                     words(range.high));
+    }
+  };
+  const auto number = [](double value) { return format("{:.4g}", value); };
+  const auto length = [&](double value) { return length_shown(physical, value, 4); };
+  const auto seconds = [&](double turn) { return time_shown(physical, turn); };
+  add("f", box.f, number);
+  add("delta", box.delta, length);
+  add("width", box.width, length);
+  if (physical) {
+    add("period", {2 * std::numbers::pi / box.p.high, 2 * std::numbers::pi / box.p.low}, seconds);
+  } else {
+    add("p", box.p, number);
+  }
+  return text;
+}
+
+/// What was tried about the damper, and what it does itself.
+void add_box(Section& answer, const design::RecordDesign& result, const Physical& physical) {
+  const design::SuiteBox& box = result.finding->box;
+  const std::string sides = sides_words(box, physical);
+  if (sides.empty()) {
+    return;
+  }
+  if (result.largest_tolerance) {
+    answer.row("tolerance",
+               format("{:.3g} %, the largest that was found", 100 * *result.largest_tolerance));
+  }
+  answer.row("tried", format("{}: no failure in {} dampers, corners and boundary included", sides,
+                             box.samples));
+  answer.row("exact", format("without any error: {}",
+                             figures_words(result.finding->point.figures, physical)));
+}
+
 void add_answer(Section& answer, const RecordDesignReport& report) {
   const auto& [result, physical] = report;
   const design::SuiteDamper& damper = result.finding->point.damper;
+  const Interval& searched = result.request.p;
   answer.row("damper", exact_words(physical, damper), Tone::heading);
-  if (is_searched(result.request.p)) {
-    answer.row("spring", spring_words(physical, damper.p, period_digits(result.request)) +
-                             end_words(result.request.p, damper.p, physical.has_value()));
+  if (searched.low < searched.high) {
+    constexpr double apart = 1e-6;
+    const bool at_end =
+        damper.p <= searched.low * (1 + apart) || damper.p >= searched.high * (1 - apart);
+    answer.row("spring", spring_words(physical, damper.p, printed_digits) +
+                             (at_end ? ", an end of what was searched" : ""));
   }
   add_box(answer, result, physical);
-  add_rest(answer, result);
-  add_worst_of_mean(answer, result, physical);
   const design::SuiteCheck& check = result.finding->check;
   answer.row("check",
              check.passed
@@ -79,104 +125,99 @@ void add_answer(Section& answer, const RecordDesignReport& report) {
              check.passed ? Tone::good : Tone::bad);
 }
 
-void add_damper(Document& document, const RecordDesignReport& report) {
-  const Physical& physical = report.physical;
-  const design::SuiteDamper& damper = report.result.finding->point.damper;
-  Section& section = document.detail("Damper");
-  if (physical) {
-    add_si_rows(section, damper_fields,
-                Si{.input = *physical, .f = damper.f, .delta = damper.delta});
+/// From when on the load is 0.
+double load_end(Record record) {
+  auto& [values, step, times] = record;
+  while (values.size() > 1 && values.back() == 0 && values[values.size() - 2] == 0) {
+    values.pop_back();
   }
-  if (!is_searched(report.result.request.p)) {
-    section.row("spring", spring_words(physical, damper.p));
-  }
-  add_decision_margin(section, report.result);
+  times.resize(times.empty() ? 0 : values.size());
+  return duration(Excitation(record)).value();
 }
 
-/// What is left of the tolerance within the limits.
-std::string tolerance_left(const RecordDesignReport& report) {
-  const auto& largest = report.result.largest_tolerance;
-  return largest
-             ? format("the largest that a damper has within the limits is {:.2g} %", 100 * *largest)
-             : "no damper that was tried meets the limits, even if it is exact";
+/// In the unit of the figures.
+std::string displacement_cell(const Physical& physical, double length) {
+  const FigureUnits units(physical);
+  constexpr double least_m = 1e-6;
+  return physical && length > 0 && length * physical->scales.length_m < least_m
+             ? format("<{:g}", least_m / physical->scales.length_m * units.length)
+             : format("{:.5g}", length * units.length);
+}
+
+void add_records(Document& document, const design::RecordDesign& result, const Physical& physical) {
+  const FigureUnits units(physical);
+  Table table{{"record", "PGA, g", in("peak", units.length_unit), in("residual", units.length_unit),
+               "transmitted, g", in("rests from", units.time_unit), "at rest"},
+              {}};
+  for (std::size_t i = 0; i < result.finding->responses.size(); ++i) {
+    const ForcedResponse& response = result.finding->responses[i];
+    const design::SuiteFigures figures = design::suite_figures(response);
+    const design::SuiteRecord& record = result.request.records[i];
+    table.rows.push_back(
+        {{record_label(record), format("{:.4g}", design::peak_load(record)),
+          displacement_cell(physical, figures.peak), displacement_cell(physical, figures.residual),
+          format("{:.4g}", figures.acceleration),
+          format("{:.5g}", *response.stop_time * units.time),
+          response.locked_from                                    ? "by notch"
+          : response.stop_time.value() <= load_end(record.record) ? "by friction"
+                                                                  : "after load"}});
+  }
+  document.section("Records").parts.emplace_back(std::move(table));
 }
 
 void add_shortfalls(Document& document, const RecordDesignReport& report) {
-  const Physical& physical = report.physical;
+  const auto& [result, physical] = report;
   Section& section = document.section("Limits");
-  if (!report.result.nearest.figures.settled) {
+  if (!result.nearest.figures.settled) {
     section.line("No damper that was tried comes to rest.", Tone::bad);
     return;
   }
-  const design::SuiteDamper& damper = report.result.nearest.damper;
-  section.row("nearest",
-              format("{}, {}", exact_words(physical, damper),
-                     spring_words(physical, damper.p, period_digits(report.result.request))));
-  for (const auto& [kind, limit, nearest, record, relaxed] : report.result.shortfalls) {
+  const design::SuiteDamper& damper = result.nearest.damper;
+  section.row("nearest", format("{}, {}", exact_words(physical, damper),
+                                spring_words(physical, damper.p, period_digits(result.request))));
+  for (const auto& [kind, limit, nearest, record, relaxed] : result.shortfalls) {
     const auto [near, allowed] = told_apart(physical, kind->dimension, nearest, limit);
     section.row(row_name(*kind), format("{}; {} is allowed", near, allowed),
                 nearest > limit ? Tone::bad : Tone::plain);
-    section.row(
-        "", relaxed ? format("with {} allowed and the other limits unchanged, there is a damper",
-                             told_apart(physical, kind->dimension, *relaxed, limit).first)
-            : report.result.search.interrupted
-                ? "interrupted before it was known whether changing this limit alone is "
-                  "enough"
-            : nearest > limit ? "changing this limit alone would not be enough"
-                              : "met");
-  }
-  section.row("tolerance", tolerance_left(report));
-}
-
-void add_task(Document& document, const RecordDesignReport& report) {
-  const design::RecordDesignRequest& task = report.result.request;
-  const Physical& physical = report.physical;
-  Section& section = document.detail("Task");
-  section.row("objective", task.objective == SuiteObjective::robust
-                               ? std::string("the largest tolerance within the limits")
-                               : format("minimise the {} {} of the records, the worst within the "
-                                        "tolerance",
-                                        combined(task.combine.value()), minimised(task).words));
-  for (const design::SuiteFigureKind& kind : design::suite_figure_kinds) {
-    if (const std::optional<double>& limit = task.limits.*kind.limit) {
-      section.row(row_name(kind), "at most " + figure_shown(physical, kind.dimension, *limit));
+    if (relaxed) {
+      section.row("", format("with {} allowed and the other limits unchanged, there is a damper",
+                             told_apart(physical, kind->dimension, *relaxed, limit).first));
     }
   }
-  if (task.limits.late) {
-    section.row("rest",
-                format("at the latest {} periods after the end of each record", *task.limits.late));
-  }
-  add_real_notch(
-      section, task.hold,
-      task.width && !is_searched(*task.width) ? std::optional(task.width->low) : std::nullopt,
-      physical);
-  const auto searched = [](const std::string& low, const std::string& high) {
-    return low == high ? low : format("{} to {}", low, high);
-  };
-  section.row("f searched", searched(digits(task.f->low), digits(task.f->high)));
-  section.row("delta searched", searched(length_shown(physical, task.delta->low),
-                                         length_shown(physical, task.delta->high)));
-  if (task.width && is_searched(*task.width)) {
-    section.row("width searched", searched(length_shown(physical, task.width->low),
-                                           length_shown(physical, task.width->high)));
-  }
-  if (is_searched(task.p)) {
-    const auto period = [&](double p) {
-      return format("{:.4g}", 2 * std::numbers::pi / p * physical->scales.time_s);
-    };
-    section.row(physical ? "period searched" : "p searched",
-                physical ? format("{} to {} s", period(task.p.high), period(task.p.low))
-                         : format("{} to {}", digits(task.p.low), digits(task.p.high)));
-  }
 }
 
-void add_search(Document& document, const design::SuiteSearchCost& search) {
-  Section& section = document.detail("Search");
-  section.row("scan",
-              format("{} boxes, {} within the limits", search.scan_points, search.scan_feasible));
-  section.row("dampers", format("{} in all", search.evaluations));
-  section.row("time", format("{:.3g} s{}", search.wall_time_s,
-                             search.interrupted ? ", then interrupted: the best so far" : ""));
+/// How far the nearest damper is from the limit that it exceeds most.
+std::string shortfall_words(const RecordDesignReport& report) {
+  const design::RecordDesign& result = report.result;
+  const auto excess = [](const design::SuiteShortfall& now) {
+    return now.nearest <= now.limit ? 0 : now.limit > 0 ? now.nearest / now.limit : HUGE_VAL;
+  };
+  const auto most = std::ranges::max_element(result.shortfalls, {}, excess);
+  if (most == result.shortfalls.end() || most->nearest <= most->limit) {
+    return {};
+  }
+  const auto& [kind, limit, nearest, record, relaxed] = *most;
+  return format("; the nearest has a {} of {}{}", kind->words,
+                beyond(report.physical, kind->dimension, nearest, limit),
+                result.request.records.size() == 1
+                    ? ""
+                    : ", most under " + record_label(result.request.records[record]));
+}
+
+std::string no_damper(const RecordDesignReport& report) {
+  const design::RecordDesign& result = report.result;
+  if (result.search.interrupted) {
+    return "No damper was verified before the search was interrupted.";
+  }
+  if (!result.nearest.figures.settled) {
+    return "No damper was found: none of those tried comes to rest.";
+  }
+  const auto& largest = result.largest_tolerance;
+  return format(
+      "No damper was found that meets the limits{}{}.{}",
+      is_exact(result.request.tolerance) ? "" : " within its tolerance", shortfall_words(report),
+      largest ? format(" The largest tolerance within the limits is {:.2g} %.", 100 * *largest)
+              : "");
 }
 
 }  // namespace
@@ -216,16 +257,6 @@ std::string record_words(std::string_view file, double scale, std::string_view u
                 assumed ? " (assumed)" : "", acceleration_shown(peak));
 }
 
-void add_real_notch(Section& section, const std::optional<double>& hold,
-                    const std::optional<double>& width, const Physical& physical) {
-  if (hold) {
-    section.row("notch", format("lets go at {} above f", acceleration_shown(*hold)));
-  }
-  if (width) {
-    section.row("notch", format("{} wide", length_shown(physical, *width)));
-  }
-}
-
 SimulationRequest motion_request(const design::RecordDesign& result,
                                  const design::SuiteDamper& damper, std::size_t record) {
   const design::RecordDesignRequest& task = result.request;
@@ -250,20 +281,28 @@ std::size_t worst_record(const design::RecordDesign& result) {
   return static_cast<std::size_t>(std::ranges::max_element(all, {}, peak_of_worst) - all.begin());
 }
 
-std::optional<int> period_digits(const design::RecordDesignRequest& task) {
-  return is_searched(task.p) ? std::optional(printed_digits) : std::nullopt;
+std::string progress_words(const design::RecordProgress& progress, const Physical& physical) {
+  const std::string words = format("{} of about {} dampers", progress.evaluations,
+                                   std::max(progress.expected, progress.evaluations));
+  return progress.best ? format("{}, best verified {}", words,
+                                figures_words(progress.best->figures, physical))
+                       : words;
 }
 
-std::string progress_words(const design::RecordProgress& progress, const Physical& physical) {
-  std::string words = format("{} of about {} dampers", progress.evaluations,
-                             std::max(progress.expected, progress.evaluations));
-  if (!progress.best) {
-    return words;
+std::string verdict(const RecordDesignReport& report) {
+  const auto& [result, physical] = report;
+  if (!result.finding) {
+    return no_damper(report);
   }
-  const design::SuiteFigures& best = progress.best->figures;
-  return words + format(", best verified {}, stroke {}, residual {}",
-                        acceleration_shown(best.acceleration), length_shown(physical, best.peak),
-                        length_shown(physical, best.residual));
+  const design::SuiteDamper& damper = result.finding->point.damper;
+  return format("{} {}, with {}. {}: {}.",
+                result.search.interrupted     ? "The best damper so far has"
+                : is_useless(result.findings) ? "The damper found has"
+                                              : "Build",
+                damper_words(physical, damper.f, damper.delta, notch_of(result.request, damper),
+                             printed_digits),
+                period_words(physical, damper.p, period_digits(result.request)),
+                whose_words(result), figures_words(result.finding->box.worst, physical));
 }
 
 Document document(const RecordDesignReport& report) {
@@ -271,19 +310,14 @@ Document document(const RecordDesignReport& report) {
   Document document;
   document.title = "Damper under records";
   document.verdict = verdict(report);
+  document.tone = result.finding ? Tone::good : Tone::bad;
   if (result.finding) {
-    document.tone = Tone::good;
     add_answer(document.answer, report);
     add_records(document, result, report.physical);
-    add_outlook(document, result, report.physical);
-    add_damper(document, report);
   } else {
-    document.tone = Tone::bad;
     add_shortfalls(document, report);
   }
   add_findings(document, result.findings, report.physical);
-  add_task(document, report);
-  add_search(document, result.search);
   return document;
 }
 

@@ -18,7 +18,6 @@ namespace {
 
 using sweep::BestRows;
 using sweep::Form;
-using sweep::Histogram;
 using sweep::ReducedColumn;
 using sweep::ReducedRow;
 using sweep::Reduction;
@@ -91,23 +90,6 @@ void add_best(Document& made, const BestRows& best, const Reduction& reduction) 
   }
 }
 
-void add_histogram(Document& made, const Histogram& histogram, const Reduction& reduction) {
-  Table table{{"from", "to", "values"}, {}};
-  const auto bin = [&table](std::string from, std::string to, std::int64_t count) {
-    if (count > 0) {
-      table.rows.push_back({{std::move(from), std::move(to), fmt::format("{}", count)}});
-    }
-  };
-  bin("", short_number(histogram.edges.front()), histogram.below);
-  for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
-    bin(short_number(histogram.edges[i]), short_number(histogram.edges[i + 1]),
-        histogram.counts[i]);
-  }
-  bin(short_number(histogram.edges.back()), "", histogram.above);
-  made.detail(fmt::format("Histogram of {}", reduction.row[histogram.column].name))
-      .parts.emplace_back(std::move(table));
-}
-
 }  // namespace
 
 Document document(const ReductionReport& report) {
@@ -119,9 +101,6 @@ Document document(const ReductionReport& report) {
   add_columns(made, report.reduction);
   for (const BestRows& best : report.reduction.best) {
     add_best(made, best, report.reduction);
-  }
-  for (const Histogram& histogram : report.reduction.histograms) {
-    add_histogram(made, histogram, report.reduction);
   }
   return made;
 }

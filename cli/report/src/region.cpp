@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <span>
 #include <vector>
 
@@ -100,41 +99,27 @@ std::string delta_words(const std::vector<Interval>& all, const Physical& physic
                               : format(" or in {} lower ranges", lower));
 }
 
-/// "At f = 0.024, delta of 2.1 mm to 8.2 mm is admissible.", or what suits every feasible f; if
-/// next to none does, what suits one of them.
+/// "At f = 0.024, delta of 2.1 mm to 8.2 mm is admissible.", or what suits every feasible f, if
+/// more than next to nothing does: with a single arrival the least Delta falls with f.
 std::string feasible_delta(const RegionReport& report) {
   const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
-  const design::Region& region = report.answer.region;
   const std::string_view fits = limits.tolerance == 0 ? "is admissible"
                                 : f                   ? "keeps the tolerance asked for"
                                                       : "keeps it";
-  const auto at = [&](double some_f, const std::vector<Interval>& all) {
-    return format("At f = {:.9g}, delta of {} {}.", some_f, delta_words(all, report.physical),
-                  fits);
-  };
-  if (f) {
-    const auto all = feasible_at(report, *f);
-    return all.empty() ? format("At f = {:.9g} no delta {}.", *f, fits) : at(*f, all);
-  }
-  const auto hardly_any = [](const std::vector<Interval>& all) {
-    constexpr double narrow = 1e-4;  // of five digits the last
-    return all.empty() || all.back().low >= all.back().high * (1 - narrow);
-  };
-  // With a single arrival the least Delta falls with f.
   const bool falls = !pulse && problem.arrivals == 1 && !problem.residual && problem.v0_low != 0.0;
-  const auto with_any = falls ? feasible_at(report, *region.f_lower) : std::vector<Interval>();
-  if (!hardly_any(with_any)) {
-    return format("With any of them, delta of {} {}.", delta_words(with_any, report.physical),
-                  fits);
+  if (!f && !falls) {
+    return "";
   }
-  const auto strip = std::ranges::find_if(
-      report.answer.strips, [](const design::Strip& now) { return now.f_lower.has_value(); });
-  const Interval of_f = strip == report.answer.strips.end()
-                            ? Interval{*region.f_lower, *region.f_upper}
-                            : Interval{*strip->f_lower, *strip->f_upper};
-  const double middle = decimal_within(of_f.low, std::midpoint(of_f.low, of_f.high));
-  const auto all = feasible_at(report, middle);
-  return hardly_any(all) ? "" : at(middle, all);
+  const auto all = feasible_at(report, f.value_or(report.answer.region.f_lower.value_or(0)));
+  if (f) {
+    return all.empty() ? format("At f = {:.9g} no delta {}.", *f, fits)
+                       : format("At f = {:.9g}, delta of {} {}.", *f,
+                                delta_words(all, report.physical), fits);
+  }
+  constexpr double narrow = 1e-4;  // of five digits the last
+  return all.empty() || all.back().low >= all.back().high * (1 - narrow)
+             ? ""
+             : format("With any of them, delta of {} {}.", delta_words(all, report.physical), fits);
 }
 
 /// Of several arrivals.
@@ -198,11 +183,7 @@ Document document(const RegionReport& report) {
   document.title = "Admissible region";
   document.verdict = verdict(report);
   document.tone = answer.admissible.value_or(answer.region.feasible) ? Tone::good : Tone::bad;
-  Section& task = add_problem(document, problem, limits, physical, pulse.has_value());
-  if (pulse) {
-    add_pulse(task, *pulse, ranges, physical);
-  }
-  add_region(document, answer, problem, limits, physical).detail = false;
+  add_region(document, answer, problem, limits, physical);
   add_strips(document, problem, answer.strips);
   if (!answer.region.feasible) {
     add_mends(document, answer, task_of(report));
@@ -217,7 +198,7 @@ Document document(const RegionReport& report) {
     const auto feasible = feasible_at(report, *f);
     document.answer.row("feasible delta",
                         feasible.empty() ? "none with this f" : delta_words(feasible, physical));
-    add_constraints(document, answer.constraints, limits, physical);
+    add_constraints(document, answer.constraints, physical);
   }
   if (f && (!delta || stops_by_delta1(answer.constraints))) {
     document.answer.row("delta needed",
@@ -230,7 +211,6 @@ Document document(const RegionReport& report) {
   if (const auto shown = shown_damper(report)) {
     add_motion(document.answer, *shown);
     add_works_for(document.answer, shown->works_for, shown->task);
-    add_details(document, *shown, DeltaNeeds());
   }
   add_findings(document, report.findings, physical);
   return document;

@@ -40,9 +40,6 @@ struct ShownTask {
   const design::RegionRequest& request = report.request;
   return {request.problem, request.limits, request.pulse, request.pulse_ranges, report.physical};
 }
-/// With springs up to p times `stiffest`.
-void add_physical_input(Section& section, const design::PhysicalInput& physical,
-                        double stiffest = 1);
 /// "a friction force of 283.81 kN and a notch that takes 69.423 kJ at a passage" if the mass is
 /// known, else "f = 0.26 and delta = 0.37", with the digits that f has unless others are asked for,
 /// and how the notch differs from the paper's; as little friction as possible without an `f`.
@@ -64,13 +61,8 @@ void add_physical_input(Section& section, const design::PhysicalInput& physical,
                                          double peak);
 /// "480 kN s" for a speed; "0.4 N s per kg" if the mass is not known.
 [[nodiscard]] std::string impulse_shown(const Physical& physical, double impulse);
-/// How friction steps with |x|, to what is `beyond`; nothing without zones.
-void add_zones(Section& section, const std::vector<FrictionZone>& zones, std::string_view beyond,
-               const Physical& physical);
 /// The differences from the paper's notch and friction.
 void add_surface(Section& section, const SimulationRequest& request, const Physical& physical);
-void add_excitation(Section& section, const Excitation& excitation,
-                    const std::optional<RecordOrigin>& record, const Physical& physical);
 
 /// "2 x a.AT2": the factor and the file of a record of a suite.
 [[nodiscard]] std::string record_label(const design::SuiteRecord& record);
@@ -83,10 +75,6 @@ void add_excitation(Section& section, const Excitation& excitation,
 /// " between the velocity jumps at the notch", of an acceleration that does not count them; empty
 /// of a notch with a width, and without a notch.
 [[nodiscard]] std::string_view jumps_words(double delta, const std::optional<double>& width);
-/// Where a notch under records differs from the paper's.
-void add_real_notch(Section& section, const std::optional<double>& hold,
-                    const std::optional<double>& width, const Physical& physical);
-
 /// A value beyond a limit times this exceeds it by more than rounding.
 inline constexpr double for_rounding = 1 + 1e-9;
 inline constexpr int usual_digits = 4;
@@ -100,25 +88,20 @@ inline constexpr int usual_digits = 4;
 /// "a tolerance of 34.18 %", likewise.
 [[nodiscard]] std::string tolerance_shown(const design::Limits& limits, double tolerance,
                                           int shown = usual_digits);
-/// The heads and the cells of a table for the tolerance: one, or one of f and one of delta.
-[[nodiscard]] std::vector<std::string> tolerance_heads(const design::Limits& limits);
-[[nodiscard]] std::vector<std::string> tolerance_cells(const design::Limits& limits,
-                                                       const std::optional<double>& tolerance);
+/// The head and a cell of a table for the tolerance: "+-34.18 %", or that of f and that of delta.
+[[nodiscard]] std::string tolerance_head(const design::Limits& limits);
+[[nodiscard]] std::string tolerance_cell(const design::Limits& limits,
+                                         const std::optional<double>& tolerance);
 /// "f and delta may both be off by +-34.18 %", likewise; without a notch f alone.
 [[nodiscard]] std::string tolerance_words(const design::Limits& limits, double tolerance,
                                           double delta);
 
-/// "hits of 0.36 to 0.44 m/s and periods of 2.66 to 2.94 s"; empty without ranges.
-[[nodiscard]] std::string range_words(const design::Problem& problem, const Physical& physical);
 /// "strongest hit, softest spring", or stiffest: an end of the ranges; empty without ranges.
 [[nodiscard]] std::string extreme_words(const design::Problem& problem, std::string_view spring);
-/// Which motion of a task with ranges is shown, shortly; empty without ranges.
-[[nodiscard]] std::string shown_words(const ShownTask& task);
-/// Of a free motion with ranges the practice at their ends, else `own`; and of which motions. The
-/// width of the notch is enough for all ranges.
+/// Of a free motion with ranges the practice at their ends, else `own`. The width of the notch is
+/// enough for all ranges.
 struct ToldPractice {
   std::optional<design::Practice> lines;
-  std::string which;
   bool at_ends{false};  ///< each line is the worst of the ends
 };
 [[nodiscard]] ToldPractice told_practice(const ShownTask& task,
@@ -126,20 +109,10 @@ struct ToldPractice {
                                          double delta);
 /// Of the motion after a hit, from x = 0 without a load, with the paper's notch; else empty.
 [[nodiscard]] std::optional<design::Practice> practice_of(const MotionReport& report);
-/// The first of `count` as a table, and what --json has of others.
-inline constexpr std::size_t most_half_cycles = 12;
-void add_half_cycles(Section& section, std::span<const HalfCycle> half_cycles,
-                     const std::optional<double>& count, std::string_view where_more,
-                     const Physical& physical);
-/// The limits that are given, and the tolerance asked for.
-void add_limits(Section& section, const design::Limits& limits, const Physical& physical);
-/// The section of the task; `pulsed` if a pulse takes the place of v0.
-Section& add_problem(Document& document, const design::Problem& problem,
-                     const design::Limits& limits, const Physical& physical, bool pulsed);
 /// What bounds the dampers of a task, with the limits that are given.
-Section& add_region(Document& document, const design::RegionVerdict& verdict,
-                    const design::Problem& problem, const design::Limits& limits,
-                    const Physical& physical);
+void add_region(Document& document, const design::RegionVerdict& verdict,
+                const design::Problem& problem, const design::Limits& limits,
+                const Physical& physical);
 /// In rising order, without those that overlap.
 [[nodiscard]] std::vector<Interval> merged(std::vector<Interval> all);
 /// "up to 0.0043 or 0.0106 to 0.0236": the f of a region that is not empty, without the gaps
@@ -147,9 +120,6 @@ Section& add_region(Document& document, const design::RegionVerdict& verdict,
 [[nodiscard]] std::string feasible_words(const design::RegionVerdict& verdict,
                                          const design::Problem& problem,
                                          const design::Limits& limits);
-/// The rows of a pulse in the section of the task.
-void add_pulse(Section& task, const design::Pulse& pulse, const design::PulseRanges& ranges,
-               const Physical& physical);
 /// The least Delta for an f by either criterion; the exact one is empty if the motion does not
 /// return, both if it does not stop by them.
 struct DeltaNeeds {
@@ -180,14 +150,17 @@ void add_mends(Document& document, const design::RegionVerdict& empty, const Sho
                                      std::string_view what = "damper");
 /// A name of the interface as people read it: "dead zone", "largest f".
 [[nodiscard]] std::string in_words(std::string_view name);
+/// How wide a notch must be for the load to move the mass, unless none is.
+void add_start(Section& answer, double least_width, const Response& response,
+               const Physical& physical);
 /// Whether Delta is compared with Delta1 of the first arrival: not for a damper that stops at a
 /// later one, nor if a rest off centre is allowed.
 [[nodiscard]] bool stops_by_delta1(std::span<const design::Constraint> constraints);
 /// Else whether it stops there does not matter.
 [[nodiscard]] bool returns(std::span<const design::Constraint> constraints);
 /// Each with its slack: by how much a damper meets or misses it.
-Section& add_constraints(Document& document, std::span<const design::Constraint> constraints,
-                         const design::Limits& limits, const Physical& physical);
+void add_constraints(Document& document, std::span<const design::Constraint> constraints,
+                     const Physical& physical);
 
 /// What the mass feels outside the notch, from x = 0 on, if it feels more in it.
 [[nodiscard]] std::optional<double> felt_outside(double felt, double peak, double p, double f,

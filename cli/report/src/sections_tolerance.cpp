@@ -36,21 +36,17 @@ std::string cell(const std::optional<double>& tolerance, double below, double ab
 
 }  // namespace
 
-std::vector<std::string> tolerance_heads(const design::Limits& limits) {
-  return limits.shape == design::BoxShape{} ? std::vector<std::string>{"tolerance"}
-                                            : std::vector<std::string>{"f off by", "delta off by"};
+std::string tolerance_head(const design::Limits& limits) {
+  return limits.shape == design::BoxShape{} ? "tolerance" : "f, delta off by";
 }
 
-std::vector<std::string> tolerance_cells(const design::Limits& limits,
-                                         const std::optional<double>& tolerance) {
+std::string tolerance_cell(const design::Limits& limits, const std::optional<double>& tolerance) {
   const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
-  const bool even = limits.shape == design::BoxShape{};
-  const int shown = even ? usual_digits : 3;  // a table has 80 columns
-  std::vector<std::string> cells{cell(tolerance, f_low, f_high, shown)};
-  if (!even) {
-    cells.push_back(cell(tolerance, delta_low, delta_high, shown));
-  }
-  return cells;
+  constexpr int shown = 3;  // a table has 80 columns
+  return limits.shape == design::BoxShape{}
+             ? cell(tolerance, f_low, f_high, usual_digits)
+             : format("{}, {}", cell(tolerance, f_low, f_high, shown),
+                      cell(tolerance, delta_low, delta_high, shown));
 }
 
 std::string percent_digits(double tolerance, int shown) {

@@ -107,13 +107,9 @@ ToldPractice told_practice(const ShownTask& task, const std::optional<design::Pr
                            double f, double delta) {
   const auto& [problem, limits, pulse, ranges, physical] = task;
   if (own && !pulse && (problem.p_high || problem.v0_low)) {
-    return {design::worst_practice(problem, limits, f, delta),
-            problem.v0_low != 0.0 ? "worst end of the ranges"
-            : problem.p_high      ? "strongest hit, worst end of the springs"
-                                  : "strongest hit",
-            true};
+    return {design::worst_practice(problem, limits, f, delta), true};
   }
-  ToldPractice told{own, shown_words(task)};
+  ToldPractice told{own};
   if (own && own->notch_width_min && pulse) {
     told.lines->notch_width_min = design::least_notch_width_from_rest(
         f, delta, *limits.acceleration_max, problem.stiffest_p(),

@@ -23,7 +23,7 @@ using design::SpectrumFigures;
 using design::SpectrumPoint;
 
 /// At even steps; more do not fit a screen, and a file has them all.
-constexpr std::size_t most_even_periods = 13;
+constexpr std::size_t most_even_periods = 7;
 
 /// Those, and the periods of the largest of each figure; all rather than all but a few.
 std::set<std::size_t> shown_periods(const std::vector<SpectrumPoint>& points) {
@@ -72,25 +72,6 @@ std::string of_all_records(const SpectrumReport& report, const std::string& word
       count > 1
           ? format("{}: {}", design::suite_words(*report.result.request.combine, count), words)
           : words);
-}
-
-/// The figures at the only period, with the notch and without it.
-std::string words_of_one(const SpectrumReport& report) {
-  const FigureUnits units(report.physical);
-  const auto words = [&](const SpectrumFigures& one) {
-    return format("transmits {}{}; the peak is {}, {}", acceleration_shown(one.acceleration),
-                  only_locked(report) || one.jump == 0 ? "" : " between the jumps at the notch",
-                  units.length_words(one.peak),
-                  one.residual ? "the residual " + units.length_words(*one.residual)
-                               : "and the mass never comes to rest");
-  };
-  const SpectrumPoint& point = report.result.combined.front();
-  const std::string friction = "friction alone " + words(point.without);
-  const std::string at = "at " + period_words(report, 0);
-  return of_all_records(report, report.result.request.delta == 0
-                                    ? format("{} {}", at, friction)
-                                    : format("{} the damper {}. Without the notch, {}", at,
-                                             words(point.with_notch), friction));
 }
 
 /// The largest of each figure of friction alone, and the period at which it occurs.
@@ -189,7 +170,12 @@ void add_damper(Section& answer, const SpectrumReport& report) {
   const design::SpectrumRequest& task = report.result.request;
   answer.row("damper", format("f = {}, delta = {}, the same at every period", digits(task.f),
                               length_shown(report.physical, task.delta)));
-  add_real_notch(answer, task.hold, task.notch_width, report.physical);
+  if (task.hold) {
+    answer.row("notch", format("lets go at {} above f", acceleration_shown(*task.hold)));
+  }
+  if (task.notch_width) {
+    answer.row("notch", length_shown(report.physical, *task.notch_width) + " wide");
+  }
   if (task.delta > 0 && !task.notch_width && !task.hold) {
     const double peak = std::ranges::max(report.result.combined, {}, [](const SpectrumPoint& now) {
                           return now.with_notch.peak;
@@ -211,9 +197,8 @@ void add_damper(Section& answer, const SpectrumReport& report) {
 
 std::string verdict(const SpectrumReport& report) {
   const design::Spectrum& result = report.result;
-  return result.combined.size() == 1                        ? words_of_one(report)
-         : result.request.delta == 0 || only_locked(report) ? friction_words(report)
-                                                            : design::summary(result);
+  return result.request.delta == 0 || only_locked(report) ? friction_words(report)
+                                                          : design::summary(result);
 }
 
 Document document(const SpectrumReport& report) {

@@ -40,42 +40,6 @@ double rate(const SweepSummary& summary) {
          std::max(summary.wall_time_s, least_s);
 }
 
-/// What is fixed, and what varies from where to where, apart from the columns of a list.
-void add_scene(Section& scene, const SweepReport& report) {
-  const sweep::SweepSpec& spec = report.spec;
-  for (const auto& [quantity, axis] : spec.axes) {
-    const auto names = records::units_of(sweep::dimension(quantity, spec.units));
-    const auto words = [&](double value) {
-      return names.empty() || value == 0 ? fmt::format("{:.9g}", value)
-             : names.front().name == "m" ? with_unit(value, "m")
-                                         : fmt::format("{:.9g} {}", value, names.front().name);
-    };
-    std::string_view label = sweep::name(quantity, spec.units);
-    label.remove_suffix(label.ends_with("_m") ? 2 : 0);
-    scene.row(in_words(label),
-              axis.has_ranges()  ? in(axis.text(), names.empty() ? "" : std::string(names[0].name))
-               : axis.size() == 1 ? words(axis[0])
-                                 : fmt::format("{} to {}, {} values{}", words(axis.ends().low),
-                                               words(axis.ends().high), axis.size(),
-                                               axis.spacing() == sweep::Axis::Spacing::logarithmic
-                                                   ? " in equal ratios"
-                                                   : ""));
-  }
-  if (report.record) {
-    scene.row("record", spelled_out(*report.record));
-  }
-  const Physical physical = spec.units ? Physical(spec.units->physical()) : Physical();
-  add_zones(scene, spec.zones, "f", physical);
-  if (spec.kind == SweepKind::forced) {
-    add_excitation(scene, spec.excitation, std::nullopt, physical);
-  } else if (spec.kind == SweepKind::design) {
-    if (spec.pulse) {
-      scene.row("pulse", std::string(design::name(*spec.pulse)));
-    }
-    add_limits(scene, spec.limits, physical);
-  }
-}
-
 }  // namespace
 
 ordered_json own_json(const Outcomes& outcomes) {
@@ -194,9 +158,8 @@ ordered_json sweep_schema() {
 }
 
 Document document(const SweepReport& report) {
-  const auto& [spec, summary, map, record] = report;
+  const auto& [spec, summary, map] = report;
   Document document = document_of("Sweep", summary.state, spec.kind == SweepKind::design);
-  add_scene(document.detail("Scene"), report);
   Section& rows = document.section("Run");
   if (spec.output) {
     rows.row("file", *spec.output);
@@ -224,7 +187,7 @@ std::string progress_words(double rows, std::int64_t begun_with,
 }
 
 figures::HtmlPage page(const SweepReport& report) {
-  figures::HtmlPage page = page_of(document(report));
+  figures::HtmlPage page = page_of(document(report, Verbosity::full));
   if (report.map) {
     page.figures = {sweep_figure(report.spec, *report.map)};
   }

@@ -2,6 +2,7 @@
 #include <stillpoint/report/document.hpp>
 
 #include <stillpoint/records/text.hpp>
+#include <stillpoint/report/wrapped.hpp>
 
 #include <fmt/color.h>
 #include <fmt/format.h>
@@ -20,31 +21,11 @@ constexpr std::size_t label_width = 18;  // if no label of the section is longer
 constexpr std::size_t page_width = 80;
 constexpr std::size_t indent = 2;
 
-/// A line does not break within "f = 0.02" or "5.9 mm", only after a word or a mark.
-bool may_end(std::string_view text, std::size_t space) {
-  constexpr std::string_view relations = "=<>+-";
-  constexpr std::string_view digits = "0123456789";
-  return digits.find(text[space - 1]) == std::string_view::npos &&
-         relations.find(text[space - 1]) == std::string_view::npos &&
-         relations.find(text[space + 1]) == std::string_view::npos;
-}
-
 /// `text` in lines of at most `width`, if its words allow it.
-std::vector<std::string_view> lines_of(std::string_view text, std::size_t width) {
-  std::vector<std::string_view> lines;
-  while (text.size() > width) {
-    std::size_t space = text.rfind(' ', width);
-    while (space != std::string_view::npos && space > 0 && !may_end(text, space)) {
-      space = text.rfind(' ', space - 1);
-    }
-    if (space == std::string_view::npos || space == 0) {
-      break;
-    }
-    lines.push_back(text.substr(0, space));
-    text.remove_prefix(space + 1);
-  }
-  lines.push_back(text);
-  return lines;
+std::vector<std::string> lines_of(std::string_view text, std::size_t width) {
+  const std::string folded = wrapped(text, width);
+  const auto lines = records::split(folded, '\n');
+  return {lines.begin(), lines.end()};
 }
 
 fmt::text_style style_of(Tone tone) {
@@ -75,7 +56,7 @@ class Text {
 
   [[nodiscard]] std::string heading(std::string_view words) const {
     std::string text;
-    for (const auto line : lines_of(words, page_width)) {
+    for (const std::string& line : lines_of(words, page_width)) {
       text += styled(Tone::heading, line) + "\n";
     }
     return text;
@@ -84,7 +65,7 @@ class Text {
   std::string operator()(const Row& row) const {
     std::string text;
     std::string_view label = row.label;
-    for (const auto line : lines_of(row.text, page_width - indent - label_width_)) {
+    for (const std::string& line : lines_of(row.text, page_width - indent - label_width_)) {
       text += fmt::format("  {:<{}}{}\n", label, label_width_, styled(row.tone, line));
       label = "";
     }
@@ -93,7 +74,7 @@ class Text {
 
   std::string operator()(const Line& line) const {
     std::string text;
-    for (const auto part : lines_of(line.text, page_width - indent)) {
+    for (const std::string& part : lines_of(line.text, page_width - indent)) {
       text += fmt::format("  {}\n", styled(line.tone, part));
     }
     return text;
@@ -116,83 +97,75 @@ class Text {
 
   /// Columns as wide as their widest cell, to the right; to the left the first and, unless it has
   /// only numbers, the last one, whose words continue below. A table that is too wide gets its
-  /// heads in two lines, with only the units below if that is enough, and where even that is not,
-  /// long names above their rows.
+  /// heads in two lines and smaller gaps, and where even that is not enough, long names above their
+  /// rows.
   std::string operator()(Table table) {
-    std::vector<std::size_t> cells(table.head.size());
     ends_in_numbers_ = std::ranges::all_of(table.rows, [](const TableRow& row) {
       return row.cells.back() == "none" ||
              row.cells.back().find_first_not_of("0123456789.e+-") == std::string::npos;
     });
-    for (const TableRow& row : table.rows) {
-      widen(cells, row.cells);
+    std::vector<std::vector<std::string>> heads{table.head};
+    std::size_t gap = usual_gap;
+    std::vector<std::size_t> widths = widths_of(heads, table);
+    if (width(widths, gap) > page_width) {
+      heads = in_two_lines(table.head);
+      widths = widths_of(heads, table);
     }
-    if (!ends_in_numbers_) {
-      constexpr std::size_t least = 30;
-      std::vector<std::size_t> widths = cells;
-      widths.back() = 0;
-      std::ranges::for_each(heads_of(table.head, HeadBreak::units),
-                            [&](const auto& head) { widen(widths, head); });
-      const std::size_t others = std::min(width(widths, usual_gap), page_width);
-      cells.back() = std::min(cells.back(), std::max(least, page_width - others));
+    while (gap > 1 && width(widths, gap) > page_width) {
+      --gap;
+    }
+    if (width(widths, gap) > page_width) {
+      gap = 2;
+      widths[0] = std::max(heads.front()[0].size(), heads.back()[0].size());
     }
     std::string text;
-    for (const HeadBreak breaks : {HeadBreak::none, HeadBreak::units, HeadBreak::words}) {
-      const auto heads = heads_of(table.head, breaks);
-      std::vector<std::size_t> widths = cells;
-      std::ranges::for_each(heads, [&](const auto& head) { widen(widths, head); });
-      const bool fits = breaks == HeadBreak::none || width(widths, usual_gap) <= page_width;
-      std::size_t gap = fits ? usual_gap : narrow_gap;
-      if (breaks == HeadBreak::words && width(widths, gap) > page_width) {
-        gap = 1;
-        if (width(widths, gap) > page_width) {
-          gap = narrow_gap;
-          widths[0] = std::max(heads.front()[0].size(), heads.back()[0].size());
-        }
+    for (const std::vector<std::string>& head : heads) {
+      const std::string line = aligned({head}, widths, gap);
+      text += line == "\n" ? "" : line;
+    }
+    for (TableRow& row : table.rows) {
+      if (row.cells[0].size() > widths[0]) {
+        text += fmt::format("  {}\n", std::exchange(row.cells[0], ""));
       }
-      if (breaks == HeadBreak::words || width(widths, gap) <= page_width) {
-        for (const std::vector<std::string>& head : heads) {
-          const std::string line = aligned({head}, widths, gap);
-          text += line == "\n" ? "" : line;
-        }
-        for (TableRow& row : table.rows) {
-          if (row.cells[0].size() > widths[0]) {
-            text += fmt::format("  {}\n", std::exchange(row.cells[0], ""));
-          }
-          text += aligned(row, widths, gap);
-        }
-        break;
-      }
+      text += aligned(row, widths, gap);
     }
     return text;
   }
 
  private:
   static constexpr std::size_t usual_gap = 3;  // between columns
-  static constexpr std::size_t narrow_gap = 2;
 
   static std::size_t width(const std::vector<std::size_t>& columns, std::size_t gap) {
     return std::accumulate(columns.begin(), columns.end(), 2 + (columns.size() - 1) * gap);
   }
 
-  enum class HeadBreak { none, units, words };
-
-  static void widen(std::vector<std::size_t>& widths, const std::vector<std::string>& cells) {
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      widths[i] = std::max(widths[i], cells[i].size());
+  /// Of the columns; words of the last one have the room that is left, but at least 30.
+  [[nodiscard]] std::vector<std::size_t> widths_of(
+      const std::vector<std::vector<std::string>>& heads, const Table& table) const {
+    std::vector<std::size_t> widths(table.head.size());
+    const auto widen = [&widths](const std::vector<std::string>& cells) {
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        widths[i] = std::max(widths[i], cells[i].size());
+      }
+    };
+    std::ranges::for_each(heads, widen);
+    std::ranges::for_each(table.rows, widen, &TableRow::cells);
+    if (!ends_in_numbers_) {
+      constexpr std::size_t least = 30;
+      const std::size_t others = std::min(width(widths, usual_gap) - widths.back(), page_width);
+      widths.back() = std::min(widths.back(), std::max(least, page_width - others));
     }
+    return widths;
   }
 
-  /// "peak, mm" and "stop time" in two lines; one line where no head has a unit, or words.
-  static std::vector<std::vector<std::string>> heads_of(const std::vector<std::string>& heads,
-                                                        HeadBreak breaks) {
-    if (breaks == HeadBreak::none) {
-      return {heads};
-    }
+  /// "peak, mm" in two lines; one line where all heads are single words.
+  static std::vector<std::vector<std::string>> in_two_lines(const std::vector<std::string>& heads) {
     std::vector<std::vector<std::string>> lines(2);
     for (const std::string& head : heads) {
-      const std::size_t end = std::min(
-          breaks == HeadBreak::words ? head.find_first_of(", -") : head.find(", "), head.size());
+      constexpr std::size_t room = 10;
+      const std::size_t unit = head.find(", ");
+      const std::size_t end =
+          unit <= room ? unit : std::min(head.find_first_of(", -"), head.size());
       lines[0].push_back(head.substr(0, end) + (head[end] == '-' ? "-" : ""));
       lines[1].push_back(head.substr(std::min(head.find_first_not_of(", -", end), head.size())));
     }
@@ -211,7 +184,7 @@ class Text {
       if (last && !ends_in_numbers_) {
         const std::string below = "\n" + std::string(text.size(), ' ');
         const auto lines = lines_of(cell, widths[i]);
-        for (const std::string_view& line : lines) {
+        for (const std::string& line : lines) {
           text += (&line == lines.data() ? "" : below) + styled(row.tone, line);
         }
         continue;
@@ -243,7 +216,7 @@ std::string text(const Document& document, const TextOptions& options) {
   if (!document.answer.parts.empty()) {
     text += "\n" + rendered(document.answer);
   }
-  bool more = false;
+  bool more = document.brief;
   for (const Section& section : document.sections) {
     if (section.parts.empty()) {
       continue;

@@ -28,12 +28,6 @@ std::string acceleration_shown(double acceleration) {
   return format("{:.4g} g", acceleration);
 }
 
-std::string between_jumps(const Physical& physical, double largest) {
-  return largest > 0 ? " between jumps of velocity of up to " +
-                           FigureUnits(physical).velocity_words(largest)
-                     : "";
-}
-
 std::string length_limit(const Physical& physical, double length, bool upwards,
                          std::optional<int> digits) {
   constexpr int with_a_unit = 5;
@@ -95,11 +89,6 @@ std::string beyond(const Physical& physical, records::Dimension dimension, doubl
                    double limit) {
   const auto [one, other] = told_apart(physical, dimension, value, limit);
   return format("{} where {} is allowed", one, other);
-}
-
-std::string frequency_shown(const Physical& physical, double lambda) {
-  return physical ? format("{:.5g} Hz", lambda / (2 * std::numbers::pi * physical->scales.time_s))
-                  : "lambda = " + digits(lambda);
 }
 
 std::string in(const std::string& name, const std::string& unit) {

@@ -20,9 +20,6 @@ using Physical = std::optional<design::PhysicalInput>;
                                        std::optional<int> digits = {});
 [[nodiscard]] std::string time_shown(const Physical& physical, double tau);
 [[nodiscard]] std::string acceleration_shown(double acceleration);
-/// " between jumps of velocity of up to 0.891 m/s", of an acceleration; empty if nothing jumps.
-[[nodiscard]] std::string between_jumps(const Physical& physical, double largest);
-
 /// A length that keeps a limit as printed, with five digits or, without physical input, six.
 [[nodiscard]] std::string length_limit(const Physical& physical, double length, bool upwards,
                                        std::optional<int> digits = {});
@@ -41,9 +38,6 @@ using Physical = std::optional<design::PhysicalInput>;
 /// A stroke or a residual; "less than 0.001 mm" of what nobody can measure.
 [[nodiscard]] std::string displacement_shown(const Physical& physical, double length,
                                              std::optional<int> digits = {});
-
-/// "7.1429 Hz", or "lambda = 20" without physical input.
-[[nodiscard]] std::string frequency_shown(const Physical& physical, double lambda);
 
 /// "peak, mm"; the name alone without a unit.
 [[nodiscard]] std::string in(const std::string& name, const std::string& unit);

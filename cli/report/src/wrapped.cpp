@@ -27,14 +27,18 @@ Fold fold_of(std::string_view line) {
   return {begin, ""};
 }
 
-/// A number from its unit, or an option from its value.
+/// A number from its unit, "f = 0.02", or an option from its value.
 bool parts(std::string_view text, std::size_t space) {
-  const std::size_t before = space == 0 ? std::string_view::npos : text.rfind(' ', space - 1);
-  const std::string_view word = text.substr(before + 1, space - before - 1);
-  constexpr std::string_view digits = "0123456789";
-  const bool continued = !text.substr(space + 1).starts_with('-');
-  return continued && !word.empty() &&
-         (digits.find(word.back()) != std::string_view::npos || word.starts_with("--"));
+  constexpr std::string_view signs = "0123456789=<>+-";
+  const std::string_view behind = text.substr(space + 1);
+  if (space == 0 || behind.starts_with("--")) {
+    return false;
+  }
+  const std::size_t before = text.rfind(' ', space - 1);
+  const bool option = text.substr(before + 1, space - before - 1).starts_with("--");
+  constexpr std::string_view relations = "=<>+-";
+  return option || signs.find(text[space - 1]) != std::string_view::npos ||
+         (!behind.empty() && relations.find(behind.front()) != std::string_view::npos);
 }
 
 /// The last blank up to `room` that parts nothing; any without one.

@@ -62,8 +62,6 @@ BOOST_AUTO_TEST_CASE(has_the_values_in_the_middle_of_their_cells) {
   BOOST_TEST(figure.y.position(0.01) == 1 / 6.0, tt::tolerance(1e-12));
   BOOST_TEST(figure.x.label == "constant friction f");
   BOOST_TEST(figure.y.label == "point friction Δ (log scale)");
-  BOOST_TEST(contains(text(document(report), {.verbosity = report::Verbosity::full}),
-                      "0.01 to 1, 3 values in equal ratios"));
   // The key has two colours, of which one is hatched, and each that occurs; numbers, or words,
   // stand in the areas.
   const std::set<std::uint8_t> shades(figure.map.cells.begin(), figure.map.cells.end());

@@ -114,7 +114,7 @@ std::vector<Figure> design_spectra(const design::RecordDesign& result, const Fig
 figures::HtmlPage page(const RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;
   const FigureUnits units(report.physical);
-  figures::HtmlPage page = page_of(document(report));
+  figures::HtmlPage page = page_of(document(report, Verbosity::full));
   page.figures = record_maps(result, units);
   if (result.finding) {
     add_records(page.figures, result, units);

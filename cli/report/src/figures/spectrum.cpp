@@ -223,7 +223,7 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
 }
 
 figures::HtmlPage page(const SpectrumReport& report) {
-  figures::HtmlPage page = page_of(document(report));
+  figures::HtmlPage page = page_of(document(report, Verbosity::full));
   if (report.result.combined.size() > 1) {  // the table says more than two dots
     page.figures = spectrum_figures(report.result, FigureUnits(report.physical));
   }

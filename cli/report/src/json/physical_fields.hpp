@@ -207,10 +207,6 @@ struct TwinsSi : Si {
   static constexpr auto field_table() { return motion_fields_si; }
 };
 
-/// Of a damper alone.
-[[nodiscard]] std::optional<Si> physical_of(const Physical& physical, double f, double delta,
-                                            const std::optional<design::Practice>& practice,
-                                            const std::optional<design::Practice>& told);
 [[nodiscard]] std::optional<MotionSi> physical_of(const MotionReport& report);
 
 }  // namespace stillpoint::report

@@ -59,18 +59,6 @@ void add_wave(Si& si, const Excitation& excitation) {
 
 }  // namespace
 
-std::optional<Si> physical_of(const Physical& physical, double f, double delta,
-                              const std::optional<design::Practice>& practice,
-                              const std::optional<design::Practice>& told) {
-  return physical
-             ? std::optional(Si{.input = *physical,
-                                .f = f,
-                                .delta = delta,
-                                .practice = practice,
-                                .notch_width_min = told ? told->notch_width_min : std::nullopt})
-             : std::nullopt;
-}
-
 std::optional<AnswerSi> physical_of(const ShownAnswer& now) {
   if (!now.units) {
     return std::nullopt;

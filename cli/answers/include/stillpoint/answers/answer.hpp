@@ -37,14 +37,15 @@ class AnswerOf : public Answer {
   }
   [[nodiscard]] report::Document document() const override {
     using report::document;
-    return document(report_);
+    return document(report_, report::Verbosity::normal);
   }
   [[nodiscard]] figures::HtmlPage page() const override {
+    using report::document;
     using report::page;
     if constexpr (requires { page(report_); }) {
       return page(report_);
     } else {
-      return report::page_of(document());
+      return report::page_of(document(report_, report::Verbosity::full));
     }
   }
 

@@ -5,6 +5,8 @@
 
 #include <stillpoint/figures/html_page.hpp>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <string>
 #include <string_view>
 #include <variant>
@@ -52,6 +54,7 @@ struct Document {
   Tone tone{Tone::plain};  ///< of the verdict
   Section answer{};        ///< the rest of the answer, without a heading
   std::vector<Section> sections{};
+  bool brief{false};  ///< without the details of its report
 
   /// A new section at the end; the reference is good until the next one.
   Section& section(std::string heading);
@@ -60,6 +63,20 @@ struct Document {
 
 /// How much of a document the text shows: the answer without details, or everything.
 enum class Verbosity { normal, full };
+
+/// The objects of a report's JSON, which docs/reports.md describes, as sections of details.
+void add_details(Document& document, const nlohmann::ordered_json& report);
+
+/// Of a report that has document() and json(), which is made only for details.
+template <class Report>
+[[nodiscard]] Document document(const Report& report, Verbosity verbosity) {
+  Document made = document(report);
+  made.brief = verbosity == Verbosity::normal;
+  if (!made.brief) {
+    add_details(made, json(report));
+  }
+  return made;
+}
 
 struct TextOptions {
   std::string title{};   ///< the scene's own, after that of the document
