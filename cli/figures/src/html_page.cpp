@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "page_files.hpp"
+
 #include <stillpoint/figures/html_page.hpp>
 
 #include <fmt/format.h>
@@ -10,49 +12,6 @@
 namespace stillpoint::figures {
 
 namespace {
-
-/// The first figures stand in pairs. What follows flows through two columns, so that a last odd
-/// figure has tables beside it; a wide table goes across both.
-constexpr std::string_view page_style = R"(
-:root{color-scheme:light dark}
-body{font:15px/1.45 "DejaVu Sans",Arial,sans-serif;margin:0 auto;max-width:1180px;padding:16px;color:#222;background:#fff}
-h1{font-size:22px;margin:4px 0;overflow-wrap:anywhere}h2{font-size:17px;margin:0 0 6px;break-after:avoid}section{padding-top:20px}
-.answer{font-size:17px;overflow-wrap:anywhere}
-main{columns:2 530px;column-gap:20px;margin-top:14px}
-.figures{column-span:all;display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,440px),1fr));gap:20px;margin-bottom:20px}
-.across,details,footer{column-span:all}
-figure{margin:0;max-width:580px}figure,section,tr{break-inside:avoid}.across{break-inside:auto}
-figcaption{font-size:14px;margin:2px 8px 0 14px}
-.figure{width:100%;height:auto;display:block}
-.plot{cursor:crosshair}
-.readout{min-height:1.5em;font-size:13px;padding-left:14%}
-.readout button{font:inherit;margin-left:8px}
-.wide{overflow-x:auto}
-tr.violated{background:#fbe3e1}
-summary{cursor:pointer;font-weight:bold;margin-top:24px}figure+details{column-span:none}figure+details summary{margin:8px 14px}
-table{border-collapse:collapse;font-size:14px}td,th{padding:3px 10px;border-bottom:1px solid #ccc;text-align:left}
-td{font-variant-numeric:tabular-nums}.rows th{font-weight:normal;color:#666;white-space:nowrap}.columns td{padding:3px 8px}.columns td:first-child{white-space:nowrap}
-.number{white-space:nowrap}.key{font-weight:bold}.good{color:#00704f}.bad{color:#b3261e;font-weight:bold}.faint{color:#666}
-pre{overflow-x:auto;font:13px/1.4 "DejaVu Sans Mono",monospace;background:#f4f4f4;padding:10px}.input pre{white-space:pre-wrap;overflow-wrap:anywhere}
-footer{margin-top:24px;font-size:13px;color:#666}
-@media screen and (max-width:520px){body{padding:8px}.rows th{white-space:normal}td,th,.columns td{padding:3px 8px 3px 0}details pre{white-space:pre-wrap;overflow-wrap:anywhere}.rows td,.across td{overflow-wrap:anywhere}.columns{font-size:11px}.columns th,.columns td{padding-right:5px}
-.across .columns{font-size:14px}.across .columns,.across .columns tr,.across tbody{display:block}.across tr{border-bottom:1px solid #999;padding:4px 0}.across thead{display:none}.across .columns td{display:inline-block;border:0;margin-right:10px}.across td[data-head]::before{content:attr(data-head) " ";opacity:.8}.across td[data-unit]::after{content:" " attr(data-unit);opacity:.8}.across td:empty{display:none}}
-)";
-
-constexpr std::string_view dark_page_style = R"(
-body{color:#ddd;background:#14181d}td,th{border-color:#444}.rows th,.faint{color:#aaa}.good{color:#4fd0a4}.bad{color:#ff8a80}pre{background:#1d232a}tr.violated{background:#45221f}footer{color:#aaa}
-)";
-
-/// Everything flows through the columns, the input as small print at the end. Letters are as large
-/// as those of the figures: 10 pixels are 7.5 points.
-constexpr std::string_view print_style = R"(
-@page{margin:7mm 10mm}
-body{max-width:none;padding:0;font-size:10px;line-height:1.15}h1{font-size:16px;margin:0}h2{font-size:13px;margin:0 0 1px}section{padding-top:4px}.answer{font-size:13px;margin:2px 0}table{font-size:11px}
-main{columns:2;column-gap:6mm;column-fill:auto;margin:0}.figures{display:block;margin:0}.figures,footer{column-span:none}figure{max-width:none;margin-top:6px}figcaption,main table{font-size:10px}.readout,details:not([open]){display:none}
-section:has(tr:nth-child(13)){break-inside:auto}tr:nth-child(-n+4){break-after:avoid}
-p{margin:2px 0}p,footer,tr:nth-last-child(-n+5){break-before:avoid}.wide{overflow:visible}td,th{padding:0 5px}.columns td,.columns th{padding:0 3px}.rows td,code{overflow-wrap:anywhere}
-.only,.input{column-span:all}.only{width:125mm}.input p{display:none}.input h2,.input pre{display:inline;font-size:10px;line-height:1.1}pre{background:none;padding:0 4px;font-size:10px}.input pre{white-space:normal}footer{margin-top:4px;font-size:10px}
-)";
 
 /// The page loads nothing, whatever text is in it: its script and style are its own, and the images
 /// of its maps are data.
@@ -123,8 +82,8 @@ std::string html(const HtmlPage& page) {
       "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\"/>\n"
       "<title>{}</title>\n<style>{}{}@media screen and (prefers-color-scheme: dark){{{}{}}}\n"
       "@media print{{{}}}</style>\n</head>\n<body>\n<h1>{}</h1>\n<p class=\"answer{}\">{}</p>\n",
-      security_policy, escaped(page.title), page_style, figure_style(), dark_page_style,
-      dark_figure_style(), print_style, prose(page.title), page.alarming ? " bad" : "",
+      security_policy, escaped(page.title), page_css, figure_style(), page_dark_css,
+      dark_figure_style(), print_css, prose(page.title), page.alarming ? " bad" : "",
       prose(page.verdict));
   text += page.answer + "<main>\n" + figures(page.figures) + page.body;
   if (!page.report.empty()) {
@@ -134,7 +93,7 @@ std::string html(const HtmlPage& page) {
   }
   text += fmt::format(
       "<footer>{}</footer>\n</main>\n<script>//<![CDATA[{}//]]></script>\n</body>\n</html>\n",
-      escaped(page.footer), html_script());
+      escaped(page.footer), figures_js);
   return text;
 }
 

@@ -17,8 +17,8 @@ struct FigurePoint {
   double y{0};
 };
 
-/// Colours of Okabe and Ito, which colour-blind readers can tell apart; figure_style.cpp has their
-/// values.
+/// Colours of Okabe and Ito, which colour-blind readers can tell apart; data/page/figure.css has
+/// their values.
 enum class Ink { blue, orange, green, purple, sky, amber, grey };
 
 enum class Dash { solid, dashed, dotted };

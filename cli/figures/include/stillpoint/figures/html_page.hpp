@@ -25,7 +25,4 @@ struct HtmlPage {
 /// One self-contained file.
 [[nodiscard]] std::string html(const HtmlPage& page);
 
-/// The script that shows values under the pointer and zooms.
-[[nodiscard]] std::string_view html_script() noexcept;
-
 }  // namespace stillpoint::figures

@@ -1,13 +1,3 @@
-// SPDX-License-Identifier: MIT
-#include <stillpoint/figures/html_page.hpp>
-
-namespace stillpoint::figures {
-
-namespace {
-
-/// Values under the pointer come from the drawing, by the mapping of the axes that the figure
-/// carries. Zooming changes the view of the plot and its ticks.
-constexpr std::string_view script = R"js(
 'use strict';
 for (const figure of document.querySelectorAll('svg.figure')) {
   const scales = figure.dataset.scales.split(' ').map(name => name === 'linear'
@@ -167,12 +157,3 @@ for (const figure of document.querySelectorAll('svg.figure')) {
   });
   show();
 }
-)js";
-
-}  // namespace
-
-std::string_view html_script() noexcept {
-  return script;
-}
-
-}  // namespace stillpoint::figures
