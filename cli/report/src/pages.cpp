@@ -66,11 +66,12 @@ Figure region_of(const Request& request, const design::RegionVerdict& verdict,
           ? ""
           : mend_title(verdict, {problem, limits, request.pulse, request.pulse_ranges, physical},
                        catalogue ? "part" : "damper");
-  Figure figure = request.pulse
-                      ? pulse_region_figure({design::pulse_request(request).problem, limits,
-                                             verdict.region, *verdict.intervals, damper, mend},
-                                            units)
-                      : region_figure({problem, limits, verdict.region, damper, mend}, units);
+  DrawnRegion drawn{problem, limits, verdict.region, damper, mend};
+  if (request.pulse) {
+    drawn.pulse = design::pulse_request(request).problem;
+    drawn.intervals = *verdict.intervals;
+  }
+  Figure figure = region_figure(drawn, units);
   if (catalogue) {
     add_parts(figure, *catalogue, units);
   }

@@ -77,8 +77,8 @@ std::vector<Figure> trade_off_figures(const std::vector<design::TradeOff>& front
   const double stroke = chosen.response.peak_amplitude * units.length;
   Figure acceleration =
       over_stroke(front, units, "acceleration outside the notch, g",
-                  [](const design::TradeOff& now) { return now.transmitted; },
-                  Ink::orange, {stroke, chosen.response.peak_absolute_acceleration});
+                  [](const design::TradeOff& now) { return now.transmitted; }, Ink::orange,
+                  {stroke, chosen.response.peak_absolute_acceleration});
   acceleration.id = "trade-off";
   acceleration.y.label = "acceleration, g";  // the name is too long for its height
   acceleration.title = "Trade-off of stroke, acceleration and tolerance";

@@ -78,11 +78,8 @@ std::vector<FigurePoint> tolerance_box(const DrawnDamper& damper, const design::
                                        double unit) {
   const double r = damper.tolerance;
   const double delta = damper.delta * unit;
-  const double left = damper.f * (1 - r * shape.f_low);
-  const double right = damper.f * (1 + r * shape.f_high);
-  const double bottom = delta * (1 - r * shape.delta_low);
-  const double top = delta * (1 + r * shape.delta_high);
-  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
+  return figures::rectangle(damper.f * (1 - r * shape.f_low), damper.f * (1 + r * shape.f_high),
+                            delta * (1 - r * shape.delta_low), delta * (1 + r * shape.delta_high));
 }
 
 std::string tolerance_words(const design::BoxShape& shape, double tolerance) {
@@ -129,11 +126,9 @@ void add_tolerant(Figure& figure, const design::Limits& limits,
   for (std::vector<FigurePoint>& area : areas) {
     area.push_back(area.front());
   }
-  figure.curves.push_back({.name = tolerance_words(limits.shape, limits.tolerance) + " asked for",
-                           .strokes = std::move(areas),
-                           .ink = Ink::blue,
-                           .dash = Dash::dotted,
-                           .hover = false});
+  figure.curves.push_back(
+      figures::line(tolerance_words(limits.shape, limits.tolerance) + " asked for",
+                    std::move(areas), Ink::blue, Dash::dotted));
 }
 
 void add_damper(Figure& figure, const DrawnDamper& damper, const design::BoxShape& shape,

@@ -20,8 +20,8 @@ namespace stillpoint::report {
 using design::HitEnd;
 using figures::AreaLook;
 using figures::Figure;
-using figures::FigurePoint;
 using figures::Ink;
+using figures::rectangle;
 
 namespace {
 
@@ -148,29 +148,17 @@ std::string words(const DrawnEnds& drawn, double from, double to) {
 /// Those of the task as lines.
 figures::FigureCurve asked(const DrawnEnds& drawn) {
   const auto& [low, high] = drawn.asked;
-  figures::FigureCurve curve;
   const bool from_low = 0 < low && drawn.has_range;
-  curve.name = format("{} {}{}", drawn.symbol, low == 0 ? "up to " : "= ",
-                      from_low ? words(drawn, low, high) : words(drawn, high));
-  curve.ink = Ink::blue;
-  curve.dash = figures::Dash::dashed;
-  curve.hover = false;
-  const auto add = [&](double strength) {
-    const double place = strength * drawn.scale;
-    curve.strokes.push_back({{place, 0}, {place, 1}});
-  };
-  if (from_low) {
-    add(low);
+  std::vector<std::vector<figures::FigurePoint>> strokes;
+  for (const double strength : from_low ? std::vector{low, high} : std::vector{high}) {
+    strokes.push_back({{strength * drawn.scale, 0}, {strength * drawn.scale, 1}});
   }
-  add(high);
-  return curve;
+  return figures::line(format("{} {}{}", drawn.symbol, low == 0 ? "up to " : "= ",
+                              from_low ? words(drawn, low, high) : words(drawn, high)),
+                       std::move(strokes), Ink::blue, figures::Dash::dashed);
 }
 
 }  // namespace
-
-std::vector<FigurePoint> strip(double from, double to, double low, double high) {
-  return {{from, low}, {to, low}, {to, high}, {from, high}};
-}
 
 Figure ends_figure(const DrawnEnds& drawn) {
   const double scale = drawn.scale;
@@ -186,7 +174,7 @@ Figure ends_figure(const DrawnEnds& drawn) {
     const std::string range =
         interval_text({low, high}, {drawn.asked.low * scale, drawn.asked.high * scale}) +
         with_blank(drawn.unit);
-    auto box = strip(low, high, 0.05, 0.3);
+    auto box = rectangle(low, high, 0.05, 0.3);
     add_box_inset(figure, box);
     figure.areas.push_back({"works for " + range, std::move(box), Ink::blue, AreaLook::box});
     figure.clauses = {format("The damper works for {} of {}", drawn.measured, range),
@@ -207,7 +195,7 @@ Figure ends_figure(const DrawnEnds& drawn) {
         now.end == HitEnd::within_residual && now.arrivals.value_or(0) >= drawn.arrivals;
     figure.areas.push_back(
         {.name = name,
-         .outline = strip(now.from * scale, now.to * scale, 0, 1),
+         .outline = rectangle(now.from * scale, now.to * scale, 0, 1),
          .ink = ink_of(now),
          .look = too_late ? AreaLook::hatched : look_of(now.end).look,
          .again = true,
@@ -221,7 +209,7 @@ Figure ends_figure(const DrawnEnds& drawn) {
   }
   if (known < asked_for) {  // beyond what the program takes
     figure.areas.push_back(
-        {"not computed", strip(known, figure.x.most, 0, 1), Ink::purple, AreaLook::hatched});
+        {"not computed", rectangle(known, figure.x.most, 0, 1), Ink::purple, AreaLook::hatched});
   }
   figure.description += ". " + figure.caption();
   figure.curves.push_back(asked(drawn));

@@ -36,8 +36,4 @@ struct DrawnEnds {
 /// Without its title and the name of its axis.
 [[nodiscard]] figures::Figure ends_figure(const DrawnEnds& drawn);
 
-/// A rectangle.
-[[nodiscard]] std::vector<figures::FigurePoint> strip(double from, double to, double low,
-                                                      double high);
-
 }  // namespace stillpoint::report

@@ -86,8 +86,8 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
                                                : "velocity of the hit V₀, " + units.velocity_unit;
   if (felt) {
     figure.areas.push_back({format("above {:.4g} g", *limits.acceleration_max),
-                            strip(felt->low * unit, felt->high * unit, 0, 1), Ink::purple,
-                            AreaLook::hatched});
+                            figures::rectangle(felt->low * unit, felt->high * unit, 0, 1),
+                            Ink::purple, AreaLook::hatched});
   }
   return figure;
 }

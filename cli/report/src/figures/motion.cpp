@@ -171,12 +171,9 @@ void add_limits(Figure& figure, const DrawnMotion& motion, const FigureUnits& un
   for (const double limit : {*motion.beta, -*motion.beta}) {
     const double y = limit * units.length;
     if (figure.y.least < y && y < figure.y.most) {
-      figure.curves.push_back({.name = std::exchange(name, ""),
-                               .strokes = {{{figure.x.least, y}, {figure.x.most, y}}},
-                               .ink = Ink::orange,
-                               .dash = Dash::dashed,
-                               .hover = false,
-                               .labelled = true});
+      figure.curves.push_back(figures::line(std::exchange(name, ""),
+                                            {{{figure.x.least, y}, {figure.x.most, y}}},
+                                            Ink::orange, Dash::dashed, true));
     }
   }
 }
@@ -229,8 +226,7 @@ void add_zones(Figure& figure, const DrawnMotion& motion, double length, Along a
     from = std::max(from * length, across.least);
     to = std::min(to * length, across.most);
     if (from < to && (from > across.least || to < across.most)) {  // else it is all
-      std::vector<FigurePoint> outline{
-          {long_way.least, from}, {long_way.most, from}, {long_way.most, to}, {long_way.least, to}};
+      auto outline = figures::rectangle(long_way.least, long_way.most, from, to);
       for (FigurePoint& at : outline) {
         at = along == Along::x ? at : FigurePoint{at.y, at.x};
       }
@@ -308,11 +304,8 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
                                       units.length_words(std::max(high, -low))));
       continue;
     }
-    figure.curves.push_back({.name = name_of(other, figure.y, units),
-                             .strokes = strokes_of(other, place),
-                             .ink = other.ink,
-                             .dash = other.dash,
-                             .hover = false});
+    figure.curves.push_back(figures::line(name_of(other, figure.y, units), strokes_of(other, place),
+                                          other.ink, other.dash));
   }
   if (long_one) {
     const bool rests = motion.rest.has_value();

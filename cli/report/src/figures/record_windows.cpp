@@ -21,15 +21,10 @@ void add_box_outline(Figure& figure, const design::SuiteBox& box, const FigureUn
   const Interval& f = box.f;
   const Interval delta{box.delta.low * units.length, box.delta.high * units.length};
   if (f.low < f.high && delta.low < delta.high) {
-    figures::FigureCurve outline{"the tolerance",
-                                 {{{f.low, delta.low},
-                                   {f.high, delta.low},
-                                   {f.high, delta.high},
-                                   {f.low, delta.high},
-                                   {f.low, delta.low}}},
-                                 figures::Ink::orange};
-    outline.hover = false;
-    figure.curves.push_back(std::move(outline));
+    auto outline = figures::rectangle(f.low, f.high, delta.low, delta.high);
+    outline.push_back(outline.front());
+    figure.curves.push_back(
+        figures::line("the tolerance", {std::move(outline)}, figures::Ink::orange));
   }
 }
 

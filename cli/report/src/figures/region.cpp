@@ -117,11 +117,8 @@ void add_point_inset(Figure& figure, const std::vector<PlaneArea>& areas, const 
 }
 
 void add_edge(Figure& figure, std::string name, FigurePoint from, FigurePoint to) {
-  figure.curves.push_back({.name = std::move(name),
-                           .strokes = {{from, to}},
-                           .ink = Ink::grey,
-                           .hover = false,
-                           .labelled = true});
+  figure.curves.push_back(
+      figures::line(std::move(name), {{from, to}}, Ink::grey, Dash::solid, true));
 }
 
 /// Of several strips, those of later arrivals lie below those of earlier ones.
@@ -199,7 +196,7 @@ FigureCurve needs(const design::PulseProblem& problem, double last, const Figure
 }
 
 /// The far corner of what is shown of f and Delta.
-FigurePoint far_corner(const DrawnPulseRegion& drawn, double unit) {
+FigurePoint far_corner(const DrawnRegion& drawn, double unit) {
   FigurePoint far{
       std::max(drawn.region.f3, drawn.intervals.empty() ? 0 : drawn.intervals.back().high), 0};
   if (drawn.damper) {
@@ -225,22 +222,9 @@ design::PlaneWindow window(const Figure& figure, double unit) {
   return {{figure.x.least, figure.x.most}, {figure.y.least / unit, figure.y.most / unit}};
 }
 
-}  // namespace
-
-void add_boundaries(Figure& figure, const Problem& problem, const FigureUnits& units,
-                    const FigurePoint& last) {
-  const Region region = design::admissible_region(problem);
-  add_delta1(figure, problem, region.f3, units.length);
-  const double top = region.delta2.value() * units.length;
-  if (region.f3 > figure.x.least && region.f3 < last.x) {
-    add_edge(figure, "does not return →", {region.f3, figure.y.least}, {region.f3, figure.y.most});
-  }
-  if (top > figure.y.least && top < last.y) {
-    add_edge(figure, "held ↑", {figure.x.least, top}, {figure.x.most, top});
-  }
-}
-
-Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
+/// After a hit; the strips of the arrivals, which are its first areas.
+std::vector<PlaneArea> add_plane(Figure& figure, const DrawnRegion& drawn,
+                                 const FigureUnits& units) {
   const double unit = units.length;
   const Region& region = drawn.region;
   const auto& damper = drawn.damper;
@@ -248,9 +232,7 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   const auto own = damper && is_within(*damper)
                        ? design::arrival_of(drawn.problem, damper->f, damper->delta)
                        : std::nullopt;
-  const auto strips = design::admissible_areas(drawn.problem, drawn.limits, own.value_or(0));
-  const design::BoxShape& shape = drawn.limits.shape;
-  const auto box = damper ? tolerance_box(*damper, shape, unit) : std::vector<FigurePoint>{};
+  auto strips = design::admissible_areas(drawn.problem, drawn.limits, own.value_or(0));
   Extent seen;
   for (const PlaneArea& area : strips) {
     seen.add(outline(area, unit));
@@ -261,13 +243,11 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
       {{std::max(region.f3, std::min(region.f2, gap * region.f3)), region.delta2.value() * unit}});
   constexpr double far = 1.6;  // farther out, a damper would flatten the region
   if (damper && damper->f <= far * all.most.x && damper->delta * unit <= far * all.most.y) {
+    const auto box = tolerance_box(*damper, drawn.limits.shape, unit);
     seen.add(box);
     all.add(box);
   }
 
-  Figure figure;
-  figure.id = "region";
-  figure.title = region.feasible ? "Admissible region" : drawn.mend;
   figure.x = axis_of("constant friction f", seen.least.x, seen.most.x, all.most.x);
   figure.y = axis_of(units.delta_label, seen.least.y, seen.most.y, all.most.y);
   figure.description =
@@ -292,29 +272,17 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   }
   add_tolerant(figure, drawn.limits,
                outlines(design::tolerant_areas(drawn.problem, drawn.limits), unit));
-  if (damper) {
-    add_damper(figure, *damper, shape, units);
-  }
-  if (damper && strips.size() > 1) {
-    add_point_inset(figure, strips, *damper, unit);
-  }
-  for (std::size_t i = 0; i < strips.size() && !figure.inset; ++i) {
-    if (!is_seen(figure, figure.areas[i])) {
-      add_strip_inset(figure, strips[i], unit);
-    }
-  }
-  caption_inset(figure, units);
-  return figure;
+  return strips;
 }
 
-Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& units) {
-  Figure figure;
-  figure.id = "region";
-  figure.title = drawn.region.feasible ? "Admissible region" : drawn.mend;
+/// Under a pulse every Delta above the curve is admissible, between the ends of f: it has no
+/// strips.
+std::vector<PlaneArea> add_pulse_plane(Figure& figure, const DrawnRegion& drawn,
+                                       const FigureUnits& units) {
   const FigurePoint far = far_corner(drawn, units.length);
   constexpr double headroom = 1.15;
   const double right = headroom * far.x;
-  FigureCurve curve = needs(drawn.problem, right, units);
+  FigureCurve curve = needs(*drawn.pulse, right, units);
   figure.x = {"constant friction f", 0, right};
   const double limit = design::largest_delta_allowed(drawn.limits) * units.length;
   figure.y = {units.delta_label, 0, headroom * topmost(curve, far.y, limit)};
@@ -331,9 +299,9 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
     }
   }
   add_areas(figure,
-            design::pulse_areas(drawn.problem, drawn.limits, drawn.region, drawn.intervals,
+            design::pulse_areas(*drawn.pulse, drawn.limits, drawn.region, drawn.intervals,
                                 window(figure, units.length)),
-            PlaneWords(units.length_words(drawn.problem.beta)), units.length);
+            PlaneWords(units.length_words(drawn.pulse->beta)), units.length);
   for (figures::FigureArea& area : figure.areas) {
     const bool loose = area.name == "admissible" && drawn.limits.tolerance > 0;
     area.name += loose ? " without a tolerance" : "";
@@ -341,12 +309,45 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
   figure.curves.push_back(std::move(curve));
   if (drawn.region.feasible) {
     add_tolerant(figure, drawn.limits,
-                 outlines(design::tolerant_areas(drawn.problem, drawn.limits, drawn.intervals,
+                 outlines(design::tolerant_areas(*drawn.pulse, drawn.limits, drawn.intervals,
                                                  figure.y.most / units.length),
                           units.length));
   }
-  if (drawn.damper) {
-    add_damper(figure, *drawn.damper, drawn.limits.shape, units);
+  return {};
+}
+
+}  // namespace
+
+void add_boundaries(Figure& figure, const Problem& problem, const FigureUnits& units,
+                    const FigurePoint& last) {
+  const Region region = design::admissible_region(problem);
+  add_delta1(figure, problem, region.f3, units.length);
+  const double top = region.delta2.value() * units.length;
+  if (region.f3 > figure.x.least && region.f3 < last.x) {
+    add_edge(figure, "does not return →", {region.f3, figure.y.least}, {region.f3, figure.y.most});
+  }
+  if (top > figure.y.least && top < last.y) {
+    add_edge(figure, "held ↑", {figure.x.least, top}, {figure.x.most, top});
+  }
+}
+
+Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
+  Figure figure;
+  figure.id = "region";
+  figure.title = drawn.region.feasible ? "Admissible region" : drawn.mend;
+  const auto strips =
+      drawn.pulse ? add_pulse_plane(figure, drawn, units) : add_plane(figure, drawn, units);
+  const auto& damper = drawn.damper;
+  if (damper) {
+    add_damper(figure, *damper, drawn.limits.shape, units);
+  }
+  if (damper && strips.size() > 1) {
+    add_point_inset(figure, strips, *damper, units.length);
+  }
+  for (std::size_t i = 0; i < strips.size() && !figure.inset; ++i) {
+    if (!is_seen(figure, figure.areas[i])) {
+      add_strip_inset(figure, strips[i], units.length);
+    }
   }
   caption_inset(figure, units);
   return figure;

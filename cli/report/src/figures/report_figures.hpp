@@ -180,6 +180,8 @@ struct DrawnRegion {
   design::Region region;
   std::optional<DrawnDamper> damper;
   std::string mend;  ///< the title where nothing is admissible
+  std::optional<design::PulseProblem> pulse{};
+  std::vector<Interval> intervals{};  ///< of f that are admissible under it
 };
 
 /// A line around each.
@@ -201,18 +203,6 @@ void add_tolerant(figures::Figure& figure, const design::Limits& limits,
 [[nodiscard]] figures::Figure strengths_figure(const design::PulseProblem& problem,
                                                const design::Limits& limits, double f, double delta,
                                                const std::optional<design::WorksFor>& works_for);
-
-/// The same of a pulse: every Delta above the curve, between the ends of f.
-struct DrawnPulseRegion {
-  design::PulseProblem problem;
-  design::Limits limits;
-  design::Region region;
-  std::vector<Interval> intervals;
-  std::optional<DrawnDamper> damper;
-  std::string mend;
-};
-[[nodiscard]] figures::Figure pulse_region_figure(const DrawnPulseRegion& drawn,
-                                                  const FigureUnits& units);
 
 /// The analytic boundaries alone, within the axes of the figure.
 void add_boundaries(figures::Figure& figure, const design::Problem& problem,

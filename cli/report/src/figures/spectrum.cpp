@@ -86,8 +86,7 @@ void add_curves(Figure& figure, const design::Spectrum& spectrum, const Spectrum
                             : *spectrum.request.combine == design::Combine::max ? "largest, "
                                                                                 : "mean, ";
   if (several) {
-    FigureCurve each{"each record", {}, Ink::grey};
-    each.hover = false;
+    FigureCurve each = figures::line("each record", {}, Ink::grey);
     for (const auto& record : spectrum.records) {
       std::ranges::move(axes.strokes(record, &SpectrumPoint::with_notch),
                         std::back_inserter(each.strokes));
@@ -196,11 +195,9 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
     figure.y = {kind.label, below_zero * most, most};
     if (chosen) {
       const double at = period(*chosen);
-      FigureCurve line{
-          "period of the design", {{{at, figure.y.least}, {at, figure.y.most}}}, Ink::green};
-      line.dash = figures::Dash::dotted;
-      line.hover = false;
-      figure.curves.push_back(std::move(line));
+      figure.curves.push_back(figures::line("period of the design",
+                                            {{{at, figure.y.least}, {at, figure.y.most}}},
+                                            Ink::green, figures::Dash::dotted));
     }
     figure.description = format(
         "The {} against the period from {:.4g} to {:.4g}, with the notch and without, f and Δ "

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::figures {
@@ -34,6 +35,23 @@ struct FigureCurve {
   bool directed{false};  ///< arrows show its direction
   bool labelled{false};  ///< named beside its line
 };
+
+/// One that shows no values under the pointer.
+[[nodiscard]] inline FigureCurve line(std::string name,
+                                      std::vector<std::vector<FigurePoint>> strokes, Ink ink,
+                                      Dash dash = Dash::solid, bool labelled = false) {
+  return {.name = std::move(name),
+          .strokes = std::move(strokes),
+          .ink = ink,
+          .dash = dash,
+          .hover = false,
+          .labelled = labelled};
+}
+/// From the lower left corner on.
+[[nodiscard]] inline std::vector<FigurePoint> rectangle(double left, double right, double bottom,
+                                                        double top) {
+  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
+}
 
 /// A box hides the areas below it and has an edge.
 enum class AreaLook { filled, hatched, box };
