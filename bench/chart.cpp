@@ -2,6 +2,7 @@
 
 // Small multiples: one figure per scene, error across, time up, both logarithmic, on the same axes.
 
+#include "figure_sheet.hpp"
 #include "reports.hpp"
 
 #include <stillpoint/figures/figure.hpp>

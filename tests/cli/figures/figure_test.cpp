@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "figure_map.hpp"
 #include "figure_names.hpp"
+#include "figure_sheet.hpp"
 #include "testing/contains.hpp"
 #include "testing/printing.hpp"
 

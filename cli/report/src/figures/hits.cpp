@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "figures/ends.hpp"
 #include "figures/report_figures.hpp"
 #include "format.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/design/hits.hpp>
+#include <stillpoint/report/digits.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <vector>
+#include <cstddef>
+#include <iterator>
+#include <set>
+#include <utility>
 
 namespace stillpoint::report {
 
@@ -16,8 +20,218 @@ using design::HitEnd;
 using figures::AreaLook;
 using figures::Figure;
 using figures::Ink;
+using figures::rectangle;
 
 namespace {
+
+/// How the motion ends over the strength of what sets it off, a hit or a pulse.
+struct DrawnEnds {
+  std::string_view noun;      ///< "hit"
+  std::string_view measured;  ///< "hits"
+  std::string symbol;         ///< of the strength
+  double scale{1};            ///< from a strength to its place on the axis
+  std::string unit;           ///< there, may be empty
+  std::vector<design::Hits> list;
+  Interval asked;      ///< the strengths of the task
+  double arrivals{1};  ///< at which it may rest
+  bool has_range{false};
+  std::optional<design::ServedInterval> works;
+  /// Why the damper works for none, if no end says so.
+  std::string refusal{};
+  /// By what stronger ones fail that stop within beta.
+  std::optional<double> acceleration_max{};
+  bool fail_by_criterion{false};
+};
+
+struct Look {
+  HitEnd end;
+  const char* name;
+  Ink ink;
+  AreaLook look;
+  const char* fate;  ///< of such hits; empty where a limit decides that the figure does not show
+};
+
+const Look& look_of(HitEnd end) {
+  using enum HitEnd;
+  static constexpr auto looks = std::to_array<Look>(
+      {{held, "held", Ink::grey, AreaLook::hatched, "are held at the start"},
+       {centred, "centred", Ink::sky, AreaLook::filled, ""},
+       {within_residual, "within the residual", Ink::amber, AreaLook::filled, ""},
+       {off_centre, "off centre", Ink::amber, AreaLook::hatched, "rest off centre"},
+       {alternating, "alternately centred and off centre", Ink::amber, AreaLook::filled,
+        "may rest off centre"},
+       {passes, "passes x = 0", Ink::amber, AreaLook::filled, "pass x = 0"},
+       {too_far, "too far", Ink::orange, AreaLook::hatched, "go too far"},
+       {never_stops, "never stops", Ink::purple, AreaLook::hatched, "never stop"}});
+  return *std::ranges::find(looks, end, &Look::end);
+}
+
+Ink ink_of(const design::Hits& now) {
+  return now.end == HitEnd::centred ? arrival_ink(now.arrivals.value_or(1)) : look_of(now.end).ink;
+}
+
+std::string some_spring(const design::Hits& now) {
+  return now.every_spring ? "" : " with some spring";
+}
+
+bool is_later(const design::Hits& now) {
+  return now.end == HitEnd::centred && now.arrivals.value_or(0) > 1;
+}
+
+/// "off centre with some spring", "centred at arrival 2", "within the residual after 1 passage"
+std::string named(const design::Hits& now) {
+  const double arrivals = now.arrivals.value_or(0);
+  const std::string later = is_later(now) ? format(" at arrival {}", arrivals)
+                            : now.end == HitEnd::within_residual && arrivals > 0
+                                ? " after " + plural(arrivals, "passage")
+                                : "";
+  return look_of(now.end).name + later + some_spring(now);
+}
+
+/// "weaker ones are held at the start and stronger ones go too far"
+std::string other_ones(const DrawnEnds& drawn) {
+  constexpr double beside = 1e-6;  // an edge of both may differ by rounding
+  const double weaker = drawn.works->low * (1 - beside);
+  const double stronger = drawn.works->high.value_or(HUGE_VAL) * (1 + beside);
+  std::vector<std::string> fates;
+  const auto add = [&fates](std::string fate) { fates.push_back(std::move(fate)); };
+  bool says_above = false;
+  for (const design::Hits& now : drawn.list) {
+    const bool below = now.from < weaker && weaker <= now.to;
+    const bool above = now.from <= stronger && stronger < now.to;
+    const std::string_view fate = look_of(now.end).fate;
+    if ((below || above) && !fate.empty()) {
+      const bool last = below ? now.from == 0 : now.to == drawn.list.back().to;
+      add(format("{}{} ones {}{}", last ? "" : "slightly ", below ? "weaker" : "stronger", fate,
+                 some_spring(now)));
+      says_above = says_above || above;
+      constexpr double hidden = 0.004;  // of the figure, a pixel
+      if (below && &now != drawn.list.data() && now.to - now.from < hidden * drawn.list.back().to) {
+        const design::Hits& next = *std::prev(&now);
+        add(format("{} ones {}", next.from == 0 ? "weaker" : "somewhat weaker",
+                   look_of(next.end).fate));
+      }
+    }
+  }
+  if (drawn.fail_by_criterion) {
+    add("slightly stronger ones stop too, but not by the published criterion");
+    says_above = true;
+  }
+  if (drawn.acceleration_max && !says_above) {
+    add(format("stronger ones feel more than {:.4g} g", *drawn.acceleration_max));
+  }
+  std::string text;
+  for (const std::string& fate : fates) {
+    text += (&fate == &fates.front() ? "" : &fate == &fates.back() ? " and " : ", ") + fate;
+  }
+  return text;
+}
+
+std::string where_it_fails(const DrawnEnds& drawn) {
+  const std::string refusal = drawn.refusal.empty() ? "" : ": " + drawn.refusal;
+  if (drawn.has_range) {
+    return format("The damper does not work for every {} of the range{}", drawn.noun, refusal);
+  }
+  const auto now = std::ranges::find_if(drawn.list, [&](const design::Hits& each) {
+    return each.from < drawn.asked.high && drawn.asked.high < each.to;
+  });
+  const std::string_view fate = now == drawn.list.end() ? "" : look_of(now->end).fate;
+  return format("The damper does not work for the {} that was asked for{}", drawn.noun,
+                fate.empty() ? refusal : format(": such {}s {}", drawn.noun, fate));
+}
+
+/// "centred at arrivals 2, 5", which have one ink; empty if no other has it.
+std::string key_of_later(const DrawnEnds& drawn, const design::Hits& one) {
+  std::set<double> arrivals;
+  for (const design::Hits& now : drawn.list) {
+    if (is_later(now) && now.every_spring == one.every_spring) {
+      arrivals.insert(*now.arrivals);
+    }
+  }
+  const std::string key = is_later(one) ? key_of_arrivals(arrivals, *one.arrivals) : "";
+  return key.empty() ? "" : "centred at " + key + some_spring(one);
+}
+
+std::string words(const DrawnEnds& drawn, double strength) {
+  return format("{:.4g}{}", strength * drawn.scale, with_blank(drawn.unit));
+}
+
+/// "0.3 to 0.35 m/s", in as many digits as tell them apart.
+std::string words(const DrawnEnds& drawn, double from, double to) {
+  constexpr int fewest = 4;
+  const auto ends = figures::tick_labels({from * drawn.scale, to * drawn.scale}, fewest);
+  return format("{} to {}{}", ends[0], ends[1], with_blank(drawn.unit));
+}
+
+/// Those of the task as lines.
+figures::FigureCurve asked(const DrawnEnds& drawn) {
+  const auto& [low, high] = drawn.asked;
+  const bool from_low = 0 < low && drawn.has_range;
+  std::vector<std::vector<figures::FigurePoint>> strokes;
+  for (const double strength : from_low ? std::vector{low, high} : std::vector{high}) {
+    strokes.push_back({{strength * drawn.scale, 0}, {strength * drawn.scale, 1}});
+  }
+  return figures::line(format("{} {}{}", drawn.symbol, low == 0 ? "up to " : "= ",
+                              from_low ? words(drawn, low, high) : words(drawn, high)),
+                       std::move(strokes), Ink::blue, figures::Dash::dashed);
+}
+
+/// Without its title and the name of its axis.
+Figure ends_figure(const DrawnEnds& drawn) {
+  const double scale = drawn.scale;
+  const double known = drawn.list.back().to * scale;
+  const double asked_for = 2 * drawn.asked.high * scale;
+  Figure figure;
+  figure.id = format("{}s", drawn.noun);
+  figure.height = 150;
+  figure.x = {"", 0, std::max(known, asked_for)};
+  if (drawn.works) {  // the first to be named
+    const double low = drawn.works->low * scale;
+    const double high = *drawn.works->high * scale;
+    const std::string range =
+        interval_text({low, high}, {drawn.asked.low * scale, drawn.asked.high * scale}) +
+        with_blank(drawn.unit);
+    auto box = rectangle(low, high, 0.05, 0.3);
+    add_box_inset(figure, box);
+    figure.areas.push_back({"works for " + range, std::move(box), Ink::blue, AreaLook::box});
+    figure.clauses = {format("The damper works for {} of {}", drawn.measured, range),
+                      other_ones(drawn)};
+    if (figure.inset) {
+      const figures::FigureAxis& x = figure.inset->x;
+      figure.clauses.push_back(format("the corner enlarges {}{}", interval_digits(x.least, x.most),
+                                      with_blank(drawn.unit)));
+    }
+  } else {
+    figure.clauses = {where_it_fails(drawn)};
+  }
+  figure.description = format("Ends of the motion by the strength of the {}:", drawn.noun);
+  for (const design::Hits& now : drawn.list) {
+    const std::string name = named(now);
+    const std::string range = words(drawn, now.from, now.to);
+    const bool too_late =
+        now.end == HitEnd::within_residual && now.arrivals.value_or(0) >= drawn.arrivals;
+    figure.areas.push_back(
+        {.name = name,
+         .outline = rectangle(now.from * scale, now.to * scale, 0, 1),
+         .ink = ink_of(now),
+         .look = too_late ? AreaLook::hatched : look_of(now.end).look,
+         .again = true,
+         .told = format("{}, {}", name, range),
+         .key = now.end != HitEnd::within_residual
+                    ? key_of_later(drawn, now)
+                    : (too_late ? "within the residual, but too late" : "within the residual") +
+                          some_spring(now)});
+    figure.description +=
+        format("{} {} from {}", &now == drawn.list.data() ? "" : ",", name, range);
+  }
+  if (known < asked_for) {  // beyond what the program takes
+    figure.areas.push_back(
+        {"not computed", rectangle(known, figure.x.most, 0, 1), Ink::purple, AreaLook::hatched});
+  }
+  figure.description += ". " + figure.caption();
+  figure.curves.push_back(asked(drawn));
+  return figure;
+}
 
 /// Whether stronger ones than those that the damper works for stop by the exact criterion.
 template <class Task>
@@ -86,8 +300,8 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
                                                : "velocity of the hit V₀, " + units.velocity_unit;
   if (felt) {
     figure.areas.push_back({format("above {:.4g} g", *limits.acceleration_max),
-                            figures::rectangle(felt->low * unit, felt->high * unit, 0, 1),
-                            Ink::purple, AreaLook::hatched});
+                            rectangle(felt->low * unit, felt->high * unit, 0, 1), Ink::purple,
+                            AreaLook::hatched});
   }
   return figure;
 }

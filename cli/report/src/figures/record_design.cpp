@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "figures/record_map.hpp"
 #include "figures/report_figures.hpp"
-#include "figures/spectrum_parts.hpp"
 #include "format.hpp"
 #include "record_design_parts.hpp"
 #include "sections.hpp"

@@ -10,6 +10,7 @@
 #include <stillpoint/design/pulse.hpp>
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/shown_motion.hpp>
+#include <stillpoint/design/spectrum.hpp>
 #include <stillpoint/design/works_for.hpp>
 #include <stillpoint/figures/figure.hpp>
 #include <stillpoint/sweep/map.hpp>
@@ -207,6 +208,12 @@ void add_tolerant(figures::Figure& figure, const design::Limits& limits,
 /// The analytic boundaries alone, within the axes of the figure.
 void add_boundaries(figures::Figure& figure, const design::Problem& problem,
                     const FigureUnits& units, const figures::FigurePoint& last);
+
+/// Transmitted acceleration, peak and residual over the period, with the notch and without; for a
+/// design, `chosen` is its p, which is marked.
+[[nodiscard]] std::vector<figures::Figure> spectrum_figures(
+    const design::Spectrum& spectrum, const FigureUnits& units,
+    const std::optional<double>& chosen = std::nullopt);
 
 /// The plane of f and Delta, coloured by how the motions end and after how many half-cycles; of
 /// free motions from x = 0 with the analytic boundaries on top.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "figures/spectrum_parts.hpp"
+#include "figures/report_figures.hpp"
 #include "format.hpp"
 #include "sections.hpp"
 

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "json/fields.hpp"
 
+#include <stillpoint/records/text.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -9,6 +16,12 @@ namespace stillpoint::report {
 using nlohmann::ordered_json;
 
 namespace {
+
+/// Any other number would be written as null.
+[[maybe_unused]] bool is_finite(const ordered_json& json) {
+  return json.is_structured() ? std::ranges::all_of(json, is_finite)
+                              : !json.is_number_float() || std::isfinite(json.get<double>());
+}
 
 /// Null of what does not exist, without scales, and of a force whose mass is not known.
 ordered_json in_si(const ordered_json& value, Dimension dimension, Scales scales) {
@@ -48,6 +61,24 @@ void put(ordered_json& object, std::string_view name, ordered_json value, const 
     ordered_json twin = in_si(now, measure.dimension, scales);
     object[si_name(name, measure)] = std::move(twin);
   }
+}
+
+std::string json_text(const ordered_json& json) {
+  constexpr int spaces = 2;
+  assert(is_finite(json));
+  // A terminal may show it: controls beyond ASCII are escaped too.
+  const auto escaped = [](unsigned code) {
+    return code == '\n' ? "\n" : fmt::format("\\u{:04x}", code);
+  };
+  return records::with_controls_as(escaped, json.dump(spaces)) + "\n";
+}
+
+ordered_json count(const std::optional<double>& value) {
+  constexpr double exact = 9007199254740992;  // 2^53
+  if (value && *value <= exact) {
+    return static_cast<std::int64_t>(*value);
+  }
+  return value;
 }
 
 }  // namespace stillpoint::report

@@ -3,14 +3,17 @@
 
 // A result with a table of its fields as a JSON object.
 
+#include "units.hpp"
+
 #include <stillpoint/core/field.hpp>
 #include <stillpoint/core/names.hpp>
-#include "json/parts.hpp"
+#include <stillpoint/report/report.hpp>
 
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
 #include <functional>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,9 +23,39 @@
 #include <utility>
 #include <vector>
 
+/// Null where it does not exist.
+template <class Value>
+struct nlohmann::adl_serializer<std::optional<Value>> {
+  static void to_json(nlohmann::ordered_json& json, const std::optional<Value>& value) {
+    json = value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+  }
+};
+
 namespace stillpoint::report {
 
 using stillpoint::in;
+
+/// The period of the spring alone, in tau.
+[[nodiscard]] inline double turn(double p) {
+  return 2 * std::numbers::pi / p;
+}
+/// A count: an integer, if a double holds it exactly.
+[[nodiscard]] nlohmann::ordered_json count(const std::optional<double>& value);
+/// An array of what `make` makes of each item.
+template <class Items, class Make>
+[[nodiscard]] nlohmann::ordered_json list_json(const Items& items, const Make& make) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const auto& item : items) {
+    list.push_back(make(item));
+  }
+  return list;
+}
+
+/// From the low end to the high one, which may not exist.
+template <class Range>
+[[nodiscard]] nlohmann::ordered_json interval_json(const Range& range) {
+  return nlohmann::ordered_json::array({range.low, range.high});
+}
 
 inline constexpr Measure any_number{Numbers::all};
 inline constexpr Measure counted{Numbers::counts};

@@ -4,11 +4,36 @@
 // The rows with which every report begins.
 
 #include "json/motion_fields.hpp"
-#include "json/shown_findings.hpp"
 
+#include <stillpoint/report/findings.hpp>
+
+#include <span>
 #include <tuple>
 
 namespace stillpoint::report {
+
+struct ShownFindings {
+  std::span<const design::Finding> all;
+  Physical physical;
+};
+
+[[nodiscard]] inline nlohmann::ordered_json own_json(const ShownFindings& findings) {
+  return findings_json(findings.all, findings.physical);
+}
+
+[[nodiscard]] inline nlohmann::ordered_json own_schema(const ShownFindings* /*of*/) {
+  using nlohmann::ordered_json;
+  const ordered_json text{{"type", "string"}};
+  return {
+      {"type", "array"},
+      {"items",
+       {{"type", "object"},
+        {"description", "with its values: docs/reports.md"},
+        {"required", {"kind", "severity", "text"}},
+        {"properties",
+         {{"kind", text}, {"severity", {{"enum", {"info", "caution", "fault"}}}}, {"text", text}}},
+        {"additionalProperties", {{"type", {"number", "string"}}}}}}};
+}
 
 /// `names` holds the name of the schema.
 template <class Report, const auto& names>

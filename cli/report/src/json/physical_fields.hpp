@@ -7,6 +7,7 @@
 #include "json/fields.hpp"
 
 #include <stillpoint/core/response_fields.hpp>
+#include <stillpoint/design/hits.hpp>
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/design/practice.hpp>
 #include <stillpoint/design/works_for.hpp>

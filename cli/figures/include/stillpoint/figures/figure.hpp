@@ -188,15 +188,6 @@ struct Figure {
 /// Whether that is enough to be seen; a box may be small, since it is enlarged.
 [[nodiscard]] bool is_seen(const Figure& figure, const FigureArea& area);
 
-/// Several figures that share one legend.
-struct FigureSheet {
-  std::string id;
-  std::string title;
-  std::string description;
-  std::vector<Figure> figures;
-  int columns{2};
-};
-
 /// The figure as SVG with its title, description and legend. Alone it is a file in light colours,
 /// otherwise it takes the colours of a page with figure_style(). The plot begins at `left`, or
 /// farther right if its tick labels need the room.
@@ -204,9 +195,6 @@ enum class Frame { alone, in_page };
 [[nodiscard]] std::string svg(const Figure& figure, Frame frame, double left = 0);
 /// The least `left` of its plot.
 [[nodiscard]] double plot_left(const Figure& figure);
-
-/// A file that follows the reader's choice of light or dark.
-[[nodiscard]] std::string svg(const FigureSheet& sheet);
 
 /// The CSS of figures, in light colours, and the dark ones that a page adds.
 [[nodiscard]] std::string_view figure_style() noexcept;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "figure_sheet.hpp"
 #include "figure_svg.hpp"
 
 #include <fmt/format.h>
