@@ -69,7 +69,9 @@ const std::string isolator = "design --velocity 0.4 --period 2.8 --max-displacem
 const std::string swings =
     "region --f 0 --delta 0 --pulse full-sine --k 0.1 --lambda 1 --p 1 --acceleration-max 0.2 "
     "--beta ";
-const std::string near_fault = "design " + scenes + "near_fault_pulse.json --notch-width-m ";
+const std::string pulsed = "design " + scenes + "near_fault_pulse.json ";
+const std::string near_fault = pulsed + "--notch-width-m ";
+const std::string residual = "design " + scenes + "residual.json --velocity 0.4 ";
 const std::string ranged = "design --pulse rectangle --p 1 --beta 0.9 --criterion exact --lambda ";
 const std::vector<Told> all_told{
     // Just as much as the notch holds; a run that is cut, where the load is 0.2 sin 0.2.
@@ -115,6 +117,13 @@ const std::vector<Told> all_told{
     // In resonance, without friction, the first swing turns at pi k/2, the next at pi k.
     {swings + "0.2", "exceeds_later", {{"figure", "peak"}, {"value", 0.1 * M_PI}}},
     {swings + "0.32", "exceeds_later", {{"figure", "acceleration"}, {"value", 0.1 * M_PI}}},
+    // The mass is back at 2.72 s, when the full sine of 3.5 s loads it with 0.079 g: more than f +
+    // 0.01 g. But f + 0.02 g is more than the load ever is.
+    {pulsed + "--hold 0.01", "notch_fails", {{"what", "rest"}}},
+    {pulsed + "--hold 0.02", "notch_fails", {{"what", "held"}}},
+    // Off centre, but that is admissible; a wider one leaves it farther out than 10 mm.
+    {residual + "--objective amplitude --notch-width-m 1mm", "notch_fails"},
+    {residual + "--notch-width-m 50mm", "notch_fails", {{"what", "rest"}}},
     {near_fault + "5mm", "locks", {{"locked_from", 0}, {"largest_load_while_locked", 0.08}}},
     {near_fault + "500mm", "locks", json::object()},
     // The rectangle is the strongest where it is longest; of k alone that is known.
