@@ -118,18 +118,4 @@ BOOST_AUTO_TEST_CASE(says_so_if_nothing_moves) {
   }
 }
 
-namespace {
-
-const std::vector<Wrong> wrong_scenes{
-    {"accuracy --v0 1 --p 1 --f 0 --delta 0", {"never stops"}},
-    {"accuracy --v0 1 --p 1 --f 1e-9 --delta 1e-9", {"half-cycles"}},
-    {Arguments(s4.begin(), s4.end() - 1) + "1e9", {"t-end = 1000000000", "too long for 50 digits"}},
-};
-
-}  // namespace
-
-BOOST_DATA_TEST_CASE_F(Sandbox, wrong_scene, data::make(wrong_scenes), wrong) {
-  check_refused(*this, wrong);
-}
-
 BOOST_AUTO_TEST_SUITE_END()

@@ -25,60 +25,7 @@ std::vector<std::string> names(const json& catalogue) {
   return list;
 }
 
-Wrong wrong(const std::string& file, Texts says) {
-  says.insert(says.begin(), "catalogue standard input");
-  return {design("--catalogue -"), std::move(says), file};
-}
-
-const std::string name_of_101_bytes(101, 'x');
-
-const std::vector<Wrong> wrong_files{
-    wrong("", {"is empty", "name, f, and delta or delta_m"}),
-    wrong("name,f,delta\n\n", {"has no parts", "at least one"}),
-    wrong("f,delta\n0.1,0.2\n", {"line 1", "no column name"}),
-    wrong("name,delta\na,0.2\n", {"line 1", "no column f:"}),
-    wrong("name,f\na,0.2\n", {"line 1", "no column delta or delta_m"}),
-    wrong("name,f,delta,delta_m\na,0.1,0.2,0.2\n",
-          {"line 1", "both delta and delta_m", "one of them"}),
-    wrong("name,f,delta,f\na,0.1,0.2,0.2\n", {"line 1", "column f appears twice"}),
-    wrong("name,f,delta_m\na,0.1,0.2\n", {"line 1", "delta_m", "--velocity"}),
-    wrong("name,f,delta\na,0.1,0.2\nb,strong,0.2\n", {"line 3", "f = \"strong\"", "number"}),
-    wrong("name,f,delta\na,0.1,-0.2\n", {"line 2", "delta = -0.2", "from 0 to 1e+299"}),
-    wrong("name,f,delta\na,nan,0.2\n", {"line 2", "f = \"nan\"", "finite number"}),
-    wrong("name,f,delta\na,2e300,0.2\n", {"line 2", "f = 2e300", "from 0 to 1e+299"}),
-    wrong("name,f,delta\na,1e200,0.2\n", {"line 2", "f = 1e+200", "from 0 to 1e+150"}),
-    wrong("name,f,delta\na,0.1,5mm\n", {"line 2", "delta = \"5mm\"", "number"}),
-    wrong("name,f,delta\na,0.1,0.2\n\nb,0.1,0.2\na,0.2,0.3\n",
-          {"line 5", "name = a", "twice", "line 2"}),
-    wrong("name,f,delta\n ,0.1,0.2\n", {"line 2", "name is empty"}),
-    wrong("name,f,delta\n" + name_of_101_bytes + ",0.1,0.2\n",
-          {"line 2", "name = xxx", "at most 100 bytes"}),
-    wrong("name,f,delta\na\ab,0.1,0.2\n", {"line 2", "name = a?b", "printable"}),
-    wrong("name,f,delta\nG\xFCte,0.1,0.2\n", {"line 2", "printable UTF-8"}),
-    wrong("name,f,delta\na,0.1\n", {"line 2", "2 values", "3 columns"}),
-    wrong("name,f,delta\n\"a,0.1,0.2\n", {"line 2", "quote"}),
-    wrong(std::string("\x7f\x45\x4c\x46\0\0\0", 7), {"line 1", "no column name"})};
-
-const std::vector<Wrong> wrong_uses{
-    {design("--catalogue nowhere.csv"),
-     {"catalogue nowhere.csv", "cannot be read", "No such file"}},
-    {design("--catalogue ."), {"catalogue .", "cannot be read"}},
-    {"design --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.05 --trade-off 5",
-     {"trade-off and pulse cannot be combined"}},
-    {"region --v0 1 --p 1 --beta 1 --trade-off 5", {"trade-off"}}};
-
 }  // namespace
-
-BOOST_DATA_TEST_CASE_F(Sandbox, refuses_the_file, data::make(wrong_files), one) {
-  check_refused(*this, one, {.input = one.input});
-  write("parts.csv", one.input);
-  const ProgramRun region = run("region --v0 1 --p 1 --beta 0.9 --catalogue parts.csv");
-  check_refusal(region, {"catalogue parts.csv"});
-}
-
-BOOST_DATA_TEST_CASE_F(Sandbox, refuses_the_use, data::make(wrong_uses), one) {
-  check_refused(*this, one, {.input = one.input});
-}
 
 /// With those parts in few.csv.
 struct Few : Sandbox {
@@ -212,10 +159,6 @@ BOOST_AUTO_TEST_CASE(is_not_overwritten_and_may_be_in_a_scene) {
   BOOST_TEST(report["design"]["name"] == "good");
   BOOST_TEST(report["trade_off"].size() == 3U);
 }
-
-BOOST_AUTO_TEST_SUITE_END()
-
-BOOST_FIXTURE_TEST_SUITE(trade_off, Sandbox)
 
 BOOST_AUTO_TEST_SUITE_END()
 

@@ -161,46 +161,6 @@ BOOST_FIXTURE_TEST_CASE(scenes_columns_and_files_work_too, Sandbox) {
 
 namespace {
 
-Arguments sweep(const Arguments& more) {
-  return "sweep --velocity 1 --f 0.1" + more;
-}
-
-const std::vector<Wrong> wrongs{
-    {sweep("--p 1 --delta-m 0"), {"p and velocity", "cannot be combined"}},
-    {sweep("--period 1 --delta 0"), {"delta is dimensionless", "--delta-m"}},
-    {"sweep --velocity 1 --period 1 --max-displacement 1 --delta-max 1",
-     {"delta-max is dimensionless", "--delta-max-m"}},
-    {sweep("--period 1 --delta-m 0 --excitation half-sine --k 1 --lambda 1"),
-     {"lambda is dimensionless", "--excitation-frequency"}},
-    {sweep("--period 0:1:3 --delta-m 0"), {"period = 0 s", "from 1e-30 to 1e+30 s"}},
-    {sweep("--period 1 --delta-m 1mm,-1mm"), {"delta-m = -0.001 m", "from 0 to 1e+30 m"}},
-    {"sweep --velocity 1e200 --period 1 --f 0 --delta-m 0", {"velocity = 1e+200 m/s", "m/s"}},
-    {sweep("--period 1 --delta-m 0 --notch-width-m 0"), {"notch-width-m = 0 m", "from 1e-30"}},
-    {"sweep --velocity 1 --period 1 --max-displacement 1 --delta-max-m -1", {"delta-max-m = -1 m"}},
-    {sweep("--period 1 --delta-m 0 --excitation harmonic --k 1 --excitation-frequency 1e29Hz "
-           "--end-time 1"),
-     {"excitation-frequency = 1e+29 Hz", "lambda"}},
-    {sweep("--period 1 --delta-m 0 --excitation harmonic --k 1 --excitation-frequency 1 --end-time "
-           "1e29s"),
-     {"end-time = 1e+29 s"}},
-    {sweep("--period 1"), {"delta-m is missing"}},
-    {"sweep --velocity 1 --period 1 --f 0:1:3 --delta-m 0,1mm --html map.html --output rows.csv",
-     {"delta-m = 0,0.001"}},
-    {sweep("--stiffness 1 --delta-m 0"), {"mass is missing"}},
-    {sweep("--delta-m 0"), {"period is missing"}},
-    {sweep("--period 1 --delta-m 0 --columns stop_time"),
-     {"columns = \"stop_time\"", "stop_time_s"}},
-    {sweep("--period 1 --max-displacement 1"), {"max-displacement and f cannot be combined"}},
-};
-
-}  // namespace
-
-BOOST_DATA_TEST_CASE_F(Sandbox, wrong_input, data::make(wrongs), wrong) {
-  check_refused(*this, wrong);
-}
-
-namespace {
-
 struct WrongEntry {
   const char* list;
   const char* message;

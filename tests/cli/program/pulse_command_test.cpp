@@ -140,32 +140,4 @@ BOOST_AUTO_TEST_CASE(physical_input_goes_with_a_pulse) {
   BOOST_TEST(near(report["physical"]["excitation_duration_s"], 1.0 / 20, 1e-14));
 }
 
-namespace {
-
-const std::vector<Wrong> wrong_pulses{
-    {without(asked, "--pulse") + "--pulse harmonic",
-     {"pulse = harmonic", "half-sine, full-sine or rectangle"}},
-    {asked + "--arrivals 2", {"arrivals = 2", "with a pulse"}},
-    {without(asked, "--k"), {"k is missing", "--k"}},
-    {without(asked, "--lambda"), {"lambda is missing", "--lambda"}},
-    {without(asked, "--k") + "--k 0", {"k = 0"}},
-    {without(asked, "--k") + "--k 2:1", {"k = 2:1", "LOW <= HIGH"}},
-    {without(asked, "--lambda") + "--lambda 2:1", {"lambda = 2:1", "LOW <= HIGH"}},
-    {without(asked, "--lambda") + "--lambda 0.0099",
-     {"lambda = 0.0099", "from 0.01 p to", "a longer pulse cannot be computed"}},
-    {without(asked, "--lambda") + "--lambda 1e13",
-     {"lambda = 1", "to 1e+12 p", "a shorter pulse cannot be computed"}},
-    {asked + "--v0 1", {"v0 and pulse cannot be combined"}},
-    {"design --pulse half-sine --k 0.5 --lambda 20 --period 2 --max-displacement 0.05 --velocity 1",
-     {"pulse and velocity cannot be combined"}},
-    {"design --v0 1 --p 1 --beta 0.9 --k 1", {"k needs a pulse", "--pulse"}},
-    {region + "--residual 0.1", {"pulse and residual cannot be combined"}},
-};
-
-}  // namespace
-
-BOOST_DATA_TEST_CASE_F(Sandbox, wrong_pulse, data::make(wrong_pulses), wrong) {
-  check_refused(*this, wrong);
-}
-
 BOOST_AUTO_TEST_SUITE_END()

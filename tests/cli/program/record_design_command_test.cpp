@@ -41,53 +41,6 @@ json failed_report(const Sandbox& sandbox, const Arguments& arguments, int exit_
   return answer.json();
 }
 
-const std::vector<Wrong> wrong_inputs{
-    {"design --velocity 0.4 --period 2 --record a.txt",
-     {"velocity and records cannot be combined"}},
-    {"design --record b.txt --period 2", {"b.txt"}},
-    {"design --record a.txt --max-displacement 0.2", {"period"}},
-    {"design --record a.txt --period 2 --catalogue parts.csv",
-     {"catalogue cannot be used in a design under records"}},
-    {"design --record a.txt --period 2 --trade-off 5",
-     {"trade-off cannot be used in a design under records"}},
-    {"design --record a.txt --period 2 --scan-points 0", {"scan-points", "0", "from 1"}},
-    {"design --record a.txt --period 2 --search-f -0.1", {"search-f = -0.1", "from 0"}},
-    {"design --record a.txt --period 2 --search-f 0.2:0.1", {"search-f = 0.2:0.1", "LOW <= HIGH"}},
-    {"design --record a.txt --period 2 --search-delta-m -1mm:1mm",
-     {"search-delta-m", "LOW <= HIGH"}},
-    {"design --record a.txt --search-period 0:2", {"search-period"}},
-    {"design --record a.txt --period 1:4", {"period = 1:4", "must be one number with records"}},
-    {"design --record a.txt --stiffness 1:2 --mass 1t", {"stiffness = 1:2", "search-period"}},
-    {"design --record a.txt --p 1:2", {"p = 1:2", "must be one number with records"}},
-    {"design --record a.txt --period 2 --objective robust", {"max-displacement", "give a limit"}},
-    {"design --record a.txt --period 2 --objective time", {"objective = time", "under records"}},
-    {"design --record a.txt --period 2 --search-delta-m 1mm:2mm",
-     {"search-delta-m", "--search-notch-width-m", "--jump-max"}},
-    {"design --record a.txt --period 2 --notch-width-m 1mm --jump-max 1", {"jump-max"}},
-    {"design --record a.txt --period 2 --notch-width-m 1mm --search-notch-width-m 1mm:2mm",
-     {"cannot be combined"}},
-    {"design --record a.txt --period 2 --tolerance-f 0.8:0.9", {"tolerance-f = 0.8:0.9", "<= 1"}},
-    {"design --v0 1 --p 1 --beta 0.9 --tolerance-period 0.1",
-     {"tolerance-period needs a design under records"}},
-    {"design --v0 1 --p 1 --beta 0.9 --objective residual", {"objective = residual", "records"}},
-    {"design --record a.txt --period 2 --combine median", {"combine = median", "max or mean"}},
-    {"design --record a.txt --period 2 --arrivals 2",
-     {"arrivals cannot be used in a design under records"}},
-    {"design --v0 1 --p 1 --beta 0.9 --combine max", {"combine needs a design under records"}},
-    {"design --v0 1 --p 1 --beta 0.9 --combine mean",
-     {"combine needs a design under records: give --record as well"}},
-    {"design --records-list bare.csv --period 2", {"records-list bare.csv, line 1", "file,scale"}},
-    {"design --records-list word.csv --period 2", {"records-list word.csv, line 2", "scale"}},
-    {"design --records-list zero.csv --period 2", {"records-list zero.csv, line 2", "scale"}},
-    {"design --records-list empty.csv --period 2", {"records-list empty.csv", "no record"}},
-    {"design --record a.txt --period 2 --record-step 0.01",
-     {"record-step = 0.01 s: must not be given: each record has times or a step of its own"}},
-    {"design --record a.txt --period 2 --acceleration-max 0", {"acceleration-max = 0"}},
-    {"design --record a.txt --period 2 --residual-m -1", {"residual-m = -1"}},
-    {"design --record a.txt --period 2 --tolerance 1", {"tolerance = 1"}},
-    {"design --record a.txt --period 2 --hold 1 --notch-width 1", {"cannot be combined"}},
-};
-
 }  // namespace
 
 BOOST_FIXTURE_TEST_CASE(a_damper_that_does_not_move_transmits_the_load, Recorded) {
@@ -250,14 +203,6 @@ BOOST_FIXTURE_TEST_CASE(an_interrupt_gives_the_verified_damper_that_a_terminal_s
   const std::string best = again.err.substr(again.err.rfind(mark) + mark.size());
   const std::string transmitted = best.substr(0, best.find(','));  // "0.24 g transmitted"
   BOOST_TEST(contains(one_line(again.out), " " + transmitted), again.out);
-}
-
-BOOST_DATA_TEST_CASE_F(Recorded, wrong_input_is_refused, data::make(wrong_inputs), wrong) {
-  write("bare.csv", "a.txt,1\n");
-  write("word.csv", "file,scale\na.txt,one\n");
-  write("zero.csv", "file,scale\na.txt,0\n");
-  write("empty.csv", "file,scale\n");
-  check_refused(*this, wrong);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -115,48 +115,4 @@ BOOST_FIXTURE_TEST_CASE(units_that_are_doubtful_are_said, Sandbox) {
   }
 }
 
-namespace {
-
-Arguments with(const Arguments& more) {
-  return moved + "--record a.txt" + more;
-}
-
-const std::vector<Wrong> wrong{
-    {with("--record-scale 2 --record-peak 1"), {"record-scale and record-peak cannot be combined"}},
-    {with("--record-peak 0"), {"record-peak = 0"}},
-    {with("--record-peak -1g"), {"record-peak = -1"}},
-    {with("--record-spectrum 0"), {"record-spectrum = 0"}},
-    {with("--record-peak 1m"), {"record-peak", "1m"}},
-    {"simulate --v0 0 --p 1 --f 0 --delta 0 --excitation half-sine --k 1 --lambda 1 --record-peak "
-     "1",
-     {"record-peak and excitation half-sine cannot be combined"}},
-    {moved + "--record zeros.txt --record-peak 1", {"record zeros.txt: is 0 throughout"}},
-    {moved + "--record zeros.txt --record-spectrum 1", {"record zeros.txt: moves no oscillator"}},
-    {with("--record-spectrum 1 --record-spectrum-period 0.9s"),
-     {"record-spectrum-period = 0.9", "at least 1 s", "a.txt"}},
-    {"simulate --p 1 --f 0 --delta 0 --record a.txt --record-spectrum 1 --record-spectrum-period "
-     "2s",
-     {"record-spectrum-period = 2s", "in tau"}},
-    {"sweep --period 2:3:2 --f 0 --delta-m 0 --record a.txt --record-spectrum 1",
-     {"record-spectrum-period is missing"}},
-    {"design --record a.txt --search-period 2:3 --record-spectrum 1",
-     {"record-spectrum-period is missing"}},
-    {"design --period 2 --records-list peaks.csv --record-spectrum 1",
-     {"records-list peaks.csv: its targets and record-spectrum cannot be combined"}},
-    {"design --period 2 --records-list none.csv", {"records-list none.csv, line 2: peak = 0"}},
-    {"design --period 2 --record empty", {"record empty: this folder has no record", ".AT2"}},
-    {moved + "--record empty", {"Is a directory"}},
-};
-
-}  // namespace
-
-BOOST_DATA_TEST_CASE_F(Sandbox, wrong_scaling_is_refused, data::make(wrong), given) {
-  fs::create_directory(path("empty"));
-  write("a.txt", small_record);
-  write("zeros.txt", "0 0\n1 0\n");
-  write("peaks.csv", "file,peak\na.txt,1\n");
-  write("none.csv", "file,peak\na.txt,0\n");
-  check_refused(*this, given);
-}
-
 BOOST_AUTO_TEST_SUITE_END()

@@ -29,25 +29,6 @@ Arguments but(const std::string& option, const std::string& value) {
   return changed;
 }
 
-const std::vector<Wrong> wrong_inputs{
-    {"spectrum --period 1:2:3 --f 0 --delta-m 0", {"record is missing"}},
-    {but("--record", "b.txt"), {"b.txt"}},
-    {"spectrum --record a.txt --f 0 --delta-m 0",
-     {"period is missing", "--period first:last:count"}},
-    {"spectrum --record a.txt --period 1:2:3 --delta-m 0", {"f is missing"}},
-    {"spectrum --record a.txt --period 1:2:3 --f 0", {"delta-m is missing"}},
-    {but("--period", "0:2:3"), {"period = 0", "1e-30"}},
-    {but("--period", "1:2"), {"period = 1:2"}},
-    {but("--period", "1:2:0"), {"period = 1:2:0", "count"}},
-    {but("--period", "1:2:10001"), {"period = 1:2:10001", "10000"}},
-    {but("--period", "1m:2m:3"), {"period"}},
-    {asked + "--notch-width-m 1mm", {"cannot be combined"}},
-    {asked + "--combine median", {"combine = median", "max or mean"}},
-    {asked + "--p 1", {"--p: is not an option of spectrum"}},
-    {asked + "--json --table -", {"json and the table", "--table FILE"}},
-    {asked + "--threads -1", {"threads = -1"}},
-};
-
 }  // namespace
 
 BOOST_FIXTURE_TEST_CASE(each_point_matches_simulate, Recorded) {
@@ -178,10 +159,6 @@ BOOST_FIXTURE_TEST_CASE(an_interrupt_writes_nothing, Sandbox) {
       interrupted);
   BOOST_TEST(stopped.err == "stillpoint: interrupted: nothing is written\n");
   BOOST_TEST(contents().size() == 1U);
-}
-
-BOOST_DATA_TEST_CASE_F(Recorded, wrong_input_is_refused, data::make(wrong_inputs), wrong) {
-  check_refused(*this, wrong);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -99,28 +99,4 @@ BOOST_FIXTURE_TEST_CASE(of_a_list_is_resumed_where_a_line_was_wrong, Listed) {
   BOOST_TEST(read("rows.csv") == whole);
 }
 
-namespace {
-
-Wrong wrong(const std::string& options, const Texts& says) {
-  return {Arguments(("sweep --p 1 " + options).c_str()), says};
-}
-
-const std::vector<Wrong> refused{
-    wrong("--v0 1 --beta 0.9 --trade-off 1",
-          {"trade-off = 1: must be a whole number from 2 to 1000"}),
-    wrong("--v0 1 --beta 0.9 --trade-off 5,6", {"trade-off = \"5,6\"", "a whole number"}),
-    wrong("--v0 1 --f 0.1 --delta 0.1 --trade-off 5", {"trade-off needs a design", "--beta"}),
-    wrong("--v0 1 --beta 0.9 --trade-off 5 --catalogue parts.csv",
-          {"trade-off and catalogue cannot be combined"}),
-    wrong("--v0 1 --beta 0.9 --trade-off 5 --objective time",
-          {"trade-off and objective cannot be combined"}),
-    wrong("--pulse half-sine --k 0.2 --lambda 2 --beta 0.9 --trade-off 5",
-          {"trade-off and pulse cannot be combined"})};
-
-}  // namespace
-
-BOOST_DATA_TEST_CASE_F(Sandbox, what_has_no_front_is_refused, data::make(refused), wrong) {
-  check_refused(*this, wrong);
-}
-
 BOOST_AUTO_TEST_SUITE_END()

@@ -198,19 +198,4 @@ BOOST_AUTO_TEST_CASE(are_not_overwritten_by_the_whole) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
-namespace {
-
-const Wrong wrong_parts[] = {
-    {grid + "--part 4/3", {"part", "4/3", "1 <= I <= N"}},
-    {grid + "--part 3", {"part", "\"3\"", "I/N"}},
-    {grid + "--part 1/1000001", {"part", "1/1000001", "1000000"}},
-    {"sweep --v0 1 --p 1 --part 1/2 --list -", {"part", "standard input"}, "f,delta\n0.1,0.2\n"},
-    {grid + "merge a b", {"merge", "no options"}}};
-
-}  // namespace
-
-BOOST_DATA_TEST_CASE_F(Sandbox, wrong_parts_are_refused, data::make(wrong_parts), wrong) {
-  check_refused(*this, wrong);
-}
-
 BOOST_AUTO_TEST_SUITE_END()

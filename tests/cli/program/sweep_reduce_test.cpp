@@ -209,25 +209,4 @@ BOOST_AUTO_TEST_CASE(that_are_complete_are_not_computed_again) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
-namespace {
-
-const Wrong wrong_reductions[] = {
-    {motions + "--histogram stop_time:0:1:5", {"histogram", "--reduce"}},
-    {motions + "--best stop_time:5", {"best", "--reduce"}},
-    {motions + "--reduce --format npy", {"format", "reduce"}},
-    {motions + "--reduce --resume", {"resume", "reduce", "--part"}},
-    {motions + "--reduce --best outcome:5", {"best", "outcome:5", "numbers"}},
-    {motions + "--reduce --best stop_time:0", {"best", "stop_time:0", "1 to"}},
-    {motions + "--reduce --best stop_time:5:first", {"best", "smallest"}},
-    {motions + "--reduce --histogram stop_time:1:1:5", {"histogram", "increasing"}},
-    {motions + "--reduce --histogram stop_time:0:1:5:exp", {"histogram", "BINS"}},
-    {motions + "--reduce --histogram stop_time:1", {"histogram", "1 to"}},
-    {motions + "--reduce --histogram stop_time:1,3,2", {"histogram", "increasing"}}};
-
-}  // namespace
-
-BOOST_DATA_TEST_CASE_F(Sandbox, wrong_reductions_are_refused, data::make(wrong_reductions), wrong) {
-  check_refused(*this, wrong);
-}
-
 BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <ostream>
 
 namespace stillpoint::cli_test {
@@ -14,6 +16,51 @@ std::ostream& operator<<(std::ostream& stream, const Wrong& wrong) {
     stream << argument << ' ';
   }
   return stream << wrong.input.substr(0, 100);
+}
+
+namespace {
+
+std::string unescaped(const std::string& text) {
+  static const std::map<char, char> letters{{'n', '\n'}, {'r', '\r'}, {'t', '\t'}, {'\\', '\\'}};
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\\') {
+      plain += text[i];
+    } else if (text.at(++i) == 'x') {
+      plain += static_cast<char>(std::stoi(text.substr(i + 1, 2), nullptr, 16));
+      i += 2;
+    } else {
+      plain += letters.at(text[i]);
+    }
+  }
+  return plain;
+}
+
+}  // namespace
+
+std::vector<Wrong> commands_in(const std::string& file) {
+  std::ifstream lines(STILLPOINT_COMMANDS "/" + file);
+  BOOST_TEST_REQUIRE(lines.good(), file);
+  std::map<std::string, std::string> files;
+  std::vector<Wrong> all;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("$ ")) {
+      all.push_back({line.substr(2).c_str(), {}, {}, files});
+      std::ranges::transform(all.back().arguments, all.back().arguments.begin(), unescaped);
+    } else if (line.starts_with("  < ")) {
+      all.back().input = unescaped(line.substr(4));
+    } else if (line.starts_with("  ")) {
+      all.back().says.push_back(unescaped(line.substr(2)));
+    } else if (line.starts_with("folder ")) {
+      files[line.substr(7)] = "/";
+    } else if (line.starts_with("file ")) {
+      const std::size_t name = line.find(' ', 5);
+      files[line.substr(5, name - 5)] = unescaped(line.substr(name + 1));
+    } else {
+      BOOST_TEST_REQUIRE((line.empty() || line.starts_with('#')), file << ": " << line);
+    }
+  }
+  return all;
 }
 
 void check_refusal(const ProgramRun& run, const Texts& says) {
@@ -26,6 +73,13 @@ void check_refusal(const ProgramRun& run, const Texts& says) {
 }
 
 void check_refused(const Sandbox& sandbox, const Wrong& wrong, const Surroundings& surroundings) {
+  for (const auto& [name, text] : wrong.files) {
+    if (text == "/") {
+      std::filesystem::create_directory(sandbox.path(name));
+    } else {
+      sandbox.write(name, text);
+    }
+  }
   sandbox.write("old.json", "an old report\n");
   const auto before = sandbox.contents();
   Surroundings now = surroundings;

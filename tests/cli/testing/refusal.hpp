@@ -4,6 +4,7 @@
 #include "run_program.hpp"
 
 #include <iosfwd>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,16 @@ struct Wrong {
   Arguments arguments;
   Texts says;
   std::string input{};
+  std::map<std::string, std::string> files{};  ///< that it may read; "/" for a folder
 };
+
+/// The commands of a file of tests/cli/program/commands, as people would type them:
+///   file NAME TEXT, folder NAME: there is one, for all below
+///   $ COMMAND
+///     what its message must contain, a line for each
+///     < its standard input
+/// where \n, \r, \t, \xNN and \\ stand for characters, and # begins a comment.
+[[nodiscard]] std::vector<Wrong> commands_in(const std::string& file);
 
 std::ostream& operator<<(std::ostream& stream, const Wrong& wrong);
 
