@@ -79,6 +79,21 @@ constexpr auto sweep_name = std::to_array<std::string_view>({"stillpoint/sweep-r
 /// Where the rows are.
 struct ShownOutput {
   const sweep::SweepSpec& spec;
+
+  static constexpr auto field_table() {
+    return std::tuple{Field{"file", [](const ShownOutput& now) { return now.spec.output; },
+                            "null for rows in memory"},
+                      Field{"format", [](const ShownOutput& now) { return now.spec.format; }},
+                      Field{"columns",
+                            [](const ShownOutput& now) {
+                              std::vector<std::string> names;
+                              for (const sweep::Quantity column : now.spec.columns) {
+                                names.emplace_back(sweep::name(column, now.spec.units));
+                              }
+                              return names;
+                            },
+                            "", at_least_one}};
+  }
 };
 
 /// What `get` gives of a sweep of motions, or of designs.
@@ -91,70 +106,37 @@ constexpr auto rows_of(bool designs, Get get) {
   };
 }
 
+constexpr auto sweep_table = std::tuple_cat(
+    head_fields<SweepReport, sweep_name>,
+    std::tuple{
+        Field{"kind", in(&SweepReport::spec, &sweep::SweepSpec::kind)},
+        Field{"output", [](const SweepReport& report) { return ShownOutput{report.spec}; }},
+        Field{"part", in(&SweepReport::spec, &sweep::SweepSpec::part), "null for a whole sweep"},
+        Field{"rows", in(&SweepReport::summary, &SweepSummary::state, &SweepState::rows),
+              "all rows in the file"},
+        Field{"outcomes",
+              rows_of(false, [](const SweepState& state) { return Outcomes{state.outcomes}; }),
+              "how many rows have each outcome; null for designs"},
+        Field{"locked", rows_of(false, [](const SweepState& state) { return state.locked(); }),
+              "motions that the notch holds while the load goes on"},
+        Field{"feasible", rows_of(true, [](const SweepState& state) { return state.feasible; }),
+              "how many designs there are; null for motions"},
+        Field{"resumed_at", in(&SweepReport::summary, &SweepSummary::resumed_at),
+              "how many rows existed when this run began"},
+        Field{"threads", [](const SweepReport& report) { return int{report.spec.threads}; }, "",
+              at_least_one},
+        Field{"wall_time_s", in(&SweepReport::summary, &SweepSummary::wall_time_s),
+              "of this run only, like rows_per_s"},
+        Field{"rows_per_s", [](const SweepReport& report) { return rate(report.summary); }}});
+
 }  // namespace
 
-}  // namespace stillpoint::report
-
-namespace stillpoint {
-
-template <>
-inline constexpr auto fields<report::ShownOutput> = [] {
-  using report::ShownOutput;
-  return std::tuple{Field{"file", [](const ShownOutput& now) { return now.spec.output; },
-                          "null for rows in memory"},
-                    Field{"format", [](const ShownOutput& now) { return now.spec.format; }},
-                    Field{"columns",
-                          [](const ShownOutput& now) {
-                            std::vector<std::string> names;
-                            for (const sweep::Quantity column : now.spec.columns) {
-                              names.emplace_back(sweep::name(column, now.spec.units));
-                            }
-                            return names;
-                          },
-                          "",
-                          {Numbers::from_one}}};
-}();
-
-template <>
-inline constexpr auto fields<report::SweepReport> = [] {
-  using namespace report;
-  return std::tuple_cat(
-      head_fields<SweepReport, sweep_name>,
-      std::tuple{
-          Field{"kind", in(&SweepReport::spec, &sweep::SweepSpec::kind)},
-          Field{"output", [](const SweepReport& report) { return ShownOutput{report.spec}; }},
-          Field{"part", in(&SweepReport::spec, &sweep::SweepSpec::part), "null for a whole sweep"},
-          Field{"rows", in(&SweepReport::summary, &SweepSummary::state, &SweepState::rows),
-                "all rows in the file"},
-          Field{"outcomes",
-                rows_of(false, [](const SweepState& state) { return Outcomes{state.outcomes}; }),
-                "how many rows have each outcome; null for designs"},
-          Field{"locked", rows_of(false, [](const SweepState& state) { return state.locked(); }),
-                "motions that the notch holds while the load goes on"},
-          Field{"feasible", rows_of(true, [](const SweepState& state) { return state.feasible; }),
-                "how many designs there are; null for motions"},
-          Field{"resumed_at", in(&SweepReport::summary, &SweepSummary::resumed_at),
-                "how many rows existed when this run began"},
-          Field{"threads",
-                [](const SweepReport& report) { return int{report.spec.threads}; },
-                "",
-                {Numbers::from_one}},
-          Field{"wall_time_s", in(&SweepReport::summary, &SweepSummary::wall_time_s),
-                "of this run only, like rows_per_s"},
-          Field{"rows_per_s", [](const SweepReport& report) { return rate(report.summary); }}});
-}();
-
-}  // namespace stillpoint
-
-namespace stillpoint::report {
-
 ordered_json json(const SweepReport& report) {
-  return object_json(report);
+  return object_by<sweep_table>(report);
 }
 
 ordered_json sweep_schema() {
-  return document_schema(sweep_name.front(), "sweep --output FILE --json", dimensionless_numbers,
-                         schema_of<SweepReport>());
+  return report_schema<SweepReport>(sweep_table, sweep_name.front(), "sweep --output FILE --json");
 }
 
 Document document(const SweepReport& report) {

@@ -101,49 +101,36 @@ std::vector<ShownMethod> shown_methods(const AccuracyReport& report) {
   return methods;
 }
 
+constexpr auto accuracy_table = std::tuple_cat(
+    head_fields<AccuracyReport, accuracy_name>,
+    std::tuple{Field{"input",
+                     [](const AccuracyReport& report) {
+                       return ShownMotion{{report.request}, report.record};
+                     }},
+               Field{"reference",
+                     [](const AccuracyReport& report) {
+                       return Truth{{report.comparison.exact.rounded}};
+                     }},
+               Field{"methods", &shown_methods, "", {Numbers::from_one}},
+               Field{"why", [](const AccuracyReport& report) { return reason(report.request); },
+                     "why simulate uses its method"},
+               Field{"physical",
+                     [](const AccuracyReport& report) {
+                       return report.physical
+                                  ? std::optional(TruthSi{{{report.comparison.exact.rounded},
+                                                           report.physical->scales}})
+                                  : std::nullopt;
+                     },
+                     "the reference in metres and seconds; null with dimensionless input"}});
+
 }  // namespace
 
-}  // namespace stillpoint::report
-
-namespace stillpoint {
-
-template <>
-inline constexpr auto fields<report::AccuracyReport> = [] {
-  using namespace report;
-  return std::tuple_cat(
-      head_fields<AccuracyReport, accuracy_name>,
-      std::tuple{Field{"input",
-                       [](const AccuracyReport& report) {
-                         return ShownMotion{{report.request}, report.record};
-                       }},
-                 Field{"reference",
-                       [](const AccuracyReport& report) {
-                         return Truth{{report.comparison.exact.rounded}};
-                       }},
-                 Field{"methods", &shown_methods, "", {Numbers::from_one}},
-                 Field{"why", [](const AccuracyReport& report) { return reason(report.request); },
-                       "why simulate uses its method"},
-                 Field{"physical",
-                       [](const AccuracyReport& report) {
-                         return report.physical
-                                    ? std::optional(TruthSi{{{report.comparison.exact.rounded},
-                                                             report.physical->scales}})
-                                    : std::nullopt;
-                       },
-                       "the reference in metres and seconds; null with dimensionless input"}});
-}();
-
-}  // namespace stillpoint
-
-namespace stillpoint::report {
-
 nlohmann::ordered_json json(const AccuracyReport& report) {
-  return object_json(report, scales_of(report.physical));
+  return object_by<accuracy_table>(report, scales_of(report.physical));
 }
 
 nlohmann::ordered_json accuracy_schema() {
-  return document_schema(accuracy_name.front(), "accuracy --json", dimensionless_numbers,
-                         schema_of<AccuracyReport>());
+  return report_schema<AccuracyReport>(accuracy_table, accuracy_name.front(), "accuracy --json");
 }
 
 }  // namespace stillpoint::report

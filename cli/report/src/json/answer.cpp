@@ -60,8 +60,7 @@ ordered_json answer_json(std::string_view schema, const ShownAnswer& answer) {
 template <const auto& names>
 ordered_json answer_schema(std::string_view command) {
   constexpr auto all = std::tuple_cat(head_fields<ShownAnswer, names>, fields<ShownAnswer>);
-  return document_schema(names.front(), command, dimensionless_numbers,
-                         object_schema(properties_of<ShownAnswer>(all)));
+  return report_schema<ShownAnswer>(all, names.front(), command);
 }
 
 }  // namespace

@@ -181,14 +181,19 @@ void add_field(nlohmann::ordered_json& json, const Result& result, Scales scales
 }
 
 /// By its table, in its order.
-template <class Result>
-nlohmann::ordered_json object_json(const Result& result, Scales scales) {
+template <const auto& all, class Result>
+[[nodiscard]] nlohmann::ordered_json object_by(const Result& result, Scales scales = nullptr) {
   auto json = nlohmann::ordered_json::object();
   [&]<std::size_t... i>(std::index_sequence<i...>) {
-    (add_field<fields<Result>, i>(json, result, scales), ...);
+    (add_field<all, i>(json, result, scales), ...);
   }
-  (std::make_index_sequence<std::tuple_size_v<std::remove_cvref_t<decltype(fields<Result>)>>>());
+  (std::make_index_sequence<std::tuple_size_v<std::remove_cvref_t<decltype(all)>>>());
   return json;
+}
+
+template <class Result>
+nlohmann::ordered_json object_json(const Result& result, Scales scales) {
+  return object_by<fields<Result>>(result, scales);
 }
 
 }  // namespace stillpoint::report

@@ -60,54 +60,45 @@ std::optional<ShownExcitation> shown(const Excitation& excitation,
   return now;
 }
 
-}  // namespace stillpoint::report
+namespace {
 
-namespace stillpoint {
+constexpr auto motion_table = std::tuple_cat(
+    head_fields<MotionReport, schema_name>, told_fields<MotionReport>,
+    std::tuple{
+        Field{"input",
+              [](const MotionReport& report) {
+                return ShownMotion{{report.request}, report.record};
+              }},
+        Field{"response",
+              [](const MotionReport& report) {
+                return report.answer.forced ? ShownResponse(*report.answer.forced)
+                                            : ShownResponse(report.answer.response);
+              }},
+        Field{"caught_impulse",
+              [](const MotionReport& report) {
+                return design::caught_impulse(report.request, report.answer.response);
+              },
+              "per mass, for a hit that the notch catches at the start; null if it does not"},
+        Field{"practice", &practice_shown,
+              "docs/theory.md section 11; null except after a hit from x = 0 without a load and "
+              "with "
+              "the paper's notch; notch_width_min is null"},
+        Field{"half_cycles", in(&MotionReport::answer, &Simulation::half_cycles),
+              "the first of them, at most --max-half-cycles"},
+        Field{"half_cycles_listed",
+              [](const MotionReport& report) { return report.answer.half_cycles.size(); }},
+        Field{"physical", [](const MotionReport& report) { return physical_of(report); },
+              "in the units at the ends of the names; null with dimensionless input; under an "
+              "excitation with its end as well"}});
 
-template <>
-inline constexpr auto fields<report::MotionReport> = [] {
-  using namespace report;
-  return std::tuple_cat(
-      head_fields<MotionReport, schema_name>, told_fields<MotionReport>,
-      std::tuple{
-          Field{"input",
-                [](const MotionReport& report) {
-                  return ShownMotion{{report.request}, report.record};
-                }},
-          Field{"response",
-                [](const MotionReport& report) {
-                  return report.answer.forced ? ShownResponse(*report.answer.forced)
-                                              : ShownResponse(report.answer.response);
-                }},
-          Field{"caught_impulse",
-                [](const MotionReport& report) {
-                  return design::caught_impulse(report.request, report.answer.response);
-                },
-                "per mass, for a hit that the notch catches at the start; null if it does not"},
-          Field{"practice", &practice_shown,
-                "docs/theory.md section 11; null except after a hit from x = 0 without a load and "
-                "with "
-                "the paper's notch; notch_width_min is null"},
-          Field{"half_cycles", in(&MotionReport::answer, &Simulation::half_cycles),
-                "the first of them, at most --max-half-cycles"},
-          Field{"half_cycles_listed",
-                [](const MotionReport& report) { return report.answer.half_cycles.size(); }},
-          Field{"physical", [](const MotionReport& report) { return physical_of(report); },
-                "in the units at the ends of the names; null with dimensionless input; under an "
-                "excitation with its end as well"}});
-}();
-
-}  // namespace stillpoint
-
-namespace stillpoint::report {
+}  // namespace
 
 nlohmann::ordered_json json(const MotionReport& report) {
-  return object_json(report);
+  return object_by<motion_table>(report);
 }
 
 nlohmann::ordered_json simulation_schema() {
-  return document_schema(schema_name.front(), "simulate --json", dimensionless_numbers,
-                         schema_of<MotionReport>());
+  return report_schema<MotionReport>(motion_table, schema_name.front(), "simulate --json");
 }
 
 }  // namespace stillpoint::report

@@ -71,10 +71,60 @@ ordered_json own_schema(const ShownRow* /*row*/) {
   return {{"type", "object"}, {"required", {"entry"}}};
 }
 
+using Columns = const std::vector<RowColumn>&;
 /// What is said of a column, and the columns of all.
-template <class Part>
-struct OfColumn : Part {
-  const std::vector<RowColumn>& columns;
+struct ShownColumn : ReducedColumn {
+  Columns columns;
+
+  /// The best of one.
+  static constexpr auto extreme(BestRows ReducedColumn::*best) {
+    return [best](const ShownColumn& now) {
+      const std::vector<ReducedRow> found = (now.*best).rows();
+      return found.empty() ? std::nullopt : std::optional(ShownRow{found.front(), now.columns});
+    };
+  }
+  static constexpr auto field_table() {
+    using Now = ShownColumn;
+    return std::tuple{Field{"column", [](const Now& now) { return now.columns[now.column].name; }},
+                      Field{"count", &Now::count, "finite values"},
+                      Field{"absent", &Now::absent, "values that do not exist"},
+                      Field{"infinite", &Now::infinite, "what never happens"},
+                      Field{"least", extreme(&ReducedColumn::least)},
+                      Field{"largest", extreme(&ReducedColumn::largest)}};
+  }
+};
+struct ShownHistogram : Histogram {
+  Columns columns;
+
+  static constexpr auto field_table() {
+    using Now = ShownHistogram;
+    return std::tuple{
+        Field{"column", [](const Now& now) { return now.columns[now.column].name; }},
+        Field{"edges", &Now::edges, "", any_number},
+        Field{"counts", &Now::counts, "a bin contains its lower edge, the last one both"},
+        Field{"below", &Now::below}, Field{"above", &Now::above}};
+  }
+};
+struct ShownBest : BestRows {
+  Columns columns;
+
+  [[nodiscard]] std::vector<ShownRow> shown() const {
+    std::vector<ShownRow> all;
+    for (const ReducedRow& row : rows()) {
+      all.push_back({row, columns});
+    }
+    return all;
+  }
+  static constexpr auto field_table() {
+    using Now = ShownBest;
+    return std::tuple{
+        Field{"column", [](const Now& now) { return now.columns[now.column()].name; }},
+        Field{"order", [](const Now& now) { return orders.at(now.largest() ? 0 : 1); }, "",
+              one_of(orders)},
+        Field{"most", &Now::most, "", at_least_one},
+        Field{"rows", &Now::shown,
+              "best first; rows with the same value are in the order of the sweep"}};
+  }
 };
 
 /// The options that decide the numbers.
@@ -89,22 +139,14 @@ ordered_json own_schema(const Task* /*task*/) {
 }
 
 /// A field with those of the reduction.
-template <class Part>
+template <class Shown, class Part>
 constexpr auto of_columns(std::vector<Part> Reduction::*parts) {
   return [parts](const ReductionReport& report) {
-    std::vector<OfColumn<Part>> shown;
+    std::vector<Shown> shown;
     for (const Part& part : report.reduction.*parts) {
       shown.push_back({part, report.reduction.row});
     }
     return shown;
-  };
-}
-
-/// An extreme of a column, the best of one.
-constexpr auto extreme(BestRows ReducedColumn::*best) {
-  return [best](const OfColumn<ReducedColumn>& now) {
-    const std::vector<ReducedRow> found = (now.*best).rows();
-    return found.empty() ? std::nullopt : std::optional(ShownRow{found.front(), now.columns});
   };
 }
 
@@ -120,61 +162,12 @@ constexpr auto only_of(bool designs, Get get) {
 
 constexpr auto sweep_kinds = std::to_array<std::string_view>({"free", "forced", "design"});
 
-}  // namespace
-
-}  // namespace stillpoint::report
-
-namespace stillpoint {
-
-template <>
-inline constexpr auto fields<report::OfColumn<sweep::ReducedColumn>> = [] {
-  using Now = report::OfColumn<sweep::ReducedColumn>;
-  return std::tuple{Field{"column", [](const Now& now) { return now.columns[now.column].name; }},
-                    Field{"count", &Now::count, "finite values"},
-                    Field{"absent", &Now::absent, "values that do not exist"},
-                    Field{"infinite", &Now::infinite, "what never happens"},
-                    Field{"least", report::extreme(&sweep::ReducedColumn::least)},
-                    Field{"largest", report::extreme(&sweep::ReducedColumn::largest)}};
-}();
-
-template <>
-inline constexpr auto fields<report::OfColumn<sweep::Histogram>> = [] {
-  using Now = report::OfColumn<sweep::Histogram>;
-  return std::tuple{
-      Field{"column", [](const Now& now) { return now.columns[now.column].name; }},
-      Field{"edges", &Now::edges, "", {Numbers::all}},
-      Field{"counts", &Now::counts, "a bin contains its lower edge, the last one both"},
-      Field{"below", &Now::below}, Field{"above", &Now::above}};
-}();
-
-template <>
-inline constexpr auto fields<report::OfColumn<sweep::BestRows>> = [] {
-  using Now = report::OfColumn<sweep::BestRows>;
-  return std::tuple{Field{"column", [](const Now& now) { return now.columns[now.column()].name; }},
-                    Field{"order",
-                          [](const Now& now) { return report::orders.at(now.largest() ? 0 : 1); },
-                          "",
-                          {.texts = report::orders}},
-                    Field{"most", &Now::most, "", {Numbers::from_one}},
-                    Field{"rows",
-                          [](const Now& now) {
-                            std::vector<report::ShownRow> rows;
-                            for (const sweep::ReducedRow& row : now.rows()) {
-                              rows.push_back({row, now.columns});
-                            }
-                            return rows;
-                          },
-                          "best first; rows with the same value are in the order of the sweep"}};
-}();
-
-template <>
-inline constexpr auto fields<report::ReductionReport> = [] {
-  using namespace report;
+constexpr auto reduction_table = [] {
   using Now = ReductionReport;
   using sweep::PartLabel;
   using sweep::SweepState;
   return std::tuple_cat(head_fields<Now, reduction_names>, std::tuple{
-      Field{"kind", &ReductionReport::kind, "", {.texts = sweep_kinds}},
+      Field{"kind", &ReductionReport::kind, "", one_of(sweep_kinds)},
       Field{"part",
             [](const ReductionReport& report) {
               return report.split ? std::optional(report.label.part) : std::nullopt;
@@ -202,19 +195,17 @@ inline constexpr auto fields<report::ReductionReport> = [] {
               return names;
             },
             "the columns of each row below",
-            {Numbers::from_one}},
-      Field{"columns", of_columns(&Reduction::columns), "of each result that is a number"},
-      Field{"histograms", of_columns(&Reduction::histograms)},
-      Field{"best", of_columns(&Reduction::best)},
+            at_least_one},
+      Field{"columns", of_columns<ShownColumn>(&Reduction::columns), "of each result that is a number"},
+      Field{"histograms", of_columns<ShownHistogram>(&Reduction::histograms)},
+      Field{"best", of_columns<ShownBest>(&Reduction::best)},
       Field{"list_digest", in(&Now::label, &PartLabel::whole, &sweep::ListExtent::digest),
             "of the entries of a list"},
       Field{"task", [](const ReductionReport& report) { return Task{report.label.task}; },
             "the options that decide the numbers"}});
 }();
 
-}  // namespace stillpoint
-
-namespace stillpoint::report {
+}  // namespace
 
 ReductionReport reduction_report(const sweep::SweepSpec& spec, const sweep::SweepSummary& summary,
                                  Reduction reduction) {
@@ -228,13 +219,13 @@ ReductionReport reduction_report(const sweep::SweepSpec& spec, const sweep::Swee
 }
 
 ordered_json json(const ReductionReport& report) {
-  ordered_json result = object_json(report);
+  ordered_json result = object_by<reduction_table>(report);
   result["digest"] = report.split ? ordered_json(digest_of(result)) : ordered_json(nullptr);
   return result;
 }
 
 ordered_json reduction_report_schema() {
-  ordered_json properties = properties_of<ReductionReport>(fields<ReductionReport>);
+  ordered_json properties = properties_of<ReductionReport>(reduction_table);
   properties["digest"] = value_schema<std::optional<std::uint64_t>>();
   properties["digest"]["description"] = "for a part: of everything else in the report";
   return document_schema(reduction_schema, "sweep --reduce --json",

@@ -97,4 +97,12 @@ nlohmann::ordered_json schema_of() {
   return shared_schema(object_schema(properties_of<Result>(fields<Result>)), shared_name<Result>);
 }
 
+/// Of a report by its table.
+template <class Report, class Fields>
+[[nodiscard]] nlohmann::ordered_json report_schema(
+    const Fields& all, std::string_view name, std::string_view command,
+    std::string_view description = dimensionless_numbers) {
+  return document_schema(name, command, description, object_schema(properties_of<Report>(all)));
+}
+
 }  // namespace stillpoint::report

@@ -110,24 +110,6 @@ inline constexpr auto fields<design::SpectrumFigures> = [] {
                     Field{"peak_absolute_acceleration", &Now::acceleration, "in g"}};
 }();
 
-template <>
-inline constexpr auto fields<report::SpectrumReport> = [] {
-  using namespace report;
-  return std::tuple_cat(head_fields<SpectrumReport, spectrum_name>, told_fields<SpectrumReport>,
-                        std::tuple{Field{"input",
-                                         [](const SpectrumReport& report) {
-                                           return SpectrumInput{
-                                               report.result.request,
-                                               report.physical.scales.gravity_m_per_s2};
-                                         }},
-                                   Field{"combined",
-                                         [](const SpectrumReport& report) {
-                                           return points_of(report, report.result.combined);
-                                         },
-                                         "an entry for each period", at_least_one},
-                                   Field{"records", &records_of, "", at_least_one}});
-}();
-
 }  // namespace stillpoint
 
 namespace stillpoint::report {
@@ -150,6 +132,20 @@ constexpr auto ShownPoint::field_table() {
                      Field{"largest_load_while_locked", &Now::largest_load_while_locked}}),
       std::tuple{Field{"without_notch", &ShownPoint::without}});
 }
+
+constexpr auto spectrum_table = std::tuple_cat(
+    head_fields<SpectrumReport, spectrum_name>, told_fields<SpectrumReport>,
+    std::tuple{
+        Field{
+            "input",
+            [](const SpectrumReport& report) {
+              return SpectrumInput{report.result.request, report.physical.scales.gravity_m_per_s2};
+            }},
+        Field{
+            "combined",
+            [](const SpectrumReport& report) { return points_of(report, report.result.combined); },
+            "an entry for each period", at_least_one},
+        Field{"records", &records_of, "", at_least_one}});
 
 /// Calls `use` with the name and the value of each column of a row but the record's.
 template <class Use>
@@ -226,12 +222,12 @@ std::string spectrum_npy(const SpectrumReport& report) {
 }
 
 nlohmann::ordered_json json(const SpectrumReport& report) {
-  return object_json(report, &report.physical.scales);
+  return object_by<spectrum_table>(report, &report.physical.scales);
 }
 
 nlohmann::ordered_json spectrum_schema() {
-  return document_schema(spectrum_name.front(), "spectrum --json", "In metres, seconds and g",
-                         schema_of<SpectrumReport>());
+  return report_schema<SpectrumReport>(spectrum_table, spectrum_name.front(), "spectrum --json",
+                                       "In metres, seconds and g");
 }
 
 }  // namespace stillpoint::report
