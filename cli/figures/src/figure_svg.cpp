@@ -6,6 +6,7 @@
 #include "figure_backdrop.hpp"
 #include "figure_looks.hpp"
 #include "figure_paths.hpp"
+#include "page_files.hpp"
 
 #include <algorithm>
 #include <array>
@@ -245,6 +246,14 @@ std::string FigureDrawing::opened(std::string_view place, double height) const {
       figure_.x.least, figure_.x.most, figure_.y.least, figure_.y.most, scale_name(figure_.x),
       scale_name(figure_.y), layout_.left, layout_.upper, layout_.width, figure_.height);
   return opening(figure_, place, figure_width, height, data);
+}
+
+std::string_view figure_style() noexcept {
+  return figure_css;
+}
+
+std::string_view dark_figure_style() noexcept {
+  return figure_dark_css;
 }
 
 std::string paper(std::string_view style, double wide, double high) {

@@ -70,12 +70,7 @@ std::pair<std::string, std::string> told_apart(const Physical& physical,
                                                records::Dimension dimension, double value,
                                                double limit) {
   constexpr int every = 17;  // that a double has
-  const FigureUnits units(physical);
-  const auto [unit, name] =
-      dimension == records::Dimension::length      ? std::pair(units.length, units.length_unit)
-      : dimension == records::Dimension::velocity  ? std::pair(units.velocity, units.velocity_unit)
-      : dimension == records::Dimension::gravities ? std::pair(1.0, std::string("g"))
-                                                   : std::pair(1.0, std::string());
+  const auto [unit, name] = FigureUnits(physical).of(dimension);
   std::string one = figure_shown(physical, dimension, value);
   std::string other = figure_shown(physical, dimension, limit);
   for (int digits = 6; value > limit && one == other && digits <= every; ++digits) {
@@ -128,6 +123,14 @@ FigureUnits::FigureUnits(const Physical& physical) {
   time_label = "time, s";
   velocity_label = "velocity, m/s";
   energy_label += ", " + energy_unit;
+}
+
+std::pair<double, std::string> FigureUnits::of(records::Dimension dimension) const {
+  using records::Dimension;
+  return dimension == Dimension::length      ? std::pair(length, length_unit)
+         : dimension == Dimension::velocity  ? std::pair(velocity, velocity_unit)
+         : dimension == Dimension::gravities ? std::pair(1.0, std::string("g"))
+                                             : std::pair(1.0, std::string());
 }
 
 namespace {

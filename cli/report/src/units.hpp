@@ -63,6 +63,8 @@ struct FigureUnits {
   std::string energy_unit;
 
   explicit FigureUnits(const Physical& physical);
+  /// The factor and the unit of a dimension; 1 and none of what has none here.
+  [[nodiscard]] std::pair<double, std::string> of(records::Dimension dimension) const;
 
   /// "137 mm"; the value is dimensionless.
   [[nodiscard]] std::string length_words(double value) const;

@@ -7,6 +7,7 @@
 #include <stillpoint/report/spectrum.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -106,27 +107,29 @@ void add_curves(Figure& figure, const design::Spectrum& spectrum, const Spectrum
 }
 
 struct Kind {
-  std::string_view id;
-  std::string_view quantity;  ///< of the title
-  std::string name;           ///< in full
-  std::string label;
-  std::string unit_name;
-  double unit;
+  std::string_view quantity;
+  std::string_view axis;
+  records::Dimension dimension;
   Drawn drawn;
 };
+constexpr std::array kinds{
+    Kind{"transmitted acceleration", "acceleration", records::Dimension::gravities,
+         [](const SpectrumFigures& one) { return std::optional(one.acceleration); }},
+    Kind{"peak displacement", "peak", records::Dimension::length,
+         [](const SpectrumFigures& one) { return std::optional(one.peak); }},
+    Kind{"residual displacement", "residual", records::Dimension::length,
+         [](const SpectrumFigures& one) { return one.residual; }}};
 
 /// What it comes to: its largest value, or the largest about the period of a design.
-std::vector<std::string> clauses(const Kind& kind, const Figure& figure,
-                                 const design::Spectrum& spectrum, const FigureUnits& units,
-                                 const std::optional<double>& chosen) {
-  const auto value = [&](double y) {
-    return format("{:.4g}{}{}", y, kind.unit_name.empty() ? "" : " ", kind.unit_name);
-  };
+std::vector<std::string> clauses(const std::string& name, const std::string& unit,
+                                 const Figure& figure, const design::Spectrum& spectrum,
+                                 const FigureUnits& units, const std::optional<double>& chosen) {
+  const auto value = [&](double y) { return format("{:.4g}{}", y, with_blank(unit)); };
   const FigureCurve& shown = figure.curves.back();
   if (chosen) {
     constexpr double about = 0.05;
     const double most = highest(shown, (1 - about) * *chosen, (1 + about) * *chosen).y;
-    return {format("Within {} % of the period of the design, the {} is {}", 100 * about, kind.name,
+    return {format("Within {} % of the period of the design, the {} is {}", 100 * about, name,
                    most == 0 ? "zero" : "at most " + value(most))};
   }
   const auto words = [&](const FigureCurve& curve) {
@@ -142,7 +145,7 @@ std::vector<std::string> clauses(const Kind& kind, const Figure& figure,
                 : format("largest at a period of {:.4g}{}, {}", most.x,
                          units.time_unit.empty() ? "" : " s", value(most.y));
   };
-  std::vector<std::string> said{format("The {} is {}", kind.name, words(shown))};
+  std::vector<std::string> said{format("The {} is {}", name, words(shown))};
   if (spectrum.request.delta > 0) {
     said.push_back("without the notch " + words(*std::prev(figure.curves.end(), 2)));
   }
@@ -160,29 +163,22 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
     periods.push_back(period(p));
   }
   const auto [shortest, longest] = std::ranges::minmax(periods);
-  const std::vector<Kind> kinds{
-      {spectrum_figure_names[0], "transmitted acceleration",
-       format("transmitted acceleration{}",
-              jumps_words(spectrum.request.delta, spectrum.request.notch_width)),
-       "acceleration, g", "g", 1,
-       [](const SpectrumFigures& one) { return std::optional(one.acceleration); }},
-      {spectrum_figure_names[1], "peak displacement", "peak displacement",
-       in("peak", units.length_unit), units.length_unit, units.length,
-       [](const SpectrumFigures& one) { return std::optional(one.peak); }},
-      {spectrum_figure_names[2], "residual displacement", "residual displacement",
-       in("residual", units.length_unit), units.length_unit, units.length,
-       [](const SpectrumFigures& one) { return one.residual; }}};
   std::vector<Figure> all;
   for (const Kind& kind : kinds) {
+    const auto [unit, unit_name] = units.of(kind.dimension);
+    const bool felt = kind.dimension == records::Dimension::gravities;
+    const std::string name =
+        format("{}{}", kind.quantity,
+               felt ? jumps_words(spectrum.request.delta, spectrum.request.notch_width) : "");
     Figure figure;
-    figure.id = kind.id;
+    figure.id = spectrum_figure_names.at(all.size());
     figure.title = format("Spectrum of the {}", kind.quantity);
     figure.height = 170;
     figure.x = figures::axis_around(units.time_unit.empty() ? "period 2π/p" : "period, s", shortest,
                                     longest);
     figure.x.least = std::max(figure.x.least, 0.0);
-    add_curves(figure, spectrum, {kind.drawn, kind.unit, periods});
-    figure.clauses = clauses(kind, figure, spectrum, units,
+    add_curves(figure, spectrum, {kind.drawn, unit, periods});
+    figure.clauses = clauses(name, unit_name, figure, spectrum, units,
                              chosen ? std::optional(period(*chosen)) : std::nullopt);
     add_points(figure, periods.size());
     double most = 0;
@@ -192,7 +188,7 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
     constexpr double above_most = 1.08;
     constexpr double below_zero = -0.02;  // so that a line at 0 is seen whole
     most = most > 0 ? above_most * most : 1;
-    figure.y = {kind.label, below_zero * most, most};
+    figure.y = {in(std::string(kind.axis), unit_name), below_zero * most, most};
     if (chosen) {
       const double at = period(*chosen);
       figure.curves.push_back(figures::line("period of the design",
@@ -202,7 +198,7 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
     figure.description = format(
         "The {} against the period from {:.4g} to {:.4g}, with the notch and without, f and Δ "
         "fixed.",
-        kind.name, shortest, longest);
+        name, shortest, longest);
     all.push_back(std::move(figure));
   }
   const auto moves_without = [](const SpectrumPoint& point) { return !point.without.residual; };

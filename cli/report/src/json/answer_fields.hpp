@@ -302,11 +302,11 @@ struct ShownBox {
 };
 
 struct BoxedDamper : design::SuiteDamper {
-  Name name{};
+  ShownBox box{};
   IfReal tolerance{};
   IfRange tolerance_f{}, tolerance_delta{};
   IfCount arrival{};
-  ShownBox box{};
+  Name name{};
 
   static constexpr auto field_table() {
     using Now = BoxedDamper;

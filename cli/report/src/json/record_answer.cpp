@@ -65,14 +65,10 @@ AskedTask asked_task(const design::RecordDesignRequest& task) {
 BoxedDamper boxed_damper(const design::RecordFinding& finding, const IfReal& tolerance) {
   const design::SuiteBox& box = finding.box;
   return {finding.point.damper,
-          {},
-          tolerance,
-          {},
-          {},
-          {},
           {unless_exact(box.f), unless_exact(box.delta), unless_exact(box.p),
            unless_exact({turn(box.p.high), turn(box.p.low)}), unless_exact(box.width), box.samples,
-           false}};
+           false},
+          tolerance};
 }
 
 /// The motion that has the worst is known of one record alone.

@@ -78,11 +78,6 @@ BoxedDamper boxed_damper(const ShownTask& task, double f, double delta) {
                : std::nullopt;
   };
   return {{task.problem.p, f, delta},
-          {},
-          {},
-          {},
-          {},
-          {},
           {.f = side(f, f_low, f_high),
            .delta = side(delta, delta_low, delta_high),
            .exact = !(task.pulse && has_ranges(task))}};
