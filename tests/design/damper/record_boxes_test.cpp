@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE(no_known_box_is_better_than_one_with_a_searched_width) {
   residual.f = Interval{0.03, 0.3};
   struct Known {
     RecordDesignRequest task;
-    double tolerance;
+    double tolerance = 0;
     SuiteDamper damper;
   };
   for (const auto& [task, tolerance, damper] :
