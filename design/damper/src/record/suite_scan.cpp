@@ -45,7 +45,11 @@ SuiteScan::SuiteScan(const Suite& suite, const SuiteSpace& space, std::int64_t p
   for (const GridSide& side : finest_) {
     step = std::max(step, side.step);
   }
-  while (step > 0 && 2 * static_cast<double>(first_stride_) * step <= first_step) {
+  const auto is_small = [&](std::int64_t stride) {
+    return 2 * static_cast<double>(stride) * step <= first_step ||
+           (window_of(finest_) == 0 && points_of_stride(stride) > points_);
+  };
+  while (step > 0 && is_small(first_stride_)) {
     first_stride_ *= 2;
   }
   std::size_t all = 1;
@@ -63,6 +67,14 @@ std::size_t SuiteScan::flat(const Index& index) const {
         at * static_cast<std::size_t>(finest_.at(i).points) + static_cast<std::size_t>(index.at(i));
   }
   return at;
+}
+
+std::int64_t SuiteScan::points_of_stride(std::int64_t stride) const {
+  std::int64_t all = 1;
+  for (const GridSide& side : finest_) {
+    all *= 1 + (side.points + stride - 2) / stride;
+  }
+  return all;
 }
 
 /// The last along each axis among them.

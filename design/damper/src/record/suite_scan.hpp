@@ -34,6 +34,7 @@ class SuiteScan {
 
   [[nodiscard]] std::size_t flat(const Index& index) const;
   [[nodiscard]] std::vector<Index> of_stride(std::int64_t stride) const;
+  [[nodiscard]] std::int64_t points_of_stride(std::int64_t stride) const;
   [[nodiscard]] bool has_promising_neighbour(const Index& index, std::int64_t stride,
                                              const SuiteGoal& goal, double bar) const;
   void compute(const std::vector<Index>& list);

@@ -21,7 +21,8 @@ constexpr std::array<std::size_t, 5> sample_stages{2, 8, 20, 56, SIZE_MAX};
 constexpr double last_step = 4e-4;   ///< of a value, relative
 constexpr int most_moves = 6;        ///< at each step
 constexpr double least_move = 2e-4;  ///< that is followed by another with the same step
-constexpr std::size_t most_verified = 2;
+/// Of limits that a box misses, in steps: it gets no farther than its moves take it.
+constexpr double out_of_reach = 24;
 /// A candidate that is this much worse than the bar will not get below it: on the map, by a few
 /// samples, and refined twice.
 constexpr double hopeless = 1.01;
@@ -39,12 +40,6 @@ constexpr std::array<std::size_t, most_axes + 1> most_refined{1, 2, 2, 3, 3};
 constexpr std::array<std::size_t, most_axes + 1> pool_sizes{1, 24, 48, 48, 48};
 constexpr std::array<std::size_t, most_axes + 1> candidate_counts{1, 4, 6, 8, 8};
 
-/// Of a box whose place is not exact yet: one that is hardly off may lie beside one that is not.
-double merit(const BoxedDamper& box) {
-  constexpr double price = 2;
-  return box.worst.settled ? box.rank.value * (1 + price * box.rank.off) : HUGE_VAL;
-}
-
 /// The surest as it was found stays the first; then the surest now, then the others by merit.
 void by_promise(std::vector<BoxedDamper>& list) {
   const auto rest = std::span(list).subspan(std::min<std::size_t>(1, list.size()));
@@ -56,6 +51,11 @@ void by_promise(std::vector<BoxedDamper>& list) {
 }
 
 }  // namespace
+
+double merit(const BoxedDamper& box) {
+  constexpr double price = 2;
+  return box.worst.settled ? box.rank.value * (1 + price * box.rank.off) : HUGE_VAL;
+}
 
 SuiteSearch::SuiteSearch(const Suite& suite, const RecordDesignRequest& task,
                          const SuiteSpace& space, const SuiteGoal& goal, SuiteWatch& watch)
@@ -200,7 +200,8 @@ BoxedDamper SuiteSearch::polished(const BoxedDamper& from, double step, bool eno
   constexpr double coarse = 4;  // is enough where only the limits matter, or with many variables
   const double last = (enough || space_.searched() > 2 ? coarse : 1) * last_step;
   BoxedDamper best = sampled(from.damper);
-  for (; step > last && !(enough && best.rank.off == 0) && merit(best) < bar * (1 + step);
+  for (; step > last && !(enough && best.rank.off == 0) && merit(best) < bar * (1 + step) &&
+         best.rank.off < out_of_reach * step;
        step /= 2) {
     for (int i = 0; i < most_moves && !watch_.stopped(); ++i) {
       BoxedDamper now = best;
@@ -308,23 +309,10 @@ std::vector<BoxedDamper> SuiteSearch::all_refined(const std::vector<BoxedDamper>
 std::optional<VerifiedBox> SuiteSearch::best(const BoxMap& map, const SuiteGrid& grid, double bar) {
   std::vector<BoxedDamper> found = map.best(goal_, pool_sizes.at(space_.size()), spacing);
   std::erase_if(found, [&](const BoxedDamper& each) {
-    return !each.worst.settled || each.rank.value > hopeless * bar;
+    return !each.worst.settled || each.rank.value > hopeless * bar ||
+           each.rank.off > out_of_reach * first_step();
   });
-  std::optional<VerifiedBox> best;
-  std::size_t count = 0;
-  for (const BoxedDamper& each : all_refined(found, grid, bar)) {
-    const double least = best ? std::min(bar, best->box.rank.value) : bar;
-    if (watch_.stopped() || count == most_verified || each.rank.off > 0 ||
-        each.rank.value >= least) {
-      continue;
-    }
-    std::optional<VerifiedBox> now = verified(each);
-    if (now && now->box.rank.value < least) {
-      best = now;
-      ++count;
-    }
-  }
-  return best;
+  return verified(all_refined(found, grid, bar), bar);
 }
 
 }  // namespace stillpoint::design

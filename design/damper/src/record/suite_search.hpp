@@ -24,6 +24,9 @@ struct VerifiedBox {
   std::int64_t samples{0};
 };
 
+/// Of a box whose place is not exact yet: one that is hardly off may lie beside one that is not.
+[[nodiscard]] double merit(const BoxedDamper& box);
+
 /// Looks for one goal in one space.
 class SuiteSearch {
  public:
@@ -40,8 +43,10 @@ class SuiteSearch {
   /// only as long as it may become better than `bar`.
   [[nodiscard]] BoxedDamper polished(const BoxedDamper& from, double step, bool enough = false,
                                      double bar = HUGE_VAL);
-  /// Empty if a sample breaks a limit, where other samples and smaller limits do not mend it.
-  [[nodiscard]] std::optional<VerifiedBox> verified(BoxedDamper candidate);
+  /// The best of the candidates of which no sample breaks a limit, if it is better than `bar`;
+  /// other samples and smaller limits may mend one that fails.
+  [[nodiscard]] std::optional<VerifiedBox> verified(const std::vector<BoxedDamper>& candidates,
+                                                    double bar = HUGE_VAL);
   /// As it is.
   [[nodiscard]] VerifiedBox tried(const SuiteDamper& damper);
 
@@ -65,6 +70,8 @@ class SuiteSearch {
   /// With few digits, if that costs next to nothing.
   [[nodiscard]] BoxedDamper rounded(const BoxedDamper& found);
   [[nodiscard]] BoxedDamper clear(const BoxedDamper& found) const;
+  /// Near one that failed, by the samples that it broke and limits that are smaller.
+  [[nodiscard]] BoxedDamper mended(const BoxedDamper& failed, const SuiteFigures& worst);
   void tighten(const SuiteFigures& worst);
 
   const Suite& suite_;

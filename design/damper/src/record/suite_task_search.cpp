@@ -160,10 +160,7 @@ class TaskSearch {
                                                     : SuiteFrictions::both);
     SuiteSearch search(suite_, task_, space, goal, watch_);
     std::optional<VerifiedBox> box =
-        search.verified(search.polished(found->verified.box, grown_step));
-    if (!box) {
-      box = search.verified(found->verified.box);
-    }
+        search.verified({search.polished(found->verified.box, grown_step), found->verified.box});
     if (box) {
       result_.largest_tolerance.reset();
     } else {

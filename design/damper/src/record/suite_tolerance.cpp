@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -119,7 +120,7 @@ class Growth {
       (!best.empty() && best.front().rank.off == 0 ? low : high) = middle;
     }
     std::vector<std::pair<double, BoxedDamper>> list;
-    for (const double part : sizes_tried) {
+    for (const double part : low > 0 ? std::span(sizes_tried) : std::span(sizes_tried).first(1)) {
       for (const BoxedDamper& each : on_map(part * low, candidates_of_a_size)) {
         list.emplace_back(part * low, each);
       }
@@ -192,7 +193,7 @@ class Growth {
       }
       const SuiteSpace boxes = space(scale);
       SuiteSearch search(suite_, task_, boxes, goal_, watch_);
-      if (auto now = search.verified(end)) {
+      if (auto now = search.verified({end})) {
         best = LargestBox{scale, *now};
         return;
       }

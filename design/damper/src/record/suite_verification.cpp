@@ -18,9 +18,11 @@ namespace {
 constexpr std::size_t most_learnt = 24;  ///< places where a verification found a limit broken
 constexpr std::size_t learnt_at_once = 4;
 constexpr std::size_t first_verified = 500;
-constexpr int most_verifications = 8;
-/// A limit is tightened by at most this part at once, for a residual may jump.
-constexpr double most_tightened = 0.03;
+constexpr int most_failures = 8;
+constexpr std::size_t most_verified = 2;
+/// A limit is tightened where it is exceeded by less than this part; what exceeds it by more jumps,
+/// and no smaller limit mends that.
+constexpr double most_tightened = 0.02;
 
 }  // namespace
 
@@ -30,7 +32,7 @@ VerifiedBox SuiteSearch::tried(const SuiteDamper& damper) {
   VerifiedBox result{boxed(damper, {}), {}, 0};
   result.of.fill(damper);
   for (std::size_t begin = 0; begin < places.size();) {
-    const std::size_t end = begin == 0 ? std::min(first_verified, places.size()) : places.size();
+    const std::size_t end = std::min(std::max(first_verified, 2 * begin), places.size());
     std::vector<SuiteDamper> dampers;
     for (std::size_t i = begin; i < end; ++i) {
       dampers.push_back(space_.off(damper, places[i]));
@@ -109,42 +111,86 @@ void SuiteSearch::tighten(const SuiteFigures& worst) {
   for (const SuiteFigureKind& kind : suite_figure_kinds) {
     const std::optional<double>& given = limits_.*kind.limit;
     std::optional<double>& limit = goal_.limits.*kind.limit;
-    if (given && worst.*kind.value > *given) {
-      *limit *= std::max(*given / (worst.*kind.value), 1 - most_tightened);
+    const double part = given ? worst.*kind.value / *given : 0;
+    if (part > 1 && part < 1 + most_tightened) {
+      *limit /= part;
     }
   }
 }
 
-std::optional<VerifiedBox> SuiteSearch::verified(BoxedDamper candidate) {
-  const double step = first_step();
-  const SuiteLimits before = goal_.limits;
-  std::optional<VerifiedBox> result;
-  for (int i = 0; i < most_verifications && !result && !watch_.stopped(); ++i) {
-    candidate = clear(rounded(candidate));
-    VerifiedBox box = tried(candidate.damper);
+BoxedDamper SuiteSearch::mended(const BoxedDamper& failed, const SuiteFigures& worst) {
+  samples_.insert(samples_.begin(),
+                  worst_places_.end() -
+                      static_cast<std::ptrdiff_t>(std::min(learnt_at_once, worst_places_.size())),
+                  worst_places_.end());
+  if (worst_places_.size() > most_learnt) {
+    worst_places_.erase(worst_places_.begin(),
+                        worst_places_.end() - static_cast<std::ptrdiff_t>(most_learnt));
+  }
+  tighten(worst);
+  return polished(failed, first_step());
+}
+
+/// The likeliest is tried first, so that one which has to be mended waits for those that are as
+/// good as what is left of it.
+std::optional<VerifiedBox> SuiteSearch::verified(const std::vector<BoxedDamper>& candidates,
+                                                 double bar) {
+  struct Candidate {
+    BoxedDamper box;
+    SuiteLimits limits;
+    int failures{0};
+    std::optional<SuiteFigures> broken;  ///< the worst of a verification that failed
+  };
+  const SuiteLimits given = goal_.limits;
+  std::vector<Candidate> left;
+  for (const BoxedDamper& box : candidates) {
+    left.push_back({box, given, 0, {}});
+  }
+  std::optional<VerifiedBox> best;
+  std::size_t count = 0;
+  const auto is_hopeless = [&](const Candidate& each) {
+    return each.failures == most_failures || !admissible(each.box.worst, limits_) ||
+           merit(each.box) >= bar;
+  };
+  while (count < most_verified && !watch_.stopped()) {
+    std::erase_if(left, is_hopeless);
+    const auto next =
+        std::ranges::min_element(left, {}, [](const Candidate& each) { return merit(each.box); });
+    if (next == left.end()) {
+      break;
+    }
+    goal_.limits = next->limits;
+    if (next->broken) {
+      next->box = mended(next->box, *next->broken);
+      next->limits = goal_.limits;
+      next->broken.reset();
+      continue;
+    }
+    next->box = clear(rounded(next->box));
+    const VerifiedBox box = tried(next->box.damper);
     if (watch_.stopped()) {
       break;
     }
-    if (box.box.rank.off == 0) {
-      result = box;
-      break;
+    if (box.box.rank.off > 0) {
+      next->box.rank = box.box.rank;
+      next->broken = box.box.worst;
+      ++next->failures;
+      continue;
     }
-    samples_.insert(samples_.begin(),
-                    worst_places_.end() -
-                        static_cast<std::ptrdiff_t>(std::min(learnt_at_once, worst_places_.size())),
-                    worst_places_.end());
-    if (worst_places_.size() > most_learnt) {
-      worst_places_.erase(worst_places_.begin(),
-                          worst_places_.end() - static_cast<std::ptrdiff_t>(most_learnt));
+    if (box.box.rank.value < bar) {
+      best = box;
+      bar = box.box.rank.value;
+      ++count;
     }
-    tighten(box.box.worst);
-    candidate = polished(candidate, step);
-    if (!admissible(candidate.worst, limits_)) {
-      break;
+    if (next->failures > 1 && next->failures < most_failures) {
+      goal_.limits = given;
+      *next = {polished(box.box, first_step()), given, most_failures - 1, {}};
+    } else {
+      left.erase(next);
     }
   }
-  goal_.limits = before;
-  return result;
+  goal_.limits = given;
+  return best;
 }
 
 }  // namespace stillpoint::design
