@@ -201,7 +201,7 @@ BoxedDamper SuiteSearch::polished(const BoxedDamper& from, double step, bool eno
   const double last = (enough || space_.searched() > 2 ? coarse : 1) * last_step;
   BoxedDamper best = sampled(from.damper);
   for (; step > last && !(enough && best.rank.off == 0) && merit(best) < bar * (1 + step) &&
-         best.rank.off < out_of_reach * step;
+         (enough || best.rank.off < out_of_reach * step);
        step /= 2) {
     for (int i = 0; i < most_moves && !watch_.stopped(); ++i) {
       BoxedDamper now = best;
