@@ -43,7 +43,8 @@ BOOST_AUTO_TEST_CASE(says_why_and_what_would_help) {
         {"design --v0 1 --p 1 --beta 0.9 --acceleration-max 0.9", "acceleration_max"},
         {"design --v0 0.1:0.4 --p 1 --beta 0.36", "v0_high"}}) {
     const json mends = ending(3, Arguments(task) + "--json").json()["mends"];
-    BOOST_TEST(std::ranges::any_of(mends, [&](const json& mend) { return mend["input"] == input; }),
+    BOOST_TEST(std::ranges::any_of(
+                   mends, [field = input](const json& mend) { return mend["input"] == field; }),
                input << " in " << mends.dump());
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "json_schema.hpp"
 
+#include <fmt/format.h>
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
@@ -100,7 +101,7 @@ struct Validator {
         check_properties(schema, value, place);
       } else if (keyword == "items") {
         for (std::size_t i = 0; value.is_array() && i < value.size(); ++i) {
-          check(setting, value[i], place + "/" + std::to_string(i));
+          check(setting, value[i], fmt::format("{}/{}", place, i));
         }
       } else if (is_wrong(keyword, setting, value)) {
         faults.push_back(place + ": " + keyword + " " + setting.dump() + ", is " + value.dump());
@@ -114,7 +115,7 @@ struct Validator {
     }
     const json others = schema.value("additionalProperties", json(true));
     for (const auto& [name, entry] : value.items()) {
-      const std::string inside = place + "/" + name;
+      const std::string inside = fmt::format("{}/{}", place, name);
       if (schema["properties"].contains(name)) {
         check(schema["properties"][name], entry, inside);
       } else if (others.is_object()) {

@@ -3,7 +3,6 @@
 
 #include "run_program.hpp"
 
-#include <algorithm>
 #include <string>
 
 /// Commands that would be correct without what is added to them.
@@ -31,13 +30,6 @@ inline Arguments sweep(const Arguments& more = {}) {
 
 inline Surroundings with_input(const std::string& text) {
   return {.input = text};
-}
-
-/// `arguments` with the value of `option` replaced.
-inline Arguments with(Arguments arguments, const char* option, const char* value) {
-  const auto found = std::ranges::find(arguments, option);
-  *(found + 1) = value;
-  return arguments;
 }
 
 /// Of a scene of `design`, within its braces.

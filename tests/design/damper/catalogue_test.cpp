@@ -29,15 +29,15 @@ auto moved(const DesignRequest& request, double f, double delta, const Use& use)
 /// Of the exact criterion, which the simulation knows.
 Shop random_shop(RandomSource& random, int size, bool pulsed) {
   Shop shop;
-  const auto [problem, limits, search, pulse] =
-      std::tie(shop.request.problem, shop.request.limits, shop.request.search, shop.request.pulse);
+  Problem& problem = shop.request.problem;
+  Limits& limits = shop.request.limits;
   double f_unit = 0;
   double delta_unit = 0;
   double felt = 0;
   if (pulsed) {
     problem.p = random.log_uniform(0.1, 10);
     const double k = random.log_uniform(0.1, 10);
-    pulse = random_pulse(random, k, problem.p / random.log_uniform(0.05, 3));
+    shop.request.pulse = random_pulse(random, k, problem.p / random.log_uniform(0.05, 3));
     moved(shop.request, 1e-3 * k, 1e200, [&](const auto& free) {
       const double w = free.arrival_speed.value_or(0);
       felt = free.peak_absolute_acceleration;
@@ -56,7 +56,7 @@ Shop random_shop(RandomSource& random, int size, bool pulsed) {
   random.one_in(3, limits.f_max, [&] { return random.uniform(0.1, 0.4) * f_unit; });
   random.one_in(3, limits.delta_max, [&] { return random.uniform(0.2, 0.6) * delta_unit; });
   random.one_in(3, limits.acceleration_max, [&] { return random.uniform(0.95, 1.1) * felt; });
-  search.objective = random_objective(random);
+  shop.request.search.objective = random_objective(random);
   for (int i = 0; i < size; ++i) {
     shop.parts.push_back({"part " + std::to_string(i), i == 0 ? 0 : random.uniform(0, 0.5) * f_unit,
                           random.uniform(0, 0.6) * delta_unit});
@@ -67,7 +67,8 @@ Shop random_shop(RandomSource& random, int size, bool pulsed) {
 /// By simulation: it stops at x = 0 in time, within beta and the limits, all changed by this
 /// factor.
 bool works(const DesignRequest& request, double f, double delta, double factor = 1) {
-  const auto [problem, limits] = std::tie(request.problem, request.limits);
+  const Problem& problem = request.problem;
+  const Limits& limits = request.limits;
   const auto within = [factor](double value, const std::optional<double>& limit) {
     return value <= limit.value_or(HUGE_VAL) * factor;
   };
