@@ -90,6 +90,7 @@ Document document(const AccuracyReport& report) {
       stops ? "Errors of the peak and of the place of rest are relative to the peak, of the "
               "stop time to itself."
             : "Errors of the peak and of x are relative to the peak, of v to p times the peak.");
+  methods.line("The counts are of passages, turning points and sticks.");
   methods.line(format("simulate uses stillpoint: {}.", reason(report.request)));
   return document;
 }

@@ -48,7 +48,7 @@ bool bounds_nothing(const design::Constraint& now) {
 using records::decimal;
 using records::Rounding;
 
-constexpr int digits_of_bounds = 6;  // a least stroke has one more, which tables round
+constexpr int digits_of_bounds = 6;
 
 /// With which f >= f2 and f <= f3, so rounded, can both be met where the region is not empty.
 int digits_between(std::span<const design::Constraint> constraints) {
@@ -84,105 +84,6 @@ std::string requirement(const design::Constraint& now, const FigureUnits& units,
 }
 
 }  // namespace
-
-std::vector<Interval> merged(std::vector<Interval> all) {
-  std::ranges::sort(all, {}, &Interval::low);
-  std::vector<Interval> apart;
-  for (const Interval& now : all) {
-    if (!apart.empty() && now.low <= apart.back().high) {
-      apart.back().high = std::max(apart.back().high, now.high);
-    } else {
-      apart.push_back(now);
-    }
-  }
-  return apart;
-}
-
-std::string feasible_words(const design::RegionVerdict& verdict, const design::Problem& problem,
-                           const design::Limits& limits) {
-  std::vector<Interval> all;
-  if (!verdict.intervals && (problem.arrivals > 1 || problem.residual)) {
-    for (const design::Strip& strip : design::strips(problem, limits)) {
-      if (strip.f_lower) {
-        all.push_back({*strip.f_lower, *strip.f_upper});
-      }
-    }
-  } else {
-    all.push_back({*verdict.region.f_lower, *verdict.region.f_upper});
-  }
-  std::string words;
-  for (const auto& [low, high] : merged(std::move(all))) {
-    words += (words.empty() ? "" : " or ") + range_digits(low, high);
-  }
-  return words;
-}
-
-namespace {
-
-/// The least stroke, and the f that are feasible.
-void add_feasible(Section& section, const design::RegionVerdict& verdict,
-                  const design::Problem& problem, const design::Limits& limits,
-                  const Physical& physical) {
-  const design::Region& region = verdict.region;
-  if (region.beta_min == 0) {
-    section.row("least stroke",
-                "as small as you like: with f just below the peak load the mass hardly moves");
-  } else if (region.conflict != design::Conflict::no_arrival) {  // where no stroke helps
-    section.row(physical ? "least stroke" : "least beta",
-                length_limit(physical, region.beta_min, true, digits_of_bounds + 1));
-  }
-  if (region.feasible) {
-    section.row("feasible f", feasible_words(verdict, problem, limits) +
-                                  (limits.tolerance > 0 ? ", with the tolerance asked for" : ""));
-  }
-}
-
-}  // namespace
-
-void add_region(Document& document, const design::RegionVerdict& verdict,
-                const design::Problem& problem, const design::Limits& limits,
-                const Physical& physical) {
-  const design::Region& region = verdict.region;
-  const bool pulsed = verdict.intervals.has_value();
-  const FigureUnits units(physical);
-  std::vector<design::Constraint> bounds;
-  const auto add = [&](std::string_view name, std::string_view variable, std::string_view relation,
-                       double limit) {
-    bounds.push_back(design::Constraint::compared(name, variable, relation, 0, limit));
-  };
-  if (!pulsed || region.feasible) {
-    add("amplitude", "f", ">=", std::max(region.f2, 0.0));
-  }
-  if (region.beta_min > 0 && !problem.residual) {
-    add("return", "f", "<=", region.f3);
-  } else if (region.beta_min > 0 && !design::dead_zone_binds(problem)) {
-    add("residual", "f", "<=", design::largest_stopping_f(problem));
-  }
-  if (region.f4) {
-    add("acceleration", "f", "<=", *region.f4);
-  }
-  if (region.delta2) {
-    add("dead_zone", "f", "<", region.f1);
-    add("start", "delta", "<=", *region.delta2);
-  }
-  for (const design::LimitKind& kind : design::limit_kinds()) {
-    if (const auto& most = limits.*kind.value; most && (pulsed || !kind.figure)) {
-      add(kind.constraint,
-          kind.figure       ? kind.constraint
-          : kind.bounds_f() ? "f"
-                            : "delta",
-          "<=", *most);
-    }
-  }
-  Section& section = document.section("Bounds");
-  for (const design::Constraint& now : bounds) {
-    section.row(in_words(now.name), requirement(now, units, digits_between(bounds)));
-  }
-  if (!region.delta2) {
-    section.row("start", "f below the peak load k");
-  }
-  add_feasible(section, verdict, problem, limits, physical);
-}
 
 void add_constraints(Document& document, std::span<const design::Constraint> constraints,
                      const Physical& physical) {

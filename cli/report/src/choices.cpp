@@ -21,28 +21,24 @@ constexpr std::size_t most_rows = 12;  // with the answer, a screen
 std::string consequence(const design::Constraint& violated, const ShownTask& task) {
   const std::string_view name = violated.name;
   const std::string stroke = length_shown(task.physical, task.problem.beta);
-  if (name == "amplitude") {
-    return "exceeds " + stroke;
+  const bool residual = task.problem.residual.has_value();
+  if (name == "stop") {
+    return violated.by_criterion_alone
+               ? format("stops{}, but not by the published criterion", residual ? "" : " at x = 0")
+           : residual ? "passes x = 0 more often than --arrivals allows"
+                      : "passes x = 0";
   }
-  if (name == "acceleration") {
-    return "exceeds " + acceleration_shown(task.limits.acceleration_max.value_or(0));
+  if (name == "return" || name == "residual") {
+    return format("{}{}", residual ? "rests too far off" : "rests off centre",
+                  violated.variable == "v0" && task.problem.v0_low
+                      ? " after the weaker hits of the range"
+                      : "");
   }
-  return name == "start" ? violated.variable == "f" ? "is held by friction" : "is held by the notch"
-         : name == "return" || name == "residual"
-             ? format("{}{}", task.problem.residual ? "rests too far off" : "rests off centre",
-                      violated.variable == "v0" && task.problem.v0_low
-                          ? " after the weaker hits of the range"
-                          : "")
-         : name == "stop"      ? violated.by_criterion_alone
-                                     ? format("stops{}, but not by the published criterion",
-                                         task.problem.residual ? "" : " at x = 0")
-                                 : violated.slack == 0 ? "is on the edge of passing x = 0"
-                                 : task.problem.residual
-                                     ? format("passes x = 0, and only {} (--arrivals)",
-                                         task.problem.arrivals == 1
-                                                  ? "the first arrival counts"
-                                                  : format("{} arrivals count", task.problem.arrivals))
-                                     : "passes x = 0"
+  return name == "amplitude" ? "exceeds " + stroke
+         : name == "acceleration"
+             ? "exceeds " + acceleration_shown(task.limits.acceleration_max.value_or(0))
+         : name == "start"
+             ? violated.variable == "f" ? "is held by friction" : "is held by the notch"
          : name == "dead_zone" ? "could be held at " + stroke + " by friction"
                                : "exceeds the " + in_words(name);
 }

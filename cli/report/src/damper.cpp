@@ -80,11 +80,9 @@ std::string felt_words(const ShownDamper& shown) {
   const double p = worst ? worst->outside.p : shown.shown_p;
   const auto outside =
       felt_outside(value, slides.peak_amplitude, p, shown.point.f, shown.built->shape.width);
-  return outside
-             ? format("{} {}{}, {} outside it", felt,
-                      shown.built->shape.width ? "inside the notch" : "while the notch holds it",
-                      in_brackets(of), acceleration_shown(*outside))
-             : format("{}, the notch included{}", felt, in_brackets(of));
+  return outside ? format("{} inside the notch{}, {} outside it", felt, in_brackets(of),
+                          acceleration_shown(*outside))
+                 : format("{}, the notch included{}", felt, in_brackets(of));
 }
 
 /// 0 if it is next to nothing of the stroke.

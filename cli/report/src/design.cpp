@@ -33,23 +33,11 @@ double shown_f(const design::DesignResult& result) {
   return f;
 }
 
-std::string_view method_words(std::string_view name) {
-  return name == "half_cycle_map" ? "half-cycle map"
-         : name == "forced_pulse" ? "forced motion"
-         : name == "runge_kutta"  ? "Runge-Kutta"
-                                  : name;
-}
-
-std::string error_words(const design::CheckMethod& method) {
-  return method.relative_error == 0 ? "exactly" : format("to {:.1e}", method.relative_error);
-}
-
 /// "half-cycle map to 5.6e-17, Runge-Kutta to 1.3e-12"
-std::string agreement(const design::CrossCheck& check) {
+std::string agreements(const design::CrossCheck& check) {
   std::string text;
   for (const design::CheckMethod& method : check.methods) {
-    text +=
-        format("{}{} {}", text.empty() ? "" : ", ", method_words(method.name), error_words(method));
+    text += (text.empty() ? "" : ", ") + agreement(method.name, method.relative_error);
   }
   return text;
 }
@@ -81,8 +69,7 @@ void add_answer(Section& answer, const DesignReport& report, const ShownDamper& 
                  : tolerance_words(limits, tolerance, delta));
   add_works_for(answer, shown.works_for, shown.task);
   const design::CrossCheck& check = report.result.finding->cross_check;
-  answer.row("checks", format("{}: {}", check.passed ? "agree" : "DISAGREE", agreement(check)),
-             check.passed ? Tone::good : Tone::bad);
+  add_check(answer, check.passed, agreements(check));
 }
 
 }  // namespace

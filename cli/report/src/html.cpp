@@ -64,19 +64,9 @@ std::string prose(std::string_view text) {
 
 /// The class that the page's style knows.
 std::string_view look_of(Tone tone) {
-  switch (tone) {
-    case Tone::plain:
-      break;
-    case Tone::heading:
-      return " class=\"key\"";
-    case Tone::good:
-      return " class=\"good\"";
-    case Tone::bad:
-      return " class=\"bad\"";
-    case Tone::faint:
-      return " class=\"faint\"";
-  }
-  return "";
+  static constexpr auto looks = std::to_array<std::string_view>(
+      {"", " class=\"key\"", " class=\"good\"", " class=\"bad\"", " class=\"faint\""});
+  return looks.at(static_cast<std::size_t>(tone));
 }
 
 /// "peak, mm" before and after a number of its column, on narrow screens, where a row is a

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <span>
 #include <string_view>
+#include <utility>
 
 namespace stillpoint::report {
 
@@ -22,24 +23,19 @@ std::string felt_where(const MotionReport& report) {
   const auto& [p, f, delta, hold] = report.request.oscillator;
   const Response& response = report.answer.response;
   const auto& forced = report.answer.forced;
-  const bool wide = report.request.surface.notch_width.has_value();
-  const bool acts = delta > 0 && response.peak_amplitude > 0;
+  const auto& [notch_width, zones] = report.request.surface;
   if (forced && forced->largest_load_while_locked == response.peak_absolute_acceleration) {
     return " while it is locked";
   }
-  if (!acts) {
+  if (delta == 0 || response.peak_amplitude == 0) {
     return "";
   }
-  const auto& [notch_width, zones] = report.request.surface;
-  const auto outside = zones.empty() ? felt_outside(response.peak_absolute_acceleration,
-                                                    response.peak_amplitude, p, f, notch_width)
-                                     : std::nullopt;
-  if (wide) {
-    return outside && report.request.start.x0 == 0
-               ? format(" inside the notch, {} outside it", acceleration_shown(*outside))
-               : ", the notch included";
-  }
-  return hold && outside               ? " while the notch holds it"
+  const auto outside = zones.empty() && report.request.start.x0 == 0 && (hold || notch_width)
+                           ? felt_outside(response.peak_absolute_acceleration,
+                                          response.peak_amplitude, p, f, notch_width)
+                           : std::nullopt;
+  return outside       ? format(" inside the notch, {} outside it", acceleration_shown(*outside))
+         : notch_width ? ", the notch included"
          : forced && response.jump > 0 ? " between the jumps"
                                        : ", outside the notch";
 }
@@ -58,7 +54,14 @@ void add_answer(Section& answer, const MotionReport& report) {
                                       report.record->units_read, report.record->assumed,
                                       design::largest_load(report.request.excitation)));
   }
-  add_surface(answer, report.request, physical);
+  const double centre = design::friction_at_centre(report.request);
+  if (hold) {
+    answer.row("notch", format("holds a load of up to {:.6g} g", centre + *hold));
+  }
+  if (const auto& width = report.request.surface.notch_width) {
+    answer.row("notch", format("friction {:.6g} for |x| < {}", centre + delta / *width,
+                               length_shown(physical, *width / 2)));
+  }
   if (moves(response)) {
     answer.row("peak", length_shown(physical, response.peak_amplitude), Tone::heading);
   }
@@ -68,7 +71,6 @@ void add_answer(Section& answer, const MotionReport& report) {
                       felt_where(report)));
   }
   if (report.answer.forced && report.answer.forced->left_notch_from_rest) {
-    const double centre = design::friction_at_centre(report.request);
     const double load = design::largest_load(report.request.excitation);
     add_start(answer, design::least_width(centre, delta, load), response, physical);
   }
@@ -84,27 +86,24 @@ void add_half_cycles(Section& section, std::span<const HalfCycle> half_cycles,
                      const std::optional<double>& count, const Physical& physical) {
   constexpr std::size_t most_half_cycles = 12;
   const FigureUnits units(physical);
-  Table table{{"", in("starts", units.time_unit), in("leaves with", units.velocity_unit),
-               in("peak at", units.time_unit), in("peak", units.length_unit),
-               in("ends", units.time_unit), in("arrives with", units.velocity_unit)},
-              {}};
-  const bool impulses = std::ranges::any_of(
-      half_cycles, [](const HalfCycle& now) { return now.impulse.value_or(0) > 0; });
-  if (impulses) {
-    table.head.push_back(in("impulse/mass", units.velocity_unit));
-  }
+  Table table{
+      {"", in("starts", units.time_unit), in("leaves with", units.velocity_unit),
+       in("peak at", units.time_unit), in("peak", units.length_unit), in("ends", units.time_unit),
+       in("arrives with", units.velocity_unit), in("impulse/mass", units.velocity_unit)},
+      {}};
   const std::size_t listed = std::min(most_half_cycles, half_cycles.size());
   for (const HalfCycle& now : half_cycles.first(listed)) {
+    const auto speed = [&](const std::optional<double>& value, std::string_view none) {
+      return value ? digits(*value * units.velocity) : std::string(none);
+    };
     table.rows.push_back(
         {{format("{}", now.index), digits(now.start_time * units.time),
           digits(now.departure_speed * units.velocity), digits(now.peak_time * units.time),
           digits(now.side * now.peak * units.length), digits(now.end_time * units.time),
-          now.arrival_speed ? digits(*now.arrival_speed * units.velocity) : "none"}});
-    if (impulses) {
-      table.rows.back().cells.push_back(now.impulse ? digits(*now.impulse * units.velocity) : "");
-    }
+          speed(now.arrival_speed, "none"),
+          speed(now.impulse.value_or(0) > 0 ? now.impulse : std::nullopt, "")}});
   }
-  section.parts.emplace_back(std::move(table));
+  section.parts.emplace_back(without_empty_columns(std::move(table)));
   if (count.value_or(HUGE_VAL) > static_cast<double>(listed)) {
     section.line(format("The first {}{}; --json lists more, see --max-half-cycles.", listed,
                         count ? " of " + plural(count, "half-cycle") : ""),

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "format.hpp"
 #include "sections.hpp"
 
 namespace stillpoint::report {
@@ -12,6 +13,19 @@ std::optional<double> felt_outside(double felt, double peak, double p, double f,
              : std::nullopt;
 }
 
+std::string agreement(std::string_view method, double relative_error) {
+  const std::string_view words = method == "half_cycle_map" ? "half-cycle map"
+                                 : method == "forced_pulse" ? "forced motion"
+                                                            : "Runge-Kutta";
+  return relative_error == 0 ? format("{} exactly", words)
+                             : format("{} to {:.1e}", words, relative_error);
+}
+
+void add_check(Section& answer, bool passed, const std::string& agreements) {
+  answer.row("checks", format("{}: {}", passed ? "agree" : "DISAGREE", agreements),
+             passed ? Tone::good : Tone::bad);
+}
+
 void add_start(Section& answer, double least_width, const Response& response,
                const Physical& physical) {
   if (least_width < 2 * response.peak_amplitude) {
@@ -20,21 +34,13 @@ void add_start(Section& answer, double least_width, const Response& response,
 }
 
 std::string outcome_phrase(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::stopped_at_zero:
-      return "stops at x = 0";
-    case Outcome::stopped_in_dead_zone:
-      return "stops off x = 0, in the dead zone";
-    case Outcome::stopped_in_notch:
-      return "stops off x = 0, in the notch";
-    case Outcome::never_stops:
-      return "never stops: there is no friction where it moves";
-    case Outcome::caught_at_start:
-      return "never starts: the hit is too weak to leave the notch";
-    case Outcome::running:
-      return "is still moving at the end of the run";
-  }
-  return {};
+  return outcome == Outcome::stopped_at_zero        ? "stops at x = 0"
+         : outcome == Outcome::stopped_in_dead_zone ? "stops off x = 0, in the dead zone"
+         : outcome == Outcome::stopped_in_notch     ? "stops off x = 0, in the notch"
+         : outcome == Outcome::never_stops ? "never stops: there is no friction where it moves"
+         : outcome == Outcome::caught_at_start
+             ? "never starts: the hit is too weak to leave the notch"
+             : "is still moving at the end of the run";
 }
 
 std::string outcome_phrase(const ForcedResponse& response) {

@@ -115,14 +115,7 @@ void add_answer(Section& answer, const RecordDesignReport& report) {
   }
   add_box(answer, result, physical);
   const design::SuiteCheck& check = result.finding->check;
-  answer.row("check",
-             check.passed
-                 ? check.relative_error == 0
-                       ? "passed: Runge-Kutta agrees exactly"
-                       : format("passed: Runge-Kutta agrees to {:.1e}", check.relative_error)
-                 : format("FAILED: Runge-Kutta is off by {:.1e}; {:.0e} is allowed",
-                          check.relative_error, check.tolerance),
-             check.passed ? Tone::good : Tone::bad);
+  add_check(answer, check.passed, agreement("runge_kutta", check.relative_error));
 }
 
 /// From when on the load is 0.

@@ -10,11 +10,47 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::report {
 
 namespace {
+
+/// In rising order, without those that overlap.
+std::vector<Interval> merged(std::vector<Interval> all) {
+  std::ranges::sort(all, {}, &Interval::low);
+  std::vector<Interval> apart;
+  for (const Interval& now : all) {
+    if (!apart.empty() && now.low <= apart.back().high) {
+      apart.back().high = std::max(apart.back().high, now.high);
+    } else {
+      apart.push_back(now);
+    }
+  }
+  return apart;
+}
+
+/// "up to 0.0043 or 0.0106 to 0.0236": the f of a region that is not empty, without the gaps
+/// between its strips.
+std::string feasible_words(const RegionReport& report) {
+  const design::Problem& problem = report.request.problem;
+  std::vector<Interval> all;
+  if (!report.request.pulse && (problem.arrivals > 1 || problem.residual)) {
+    for (const design::Strip& strip : report.answer.strips) {
+      if (strip.f_lower) {
+        all.push_back({*strip.f_lower, *strip.f_upper});
+      }
+    }
+  } else {
+    all.push_back({*report.answer.region.f_lower, *report.answer.region.f_upper});
+  }
+  std::string words;
+  for (const auto& [low, high] : merged(std::move(all))) {
+    words += (words.empty() ? "" : " or ") + range_digits(low, high);
+  }
+  return words;
+}
 
 /// "it rests off centre: f is 55 % too large", of what decides.
 std::string first_violation(const RegionReport& report) {
@@ -55,7 +91,7 @@ std::string feasible_f(const RegionReport& report) {
   const design::RegionAnswer& answer = report.answer;
   const std::size_t intervals = answer.intervals ? answer.intervals->size() : 1;
   return format("Feasible f{}: {}{}.", limits.tolerance > 0 ? " with the tolerance asked for" : "",
-                feasible_words(answer, problem, limits),
+                feasible_words(report),
                 intervals > 1
                     ? format("; of {} intervals this one has the most tolerant damper", intervals)
                     : "");
@@ -160,6 +196,24 @@ void add_damper(Section& answer, const RegionReport& report) {
   }
 }
 
+/// The least stroke, and with a damper the f that are feasible, which the verdict says without one.
+void add_region(Section& answer, const RegionReport& report) {
+  const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
+  constexpr int digits_of_tables = 7;  // which round: a stroke must not be below the least
+  const design::Region& region = report.answer.region;
+  if (region.beta_min == 0) {
+    answer.row("least stroke",
+               "as small as you like: with f just below the peak load the mass hardly moves");
+  } else if (region.conflict != design::Conflict::no_arrival) {  // where no stroke helps
+    answer.row(report.physical ? "least stroke" : "least beta",
+               length_limit(report.physical, region.beta_min, true, digits_of_tables));
+  }
+  if (delta && region.feasible) {
+    answer.row("feasible f", feasible_words(report) +
+                                 (limits.tolerance > 0 ? ", with the tolerance asked for" : ""));
+  }
+}
+
 }  // namespace
 
 std::string verdict(const RegionReport& report) {
@@ -183,7 +237,6 @@ Document document(const RegionReport& report) {
   document.title = "Admissible region";
   document.verdict = verdict(report);
   document.tone = answer.admissible.value_or(answer.region.feasible) ? Tone::good : Tone::bad;
-  add_region(document, answer, problem, limits, physical);
   add_strips(document, problem, answer.strips);
   if (!answer.region.feasible) {
     add_mends(document, answer, task_of(report));
@@ -208,6 +261,7 @@ Document document(const RegionReport& report) {
                                      length_limit(physical, *answer.delta1_exact, true))
                             : "none: the motion does not return");
   }
+  add_region(document.answer, report);
   if (const auto shown = shown_damper(report)) {
     add_motion(document.answer, *shown);
     add_works_for(document.answer, shown->works_for, shown->task);

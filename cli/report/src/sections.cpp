@@ -61,45 +61,6 @@ std::string_view jumps_words(double delta, const std::optional<double>& width) {
   return delta > 0 && !width ? " between the velocity jumps at the notch" : "";
 }
 
-namespace {
-
-/// How friction steps with |x|, to what is `beyond`; nothing without zones.
-void add_zones(Section& section, const std::vector<FrictionZone>& zones, std::string_view beyond,
-               const Physical& physical) {
-  std::optional<double> from;
-  for (const FrictionZone& zone : zones) {
-    const std::string to = length_shown(physical, zone.to);
-    section.row(from ? "" : "friction", from ? format("{:.6g} for |x| from {} to {}", zone.f,
-                                                      length_shown(physical, *from), to)
-                                             : format("{:.6g} for |x| < {}", zone.f, to));
-    from = zone.to;
-  }
-  if (from) {
-    section.row("", format("{} beyond", beyond));
-  }
-}
-
-}  // namespace
-
-void add_surface(Section& section, const SimulationRequest& request, const Physical& physical) {
-  const auto& [p, f, delta, hold] = request.oscillator;
-  const Surface& surface = request.surface;
-  if (hold) {
-    const double friction = design::friction_at_centre(request);
-    section.row("notch", format("holds a load of up to {} + {:.6g} g = {:.6g} g",
-                                surface.zones.empty() ? "f" : format("{:.6g} g", friction), *hold,
-                                friction + *hold));
-  }
-  if (surface.notch_width) {
-    const double wall = delta / *surface.notch_width;
-    const std::string half = length_shown(physical, *surface.notch_width / 2);
-    section.row("notch", surface.zones.empty()
-                             ? format("friction {:.6g} for |x| < {}", f + wall, half)
-                             : format("adds {:.6g} to the friction for |x| < {}", wall, half));
-  }
-  add_zones(section, surface.zones, format("f = {:.6g}", f), physical);
-}
-
 std::string extreme_words(const design::Problem& problem, std::string_view spring) {
   return format("{}{}{}", problem.v0_low ? "strongest hit" : "",
                 problem.v0_low && problem.p_high ? ", " : "",

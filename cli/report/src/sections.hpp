@@ -61,8 +61,6 @@ struct ShownTask {
                                          double peak);
 /// "480 kN s" for a speed; "0.4 N s per kg" if the mass is not known.
 [[nodiscard]] std::string impulse_shown(const Physical& physical, double impulse);
-/// The differences from the paper's notch and friction.
-void add_surface(Section& section, const SimulationRequest& request, const Physical& physical);
 
 /// "2 x a.AT2": the factor and the file of a record of a suite.
 [[nodiscard]] std::string record_label(const design::SuiteRecord& record);
@@ -109,17 +107,6 @@ struct ToldPractice {
                                          double delta);
 /// Of the motion after a hit, from x = 0 without a load, with the paper's notch; else empty.
 [[nodiscard]] std::optional<design::Practice> practice_of(const MotionReport& report);
-/// What bounds the dampers of a task, with the limits that are given.
-void add_region(Document& document, const design::RegionVerdict& verdict,
-                const design::Problem& problem, const design::Limits& limits,
-                const Physical& physical);
-/// In rising order, without those that overlap.
-[[nodiscard]] std::vector<Interval> merged(std::vector<Interval> all);
-/// "up to 0.0043 or 0.0106 to 0.0236": the f of a region that is not empty, without the gaps
-/// between its strips.
-[[nodiscard]] std::string feasible_words(const design::RegionVerdict& verdict,
-                                         const design::Problem& problem,
-                                         const design::Limits& limits);
 /// The least Delta for an f by either criterion; the exact one is empty if the motion does not
 /// return, both if it does not stop by them.
 struct DeltaNeeds {
@@ -150,6 +137,9 @@ void add_mends(Document& document, const design::RegionVerdict& empty, const Sho
                                      std::string_view what = "damper");
 /// A name of the interface as people read it: "dead zone", "largest f".
 [[nodiscard]] std::string in_words(std::string_view name);
+/// How an independent method agrees: "Runge-Kutta to 1.3e-12".
+[[nodiscard]] std::string agreement(std::string_view method, double relative_error);
+void add_check(Section& answer, bool passed, const std::string& agreements);
 /// How wide a notch must be for the load to move the mass, unless none is.
 void add_start(Section& answer, double least_width, const Response& response,
                const Physical& physical);

@@ -75,21 +75,10 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
 
 namespace {
 
-/// 20 mm, or 1, 2 or 5 times a power of ten if that is above a fifth of the peak; that fifth
-/// without physical input.
+/// 20 mm, or a fifth of the peak if that is less.
 double example_width(const Physical& physical, double peak) {
-  const double most = peak / 5;
-  if (!physical) {
-    return most;
-  }
   constexpr double usual_m = 0.02;
-  const double most_m = most * physical->scales.length_m;
-  const double decade = std::pow(10, std::floor(std::log10(most_m)));
-  const double digit = most_m / decade;
-  return std::min(usual_m, decade * (digit >= 5   ? 5
-                                     : digit >= 2 ? 2
-                                                  : 1)) /
-         physical->scales.length_m;
+  return std::min(peak / 5, physical ? usual_m / physical->scales.length_m : peak);
 }
 
 }  // namespace

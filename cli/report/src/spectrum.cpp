@@ -2,7 +2,6 @@
 #include <stillpoint/report/spectrum.hpp>
 #include "format.hpp"
 #include "sections.hpp"
-#include "sentence.hpp"
 
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/findings.hpp>
@@ -65,13 +64,9 @@ std::string period_words(const SpectrumReport& report, std::size_t i) {
                 units.time_unit.empty() ? "" : " s");
 }
 
-/// "Friction alone ...", or of a suite "Largest of 2 records: friction alone ...".
-std::string of_all_records(const SpectrumReport& report, const std::string& words) {
-  const std::size_t count = report.result.records.size();
-  return sentence(
-      count > 1
-          ? format("{}: {}", design::suite_words(*report.result.request.combine, count), words)
-          : words);
+/// "Largest of 2 records"
+std::string whose(const SpectrumReport& report) {
+  return design::suite_words(*report.result.request.combine, report.result.records.size());
 }
 
 /// The largest of each figure of friction alone, and the period at which it occurs.
@@ -87,70 +82,41 @@ std::string friction_words(const SpectrumReport& report) {
   const auto length = [&](double value) { return units.length_words(value); };
   const bool settles = std::ranges::all_of(
       points, [](const SpectrumPoint& point) { return point.without.residual.has_value(); });
-  const std::string rest =
+  return format(
+      "{}: {}friction alone transmits at most {}; its largest peak is {}, {}.", whose(report),
+      report.result.request.delta > 0 ? "without the notch, " : "",
+      largest([](const SpectrumFigures& one) { return one.acceleration; }, acceleration_shown),
+      largest([](const SpectrumFigures& one) { return one.peak; }, length),
       settles ? "its largest residual " +
                     largest([](const SpectrumFigures& one) { return *one.residual; }, length)
-              : "and at some period the mass never comes to rest";
-  return of_all_records(
-      report, format("{}friction alone transmits at most {}; its largest peak is {}, {}",
-                     report.result.request.delta > 0 ? "without the notch, " : "",
-                     largest([](const SpectrumFigures& one) { return one.acceleration; },
-                             acceleration_shown),
-                     largest([](const SpectrumFigures& one) { return one.peak; }, length), rest));
+              : "and at some period the mass never comes to rest");
 }
 
 /// In the units of the figures. Without a notch there is nothing to compare with.
 Table spectrum_table(const SpectrumReport& report, const std::vector<SpectrumPoint>& points) {
   const FigureUnits units(report.physical);
-  const bool compared = report.result.request.delta > 0;
-  const bool jumps = std::ranges::any_of(
-      points, [](const SpectrumPoint& point) { return point.with_notch.jump > 0; });
-  Table table{{"period, s"}, {}};
-  for (const auto& [name, unit] : {std::pair<std::string, std::string>{"transmitted", "g"},
-                                   {"peak", units.length_unit},
-                                   {"residual", units.length_unit}}) {
-    table.head.push_back(in(name, unit));
-    if (compared) {
-      table.head.push_back(in(name + " without", unit));
-    }
-  }
-  if (jumps) {
-    table.head.push_back(in("jump", units.velocity_unit));
-  }
   const auto number = [](double value) { return format("{:.5g}", value); };
   const auto residual = [&](const SpectrumFigures& one) {
     return one.residual ? number(*one.residual * units.length) : "none";
   };
+  const auto compared = [&](std::string words) {
+    return report.result.request.delta > 0 ? std::move(words) : "";
+  };
+  const auto jump = [&](double value) { return value > 0 ? number(value * units.velocity) : ""; };
+  Table table{
+      {"period, s", "transmitted, g", "transmitted without, g", in("peak", units.length_unit),
+       in("peak without", units.length_unit), in("residual", units.length_unit),
+       in("residual without", units.length_unit), in("jump", units.velocity_unit)},
+      {}};
   for (const std::size_t i : shown_periods(points)) {
-    const auto& [with_notch, without] = points[i];
-    std::vector<std::string> cells{
-        number(2 * std::numbers::pi / report.result.request.p[i] * units.time)};
-    const auto add = [&](std::string with_it, std::string without_it) {
-      cells.push_back(std::move(with_it));
-      if (compared) {
-        cells.push_back(std::move(without_it));
-      }
-    };
-    add(number(with_notch.acceleration), number(without.acceleration));
-    add(number(with_notch.peak * units.length), number(without.peak * units.length));
-    add(residual(with_notch), residual(without));
-    if (jumps) {
-      cells.push_back(number(with_notch.jump * units.velocity));
-    }
-    table.rows.push_back({std::move(cells)});
+    const auto& [with, without] = points[i];
+    table.rows.push_back(
+        {{number(2 * std::numbers::pi / report.result.request.p[i] * units.time),
+          number(with.acceleration), compared(number(without.acceleration)),
+          number(with.peak * units.length), compared(number(without.peak * units.length)),
+          residual(with), compared(residual(without)), jump(with.jump)}});
   }
-  return table;
-}
-
-/// The title of the table of all records together.
-std::string heading(const SpectrumReport& report) {
-  const std::size_t count = report.result.records.size();
-  const bool compared = report.result.request.delta > 0;
-  if (count == 1) {
-    return compared ? "With the notch and without it" : "Friction alone";
-  }
-  return design::suite_words(*report.result.request.combine, count) +
-         (compared ? ", with the notch and without it" : ", friction alone");
+  return without_empty_columns(std::move(table));
 }
 
 void add_points(Section& section, const SpectrumReport& report,
@@ -209,7 +175,10 @@ Document document(const SpectrumReport& report) {
   add_damper(document.answer, report);
   add_findings(document, result.findings, report.physical);
   const std::size_t count = result.records.size();
-  add_points(document.section(heading(report)), report, result.combined);
+  add_points(
+      document.section(whose(report) + (result.request.delta > 0 ? ", with the notch and without it"
+                                                                 : ", friction alone")),
+      report, result.combined);
   for (std::size_t i = 0; i < count && count > 1; ++i) {
     Section& record = document.detail(record_label(result.request.records[i]));
     record.folded = true;

@@ -142,18 +142,11 @@ ordered_json sweep_schema() {
 Document document(const SweepReport& report) {
   const auto& [spec, summary, map] = report;
   Document document = document_of("Sweep", summary.state, spec.kind == SweepKind::design);
-  Section& rows = document.section("Run");
-  if (spec.output) {
-    rows.row("file", *spec.output);
-  }
-  if (spec.part) {
-    rows.row("part", text(*spec.part));
-  }
   if (summary.resumed_at > 0) {
-    rows.row("resumed at", fmt::format("{} rows", summary.resumed_at));
+    document.answer.row("resumed at", fmt::format("{} rows", summary.resumed_at));
   }
-  rows.row("time", fmt::format("{:.2g} s on {} thread{}", summary.wall_time_s, spec.threads,
-                               spec.threads == 1 ? "" : "s"));
+  document.answer.row("time", fmt::format("{:.2g} s on {} thread{}", summary.wall_time_s,
+                                          spec.threads, spec.threads == 1 ? "" : "s"));
   return document;
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -29,19 +30,11 @@ std::vector<std::string> lines_of(std::string_view text, std::size_t width) {
 }
 
 fmt::text_style style_of(Tone tone) {
-  switch (tone) {
-    case Tone::plain:
-      break;
-    case Tone::heading:
-      return fmt::emphasis::bold;
-    case Tone::good:
-      return fmt::fg(fmt::terminal_color::green);
-    case Tone::bad:
-      return fmt::emphasis::bold | fmt::fg(fmt::terminal_color::red);
-    case Tone::faint:
-      return fmt::emphasis::faint;
-  }
-  return {};
+  static const std::array styles{fmt::text_style(), fmt::text_style(fmt::emphasis::bold),
+                                 fmt::fg(fmt::terminal_color::green),
+                                 fmt::emphasis::bold | fmt::fg(fmt::terminal_color::red),
+                                 fmt::text_style(fmt::emphasis::faint)};
+  return styles.at(static_cast<std::size_t>(tone));
 }
 
 /// Renders the parts of a document.
@@ -231,6 +224,19 @@ std::string text(const Document& document, const TextOptions& options) {
     text += "\n" + rendered(Line{"--verbose shows more.", Tone::faint});
   }
   return text;
+}
+
+Table without_empty_columns(Table table) {
+  for (std::size_t i = table.head.size(); i-- > 0;) {
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    if (std::ranges::all_of(table.rows,
+                            [i](const TableRow& row) { return row.cells[i].empty(); })) {
+      table.head.erase(table.head.begin() + at);
+      std::ranges::for_each(table.rows,
+                            [at](TableRow& row) { row.cells.erase(row.cells.begin() + at); });
+    }
+  }
+  return table;
 }
 
 void Section::row(std::string label, std::string text, Tone tone) {

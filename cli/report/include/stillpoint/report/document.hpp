@@ -38,6 +38,9 @@ struct Table {
   std::vector<TableRow> rows;
 };
 
+/// Without the columns of which all cells are empty.
+[[nodiscard]] Table without_empty_columns(Table table);
+
 struct Section {
   std::string heading;
   std::vector<std::variant<Row, Line, Table>> parts;
