@@ -80,20 +80,18 @@ constexpr auto sweep_name = std::to_array<std::string_view>({"stillpoint/sweep-r
 struct ShownOutput {
   const sweep::SweepSpec& spec;
 
-  static constexpr auto field_table() {
-    return std::tuple{Field{"file", [](const ShownOutput& now) { return now.spec.output; },
-                            "null for rows in memory"},
-                      Field{"format", [](const ShownOutput& now) { return now.spec.format; }},
-                      Field{"columns",
-                            [](const ShownOutput& now) {
-                              std::vector<std::string> names;
-                              for (const sweep::Quantity column : now.spec.columns) {
-                                names.emplace_back(sweep::name(column, now.spec.units));
-                              }
-                              return names;
-                            },
-                            "", at_least_one}};
-  }
+  static constexpr std::tuple field_table{
+      Field{"file", [](const auto& now) { return now.spec.output; }, "null for rows in memory"},
+      Field{"format", [](const auto& now) { return now.spec.format; }},
+      Field{"columns",
+            [](const auto& now) {
+              std::vector<std::string> names;
+              for (const sweep::Quantity column : now.spec.columns) {
+                names.emplace_back(sweep::name(column, now.spec.units));
+              }
+              return names;
+            },
+            "", at_least_one}};
 };
 
 /// What `get` gives of a sweep of motions, or of designs.

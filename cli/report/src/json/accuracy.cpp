@@ -25,29 +25,27 @@ struct Truth : peers::Result {
 
   [[nodiscard]] double final_velocity() const { return outcome == Outcome::running ? v : 0; }
 
-  static constexpr auto field_table() {
-    return std::tuple{Field{"digits", [](const Truth&) { return 50; }},
-                      Field{"outcome", &Truth::outcome},
-                      Field{"peak_amplitude", &Truth::peak},
-                      Field{"end_time", &Truth::end_time},
-                      Field{"final_position", &Truth::x, "", any_number},
-                      Field{"final_velocity", &Truth::final_velocity, "", any_number},
-                      Field{"zero_passages", &Truth::passages},
-                      Field{"turning_points", &Truth::turns},
-                      Field{"sticks", &Truth::sticks}};
-  }
+  static constexpr std::tuple field_table{
+      Field{"digits", [](const Truth&) { return 50; }},
+      Field{"outcome", &Truth::outcome},
+      Field{"peak_amplitude", &Truth::peak},
+      Field{"end_time", &Truth::end_time},
+      Field{"final_position", &Truth::x, "", any_number},
+      Field{"final_velocity", &Truth::final_velocity, "", any_number},
+      Field{"zero_passages", &Truth::passages},
+      Field{"turning_points", &Truth::turns},
+      Field{"sticks", &Truth::sticks}};
 };
 struct TruthSi : Truth {
-  static constexpr auto field_table() {
-    constexpr Measure signed_length{Numbers::all, Dimension::length, {}, {}, InSi::always};
-    constexpr Measure signed_velocity{Numbers::all, Dimension::velocity, {}, {}, InSi::always};
-    return std::tuple{Field{"length_unit_m", in(&Truth::scales, &design::Scales::length_m)},
-                      Field{"time_unit_s", in(&Truth::scales, &design::Scales::time_s)},
-                      Field{"peak_m", &Truth::peak, "", si_always(Dimension::length)},
-                      Field{"end_time_s", &Truth::end_time, "", si_always(Dimension::time)},
-                      Field{"final_position_m", &Truth::x, "", signed_length},
-                      Field{"final_velocity_m_per_s", &Truth::final_velocity, "", signed_velocity}};
-  }
+  static constexpr Measure signed_length{Numbers::all, Dimension::length, {}, {}, InSi::always};
+  static constexpr Measure signed_velocity{Numbers::all, Dimension::velocity, {}, {}, InSi::always};
+  static constexpr std::tuple field_table{
+      Field{"length_unit_m", in(&Truth::scales, &design::Scales::length_m)},
+      Field{"time_unit_s", in(&Truth::scales, &design::Scales::time_s)},
+      Field{"peak_m", &Truth::peak, "", si_always(Dimension::length)},
+      Field{"end_time_s", &Truth::end_time, "", si_always(Dimension::time)},
+      Field{"final_position_m", &Truth::x, "", signed_length},
+      Field{"final_velocity_m_per_s", &Truth::final_velocity, "", signed_velocity}};
 };
 
 /// A method, and whether it is what simulate uses.
@@ -58,19 +56,18 @@ struct ShownMethod {
   [[nodiscard]] const peers::MethodRow* run() const {
     return row.run == peers::Run::done ? &row : nullptr;
   }
-  static constexpr auto field_table() {
-    using Now = ShownMethod;
-    using peers::MethodRow;
-    using peers::Result;
-    return std::tuple_cat(
-        std::tuple{Field{"name", [](const Now& now) { return now.row.name; }},
-                   Field{"setting", [](const Now& now) { return setting(now.row); }, "",
+  using Now = ShownMethod;
+  using MethodRow = peers::MethodRow;
+  using Result = peers::Result;
+  static constexpr auto field_table = std::tuple_cat(
+        std::tuple{Field{"name", [](const auto& now) { return now.row.name; }},
+                   Field{"setting", [](const auto& now) { return setting(now.row); }, "",
                          any_number},
                    Field{"used_by_simulate", &Now::used}},
         fields_if_any(
             &Now::run,
             std::tuple{
-                Field{"wall_time_s", [](const MethodRow& row) { return row.time.median; },
+                Field{"wall_time_s", [](const auto& row) { return row.time.median; },
                       "the median of repeated runs; null, like all that follows, for a method that "
                       "was not run"},
                 Field{"peak_error", &MethodRow::peak_error, "relative to the peak"},
@@ -83,14 +80,13 @@ struct ShownMethod {
                 Field{"sticks", in(&MethodRow::result, &Result::sticks)},
                 Field{"counts_right", &MethodRow::counts_right}}),
         std::tuple{Field{"not_run",
-                         [](const Now& now) {
+                         [](const auto& now) {
                            return now.run() != nullptr
                                       ? std::nullopt
                                       : std::optional(reasons_not_run.at(
                                             now.row.run == peers::Run::nothing_moves ? 0 : 1));
                          },
                          "null if it was run", one_of(reasons_not_run)}});
-  }
 };
 
 std::vector<ShownMethod> shown_methods(const AccuracyReport& report) {

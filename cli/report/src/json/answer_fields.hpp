@@ -61,24 +61,24 @@ inline constexpr auto check_methods =
 [[nodiscard]] std::optional<std::vector<std::string_view>> conflict_of(
     const design::Region& region);
 
+/// Of numbers; what else there is of a figure has no unit.
+template <class Value>
+constexpr Measure in_si(Dimension dimension, std::string_view name = {}) {
+  return std::is_same_v<Value, double> ? with_si(dimension, name) : Measure();
+}
 /// A value of each figure that may be limited: of several motions, or of several dampers.
 template <class Value>
 struct OfFigures {
   std::optional<Value> peak{}, acceleration{}, residual{}, stop_time{}, jump{};
 
-  static constexpr auto field_table() {
-    constexpr bool numbers = std::is_same_v<Value, double>;
-    const auto in_si = [](Dimension dimension, std::string_view name = {}) {
-      return numbers ? with_si(dimension, name) : Measure();
-    };
-    return std::tuple{
-        Field{"peak_amplitude", &OfFigures::peak, "", in_si(Dimension::length, "peak_m")},
-        Field{"peak_absolute_acceleration", &OfFigures::acceleration},
-        Field{"residual", &OfFigures::residual, "", in_si(Dimension::length)},
-        Field{"stop_time", &OfFigures::stop_time, "", in_si(Dimension::time)},
-        Field{"jump", &OfFigures::jump, numbers ? "of the velocity at a notch without a width" : "",
-              in_si(Dimension::velocity)}};
-  }
+  static constexpr bool numbers = std::is_same_v<Value, double>;
+  static constexpr std::tuple field_table{
+      Field{"peak_amplitude", &OfFigures::peak, "", in_si<Value>(Dimension::length, "peak_m")},
+      Field{"peak_absolute_acceleration", &OfFigures::acceleration},
+      Field{"residual", &OfFigures::residual, "", in_si<Value>(Dimension::length)},
+      Field{"stop_time", &OfFigures::stop_time, "", in_si<Value>(Dimension::time)},
+      Field{"jump", &OfFigures::jump, numbers ? "of the velocity at a notch without a width" : "",
+            in_si<Value>(Dimension::velocity)}};
 };
 using Worst = OfFigures<double>;
 /// Empty where a motion never rests.
@@ -239,47 +239,45 @@ struct AskedTask {
   std::optional<std::string_view> pulse{}, objective{};
   Name algorithm{}, catalogue{};
 
-  static constexpr auto field_table() {
-    using Now = AskedTask;
-    using design::Limits;
-    return std::tuple{
-        Field{"v0", &Now::v0,
-              "of the motion shown; with a pulse, the velocity of its reduction in a design, else "
-              "null",
-              any_number},
-        Field{"v0_range", &Now::v0_range},
-        Field{"p", &Now::p, "null under records, like criterion and arrivals"},
-        Field{"p_range", &Now::p_range},
-        Field{"beta", &Now::beta},
-        Field{"criterion", &Now::criterion},
-        Field{"arrivals", &Now::arrivals, "", at_least_one},
-        Field{"residual", &Now::residual, "", in_metres},
-        Field{"tolerance", &Now::tolerance},
-        Field{"tolerance_f", &Now::tolerance_f, "factors between which f may lie, like the next"},
-        Field{"tolerance_delta", &Now::tolerance_delta},
-        Field{"tolerance_width", &Now::tolerance_width},
-        Field{"tolerance_period", &Now::tolerance_period},
-        Field{"f_max", in(&Now::limits, &Limits::f_max)},
-        Field{"delta_max", in(&Now::limits, &Limits::delta_max)},
-        Field{"acceleration_max", in(&Now::limits, &Limits::acceleration_max)},
-        Field{"jump_max", &Now::jump_max, "", with_si(Dimension::velocity)},
-        Field{"pulse", &Now::pulse, "", one_of(pulse_names)},
-        Field{"k", &Now::k},
-        Field{"k_range", &Now::k_range},
-        Field{"lambda", &Now::lambda},
-        Field{"lambda_range", &Now::lambda_range},
-        Field{"f_range", &Now::f_range, "searched under records, like the next two"},
-        Field{"delta_range", &Now::delta_range},
-        Field{"notch_width_range", &Now::notch_width_range},
-        Field{"f", &Now::f, "of a given damper, like delta"},
-        Field{"delta", &Now::delta},
-        Field{"hold", &Now::hold, "null: any load"},
-        Field{"notch_width", &Now::notch_width, "if it is given", in_metres},
-        Field{"objective", &Now::objective, "null for a region", one_of(objectives)},
-        Field{"algorithm", &Now::algorithm, "as given; null if the program chooses"},
-        Field{"catalogue", &Now::catalogue, "the file"},
-        Field{"trade_off", &Now::trade_off, "how many"}};
-  }
+  using Now = AskedTask;
+  using Limits = design::Limits;
+  static constexpr std::tuple field_table{
+      Field{"v0", &Now::v0,
+            "of the motion shown; with a pulse, the velocity of its reduction in a design, else "
+            "null",
+            any_number},
+      Field{"v0_range", &Now::v0_range},
+      Field{"p", &Now::p, "null under records, like criterion and arrivals"},
+      Field{"p_range", &Now::p_range},
+      Field{"beta", &Now::beta},
+      Field{"criterion", &Now::criterion},
+      Field{"arrivals", &Now::arrivals, "", at_least_one},
+      Field{"residual", &Now::residual, "", in_metres},
+      Field{"tolerance", &Now::tolerance},
+      Field{"tolerance_f", &Now::tolerance_f, "factors between which f may lie, like the next"},
+      Field{"tolerance_delta", &Now::tolerance_delta},
+      Field{"tolerance_width", &Now::tolerance_width},
+      Field{"tolerance_period", &Now::tolerance_period},
+      Field{"f_max", in(&Now::limits, &Limits::f_max)},
+      Field{"delta_max", in(&Now::limits, &Limits::delta_max)},
+      Field{"acceleration_max", in(&Now::limits, &Limits::acceleration_max)},
+      Field{"jump_max", &Now::jump_max, "", with_si(Dimension::velocity)},
+      Field{"pulse", &Now::pulse, "", one_of(pulse_names)},
+      Field{"k", &Now::k},
+      Field{"k_range", &Now::k_range},
+      Field{"lambda", &Now::lambda},
+      Field{"lambda_range", &Now::lambda_range},
+      Field{"f_range", &Now::f_range, "searched under records, like the next two"},
+      Field{"delta_range", &Now::delta_range},
+      Field{"notch_width_range", &Now::notch_width_range},
+      Field{"f", &Now::f, "of a given damper, like delta"},
+      Field{"delta", &Now::delta},
+      Field{"hold", &Now::hold, "null: any load"},
+      Field{"notch_width", &Now::notch_width, "if it is given", in_metres},
+      Field{"objective", &Now::objective, "null for a region", one_of(objectives)},
+      Field{"algorithm", &Now::algorithm, "as given; null if the program chooses"},
+      Field{"catalogue", &Now::catalogue, "the file"},
+      Field{"trade_off", &Now::trade_off, "how many"}};
 };
 
 /// The dampers that the answer is about: the sides of a box that are not exact.
@@ -288,17 +286,15 @@ struct ShownBox {
   IfCount samples{};
   bool exact{true};
 
-  static constexpr auto field_table() {
-    using Now = ShownBox;
-    return std::tuple{
-        Field{"f", &Now::f, "null: exact, like the next"},
-        Field{"delta", &Now::delta, "", in_metres},
-        Field{"p", &Now::p},
-        Field{"period_s", &Now::period, "", si_alone(Dimension::time)},
-        Field{"notch_width", &Now::width, "", in_metres},
-        Field{"samples", &Now::samples, "how many of its dampers were tried; null if proved"},
-        Field{"exact", &Now::exact, "whether it is proved of all its dampers"}};
-  }
+  using Now = ShownBox;
+  static constexpr std::tuple field_table{
+      Field{"f", &Now::f, "null: exact, like the next"},
+      Field{"delta", &Now::delta, "", in_metres},
+      Field{"p", &Now::p},
+      Field{"period_s", &Now::period, "", si_alone(Dimension::time)},
+      Field{"notch_width", &Now::width, "", in_metres},
+      Field{"samples", &Now::samples, "how many of its dampers were tried; null if proved"},
+      Field{"exact", &Now::exact, "whether it is proved of all its dampers"}};
 };
 
 struct BoxedDamper : design::SuiteDamper {
@@ -308,44 +304,37 @@ struct BoxedDamper : design::SuiteDamper {
   IfCount arrival{};
   Name name{};
 
-  static constexpr auto field_table() {
-    using Now = BoxedDamper;
-    return std::tuple_cat(
-        std::tuple{Field{"name", &Now::name, "of the part; null without a catalogue", any_number}},
-        fields<design::SuiteDamper>,
-        std::tuple{
-            Field{"tolerance", &Now::tolerance,
-                  "the largest of f and delta at once that was found to hold; null if not "
-                  "searched"},
-            Field{"tolerance_f", &Now::tolerance_f,
-                  "the factors that it allows together, like the next; null if not asked for"},
-            Field{"tolerance_delta", &Now::tolerance_delta},
-            Field{"arrival", &Now::arrival,
-                  "at which it stops the mass; null for a rest off centre, with a given point "
-                  "under a pulse and under records",
-                  at_least_one},
-            Field{"box", &Now::box, "the dampers that keep every requirement"}});
-  }
+  using Now = BoxedDamper;
+  static constexpr auto field_table = std::tuple_cat(
+      std::tuple{Field{"name", &Now::name, "of the part; null without a catalogue", any_number}},
+      fields<design::SuiteDamper>,
+      std::tuple{Field{"tolerance", &Now::tolerance,
+                       "the largest of f and delta at once that was found to hold; null if not "
+                       "searched"},
+                 Field{"tolerance_f", &Now::tolerance_f,
+                       "the factors that it allows together, like the next; null if not asked for"},
+                 Field{"tolerance_delta", &Now::tolerance_delta},
+                 Field{"arrival", &Now::arrival,
+                       "at which it stops the mass; null for a rest off centre, with a given point "
+                       "under a pulse and under records",
+                       at_least_one},
+                 Field{"box", &Now::box, "the dampers that keep every requirement"}});
 };
 
 /// The damper of a box, and the motion, that have the worst of a figure.
 struct WorstAt : design::SuiteDamper {
   Name motion{};
 
-  static constexpr auto field_table() {
-    return std::tuple_cat(
-        std::tuple{Field{"motion", &WorstAt::motion, "null of several records", any_number}},
-        fields<design::SuiteDamper>);
-  }
+  static constexpr auto field_table = std::tuple_cat(
+      std::tuple{Field{"motion", &WorstAt::motion, "null of several records", any_number}},
+      fields<design::SuiteDamper>);
 };
 struct WorstInBox : Worst {
   OfFigures<WorstAt> of{};
 
-  static constexpr auto field_table() {
-    return std::tuple_cat(
-        fields<Worst>, std::tuple{Field{"of", &WorstInBox::of,
-                                        "for each figure the damper of the box and the motion"}});
-  }
+  static constexpr auto field_table = std::tuple_cat(
+      fields<Worst>, std::tuple{Field{"of", &WorstInBox::of,
+                                      "for each figure the damper of the box and the motion"}});
 };
 
 /// A motion under a load.
@@ -356,31 +345,27 @@ struct ShownLoaded {
   ShownResponse response;
   std::optional<TwinsSi> physical{};
 
-  static constexpr auto field_table() {
-    using Now = ShownLoaded;
-    return std::tuple{
-        Field{"what", &Now::what, "hit, the shape of the pulse, or the file of the record"},
-        Field{"v0", &Now::v0, "of a hit"},
-        Field{"p", &Now::p},
-        Field{"k", &Now::k, "of a pulse, like lambda"},
-        Field{"lambda", &Now::lambda},
-        Field{"scale", &Now::scale, "the factor on the values of a record", any_number},
-        Field{"pga", &Now::pga, "the largest |W| of a record in g, with that factor"},
-        Field{"from_inside", &Now::from_inside,
-              "of a notch as built: whether it acts from the start; else null"},
-        Field{"response", &Now::response},
-        Field{"physical", &Now::physical, "the response in SI units"}};
-  }
+  using Now = ShownLoaded;
+  static constexpr std::tuple field_table{
+      Field{"what", &Now::what, "hit, the shape of the pulse, or the file of the record"},
+      Field{"v0", &Now::v0, "of a hit"},
+      Field{"p", &Now::p},
+      Field{"k", &Now::k, "of a pulse, like lambda"},
+      Field{"lambda", &Now::lambda},
+      Field{"scale", &Now::scale, "the factor on the values of a record", any_number},
+      Field{"pga", &Now::pga, "the largest |W| of a record in g, with that factor"},
+      Field{"from_inside", &Now::from_inside,
+            "of a notch as built: whether it acts from the start; else null"},
+      Field{"response", &Now::response},
+      Field{"physical", &Now::physical, "the response in SI units"}};
 };
 
 struct ShownLoad {
   std::string_view type;
   std::optional<std::size_t> records{};
 
-  static constexpr auto field_table() {
-    return std::tuple{Field{"type", &ShownLoad::type, "", one_of(load_types)},
-                      Field{"records", &ShownLoad::records, "how many"}};
-  }
+  static constexpr std::tuple field_table{Field{"type", &ShownLoad::type, "", one_of(load_types)},
+                                          Field{"records", &ShownLoad::records, "how many"}};
 };
 struct ShownCase {
   Name name{};
@@ -390,20 +375,18 @@ struct ShownCase {
   std::optional<WorstInBox> worst{};
   std::vector<ShownLoaded> motions{};
 
-  static constexpr auto field_table() {
-    using Now = ShownCase;
-    return std::tuple{
-        Field{"name", &Now::name},
-        Field{"load", &Now::load},
-        Field{"combine", &Now::combine, "of several records"},
-        Field{"nominal", &Now::nominal,
-              "the largest for the damper itself, combined as asked; null but of records and of "
-              "the ranges of a pulse"},
-        Field{"worst", &Now::worst,
-              "the same over the box that was required; null without a damper and of a figure that "
-              "is not known"},
-        Field{"motions", &Now::motions, "of the damper itself"}};
-  }
+  using Now = ShownCase;
+  static constexpr std::tuple field_table{
+      Field{"name", &Now::name},
+      Field{"load", &Now::load},
+      Field{"combine", &Now::combine, "of several records"},
+      Field{"nominal", &Now::nominal,
+            "the largest for the damper itself, combined as asked; null but of records and of "
+            "the ranges of a pulse"},
+      Field{"worst", &Now::worst,
+            "the same over the box that was required; null without a damper and of a figure that "
+            "is not known"},
+      Field{"motions", &Now::motions, "of the damper itself"}};
 };
 
 struct ShownConstraint {
@@ -417,24 +400,22 @@ struct ShownConstraint {
   /// Of a length, empty of anything else.
   [[nodiscard]] IfReal length(const IfReal& of) const;
 
-  static constexpr auto field_table() {
-    using Now = ShownConstraint;
-    constexpr Measure metres_alone = si_alone(Dimension::length, Numbers::all);
-    return std::tuple{
-        Field{"case", &Now::of_case},
-        Field{"name", &Now::name, "", one_of(constraint_names)},
-        Field{"variable", &Now::variable, "what is bounded", one_of(constrained)},
-        Field{"relation", &Now::relation, "", one_of(relations)},
-        Field{"value", &Now::value, "null where a motion never rests, like slack", any_number},
-        Field{"value_m", [](const Now& now) { return now.length(now.value); }, "of a length",
-              metres_alone},
-        Field{"limit", &Now::limit, "", any_number},
-        Field{"limit_m", [](const Now& now) { return now.length(now.limit); }, "", metres_alone},
-        Field{"slack", &Now::slack, "", any_number},
-        Field{"satisfied", &Now::satisfied},
-        Field{"motion", &Now::motion,
-              "without a design, the record under which the value is largest", any_number}};
-  }
+  using Now = ShownConstraint;
+  static constexpr Measure metres_alone = si_alone(Dimension::length, Numbers::all);
+  static constexpr std::tuple field_table{
+      Field{"case", &Now::of_case},
+      Field{"name", &Now::name, "", one_of(constraint_names)},
+      Field{"variable", &Now::variable, "what is bounded", one_of(constrained)},
+      Field{"relation", &Now::relation, "", one_of(relations)},
+      Field{"value", &Now::value, "null where a motion never rests, like slack", any_number},
+      Field{"value_m", [](const auto& now) { return now.length(now.value); }, "of a length",
+            metres_alone},
+      Field{"limit", &Now::limit, "", any_number},
+      Field{"limit_m", [](const auto& now) { return now.length(now.limit); }, "", metres_alone},
+      Field{"slack", &Now::slack, "", any_number},
+      Field{"satisfied", &Now::satisfied},
+      Field{"motion", &Now::motion, "without a design, the record under which the value is largest",
+            any_number}};
 };
 [[nodiscard]] std::vector<ShownConstraint> shown_constraints(
     std::span<const design::Constraint> constraints);
@@ -442,53 +423,47 @@ struct ShownConstraint {
 struct ShownMend : design::Mend {
   Name of_case{};
 
-  static constexpr auto field_table() {
-    return std::tuple{Field{"case", &ShownMend::of_case}, Field{"input", &ShownMend::field},
-                      Field{"value", &ShownMend::value, "", any_number}};
-  }
+  static constexpr std::tuple field_table{Field{"case", &ShownMend::of_case},
+                                          Field{"input", &ShownMend::field},
+                                          Field{"value", &ShownMend::value, "", any_number}};
 };
 
 struct Nearest {
   design::SuiteDamper damper;
   std::optional<Worst> worst{};
 
-  static constexpr auto field_table() {
-    return std::tuple{Field{"design", &Nearest::damper},
-                      Field{"worst", &Nearest::worst, "null where a motion never rests"}};
-  }
+  static constexpr std::tuple field_table{
+      Field{"design", &Nearest::damper},
+      Field{"worst", &Nearest::worst, "null where a motion never rests"}};
 };
 
+/// The intervals of v0, or of the k of a pulse.
+constexpr auto served_hits(bool of_pulse) {
+  return [of_pulse](const auto& now) {
+    return now.of_pulse == of_pulse ? std::optional(now.hit) : std::nullopt;
+  };
+}
 struct ShownServed : design::WorksFor {
   bool of_pulse{false};
 
-  /// The intervals of v0, or of the k of a pulse.
-  static constexpr auto hits(bool of_pulse) {
-    return [of_pulse](const ShownServed& now) {
-      return now.of_pulse == of_pulse ? std::optional(now.hit) : std::nullopt;
-    };
-  }
-  static constexpr auto field_table() {
-    return std::tuple{Field{"v0", hits(false)}, Field{"k", hits(true)},
-                      Field{"p", &ShownServed::p}};
-  }
+  static constexpr std::tuple field_table{
+      Field{"v0", served_hits(false)}, Field{"k", served_hits(true)}, Field{"p", &ShownServed::p}};
 };
 
 struct ShownPart : design::RatedPart {
   Name why{};
 
-  static constexpr auto field_table() {
-    using design::Part;
-    using Now = ShownPart;
-    return std::tuple{
-        Field{"name", in(&Now::part, &Part::name)},
-        Field{"f", in(&Now::part, &Part::f)},
-        Field{"delta", in(&Now::part, &Part::delta), "", in_metres},
-        Field{"admissible", &Now::admissible},
-        Field{"tolerance", &Now::tolerance,
-              "the largest that the part allows; null if it is not admissible itself"},
-        Field{"why", &Now::why, "it is not admissible; null if it is", any_number},
-        Field{"violates", [](const Now& now) { return shown_constraints(now.violated); }}};
-  }
+  using Part = design::Part;
+  using Now = ShownPart;
+  static constexpr std::tuple field_table{
+      Field{"name", in(&Now::part, &Part::name)},
+      Field{"f", in(&Now::part, &Part::f)},
+      Field{"delta", in(&Now::part, &Part::delta), "", in_metres},
+      Field{"admissible", &Now::admissible},
+      Field{"tolerance", &Now::tolerance,
+            "the largest that the part allows; null if it is not admissible itself"},
+      Field{"why", &Now::why, "it is not admissible; null if it is", any_number},
+      Field{"violates", [](const auto& now) { return shown_constraints(now.violated); }}};
 };
 
 struct ShownNotch {
@@ -497,29 +472,26 @@ struct ShownNotch {
   ShownLoaded motion;
   std::optional<ShownLoaded> from_start{}, farthest{}, peak{}, felt{};
 
-  static constexpr auto field_table() {
-    using Now = ShownNotch;
-    return std::tuple{
-        Field{"friction", &Now::friction, "inside, f + delta/width; null with a hold"},
-        Field{"changes_nothing", &Now::changes_nothing,
-              "compared with the same motion with the paper's notch"},
-        Field{"motion", &Now::motion},
-        Field{"from_start", &Now::from_start,
-              "if the notch acts on the way out too; null with a pulse or a hold"},
-        Field{"farthest_rest", &Now::farthest,
-              "of a grid of the ranges the motion that rests farthest from x = 0; null without "
-              "any"},
-        Field{"largest_peak", &Now::peak},
-        Field{"largest_acceleration", &Now::felt, "the notch included"}};
-  }
+  using Now = ShownNotch;
+  static constexpr std::tuple field_table{
+      Field{"friction", &Now::friction, "inside, f + delta/width; null with a hold"},
+      Field{"changes_nothing", &Now::changes_nothing,
+            "compared with the same motion with the paper's notch"},
+      Field{"motion", &Now::motion},
+      Field{"from_start", &Now::from_start,
+            "if the notch acts on the way out too; null with a pulse or a hold"},
+      Field{"farthest_rest", &Now::farthest,
+            "of a grid of the ranges the motion that rests farthest from x = 0; null without "
+            "any"},
+      Field{"largest_peak", &Now::peak},
+      Field{"largest_acceleration", &Now::felt, "the notch included"}};
 };
 
 struct Scan {
   std::int64_t points{0}, feasible{0};
 
-  static constexpr auto field_table() {
-    return std::tuple{Field{"points", &Scan::points, "boxes"}, Field{"feasible", &Scan::feasible}};
-  }
+  static constexpr std::tuple field_table{Field{"points", &Scan::points, "boxes"},
+                                          Field{"feasible", &Scan::feasible}};
 };
 struct ShownSearch {
   std::string_view library;
@@ -530,23 +502,20 @@ struct ShownSearch {
   std::optional<Scan> scan{};
   bool interrupted{false};
 
-  static constexpr auto field_table() {
-    using Now = ShownSearch;
-    return std::tuple{
-        Field{"library", &Now::library, "", one_of(libraries)},
-        Field{"library_version", &Now::version},
-        Field{"algorithm", &Now::algorithm},
-        Field{"status", &Now::status, "NLopt's; under records SUCCESS or INTERRUPTED"},
-        Field{"evaluations", &Now::evaluations},
-        Field{"wall_time_s", &Now::wall_time_s},
-        Field{"optimum", in(&Now::optimum, &Optimum::found),
-              "the objective's value of the design; with a pulse, of NLopt's best point",
-              any_number},
-        Field{"optimum_along_f", in(&Now::optimum, &Optimum::along_f),
-              "that of the best damper along f alone, found without NLopt", any_number},
-        Field{"scan", &Now::scan, "null without records"},
-        Field{"interrupted", &Now::interrupted, "by the user: the design is the best so far"}};
-  }
+  using Now = ShownSearch;
+  static constexpr std::tuple field_table{
+      Field{"library", &Now::library, "", one_of(libraries)},
+      Field{"library_version", &Now::version},
+      Field{"algorithm", &Now::algorithm},
+      Field{"status", &Now::status, "NLopt's; under records SUCCESS or INTERRUPTED"},
+      Field{"evaluations", &Now::evaluations},
+      Field{"wall_time_s", &Now::wall_time_s},
+      Field{"optimum", in(&Now::optimum, &Optimum::found),
+            "the objective's value of the design; with a pulse, of NLopt's best point", any_number},
+      Field{"optimum_along_f", in(&Now::optimum, &Optimum::along_f),
+            "that of the best damper along f alone, found without NLopt", any_number},
+      Field{"scan", &Now::scan, "null without records"},
+      Field{"interrupted", &Now::interrupted, "by the user: the design is the best so far"}};
 };
 
 struct ShownCheckMethod {
@@ -556,26 +525,24 @@ struct ShownCheckMethod {
   const design::MotionFigures* figures{nullptr};
   std::optional<std::vector<design::SuiteCheckRow>> motions{};
 
-  static constexpr auto field_table() {
-    using Now = ShownCheckMethod;
-    return std::tuple_cat(std::tuple{Field{"name", &Now::name, "", one_of(check_methods)},
-                                     Field{"tolerance", &Now::tolerance}},
-                          fields_if_any(&Now::figures, fields<design::MotionFigures>),
-                          std::tuple{Field{"relative_error", &Now::relative_error},
-                                     Field{"wall_time_s", &Now::wall_time_s},
-                                     Field{"decided", &Now::decided}, Field{"passed", &Now::passed},
-                                     Field{"motions", &Now::motions,
-                                           "under each record, in place of the figures; else "
-                                           "null"}});
-  }
+  using Now = ShownCheckMethod;
+  static constexpr auto field_table =
+      std::tuple_cat(std::tuple{Field{"name", &Now::name, "", one_of(check_methods)},
+                                Field{"tolerance", &Now::tolerance}},
+                     fields_if_any(&Now::figures, fields<design::MotionFigures>),
+                     std::tuple{Field{"relative_error", &Now::relative_error},
+                                Field{"wall_time_s", &Now::wall_time_s},
+                                Field{"decided", &Now::decided}, Field{"passed", &Now::passed},
+                                Field{"motions", &Now::motions,
+                                      "under each record, in place of the figures; else "
+                                      "null"}});
 };
 struct ShownCheck {
   bool passed{false};
   std::vector<ShownCheckMethod> methods{};
 
-  static constexpr auto field_table() {
-    return std::tuple{Field{"passed", &ShownCheck::passed}, Field{"methods", &ShownCheck::methods}};
-  }
+  static constexpr std::tuple field_table{Field{"passed", &ShownCheck::passed},
+                                          Field{"methods", &ShownCheck::methods}};
 };
 
 struct ShownAnswer;
@@ -608,56 +575,53 @@ struct ShownAnswer {
   /// For `physical` alone: the duration of a pulse, and the width of the worst of ranges.
   IfReal velocity_m_per_s{}, duration{}, notch_width_min{};
 
-  static constexpr auto field_table() {
-    using Now = ShownAnswer;
-    return std::tuple{
-        Field{"verdict", &Now::verdict, "the answer, in a sentence or two"},
-        Field{"findings",
-              [](const Now& now) {
-                return ShownFindings{now.findings, now.units};
-              }},
-        Field{"input", &Now::input},
-        Field{"design", &Now::design, "or the given damper; null without one"},
-        Field{"cases", &Now::cases},
-        Field{"constraints", &Now::constraints},
-        Field{"admissible", &Now::admissible, "of a given damper; null without one"},
-        Field{"delta1_published", &Now::delta1_published, "at the f of the damper"},
-        Field{"delta1_exact", &Now::delta1_exact,
-              "null if the motion does not return, for a hit with f > f3"},
-        Field{"region", &Now::region, "null under records"},
-        Field{"strips", &Now::strips,
-              "of a region, one for each arrival up to input.arrivals at which some damper can "
-              "stop; else null"},
-        Field{"largest_tolerance", &Now::largest_tolerance,
-              "without a design: the largest tolerance of any damper, if that is less than asked "
-              "for; after a hit only if no single input makes it feasible"},
-        Field{"mends", &Now::mends,
-              "an input and the nearest value that, alone, would leave an admissible damper"},
-        Field{"nearest", &Now::nearest,
-              "under records without a design: the damper that violates the limits least"},
-        Field{"works_for", &Now::works_for,
-              "around the given v0, or k of a pulse, and p, each with the other as given: where "
-              "the point itself meets every requirement, both ends included"},
-        Field{"hits", &Now::hits,
-              "how the motion ends, for every v0 from 0 to twice the given one"},
-        Field{"practice", &Now::practice},
-        Field{"practice_worst", &Now::practice_worst,
-              "each figure at the end of the ranges where it is worst; null without ranges and "
-              "with a pulse"},
-        Field{"pulse", &Now::pulse, "null without a pulse"},
-        Field{"built_notch", &Now::built_notch,
-              "the motion of the design with the notch that will be built; null without "
-              "--notch-width"},
-        Field{"catalogue", &Now::catalogue, "every part, best first; null without a catalogue"},
-        Field{"trade_off", &Now::trade_off, "along the front; null if not asked for"},
-        Field{"outlook", &Now::outlook,
-              "what is not required of records: the worst where the period, or the scale of all, "
-              "is off as well"},
-        Field{"search", &Now::search, "null with a catalogue and for a region"},
-        Field{"cross_check", &Now::cross_check},
-        Field{"physical", [](const Now& now) { return physical_of(now); },
-              "in the units at the ends of the names; null with dimensionless input"}};
-  }
+  using Now = ShownAnswer;
+  static constexpr std::tuple field_table{
+      Field{"verdict", &Now::verdict, "the answer, in a sentence or two"},
+      Field{"findings",
+            [](const auto& now) {
+              return ShownFindings{now.findings, now.units};
+            }},
+      Field{"input", &Now::input},
+      Field{"design", &Now::design, "or the given damper; null without one"},
+      Field{"cases", &Now::cases},
+      Field{"constraints", &Now::constraints},
+      Field{"admissible", &Now::admissible, "of a given damper; null without one"},
+      Field{"delta1_published", &Now::delta1_published, "at the f of the damper"},
+      Field{"delta1_exact", &Now::delta1_exact,
+            "null if the motion does not return, for a hit with f > f3"},
+      Field{"region", &Now::region, "null under records"},
+      Field{"strips", &Now::strips,
+            "of a region, one for each arrival up to input.arrivals at which some damper can "
+            "stop; else null"},
+      Field{"largest_tolerance", &Now::largest_tolerance,
+            "without a design: the largest tolerance of any damper, if that is less than asked "
+            "for; after a hit only if no single input makes it feasible"},
+      Field{"mends", &Now::mends,
+            "an input and the nearest value that, alone, would leave an admissible damper"},
+      Field{"nearest", &Now::nearest,
+            "under records without a design: the damper that violates the limits least"},
+      Field{"works_for", &Now::works_for,
+            "around the given v0, or k of a pulse, and p, each with the other as given: where "
+            "the point itself meets every requirement, both ends included"},
+      Field{"hits", &Now::hits, "how the motion ends, for every v0 from 0 to twice the given one"},
+      Field{"practice", &Now::practice},
+      Field{"practice_worst", &Now::practice_worst,
+            "each figure at the end of the ranges where it is worst; null without ranges and "
+            "with a pulse"},
+      Field{"pulse", &Now::pulse, "null without a pulse"},
+      Field{"built_notch", &Now::built_notch,
+            "the motion of the design with the notch that will be built; null without "
+            "--notch-width"},
+      Field{"catalogue", &Now::catalogue, "every part, best first; null without a catalogue"},
+      Field{"trade_off", &Now::trade_off, "along the front; null if not asked for"},
+      Field{"outlook", &Now::outlook,
+            "what is not required of records: the worst where the period, or the scale of all, "
+            "is off as well"},
+      Field{"search", &Now::search, "null with a catalogue and for a region"},
+      Field{"cross_check", &Now::cross_check},
+      Field{"physical", [](const auto& now) { return physical_of(now); },
+            "in the units at the ends of the names; null with dimensionless input"}};
 };
 
 /// Of a hit or a pulse; without its answer.

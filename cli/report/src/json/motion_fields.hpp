@@ -58,11 +58,10 @@ struct Version {
 [[nodiscard]] nlohmann::ordered_json own_json(const Version& version);
 [[nodiscard]] nlohmann::ordered_json own_schema(const Version* version);
 struct Program {
-  static constexpr auto field_table() {
-    return std::tuple{Field{"name", [](const Program&) { return program_names.front(); }, "",
-                            one_of(program_names)},
-                      Field{"version", [](const Program&) { return Version{program_version()}; }}};
-  }
+  static constexpr std::tuple field_table{
+      Field{"name", [](const Program&) { return program_names.front(); }, "",
+            one_of(program_names)},
+      Field{"version", [](const Program&) { return Version{program_version()}; }}};
 };
 
 /// An excitation: empty is what a type does not have.
@@ -72,31 +71,29 @@ struct ShownExcitation {
   std::optional<std::size_t> samples{};
   std::optional<RecordOrigin> record{};
 
-  static constexpr auto field_table() {
-    using Now = ShownExcitation;
-    const auto of_record = [](auto member) { return IfAny{&Now::record, member}; };
-    return std::tuple{
-        Field{"type", &Now::type, "", one_of(excitation_types)},
-        Field{"k", &Now::k, "", any_number},
-        Field{"lambda", &Now::lambda},
-        Field{"phase", &Now::phase, "", any_number},
-        Field{"duration", &Now::duration, "null if it never ends"},
-        Field{"record", of_record(&RecordOrigin::file)},
-        Field{"samples", &Now::samples},
-        Field{"record_units", of_record(&RecordOrigin::units), "", one_of(record_units)},
-        Field{"record_step", of_record(&RecordOrigin::step)},
-        Field{"record_scale", of_record(&RecordOrigin::scale), "", any_number},
-        Field{"record_peak", of_record(&RecordOrigin::peak)},
-        Field{"record_spectrum", of_record(&RecordOrigin::spectrum)},
-        Field{"record_spectrum_period", of_record(&RecordOrigin::spectrum_period)},
-        Field{"record_units_read", of_record(&RecordOrigin::units_read),
-              "of the values in the file", one_of(record_units)},
-        Field{"record_units_assumed", of_record(&RecordOrigin::assumed),
-              "whether neither the file nor an option gives them"},
-        Field{"record_factor", of_record(&RecordOrigin::factor), "on the values in the file",
-              any_number},
-        Field{"pga", &Now::pga, "the largest |W|, with that factor"}};
-  }
+  using Now = ShownExcitation;
+  static constexpr auto of_record = [](auto member) { return IfAny{&Now::record, member}; };
+  static constexpr std::tuple field_table{
+      Field{"type", &Now::type, "", one_of(excitation_types)},
+      Field{"k", &Now::k, "", any_number},
+      Field{"lambda", &Now::lambda},
+      Field{"phase", &Now::phase, "", any_number},
+      Field{"duration", &Now::duration, "null if it never ends"},
+      Field{"record", of_record(&RecordOrigin::file)},
+      Field{"samples", &Now::samples},
+      Field{"record_units", of_record(&RecordOrigin::units), "", one_of(record_units)},
+      Field{"record_step", of_record(&RecordOrigin::step)},
+      Field{"record_scale", of_record(&RecordOrigin::scale), "", any_number},
+      Field{"record_peak", of_record(&RecordOrigin::peak)},
+      Field{"record_spectrum", of_record(&RecordOrigin::spectrum)},
+      Field{"record_spectrum_period", of_record(&RecordOrigin::spectrum_period)},
+      Field{"record_units_read", of_record(&RecordOrigin::units_read), "of the values in the file",
+            one_of(record_units)},
+      Field{"record_units_assumed", of_record(&RecordOrigin::assumed),
+            "whether neither the file nor an option gives them"},
+      Field{"record_factor", of_record(&RecordOrigin::factor), "on the values in the file",
+            any_number},
+      Field{"pga", &Now::pga, "the largest |W|, with that factor"}};
 };
 [[nodiscard]] std::optional<ShownExcitation> shown(const Excitation& excitation,
                                                    const std::optional<RecordOrigin>& record);
@@ -105,31 +102,28 @@ struct ShownExcitation {
 struct ShownMotion : SimulationRequest {
   std::optional<RecordOrigin> record;
 
-  static constexpr auto field_table() {
-    using Now = ShownMotion;
-    return std::tuple{
-        Field{"v0", in(&Now::start, &Start::v0), "", any_number},
-        Field{"p", in(&Now::oscillator, &Oscillator::p)},
-        Field{"f", in(&Now::oscillator, &Oscillator::f)},
-        Field{"delta", in(&Now::oscillator, &Oscillator::delta)},
-        Field{"x0", in(&Now::start, &Start::x0), "", any_number},
-        Field{"t_end", &Now::t_end},
-        Field{"excitation", [](const Now& now) { return shown(now.excitation, now.record); },
-              "null for what a type does not have"},
-        Field{"hold", in(&Now::oscillator, &Oscillator::hold),
-              "the load that the notch holds at x = 0 besides f; null: any load"},
-        Field{"notch_width", in(&Now::surface, &Surface::notch_width),
-              "null: none, the notch acts only at x = 0"},
-        Field{
-            "friction_zones",
-            [](const Now& now) {
+  using Now = ShownMotion;
+  static constexpr std::tuple field_table{
+      Field{"v0", in(&Now::start, &Start::v0), "", any_number},
+      Field{"p", in(&Now::oscillator, &Oscillator::p)},
+      Field{"f", in(&Now::oscillator, &Oscillator::f)},
+      Field{"delta", in(&Now::oscillator, &Oscillator::delta)},
+      Field{"x0", in(&Now::start, &Start::x0), "", any_number},
+      Field{"t_end", &Now::t_end},
+      Field{"excitation", [](const auto& now) { return shown(now.excitation, now.record); },
+            "null for what a type does not have"},
+      Field{"hold", in(&Now::oscillator, &Oscillator::hold),
+            "the load that the notch holds at x = 0 besides f; null: any load"},
+      Field{"notch_width", in(&Now::surface, &Surface::notch_width),
+            "null: none, the notch acts only at x = 0"},
+      Field{"friction_zones",
+            [](const auto& now) {
               const auto& zones = now.surface.zones;
               return zones.empty() ? std::nullopt : std::optional(zones);
             },
             "friction f for |x| < to, from the zone before it on; beyond the last the motion's own "
             "f",
             at_least_one}};
-  }
 };
 
 /// A motion; without a load it has no ForcedResponse.
@@ -141,47 +135,40 @@ struct ShownResponse {
   explicit ShownResponse(const ForcedResponse& under_load)
       : response(&under_load), forced(&under_load) {}
 
-  static constexpr auto field_table() {
-    return std::tuple_cat(
-        fields_in([](const ShownResponse& now) -> const Response& { return *now.response; },
-                  fields<Response>),
-        fields_if_any(&ShownResponse::forced, forced_fields));
-  }
+  static constexpr auto field_table = std::tuple_cat(
+      fields_in([](const auto& now) -> const Response& { return *now.response; }, fields<Response>),
+      fields_if_any(&ShownResponse::forced, forced_fields));
 };
 
 /// With the impulses of the motion, if they are shown.
 struct ShownPractice : design::Practice {
   std::optional<std::vector<double>> impulses{};
 
-  static constexpr auto field_table() {
-    using Now = ShownPractice;
-    return std::tuple{
-        Field{"secant_stiffness", &Now::secant_stiffness, "at the peak; the spring's is p^2"},
-        Field{"equivalent_damping", &Now::equivalent_damping,
-              "of a full cycle at that peak; null above 1"},
-        Field{"base_shear_over_weight", &Now::base_shear},
-        Field{"restoring_over_weight", &Now::restoring},
-        Field{"energy_ratio", &Now::energy_ratio, "E_s/E_h (EN 15129)"},
-        Field{"residual_ratio", &Now::residual_ratio, "d/d_rm (EN 1998-2)"},
-        Field{"impulse_at_stop",
-              &Now::impulse_at_stop,
-              "per mass",
-              {.dimension = Dimension::velocity}},
-        Field{"impulse_largest", &Now::impulse_largest, "", {.dimension = Dimension::velocity}},
-        Field{"impulses", &Now::impulses,
-              "of each passage and of the stop at x = 0, in turn; at most the last 1000; null in "
-              "practice_worst"},
-        Field{"notch_capacity",
-              &Now::notch_capacity,
-              "what a whole passage takes",
-              {.dimension = Dimension::length}},
-        Field{"notch_used", &Now::notch_used, "the share of it that the stop took"},
-        Field{"notch_width_min",
-              &Now::notch_width_min,
-              "the least width with which the mass feels no more than acceleration_max inside the "
-              "notch; null without it, or if there is none",
-              {.dimension = Dimension::length}}};
-  }
+  using Now = ShownPractice;
+  static constexpr std::tuple field_table{
+      Field{"secant_stiffness", &Now::secant_stiffness, "at the peak; the spring's is p^2"},
+      Field{"equivalent_damping", &Now::equivalent_damping,
+            "of a full cycle at that peak; null above 1"},
+      Field{"base_shear_over_weight", &Now::base_shear},
+      Field{"restoring_over_weight", &Now::restoring},
+      Field{"energy_ratio", &Now::energy_ratio, "E_s/E_h (EN 15129)"},
+      Field{"residual_ratio", &Now::residual_ratio, "d/d_rm (EN 1998-2)"},
+      Field{
+          "impulse_at_stop", &Now::impulse_at_stop, "per mass", {.dimension = Dimension::velocity}},
+      Field{"impulse_largest", &Now::impulse_largest, "", {.dimension = Dimension::velocity}},
+      Field{"impulses", &Now::impulses,
+            "of each passage and of the stop at x = 0, in turn; at most the last 1000; null in "
+            "practice_worst"},
+      Field{"notch_capacity",
+            &Now::notch_capacity,
+            "what a whole passage takes",
+            {.dimension = Dimension::length}},
+      Field{"notch_used", &Now::notch_used, "the share of it that the stop took"},
+      Field{"notch_width_min",
+            &Now::notch_width_min,
+            "the least width with which the mass feels no more than acceleration_max inside the "
+            "notch; null without it, or if there is none",
+            {.dimension = Dimension::length}}};
 };
 
 }  // namespace stillpoint::report

@@ -54,11 +54,9 @@ struct HitsSi {
   double from_m_per_s{0}, to_m_per_s{0};
   std::optional<double> rest_m{};
 
-  static constexpr auto field_table() {
-    return std::tuple{Field{"from_m_per_s", &HitsSi::from_m_per_s},
-                      Field{"to_m_per_s", &HitsSi::to_m_per_s},
-                      Field{"rest_m", &HitsSi::rest_m, "", any_number}};
-  }
+  static constexpr std::tuple field_table{Field{"from_m_per_s", &HitsSi::from_m_per_s},
+                                          Field{"to_m_per_s", &HitsSi::to_m_per_s},
+                                          Field{"rest_m", &HitsSi::rest_m, "", any_number}};
 };
 [[nodiscard]] std::optional<std::vector<HitsSi>> hits_si(const Si& of);
 
@@ -188,24 +186,20 @@ inline constexpr auto motion_fields_si =
 
 /// Of a motion and its task, of a damper and its task, and of a motion alone.
 struct MotionSi : Si {
-  static constexpr auto field_table() {
-    return std::tuple_cat(
-        scale_fields, damper_fields, motion_fields_si, practice_fields_si,
-        std::tuple{Field{"caught_impulse_n_s", Scaled{&Si::caught_impulse, Dimension::impulse}}},
-        wave_fields);
-  }
+  static constexpr auto field_table = std::tuple_cat(
+      scale_fields, damper_fields, motion_fields_si, practice_fields_si,
+      std::tuple{Field{"caught_impulse_n_s", Scaled{&Si::caught_impulse, Dimension::impulse}}},
+      wave_fields);
 };
 struct AnswerSi : Si {
-  static constexpr auto field_table() {
-    return std::tuple_cat(
-        scale_fields, region_fields_si, damper_fields, served_fields_si, practice_fields_si,
-        std::tuple{Field{"delta1_published_m", Scaled{&Si::delta1_published, Dimension::length}},
-                   Field{"delta1_exact_m", Scaled{&Si::delta1_exact, Dimension::length}}},
-        motion_fields_si, wave_fields);
-  }
+  static constexpr auto field_table = std::tuple_cat(
+      scale_fields, region_fields_si, damper_fields, served_fields_si, practice_fields_si,
+      std::tuple{Field{"delta1_published_m", Scaled{&Si::delta1_published, Dimension::length}},
+                 Field{"delta1_exact_m", Scaled{&Si::delta1_exact, Dimension::length}}},
+      motion_fields_si, wave_fields);
 };
 struct TwinsSi : Si {
-  static constexpr auto field_table() { return motion_fields_si; }
+  static constexpr auto field_table = motion_fields_si;
 };
 
 [[nodiscard]] std::optional<MotionSi> physical_of(const MotionReport& report);

@@ -72,38 +72,35 @@ ordered_json own_schema(const ShownRow* /*row*/) {
 }
 
 using Columns = const std::vector<RowColumn>&;
+/// The best of one.
+constexpr auto extreme(BestRows ReducedColumn::*best) {
+  return [best](const auto& now) {
+    const std::vector<ReducedRow> found = (now.*best).rows();
+    return found.empty() ? std::nullopt : std::optional(ShownRow{found.front(), now.columns});
+  };
+}
 /// What is said of a column, and the columns of all.
 struct ShownColumn : ReducedColumn {
   Columns columns;
 
-  /// The best of one.
-  static constexpr auto extreme(BestRows ReducedColumn::*best) {
-    return [best](const ShownColumn& now) {
-      const std::vector<ReducedRow> found = (now.*best).rows();
-      return found.empty() ? std::nullopt : std::optional(ShownRow{found.front(), now.columns});
-    };
-  }
-  static constexpr auto field_table() {
-    using Now = ShownColumn;
-    return std::tuple{Field{"column", [](const Now& now) { return now.columns[now.column].name; }},
-                      Field{"count", &Now::count, "finite values"},
-                      Field{"absent", &Now::absent, "values that do not exist"},
-                      Field{"infinite", &Now::infinite, "what never happens"},
-                      Field{"least", extreme(&ReducedColumn::least)},
-                      Field{"largest", extreme(&ReducedColumn::largest)}};
-  }
+  using Now = ShownColumn;
+  static constexpr std::tuple field_table{
+      Field{"column", [](const auto& now) { return now.columns[now.column].name; }},
+      Field{"count", &Now::count, "finite values"},
+      Field{"absent", &Now::absent, "values that do not exist"},
+      Field{"infinite", &Now::infinite, "what never happens"},
+      Field{"least", extreme(&ReducedColumn::least)},
+      Field{"largest", extreme(&ReducedColumn::largest)}};
 };
 struct ShownHistogram : Histogram {
   Columns columns;
 
-  static constexpr auto field_table() {
-    using Now = ShownHistogram;
-    return std::tuple{
-        Field{"column", [](const Now& now) { return now.columns[now.column].name; }},
-        Field{"edges", &Now::edges, "", any_number},
-        Field{"counts", &Now::counts, "a bin contains its lower edge, the last one both"},
-        Field{"below", &Now::below}, Field{"above", &Now::above}};
-  }
+  using Now = ShownHistogram;
+  static constexpr std::tuple field_table{
+      Field{"column", [](const auto& now) { return now.columns[now.column].name; }},
+      Field{"edges", &Now::edges, "", any_number},
+      Field{"counts", &Now::counts, "a bin contains its lower edge, the last one both"},
+      Field{"below", &Now::below}, Field{"above", &Now::above}};
 };
 struct ShownBest : BestRows {
   Columns columns;
@@ -115,16 +112,14 @@ struct ShownBest : BestRows {
     }
     return all;
   }
-  static constexpr auto field_table() {
-    using Now = ShownBest;
-    return std::tuple{
-        Field{"column", [](const Now& now) { return now.columns[now.column()].name; }},
-        Field{"order", [](const Now& now) { return orders.at(now.largest() ? 0 : 1); }, "",
-              one_of(orders)},
-        Field{"most", &Now::most, "", at_least_one},
-        Field{"rows", &Now::shown,
-              "best first; rows with the same value are in the order of the sweep"}};
-  }
+  using Now = ShownBest;
+  static constexpr std::tuple field_table{
+      Field{"column", [](const auto& now) { return now.columns[now.column()].name; }},
+      Field{"order", [](const auto& now) { return orders.at(now.largest() ? 0 : 1); }, "",
+            one_of(orders)},
+      Field{"most", &Now::most, "", at_least_one},
+      Field{"rows", &Now::shown,
+            "best first; rows with the same value are in the order of the sweep"}};
 };
 
 /// The options that decide the numbers.

@@ -25,6 +25,21 @@
 #include <utility>
 #include <vector>
 
+namespace stillpoint {
+
+template <>
+inline constexpr auto fields<design::SpectrumFigures> = [] {
+  using Now = design::SpectrumFigures;
+  using report::si_always;
+  return std::tuple{Field{"peak_m", &Now::peak, "", si_always(Dimension::length)},
+                    Field{"residual_m", &Now::residual,
+                          "null where the mass does not come to rest within 10 000 half-cycles",
+                          si_always(Dimension::length)},
+                    Field{"peak_absolute_acceleration", &Now::acceleration, "in g"}};
+}();
+
+}  // namespace stillpoint
+
 namespace stillpoint::report {
 
 namespace {
@@ -35,42 +50,52 @@ constexpr auto spectrum_name = std::to_array<std::string_view>({"stillpoint/spec
 struct ShownPoint : design::SpectrumPoint {
   double p{1};
 
-  static constexpr auto field_table();
+  static constexpr auto field_table = std::tuple_cat(
+      std::tuple{Field{"period_s", [](const auto& now) { return turn(now.p); }, "",
+                       si_always(Dimension::time)}},
+      fields_in(&ShownPoint::with_notch, fields<design::SpectrumFigures>),
+      fields_in(
+          &ShownPoint::with_notch,
+          std::tuple{Field{"jump_m_per_s", &design::SpectrumFigures::jump, "",
+                           si_always(Dimension::velocity)},
+                     Field{"locked_from_s", &design::SpectrumFigures::locked_from,
+                           "null where the mass does not lock, like the next; for several records "
+                           "the earliest and the largest",
+                           si_always(Dimension::time)},
+                     Field{"largest_load_while_locked",
+                           &design::SpectrumFigures::largest_load_while_locked}}),
+      std::tuple{Field{"without_notch", &ShownPoint::without}});
 };
 struct SpectrumInput {
   const design::SpectrumRequest& request;
   double gravity_m_per_s2;
 
-  static constexpr auto field_table() {
-    using Now = SpectrumInput;
-    return std::tuple{Field{"f", [](const Now& now) { return now.request.f; }},
-                      Field{"delta_m", [](const Now& now) { return now.request.delta; }, "",
-                            si_always(Dimension::length)},
-                      Field{"hold", [](const Now& now) { return now.request.hold; },
-                            "null with the paper's notch, like notch_width_m"},
-                      Field{"notch_width_m", [](const Now& now) { return now.request.notch_width; },
-                            "", si_always(Dimension::length)},
-                      Field{"combine", [](const Now& now) { return now.request.combine.value(); }},
-                      Field{"gravity_m_per_s2", &Now::gravity_m_per_s2}};
-  }
+  using Now = SpectrumInput;
+  static constexpr std::tuple field_table{
+      Field{"f", [](const auto& now) { return now.request.f; }},
+      Field{"delta_m", [](const auto& now) { return now.request.delta; }, "",
+            si_always(Dimension::length)},
+      Field{"hold", [](const auto& now) { return now.request.hold; },
+            "null with the paper's notch, like notch_width_m"},
+      Field{"notch_width_m", [](const auto& now) { return now.request.notch_width; }, "",
+            si_always(Dimension::length)},
+      Field{"combine", [](const auto& now) { return now.request.combine.value(); }},
+      Field{"gravity_m_per_s2", &Now::gravity_m_per_s2}};
 };
 struct ShownRecord {
   const design::SuiteRecord& record;
   std::vector<ShownPoint> points;
 
-  static constexpr auto field_table() {
-    using Now = ShownRecord;
-    return std::tuple{
-        Field{"file", [](const Now& now) { return now.record.name; }, "", any_number},
-        Field{"scale", [](const Now& now) { return now.record.scale; }, "", any_number},
-        Field{"units", [](const Now& now) { return now.record.units; },
-              "of the values in the file"},
-        Field{"units_assumed", [](const Now& now) { return now.record.assumed_g; },
-              "whether neither the file nor an option gives them"},
-        Field{"pga", [](const Now& now) { return design::peak_load(now.record); },
-              "the largest |W| in g, scaled"},
-        Field{"points", &Now::points, "", at_least_one}};
-  }
+  using Now = ShownRecord;
+  static constexpr std::tuple field_table{
+      Field{"file", [](const auto& now) { return now.record.name; }, "", any_number},
+      Field{"scale", [](const auto& now) { return now.record.scale; }, "", any_number},
+      Field{"units", [](const auto& now) { return now.record.units; }, "of the values in the file"},
+      Field{"units_assumed", [](const auto& now) { return now.record.assumed_g; },
+            "whether neither the file nor an option gives them"},
+      Field{"pga", [](const auto& now) { return design::peak_load(now.record); },
+            "the largest |W| in g, scaled"},
+      Field{"points", &Now::points, "", at_least_one}};
 };
 
 std::vector<ShownPoint> points_of(const SpectrumReport& report,
@@ -91,46 +116,6 @@ std::vector<ShownRecord> records_of(const SpectrumReport& report) {
     shown.push_back({result.request.records[i], points_of(report, result.records[i])});
   }
   return shown;
-}
-
-}  // namespace
-
-}  // namespace stillpoint::report
-
-namespace stillpoint {
-
-template <>
-inline constexpr auto fields<design::SpectrumFigures> = [] {
-  using Now = design::SpectrumFigures;
-  using report::si_always;
-  return std::tuple{Field{"peak_m", &Now::peak, "", si_always(Dimension::length)},
-                    Field{"residual_m", &Now::residual,
-                          "null where the mass does not come to rest within 10 000 half-cycles",
-                          si_always(Dimension::length)},
-                    Field{"peak_absolute_acceleration", &Now::acceleration, "in g"}};
-}();
-
-}  // namespace stillpoint
-
-namespace stillpoint::report {
-
-namespace {
-
-constexpr auto ShownPoint::field_table() {
-  using Now = design::SpectrumFigures;
-  return std::tuple_cat(
-      std::tuple{Field{"period_s", [](const ShownPoint& now) { return turn(now.p); }, "",
-                       si_always(Dimension::time)}},
-      fields_in(&ShownPoint::with_notch, fields<Now>),
-      fields_in(
-          &ShownPoint::with_notch,
-          std::tuple{Field{"jump_m_per_s", &Now::jump, "", si_always(Dimension::velocity)},
-                     Field{"locked_from_s", &Now::locked_from,
-                           "null where the mass does not lock, like the next; for several records "
-                           "the earliest and the largest",
-                           si_always(Dimension::time)},
-                     Field{"largest_load_while_locked", &Now::largest_load_while_locked}}),
-      std::tuple{Field{"without_notch", &ShownPoint::without}});
 }
 
 constexpr auto spectrum_table = std::tuple_cat(

@@ -98,8 +98,8 @@ requires(!std::is_convertible_v<First, std::string_view>) constexpr auto in(Firs
 
 template <class Result>
 constexpr auto own_fields() {
-  if constexpr (requires { Result::field_table(); }) {
-    return Result::field_table();
+  if constexpr (requires { Result::field_table; }) {
+    return Result::field_table;
   } else {
     return nullptr;
   }
@@ -107,7 +107,7 @@ constexpr auto own_fields() {
 
 /// The figures of a result, a tuple of Field in the order of its report. What a report, its schema,
 /// a sweep and the docs say of the result follows from it. What only reports have states it itself,
-/// in `field_table()`.
+/// in `field_table`.
 template <class Result>
 inline constexpr auto fields = own_fields<Result>();
 
