@@ -113,9 +113,9 @@ void add_fields(Section& section, const ordered_json& object, const std::string&
 
 void add_details(Document& document, const ordered_json& report) {
   // The head, what the answer says, and long tables that have a form of their own.
-  static constexpr auto elsewhere =
-      std::to_array<std::string_view>({"schema", "program", "verdict", "findings", "constraints",
-                                       "mends", "strips", "hits", "catalogue", "trade_off"});
+  static constexpr auto elsewhere = std::to_array<std::string_view>(
+      {"schema", "program", "verdict", "findings", "constraints", "mends", "strips", "hits",
+       "half_cycles", "catalogue", "trade_off"});
   ordered_json own = ordered_json::object();
   const auto add = [&](std::string heading, const ordered_json& object) {
     heading.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(heading.front())));
@@ -130,8 +130,9 @@ void add_details(Document& document, const ordered_json& report) {
     if (value.is_object()) {
       add(in_words(name), value);
     } else if (is_list_of_objects(value)) {
-      if (value.size() == 1) {
-        add(in_words(name), value.front());
+      constexpr std::size_t few = 3;
+      for (std::size_t i = 0; value.size() <= few && i < value.size(); ++i) {
+        add(in_words(name), value[i]);
       }
     } else {
       own[name] = value;
