@@ -104,7 +104,8 @@ struct Validator {
           check(setting, value[i], fmt::format("{}/{}", place, i));
         }
       } else if (is_wrong(keyword, setting, value)) {
-        faults.push_back(place + ": " + keyword + " " + setting.dump() + ", is " + value.dump());
+        faults.push_back(
+            fmt::format("{}: {} {}, is {}", place, keyword, setting.dump(), value.dump()));
       }
     }
   }

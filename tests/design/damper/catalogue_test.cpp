@@ -226,6 +226,7 @@ BOOST_AUTO_TEST_CASE(equals_keep_their_order_and_the_nearest_miss_is_first_of_th
                                 {"twin 2", 0.2, 0.45},     {"too strong", 0.36, 0.45}};
   const auto all = ranked({1, 1, 0.9}, {}, Objective::acceleration, parts);
   std::vector<std::string> names;
+  names.reserve(all.size());
   for (const RatedPart& rated : all) {
     names.push_back(rated.part.name);
   }
