@@ -203,7 +203,7 @@ ShownMotion shown_motion(const SimulationRequest& request, const Simulation& ans
   const auto listed = forced_half_cycles(request.oscillator, request.start, excitation, last,
                                          most_shown_half_cycles, {}, request.surface);
   last = std::min(last, end_of_beginning(listed).value_or(last));
-  motion.locked_from = answer.forced ? answer.forced->locked_from : std::nullopt;
+  motion.locked = answer.forced ? answer.forced->locked_from : std::nullopt;
   if (stop_time == 0.0) {  // the whole load is shown here too
     follow(motion, request, std::min(last, duration(excitation).value_or(last)));
     return motion;
@@ -216,11 +216,11 @@ ShownMotion shown_motion(const SimulationRequest& request, const Simulation& ans
     add_rest(motion, {*stop_time, *answer.response.stop_position, 0},
              seen_until(excitation, *stop_time, last));
     const double end = std::min(horizon, duration(excitation).value_or(horizon));
-    if (motion.locked_from && end > motion.shown_to) {
+    if (motion.locked && end > motion.shown_to) {
       motion.locked_to = end;
     }
   } else {
-    motion.locked_from.reset();
+    motion.locked.reset();
   }
   add_frictionless(motion, request);
   return motion;

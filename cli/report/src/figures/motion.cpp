@@ -250,8 +250,8 @@ void add_zones(Figure& figure, const DrawnMotion& motion, double length, Along a
 }
 
 void add_lock(Figure& figure, const DrawnMotion& motion, const FigureUnits& units) {
-  if (motion.locked_from) {
-    const double from = *motion.locked_from;
+  if (motion.locked) {
+    const double from = *motion.locked;
     const std::string to =
         motion.locked_to ? " to " + units.time_words(*motion.locked_to) : std::string();
     figure.bands.push_back(

@@ -58,7 +58,7 @@ struct ShownPoint : design::SpectrumPoint {
           &ShownPoint::with_notch,
           std::tuple{Field{"jump_m_per_s", &design::SpectrumFigures::jump, "",
                            si_always(Dimension::velocity)},
-                     Field{"locked_from_s", &design::SpectrumFigures::locked_from,
+                     Field{"locked_from_s", &design::SpectrumFigures::locked,
                            "null where the mass does not lock, like the next; for several records "
                            "the earliest and the largest",
                            si_always(Dimension::time)},

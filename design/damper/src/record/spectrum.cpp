@@ -75,8 +75,8 @@ SpectrumFigures combined(const std::vector<std::vector<SpectrumPoint>>& records,
     } else {
       all.residual.reset();
     }
-    if (one.locked_from) {
-      all.locked_from = std::min(*one.locked_from, all.locked_from.value_or(HUGE_VAL));
+    if (one.locked) {
+      all.locked = std::min(*one.locked, all.locked.value_or(HUGE_VAL));
       all.largest_load_while_locked =
           std::max(*one.largest_load_while_locked, all.largest_load_while_locked.value_or(0));
     }
@@ -92,7 +92,7 @@ void add_lock(std::vector<Finding>& all, const Spectrum& spectrum) {
   bool worst = true;
   for (const SpectrumPoint& point : spectrum.combined) {
     const auto& held = point.with_notch.largest_load_while_locked;
-    count += point.with_notch.locked_from ? 1 : 0;
+    count += point.with_notch.locked ? 1 : 0;
     most = std::max(most, held.value_or(0));
     worst = worst && held == point.with_notch.acceleration;
   }

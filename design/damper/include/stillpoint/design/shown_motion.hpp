@@ -29,10 +29,10 @@ struct ShownMotion {
   std::vector<State> passages;  ///< of x = 0, with the speed after the notch
   std::optional<State> rest;    ///< the end of the motion
   std::vector<std::pair<double, double>> sticks;  ///< tau from, to
-  std::optional<double> locked_from;  ///< held at x = 0 from then on, though the load goes on
-  std::optional<double> locked_to;    ///< the end of the load, if it is not shown
-  double shown_to{0};                 ///< the end of the time axis
-  bool whole{true};                   ///< else only its beginning
+  std::optional<double> locked;     ///< held at x = 0 from then on, though the load goes on
+  std::optional<double> locked_to;  ///< the end of the load, if it is not shown
+  double shown_to{0};               ///< the end of the time axis
+  bool whole{true};                 ///< else only its beginning
   std::optional<FrictionlessMotion> frictionless;  ///< if friction takes energy
 };
 

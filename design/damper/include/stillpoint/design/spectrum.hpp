@@ -31,8 +31,9 @@ struct SpectrumFigures {
   double jump{0};          ///< largest of velocity, at a notch without width
   /// |x| at the final rest; empty where the motion never rests, or not within 10 000 half-cycles.
   std::optional<double> residual{};
-  /// As in a ForcedResponse; for several records the earliest and the largest.
-  std::optional<double> locked_from{};
+  /// From when, as in a ForcedResponse, and the load; for several records the earliest and the
+  /// largest.
+  std::optional<double> locked{};
   std::optional<double> largest_load_while_locked{};
 };
 
