@@ -41,10 +41,7 @@ SuiteScan::SuiteScan(const Suite& suite, const SuiteSpace& space, std::int64_t p
       threads_(threads),
       watch_(watch),
       finest_(finest_grid(space)) {
-  double step = 0;
-  for (const GridSide& side : finest_) {
-    step = std::max(step, side.step);
-  }
+  const double step = longest_step();
   const auto is_small = [&](std::int64_t stride) {
     return 2 * static_cast<double>(stride) * step <= first_step ||
            (window_of(finest_) == 0 && points_of_stride(stride) > points_);
@@ -58,6 +55,10 @@ SuiteScan::SuiteScan(const Suite& suite, const SuiteSpace& space, std::int64_t p
   }
   figures_.resize(all);
   known_.resize(all, false);
+}
+
+double SuiteScan::longest_step() const {
+  return std::ranges::max(finest_, {}, &GridSide::step).step;
 }
 
 std::size_t SuiteScan::flat(const Index& index) const {
@@ -160,6 +161,16 @@ void SuiteScan::look(const SuiteGoal& goal, double bar) {
     compute(list);
     stride_ = stride;
   }
+}
+
+bool SuiteScan::may_have(const SuiteGoal& goal) const {
+  const double part = static_cast<double>(stride_) * longest_step();
+  for (std::size_t i = 0; i < figures_.size(); ++i) {
+    if (known_[i] && promising(figures_[i], goal, HUGE_VAL, part)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 SuiteGrid SuiteScan::grid() const {

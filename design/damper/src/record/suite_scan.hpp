@@ -22,6 +22,10 @@ class SuiteScan {
   /// than the given number of points is not taken.
   void look(const SuiteGoal& goal, double bar);
 
+  /// Whether a damper may be within those of the limits that change smoothly with it, as far as the
+  /// points tell.
+  [[nodiscard]] bool may_have(const SuiteGoal& goal) const;
+
   /// The grid of the last look, its points, where those that were not computed count as unsettled,
   /// and its boxes.
   [[nodiscard]] SuiteGrid grid() const;
@@ -33,6 +37,7 @@ class SuiteScan {
   using Index = std::array<std::int64_t, most_axes>;
 
   [[nodiscard]] std::size_t flat(const Index& index) const;
+  [[nodiscard]] double longest_step() const;
   [[nodiscard]] std::vector<Index> of_stride(std::int64_t stride) const;
   [[nodiscard]] std::int64_t points_of_stride(std::int64_t stride) const;
   [[nodiscard]] bool has_promising_neighbour(const Index& index, std::int64_t stride,

@@ -147,10 +147,20 @@ class TaskSearch {
     return best;
   }
 
+  /// Whether no damper at all is near the limits.
+  [[nodiscard]] bool is_hopeless(const SuiteGoal& goal) const {
+    return std::ranges::count_if(every_friction,
+                                 [&](SuiteFrictions each) { return has_friction(task_, each); }) ==
+               std::ssize(maps_) &&
+           std::ranges::none_of(maps_,
+                                [&](const Mapped& here) { return here.scan.may_have(goal); });
+  }
+
   /// A box that is so hard to find that only one which grows gets there; leaves the largest
   /// tolerance in the result if there is none.
   std::optional<VerifiedBox> grown_to_tolerance(const SuiteGoal& goal) {
-    const std::optional<LargestBox> found = watch_.stopped() ? std::nullopt : largest();
+    const std::optional<LargestBox> found =
+        watch_.stopped() || is_hopeless(goal) ? std::nullopt : largest();
     if (!found || found->scale < 1) {
       return std::nullopt;
     }
