@@ -30,6 +30,10 @@ constexpr double beyond = 1.05;
 constexpr double unlikely = 1.02;
 /// Nor will one that is this much worse than the best candidate.
 constexpr double mediocre = 1.08;
+/// Where the surest candidates, polished, miss the limits by more than this, so do the others; and
+/// so does one of which a step mends less than this part.
+constexpr double far_off = 0.02;
+constexpr double least_mended = 0.0625;
 /// Candidates of the map may lie this part of a box apart: it is too coarse to choose between them.
 constexpr double spacing = 0.25;
 
@@ -58,13 +62,15 @@ double merit(const BoxedDamper& box) {
 }
 
 SuiteSearch::SuiteSearch(const Suite& suite, const RecordDesignRequest& task,
-                         const SuiteSpace& space, const SuiteGoal& goal, SuiteWatch& watch)
+                         const SuiteSpace& space, const SuiteGoal& goal, SuiteWatch& watch,
+                         bool brief)
     : suite_(suite),
       task_(task),
       space_(space),
       goal_(goal),
       limits_(goal.limits),
       watch_(watch),
+      brief_(brief),
       samples_(box_samples(space, sample_counts.at(space.searched()))) {}
 
 std::vector<SuiteFigures> SuiteSearch::figures(const std::vector<SuiteDamper>& dampers) {
@@ -203,6 +209,7 @@ BoxedDamper SuiteSearch::polished(const BoxedDamper& from, double step, bool eno
   for (; step > last && !(enough && best.rank.off == 0) && merit(best) < bar * (1 + step) &&
          (enough || best.rank.off < out_of_reach * step);
        step /= 2) {
+    const double off = best.rank.off;
     for (int i = 0; i < most_moves && !watch_.stopped(); ++i) {
       BoxedDamper now = best;
       for (const bool far : {false, true}) {
@@ -217,6 +224,9 @@ BoxedDamper SuiteSearch::polished(const BoxedDamper& from, double step, bool eno
           best.rank.value > (1 - least_move) * before.value) {
         break;
       }
+    }
+    if (!enough && best.rank.off > far_off && off - best.rank.off < least_mended * off) {
+      break;
     }
   }
   return best;
@@ -262,9 +272,10 @@ std::vector<BoxedDamper> SuiteSearch::shortlist(const std::vector<BoxedDamper>& 
   const BoxedDamper surest = std::ranges::min(list, {}, &BoxedDamper::rank);
   std::ranges::stable_sort(list, {}, merit);
   const double most = std::min(mediocre * merit(list.front()), beyond * bar);
+  const std::size_t count = brief_ ? 2 : candidate_counts.at(space_.size());
   std::vector<BoxedDamper> chosen{surest};
   for (const BoxedDamper& each : list) {
-    if (merit(each) <= most && chosen.size() < candidate_counts.at(space_.size()) &&
+    if (merit(each) <= most && chosen.size() < count &&
         std::ranges::none_of(chosen, [&](const BoxedDamper& other) {
           return are_near(space_.place(each.damper), space_.place(other.damper), grid);
         })) {
@@ -286,16 +297,18 @@ std::vector<BoxedDamper> SuiteSearch::all_refined(const std::vector<BoxedDamper>
   }
   by_promise(list);
   std::erase_if(list, [&](const BoxedDamper& each) { return each.rank.value > unlikely * bar; });
-  const std::size_t most = most_refined.at(space_.size());
+  const std::size_t most = brief_ ? 1 : most_refined.at(space_.size());
   std::size_t tried = 0;
   std::size_t admissible_ones = 0;
+  double least_off = HUGE_VAL;
   for (BoxedDamper& each : list) {
-    if (admissible_ones == most || tried == 2 * most) {
+    if (admissible_ones == most || tried == 2 * most || (tried == most && least_off > far_off)) {
       break;
     }
     ++tried;
     SuiteGrid finest = fine;
     each = polished(refined(each, finest, most_levels), first_step(), false, bar);
+    least_off = std::min(least_off, each.rank.off);
     if (each.rank.off == 0) {
       bar = std::min(bar, each.rank.value);
       ++admissible_ones;
@@ -312,7 +325,11 @@ std::optional<VerifiedBox> SuiteSearch::best(const BoxMap& map, const SuiteGrid&
     return !each.worst.settled || each.rank.value > hopeless * bar ||
            each.rank.off > out_of_reach * first_step();
   });
-  return verified(all_refined(found, grid, bar), bar);
+  const std::vector<BoxedDamper> list = all_refined(found, grid, bar);
+  if (!list.empty()) {
+    nearest_ = list.front();
+  }
+  return verified(list, bar);
 }
 
 }  // namespace stillpoint::design

@@ -30,12 +30,15 @@ struct VerifiedBox {
 /// Looks for one goal in one space.
 class SuiteSearch {
  public:
+  /// A brief one looks near the two likeliest alone.
   SuiteSearch(const Suite& suite, const RecordDesignRequest& task, const SuiteSpace& space,
-              const SuiteGoal& goal, SuiteWatch& watch);
+              const SuiteGoal& goal, SuiteWatch& watch, bool brief = false);
 
   /// The best verified, if it is better than `bar`; starts from a map of the whole space.
   [[nodiscard]] std::optional<VerifiedBox> best(const BoxMap& map, const SuiteGrid& grid,
                                                 double bar);
+  /// That of the last search, whether it is within the limits or not.
+  [[nodiscard]] const std::optional<BoxedDamper>& nearest() const { return nearest_; }
   /// The likeliest of a map with that grid on ever finer ones about them, best first.
   [[nodiscard]] std::vector<BoxedDamper> all_refined(const std::vector<BoxedDamper>& found,
                                                      const SuiteGrid& grid, double bar);
@@ -80,8 +83,10 @@ class SuiteSearch {
   SuiteGoal goal_;
   SuiteLimits limits_;  ///< as given; those of the goal may be smaller
   SuiteWatch& watch_;
+  bool brief_;
   std::vector<SuitePlace> samples_;  ///< those that were worst last come first
   std::vector<SuitePlace> worst_places_;
+  std::optional<BoxedDamper> nearest_;
 };
 
 }  // namespace stillpoint::design

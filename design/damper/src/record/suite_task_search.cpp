@@ -50,6 +50,7 @@ struct Mapped {
   SuiteFrictions frictions;
   SuiteSpace space;
   SuiteScan scan;
+  std::optional<BoxedDamper> nearest{};  ///< to the limits
 };
 
 class TaskSearch {
@@ -78,6 +79,7 @@ class TaskSearch {
         best = now;
         watch_.verified({best->box.damper, best->box.worst});
       }
+      here.nearest = search.nearest();
     }
     if (!best) {
       best = grown_to_tolerance(goal);
@@ -184,8 +186,11 @@ class TaskSearch {
     std::optional<VerifiedBox> nearest;
     for (const Mapped& here : maps_) {
       SuiteSearch search(suite_, task_, here.space, goal, watch_);
-      for (const BoxedDamper& each :
-           search.all_refined(here.scan.map().best(goal, 1), here.scan.grid(), HUGE_VAL)) {
+      std::vector<BoxedDamper> found = here.scan.map().best(goal, 1);
+      if (here.nearest) {
+        found = {*here.nearest};
+      }
+      for (const BoxedDamper& each : found) {
         VerifiedBox box = search.tried(each.damper);
         if (!nearest || box.box.rank < nearest->box.rank) {
           nearest = box;
@@ -230,7 +235,8 @@ class TaskSearch {
     for (Mapped& here : maps_) {
       const double bar = least.value_or(HUGE_VAL);
       here.scan.look(goal, bar);
-      SuiteSearch search(suite_, task_, here.space, goal, watch_);
+      const bool brief = here.space.searched() > 2;
+      SuiteSearch search(suite_, task_, here.space, goal, watch_, brief);
       if (auto found = search.best(here.scan.map(), here.scan.grid(), bar)) {
         least = found->box.worst.*kind.value;
       }
