@@ -87,8 +87,8 @@ report::ReductionReport reduction_report(const SweepSpec& spec) {
 }  // namespace
 
 ExitCode run_sweep(const Settings& settings, Output& output) {
-  report::SweepReport report{.spec = sweep_request(settings)};
-  const auto& [spec, summary, map] = report;
+  report::SweepReport report{.spec = sweep_request(settings), .record = settings.text("record")};
+  const auto& [spec, summary, map, record] = report;
   if (spec.reduction) {
     print_report(reduction_report(spec), settings, output);
     return exit_done;

@@ -112,8 +112,9 @@ std::unique_ptr<Sweep> reduced(const Settings& given, const SweepSpec& spec) {
   return std::make_unique<Sweep>(answers::answer_of(std::move(found)), py::none());
 }
 
-std::unique_ptr<Sweep> with_rows(SweepSpec asked, bool in_memory) {
-  report::SweepReport found{.spec = std::move(asked)};
+std::unique_ptr<Sweep> with_rows(SweepSpec asked, std::optional<std::string> record,
+                                 bool in_memory) {
+  report::SweepReport found{.spec = std::move(asked), .record = std::move(record)};
   const SweepSpec& spec = found.spec;
   found.map = map_of(spec);
   const py::dtype type = dtype_of(spec);
@@ -142,7 +143,8 @@ std::unique_ptr<Sweep> run_sweep(const py::object& scene, const py::kwargs& opti
     cli::resolve_part(given);
     cli::require_files_apart(Command::sweep, given, std::nullopt);
     SweepSpec spec = cli::sweep_request(given);
-    return spec.reduction ? reduced(given, spec) : with_rows(std::move(spec), in_memory);
+    return spec.reduction ? reduced(given, spec)
+                          : with_rows(std::move(spec), given.text("record"), in_memory);
   });
   warn_of_doubts(given, Command::sweep);
   return found;

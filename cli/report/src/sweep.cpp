@@ -109,6 +109,7 @@ constexpr auto sweep_table = std::tuple_cat(
     std::tuple{
         Field{"kind", in(&SweepReport::spec, &sweep::SweepSpec::kind)},
         Field{"output", [](const SweepReport& report) { return ShownOutput{report.spec}; }},
+        Field{"record", &SweepReport::record, "the file of the load; null of any other"},
         Field{"part", in(&SweepReport::spec, &sweep::SweepSpec::part), "null for a whole sweep"},
         Field{"rows", in(&SweepReport::summary, &SweepSummary::state, &SweepState::rows),
               "all rows in the file"},
@@ -138,8 +139,11 @@ ordered_json sweep_schema() {
 }
 
 Document document(const SweepReport& report) {
-  const auto& [spec, summary, map] = report;
+  const auto& [spec, summary, map, record] = report;
   Document document = document_of("Sweep", summary.state, spec.kind == SweepKind::design);
+  if (record) {
+    document.answer.row("record", spelled_out(*record));
+  }
   if (summary.resumed_at > 0) {
     document.answer.row("resumed at", fmt::format("{} rows", summary.resumed_at));
   }

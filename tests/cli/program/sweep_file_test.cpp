@@ -107,6 +107,15 @@ BOOST_AUTO_TEST_CASE(may_be_standard_output_or_a_device) {
   BOOST_TEST(contents().empty());
 }
 
+BOOST_AUTO_TEST_CASE(names_the_record_that_is_its_load) {
+  write("shake.csv", "0 0\n0.3 0.2\n0.9 -0.15\n1.4 0\n");
+  const Arguments shaken(
+      "sweep --period 2 --f 0:0.1:3 --delta-m 0 --record shake.csv --output rows.npy");
+  BOOST_TEST(succeed(shaken).out.find("record            shake.csv\n") != std::string::npos);
+  BOOST_TEST(succeed(shaken + "--json").json()["record"] == "shake.csv");
+  check_null(succeed(sweep(grid + "--output rows.npy --json")).json(), {"record"});
+}
+
 BOOST_AUTO_TEST_CASE(has_a_report) {
   const ProgramRun answer = succeed(sweep(grid + "--output rows.npy --json"));
   const json report = answer.json();

@@ -21,6 +21,7 @@ struct SweepReport {
   sweep::SweepSpec spec;
   sweep::SweepSummary summary{};
   std::optional<sweep::SweepMap> map{};
+  std::optional<std::string> record{};  ///< the file of the excitation
 };
 
 [[nodiscard]] Document document(const SweepReport& report);
