@@ -54,11 +54,10 @@ std::string inside_words(const ShownDamper& shown) {
   if (pulse) {
     return format("{} if the notch holds the mass", acceleration_shown(design::peak_load(*pulse)));
   }
-  const auto lines = told_practice(shown.task, shown.practice, f, delta).lines;
-  if (lines && limits.acceleration_max) {
-    return lines->notch_width_min
+  if (shown.practice && limits.acceleration_max) {
+    return shown.notch_width_min
                ? format("{} inside one {} wide", acceleration_shown(*limits.acceleration_max),
-                        length_limit(physical, *lines->notch_width_min, true))
+                        length_limit(physical, *shown.notch_width_min, true))
                : format("no width is known to keep it within {} inside",
                         acceleration_shown(*limits.acceleration_max));
   }
@@ -125,6 +124,7 @@ ShownDamper shown_damper(const DesignReport& report) {
           found.point,
           built ? report.built_notch->response : found.response,
           found.practice,
+          found.notch_width_min,
           found.works_for,
           built ? &*report.built_notch : nullptr,
           pulse && !built ? pulse->worst : std::nullopt,
@@ -145,6 +145,7 @@ std::optional<ShownDamper> shown_damper(const RegionReport& report) {
                      {*f, *delta, answer.tolerance.value_or(0)},
                      *answer.response,
                      answer.practice,
+                     answer.notch_width_min,
                      answer.works_for,
                      nullptr,
                      answer.worst,

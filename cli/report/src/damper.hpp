@@ -19,6 +19,7 @@ struct ShownDamper {
   design::DesignPoint point;
   const Response& response;  ///< with the notch that will be built, if there is one
   const std::optional<design::Practice>& practice;
+  const std::optional<double>& notch_width_min;  ///< enough for all ranges
   const std::optional<design::WorksFor>& works_for;
   const design::BuiltNotch* built{};
   std::optional<design::PulseWorst> worst{};  ///< over the ranges of a pulse

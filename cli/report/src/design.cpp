@@ -79,20 +79,6 @@ Optimum optimum_of(const design::DesignResult& result) {
   return search ? Optimum{search->by_nlopt, search->along_f} : Optimum();
 }
 
-DeltaNeeds delta_needs(const design::DesignResult& result) {
-  const auto& [problem, limits, search, pulse, ranges] = result.request;
-  const double f = result.finding->point.f;
-  if (!pulse) {
-    return {design::delta1_published(problem, f), design::delta1_exact(problem, f)};
-  }
-  const auto least = [&](design::Criterion criterion) {
-    design::PulseProblem task = design::pulse_request(result.request).problem;
-    task.criterion = criterion;
-    return design::least_delta(task, f);
-  };
-  return {least(design::Criterion::published).value_or(0), least(design::Criterion::exact)};
-}
-
 std::string verdict(const DesignReport& report) {
   const design::DesignResult& result = report.result;
   if (!result.finding) {

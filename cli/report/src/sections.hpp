@@ -96,25 +96,8 @@ inline constexpr int usual_digits = 4;
 
 /// "strongest hit, softest spring", or stiffest: an end of the ranges; empty without ranges.
 [[nodiscard]] std::string extreme_words(const design::Problem& problem, std::string_view spring);
-/// Of a free motion with ranges the practice at their ends, else `own`. The width of the notch is
-/// enough for all ranges.
-struct ToldPractice {
-  std::optional<design::Practice> lines;
-  bool at_ends{false};  ///< each line is the worst of the ends
-};
-[[nodiscard]] ToldPractice told_practice(const ShownTask& task,
-                                         const std::optional<design::Practice>& own, double f,
-                                         double delta);
 /// Of the motion after a hit, from x = 0 without a load, with the paper's notch; else empty.
 [[nodiscard]] std::optional<design::Practice> practice_of(const MotionReport& report);
-/// The least Delta for an f by either criterion; the exact one is empty if the motion does not
-/// return, both if it does not stop by them.
-struct DeltaNeeds {
-  std::optional<double> published;
-  std::optional<double> exact;
-};
-/// Of a finding.
-[[nodiscard]] DeltaNeeds delta_needs(const design::DesignResult& result);
 
 /// The objective's value of NLopt's best point, and of the best along f alone, without NLopt; empty
 /// if not known.

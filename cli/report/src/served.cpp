@@ -92,21 +92,6 @@ std::string inside_example(const Physical& physical, const Oscillator& damper, d
                 length_shown(physical, width, shown));
 }
 
-ToldPractice told_practice(const ShownTask& task, const std::optional<design::Practice>& own,
-                           double f, double delta) {
-  const auto& [problem, limits, pulse, ranges, physical] = task;
-  if (own && !pulse && (problem.p_high || problem.v0_low)) {
-    return {design::worst_practice(problem, limits, f, delta), true};
-  }
-  ToldPractice told{own};
-  if (own && own->notch_width_min && pulse) {
-    told.lines->notch_width_min = design::least_notch_width_from_rest(
-        f, delta, *limits.acceleration_max, problem.stiffest_p(),
-        ranges.k_low.value_or(design::peak_load(*pulse)));
-  }
-  return told;
-}
-
 std::string impulse_shown(const Physical& physical, double impulse) {
   const auto newton_seconds = physical ? physical->scales.impulse_n_s(impulse) : std::nullopt;
   return newton_seconds ? with_unit(*newton_seconds, "N s")

@@ -17,7 +17,8 @@ Found finding_of(const Problem& problem, const Limits& limits, const DesignPoint
   finding.constraints = constraints(problem, limits, point.f, point.delta);
   const Oscillator oscillator{problem.p, point.f, point.delta};
   finding.response = free_response(oscillator, {0, problem.v0});
-  finding.practice = practice(oscillator, finding.response, limits.acceleration_max);
+  add_practice(finding, problem, limits, oscillator, finding.response);
+  add_delta1(finding, problem, point.f);
   finding.cross_check =
       cross_check(predict(problem, point.f, point.delta), problem, point.f, point.delta);
   return finding;

@@ -640,10 +640,6 @@ struct ShownAnswer {
 /// from the `worst` of ranges.
 void add_worst(ShownCase& now, const ShownTask& task, const BoxedDamper& damper,
                const std::optional<design::PulseWorst>& worst);
-/// Of a hit or a pulse, the rest of a point's answer.
-void add_point(ShownAnswer& answer, const ShownTask& task, const IfReal& f, const IfReal& delta,
-               const std::optional<design::Practice>& practice, const Response* response,
-               const std::optional<design::WorksFor>& works_for);
 void add_catalogue(ShownAnswer& answer, const std::optional<Catalogue>& catalogue,
                    const ShownTask& task);
 

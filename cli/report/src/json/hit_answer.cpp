@@ -48,6 +48,28 @@ ShownNotch shown_notch(const ShownTask& task, const design::Found& found,
   return shown;
 }
 
+/// The rest of a point's answer.
+template <class Answer>
+void add_point(ShownAnswer& now, const ShownTask& task, const IfReal& f, const IfReal& delta,
+               const Answer& answer, const Response* response) {
+  if (answer.works_for) {
+    now.works_for = ShownServed{*answer.works_for, task.pulse.has_value()};
+  }
+  if (f && delta) {
+    now.hits = task.pulse ? shown_strengths(pulse_problem(task.problem, *task.pulse, task.ranges),
+                                            *f, *delta)
+                          : shown_hits(task.problem, *f, *delta);
+  }
+  if (answer.practice) {
+    now.practice = ShownPractice{{*answer.practice},
+                                 design::impulses({task.problem.p, *f, *delta}, *response)};
+  }
+  if (answer.practice_worst) {
+    now.practice_worst = ShownPractice{{*answer.practice_worst}, {}};
+  }
+  now.notch_width_min = answer.notch_width_min;
+}
+
 void add_found(ShownAnswer& now, const DesignReport& report, const design::Found& found) {
   const ShownTask task = task_of(report);
   ShownCase& only = now.cases.front();
@@ -69,9 +91,8 @@ void add_found(ShownAnswer& now, const DesignReport& report, const design::Found
         loaded(task, task.problem.v0, {}, task.problem.p, ShownResponse(found.response)));
   }
   add_worst(only, task, damper, found.pulse ? found.pulse->worst : std::nullopt);
-  const auto [published, exact] = delta_needs(report.result);
-  now.delta1_published = published;
-  now.delta1_exact = exact;
+  now.delta1_published = found.delta1_published;
+  now.delta1_exact = found.delta1_exact;
   now.constraints = shown_constraints(found.constraints);
   if (found.search) {
     now.search = shown_search(*found.search, optimum_of(report.result));
@@ -83,7 +104,7 @@ void add_found(ShownAnswer& now, const DesignReport& report, const design::Found
     now.input.hold = built->shape.hold;
     now.input.notch_width = built->shape.width;
   }
-  add_point(now, task, f, delta, found.practice, &found.response, found.works_for);
+  add_point(now, task, f, delta, found, &found.response);
 }
 
 }  // namespace
@@ -141,8 +162,8 @@ ShownAnswer shown(const RegionReport& report) {
     now.design->arrival = answer.arrival;
     add_worst(now.cases.front(), task, *now.design, answer.worst);
   }
-  add_point(now, task, request.f, request.delta, answer.practice,
-            answer.response ? &*answer.response : nullptr, answer.works_for);
+  add_point(now, task, request.f, request.delta, answer,
+            answer.response ? &*answer.response : nullptr);
   add_catalogue(now, report.catalogue, task);
   return now;
 }

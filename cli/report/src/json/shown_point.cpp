@@ -141,29 +141,6 @@ void add_worst(ShownCase& now, const ShownTask& task, const BoxedDamper& damper,
   }
 }
 
-void add_point(ShownAnswer& answer, const ShownTask& task, const IfReal& f, const IfReal& delta,
-               const std::optional<design::Practice>& practice, const Response* response,
-               const std::optional<design::WorksFor>& works_for) {
-  if (works_for) {
-    answer.works_for = ShownServed{*works_for, task.pulse.has_value()};
-  }
-  if (f && delta) {
-    answer.hits =
-        task.pulse
-            ? shown_strengths(pulse_problem(task.problem, *task.pulse, task.ranges), *f, *delta)
-            : shown_hits(task.problem, *f, *delta);
-  }
-  if (practice) {
-    answer.practice =
-        ShownPractice{{*practice}, design::impulses({task.problem.p, *f, *delta}, *response)};
-  }
-  const ToldPractice told = told_practice(task, practice, f.value_or(0), delta.value_or(0));
-  answer.notch_width_min = told.lines ? told.lines->notch_width_min : std::nullopt;
-  if (told.at_ends && told.lines) {
-    answer.practice_worst = ShownPractice{{*told.lines}, {}};
-  }
-}
-
 void add_catalogue(ShownAnswer& answer, const std::optional<Catalogue>& catalogue,
                    const ShownTask& task) {
   if (catalogue) {

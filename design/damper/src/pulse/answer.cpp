@@ -62,8 +62,7 @@ void judge(RegionAnswer& answer, const PulseRequest& request, const PulseRegion&
   // side.
   constexpr double edge = 1e-12;
   answer.admissible = limits.tolerance <= widest + edge;
-  answer.practice =
-      practice(oscillator, *answer.response, limits.acceleration_max, peak_load(shown.pulse));
+  add_practice(answer, problem, limits, shown, oscillator, *answer.response);
   answer.worst = worst_of(problem, region, motion);
   answer.works_for = works_for(problem, limits, f, delta);
 }
@@ -110,13 +109,7 @@ RegionAnswer answer_under_pulse(const RegionRequest& asked) {
     return answer;
   }
   const double f = *asked.f;
-  const auto least = [&](Criterion criterion) {
-    PulseProblem task = request.problem;
-    task.criterion = criterion;
-    return least_delta(task, f);
-  };
-  answer.delta1_published = least(Criterion::published);
-  answer.delta1_exact = least(Criterion::exact);
+  add_delta1(answer, problem, f);
   if (asked.delta) {
     judge(answer, request, region, f, *asked.delta);
   }
@@ -130,11 +123,14 @@ void add_finding(DesignResult& result, const PulseRequest& request, const PulseR
   const PulseProblem shown = region.profile()->largest_peak(problem, unit_f);
   const FirstReturn motion = first_return(shown.pulse, shown.p, unit_f);
   result.reduced_v0 = reduced_v0(shown.pulse, point.f);
-  result.finding = finding_under_pulse(shown, limits, point, motion);
+  result.finding = finding_under_pulse(shown, point, motion);
   result.finding->constraints = constraints_of(request, point, worst, region);
   result.finding->pulse->even_tolerance = even_tolerance(request, region, point, unit_f);
   result.finding->pulse->worst = worst_of(problem, region, worst);
   result.finding->works_for = works_for(problem, limits, point.f, point.delta);
+  const Oscillator damper{shown.p, point.f, point.delta};
+  add_practice(*result.finding, problem, limits, shown, damper, result.finding->response);
+  add_delta1(*result.finding, problem, point.f);
 }
 
 }  // namespace stillpoint::design

@@ -94,8 +94,8 @@ void compare(CheckMethod& method, const Tolerance& tolerance, const FirstReturn&
 
 }  // namespace
 
-Found finding_under_pulse(const PulseProblem& problem, const Limits& limits,
-                          const DesignPoint& point, const FirstReturn& expected) {
+Found finding_under_pulse(const PulseProblem& problem, const DesignPoint& point,
+                          const FirstReturn& expected) {
   Found finding;
   finding.point = point;
   const auto& [f, delta, tolerance] = point;
@@ -129,8 +129,6 @@ Found finding_under_pulse(const PulseProblem& problem, const Limits& limits,
   add_reduction(check, problem, f);
   check.warnings = warnings(check);
   finding.response = response;
-  finding.practice =
-      practice(oscillator, response, limits.acceleration_max, peak_load(problem.pulse));
   finding.cross_check = {forced.passed && integrated.passed, {forced, integrated}};
   finding.pulse = std::move(check);
   return finding;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/design/region.hpp>
 
+#include "found.hpp"
 #include "pulse/answer.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
@@ -52,8 +53,7 @@ RegionAnswer answer(const RegionRequest& request) {
   }
   answer.strips = strips(problem, limits);
   if (f) {
-    answer.delta1_published = delta1_published(problem, *f);
-    answer.delta1_exact = delta1_exact(problem, *f);
+    add_delta1(answer, problem, *f);
   }
   if (f && delta) {
     answer.constraints = constraints(problem, limits, *f, *delta);
@@ -66,7 +66,7 @@ RegionAnswer answer(const RegionRequest& request) {
     const Oscillator oscillator{problem.p, *f, *delta};
     answer.response = response_of(oscillator, problem.v0);
     if (answer.works_for && answer.response) {
-      answer.practice = practice(oscillator, *answer.response, limits.acceleration_max);
+      add_practice(answer, problem, limits, oscillator, *answer.response);
     }
   }
   return answer;

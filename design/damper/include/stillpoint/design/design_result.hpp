@@ -33,8 +33,12 @@ struct Found {
   std::optional<SearchRecord> search;  ///< empty for a part of a catalogue
   CrossCheck cross_check;
   std::optional<WorksFor> works_for;
-  std::optional<Practice> practice;  ///< of `response`
-  std::optional<PulseCheck> pulse;   ///< if a pulse moves the mass
+  std::optional<Practice> practice;        ///< of `response`
+  std::optional<Practice> practice_worst;  ///< for ranges of a hit, of their ends
+  std::optional<double> notch_width_min;   ///< as in practice, enough for all ranges
+  std::optional<double> delta1_published;  ///< the least Delta for this f; see RegionAnswer
+  std::optional<double> delta1_exact;
+  std::optional<PulseCheck> pulse;  ///< if a pulse moves the mass
 };
 
 /// The whole answer to a request. Without a finding the region is empty.

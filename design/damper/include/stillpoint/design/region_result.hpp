@@ -66,8 +66,10 @@ struct RegionAnswer : RegionVerdict {
   std::optional<double> tolerance{};         ///< the largest that the damper has
   std::optional<std::int64_t> arrival{};     ///< of an admissible one, at which it stops
   std::vector<Constraint> constraints{};
-  std::optional<WorksFor> works_for{};  ///< these two if the point itself is admissible
+  std::optional<WorksFor> works_for{};  ///< these if the point itself is admissible
   std::optional<Practice> practice{};
+  std::optional<Practice> practice_worst{};  ///< for ranges of a hit, of their ends
+  std::optional<double> notch_width_min{};   ///< as in practice, enough for all ranges
   /// Of the motion, with ranges that of the strongest hit and the softest spring. Empty if it has
   /// too many half-cycles.
   std::optional<Response> response{};
