@@ -107,10 +107,7 @@ std::string verdict(const DesignReport& report) {
 Document document(const DesignReport& report) {
   const design::DesignResult& result = report.result;
   const Physical& physical = report.physical;
-  Document document;
-  document.title = "Damper design";
-  document.verdict = verdict(report);
-  document.tone = result.finding ? Tone::good : Tone::bad;
+  Document document = answered("Damper design", report, result.finding ? Tone::good : Tone::bad);
   if (result.finding) {
     const ShownDamper shown = shown_damper(report);
     add_answer(document.answer, report, shown);

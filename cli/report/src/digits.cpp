@@ -17,10 +17,6 @@ std::string digits(double value) {
   return fmt::format("{:.6g}", value);
 }
 
-std::string digits(const std::optional<double>& value) {
-  return value ? digits(*value) : "none";
-}
-
 std::string few_digits(double value) {
   constexpr double million = 1e6;
   const double shown = decimal(value, 4);
@@ -111,16 +107,12 @@ std::string interval_digits(double low, double high) {
   return fmt::format("{} to {}", low, high);
 }
 
-std::string whole(const std::optional<double>& count) {
-  constexpr double exact = 9007199254740992;  // 2^53
-  if (!count) {
-    return "none";
-  }
-  return *count <= exact ? fmt::format("{:.0f}", *count) : digits(*count);
-}
-
 std::string plural(const std::optional<double>& count, std::string_view one) {
-  return fmt::format("{} {}{}", whole(count), one, count == 1.0 ? "" : "s");
+  constexpr double exact = 9007199254740992;  // 2^53
+  const std::string number = !count            ? "none"
+                             : *count <= exact ? fmt::format("{:.0f}", *count)
+                                               : digits(*count);
+  return fmt::format("{} {}{}", number, one, count == 1.0 ? "" : "s");
 }
 
 }  // namespace stillpoint::report

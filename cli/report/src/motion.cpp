@@ -149,9 +149,8 @@ std::string verdict(const MotionReport& report) {
 }
 
 Document document(const MotionReport& report) {
-  Document document;
-  document.title = is_forced(report.request) ? "Forced motion" : "Free motion";
-  document.verdict = verdict(report);
+  Document document =
+      answered(is_forced(report.request) ? "Forced motion" : "Free motion", report, Tone::plain);
   add_answer(document.answer, report);
   add_findings(document, report.findings, report.physical);
   if (const auto& half_cycles = report.answer.half_cycles; !half_cycles.empty()) {

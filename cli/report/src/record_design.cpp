@@ -300,10 +300,8 @@ std::string verdict(const RecordDesignReport& report) {
 
 Document document(const RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;
-  Document document;
-  document.title = "Damper under records";
-  document.verdict = verdict(report);
-  document.tone = result.finding ? Tone::good : Tone::bad;
+  Document document =
+      answered("Damper under records", report, result.finding ? Tone::good : Tone::bad);
   if (result.finding) {
     add_answer(document.answer, report);
     add_records(document, result, report.physical);

@@ -233,10 +233,9 @@ Document document(const RegionReport& report) {
   const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
   const design::RegionAnswer& answer = report.answer;
   const Physical& physical = report.physical;
-  Document document;
-  document.title = "Admissible region";
-  document.verdict = verdict(report);
-  document.tone = answer.admissible.value_or(answer.region.feasible) ? Tone::good : Tone::bad;
+  Document document =
+      answered("Admissible region", report,
+               answer.admissible.value_or(answer.region.feasible) ? Tone::good : Tone::bad);
   add_strips(document, problem, answer.strips);
   if (!answer.region.feasible) {
     add_mends(document, answer, task_of(report));

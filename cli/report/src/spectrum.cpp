@@ -57,13 +57,6 @@ bool only_locked(const SpectrumReport& report) {
   });
 }
 
-std::string period_words(const SpectrumReport& report, std::size_t i) {
-  const FigureUnits units(report.physical);
-  return format("a period of {:.4g}{}",
-                2 * std::numbers::pi / report.result.request.p[i] * units.time,
-                units.time_unit.empty() ? "" : " s");
-}
-
 /// "Largest of 2 records"
 std::string whose(const SpectrumReport& report) {
   return design::suite_words(*report.result.request.combine, report.result.records.size());
@@ -76,8 +69,9 @@ std::string friction_words(const SpectrumReport& report) {
   const auto largest = [&](const auto& value, const auto& words) {
     const auto most = std::ranges::max_element(
         points, {}, [&](const SpectrumPoint& point) { return value(point.without); });
+    const auto at = static_cast<std::size_t>(most - points.begin());
     return format("{} at {}", words(value(most->without)),
-                  period_words(report, static_cast<std::size_t>(most - points.begin())));
+                  period_words(report.physical, report.result.request.p[at]));
   };
   const auto length = [&](double value) { return units.length_words(value); };
   const bool settles = std::ranges::all_of(
@@ -169,9 +163,7 @@ std::string verdict(const SpectrumReport& report) {
 
 Document document(const SpectrumReport& report) {
   const design::Spectrum& result = report.result;
-  Document document;
-  document.title = "Response spectrum";
-  document.verdict = verdict(report);
+  Document document = answered("Response spectrum", report, Tone::plain);
   add_damper(document.answer, report);
   add_findings(document, result.findings, report.physical);
   const std::size_t count = result.records.size();

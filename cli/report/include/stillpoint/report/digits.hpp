@@ -11,8 +11,6 @@ namespace stillpoint::report {
 
 /// Six significant digits: "0.259325", "1.2e-09".
 [[nodiscard]] std::string digits(double value);
-/// The same, or "none".
-[[nodiscard]] std::string digits(const std::optional<double>& value);
 /// Four, without an exponent below a million: "0.2593", "19240".
 [[nodiscard]] std::string few_digits(double value);
 /// Five digits, the unit and the prefix that fits: "12.1 mm", "3.46 kN"; lengths in m or mm.
@@ -34,9 +32,8 @@ inline constexpr int every_digit = 10;
 [[nodiscard]] double end_or_asked(double end, double asked);
 /// A number of the range that six digits write, or as many as it takes.
 [[nodiscard]] double decimal_within(double low, double high);
-/// A count: every digit up to 2^53, six for larger ones; or "none".
-[[nodiscard]] std::string whole(const std::optional<double>& count);
-/// "1 turning point", "2 turning points".
+/// "1 turning point", "2 turning points", with every digit up to 2^53, six of larger counts; or
+/// "none".
 [[nodiscard]] std::string plural(const std::optional<double>& count, std::string_view one);
 
 }  // namespace stillpoint::report

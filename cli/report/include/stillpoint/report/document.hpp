@@ -9,6 +9,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -63,6 +64,12 @@ struct Document {
   Section& section(std::string heading);
   Section& detail(std::string heading);
 };
+
+/// Of a report that has verdict(), without its rows.
+template <class Report>
+[[nodiscard]] Document answered(std::string title, const Report& report, Tone tone) {
+  return {.title = std::move(title), .verdict = verdict(report), .tone = tone};
+}
 
 /// How much of a document the text shows: the answer without details, or everything.
 enum class Verbosity { normal, full };
