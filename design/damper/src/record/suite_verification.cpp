@@ -128,7 +128,7 @@ BoxedDamper SuiteSearch::mended(const BoxedDamper& failed, const SuiteFigures& w
                         worst_places_.end() - static_cast<std::ptrdiff_t>(most_learnt));
   }
   tighten(worst);
-  return polished(failed, first_step());
+  return polished(failed, first_step() / 4);
 }
 
 /// The likeliest is tried first, so that one which has to be mended waits for those that are as
@@ -150,7 +150,7 @@ std::optional<VerifiedBox> SuiteSearch::verified(const std::vector<BoxedDamper>&
   std::size_t count = 0;
   const auto is_hopeless = [&](const Candidate& each) {
     return each.failures == most_failures || !admissible(each.box.worst, limits_) ||
-           merit(each.box) >= bar;
+           each.box.rank.value >= bar;
   };
   while (count < most_verified && !watch_.stopped()) {
     std::erase_if(left, is_hopeless);
