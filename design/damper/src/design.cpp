@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/design/design.hpp>
 
+#include "figures_of_damper.hpp"
 #include "found.hpp"
 
 #include <stillpoint/core/oscillator.hpp>

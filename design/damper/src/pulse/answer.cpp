@@ -3,6 +3,7 @@
 
 #include "pulse/answer.hpp"
 
+#include "figures_of_damper.hpp"
 #include "found.hpp"
 #include "pulse/verdict.hpp"
 

@@ -143,6 +143,7 @@ std::optional<VerifiedBox> SuiteSearch::verified(const std::vector<BoxedDamper>&
   };
   const SuiteLimits given = goal_.limits;
   std::vector<Candidate> left;
+  left.reserve(candidates.size());
   for (const BoxedDamper& box : candidates) {
     left.push_back({box, given, 0, {}});
   }
