@@ -128,7 +128,7 @@ BoxedDamper SuiteSearch::mended(const BoxedDamper& failed, const SuiteFigures& w
                         worst_places_.end() - static_cast<std::ptrdiff_t>(most_learnt));
   }
   tighten(worst);
-  return polished(failed, first_step() / 4);
+  return polished(failed, first_step());
 }
 
 /// The likeliest is tried first, so that one which has to be mended waits for those that are as
