@@ -9,7 +9,6 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -67,8 +66,8 @@ struct Document {
 
 /// Of a report that has verdict(), without its rows.
 template <class Report>
-[[nodiscard]] Document answered(std::string title, const Report& report, Tone tone) {
-  return {.title = std::move(title), .verdict = verdict(report), .tone = tone};
+[[nodiscard]] Document answered(const std::string& title, const Report& report, Tone tone) {
+  return {.title = title, .verdict = verdict(report), .tone = tone};
 }
 
 /// How much of a document the text shows: the answer without details, or everything.
