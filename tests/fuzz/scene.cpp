@@ -66,7 +66,7 @@ void show(const Report& report, const Settings& settings) {
   } else if (settings.flag("json")) {
     static_cast<void>(json(report).dump());
   } else {
-    static_cast<void>(shown(document(report), settings));
+    static_cast<void>(shown(report, settings));
   }
 }
 
@@ -145,8 +145,7 @@ void compute(report::SweepReport report, const Settings& settings) {
     sweep::Reducer reducer(spec);
     const auto summary = sweep::run(spec, rows, {{}, {}, nullptr, &reducer});
     const auto reduced = report::reduction_report(spec, summary, reducer.result());
-    static_cast<void>(settings.flag("json") ? json(reduced).dump()
-                                            : shown(document(reduced), settings));
+    static_cast<void>(settings.flag("json") ? json(reduced).dump() : shown(reduced, settings));
     return;
   }
   if (wants_page(settings)) {
@@ -154,7 +153,7 @@ void compute(report::SweepReport report, const Settings& settings) {
   }
   report.summary = sweep::run(spec, rows, {{}, {}, report.map ? &*report.map : nullptr});
   static_cast<void>(report.map ? html(page(report))
-                               : json(report).dump() + shown(document(report), settings));
+                               : json(report).dump() + shown(report, settings));
 }
 
 void run_sweep(Settings settings) {
