@@ -3,6 +3,7 @@
 #include "format.hpp"
 #include "sections.hpp"
 
+#include <stillpoint/core/field.hpp>
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/document.hpp>
 
@@ -28,17 +29,16 @@ struct SiUnit {
 };
 // Those that end in others first.
 constexpr std::array si_units{SiUnit{"_m_per_s2", "m/s2"},
-                              SiUnit{"_m_per_s", "m/s"},
+                              SiUnit{si_suffix(Dimension::velocity), "m/s"},
                               SiUnit{"_rad_per_s", "rad/s"},
                               SiUnit{"_n_per_m", "N/m", true},
-                              SiUnit{"_per_s", "per second"},
-                              SiUnit{"_n_s", "N s", true},
-                              SiUnit{"_n", "N", true},
-                              SiUnit{"_j", "J", true},
+                              SiUnit{si_suffix(Dimension::impulse), "N s", true},
+                              SiUnit{si_suffix(Dimension::force), "N", true},
+                              SiUnit{si_suffix(Dimension::energy), "J", true},
                               SiUnit{"_kg", "kg"},
                               SiUnit{"_hz", "Hz"},
-                              SiUnit{"_m", "m", true},
-                              SiUnit{"_s", "s", true}};
+                              SiUnit{si_suffix(Dimension::length), "m", true},
+                              SiUnit{si_suffix(Dimension::time), "s", true}};
 
 SiUnit unit_of(std::string_view name) {
   const auto* const found =
@@ -75,7 +75,7 @@ bool is_list_of_objects(const ordered_json& value) {
 bool has_twin(const ordered_json& object, const std::string& name) {
   return std::ranges::any_of(si_units, [&](const SiUnit& now) {
     const auto twin = object.find(name + std::string(now.suffix));
-    return now.suffix != "_per_s" && twin != object.end() && !twin->is_null();
+    return twin != object.end() && !twin->is_null();
   });
 }
 

@@ -186,11 +186,8 @@ class TaskSearch {
     std::optional<VerifiedBox> nearest;
     for (const Mapped& here : maps_) {
       SuiteSearch search(suite_, task_, here.space, goal, watch_);
-      std::vector<BoxedDamper> found = here.scan.map().best(goal, 1);
-      if (here.nearest) {
-        found = {*here.nearest};
-      }
-      for (const BoxedDamper& each : found) {
+      for (const BoxedDamper& each :
+           here.nearest ? std::vector{*here.nearest} : here.scan.map().best(goal, 1)) {
         VerifiedBox box = search.tried(each.damper);
         if (!nearest || box.box.rank < nearest->box.rank) {
           nearest = box;

@@ -183,6 +183,7 @@ std::optional<VerifiedBox> SuiteSearch::verified(const std::vector<BoxedDamper>&
       bar = box.box.rank.value;
       ++count;
     }
+    // Limits that were tightened may leave room: once more without, by the samples learnt since.
     if (next->failures > 1 && next->failures < most_failures) {
       goal_.limits = given;
       *next = {polished(box.box, first_step()), given, most_failures - 1, {}};
