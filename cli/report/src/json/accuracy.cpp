@@ -67,7 +67,7 @@ struct ShownMethod {
         fields_if_any(
             &Now::run,
             std::tuple{
-                Field{"wall_time_s", [](const auto& row) { return row.time.median; },
+                Field{"wall_time_s", [](const MethodRow& shown) { return shown.time.median; },
                       "the median of repeated runs; null, like all that follows, for a method that "
                       "was not run"},
                 Field{"peak_error", &MethodRow::peak_error, "relative to the peak"},
