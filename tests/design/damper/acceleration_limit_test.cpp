@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "damper.hpp"
-#include "scan.hpp"
 
 BOOST_AUTO_TEST_SUITE(acceleration_limit_test)
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "arrivals_task.hpp"
+#include "any_task.hpp"
 #include "damper.hpp"
 
 BOOST_AUTO_TEST_SUITE(arrivals_test)
@@ -10,7 +10,6 @@ BOOST_AUTO_TEST_SUITE(arrivals_test)
 namespace {
 
 using namespace stillpoint::design_test;
-using namespace stillpoint::design_test::of_arrivals;
 
 /// Relative; nearer to a tie than that, the rounding of the simulation decides.
 constexpr double undecided_within = 1e-12;
@@ -127,6 +126,34 @@ BOOST_AUTO_TEST_CASE(a_damper_that_stops_the_mass_too_late_is_explained) {
   const Region narrow = admissible_region(problem, wide);
   BOOST_TEST((narrow.conflict == Conflict::no_arrival));
   BOOST_TEST(reason(narrow, problem, wide)->find("first 3 arrivals") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(the_room_along_the_reach_edge_changes_its_sign_once) {
+  // (50) with both sides followed back by (39), in long double; phi_b = 1.
+  const auto square = [](long double phi, long double d, long double radius, int steps) {
+    for (int i = 0; i < steps; ++i) {
+      radius = 2 * phi + std::sqrt(radius * radius + d);
+    }
+    return radius * radius - phi * phi;
+  };
+  int changed = 0;
+  for (const int n : {2, 3, 4, 5, 7, 10, 20, 50, 200}) {
+    // Above kappa = 1 - 1/n the room is positive at last, (51); at 1 it is an identity.
+    for (int k = 1; k < 60; ++k) {
+      const long double kappa = k / 60.0L;
+      int changes = 0;
+      bool positive = false;
+      for (int i = 0; i <= 600; ++i) {
+        const long double delta = std::pow(10.0L, -6 + i / 40.0L);
+        const bool now = square(kappa, kappa * delta, kappa, n) > square(1, delta, 3, n - 1);
+        changes += now != positive;
+        positive = now;
+      }
+      BOOST_TEST(changes <= 1, "n = " << n << ", kappa = " << static_cast<double>(kappa));
+      changed += changes;
+    }
+  }
+  BOOST_TEST(changed > 20);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "any_task.hpp"
 #include "damper.hpp"
-#include "ranges_task.hpp"
 
 BOOST_AUTO_TEST_SUITE(ranges_mends_test)
 
 // What would help if no damper serves the ranges or has the tolerance.
 
 using namespace stillpoint::design_test;
-using namespace stillpoint::design_test::in_ranges;
+using namespace stillpoint::design_test;
 
 BOOST_AUTO_TEST_CASE(an_unattainable_tolerance_is_reported_with_the_largest_one) {
   constexpr double more =
@@ -17,7 +17,7 @@ BOOST_AUTO_TEST_CASE(an_unattainable_tolerance_is_reported_with_the_largest_one)
   int not_at_fault = 0;
   for (int i = 0; i < 300; ++i) {
     RandomSource random(1'207'000 + static_cast<std::uint64_t>(i));
-    Task task = random_task(random);
+    Task task = any_task(random);
     Problem& problem = task.problem;
     Limits& limits = task.limits;
     problem.beta *= 0.95;

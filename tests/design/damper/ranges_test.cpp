@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "any_task.hpp"
 #include "damper.hpp"
-#include "ranges_task.hpp"
 
 BOOST_AUTO_TEST_SUITE(ranges_test)
 
@@ -10,7 +10,7 @@ BOOST_AUTO_TEST_SUITE(ranges_test)
 namespace {
 
 using namespace stillpoint::design_test;
-using namespace stillpoint::design_test::in_ranges;
+using namespace stillpoint::design_test;
 
 double percent(const Problem& problem, const Limits& limits = {}) {
   const auto found = search(problem, limits);
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(a_point_is_admissible_where_every_row_is_satisfied) {
   std::array<int, 2> seen{};
   for (std::uint64_t seed = 1'260'000; seed < 1'290'000; ++seed) {
     RandomSource random(seed);
-    const Task task = random_task(random);
+    const Task task = any_task(random);
     const Problem& problem = task.problem;
     const double f = problem.v0 * problem.p * random.log_uniform(1e-3, 2);
     const double delta =
@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(every_simulated_point_of_a_box_in_ranges_is_admissible) {
   int decided = 0;
   for (std::uint64_t seed = 1'201'000; in_ranges < wanted; ++seed) {
     RandomSource random(seed);
-    const Task task = random_task(random);
+    const Task task = any_task(random);
     const Objective objective = random_objective(random);
     const auto found = search(task.problem, task.limits, {objective, {}, 20'000, 10});
     if (!found) {
@@ -191,27 +191,47 @@ BOOST_AUTO_TEST_CASE(every_simulated_point_of_a_box_in_ranges_is_admissible) {
                             << " of them in ranges; " << points - decided << " undecided");
 }
 
-BOOST_AUTO_TEST_CASE(a_design_in_ranges_is_reported_and_cross_checked) {
+BOOST_AUTO_TEST_CASE(a_design_carries_all_that_its_report_needs) {
   int off_centre = 0;
   int later = 0;
-  for (int i = 0; i < 400; ++i) {
+  int first = 0;
+  for (int i = 0; i < 1500; ++i) {
     RandomSource random(1'204'000 + static_cast<std::uint64_t>(i));
-    const Task task = random_task(random);
+    Task task = any_task(random);
+    if (i % 3 == 0) {
+      // The strip of Delta is as thin as the spread of the hits, so that rounding decides at its
+      // end.
+      task.problem.v0_low = task.problem.v0 * (1 - random.log_uniform(1e-15, 1e-3));
+    }
     const Objective objective = random_objective(random);
     const DesignResult result =
         design::design({task.problem, task.limits, {objective, {}, 20'000, 10}, {}});
     BOOST_TEST_CONTEXT(context_of(task)) {
+      BOOST_TEST(result.region.feasible == result.finding.has_value());
+      BOOST_TEST(result.reason.has_value() == !result.finding);
       if (!result.finding) {
-        BOOST_TEST(result.reason.has_value());
-        BOOST_TEST(!result.region.feasible);
         continue;
       }
+      BOOST_TEST(result.mends.empty());
       const Found& finding = *result.finding;
+      BOOST_TEST(finding.point.f >= *result.region.f_lower);
+      BOOST_TEST(finding.point.f <= *result.region.f_upper);
+      BOOST_TEST(finding.response.peak_amplitude <= task.problem.beta);
+      BOOST_TEST(finding.search.value().evaluations > 0);
+      BOOST_TEST(finding.search->wall_time_s >= 0);
+      BOOST_TEST(finding.search->algorithm == "LD_SLSQP");
       off_centre += !finding.arrival;
       later += finding.arrival.value_or(0) > 1;
       if (finding.arrival) {
         BOOST_TEST(finding.response.stops_at_zero);
         BOOST_TEST(*finding.response.half_cycles == static_cast<double>(*finding.arrival));
+      }
+      if (finding.arrival == 1 && !task.problem.residual) {
+        // B >= 2 f at a return: E_s/E_h >= 1, d/d_rm >= 2.
+        ++first;
+        BOOST_TEST(finding.practice->energy_ratio.value_or(1) >= 1 - 1e-13);
+        BOOST_TEST(finding.practice->residual_ratio.value_or(2) >= 2 - 2e-13);
+        BOOST_TEST(*finding.practice->notch_used <= 1);
       }
       BOOST_TEST(finding.cross_check.passed);
       // Where the arrival grazes, at most half of the digits are lost.
@@ -220,37 +240,12 @@ BOOST_AUTO_TEST_CASE(a_design_in_ranges_is_reported_and_cross_checked) {
       for (const Constraint& constraint : finding.constraints) {
         BOOST_TEST(constraint.satisfied, constraint.name);
       }
-      BOOST_REQUIRE(finding.works_for.has_value());
-      const auto& [v0, p] = *finding.works_for;
-      BOOST_TEST(v0.low <= task.problem.v0_low.value_or(task.problem.v0));
-      BOOST_TEST(*v0.high >= task.problem.v0);
-      BOOST_TEST(p.low <= task.problem.p);
-      BOOST_TEST(p.high.value_or(HUGE_VAL) >= task.problem.stiffest_p());
+      BOOST_TEST(finding.works_for.has_value());
     }
   }
   BOOST_TEST(off_centre > 0);
   BOOST_TEST(later > 0);
-}
-
-/// The strip of Delta is as thin as the spread of the hits, so that rounding decides at its end.
-BOOST_AUTO_TEST_CASE(hits_of_nearly_equal_strength_meet_each_row_of_their_design) {
-  int designs = 0;
-  for (std::uint64_t seed = 1'210'000; seed < 1'211'000; ++seed) {
-    RandomSource random(seed);
-    DesignRequest request;
-    request.problem = random_problem(random, 0.75, 2);
-    Problem& problem = request.problem;
-    problem.v0_low = problem.v0 * (1 - random.log_uniform(1e-15, 1e-3));
-    problem.arrivals = 1 + random.pick(2);
-    request.search.objective = random_objective(random);
-    if (const auto finding = design::design(request).finding) {
-      ++designs;
-      for (const Constraint& constraint : finding->constraints) {
-        BOOST_TEST(constraint.satisfied, constraint.name << " of seed " << seed);
-      }
-    }
-  }
-  BOOST_TEST(designs > 900);
+  BOOST_TEST(first > 200);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

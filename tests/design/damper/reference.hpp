@@ -53,31 +53,6 @@ class Reference {
     return (atan2(Precise(v0_ * p_), f) + down) / p_;
   }
 
-  /// Whether every point of the box f (1 +- tolerance), delta (1 +- tolerance) is admissible, by
-  /// looking at points of its boundary and inside.
-  [[nodiscard]] bool box_admissible(const design::Limits& limits, const Precise& f,
-                                    const Precise& delta, const Precise& tolerance) const {
-    constexpr int steps = 4;
-    for (int i = -steps; i <= steps; ++i) {
-      for (int j = -steps; j <= steps; ++j) {
-        const Precise at_f = f * (1 + tolerance * i / steps);
-        const Precise at_delta = delta * (1 + tolerance * j / steps);
-        if (!point_admissible(limits, at_f, at_delta)) {
-          return false;
-        }
-      }
-    }
-    return true;
-  }
-
-  [[nodiscard]] bool point_admissible(const design::Limits& limits, const Precise& f,
-                                      const Precise& delta) const {
-    return f < f1() && f >= f2() && f <= f3() && delta > delta1(f) && delta <= delta2() &&
-           (!limits.f_max || f <= *limits.f_max) &&
-           (!limits.delta_max || delta <= *limits.delta_max) &&
-           (!limits.acceleration_max || s(f) <= *limits.acceleration_max);
-  }
-
  private:
   Precise v0_;
   Precise p_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "any_task.hpp"
 #include "damper.hpp"
-#include "ranges_task.hpp"
 
 BOOST_AUTO_TEST_SUITE(residual_test)
 
@@ -10,7 +10,7 @@ BOOST_AUTO_TEST_SUITE(residual_test)
 namespace {
 
 using namespace stillpoint::design_test;
-using namespace stillpoint::design_test::in_ranges;
+using namespace stillpoint::design_test;
 
 Response motion_of(const Sample& at) {
   return free_response({at.p, at.f, at.delta}, {0, at.v0}, {.times = false});

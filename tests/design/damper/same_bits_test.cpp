@@ -2,9 +2,9 @@
 // Another version of NLopt, or another processor, moves the last digits of what NLopt returns. Here
 // each of its runs starts a relative 1e-9 aside, so that every step of it differs, and what it
 // returns is 1e-11 off. No bit of a design may change.
+#include "any_task.hpp"
 #include "damper.hpp"
 #include "pulse/random_pulse.hpp"
-#include "ranges_task.hpp"
 
 #include <fmt/format.h>
 
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(of_a_design_for_a_hit) {
 BOOST_AUTO_TEST_CASE(of_a_design_with_ranges_and_residuals) {
   for (std::uint64_t seed = 1'302'000; seed < 1'302'300; ++seed) {
     RandomSource random(seed);
-    const Task task = in_ranges::random_task(random);
+    const Task task = any_task(random);
     for (const Objective objective : objectives) {
       check_bits([&] { return searched(task.problem, task.limits, objective); },
                  fmt::format("{}, {}", name(objective), context_of(task)));

@@ -52,6 +52,8 @@ struct Task {
     Task changed = *this;
     if (name == "arrivals") {
       changed.problem.arrivals = static_cast<std::int64_t>(value);
+    } else if (name == "residual") {
+      changed.problem.residual = value;
     } else {
       changed.input(name) = value;
     }

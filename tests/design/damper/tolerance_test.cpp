@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "any_task.hpp"
+#include "by_map.hpp"
 #include "damper.hpp"
 
 #include <stillpoint/design/tolerance.hpp>
@@ -9,60 +11,41 @@ namespace {
 
 using namespace stillpoint::design_test;
 
-/// Of R: relative where it is large, absolute where f and Delta themselves are rounded.
-constexpr double r_relative = 1e-9;
-constexpr double r_absolute = 2e-15;
-
-Limits random_limits(RandomSource& random, const Region& region) {
-  Limits limits;
-  random.one_in(2, limits.f_max, [&] { return region.f3 * random.uniform(0.3, 1.1); });
-  random.one_in(2, limits.delta_max, [&] { return *region.delta2 * random.uniform(0.3, 1.1); });
-  random.one_in(3, limits.acceleration_max,
-                [&] { return std::sqrt(8.0) * region.f3 * random.uniform(1, 1.1); });
-  return limits;
-}
-
-/// The box is admissible at r, and not beyond it.
-void check_largest(const Reference& reference, const Limits& limits, const DesignPoint& at) {
-  const Precise inner = Precise(at.tolerance) * (1 - r_relative) - r_absolute;
-  const Precise outer = Precise(at.tolerance) * (1 + r_relative) + r_absolute;
-  BOOST_TEST((inner < 0 || reference.box_admissible(limits, at.f, at.delta, inner)));
-  BOOST_TEST(!reference.box_admissible(limits, at.f, at.delta, outer), "r = " << at.tolerance);
-}
+/// Of R: f and Delta themselves are rounded.
+constexpr double rounding = 4e-15;
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(the_box_is_admissible_at_the_largest_tolerance_and_not_beyond) {
+BOOST_AUTO_TEST_CASE(the_largest_tolerance_of_any_point_is_that_of_the_map) {
   RandomSource random(401);
   int met = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const Problem problem = random_feasible_problem(random);
-    const Region region = admissible_region(problem);
-    const Limits limits = random_limits(random, region);
-    const double f = region.f3 * random.uniform(0, 1);
-    const double delta = *region.delta2 * random.uniform(0, 1);
-    const Reference reference(problem);
+  int later = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const Task task = one_hit_task(random);
+    const auto& [problem, limits, seed] = task;
+    const double f = problem.v0 * problem.p * random.log_uniform(1e-3, 0.4);
+    const double delta = problem.v0 * problem.v0 * random.uniform(0, 0.5);
     const std::optional<double> r = largest_tolerance(problem, limits, f, delta);
-    BOOST_TEST(r.has_value() == reference.box_admissible(limits, f, delta, 0));
-    if (!r) {
-      continue;
+    BOOST_TEST_CONTEXT("point " << i << ": f = " << f << ", delta = " << delta << ", "
+                                << context_of(task)) {
+      BOOST_TEST(std::abs(r.value_or(-1) - by_map::tolerance(task, f, delta)) <= rounding);
+      BOOST_TEST((!r || admissible(problem, with_tolerance(limits, *r), f, delta)));
     }
-    ++met;
-    BOOST_TEST(admissible(problem, with_tolerance(limits, *r), f, delta));
-    check_largest(reference, limits, {f, delta, *r});
+    met += r.has_value();
+    later += r && arrival_of(problem, f, delta).value() > 1;
   }
-  BOOST_TEST(met > 300);
+  BOOST_TEST(met > 2000);
+  BOOST_TEST(later > 500);
 }
 
 BOOST_AUTO_TEST_CASE(near_every_edge_the_tolerance_is_the_distance_to_it) {
   RandomSource random(402);
   for (int i = 0; i < 2000; ++i) {
-    const Problem problem = random_problem(random, 0.75, 0.95);
-    const Reference reference(problem);
-    const Region region = admissible_region(problem);
+    const Task task{random_problem(random, 0.75, 0.95), {}};
+    const Region region = admissible_region(task.problem);
     const double distance = random.log_uniform(1e-12, 1e-3);
     double f = region.f2 + (region.f3 - region.f2) * random.uniform(0.2, 0.8);
-    const double lowest = delta1(problem, f).value();
+    const double lowest = delta1(task.problem, f).value();
     double delta = lowest + (*region.delta2 - lowest) * 0.5;
     switch (random.pick(4)) {
       case 0:
@@ -79,9 +62,8 @@ BOOST_AUTO_TEST_CASE(near_every_edge_the_tolerance_is_the_distance_to_it) {
         delta = lowest * (1 + distance);
         break;
     }
-    const std::optional<double> r = largest_tolerance(problem, {}, f, delta);
-    BOOST_REQUIRE(r.has_value());
-    check_largest(reference, {}, {f, delta, *r});
+    const double r = largest_tolerance(task.problem, {}, f, delta).value();
+    BOOST_TEST(std::abs(r - by_map::tolerance(task, f, delta)) <= rounding);
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "any_task.hpp"
+#include "by_map.hpp"
 #include "damper.hpp"
-#include "scan.hpp"
 
 BOOST_AUTO_TEST_SUITE(trade_off_test)
 
@@ -46,24 +47,6 @@ Merits merits_of(const Problem& problem, double f, double tolerance) {
           static_cast<double>(more), tolerance};
 }
 
-/// A task of one to five arrivals, with limits or without.
-struct Asked {
-  Problem problem;
-  Limits limits;
-};
-
-Asked random_task(RandomSource& random, int arrivals) {
-  Asked task{random_problem(random, 0.75, 1.5), {}};
-  task.problem.arrivals = 1 + random.pick(arrivals);
-  const double p_v0 = task.problem.p * task.problem.v0;
-  random.one_in(3, task.limits.tolerance, [&] { return random.uniform(0, 0.2); });
-  random.one_in(4, task.limits.f_max, [&] { return random.uniform(0.05, 0.4) * p_v0; });
-  random.one_in(4, task.limits.delta_max,
-                [&] { return random.uniform(0.1, 0.6) * task.problem.v0 * task.problem.v0; });
-  random.one_in(4, task.limits.acceleration_max, [&] { return random.uniform(1.01, 1.07) * p_v0; });
-  return task;
-}
-
 constexpr std::int64_t count = 7;
 constexpr int delta_steps = 200;
 
@@ -73,7 +56,7 @@ BOOST_AUTO_TEST_CASE(goes_from_the_largest_stroke_to_the_least_by_closed_forms) 
   RandomSource random(11);
   int fronts = 0;
   for (int i = 0; i < 150; ++i) {
-    const auto [problem, limits] = random_task(random, 5);
+    const auto [problem, limits, seed] = one_hit_task(random);
     const auto front = trade_off(problem, limits, count);
     BOOST_TEST(front.empty() == !admissible_region(problem, limits).feasible);
     fronts += front.empty() ? 0 : 1;
@@ -99,16 +82,15 @@ BOOST_AUTO_TEST_CASE(has_the_largest_tolerance_of_each_f) {
   RandomSource random(12);
   int points = 0;
   for (int i = 0; i < 60; ++i) {
-    auto [problem, limits] = random_task(random, 1);
-    limits.acceleration_max = {};  // which the scan does not know
-    const Scan scan(problem, limits);
-    for (const TradeOff& now : trade_off(problem, limits, count)) {
+    const Task task = one_hit_task(random);
+    for (const TradeOff& now : trade_off(task.problem, task.limits, count)) {
       ++points;
       const auto& [f, delta, tolerance] = now.damper;
-      BOOST_TEST(std::abs(static_cast<double>(scan.tolerance(f, delta)) - tolerance) <=
-                 tolerance_tolerance);
-      BOOST_TEST(static_cast<double>(scan.best_tolerance(f, delta_steps)) <=
-                 tolerance + tolerance_tolerance);
+      BOOST_TEST(std::abs(by_map::tolerance(task, f, delta) - tolerance) <= tolerance_tolerance);
+      for (int j = 1; j <= delta_steps; ++j) {
+        const double other = task.problem.v0 * task.problem.v0 / 2 * j / delta_steps;
+        BOOST_TEST(by_map::tolerance(task, f, other, tolerance + tolerance_tolerance) < 0);
+      }
     }
   }
   BOOST_TEST(points > 200);
@@ -130,7 +112,7 @@ BOOST_AUTO_TEST_CASE(is_dominated_by_no_admissible_damper) {
   int admissible_ones = 0;
   int dominated = 0;
   for (int i = 0; i < 120; ++i) {
-    const auto [problem, limits] = random_task(random, 5);
+    const auto [problem, limits, seed] = one_hit_task(random);
     const auto front = trade_off(problem, limits, count);
     for (int k = 0; k < 60 && !front.empty(); ++k) {
       const DesignPoint& near_by =
@@ -161,7 +143,7 @@ BOOST_AUTO_TEST_CASE(is_dominated_by_no_admissible_damper) {
 BOOST_AUTO_TEST_CASE(has_no_damper_more_tolerant_than_the_robust_design_and_comes_close) {
   RandomSource random(14);
   for (int i = 0; i < 20; ++i) {
-    const auto [problem, limits] = random_task(random, 4);
+    const auto [problem, limits, seed] = one_hit_task(random);
     const auto front = trade_off(problem, limits, 41);
     const auto robust = search(problem, limits);
     BOOST_TEST(front.empty() == !robust);

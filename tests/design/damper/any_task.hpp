@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Random tasks with ranges of hits and springs, a residual and boxes of any shape, and what the
-// simulation says of points of the box and of the ranges: docs/theory.md section 13.
+// Random tasks after a hit, and what the simulation says of points of a box and of the ranges:
+// docs/theory.md section 13.
 
 #include "random_source.hpp"
 #include "task.hpp"
@@ -16,7 +16,7 @@
 #include <limits>
 #include <optional>
 
-namespace stillpoint::design_test::in_ranges {
+namespace stillpoint::design_test {
 
 using namespace stillpoint::design;
 
@@ -33,10 +33,28 @@ inline Problem ranged(double v0_low, double v0, double p, double p_high, std::in
   return problem;
 }
 
-inline Task random_task(RandomSource& random) {
-  Task task{random_problem(random, 0.75, 2), {}, random.seed()};
+/// One hit on one spring: p beta / V0 from `least` to `most`, up to five arrivals, with limits or
+/// without; many have no damper.
+inline Task one_hit_task(RandomSource& random, double least = 0.75, double most = 1.5) {
+  Task task{random_problem(random, least, most), {}, random.seed()};
   Problem& problem = task.problem;
-  problem.arrivals = 1 + random.pick(4);
+  Limits& limits = task.limits;
+  problem.arrivals = 1 + random.pick(5);
+  const double p_v0 = problem.p * problem.v0;
+  random.one_in(3, limits.f_max, [&] { return p_v0 * random.log_uniform(0.01, 0.4); });
+  random.one_in(4, limits.delta_max,
+                [&] { return problem.v0 * problem.v0 * random.uniform(0.05, 0.5); });
+  random.one_in(4, limits.acceleration_max,
+                [&] { return p_v0 * std::sqrt(1 + random.uniform(0, 0.1)); });
+  random.one_in(2, limits.tolerance, [&] { return random.uniform(0.01, 0.2); });
+  return task;
+}
+
+/// With ranges of hits and springs, a residual and boxes of any shape, or without.
+inline Task any_task(RandomSource& random) {
+  Task task = one_hit_task(random, 0.75, 2);
+  Problem& problem = task.problem;
+  Limits& limits = task.limits;
   random.one_in(2, problem.v0_low, [&] {
     return random.pick(4) == 0 ? 0 : problem.v0 / (1 + random.uniform(0, 0.3));
   });
@@ -44,17 +62,12 @@ inline Task random_task(RandomSource& random) {
   random.one_in(2, problem.residual,
                 [&] { return problem.v0 / problem.p * random.log_uniform(1e-3, 1.5); });
   if (random.pick(2) == 0) {
-    task.limits.shape = {random.uniform(0, 1), 1, random.uniform(0, 1), random.uniform(0, 1)};
+    limits.shape = {random.uniform(0, 1), 1, random.uniform(0, 1), random.uniform(0, 1)};
   }
-  random.one_in(3, task.limits.f_max,
-                [&] { return problem.v0 * problem.p * random.log_uniform(0.01, 0.4); });
-  random.one_in(4, task.limits.delta_max, [&] {  // 0: constant friction alone
-    return random.pick(3) == 0 ? 0 : problem.v0 * problem.v0 * random.uniform(0.1, 0.5);
-  });
-  random.one_in(4, task.limits.acceleration_max, [&] {
-    return problem.stiffest_p() * problem.v0 * std::sqrt(1 + random.uniform(0, 0.1));
-  });
-  task.limits.tolerance = random.pick(2) == 0 ? 0 : random.uniform(0.01, 0.2);
+  random.one_in(12, limits.delta_max, [] { return 0; });  // constant friction alone
+  if (limits.acceleration_max) {
+    *limits.acceleration_max *= problem.stiffest_p() / problem.p;
+  }
   return task;
 }
 
@@ -164,4 +177,4 @@ inline bool paths_are_good(const Task& task, const DesignPoint& centre, double t
          path_is_good({0, 0, 1, 1}, {0, 0, 1, 0}) && path_is_good({0, 0, 1, 0}, {1, 0, 1, 0});
 }
 
-}  // namespace stillpoint::design_test::in_ranges
+}  // namespace stillpoint::design_test
