@@ -46,24 +46,4 @@ BOOST_FIXTURE_TEST_CASE(of_each_scene_fits_a_terminal, Sandbox) {
   }
 }
 
-/// One stops at x = 0, where the notch then holds it against the load; friction holds the other.
-BOOST_FIXTURE_TEST_CASE(of_a_sweep_counts_a_lock_once, Sandbox) {
-  const Arguments loaded(
-      "sweep --v0 1 --p 1 --f 0.3 --excitation harmonic --k 0.01 --lambda 1 --duration 20 "
-      "--reduce");
-  const json counts = run(loaded + "--delta 0,0.4 --json").json();
-  BOOST_TEST(counts["outcomes"]["stopped_at_zero"] == 1);
-  BOOST_TEST(counts["locked_outcomes"]["stopped_at_zero"] == 1);
-  BOOST_TEST(counts["locked_outcomes"]["stopped_in_dead_zone"] == 0);
-}
-
-BOOST_FIXTURE_TEST_CASE(of_a_sweep_says_how_many_end_well, Sandbox) {
-  for (const auto& [more, said] :
-       {std::pair{"--beta 0.5,0.9", "  1 of 2 entries have an admissible design."},
-        {"--beta 0.8,0.9", "  All 2 entries have an admissible design."},
-        {"--f 0.26 --delta 0.37,0.38", "  All 2 motions stop at x = 0."}}) {
-    BOOST_TEST(lines_of(run(Arguments("sweep --v0 1 --p 1 --reduce") + more).out).at(1) == said);
-  }
-}
-
 BOOST_AUTO_TEST_SUITE_END()

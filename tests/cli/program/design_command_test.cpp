@@ -16,31 +16,6 @@ using right::design;
 
 }  // namespace
 
-/// The best is the limit f -> 0, which nobody builds: the text says so, the JSON has the point.
-BOOST_AUTO_TEST_CASE(next_to_no_friction_is_said_in_words) {
-  const Arguments task("--arrivals 2 --f-max 0.1");
-  BOOST_TEST(reported(design(1.1, task))["design"]["f"] < 1e-6);
-  const json least = finding(reported(design(1.1, task)), "least_friction_is_best");
-  BOOST_TEST(near(least["f"], 0.00621, 1e-2));
-  BOOST_TEST(least["tolerance"] == 0.3);
-  for (const json& impulse : reported(design(1.1, task))["practice"]["impulses"]) {
-    BOOST_TEST(near(impulse, 0.5, 1e-6));
-  }
-}
-
-// What a script reads as the tolerance of both frictions must not be more than that.
-BOOST_AUTO_TEST_CASE(echoes_tolerances_of_each_side) {
-  const auto echoed = [&](const char* options) {
-    const json input = reported(design(0.95, Arguments(options)))["input"];
-    return json{input["tolerance"], input["tolerance_f"], input["tolerance_delta"]};
-  };
-  BOOST_TEST(echoed("--tolerance-f 0.75:1.25") == json({0, {0.75, 1.25}, {1, 1}}));
-  BOOST_TEST(echoed("--tolerance 0.125 --tolerance-f 0.25") ==
-             json({0.125, {0.75, 1.25}, {0.875, 1.125}}));
-  BOOST_TEST(echoed("--tolerance 0.125 --tolerance-f 0.875:1") ==
-             json({0, {0.875, 1}, {0.875, 1.125}}));
-}
-
 /// The rows are those that `region` lists for the same point.
 BOOST_AUTO_TEST_CASE(given_limits_have_rows) {
   const Arguments limits("--f-max 0.3 --delta-max 0.45");
@@ -62,6 +37,8 @@ BOOST_AUTO_TEST_CASE(is_the_same_json_in_a_file) {
 
   const ProgramRun both = run(design(0.9, "--json --output report.json"));
   BOOST_TEST(read("report.json") == both.out);
+  BOOST_TEST(run(design(0.6, "--output report.json")).exit_code == 3);  // also without a damper
+  BOOST_TEST(json::parse(read("report.json"))["region"]["feasible"] == false);
 }
 
 /// The report is still printed.

@@ -82,18 +82,6 @@ BOOST_FIXTURE_TEST_CASE(values_of_practice_are_those_of_the_motion_in_units, San
   BOOST_TEST(rests > 0);
 }
 
-BOOST_FIXTURE_TEST_CASE(a_load_on_a_locked_mass_is_in_metres_per_second_squared, Recorded) {
-  const json report =
-      reported("simulate --velocity 0.4 --period 3 --f 0.05 --delta-m 0.01 --record a.txt");
-  BOOST_TEST(near(report["physical"]["largest_load_while_locked_m_per_s2"], 0.4 * gravity, 1e-15));
-}
-
-BOOST_FIXTURE_TEST_CASE(limits_may_be_in_metres, Sandbox) {
-  const json report = reported(isolator + "--period 3 --delta-max-m 0.004");
-  BOOST_TEST(near(number(report, "input", "delta_max"), 0.004 / length, 1e-15));
-  BOOST_TEST(report["physical"]["delta_m"].get<double>() < 0.004);
-}
-
 BOOST_FIXTURE_TEST_CASE(mends_are_in_units_too_and_mend, Sandbox) {
   const auto problem = [](const std::string& velocity, const std::string& period,
                           const std::string& room) {

@@ -11,40 +11,7 @@ namespace {
 
 using namespace stillpoint::cli_test;
 
-const Arguments asked("design --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.05");
-
-/// docs/theory.md section 8: f from 0.1 to 0.25, with the peak 1 - 2 f.
-const Arguments region("region --pulse rectangle --k 0.5 --lambda 1 --p 1 --beta 0.8");
-
-/// Without the option and its value.
-Arguments without(Arguments arguments, const std::string& option) {
-  const auto found = std::ranges::find(arguments, option);
-  BOOST_REQUIRE(found != arguments.end());
-  arguments.erase(found, found + 2);
-  return arguments;
-}
-
 }  // namespace
-
-/// Friction alone is a damper, but it leaves the mass off centre.
-BOOST_AUTO_TEST_CASE(without_a_notch_nothing_stops_the_mass_at_the_centre) {
-  const Arguments design("design --pulse rectangle --k 0.5 --lambda 1 --p 1 --beta 0.8");
-  const Arguments varies("design --pulse half-sine --k 0.4:0.5 --lambda 1 --p 1 --beta 1");
-  const Arguments physical(
-      "design --pulse half-sine --k 5g --pulse-duration 11ms --natural-frequency 10Hz "
-      "--max-displacement 4mm");
-  for (const Arguments& task : {design + "--delta-max 0", varies + "--delta-max 0",
-                                physical + "--delta-max-m 0", region + "--delta-max 0"}) {
-    const json report = json::parse(ending(3, task + "--json").out);
-    check_contains(report["region"]["reason"].get<std::string>(),
-                   {"without a notch (delta = 0) the mass rests up to f/p^2 off centre"});
-    BOOST_TEST(report["region"]["conflict"] == json::array({"stop", "delta_max"}));
-  }
-  write("parts.csv", "name,f,delta\nplain,0.15,0\n");
-  const json choice = json::parse(ending(3, design + "--catalogue parts.csv --json").out);
-  BOOST_TEST(choice["catalogue"][0]["admissible"] == false);
-  BOOST_TEST(choice["catalogue"][0]["violates"][0]["name"] == "stop");
-}
 
 /// A pulse between the ends may leave it farther out than the strongest; the weakest may not move
 /// it.
@@ -95,20 +62,6 @@ BOOST_AUTO_TEST_CASE(a_length_of_a_pulse_may_be_given_as_any_range) {
   BOOST_TEST(near(by_hertz["input"]["p_range"][1], 2.1 / 1.9, 1e-12));
 }
 
-BOOST_AUTO_TEST_CASE(without_a_design_the_mends_are_in_terms_of_the_pulse) {
-  Arguments tight = without(asked, "--beta");
-  tight = tight + "--beta 0.02";
-  const ProgramRun run = this->ending(3, tight + "--json");
-  const json report = run.json();
-  BOOST_TEST(report["design"].is_null());
-  BOOST_TEST(report["pulse"].is_null());
-  std::vector<std::string> inputs;
-  for (const json& mend : report["mends"]) {
-    inputs.push_back(mend["input"]);
-  }
-  BOOST_TEST((inputs == std::vector<std::string>{"k", "lambda", "p", "beta"}));
-}
-
 /// For a pulse given in seconds the suggested change is in seconds, as it can be given.
 BOOST_AUTO_TEST_CASE(a_duration_as_printed_makes_it_feasible) {
   const auto lasting = [](const std::string& duration) {
@@ -122,22 +75,6 @@ BOOST_AUTO_TEST_CASE(a_duration_as_printed_makes_it_feasible) {
   succeed(lasting(found[1].str() + "s"));
   constexpr double beyond = 1 + 1e-4;  // five digits are printed
   BOOST_TEST(run(lasting(in_full(beyond * std::stod(found[1])) + "s")).exit_code == 3);
-}
-
-// With metres and seconds H = g / omega^2, so that p = 1 and lambda is a ratio of frequencies.
-BOOST_AUTO_TEST_CASE(physical_input_goes_with_a_pulse) {
-  const json report = reported(
-      "design --pulse half-sine --k 0.5 --lambda 20 --period 2 "
-      "--max-displacement 0.05 --mass 1000");
-  BOOST_TEST(near(report["input"]["p"], 1, 1e-15));
-  const double h = 9.80665 / (M_PI * M_PI);  // omega = pi
-  BOOST_TEST(near(report["physical"]["length_unit_m"], h, 1e-15));
-  BOOST_TEST(near(report["input"]["beta"], 0.05 / h, 1e-15));
-  BOOST_TEST(near(report["physical"]["velocity_m_per_s"],
-                  report["input"]["v0"].get<double>() * h * M_PI, 1e-14));
-  BOOST_TEST(report["physical"]["delta2_m"].is_null());
-  BOOST_TEST(near(report["physical"]["excitation_rad_per_s"], 20 * M_PI, 1e-14));
-  BOOST_TEST(near(report["physical"]["excitation_duration_s"], 1.0 / 20, 1e-14));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -13,26 +13,6 @@ const std::string plain = R"({"v0": 1, "p": 1, "beta": 0.9, "tolerance": 0.1})";
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(from_a_file_or_standard_input_equals_flags) {
-  write("scene.json", plain);
-  const json by_flags = run("design --v0 1 --p 1 --beta 0.9 --tolerance 0.1 --json").json();
-  const json by_file = run("design scene.json --json").json();
-  const json by_input = run("design - --json", with_input(plain)).json();
-  BOOST_TEST(without_wall_times(by_file) == without_wall_times(by_flags));
-  BOOST_TEST(without_wall_times(by_input) == without_wall_times(by_flags));
-}
-
-BOOST_AUTO_TEST_CASE(may_come_before_or_after_the_flags) {
-  write("scene.json", plain);
-  for (const Arguments& arguments : std::vector<Arguments>{
-           "design scene.json --json --beta 0.8", "design --beta 0.8 scene.json --json",
-           "design --json --beta=0.8 scene.json", "design --json --beta 0.8 -- scene.json",
-           "design scene.json --json --beta 0.8 --"}) {
-    const ProgramRun answer = succeed(arguments);
-    BOOST_TEST(answer.json()["input"]["beta"] == 0.8);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(may_begin_with_a_dash_behind_two_dashes) {
   write("--json", plain);
   BOOST_TEST(succeed("design --beta 0.8 -- --json").out.starts_with("Damper design"));
@@ -54,70 +34,6 @@ BOOST_AUTO_TEST_CASE(may_begin_with_a_dash_behind_two_dashes) {
   BOOST_TEST(read("-m.csv") == read("whole.csv"));
 }
 
-BOOST_AUTO_TEST_CASE(gives_way_to_flags) {
-  write(
-      "scene.json",
-      R"({"v0": 1, "p": 1, "beta": 0.9, "objective": "time", "f_max": 0.3, "criterion": "exact"})");
-  const json report = run("design scene.json --objective amplitude --f-max 0.25 --criterion "
-                          "published --v0 1.01 --json")
-                          .json();
-  check_values(report["input"], {{"objective", "amplitude"},
-                                 {"f_max", 0.25},
-                                 {"criterion", "published"},
-                                 {"v0", 1.01},
-                                 {"p", 1}});
-}
-
-// At most one of these can be given, so the flag wins, whatever the file has.
-BOOST_AUTO_TEST_CASE(gives_way_to_flags_that_exclude_its_keys) {
-  write("plain.json", R"({"v0": 1, "p": 1, "beta": 0.9})");
-  write("pulse.json", R"({"pulse": "half-sine", "k": 0.5, "lambda": 20, "p": 1, "beta": 0.05})");
-  write("metres.json", R"({"velocity": 0.4, "period": 2.8, "max_displacement": 0.15, "mass": 1e5,
-      "delta_max_m": 0.02})");
-  const Arguments pulse("--pulse half-sine --k 0.5 --lambda 20");
-  const auto design = [this](const Arguments& arguments) {
-    return without_wall_times(reported("design" + arguments));
-  };
-  BOOST_TEST(design("plain.json --beta 0.05" + pulse) == design("pulse.json"));
-  BOOST_TEST(design("pulse.json --v0 1 --beta 0.9") == design("plain.json"));
-  BOOST_TEST(
-      design("metres.json --stiffness 5e5 --delta-max 0.1") ==
-      design("--velocity 0.4 --stiffness 5e5 --mass 1e5 --max-displacement 0.15 --delta-max 0.1"));
-  BOOST_TEST(design("metres.json" + pulse) ==
-             design("--period 2.8 --max-displacement 0.15 --mass 1e5 --delta-max-m 0.02" + pulse));
-}
-
-// Under the pulse of a scene a motion is what design checks its damper with.
-BOOST_AUTO_TEST_CASE(with_a_pulse_excites_the_motion_of_simulate) {
-  write("scene.json", R"({"pulse": "rectangle", "k": 0.5, "lambda": 20, "p": 1})");
-  const Arguments damper("--f 0.01 --delta 0.0008");
-  const Arguments simulate = "simulate --p 1" + damper;
-  const auto from_scene = [&](const Arguments& more) {
-    return reported("simulate scene.json" + damper + more);
-  };
-  BOOST_TEST(from_scene({}) == reported(simulate + "--excitation rectangle --k 0.5 --lambda 20"));
-  BOOST_TEST(from_scene("--excitation half-sine --k 0.4") ==
-             reported(simulate + "--excitation half-sine --k 0.4 --lambda 20"));
-  BOOST_TEST(from_scene("--v0 0.05") == reported(simulate + "--v0 0.05"));
-  write("r.txt", "0 0\n1 0.5\n2 0\n");
-  BOOST_TEST(from_scene("--record r.txt") == reported(simulate + "--record r.txt"));
-}
-
-// A velocity takes its place.
-BOOST_AUTO_TEST_CASE(with_a_pulse_serves_region_and_sweep) {
-  write("scene.json", R"({"pulse": "rectangle", "k": 0.5, "lambda": 20, "p": 1, "beta": 0.05})");
-  BOOST_TEST(reported("region scene.json --beta 0.08") ==
-             reported("region --pulse rectangle --k 0.5 --lambda 20 --p 1 --beta 0.08"));
-  BOOST_TEST(reported("region scene.json --v0 0.04") ==
-             reported("region --v0 0.04 --p 1 --beta 0.05"));
-  BOOST_TEST(run("sweep scene.json --v0 0.04").out == run("sweep --v0 0.04 --p 1 --beta 0.05").out);
-  write("bad.json", R"({"pulse": "harmonic", "k": 0.5, "lambda": 20, "p": 1})");
-  check_refusal(run("simulate bad.json --f 0.01 --delta 0"),
-                {"pulse = harmonic", "half-sine, full-sine or rectangle"});
-  write("both.json", R"({"pulse": "rectangle", "k": 0.5, "lambda": 20, "p": 1, "v0": 1})");
-  check_refusal(run("simulate both.json --f 0.01 --delta 0"), {"v0 and pulse cannot be combined"});
-}
-
 BOOST_AUTO_TEST_CASE(can_hold_every_kind_of_option) {
   const std::string text = R"({"title": "by a scene", "v0": 1, "p": 1, "f": 0.02, "delta": 0.02,
       "max_half_cycles": 2, "trajectory": "motion.csv", "samples": 3, "json": true,
@@ -129,31 +45,6 @@ BOOST_AUTO_TEST_CASE(can_hold_every_kind_of_option) {
   const ProgramRun titled = run("design -", with_input(R"({"title": "the old bridge", "v0": 1,
       "p": 1, "beta": 0.9, "json": false})"));
   BOOST_TEST(titled.out.starts_with("Damper design: the old bridge\n"));
-}
-
-BOOST_AUTO_TEST_CASE(numbers_keep_every_digit) {
-  const ProgramRun answer =
-      run("design - --json",
-          with_input(R"({"v0": 1.0000000000000002, "p": 0.30000000000000004, "beta": 5e0})"));
-  const json input = answer.json()["input"];
-  BOOST_TEST(input["v0"].get<double>() == 1.0000000000000002);
-  BOOST_TEST(input["p"].get<double>() == 0.30000000000000004);
-  BOOST_TEST(input["beta"] == 5);
-}
-
-BOOST_AUTO_TEST_CASE(serves_several_commands_and_names_unused_keys) {
-  write("scene.json", R"({"v0": 1, "p": 1, "beta": 0.9, "objective": "time", "f": 0.3,
-      "delta": 0.4, "samples": 7})");
-  const ProgramRun design = succeed("design scene.json --json");
-  BOOST_TEST(design.json()["input"]["objective"] == "time");
-  BOOST_TEST(design.err_lines().size() == 4U);  // a caution as well
-  for (const char* name : {"f ", "delta ", "samples "}) {
-    BOOST_TEST(contains(design.err, "note: " + std::string(name)), design.err);
-  }
-  const ProgramRun region = succeed("region scene.json --json");
-  BOOST_TEST(region.json()["admissible"] == true);
-  BOOST_TEST(region.err_lines().size() == 2U);
-  BOOST_TEST(contains(region.err, "objective"));
 }
 
 // The file beside the scene has half the load of the one in the working directory.

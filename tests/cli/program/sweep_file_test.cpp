@@ -107,46 +107,6 @@ BOOST_AUTO_TEST_CASE(may_be_standard_output_or_a_device) {
   BOOST_TEST(contents().empty());
 }
 
-BOOST_AUTO_TEST_CASE(names_the_record_that_is_its_load) {
-  write("shake.csv", "0 0\n0.3 0.2\n0.9 -0.15\n1.4 0\n");
-  const Arguments shaken(
-      "sweep --period 2 --f 0:0.1:3 --delta-m 0 --record shake.csv --output rows.npy");
-  BOOST_TEST(succeed(shaken).out.find("record            shake.csv\n") != std::string::npos);
-  BOOST_TEST(succeed(shaken + "--json").json()["record"] == "shake.csv");
-  check_null(succeed(sweep(grid + "--output rows.npy --json")).json(), {"record"});
-}
-
-BOOST_AUTO_TEST_CASE(has_a_report) {
-  const ProgramRun answer = succeed(sweep(grid + "--output rows.npy --json"));
-  const json report = answer.json();
-  check_null(report, {"feasible"});
-  BOOST_TEST(report["schema"] == "stillpoint/sweep-report/1");
-  BOOST_TEST(report["kind"] == "free");
-  BOOST_TEST(report["output"]["file"] == "rows.npy");
-  BOOST_TEST(report["output"]["format"] == "npy");
-  BOOST_TEST(report["rows"] == 9);
-  // delta 0.7 > v0^2/2 catches all three; f = delta = 0 never stops; f alone ends in the dead zone,
-  // and so does f = 0.3 with delta = 0.03: from the peak -0.3 + sqrt(1.09) = 0.744 it arrives with
-  // v^2/2 = 0.053, passes with 0.023 and turns at 0.070 < f. The other two end in the notch.
-  check_values(report["outcomes"], {{"caught_at_start", 3},
-                                    {"never_stops", 1},
-                                    {"stopped_in_dead_zone", 3},
-                                    {"stopped_at_zero", 2}});
-  const json designs = run(sweep("--beta 0.5,0.9 --output rows.csv --json")).json();
-  BOOST_TEST(designs["feasible"] == 1);
-  BOOST_TEST(designs["outcomes"].is_null());
-  BOOST_TEST(designs["locked"].is_null());
-}
-
-BOOST_AUTO_TEST_CASE(counts_the_motions_that_are_locked) {
-  // k < delta: the notch holds the mass from its first rest on, while the harmonic never ends. With
-  // delta = 0 there is no notch.
-  const Arguments loaded(
-      "sweep --v0 0.1 --p 1 --f 0.05 --delta 0,0.3 --excitation harmonic --k 0.2 "
-      "--lambda 0.35 --t-end 100 --output rows.csv");
-  BOOST_TEST(succeed(loaded + "--json").json()["locked"] == 1);
-}
-
 BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

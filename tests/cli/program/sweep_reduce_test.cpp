@@ -152,19 +152,6 @@ BOOST_AUTO_TEST_CASE(match_the_rows) {
       "--reduce --best final_velocity:3");
 }
 
-BOOST_AUTO_TEST_CASE(count_what_is_on_an_edge_and_what_never_comes) {
-  // The last edge belongs to the last bin.
-  const json ends =
-      reported("sweep --v0 1 --p 1 --f 0.1:0.3:3 --delta 0 --reduce --histogram f:0.1,0.2,0.3");
-  BOOST_TEST(ends["histograms"][0]["counts"] == json({1, 2}));
-  BOOST_TEST(ends["histograms"][0]["above"] == 0);
-  const json free = reported("sweep --v0 1 --x0 0.1 --p 1 --f 0 --delta 0 --times --reduce");
-  const auto stop_time = std::ranges::find(free["columns"], "stop_time",
-                                           [](const json& column) { return column["column"]; });
-  BOOST_TEST_REQUIRE((stop_time != free["columns"].end()));
-  check_values(*stop_time, {{"infinite", 1}, {"absent", 0}});
-}
-
 BOOST_AUTO_TEST_CASE(of_parts_merge_to_the_bytes_of_the_whole) {
   for (const int n : {1, 2, 7}) {
     check_merged(motions + asked, n);

@@ -42,10 +42,14 @@ std::vector<Wrong> commands_in(const std::string& file) {
   std::ifstream lines(STILLPOINT_COMMANDS "/" + file);
   BOOST_TEST_REQUIRE(lines.good(), file);
   std::map<std::string, std::string> files;
+  std::map<std::string, std::string> tasks;
   std::vector<Wrong> all;
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("$ ")) {
-      all.push_back({line.substr(2).c_str(), {}, {}, files});
+      const std::size_t word = std::min(line.find(' ', 2), line.size());
+      const auto task = tasks.find(line.substr(2, word - 2));
+      line = task == tasks.end() ? line.substr(2) : task->second + line.substr(word);
+      all.push_back({line.c_str(), {}, {}, files});
       std::ranges::transform(all.back().arguments, all.back().arguments.begin(), unescaped);
     } else if (line.starts_with("  < ")) {
       all.back().input = unescaped(line.substr(4));
@@ -53,6 +57,9 @@ std::vector<Wrong> commands_in(const std::string& file) {
       all.back().says.push_back(unescaped(line.substr(2)));
     } else if (line.starts_with("folder ")) {
       files[line.substr(7)] = "/";
+    } else if (line.starts_with("task ")) {
+      const std::size_t name = line.find(' ', 5);
+      tasks[line.substr(5, name - 5)] = line.substr(name + 1);
     } else if (line.starts_with("file ")) {
       const std::size_t name = line.find(' ', 5);
       files[line.substr(5, name - 5)] = unescaped(line.substr(name + 1));

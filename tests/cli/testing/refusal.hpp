@@ -22,6 +22,7 @@ struct Wrong {
 
 /// The commands of a file of tests/cli/program/commands, as people would type them:
 ///   file NAME TEXT, folder NAME: there is one, for all below
+///   task NAME COMMAND: what NAME as the first word of a command below stands for
 ///   $ COMMAND
 ///     what its message must contain, a line for each
 ///     < its standard input
