@@ -69,6 +69,10 @@ std::string Figure::caption() const {
   return text.empty() ? text : text + '.';
 }
 
+void Figure::add_band(std::string name, double from, double to, Ink ink) {
+  areas.push_back({std::move(name), rectangle(from, to, y.least, y.most), ink, AreaLook::band});
+}
+
 std::vector<double> ticks(const FigureAxis& axis, int wanted) {
   if (axis.scale == Scale::logarithmic) {
     const double from = std::log10(axis.least);

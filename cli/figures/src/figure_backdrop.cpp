@@ -8,17 +8,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <utility>
 
 namespace stillpoint::figures {
 
 namespace {
-
-template <class... Args>
-void add(std::string& text, fmt::format_string<Args...> what, Args&&... args) {
-  fmt::format_to(std::back_inserter(text), what, std::forward<Args>(args)...);
-}
 
 constexpr double label_gap = 6;  // between a label of y and the frame
 

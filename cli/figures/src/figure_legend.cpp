@@ -14,18 +14,7 @@ namespace stillpoint::figures {
 namespace {
 
 constexpr double line_height = 20;
-
-/// Bands of the same name count together.
-bool is_seen(const std::string& band, const Figure& figure, const Plane& plane) {
-  constexpr double narrowest = 1;  // pixel
-  double wide = 0;
-  for (const FigureBand& each : figure.bands) {
-    if (each.name == band) {
-      wide += plane.pixel({each.to, 0}).x - plane.pixel({each.from, 0}).x;
-    }
-  }
-  return wide >= narrowest;
-}
+constexpr std::string_view swatch = "M2-10h20v12h-20Z";
 
 const std::string& key_of(const FigureArea& area) {
   return area.key.empty() ? area.name : area.key;
@@ -93,27 +82,18 @@ void FigureLegend::add(const Figure& figure, const std::set<std::string>& named)
     }
   };
   for (const MapKey& key : figure.map.key) {
-    enter_unless_named(key.name,
-                       fmt::format(R"(<path class="cell" fill="{}" d="M2-10h20v12h-20Z"/>{})",
-                                   key.colour, hatching(key)));
+    enter_unless_named(key.name, fmt::format(R"(<path class="cell" fill="{}" d="{}"/>{})",
+                                             key.colour, swatch, hatching(key)));
   }
-  const Plane plane{figure.x, figure.y, figure_width, figure.height};
   for (const FigureArea& area : figure.areas) {
-    if (named.contains(area.name) || (!are_seen(figure, area) && !is_enlarged(figure, area))) {
-      continue;
-    }
-    enter_unless_named(
-        key_of(area),
-        area.look == AreaLook::hatched
-            ? fmt::format(R"x(<path fill="url(#{0})" d="{1}"/><path class="hatch {2}" d="{1}"/>)x",
-                          hatch_id(figure, area.name), "M2-10h20v12h-20Z", word(area.ink))
-            : fmt::format(R"(<path class="{} {}" d="M2-10h20v12h-20Z"/>)",
-                          area.look == AreaLook::box ? "box" : "area", word(area.ink)));
-  }
-  for (const FigureBand& band : figure.bands) {
-    if (is_seen(band.name, figure, plane)) {
-      enter_unless_named(band.name, fmt::format(R"(<path class="band {}" d="M2-10h20v12h-20Z"/>)",
-                                                word(band.ink)));
+    if (!named.contains(area.name) && (are_seen(figure, area) || is_enlarged(figure, area))) {
+      const std::string hatching = area.look == AreaLook::hatched
+                                       ? fmt::format("<path fill=\"url(#{})\" d=\"{}\"/>",
+                                                     hatch_id(figure, area.name), swatch)
+                                       : "";
+      const std::string_view look = area.look == AreaLook::hatched ? "hatch" : word(area.look);
+      enter_unless_named(key_of(area), fmt::format(R"({}<path class="{} {}" d="{}"/>)", hatching,
+                                                   look, word(area.ink), swatch));
     }
   }
   for (const FigureCurve& curve : figure.curves) {

@@ -9,8 +9,10 @@
 
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace stillpoint::figures {
 
@@ -23,6 +25,11 @@ inline std::string_view word(Ink ink) {
 inline std::string_view word(Dash dash) {
   constexpr std::array<std::string_view, 3> words{"", " dashed", " dotted"};
   return words.at(static_cast<std::size_t>(dash));
+}
+
+inline std::string_view word(AreaLook look) {
+  constexpr std::array<std::string_view, 4> words{"band", "area", "hatched", "box"};
+  return words.at(static_cast<std::size_t>(look));
 }
 
 /// Centred at (0, 0).
@@ -39,10 +46,20 @@ inline std::string_view outline(Shape shape) {
 }
 
 /// The path of a mark; `place` is an attribute or empty.
-inline std::string mark(const FigureMarks& marks, std::string_view place) {
+inline std::string mark(const FigureMarks& marks, std::string_view place = {}) {
   const bool filled = marks.fill == Fill::solid && marks.shape != Shape::cross;
   return fmt::format(R"(<path class="{} {}"{} d="{}"/>)", filled ? "disc" : "ring", word(marks.ink),
                      place, outline(marks.shape));
+}
+
+/// The beginning of what keeps its size when a page zooms.
+inline std::string pin(const FigurePoint& at) {
+  return fmt::format("<g class=\"pin\" transform=\"translate({:.2f} {:.2f})\"", at.x, at.y);
+}
+
+template <class... Args>
+void add(std::string& text, fmt::format_string<Args...> what, Args&&... args) {
+  fmt::format_to(std::back_inserter(text), what, std::forward<Args>(args)...);
 }
 
 }  // namespace stillpoint::figures

@@ -15,23 +15,41 @@ Raster::Range Raster::range(double from, double to, std::size_t most) {
   const auto within = [&](double at) {
     return std::clamp(at / cell, 0.0, static_cast<double>(most));
   };
-  return {static_cast<std::size_t>(within(from)), static_cast<std::size_t>(std::ceil(within(to)))};
+  const double end = within(to);
+  const auto last = static_cast<std::size_t>(end);
+  return {static_cast<std::size_t>(within(from)),
+          static_cast<double>(last) < end ? last + 1 : last};
 }
 
-void Raster::write(const Box& box, int value) {
-  const Range across = columns(box.left, box.right);
-  const Range down = rows(box.top, box.bottom);
+void Raster::set(const Box& box, bool value) {
+  const Range across = range(box.left, box.right, columns_);
+  const Range down = range(box.top, box.bottom, rows_);
   for (std::size_t row = down.first; row < down.last; ++row) {
     for (std::size_t column = across.first; column < across.last; ++column) {
-      cells_[row * columns_ + column] = value;
+      cells_[row * columns_ + column] = value ? 1 : 0;
     }
   }
-  summed_ = false;
+  sums_.clear();
 }
 
-void Raster::set(const FigurePoint& at) {
-  set(Box{at.x, at.y, at.x, at.y + 1e-9});
-  set(Box{at.x, at.y, at.x + 1e-9, at.y + 1e-9});
+int Raster::set_in(const Range& across, const Range& down) const {
+  if (sums_.empty()) {
+    sum();
+  }
+  const int* const upper = &sums_[down.first * (columns_ + 1)];
+  const int* const lower = &sums_[down.last * (columns_ + 1)];
+  return lower[across.last] - upper[across.last] - lower[across.first] + upper[across.first];
+}
+
+int Raster::set_in(const Box& box) const {
+  return set_in(range(box.left, box.right, columns_), range(box.top, box.bottom, rows_));
+}
+
+bool Raster::is_full(const Box& box) const {
+  const Range across = range(box.left, box.right, columns_);
+  const Range down = range(box.top, box.bottom, rows_);
+  return set_in(across, down) ==
+         static_cast<int>((across.last - across.first) * (down.last - down.first));
 }
 
 void Raster::set_line(const std::vector<FigurePoint>& points) {
@@ -42,7 +60,9 @@ void Raster::set_line(const std::vector<FigurePoint>& points) {
     const double steps =
         std::min(most_steps, std::ceil(std::hypot(b.x - a.x, b.y - a.y) / cell) + 1);
     for (double done = 0; done <= steps; ++done) {
-      set(FigurePoint{a.x + (b.x - a.x) * done / steps, a.y + (b.y - a.y) * done / steps});
+      const double x = std::lerp(a.x, b.x, done / steps);
+      const double y = std::lerp(a.y, b.y, done / steps);
+      set({x, y, x + 1e-9, y + 1e-9});
     }
   }
 }
@@ -52,7 +72,7 @@ void Raster::fill(const std::vector<FigurePoint>& outline) {
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const FigurePoint& a = outline[i];
     const FigurePoint& b = outline[(i + 1) % outline.size()];
-    const Range down = rows(std::min(a.y, b.y), std::max(a.y, b.y));
+    const Range down = range(std::min(a.y, b.y), std::max(a.y, b.y), rows_);
     for (std::size_t row = down.first; row < down.last; ++row) {
       const double y = middle(row);
       if ((a.y <= y) != (b.y <= y)) {
@@ -65,7 +85,7 @@ void Raster::fill(const std::vector<FigurePoint>& outline) {
     for (std::size_t i = 1; i < crossings[row].size(); i += 2) {
       const double from = crossings[row][i - 1];
       const double to = crossings[row][i];
-      const Range across = columns(from, to);
+      const Range across = range(from, to, columns_);
       for (std::size_t column = across.first; column < across.last; ++column) {
         if (from <= middle(column) && middle(column) < to) {
           cells_[row * columns_ + column] = 1;
@@ -73,7 +93,20 @@ void Raster::fill(const std::vector<FigurePoint>& outline) {
       }
     }
   }
-  summed_ = false;
+  sums_.clear();
+}
+
+Box Raster::extent() const {
+  Box box{HUGE_VAL, HUGE_VAL, 0, 0};
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    if (cells_[i] != 0) {
+      const double left = cell * static_cast<double>(i % columns_);
+      const double top = cell * static_cast<double>(i / columns_);
+      box = {std::min(box.left, left), std::min(box.top, top), std::max(box.right, left + cell),
+             std::max(box.bottom, top + cell)};
+    }
+  }
+  return box;
 }
 
 void Raster::sum() const {
@@ -86,7 +119,6 @@ void Raster::sum() const {
       sums_[(row + 1) * wide + column + 1] = sums_[row * wide + column + 1] + in_row;
     }
   }
-  summed_ = true;
 }
 
 }  // namespace stillpoint::figures

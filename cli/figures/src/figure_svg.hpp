@@ -12,24 +12,23 @@
 
 namespace stillpoint::figures {
 
-/// The layout of a figure. It refers to the figure.
-class FigureDrawing {
- public:
-  explicit FigureDrawing(const Figure& figure, double left = 0);
+/// A figure with its layout.
+struct FigureDrawing {
+  explicit FigureDrawing(const Figure& drawn, double left = 0);
+
+  const Figure& figure;
+  Layout layout;
+  Plane plot;
+  NamesInPlace names;
 
   /// Adds the names that have no place in the plot.
-  void enter(FigureLegend& legend) const;
+  void enter(FigureLegend& legend) const { legend.add(figure, names.named); }
   /// Without a legend.
-  [[nodiscard]] double height() const;
+  [[nodiscard]] double height() const { return layout.bottom + layout.axis_words; }
+  /// The beginning of its svg element, with the data that the script of a page needs.
+  [[nodiscard]] std::string opened(std::string_view place, double high) const;
   /// Everything but the legend and the svg element around it.
   [[nodiscard]] std::string drawn() const;
-  /// The beginning of its svg element, with the data that the script of a page needs.
-  [[nodiscard]] std::string opened(std::string_view place, double height) const;
-
- private:
-  const Figure& figure_;
-  Layout layout_;
-  NamesInPlace names_;
 };
 
 /// The beginning of the svg element of a figure or a sheet, with the title and the description that

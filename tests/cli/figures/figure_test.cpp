@@ -40,10 +40,10 @@ Figure empty() {
 Figure one_of_everything() {
   Figure figure = empty();
   figure.map = {2, 2, {0, 1, 1, 0}, {{"#000000", "black"}, {"#ffffff", "white"}}, {}};
-  figure.bands = {{"band", 2, 4, Ink::grey}};
   figure.areas = {{"area", {{0, 0}, {1, 0}, {1, 1}}, Ink::sky},
                   {"box", {{5, 0}, {6, 0}, {6, 1}, {5, 1}}, Ink::blue, AreaLook::box},
                   {"hatched", {{7, -4}, {9, -4}, {9, -2}, {7, -2}}, Ink::grey, AreaLook::hatched}};
+  figure.add_band("band", 2, 4, Ink::grey);
   figure.curves = {{"curve", {{{0, 0}, {10, 5}}, {{5, -5}, {10, -5}}}, Ink::orange, Dash::dashed}};
   figure.marks = {{"mark", {{5, 2.5}}, Shape::diamond, Ink::green},
                   {"hollow", {{1, -1}}, Shape::disc, Ink::blue, Fill::hollow},
@@ -97,7 +97,7 @@ Figure lines_and_words() {
                   {"gap", {{0, 4}, {9, 4}, {9, 4.15}, {0, 4.15}}, Ink::grey, AreaLook::hatched},
                   {"other gap", {{7, 1}, {9, 1}, {9, 3}, {7, 3}}, Ink::grey, AreaLook::hatched}};
   const std::vector<FigurePoint> loop{{5, 2}, {6, 0}, {5, -2}, {4, 0}, {5, 2}};
-  figure.curves = {{.name = "loop", .strokes = {loop, loop}, .smooth = true, .directed = true},
+  figure.curves = {{.name = "loop", .strokes = {loop, loop}, .directed = true},
                    {.name = "limit 2.5",
                     .strokes = {{{0, 2.5}, {10, 2.5}}},
                     .dash = Dash::dashed,
@@ -169,9 +169,15 @@ BOOST_AUTO_TEST_CASE(words_have_room_of_their_own) {
     }
     if (i % 2 == 0) {
       const auto [from, to] = std::minmax({place(), place()});
-      figure.bands = {{"band", from, to}};
+      figure.add_band("band", from, to, Ink::grey);
     }
-    const auto words = names_in_place(figure, {figure.x, figure.y, 400, 300}).words;
+    if (i % 3 == 0) {
+      const FigurePoint at = point();
+      figure.marks.push_back({"far", {{1000, at.y}}});
+      figure.inset = {{"", at.x, at.x + 0.1}, {"", at.y, at.y + 0.1}};
+    }
+    const auto names = names_in_place(figure, {figure.x, figure.y, 400, 300});
+    const auto& words = names.words;
     for (std::size_t now = 0; now < words.size(); ++now) {
       const auto& [text, centre, upright, leader, on_lines] = words[now];
       const auto reach = [](const PlacedName& name) {
@@ -182,6 +188,10 @@ BOOST_AUTO_TEST_CASE(words_have_room_of_their_own) {
       BOOST_TEST_CONTEXT("figure " << i << ", " << text << " at " << centre.x << ", " << centre.y) {
         BOOST_TEST((centre.x >= half.x - 1 && centre.x <= 401 - half.x));
         BOOST_TEST((centre.y >= half.y - 1 && centre.y <= 301 - half.y));
+        BOOST_TEST((!names.inset || centre.x + half.x < names.inset->left + 4 ||
+                    centre.x - half.x > names.inset->right - 4 ||
+                    centre.y + half.y < names.inset->top + 4 ||
+                    centre.y - half.y > names.inset->bottom - 4));
         for (std::size_t other = 0; other < now; ++other) {
           const FigurePoint beside = reach(words[other]);
           BOOST_TEST((std::abs(centre.x - words[other].centre.x) > half.x + beside.x - 2 ||
@@ -209,7 +219,7 @@ BOOST_AUTO_TEST_CASE(draws_points_where_the_axes_say) {
   BOOST_TEST(contains(text, "data-plot=\"66 28 370 270\""));
   BOOST_TEST(contains(text, "translate(185.00 67.50)\" data-name=\"mark\" data-at=\"5 2.5\""));
   BOOST_TEST(contains(text, "d=\"M0.00 135.00L370.00 0.00M185.00 270.00L370.00 270.00\""));
-  BOOST_TEST(contains(text, "d=\"M74.00 0V270H148.00V0Z\""));
+  BOOST_TEST(contains(text, "d=\"M74.00 270.00L148.00 270.00L148.00 0.00L74.00 0.00Z\""));
 }
 
 BOOST_AUTO_TEST_CASE(has_round_ticks) {
@@ -289,10 +299,10 @@ BOOST_AUTO_TEST_CASE(the_legend_leaves_out_what_is_too_thin_to_see) {
                   {"pixel", {{0, 1}, {9, 1}, {9, 1.04}, {0, 1.04}}, Ink::sky},
                   {"thin", {{0, 2}, {9, 2}, {9, 2.07}, {0, 2.07}}, Ink::sky},
                   {"tiny box", {{5, 0}, {5.001, 0}, {5.001, 1}, {5, 1}}, Ink::blue, AreaLook::box}};
-  figure.bands = {{"blink", 2, 2.01, Ink::grey},
-                  {"often", 3, 3.01, Ink::amber},
-                  {"often", 5, 5.01, Ink::amber},
-                  {"often", 7, 7.01, Ink::amber}};
+  figure.add_band("blink", 2, 2.01, Ink::grey);
+  for (const double from : {3, 5, 7}) {
+    figure.add_band("often", from, from + 0.02, Ink::amber);
+  }
   const std::string text = svg(figure, Frame::in_page);
   for (const char* name : {"thin", "tiny box", "often"}) {
     BOOST_TEST(contains(text, "<text x=\"30\">" + std::string(name)), name);

@@ -254,9 +254,9 @@ void add_lock(Figure& figure, const DrawnMotion& motion, const FigureUnits& unit
     const double from = *motion.locked;
     const std::string to =
         motion.locked_to ? " to " + units.time_words(*motion.locked_to) : std::string();
-    figure.bands.push_back(
-        {(from == 0 ? "locked throughout" : "locked from " + units.time_words(from)) + to,
-         from * units.time, figure.x.most, Ink::amber});
+    figure.add_band(
+        (from == 0 ? "locked throughout" : "locked from " + units.time_words(from)) + to,
+        from * units.time, figure.x.most, Ink::amber);
   }
 }
 
@@ -291,7 +291,7 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   constexpr double narrowest = 0.005;  // of the figure, to be seen
   for (const auto& [from, to] : motion.sticks) {
     if (to - from >= narrowest * motion.shown_to) {
-      figure.bands.push_back({"held", from * units.time, to * units.time, Ink::grey});
+      figure.add_band("held", from * units.time, to * units.time, Ink::grey);
     }
   }
   if (motion.beta) {

@@ -21,11 +21,6 @@ using figures::Ink;
 
 namespace {
 
-bool is_at_edge(const Surface& surface, double x) {
-  return surface.notch_width == 2 * std::abs(x) ||
-         std::ranges::find(surface.zones, std::abs(x), &FrictionZone::to) != surface.zones.end();
-}
-
 /// Whether all turns are equally far and there are more than two.
 bool is_one_orbit(const DrawnMotion& motion) {
   constexpr double alike = 1e-9;
@@ -77,8 +72,7 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
   std::erase_if(states, [&](const State& state) { return loop_of(state) == loops.end(); });
   const auto [x_least, x_most] = extent(states, &State::x);
   const auto [v_least, v_most] = extent(states, &State::v);
-  FigureCurve arcs{
-      .name = "motion", .strokes = {}, .ink = Ink::blue, .smooth = true, .directed = true};
+  FigureCurve arcs{.name = "motion", .strokes = {}, .ink = Ink::blue, .directed = true};
   FigureCurve jumps{"jump at x = 0", {}, Ink::orange, Dash::dotted, false};
   double largest_jump = 0;
   const State* before = nullptr;
@@ -96,9 +90,6 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
       arcs.strokes.back().push_back(place(*before));
     }
     arcs.strokes.back().push_back(place(state));
-    if (is_at_edge(motion.surface, state.x)) {
-      arcs.strokes.push_back({place(state)});  // a kink: the friction changes
-    }
     before = &state;
   }
   Figure figure;

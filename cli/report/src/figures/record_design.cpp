@@ -67,7 +67,7 @@ void add_record(std::vector<Figure>& figures, const design::RecordDesign& result
     drawn.height = 130;
     load.height = 70;
     load.y.label = "W, g";
-    for (figures::FigureBand& band : load.bands) {
+    for (figures::FigureArea& band : load.areas) {
       band.name.clear();  // it stands above
     }
   }

@@ -31,7 +31,6 @@ struct FigureCurve {
   Ink ink{Ink::blue};
   Dash dash{Dash::solid};
   bool hover{true};      ///< shows its values under the pointer
-  bool smooth{false};    ///< a curve through the points, not straight lines between them
   bool directed{false};  ///< arrows show its direction
   bool labelled{false};  ///< named beside its line
 };
@@ -53,8 +52,8 @@ struct FigureCurve {
   return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
 }
 
-/// A box hides the areas below it and has an edge.
-enum class AreaLook { filled, hatched, box };
+/// A band is behind all areas; a box hides those below it and has an edge.
+enum class AreaLook { band, filled, hatched, box };
 
 /// A polygon. It is named inside if there is room, else in the legend if it can be seen.
 struct FigureArea {
@@ -65,14 +64,6 @@ struct FigureArea {
   bool again{false};   ///< named if there is room, though another area has its name
   std::string told{};  ///< under the pointer; empty: its name
   std::string key{};   ///< in the legend, for all areas that have it; empty: its name
-};
-
-/// A shaded span of the horizontal axis, named like an area.
-struct FigureBand {
-  std::string name;
-  double from{0};
-  double to{0};
-  Ink ink{Ink::grey};
 };
 
 enum class Shape { disc, square, diamond, star, triangle, wedge, cross };
@@ -172,7 +163,6 @@ struct Figure {
   FigureAxis x;
   FigureAxis y;
   FigureMap map;
-  std::vector<FigureBand> bands;
   std::vector<FigureArea> areas;
   std::vector<FigureCurve> curves;
   std::vector<FigureMarks> marks;
@@ -181,6 +171,8 @@ struct Figure {
 
   /// The sentence: its clauses with semicolons between them, and a full stop.
   [[nodiscard]] std::string caption() const;
+  /// A span of x over the whole height.
+  void add_band(std::string name, double from, double to, Ink ink);
 };
 
 /// The width of an area in pixels, on average.
