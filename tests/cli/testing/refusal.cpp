@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "refusal.hpp"
 #include "testing/printing.hpp"
+#include "testing/unescaped.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -18,26 +19,6 @@ std::ostream& operator<<(std::ostream& stream, const Wrong& wrong) {
   return stream << wrong.input.substr(0, 100);
 }
 
-namespace {
-
-std::string unescaped(const std::string& text) {
-  static const std::map<char, char> letters{{'n', '\n'}, {'r', '\r'}, {'t', '\t'}, {'\\', '\\'}};
-  std::string plain;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '\\') {
-      plain += text[i];
-    } else if (text.at(++i) == 'x') {
-      plain += static_cast<char>(std::stoi(text.substr(i + 1, 2), nullptr, 16));
-      i += 2;
-    } else {
-      plain += letters.at(text[i]);
-    }
-  }
-  return plain;
-}
-
-}  // namespace
-
 std::vector<Wrong> commands_in(const std::string& file) {
   std::ifstream lines(STILLPOINT_COMMANDS "/" + file);
   BOOST_TEST_REQUIRE(lines.good(), file);
@@ -50,11 +31,11 @@ std::vector<Wrong> commands_in(const std::string& file) {
       const auto task = tasks.find(line.substr(2, word - 2));
       line = task == tasks.end() ? line.substr(2) : task->second + line.substr(word);
       all.push_back({line.c_str(), {}, {}, files});
-      std::ranges::transform(all.back().arguments, all.back().arguments.begin(), unescaped);
+      std::ranges::transform(all.back().arguments, all.back().arguments.begin(), test::unescaped);
     } else if (line.starts_with("  < ")) {
-      all.back().input = unescaped(line.substr(4));
+      all.back().input = test::unescaped(line.substr(4));
     } else if (line.starts_with("  ")) {
-      all.back().says.push_back(unescaped(line.substr(2)));
+      all.back().says.push_back(test::unescaped(line.substr(2)));
     } else if (line.starts_with("folder ")) {
       files[line.substr(7)] = "/";
     } else if (line.starts_with("task ")) {
@@ -62,7 +43,7 @@ std::vector<Wrong> commands_in(const std::string& file) {
       tasks[line.substr(5, name - 5)] = line.substr(name + 1);
     } else if (line.starts_with("file ")) {
       const std::size_t name = line.find(' ', 5);
-      files[line.substr(5, name - 5)] = unescaped(line.substr(name + 1));
+      files[line.substr(5, name - 5)] = test::unescaped(line.substr(name + 1));
     } else {
       BOOST_TEST_REQUIRE((line.empty() || line.starts_with('#')), file << ": " << line);
     }

@@ -28,7 +28,7 @@ BOOST_AUTO_TEST_CASE(what_is_written_is_read_to_the_last_bit) {
     }
   }
   times.pop_back();
-  std::string at2 = counted("NPTS= 3001, DT= .01 SEC");
+  std::string at2 = titles + quantity + "NPTS= 3001, DT= .01 SEC\n";
   std::string two;
   std::string one;
   for (std::size_t i = 0; i < values.size(); ++i) {
