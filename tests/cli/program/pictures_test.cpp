@@ -115,31 +115,6 @@ BOOST_AUTO_TEST_CASE(of_a_large_sweep_stay_small) {
   BOOST_TEST(read("figures/map.svg").size() < 1'000'000U);
 }
 
-BOOST_AUTO_TEST_CASE(of_a_sweep_that_has_no_such_plane_are_refused_before_it_runs) {
-  write("list.csv", "f,delta\n0.1,0.1\n");
-  const Arguments sweep("sweep --v0 1 --p 1 --output rows.csv --html page.html");
-  for (const auto& [more, word] : std::vector<std::pair<Arguments, std::string>>{
-           {{"--f", "0.1,0.2", "--delta", "0:1:5"},
-            "f = 0.1,0.2: must be an axis first:last:count"},
-           {{"--f", "0:0.3:5", "--delta", "0.1"}, "delta = 0.1: must be an axis"},
-           {{"--f", "0:0.3:5", "--delta", "0.1:0.1:5"}, "delta = 0.1:0.1:5: must be an axis"},
-           {{"--f", "0:0.3:5", "--delta", "0:1:5", "--x0", "0,1"}, "x0 = 0,1: must be one number"},
-           {{"--beta", "0.75:0.95:5"}, "design problems"},
-           {{"--list", "list.csv"}, "a list"}}) {
-    check_refusal(run(sweep + more), {word});
-    BOOST_TEST(contents().size() == 1U);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(of_a_sweep_that_cannot_be_written_are_refused_before_it_runs) {
-  const Arguments sweep("sweep --v0 1 --p 1 --f 0.1:0.3:5 --delta 0:0.5:5 --output rows.csv");
-  for (const auto& [option, place] : std::vector<std::pair<std::string, std::string>>{
-           {"--html", "none/page.html"}, {"--svg", "/proc/none"}, {"--svg", ""}}) {
-    check_refusal(run(sweep + Arguments{option, place}), {});
-    BOOST_TEST(contents().empty());
-  }
-}
-
 BOOST_AUTO_TEST_CASE(of_a_long_record_stay_small) {
   std::string record;
   for (int i = 0; i < 200'000; ++i) {

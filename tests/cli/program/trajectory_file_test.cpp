@@ -63,11 +63,4 @@ BOOST_AUTO_TEST_CASE(is_written_beside_the_report) {
   BOOST_TEST(read_csv(read("motion.csv")).rows.size() >= 1000U);
 }
 
-BOOST_AUTO_TEST_CASE(cannot_be_the_same_file_as_the_report) {
-  for (const char* same : {"one", "./one"}) {
-    const ProgramRun both = ending(2, eleven + Arguments{"--trajectory", "one", "--output", same});
-    BOOST_TEST(contents().empty());
-  }
-}
-
 BOOST_AUTO_TEST_SUITE_END()

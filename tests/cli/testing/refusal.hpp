@@ -17,16 +17,18 @@ struct Wrong {
   Arguments arguments;
   Texts says;
   std::string input{};
-  std::map<std::string, std::string> files{};  ///< that it may read; "/" for a folder
+  std::map<std::string, std::string>
+      files{};  ///< that it may read; "/" for a folder, "-> TARGET" for a link
 };
 
 /// The commands of a file of tests/cli/program/commands, as people would type them:
-///   file NAME TEXT, folder NAME: there is one, for all below
+///   file NAME TEXT, folder NAME, link NAME TARGET: there is one, for all below
 ///   task NAME COMMAND: what NAME as the first word of a command below stands for
 ///   $ COMMAND
 ///     what its message must contain, a line for each
 ///     < its standard input
-/// where \n, \r, \t, \xNN and \\ stand for characters, and # begins a comment.
+/// where \n, \r, \t, \xNN and \\ stand for characters, \{20 ab} for 20 times ab, and # begins a
+/// comment.
 [[nodiscard]] std::vector<Wrong> commands_in(const std::string& file);
 
 std::ostream& operator<<(std::ostream& stream, const Wrong& wrong);

@@ -20,10 +20,10 @@ BOOST_AUTO_TEST_CASE(each_wrong_command_is_refused_with_its_words) {
   BOOST_TEST(count > 400U);
 }
 
-BOOST_FIXTURE_TEST_CASE(commands_that_take_no_options_say_what_they_take, Sandbox) {
+BOOST_FIXTURE_TEST_CASE(commands_that_take_no_output_are_refused_alone, Sandbox) {
   for (const Wrong& wrong : commands_in("refused_alone.txt")) {
     BOOST_TEST_CONTEXT(wrong) {
-      check_refusal(run(wrong.arguments), wrong.says);
+      check_refusal(run(wrong.arguments, {.input = wrong.input}), wrong.says);
     }
   }
 }
