@@ -82,9 +82,9 @@ Figure region_of(const Request& request, const design::RegionVerdict& verdict,
 template <class Request>
 Figure damper_figure(const Request& request, double f, double delta,
                      const std::optional<design::WorksFor>& works_for, const FigureUnits& units) {
-  return request.pulse ? strengths_figure(design::pulse_request(request).problem, request.limits, f,
-                                          delta, works_for)
-                       : hits_figure(request.problem, request.limits, f, delta, works_for, units);
+  return request.pulse
+             ? strengths_figure(design::pulse_request(request).problem, f, delta, works_for)
+             : hits_figure(request.problem, request.limits, f, delta, works_for, units);
 }
 
 /// Its trade-offs, and what it works for.

@@ -36,11 +36,6 @@ struct DrawnEnds {
   double arrivals{1};  ///< at which it may rest
   bool has_range{false};
   std::optional<design::ServedInterval> works;
-  /// Why the damper works for none, if no end says so.
-  std::string refusal{};
-  /// By what stronger ones fail that stop within beta.
-  std::optional<double> acceleration_max{};
-  bool fail_by_criterion{false};
 };
 
 struct Look {
@@ -48,21 +43,19 @@ struct Look {
   const char* name;
   Ink ink;
   AreaLook look;
-  const char* fate;  ///< of such hits; empty where a limit decides that the figure does not show
 };
 
 const Look& look_of(HitEnd end) {
   using enum HitEnd;
   static constexpr auto looks = std::to_array<Look>(
-      {{held, "held", Ink::grey, AreaLook::hatched, "are held at the start"},
-       {centred, "centred", Ink::sky, AreaLook::filled, ""},
-       {within_residual, "within the residual", Ink::amber, AreaLook::filled, ""},
-       {off_centre, "off centre", Ink::amber, AreaLook::hatched, "rest off centre"},
-       {alternating, "alternately centred and off centre", Ink::amber, AreaLook::filled,
-        "may rest off centre"},
-       {passes, "passes x = 0", Ink::amber, AreaLook::filled, "pass x = 0"},
-       {too_far, "too far", Ink::orange, AreaLook::hatched, "go too far"},
-       {never_stops, "never stops", Ink::purple, AreaLook::hatched, "never stop"}});
+      {{held, "held", Ink::grey, AreaLook::hatched},
+       {centred, "centred", Ink::sky, AreaLook::filled},
+       {within_residual, "within the residual", Ink::amber, AreaLook::filled},
+       {off_centre, "off centre", Ink::amber, AreaLook::hatched},
+       {alternating, "alternately centred and off centre", Ink::amber, AreaLook::filled},
+       {passes, "passes x = 0", Ink::amber, AreaLook::filled},
+       {too_far, "too far", Ink::orange, AreaLook::hatched},
+       {never_stops, "never stops", Ink::purple, AreaLook::hatched}});
   return *std::ranges::find(looks, end, &Look::end);
 }
 
@@ -86,58 +79,6 @@ std::string named(const design::Hits& now) {
                                 ? " after " + plural(arrivals, "passage")
                                 : "";
   return look_of(now.end).name + later + some_spring(now);
-}
-
-/// "weaker ones are held at the start and stronger ones go too far"
-std::string other_ones(const DrawnEnds& drawn) {
-  constexpr double beside = 1e-6;  // an edge of both may differ by rounding
-  const double weaker = drawn.works->low * (1 - beside);
-  const double stronger = drawn.works->high.value_or(HUGE_VAL) * (1 + beside);
-  std::vector<std::string> fates;
-  const auto add = [&fates](std::string fate) { fates.push_back(std::move(fate)); };
-  bool says_above = false;
-  for (const design::Hits& now : drawn.list) {
-    const bool below = now.from < weaker && weaker <= now.to;
-    const bool above = now.from <= stronger && stronger < now.to;
-    const std::string_view fate = look_of(now.end).fate;
-    if ((below || above) && !fate.empty()) {
-      const bool last = below ? now.from == 0 : now.to == drawn.list.back().to;
-      add(format("{}{} ones {}{}", last ? "" : "slightly ", below ? "weaker" : "stronger", fate,
-                 some_spring(now)));
-      says_above = says_above || above;
-      constexpr double hidden = 0.004;  // of the figure, a pixel
-      if (below && &now != drawn.list.data() && now.to - now.from < hidden * drawn.list.back().to) {
-        const design::Hits& next = *std::prev(&now);
-        add(format("{} ones {}", next.from == 0 ? "weaker" : "somewhat weaker",
-                   look_of(next.end).fate));
-      }
-    }
-  }
-  if (drawn.fail_by_criterion) {
-    add("slightly stronger ones stop too, but not by the published criterion");
-    says_above = true;
-  }
-  if (drawn.acceleration_max && !says_above) {
-    add(format("stronger ones feel more than {:.4g} g", *drawn.acceleration_max));
-  }
-  std::string text;
-  for (const std::string& fate : fates) {
-    text += (&fate == &fates.front() ? "" : &fate == &fates.back() ? " and " : ", ") + fate;
-  }
-  return text;
-}
-
-std::string where_it_fails(const DrawnEnds& drawn) {
-  const std::string refusal = drawn.refusal.empty() ? "" : ": " + drawn.refusal;
-  if (drawn.has_range) {
-    return format("The damper does not work for every {} of the range{}", drawn.noun, refusal);
-  }
-  const auto now = std::ranges::find_if(drawn.list, [&](const design::Hits& each) {
-    return each.from < drawn.asked.high && drawn.asked.high < each.to;
-  });
-  const std::string_view fate = now == drawn.list.end() ? "" : look_of(now->end).fate;
-  return format("The damper does not work for the {} that was asked for{}", drawn.noun,
-                fate.empty() ? refusal : format(": such {}s {}", drawn.noun, fate));
 }
 
 /// "centred at arrivals 2, 5", which have one ink; empty if no other has it.
@@ -194,15 +135,18 @@ Figure ends_figure(const DrawnEnds& drawn) {
     auto box = rectangle(low, high, 0.05, 0.3);
     add_box_inset(figure, box);
     figure.areas.push_back({"works for " + range, std::move(box), Ink::blue, AreaLook::box});
-    figure.clauses = {format("The damper works for {} of {}", drawn.measured, range),
-                      other_ones(drawn)};
+    figure.clauses = {
+        format("The damper works for {} of {}", drawn.measured, range),
+        format("{}s beside them violate a requirement, even where the mass stops", drawn.noun)};
     if (figure.inset) {
       const figures::FigureAxis& x = figure.inset->x;
       figure.clauses.push_back(format("the corner enlarges {}{}", interval_digits(x.least, x.most),
                                       with_blank(drawn.unit)));
     }
   } else {
-    figure.clauses = {where_it_fails(drawn)};
+    figure.clauses = {format("The damper does not work for {} {}",
+                             drawn.has_range ? "every" : "the", drawn.noun) +
+                      (drawn.has_range ? " of the range" : " that was asked for")};
   }
   figure.description = format("Ends of the motion by the strength of the {}:", drawn.noun);
   for (const design::Hits& now : drawn.list) {
@@ -233,19 +177,6 @@ Figure ends_figure(const DrawnEnds& drawn) {
   return figure;
 }
 
-/// Whether stronger ones than those that the damper works for stop by the exact criterion.
-template <class Task>
-bool exact_works_above(Task task, const design::Limits& limits, double f, double delta,
-                       const std::optional<design::WorksFor>& works_for) {
-  if (!works_for || task.criterion == design::Criterion::exact) {
-    return false;
-  }
-  constexpr double above = 1 + 1e-6;
-  task.criterion = design::Criterion::exact;
-  const auto exact = design::works_for(task, limits, f, delta);
-  return exact && exact->hit.high > above * *works_for->hit.high;
-}
-
 /// The hits whose peak is within beta, but whose acceleration outside the notch is not within its
 /// limit: sqrt(f^2 + (v0 p)^2) is above it, with the stiffest spring.
 std::optional<Interval> above_limit(const design::Problem& problem, const design::Limits& limits,
@@ -261,13 +192,6 @@ std::optional<Interval> above_limit(const design::Problem& problem, const design
   return from < to ? std::optional(Interval{from, to}) : std::nullopt;
 }
 
-/// Beyond f1 of the softest spring.
-std::string held_at_the_limit(const design::Problem& problem, double f, const FigureUnits& units) {
-  return f < problem.beta * problem.p * problem.p
-             ? ""
-             : "friction could hold the mass at " + units.length_words(problem.beta);
-}
-
 std::optional<design::ServedInterval> hit_of(const std::optional<design::WorksFor>& works_for) {
   return works_for ? std::optional(works_for->hit) : std::nullopt;
 }
@@ -280,20 +204,16 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
   const double unit = units.velocity;
   const auto hits = design::shown_hits(problem, f, delta);
   const auto felt = above_limit(problem, limits, f, hits);
-  Figure figure =
-      ends_figure({.noun = "hit",
-                   .measured = "hits",
-                   .symbol = "V₀",
-                   .scale = unit,
-                   .unit = units.velocity_unit,
-                   .list = hits,
-                   .asked = {problem.v0_low.value_or(problem.v0), problem.v0},
-                   .arrivals = static_cast<double>(problem.arrivals),
-                   .has_range = problem.v0_low.has_value(),
-                   .works = hit_of(works_for),
-                   .refusal = held_at_the_limit(problem, f, units),
-                   .acceleration_max = felt ? limits.acceleration_max : std::nullopt,
-                   .fail_by_criterion = exact_works_above(problem, limits, f, delta, works_for)});
+  Figure figure = ends_figure({.noun = "hit",
+                               .measured = "hits",
+                               .symbol = "V₀",
+                               .scale = unit,
+                               .unit = units.velocity_unit,
+                               .list = hits,
+                               .asked = {problem.v0_low.value_or(problem.v0), problem.v0},
+                               .arrivals = static_cast<double>(problem.arrivals),
+                               .has_range = problem.v0_low.has_value(),
+                               .works = hit_of(works_for)});
   figure.title = problem.p_high ? "Where the mass stops with the worst spring"
                                 : "Where the mass stops after a hit";
   figure.x.label = units.velocity_unit.empty() ? "velocity of the hit, V₀"
@@ -306,23 +226,20 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
   return figure;
 }
 
-Figure strengths_figure(const design::PulseProblem& problem, const design::Limits& limits, double f,
-                        double delta, const std::optional<design::WorksFor>& works_for) {
+Figure strengths_figure(const design::PulseProblem& problem, double f, double delta,
+                        const std::optional<design::WorksFor>& works_for) {
   constexpr double room = 1.25;
   const double k = design::peak_load(problem.pulse);
   const auto works = hit_of(works_for);
-  Figure figure =
-      ends_figure({.noun = "pulse",
-                   .measured = "pulses with k",
-                   .symbol = "k",
-                   .unit = "g",
-                   .list = design::shown_strengths(problem, f, delta,
-                                                   works ? room * works->high.value_or(0) : 0),
-                   .asked = {problem.ranges.k_low.value_or(k), k},
-                   .has_range = problem.has_ranges(),
-                   .works = works,
-                   .acceleration_max = limits.acceleration_max,
-                   .fail_by_criterion = exact_works_above(problem, limits, f, delta, works_for)});
+  Figure figure = ends_figure({.noun = "pulse",
+                               .measured = "pulses with k",
+                               .symbol = "k",
+                               .unit = "g",
+                               .list = design::shown_strengths(
+                                   problem, f, delta, works ? room * works->high.value_or(0) : 0),
+                               .asked = {problem.ranges.k_low.value_or(k), k},
+                               .has_range = problem.has_ranges(),
+                               .works = works});
   figure.title = problem.p_high || problem.ranges.lambda_high
                      ? "Where the mass stops under the worst of the pulses"
                      : "Where the mass stops under the pulse";

@@ -121,51 +121,16 @@ void add_edge(Figure& figure, std::string name, FigurePoint from, FigurePoint to
       figures::line(std::move(name), {{from, to}}, Ink::grey, Dash::solid, true));
 }
 
-/// Of several strips, those of later arrivals lie below those of earlier ones.
+/// What the strips mean, if there are some to tell apart.
 void add_strips_clauses(Figure& figure, const Problem& problem,
                         const std::vector<PlaneArea>& strips) {
-  if (!has(strips, PlaneKind::arrival) || (problem.arrivals == 1 && strips.size() == 1)) {
-    return;
+  if (has(strips, PlaneKind::arrival) && (problem.arrivals > 1 || strips.size() > 1)) {
+    figure.clauses.push_back(format("in a strip the mass {} at that arrival",
+                                    problem.residual ? "rests within the residual" : "stops"));
   }
-  const bool any_rest = has(strips, PlaneKind::any_rest);
-  figure.clauses.push_back(
-      format("in {} strip{} the mass {} at that arrival{}", any_rest ? "the" : "each",
-             any_rest ? " of an arrival" : "",
-             problem.residual ? "rests within the residual" : "stops at x = 0",
-             strips.size() > 1 && !problem.residual ? ", in a lower strip at a later one" : ""));
   if (has(strips, PlaneKind::later_arrivals)) {
     figure.clauses.emplace_back("the grey area is admissible only in thin strips");
   }
-}
-
-std::string main_clause(const DrawnRegion& drawn, const FigureUnits& units) {
-  const Problem& problem = drawn.problem;
-  const std::string_view ranges = problem.v0_low && problem.p_high
-                                      ? " with every hit and spring of the ranges"
-                                  : problem.v0_low ? " with every hit of the range"
-                                  : problem.p_high ? " with every spring of the range"
-                                                   : "";
-  return format("{}{}", region_clause(drawn.damper, drawn.region, drawn.limits, units), ranges);
-}
-
-/// Without any admissible damper.
-std::string empty_clause(const std::vector<PlaneArea>& areas) {
-  using enum PlaneKind;
-  return format(
-      "No damper is admissible: {}",
-      has(areas, too_weak_and_strong)          ? "in the gap f is both too weak and too strong"
-      : has(areas, notch_too_weak_and_limited) ? "in the gap even the largest Δ is too weak"
-      : has(areas, too_weak_and_limited) ? "in the gap f is too weak and already beyond a limit"
-                                         : "at every f and Δ some requirement is violated");
-}
-
-std::string plane_words(const Region& region, const FigureUnits& units) {
-  return format(
-      "The plane of f and Δ. The admissible region goes from f = {:.4g} (amplitude) to {:.4g} "
-      "(return) and from the curve Δ₁ (stop) up to Δ₂ = {} (start); the dead zone requires "
-      "f < {:.4g}. {}",
-      std::max(region.f2, 0.0), region.f3, units.length_words(region.delta2.value()), region.f1,
-      region.feasible ? "" : "Nothing is left: no design is admissible. ");
 }
 
 std::vector<std::vector<FigurePoint>> outlines(const std::vector<PlaneArea>& areas, double unit) {
@@ -250,9 +215,6 @@ std::vector<PlaneArea> add_plane(Figure& figure, const DrawnRegion& drawn,
 
   figure.x = axis_of("constant friction f", seen.least.x, seen.most.x, all.most.x);
   figure.y = axis_of(units.delta_label, seen.least.y, seen.most.y, all.most.y);
-  figure.description =
-      several ? "The plane of f and Δ with the strip of each arrival at which the mass may rest. "
-              : plane_words(region, units);
   const PlaneWords words(drawn.problem, drawn.limits, units);
   add_areas(figure, strips, words, unit);
   if (drawn.problem.arrivals == 1 && strips.size() == 1) {  // no strips to tell apart
@@ -264,8 +226,12 @@ std::vector<PlaneArea> add_plane(Figure& figure, const DrawnRegion& drawn,
   const auto forbidden =
       design::forbidden_areas(drawn.problem, drawn.limits, region, window(figure, unit));
   add_areas(figure, forbidden, words, unit);
-  figure.clauses = strips.empty() ? std::vector{empty_clause(forbidden)}
-                                  : std::vector{main_clause(drawn, units)};
+  figure.clauses = {strips.empty()
+                        ? "No damper is admissible: at every f and Δ some requirement is violated"
+                        : region_clause(damper, region, drawn.limits) +
+                              (drawn.problem.v0_low || drawn.problem.p_high
+                                   ? ", whatever the hit and the spring"
+                                   : "")};
   add_strips_clauses(figure, drawn.problem, strips);
   if (!several) {
     add_delta1(figure, drawn.problem, region.f3, unit);
@@ -286,14 +252,10 @@ std::vector<PlaneArea> add_pulse_plane(Figure& figure, const DrawnRegion& drawn,
   figure.x = {"constant friction f", 0, right};
   const double limit = design::largest_delta_allowed(drawn.limits) * units.length;
   figure.y = {units.delta_label, 0, headroom * topmost(curve, far.y, limit)};
-  figure.description = format(
-      "The plane of f and Δ under the pulse. No f above {:.4g} lets the mass return; "
-      "where it does, every Δ above the curve stops it. ",
-      drawn.region.f3);
   if (drawn.intervals.empty()) {
     figure.clauses = {"With every f the mass misses x = 0 or violates a limit"};
   } else {
-    figure.clauses = {region_clause(drawn.damper, drawn.region, drawn.limits, units)};
+    figure.clauses = {region_clause(drawn.damper, drawn.region, drawn.limits)};
     if (std::isinf(design::largest_delta_allowed(drawn.limits))) {
       figure.clauses.emplace_back("nothing bounds Δ from above, because the mass starts from rest");
     }
@@ -334,6 +296,8 @@ void add_boundaries(Figure& figure, const Problem& problem, const FigureUnits& u
 Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   Figure figure;
   figure.id = "region";
+  figure.description =
+      "The plane of f and Δ: which dampers are admissible, and what forbids others. ";
   figure.title = drawn.region.feasible ? "Admissible region" : drawn.mend;
   const auto strips =
       drawn.pulse ? add_pulse_plane(figure, drawn, units) : add_plane(figure, drawn, units);

@@ -171,8 +171,7 @@ void add_damper(figures::Figure& figure, const DrawnDamper& damper, const design
                 const FigureUnits& units);
 /// What the box means, or without one the area that is left, for a caption to go on.
 [[nodiscard]] std::string region_clause(const std::optional<DrawnDamper>& damper,
-                                        const design::Region& region, const design::Limits& limits,
-                                        const FigureUnits& units);
+                                        const design::Region& region, const design::Limits& limits);
 
 /// What to draw for a region.
 struct DrawnRegion {
@@ -201,8 +200,8 @@ void add_tolerant(figures::Figure& figure, const design::Limits& limits,
                                           const std::optional<design::WorksFor>& works_for,
                                           const FigureUnits& units);
 /// The same by the strength of a pulse, at the first return.
-[[nodiscard]] figures::Figure strengths_figure(const design::PulseProblem& problem,
-                                               const design::Limits& limits, double f, double delta,
+[[nodiscard]] figures::Figure strengths_figure(const design::PulseProblem& problem, double f,
+                                               double delta,
                                                const std::optional<design::WorksFor>& works_for);
 
 /// The analytic boundaries alone, within the axes of the figure.
