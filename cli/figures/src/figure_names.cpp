@@ -112,11 +112,6 @@ class Names {
         }
       }
     }
-    for (const MapLabel& label : map.values) {
-      put(within(ground_, label.text, cells_that([&label](std::size_t cell) {
-                   return std::binary_search(label.cells.begin(), label.cells.end(), cell);
-                 })));
-    }
   }
 
   const Figure& figure_;

@@ -76,7 +76,6 @@ Figure map_of_kinds() {
        {std::array{4, 8, 1}, {8, 12, 2}, {20, 30, 3}, {42, 43, 4}}) {
     std::fill(figure.map.cells.begin() + from, figure.map.cells.begin() + to, entry);
   }
-  figure.map.values = {{"12", {13, 15, 17, 19}}};
   figure.curves = {{.name = "", .strokes = {{{0, -1}, {10, -1}}}, .hover = false}};
   return figure;
 }

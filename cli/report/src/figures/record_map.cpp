@@ -55,14 +55,6 @@ std::size_t broken_index(const SuiteFigures& figures, const SuiteLimits& limits)
   return worst;
 }
 
-std::string objective_words(const design::RecordDesignRequest& task, double value,
-                            const FigureUnits& units) {
-  const design::SuiteFigureKind& kind = minimised(task);
-  return kind.objective == design::SuiteObjective::acceleration ? format("{:.3g} g", value)
-         : kind.objective                                       ? units.length_words(value)
-                                                                : units.velocity_words(value);
-}
-
 /// Of one shade.
 double shade_width(const ShownValues& shown) {
   return shown.most > shown.least ? (shown.most - shown.least) / static_cast<double>(shades.size())
@@ -103,35 +95,21 @@ void add_cells(figures::FigureMap& drawn, const design::SuiteMap& map, const Sho
   }
 }
 
-/// Of each cell.
-std::vector<double> values_of(const design::SuiteMap& map,
-                              const design::RecordDesignRequest& task) {
-  std::vector<double> values;
-  for (std::size_t row = 0; row < map.delta.size(); ++row) {
-    for (std::size_t column = 0; column < map.f.size(); ++column) {
-      values.push_back(map.figures[column * map.delta.size() + row].*minimised(task).value);
-    }
-  }
-  return values;
-}
-
-void add_shades(figures::FigureMap& drawn, const design::SuiteMap& map, const ShownValues& shown,
-                const design::RecordDesignRequest& task, const FigureUnits& units) {
-  const auto words = [&](double value) { return objective_words(task, value, units); };
+void add_shades(figures::FigureMap& drawn, const ShownValues& shown,
+                const design::SuiteFigureKind& kind, const FigureUnits& units) {
   const auto& [least, most] = shown;
+  const auto [unit, name] = units.of(kind.dimension);
   for (std::size_t i = 0; i < shades.size(); ++i) {
     const double from = least + shade_width(shown) * static_cast<double>(i);
-    drawn.palette.push_back({shades.at(i), least < most ? format("{} to {}", words(from),
-                                                                 words(from + shade_width(shown)))
-                                           : least == most && i == 0 ? words(least)
-                                                                     : ""});
+    const double to = std::min(from + shade_width(shown), most);
+    drawn.palette.push_back(from <= to ? shade(shades.at(i), "", from * unit, to * unit, name)
+                                       : figures::MapShade{shades.at(i)});
   }
   if (least < most) {
-    label_values(drawn, {0, shades.size()}, values_of(map, task), words);
-    drawn.key.push_back({"from " + words(least), shades.front()});
-    drawn.key.push_back({"to " + words(most), shades.back()});
+    drawn.key.push_back({"from " + units.words(kind.dimension, least), shades.front()});
+    drawn.key.push_back({"to " + units.words(kind.dimension, most), shades.back()});
   } else if (least == most) {
-    drawn.key.push_back({words(least), shades.front()});
+    drawn.key.push_back({units.words(kind.dimension, least), shades.front()});
   }
 }
 
@@ -215,7 +193,7 @@ Figure drawn_map(const design::RecordDesign& result, const Window& window, bool 
   figure.y = {units.delta_label, task.delta->low * units.length, task.delta->high * units.length};
   const std::vector<double> bounds = excess_bounds(map, task.limits);
   add_cells(figure.map, map, values, bounds, task);
-  add_shades(figure.map, map, values, task, units);
+  add_shades(figure.map, values, minimised(task), units);
   const bool any_fails = add_faults(figure.map, bounds);
   const figures::FigurePoint place{point.damper.f, point.damper.delta * units.length};
   const char* const what = result.finding ? "chosen" : "nearest";

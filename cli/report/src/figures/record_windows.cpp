@@ -32,11 +32,8 @@ void add_box_outline(Figure& figure, const design::SuiteBox& box, const FigureUn
 std::string shortfall_title(const design::RecordDesign& result, const FigureUnits& units) {
   for (const design::SuiteShortfall& each : result.shortfalls) {
     if (each.relaxed) {
-      return each.kind->objective == design::SuiteObjective::acceleration
-                 ? format("No damper: allow {:.4g} g to be transmitted", *each.relaxed)
-                 : format("No damper: allow a {} of {}", each.kind->words,
-                          each.kind->objective ? units.length_words(*each.relaxed)
-                                               : units.velocity_words(*each.relaxed));
+      return format("No damper: allow a {} of {}", each.kind->words,
+                    units.words(each.kind->dimension, *each.relaxed));
     }
   }
   return "No damper meets the limits";

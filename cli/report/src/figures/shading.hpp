@@ -4,7 +4,6 @@
 #include <stillpoint/figures/figure.hpp>
 
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,14 +19,10 @@ namespace stillpoint::report {
 /// Of a value between the first bound and the last; a bound belongs to the class below it.
 [[nodiscard]] std::size_t class_of(double value, const std::vector<double>& bounds);
 
-/// Entries of a palette.
-struct Entries {
-  std::size_t first;
-  std::size_t last;  ///< one beyond
-};
-/// Labels each area of the entries with its values, one for each cell of the map.
-void label_values(figures::FigureMap& map, const Entries& entries,
-                  const std::vector<double>& values,
-                  const std::function<std::string(double)>& words);
+/// A shade of cells with values from `low` to `high`, written among them: "0.210 to 0.233 g", or
+/// "≈ 0.222 g" of those that hardly differ.
+[[nodiscard]] figures::MapShade shade(std::string colour, const std::string& name, double low,
+                                      double high, const std::string& unit,
+                                      figures::Hatch hatch = figures::Hatch::none);
 
 }  // namespace stillpoint::report

@@ -92,7 +92,7 @@ figures::FigureMap drawn(const sweep::SweepMap& map, const ClassCounts& counts, 
                          const std::string& place) {
   constexpr std::size_t ranges = SweepClass::ranges;
   const auto few = static_cast<std::int64_t>(map.cells().size() / 50);
-  figures::FigureMap drawn{map.f().cells(), map.delta().cells(), map.cells(), {}, {}, {}};
+  figures::FigureMap drawn{map.f().cells(), map.delta().cells(), map.cells(), {}, {}};
   if (any_rests(counts, 0)) {
     drawn.key.push_back({"stops " + place, "#4c96cf"});
   }
@@ -120,8 +120,8 @@ std::string peak_words(double peak, double most, const FigureUnits& units) {
 }
 
 /// Shades a class by its peaks, if they differ; the key says from which to which.
-void shade(figures::FigureMap& drawn, const sweep::SweepMap& map, const ShadedClass& by,
-           const FigureUnits& units) {
+void shade_peaks(figures::FigureMap& drawn, const sweep::SweepMap& map, const ShadedClass& by,
+                 const FigureUnits& units) {
   std::vector<double> peaks;
   for (std::size_t i = 0; i < map.peaks().size(); ++i) {
     if (map.cells()[i] == by.index) {
@@ -137,17 +137,15 @@ void shade(figures::FigureMap& drawn, const sweep::SweepMap& map, const ShadedCl
   const std::string name = drawn.palette[by.index].name;
   const figures::Hatch hatch = hatch_of(by.index);
   for (std::size_t i = 0; i < peak_shades; ++i) {
-    drawn.palette.push_back(
-        {shade_of(by.shades, i),
-         format("{}, peak {} to {}", name, words(bounds[2 * i]), words(bounds[2 * i + 2])), "",
-         hatch});
+    drawn.palette.push_back(shade(shade_of(by.shades, i), name + ", peak ",
+                                  bounds[2 * i] * units.length, bounds[2 * i + 2] * units.length,
+                                  units.length_unit, hatch));
   }
   for (std::size_t i = 0; i < drawn.cells.size(); ++i) {
     if (map.cells()[i] == by.index) {
       drawn.cells[i] = static_cast<std::uint8_t>(first + class_of(map.peaks()[i], bounds) / 2);
     }
   }
-  label_values(drawn, {first, drawn.palette.size()}, map.peaks(), words);
   drawn.key.push_back(
       {format("{}, peak from {}", name, words(bounds.front())), shade_of(by.shades, 0), hatch});
   drawn.key.push_back({format("{}, peak to {}", name, words(bounds.back())),
@@ -213,7 +211,7 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
   figure.y = figure_axis(units.delta_label, map.delta(), units.length);
   figure.map = drawn(map, counts, v0 == 0, place);
   for (const ShadedClass& by : shaded) {
-    shade(figure.map, map, by, units);
+    shade_peaks(figure.map, map, by, units);
   }
   const bool any_rest = any_rests(counts, 0) || any_rests(counts, SweepClass::ranges);
   const bool any_peaks = figure.map.palette.size() > SweepClass::count;

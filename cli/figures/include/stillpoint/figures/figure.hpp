@@ -104,12 +104,6 @@ struct MapKey {
   Hatch hatch{Hatch::none};
 };
 
-/// Words for some cells of a map, in ascending order, written among them if there is room.
-struct MapLabel {
-  std::string text;
-  std::vector<std::size_t> cells;
-};
-
 /// The colours of a grid of cells that fills the axes; row 0 is the lowest. All cells have the same
 /// size in the scales of the axes.
 struct FigureMap {
@@ -118,7 +112,6 @@ struct FigureMap {
   std::vector<std::uint8_t> cells;  ///< rows * columns entries of the palette
   std::vector<MapShade> palette;
   std::vector<MapKey> key;
-  std::vector<MapLabel> values{};  ///< of single areas
 };
 
 enum class Scale { linear, logarithmic };
