@@ -82,28 +82,4 @@ BOOST_FIXTURE_TEST_CASE(values_of_practice_are_those_of_the_motion_in_units, San
   BOOST_TEST(rests > 0);
 }
 
-BOOST_FIXTURE_TEST_CASE(mends_are_in_units_too_and_mend, Sandbox) {
-  const auto problem = [](const std::string& velocity, const std::string& period,
-                          const std::string& room) {
-    return Arguments{"design", "--velocity",         velocity, "--period",
-                     period,   "--max-displacement", room};
-  };
-  const ProgramRun answer = ending(3, problem("0.4", "3", "0.13") + "--mass 2e5 --json");
-  const json quantities = answer.json()["physical"];
-  check_null(quantities,
-             {"f", "delta_m", "friction_force_n", "energy_per_passage_j", "peak_m", "stop_time_s"});
-  // Not the last digits: they are to the safe side, so that the mended problem has a design.
-  constexpr double digits = 1e-13;
-  const double root = std::numbers::sqrt2;
-  const double room = quantities["max_displacement_mend_m"];
-  const double velocity = quantities["velocity_mend_m_per_s"];
-  const double period = quantities["period_mend_s"];
-  BOOST_TEST(near(room, length / root, digits));
-  BOOST_TEST(near(velocity, 0.13 * root * omega, digits));
-  BOOST_TEST(near(period, 2 * std::numbers::pi * 0.13 * root / speed, digits));
-  succeed(problem("0.4", "3", in_full(room)));
-  succeed(problem(in_full(velocity), "3", "0.13"));
-  succeed(problem("0.4", in_full(period), "0.13"));
-}
-
 BOOST_AUTO_TEST_SUITE_END()

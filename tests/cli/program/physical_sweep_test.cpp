@@ -159,40 +159,4 @@ BOOST_FIXTURE_TEST_CASE(scenes_columns_and_files_work_too, Sandbox) {
   BOOST_TEST(contains(read("rows.npy"), "'peak_m'"));
 }
 
-namespace {
-
-struct WrongEntry {
-  const char* list;
-  const char* message;
-};
-
-std::ostream& operator<<(std::ostream& out, const WrongEntry& wrong) {
-  return out << wrong.message;
-}
-
-const std::vector<WrongEntry> wrong_entries{
-    {"velocity,f,delta_m\n0.4,0.1,0\n-1e31,0.1,0\n",
-     "line 3: velocity = -1e+31 m/s: must be from -1e+30 to 1e+30 m/s"},
-    {"velocity,max_displacement\n0.4,0.15\n-1,0.1\n",
-     "line 3: velocity = -1 m/s: must be from 1e-30 to 1e+30 m/s"},
-    {"velocity,f,delta_m\n0.4,0.1,0\n0.4,0.1,-1\n",
-     "line 3: delta-m = -1 m: must be from 0 to 1e+30 m"},
-    {"velocity,f,delta_m,x0_m\n0.4,0.1,0,0\n0.4,0.1,0,1e200\n",
-     "line 3: x0-m = 1e+200 m: must be from -1e+30 to 1e+30 m"},
-    {"velocity,f,delta_m,notch_width_m\n0.4,0.1,0,1\n0.4,0.1,0,0\n",
-     "line 3: notch-width-m = 0 m: must be from 1e-30 to 1e+30 m"},
-    {"velocity,f,delta_m\n0.4,0.1,0\n0.4,0.1,2mm\n",
-     "line 3: delta_m = \"2mm\": must be a number in SI units"},
-};
-
-}  // namespace
-
-/// As it was given: the kernel would name a v0 that the user did not write.
-BOOST_DATA_TEST_CASE_F(Sandbox, a_wrong_entry_of_a_list_has_its_unit, data::make(wrong_entries),
-                       wrong) {
-  write("list.csv", wrong.list);
-  const ProgramRun refused = ending(2, "sweep --list list.csv --period 2.8");
-  BOOST_TEST(contains(refused.err, wrong.message), refused.err);
-}
-
 BOOST_AUTO_TEST_SUITE_END()

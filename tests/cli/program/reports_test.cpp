@@ -43,9 +43,7 @@ json at_place(const json& report, const std::string& place) {
 class Reported {
  public:
   explicit Reported(const Wrong& told) : input_{.input = told.input} {
-    for (const auto& [name, text] : told.files) {
-      sandbox_.write(name, text);
-    }
+    write_files(sandbox_, told);
     fs::create_directory_symlink(STILLPOINT_DATA_DIR, sandbox_.path("data"));
     arguments_ = told.arguments;
     run_ = sandbox_.run(arguments_ + "--json", input_);

@@ -43,48 +43,6 @@ BOOST_AUTO_TEST_CASE(can_hold_every_kind_of_option) {
   BOOST_TEST(titled.out.starts_with("Damper design: the old bridge\n"));
 }
 
-// The file beside the scene has half the load of the one in the working directory.
-BOOST_AUTO_TEST_CASE(finds_its_files_beside_itself_then_in_the_working_directory) {
-  fs::create_directories(path("job/records"));
-  fs::create_directories(path("scenes"));
-  write("job/records/a.txt", "0 0\n1 0.25\n2 0\n");
-  write("a.txt", "0 0\n1 0.5\n2 0\n");
-  const std::string task = R"("p": 1, "f": 0.01, "delta": 0})";
-  write("job/beside.json", R"({"record": "records/a.txt", )" + task);
-  write("job/above.json", R"({"record": "../job/./records/a.txt", )" + task);
-  write("job/nested.json",
-        R"({"excitation": {"type": "record", "record": "records/a.txt#1"}, )" + task);
-  write("job/here.json", R"({"record": "a.txt", )" + task);
-  const auto report = [&](const Arguments& arguments) {
-    json found = reported("simulate" + arguments);
-    return std::pair(found["input"]["excitation"]["record"].get<std::string>(), found["response"]);
-  };
-  const Arguments damper("--p 1 --f 0.01 --delta 0");
-  const json near = report("--record job/records/a.txt" + damper).second;
-  const json here = report("--record a.txt" + damper).second;
-  BOOST_TEST(near != here);
-  for (const char* const scene : {"job/beside.json", "job/above.json"}) {
-    BOOST_TEST(report(scene).first == "job/records/a.txt");
-    BOOST_TEST(report(scene).second == near);
-  }
-  BOOST_TEST(report("job/nested.json").second == near);
-  BOOST_TEST(report("job/here.json").second == here);
-  BOOST_TEST(report("job/beside.json --record a.txt").second == here);  // a flag is not the scene's
-  check_refusal(
-      run("simulate - --record-scale 2", with_input(R"({"record": "records/a.txt", )" + task)),
-      {"records/a.txt: cannot be read"});
-  write("job/parts.csv", "name,f,delta\na,0.26,0.37\n");
-  write("job/parts.json", R"({"v0": 1, "p": 1, "beta": 0.9, "catalogue": "parts.csv"})");
-  BOOST_TEST(reported("design job/parts.json")["design"]["name"] == "a");
-  write("job/suite.csv", "file,scale\nrecords/a.txt,2\n");
-  write("job/suite.json",
-        R"({"records-list": "suite.csv", "p": 1, "beta": 9, "search-f": "0.1:0.1"})");
-  BOOST_TEST(motion_of(reported("design job/suite.json"))["what"] == "job/records/a.txt");
-  write("job/dampers.csv", "f,delta\n0.01,0\n");
-  write("job/sweep.json", R"({"v0": 1, "p": 1, "list": "dampers.csv"})");
-  BOOST_TEST(run("sweep job/sweep.json").exit_code == 0);
-}
-
 BOOST_AUTO_TEST_CASE(shipped_with_the_project_all_work) {
   int scenes = 0;
   for (const auto& entry : fs::directory_iterator(STILLPOINT_DATA_DIR "/scenes")) {

@@ -62,4 +62,21 @@ BOOST_AUTO_TEST_CASE(figures_beyond_a_double_are_refused_or_left_out_but_never_i
   BOOST_TEST((answer.exit_code == 0 || answer.exit_code == 2));
 }
 
+/// What the mass feels where it crosses a whole notch, followed by simulate with its edges.
+BOOST_AUTO_TEST_CASE(the_bound_of_the_notch_is_what_a_passage_feels) {
+  const Arguments damper("--velocity 0.4 --period 2.8 --f 0.01 --delta-m 3mm");
+  const std::string text =
+      std::regex_replace(run(Arguments("region --max-displacement 0.2 --arrivals 2") + damper).out,
+                         std::regex("\\s+"), " ");
+  std::smatch found;
+  BOOST_TEST_REQUIRE(
+      std::regex_search(text, found, std::regex("at most ([0-9.]+) g inside one 20 mm wide")),
+      text);
+  const double stated = std::stod(found[1]);
+  const double felt = reported(Arguments("simulate --notch-width-m 20mm") +
+                               damper)["response"]["peak_absolute_acceleration"];
+  BOOST_TEST(felt <= stated);
+  BOOST_TEST(felt > stated - 0.001);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -15,44 +15,7 @@ Arguments sweep(const Arguments& more = {}) {
 
 const std::string plain = "f,delta\n0.1,0.2\n0.02,0.03\n0,0\n";
 
-constexpr std::size_t longest_line = 65536;
-
-/// A list that holds the entries of `plain`.
-struct Spelling {
-  const char* name;
-  std::string text;
-};
-
-std::ostream& operator<<(std::ostream& stream, const Spelling& spelling) {
-  return stream << spelling.name;
-}
-
-const std::vector<Spelling> spellings{
-    {"without_a_last_line_end", "f,delta\n0.1,0.2\n0.02,0.03\n0,0"},
-    {"with_carriage_returns", "f,delta\r\n0.1,0.2\r\n0.02,0.03\r\n0,0\r\n"},
-    {"with_a_byte_order_mark", "\xEF\xBB\xBF" + plain},
-    {"with_blank_lines", "\n \nf,delta\n\n0.1,0.2\n\t\n0.02,0.03\n0,0\n\n"},
-    {"with_spaces", " f , delta\n 0.1 ,\t0.2\n0.02, 0.03 \n0,0\n"},
-    {"with_quoted_names", "\"f\",\"delta\"\n0.1,0.2\n0.02,0.03\n0,0\n"},
-    {"with_quotes", "\"f\",delta\n\"0.1\",\"0.2\"\n0.02 , \"0.03\"\r\n\" 0 \",0\n"},
-    {"with_a_line_of_64_KiB",
-     "f,delta\n0.1,0.2" + std::string(longest_line - 7, ' ') + "\n0.02,0.03\n0,0\n"},
-    {"with_other_numerals", "f,delta\n+1e-1,.2\n2E-2,3e-02\n0.0,-0\n"},
-};
-
 }  // namespace
-
-BOOST_DATA_TEST_CASE_F(Sandbox, spelling, data::make(spellings), one) {
-  const ProgramRun expected = succeed(sweep(), with_input(plain));
-  const ProgramRun answer = succeed(sweep(), with_input(one.text));
-  // 0 and -0 are one damper, but the columns repeat what was given.
-  if (std::string(one.name) != "with_other_numerals") {
-    BOOST_TEST(answer.out == expected.out);
-  } else {
-    BOOST_TEST(read_csv(answer.out).at(1, "peak_amplitude") ==
-               read_csv(expected.out).at(1, "peak_amplitude"));
-  }
-}
 
 BOOST_AUTO_TEST_CASE(of_scenes_gives_each_its_own_start) {
   write("scenes.csv", "v0,p,f,delta\n1,2,0.1,0.1\n2,1,0.1,0.1\n");

@@ -62,7 +62,7 @@ void check_refusal(const ProgramRun& run, const Texts& says) {
   BOOST_TEST(run.err.size() < 600U, run.err.substr(0, 1000));  // quoted in part
 }
 
-void check_refused(const Sandbox& sandbox, const Wrong& wrong, const Surroundings& surroundings) {
+void write_files(const Sandbox& sandbox, const Wrong& wrong) {
   for (const auto& [name, text] : wrong.files) {
     if (text == "/") {
       std::filesystem::create_directory(sandbox.path(name));
@@ -72,6 +72,10 @@ void check_refused(const Sandbox& sandbox, const Wrong& wrong, const Surrounding
       sandbox.write(name, text);
     }
   }
+}
+
+void check_refused(const Sandbox& sandbox, const Wrong& wrong, const Surroundings& surroundings) {
+  write_files(sandbox, wrong);
   sandbox.write("old.json", "an old report\n");
   const auto before = sandbox.contents();
   Surroundings now = surroundings;

@@ -33,6 +33,9 @@ struct Wrong {
 
 std::ostream& operator<<(std::ostream& stream, const Wrong& wrong);
 
+/// The files that it may read.
+void write_files(const Sandbox& sandbox, const Wrong& wrong);
+
 /// Asserts exit code 2, one line on standard error with all of `says`, nothing on standard output.
 void check_refusal(const ProgramRun& run, const Texts& says);
 
