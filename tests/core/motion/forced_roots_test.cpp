@@ -137,7 +137,8 @@ BOOST_AUTO_TEST_CASE(turns_and_arrivals_are_found_to_rounding_at_every_frequency
     const auto& load = std::get<Harmonic>(scene.excitation);
     const Exact r = Exact(load.lambda) / scene.motion.p;
     bool far = false;
-    for (const Found<double>& found : finds_of(scene).found) {
+    const Finder<double> finds = finds_of(scene);
+    for (const Found<double>& found : finds.found) {
       const Residual left = residual(found, r);
       const auto units = static_cast<double>(abs(left.value) / (left.size * epsilon));
       BOOST_TEST(units <= residual_units,
@@ -160,7 +161,8 @@ BOOST_AUTO_TEST_CASE(turns_and_arrivals_in_50_digits_are_good_to_40) {
   for (int i = 0; i < forced_scene_count() / 10; ++i) {
     const ForcedScene<> scene = any_frequency(dice);
     const Exact r = Exact(std::get<Harmonic>(scene.excitation).lambda) / scene.motion.p;
-    for (const Found<Exact>& found : finds_of(widened<Exact>(scene)).found) {
+    const Finder<Exact> finds = finds_of(widened<Exact>(scene));
+    for (const Found<Exact>& found : finds.found) {
       const Residual left = residual(found, r);
       BOOST_TEST(abs(left.value) <= Exact("1e-40") * left.size, scene);
     }
@@ -199,7 +201,8 @@ BOOST_AUTO_TEST_CASE(a_release_is_found_to_the_digits_of_its_distance_from_the_c
     const Exact phi(scene.motion.f / p);
     // Nothing, unless f < k/2 or f > 2 k.
     const Exact rounded = abs(Exact(static_cast<double>(k) - static_cast<double>(phi) - (k - phi)));
-    for (const auto& [now, u] : finds_of(scene).released) {
+    const Finder<double> finds = finds_of(scene);
+    for (const auto& [now, u] : finds.released) {
       const Exact psi = r * (Exact(now.high()) + now.low()) + load.phase;
       const Exact push = (load.k < 0 ? -k : k) * sin(psi) + u;
       const Exact to_crest = k + (push < 0 ? -u : u) - phi;

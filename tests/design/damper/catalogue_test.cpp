@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "damper.hpp"
-#include "pulse/random_pulse.hpp"
+#include "pulse/pulse_task.hpp"
 
 BOOST_AUTO_TEST_SUITE(catalogue_test)
 

@@ -4,7 +4,7 @@
 // returns is 1e-11 off. No bit of a design may change.
 #include "any_task.hpp"
 #include "damper.hpp"
-#include "pulse/random_pulse.hpp"
+#include "pulse/pulse_task.hpp"
 
 #include <fmt/format.h>
 

@@ -51,7 +51,8 @@ BOOST_AUTO_TEST_CASE(a_mean_is_that_of_the_records_alone) {
   const SuiteDamper damper{1, 0.05, 0};
   const SuiteFigures mean = Suite(request).figures(damper);
   SuiteFigures sum;
-  for (const SuiteRecord& record : two_records().records) {
+  const RecordDesignRequest both = request;
+  for (const SuiteRecord& record : both.records) {
     request.records = {record};
     const SuiteFigures alone = Suite(request).figures(damper);
     sum.peak += alone.peak;

@@ -4,9 +4,7 @@
 #include "pulse/first_return.hpp"
 #include "pulse/known_motions.hpp"
 #include "pulse/worst_return.hpp"
-#include "pulse_request.hpp"
-#include "pulse_scan.hpp"
-#include "random_pulse.hpp"
+#include "pulse_task.hpp"
 
 BOOST_AUTO_TEST_SUITE(pulse_profile_test)
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "damper.hpp"
 #include "pulse/region.hpp"
-#include "pulse_request.hpp"
-#include "pulse_scan.hpp"
-#include "random_pulse.hpp"
+#include "pulse_task.hpp"
 
 BOOST_AUTO_TEST_SUITE(pulse_ranges_test)
 
@@ -21,87 +19,42 @@ constexpr double sampled = 0.01;
 /// The search ends at this tolerance.
 constexpr double widest = 0.995;
 
-struct Ends {
-  double low{1};
-  double high{1};
-
-  [[nodiscard]] double at(double part) const { return low + (high - low) * part; }
-};
-
-struct Task {
-  int kind{0};
-  PulseRequest request;
-  Ends k, lambda, p;
-};
-
 /// The worst of a grid of pulses and springs.
-Scanned worst(const Task& task, double f) {
-  constexpr double steps = 4;
+Scanned worst(const PulseRequest& request, double f) {
   Scanned worst{.f = f, .holds = true};
-  for (int i = 0; i <= 2 && worst.holds; ++i) {
-    for (int j = 0; j <= 4 && worst.holds; ++j) {
-      for (int n = 0; n <= 2; ++n) {
-        const Scanned now = scanned(
-            task.request, pulse_of(task.kind, task.k.at(i / 2.0), task.lambda.at(j / steps)),
-            task.p.at(n / 2.0), f);
-        worst.holds = worst.holds && now.holds;
-        worst.need = std::max(worst.need, now.need);
-      }
-    }
+  for (int i = 0; i < 45 && worst.holds; ++i) {
+    const Scanned now =
+        scanned(request, at_parts(request.problem, i % 3 / 2.0, i / 3 % 5 / 4.0, i / 15 / 2.0), f);
+    worst.holds = now.holds;
+    worst.need = std::max(worst.need, now.need);
   }
   return worst;
 }
 
 /// The largest tolerance of a box with its ends on a grid of f; negative without any.
-double scanned_tolerance(const Task& task) {
+double scanned_tolerance(const PulseRequest& request) {
   constexpr int steps = 60;
   constexpr double least = 1e-3;
-  const double far = std::min(task.k.low, 4 * task.k.high * task.p.high / task.lambda.low);
+  const PulseProblem& problem = request.problem;
+  const double far =
+      std::min(*problem.ranges.k_low,
+               4 * peak_load(problem.pulse) * *problem.p_high / angular_frequency(problem.pulse));
   std::vector<Scanned> points;
   points.reserve(steps + 1);
   for (int i = 0; i <= steps; ++i) {
-    points.push_back(worst(task, far * std::pow(least, 1 - static_cast<double>(i) / steps)));
+    points.push_back(worst(request, far * std::pow(least, 1 - static_cast<double>(i) / steps)));
   }
-  return best_tolerance(points, task.request.limits);
+  return best_tolerance(points, request.limits);
 }
 
-Task random_task(RandomSource& random) {
-  Task task;
-  task.kind = random.pick(3);
-  const double p = random.log_uniform(1e-2, 1e2);
-  const double k = random.log_uniform(1e-2, 1e2);
-  const double lambda = p / random.log_uniform(0.02, 4);
-  const auto ends = [&](double low) -> Ends {
-    return {low, random.pick(3) == 0 ? low : low * (1 + random.uniform(0, 0.25))};
-  };
-  task.k = ends(k);
-  task.lambda = ends(lambda);
-  task.p = ends(p);
-  PulseProblem& problem = task.request.problem;
-  problem = {pulse_of(task.kind, task.k.high, task.lambda.low), task.p.low, 1,
-             random.pick(2) == 0 ? Criterion::published : Criterion::exact};
-  problem.ranges = {task.k.low, task.lambda.high};
-  problem.p_high = task.p.high;
-  const ForcedResponse free = forced_response({p, 1e-3 * k, 1e200}, {}, excitation(problem.pulse));
-  problem.beta = random.uniform(0.6, 1.4) * free.peak_amplitude;
-  Limits& limits = task.request.limits;
-  random.one_in(4, limits.tolerance, [&] { return random.uniform(0, 0.1); });
-  if (random.pick(3) == 0) {
-    const double w = free.arrival_speed.value_or(0);
-    limits.delta_max = random.uniform(0.5, 2) * w * w / 2;
-  }
-  random.one_in(4, limits.acceleration_max,
-                [&] { return random.uniform(1, 1.5) * free.peak_absolute_acceleration; });
-  return task;
-}
-
-std::string context_of(const Task& task) {
-  std::ostringstream text;
-  text.precision(17);
-  text << "kind " << task.kind << ", k " << task.k.low << ":" << task.k.high << ", lambda "
-       << task.lambda.low << ":" << task.lambda.high << ", p " << task.p.low << ":" << task.p.high
-       << ", beta " << task.request.problem.beta << ", " << name(task.request.problem.criterion);
-  return text.str();
+/// With more room than a pulse alone needs.
+PulseRequest random_task(RandomSource& random) {
+  PulseRequest request = ranged(random_request(random), random, 0.25);
+  request.problem.beta *= 1.3;
+  request.limits.tolerance *= random.pick(2) / 3.0;
+  request.limits.f_max.reset();
+  request.search.objective = Objective::robust;
+  return request;
 }
 
 bool has_design(const PulseRequest& request) {
@@ -125,34 +78,28 @@ void check_ends(const PulseRequest& request, const std::vector<Mend>& mends) {
 
 /// Long sines, of which the largest f that returns dips and the need jumps in windows of lambda/p
 /// that are a per cent wide; most have the least peak, so that f is as large as it may be.
-Task long_task(RandomSource& random) {
-  Task task;
-  task.kind = 2 * (random.pick(3) / 2);
+PulseRequest long_task(RandomSource& random) {
   const double p = random.log_uniform(0.1, 10);
   const double k = random.log_uniform(0.1, 10);
   const double lambda = p / random.log_uniform(3, 8);
-  const double width = random.log_uniform(0.02, 0.25);
-  const int all = random.pick(4);
-  const auto ends = [&](double low, bool varies) -> Ends {
-    return {low, varies ? low * (1 + width * random.uniform(0.3, 1)) : low};
-  };
-  task.k = ends(k, all == 0);
-  task.lambda = ends(lambda, true);
-  task.p = ends(p, all <= 1);
-  PulseProblem& problem = task.request.problem;
-  problem = {pulse_of(task.kind, task.k.high, task.lambda.low), task.p.low, 1,
-             random.pick(2) == 0 ? Criterion::published : Criterion::exact};
-  problem.ranges = {task.k.low, task.lambda.high};
-  problem.p_high = task.p.high;
-  const Scanned free = scanned(task.request, problem.pulse, problem.p, 0.02 * task.k.high);
+  PulseRequest request = request_of(pulse_of(2 * (random.pick(3) / 2), k, lambda), 1);
+  PulseProblem& problem = request.problem;
+  problem.p = p;
+  problem.criterion = random.pick(2) == 0 ? Criterion::published : Criterion::exact;
+  request = ranged(request, random, random.log_uniform(0.02, 0.25));
+  if (random.pick(4) > 0) {
+    problem.ranges.k_low = k;
+  }
+  const Scanned free = scanned(request, problem.pulse, p, 0.02 * k);
   problem.beta = 3 * free.peak_amplitude;
-  task.request.limits.delta_max = random.log_uniform(0.5, 20) * free.need;
-  task.request.search.objective = random.pick(4) == 0 ? Objective::robust : Objective::amplitude;
-  return task;
+  request.limits.delta_max = random.log_uniform(0.5, 20) * free.need;
+  request.search.objective = random.pick(4) == 0 ? Objective::robust : Objective::amplitude;
+  return request;
 }
 
 /// How many of the points that are simulated in the box and in the ranges are not admissible.
-int outside(const Task& task, const DesignPoint& point, int points, RandomSource& random) {
+int outside(const PulseRequest& request, const DesignPoint& point, int points,
+            RandomSource& random) {
   const auto part = [&](int i) {
     return i % 3 == 0 ? random.pick(2) : random.uniform(0, 1);  // corners as well
   };
@@ -161,11 +108,10 @@ int outside(const Task& task, const DesignPoint& point, int points, RandomSource
     const double r = point.tolerance * (1 - inset);
     const double f = point.f * (1 + r * (2 * part(i) - 1));
     const double delta = point.delta * (1 + r * (2 * part(i) - 1));
-    const Scanned now =
-        scanned(task.request, pulse_of(task.kind, task.k.at(part(i)), task.lambda.at(part(i))),
-                task.p.at(part(i)), f);
-    bad +=
-        !now.holds || now.need > delta || delta > task.request.limits.delta_max.value_or(HUGE_VAL);
+    const double at_k = part(i);
+    const double at_lambda = part(i);
+    const Scanned now = scanned(request, at_parts(request.problem, at_k, at_lambda, part(i)), f);
+    bad += !now.holds || now.need > delta || delta > request.limits.delta_max.value_or(HUGE_VAL);
   }
   return bad;
 }
@@ -214,23 +160,18 @@ BOOST_AUTO_TEST_CASE(a_gap_of_the_return_between_two_f_is_found) {
 
 // The need over f^2, which is what a weaker pulse asks for, has a maximum where it is not concave.
 BOOST_AUTO_TEST_CASE(a_maximum_beside_a_bend_is_found) {
-  Task task;
-  task.k = {0.9496347408, 0.995780781};
-  task.lambda = {0.05291340021, 0.05603690906};
-  task.p = {0.2891612878, 0.3238516763};
-  task.request.problem = {
-      HalfSine{task.k.high, task.lambda.low}, task.p.low, 37.65643277, Criterion::published,
-      {task.k.low, task.lambda.high},         task.p.high};
-  task.request.limits.delta_max = 0.482084;
-  task.request.search.objective = Objective::time;
-  const DesignPoint point = design::design(task.request).finding.value().point;
+  PulseRequest request;
+  request.problem = {
+      HalfSine{0.995780781, 0.05291340021}, 0.2891612878, 37.65643277, Criterion::published,
+      {0.9496347408, 0.05603690906},        0.3238516763};
+  request.limits.delta_max = 0.482084;
+  request.search.objective = Objective::time;
+  const DesignPoint point = design::design(request).finding.value().point;
   const double high = point.f * (1 + point.tolerance);
   double largest = 0;
   for (int i = 0; i <= 300; ++i) {
-    largest = std::max(
-        largest,
-        scanned(task.request, HalfSine{task.k.at(i / 300.0), task.lambda.high}, task.p.low, high)
-            .need);
+    largest =
+        std::max(largest, scanned(request, at_parts(request.problem, i / 300.0, 1, 0), high).need);
   }
   BOOST_TEST(largest <= point.delta * (1 - point.tolerance) * (1 + inset));
 }
@@ -435,14 +376,14 @@ BOOST_AUTO_TEST_CASE(designs_hold_for_every_pulse_and_spring_of_their_ranges) {
   const int points = asked == nullptr ? 400 : std::atoi(asked) / tasks;
   int found = 0;
   for (int i = 0; i < tasks; ++i) {
-    const Task task = random_task(random);
+    const PulseRequest task = random_task(random);
     BOOST_TEST_CONTEXT("task " << i << ": " << context_of(task)) {
       const double scanned = scanned_tolerance(task);
-      if (!has_design(task.request)) {  // whose mends would take a while
-        BOOST_TEST(scanned <= task.request.limits.tolerance + sampled);
+      if (!has_design(task)) {  // whose mends would take a while
+        BOOST_TEST(scanned <= task.limits.tolerance + sampled);
         continue;
       }
-      const DesignResult result = design::design(task.request);
+      const DesignResult result = design::design(task);
       BOOST_TEST_REQUIRE(result.finding.has_value());
       ++found;
       const DesignPoint& point = result.finding->point;
@@ -460,8 +401,8 @@ BOOST_AUTO_TEST_CASE(designs_hold_for_every_long_pulse_of_their_ranges) {
   constexpr int tasks = 60;
   int found = 0;
   for (int i = 0; i < tasks; ++i) {
-    const Task task = long_task(random);
-    const auto damper = design::damper(task.request);
+    const PulseRequest task = long_task(random);
+    const auto damper = design::damper(task);
     if (!damper) {
       continue;
     }
@@ -474,11 +415,9 @@ BOOST_AUTO_TEST_CASE(designs_hold_for_every_long_pulse_of_their_ranges) {
       for (const double end : {-1.0, 1.0}) {
         // The shortest and the longest pulse are on the softest and the stiffest spring.
         const double part = static_cast<double>(j) / lengths;
-        for (const auto& [lambda, p] : {std::pair(task.lambda.at(part), task.p.low),
-                                        std::pair(task.lambda.low, task.p.at(part))}) {
-          const Scanned now =
-              scanned(task.request, pulse_of(task.kind, task.k.at(random.pick(2)), lambda), p,
-                      damper->point.f * (1 + end * r));
+        for (const auto& [lambda, p] : {std::pair(part, 0.0), std::pair(0.0, part)}) {
+          const Scanned now = scanned(task, at_parts(task.problem, random.pick(2), lambda, p),
+                                      damper->point.f * (1 + end * r));
           bad += !now.holds || now.need > least_delta ? 1 : 0;
         }
       }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "damper.hpp"
-#include "random_pulse.hpp"
+#include "pulse_task.hpp"
 
 BOOST_AUTO_TEST_SUITE(pulse_region_test)
 

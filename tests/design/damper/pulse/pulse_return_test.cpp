@@ -2,7 +2,7 @@
 #include "damper.hpp"
 #include "pulse/edge.hpp"
 #include "pulse/first_return.hpp"
-#include "random_pulse.hpp"
+#include "pulse_task.hpp"
 
 BOOST_AUTO_TEST_SUITE(pulse_return_test)
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "damper.hpp"
 #include "pulse/search.hpp"
-#include "pulse_request.hpp"
-#include "pulse_scan.hpp"
-#include "random_pulse.hpp"
+#include "pulse_task.hpp"
 
 BOOST_AUTO_TEST_SUITE(pulse_search_test)
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "damper.hpp"
-#include "pulse_request.hpp"
-#include "pulse_scan.hpp"
-#include "random_pulse.hpp"
+#include "pulse_task.hpp"
 
 #include <stillpoint/design/hits.hpp>
 #include <stillpoint/design/works_for.hpp>
@@ -42,7 +40,7 @@ bool holds(const PulseRequest& request, const PulseProblem& one, double f, doubl
   if (f >= peak_load(one.pulse)) {
     return false;
   }
-  const Scanned now = scanned(request, one.pulse, one.p, f);
+  const Scanned now = scanned(request, one, f);
   return now.holds && now.need <= delta;
 }
 
@@ -78,12 +76,10 @@ std::optional<Point> random_point(RandomSource& random) {
 }
 
 std::string context_of(const Point& now) {
-  const PulseProblem& problem = now.request.problem;
   std::ostringstream text;
   text.precision(17);
-  text << name(problem.pulse) << ", k " << peak_load(problem.pulse) << ", lambda "
-       << angular_frequency(problem.pulse) << ", p " << problem.p << ", beta " << problem.beta
-       << ", f " << now.f << ", delta " << now.delta << ", " << name(problem.criterion);
+  text << stillpoint::design_test::context_of(now.request) << ", f " << now.f << ", delta "
+       << now.delta;
   return text.str();
 }
 
@@ -281,36 +277,34 @@ BOOST_AUTO_TEST_CASE(with_ranges_every_pulse_with_every_spring_is_served) {
     if (!now) {
       continue;
     }
-    PulseProblem& problem = now->request.problem;
-    const double k = peak_load(problem.pulse);
-    const double lambda = angular_frequency(problem.pulse);
-    const double wider = 1 + random.uniform(0, 0.1);
-    problem.ranges = {k / wider, lambda * wider};
-    problem.p_high = problem.p * wider;
+    now->request = ranged(now->request, random, 0.1);
+    const PulseProblem& problem = now->request.problem;
     const auto served = now->served();
     if (!served) {
       continue;
     }
     ++met;
-    BOOST_TEST_CONTEXT(context_of(*now) << ", " << wider) {
-      BOOST_TEST(served->hit.low <= k / wider);
-      BOOST_TEST(*served->hit.high >= k);
+    BOOST_TEST_CONTEXT(context_of(*now)) {
+      BOOST_TEST(served->hit.low <= *problem.ranges.k_low);
+      BOOST_TEST(*served->hit.high >= peak_load(problem.pulse));
       BOOST_TEST(served->p.low <= problem.p);
       BOOST_TEST(*served->p.high >= *problem.p_high);
-      const auto within = [&](double low, double high) {
-        const double part = random.pick(2) == 0 ? random.pick(2) : random.uniform(0, 1);
-        return low * (1 + aside) * std::pow(high / low * (1 - 2 * aside), part);
+      const auto part = [&] {
+        return aside +
+               (1 - 2 * aside) * (random.pick(2) == 0 ? random.pick(2) : random.uniform(0, 1));
+      };
+      const auto within = [&](const ServedInterval& of) {
+        return of.low * std::pow(*of.high / of.low, part());
       };
       for (int point = 0; point < 40; ++point) {
-        const bool by_k = point % 2 == 0;
-        const double now_k =
-            by_k ? within(served->hit.low, *served->hit.high) : within(k / wider, k);
-        const double now_p =
-            by_k ? within(problem.p, *problem.p_high) : within(served->p.low, *served->p.high);
-        PulseProblem one = with_p(with_k(problem, now_k), now_p);
-        std::visit([&](auto& kind) { kind.lambda = within(lambda, lambda * wider); }, one.pulse);
-        BOOST_TEST(now->holds_at(one),
-                   "k " << now_k << ", lambda " << angular_frequency(one.pulse) << ", p " << now_p);
+        const double at_k = part();
+        const double at_lambda = part();
+        const PulseProblem one = at_parts(problem, at_k, at_lambda, part());
+        const PulseProblem other =
+            point % 2 == 0 ? with_k(one, within(served->hit)) : with_p(one, within(served->p));
+        BOOST_TEST(now->holds_at(other), "k " << peak_load(other.pulse) << ", lambda "
+                                              << angular_frequency(other.pulse) << ", p "
+                                              << other.p);
       }
     }
   }

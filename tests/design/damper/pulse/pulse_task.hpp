@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Tasks with a pulse, given and random, and the truth about them: its own motions over f, each over
+// a notch that it cannot pass.
+
+#include "../random_source.hpp"
+#include "../task.hpp"
+
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/design.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace stillpoint::design_test {
+
+/// With p = 1, by the exact criterion and without limits.
+inline design::PulseRequest request_of(const design::Pulse& pulse, double beta,
+                                       design::Objective objective = design::Objective::robust) {
+  design::PulseRequest request;
+  request.problem = {pulse, 1, beta, design::Criterion::exact};
+  request.search.objective = objective;
+  return request;
+}
+
+/// With what a mend says.
+inline design::PulseRequest mended(design::PulseRequest request, std::string_view field,
+                                   double value) {
+  design::PulseProblem& problem = request.problem;
+  if (field == "k" || field == "k_high") {
+    std::visit([&](auto& kind) { kind.k = value; }, problem.pulse);
+  } else if (field == "lambda" || field == "lambda_low") {
+    std::visit([&](auto& kind) { kind.lambda = value; }, problem.pulse);
+  } else if (field == "k_low") {
+    problem.ranges.k_low = value;
+  } else if (field == "lambda_high") {
+    problem.ranges.lambda_high = value;
+  } else if (field == "p" || field == "p_low") {
+    problem.p = value;
+  } else if (field == "p_high") {
+    problem.p_high = value;
+  } else if (field == "beta") {
+    problem.beta = value;
+  } else {
+    request.limits = Task{{}, request.limits}.with(field, value).limits;
+  }
+  return request;
+}
+
+/// One pulse with one spring, at these parts of the ranges.
+inline design::PulseProblem at_parts(const design::PulseProblem& problem, double k, double lambda,
+                                     double p) {
+  const auto between = [](double low, double high, double part) {
+    return low + (high - low) * part;
+  };
+  design::PulseProblem one = problem;
+  one.ranges = {};
+  one.p_high.reset();
+  std::visit(
+      [&](auto& kind) {
+        kind.k = between(problem.ranges.k_low.value_or(kind.k), kind.k, k);
+        kind.lambda =
+            between(kind.lambda, problem.ranges.lambda_high.value_or(kind.lambda), lambda);
+      },
+      one.pulse);
+  one.p = between(problem.p, problem.p_high.value_or(problem.p), p);
+  return one;
+}
+
+inline std::string context_of(const design::PulseRequest& request) {
+  const design::PulseProblem& problem = request.problem;
+  const design::PulseProblem least = at_parts(problem, 0, 0, 0);
+  const design::PulseProblem most = at_parts(problem, 1, 1, 1);
+  std::ostringstream text;
+  text.precision(17);
+  text << name(problem.pulse) << ", k " << peak_load(least.pulse) << ":" << peak_load(most.pulse)
+       << ", lambda " << angular_frequency(least.pulse) << ":" << angular_frequency(most.pulse)
+       << ", p " << least.p << ":" << most.p << ", beta " << problem.beta << ", "
+       << name(problem.criterion) << ", " << name(request.search.objective);
+  return text.str();
+}
+
+struct Scanned {
+  double f{0};
+  bool holds{false};  ///< every requirement that is not one of Delta
+  double need{0};     ///< the least Delta that stops it
+  double peak_amplitude{0};
+  std::optional<double> stop_time{};
+  double peak_absolute_acceleration{0};
+};
+
+/// One pulse with one spring; the rest is that of the request.
+inline Scanned scanned(const design::PulseRequest& request, const design::Pulse& pulse, double p,
+                       double f) {
+  const auto& [problem, limits, search] = request;
+  constexpr double unpassable = 1e200;
+  const ForcedResponse motion = forced_response({p, f, unpassable}, {}, design::excitation(pulse));
+  const double w = motion.arrival_speed.value_or(0);
+  const double phi = problem.criterion == design::Criterion::published ? f / p : 0;
+  return {f,
+          motion.stops_at_zero && motion.half_cycles == 1.0 &&
+              motion.peak_amplitude <= problem.beta && f <= limits.f_max.value_or(HUGE_VAL) &&
+              motion.peak_absolute_acceleration <= limits.acceleration_max.value_or(HUGE_VAL),
+          (w * w + phi * phi) / 2,
+          motion.peak_amplitude,
+          motion.stop_time,
+          motion.peak_absolute_acceleration};
+}
+
+inline Scanned scanned(const design::PulseRequest& request, const design::PulseProblem& one,
+                       double f) {
+  return scanned(request, one.pulse, one.p, f);
+}
+
+/// The largest tolerance of a box whose ends in f are points of the scan; negative without any.
+inline double best_tolerance(const std::vector<Scanned>& points, const design::Limits& limits) {
+  double best = -1;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    double need = 0;
+    for (std::size_t j = i; j < points.size() && points[j].holds; ++j) {
+      need = std::max(need, points[j].need);
+      const double tolerance = (points[j].f - points[i].f) / (points[j].f + points[i].f);
+      if (need * (1 + tolerance) <= limits.delta_max.value_or(HUGE_VAL) * (1 - tolerance)) {
+        best = std::max(best, tolerance);
+      }
+    }
+  }
+  return best;
+}
+
+/// Its motion from rest, over a notch of that capacity.
+inline ForcedResponse simulated(const design::PulseProblem& problem, double f, double delta) {
+  return forced_response({problem.p, f, delta}, {}, design::excitation(problem.pulse));
+}
+
+/// By that motion, without a tolerance and by the exact criterion.
+inline bool admissible(const design::PulseRequest& request, double f, double delta) {
+  const auto& [problem, limits, search] = request;
+  const ForcedResponse motion = simulated(problem, f, delta);
+  return motion.stops_at_zero && motion.half_cycles == 1.0 &&
+         motion.peak_amplitude <= problem.beta && f <= limits.f_max.value_or(HUGE_VAL) &&
+         delta <= limits.delta_max.value_or(HUGE_VAL) &&
+         motion.peak_absolute_acceleration <= limits.acceleration_max.value_or(HUGE_VAL);
+}
+
+inline design::Pulse pulse_of(int kind, double k, double lambda) {
+  switch (kind) {
+    case 0:
+      return HalfSine{k, lambda};
+    case 1:
+      return Rectangle{k, lambda};
+    default:
+      return FullSine{k, lambda};
+  }
+}
+
+inline design::Pulse random_pulse(RandomSource& random, double k, double lambda) {
+  return pulse_of(random.pick(3), k, lambda);
+}
+
+inline design::PulseRequest random_request(RandomSource& random) {
+  const double p = random.log_uniform(1e-2, 1e2);
+  const double k = random.log_uniform(1e-2, 1e2);
+  design::PulseRequest request;
+  request.problem = {random_pulse(random, k, p / random.log_uniform(0.02, 5)), p, 1,
+                     random.pick(2) == 0 ? design::Criterion::published : design::Criterion::exact};
+  const ForcedResponse free = simulated(request.problem, 1e-3 * k, 1e200);
+  request.problem.beta = random.uniform(0.35, 1.2) * free.peak_amplitude;
+  random.one_in(2, request.limits.tolerance, [&] { return random.uniform(0, 0.3); });
+  random.one_in(4, request.limits.f_max,
+                [&] { return random.uniform(0.05, 0.5) * free.peak_absolute_acceleration; });
+  if (random.pick(4) == 0) {
+    const double w = free.arrival_speed.value_or(0);
+    request.limits.delta_max = random.uniform(0.2, 1.5) * w * w / 2;
+  }
+  random.one_in(4, request.limits.acceleration_max,
+                [&] { return random.uniform(0.8, 1.5) * free.peak_absolute_acceleration; });
+  request.search.objective = random_objective(random);
+  return request;
+}
+
+/// The same with ranges of k, lambda and p beyond it, of up to this part of each; some are of one
+/// value.
+inline design::PulseRequest ranged(design::PulseRequest request, RandomSource& random,
+                                   double part) {
+  design::PulseProblem& problem = request.problem;
+  const auto wider = [&] { return random.pick(3) == 0 ? 1 : 1 + random.uniform(0.3, 1) * part; };
+  problem.ranges = {peak_load(problem.pulse) / wider(), angular_frequency(problem.pulse) * wider()};
+  problem.p_high = problem.p * wider();
+  return request;
+}
+
+}  // namespace stillpoint::design_test
