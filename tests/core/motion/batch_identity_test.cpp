@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "instruction_sets.hpp"
 #include "motion.hpp"
-
-#include <hwy/targets.h>
 
 #include <bit>
 
@@ -33,20 +32,6 @@ struct Batch {
     return free_batch(v0, p, f, delta, options);
   }
 };
-
-/// Calls `action` with each instruction set that this machine has.
-template <class Action>
-void with_each_instruction_set(const Action& action) {
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    BOOST_TEST_CONTEXT("instruction set " << hwy::TargetName(target)) {
-      action();
-    }
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-}
 
 /// Bit for bit. There are millions of values, so only a difference is reported.
 void same(const char* what, double got, double expected, const Scene<>& scene) {

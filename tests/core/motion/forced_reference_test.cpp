@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "motion.hpp"
+#include "reference_rows.hpp"
 
 // Whole motions against numbers from other programs. The file is written by
 // data/reference/make_forced_reference.py; S5 stands in it with its record rounded.
@@ -19,36 +20,7 @@ void near(const char* what, double value, double expected, double tolerance) {
              what << ": " << value << " expected " << expected << " off by " << value - expected);
 }
 
-/// One row of the file; an empty or `record` cell is kept as text.
-struct Row {
-  std::vector<std::string> cells;
-  double operator[](std::size_t i) const { return std::strtod(cells[i].c_str(), nullptr); }
-};
-
-std::vector<Row> rows() {
-  std::ifstream file(std::string(STILLPOINT_DATA_DIR) + "/reference/forced_motion.csv");
-  BOOST_REQUIRE(file);
-  std::vector<Row> all;
-  std::string line;
-  bool header = true;
-  while (std::getline(file, line)) {
-    if (line.starts_with('#')) {
-      continue;
-    }
-    if (!header) {
-      Row row;
-      std::istringstream text(line);
-      for (std::string cell; std::getline(text, cell, ',');) {
-        row.cells.push_back(cell);
-      }
-      all.push_back(row);
-    }
-    header = false;
-  }
-  return all;
-}
-
-void check(const Row& row) {
+void check(const ReferenceRow& row) {
   BOOST_TEST_CONTEXT(row.cells[0]) {
     const bool wave = row.cells[6] != "record";
     const Record record = rounded_record_s5();
@@ -78,9 +50,12 @@ BOOST_AUTO_TEST_CASE(scene_s5_has_its_known_peak_end_and_count) {
 }
 
 BOOST_AUTO_TEST_CASE(every_motion_of_the_reference_file_is_reproduced) {
-  const std::vector<Row> all = rows();
+  const std::vector<ReferenceRow> all = reference_rows(
+      "forced_motion.csv",
+      "name,x0,v0,p,f,delta,k,lambda,phase,t_end,peak_amplitude,final_position,final_velocity,"
+      "zero_passages,turning_points,sticks,stick_time");
   BOOST_TEST(all.size() == 10U);
-  for (const Row& row : all) {
+  for (const ReferenceRow& row : all) {
     check(row);
   }
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "instruction_sets.hpp"
 #include "motion.hpp"
-
-#include <hwy/targets.h>
 
 // Many dampers under one record, each as it is alone: every instruction set of this machine, any
 // number of threads. Nothing is rounded differently, so that the values are equal.
@@ -92,11 +91,9 @@ void is_identical(Dampers dampers, const Record& record, const std::vector<int>&
   for (Eigen::Index i = 0; i < dampers.f.size(); ++i) {
     alone.push_back(dampers.alone(i, record));
   }
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  with_each_instruction_set([&] {
     for (const int number : threads) {
-      BOOST_TEST_CONTEXT(hwy::TargetName(target) << ", threads " << number) {
+      BOOST_TEST_CONTEXT("threads " << number) {
         dampers.options.threads = number;
         const RecordBatchResult result =
             record_batch(dampers.v0, dampers.p, dampers.f, dampers.delta, record, dampers.options);
@@ -106,9 +103,7 @@ void is_identical(Dampers dampers, const Record& record, const std::vector<int>&
         }
       }
     }
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  });
 }
 
 /// data/records/strong_motion.AT2: four lines of heading, 2000 values at 0.01 s.

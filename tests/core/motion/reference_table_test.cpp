@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "motion.hpp"
+#include "reference_rows.hpp"
 #include "testing/backward_error.hpp"
-
-#include <charconv>
-#include <system_error>
 
 // data/reference/free_motion.csv was made by a time-domain solution at 40 digits that shares
 // nothing with the kernel. It checks the rules that the 50-digit run of the kernel's own template
@@ -26,28 +24,6 @@ struct Row {
   Run<Exact> run;
 };
 
-/// Fields between commas; the table quotes none.
-std::vector<std::string> fields(const std::string& line) {
-  std::vector<std::string> list(1);
-  for (const char c : line) {
-    if (c == ',') {
-      list.emplace_back();
-    } else if (c != '\r') {
-      list.back() += c;
-    }
-  }
-  return list;
-}
-
-double to_double(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) {
-    throw std::runtime_error("no number: " + text);
-  }
-  return value;
-}
-
 Outcome to_outcome(const std::string& text) {
   for (const Outcome outcome : {Outcome::stopped_at_zero, Outcome::stopped_in_dead_zone,
                                 Outcome::never_stops, Outcome::caught_at_start}) {
@@ -58,41 +34,27 @@ Outcome to_outcome(const std::string& text) {
   throw std::runtime_error("no outcome: " + text);
 }
 
-Row to_row(const std::vector<std::string>& list) {
-  const auto number = [&](std::size_t i) { return to_double(list.at(i)); };
-  const auto count = [&](std::size_t i) { return list.at(i).empty() ? 0 : number(i); };
+Row to_row(const ReferenceRow& row) {
+  const auto count = [&](std::size_t i) { return row.cells.at(i).empty() ? 0 : row[i]; };
   const auto exact = [&](std::size_t i) {
-    return list.at(i).empty() ? std::nullopt : std::optional(Exact(list.at(i)));
+    return row.cells.at(i).empty() ? std::nullopt : std::optional(Exact(row.cells[i]));
   };
-  return {list.at(0),
-          {number(1), number(2), number(3), number(4), number(5)},
-          {{to_outcome(list.at(14)), count(8), count(9), count(10)},
+  return {row.cells.at(0),
+          {row[1], row[2], row[3], row[4], row[5]},
+          {{to_outcome(row.cells.at(14)), count(8), count(9), count(10)},
            {exact(6), exact(7), exact(11), exact(12), exact(13)},
            std::nullopt}};
 }
 
 const std::vector<Row>& table() {
   static const std::vector<Row> rows = [] {
-    const std::string path = STILLPOINT_DATA_DIR "/reference/free_motion.csv";
-    std::ifstream file(path);
     std::vector<Row> list;
-    bool heading_seen = false;
-    for (std::string line; std::getline(file, line);) {
-      if (line.empty() || line.front() == '#') {
-        continue;
-      }
-      if (!heading_seen) {
-        heading_seen = true;
-        const std::string expected =
-            "name,x0,v0,p,f,delta,peak_amplitude,peak_acceleration,half_cycles,turning_points,"
-            "zero_passages,stop_time,stop_position,arrival_speed,outcome";
-        if (line != expected) {
-          throw std::runtime_error("other columns than expected: " + line);
-        }
-        continue;
-      }
-      list.push_back(to_row(fields(line)));
-    }
+    std::ranges::transform(
+        reference_rows(
+            "free_motion.csv",
+            "name,x0,v0,p,f,delta,peak_amplitude,peak_acceleration,half_cycles,"
+            "turning_points,zero_passages,stop_time,stop_position,arrival_speed,outcome"),
+        std::back_inserter(list), to_row);
     return list;
   }();
   return rows;
