@@ -2,20 +2,14 @@
 // the times, for random tasks; so are its refusals of wrong input.
 import { execFileSync, spawnSync } from "node:child_process";
 import { load_engine } from "../../../cli/explorer/load.mjs";
+import { random_from } from "../explorer/random.mjs";
 
 const [script, program, seed = "20081"] = process.argv.slice(2);
 const tasks = 200;
 
 const engine = await load_engine(script);
 
-let state = Number(seed) >>> 0;
-/** In [0, 1), the same in every run (mulberry32). */
-function random() {
-  state = (state + 0x6d2b79f5) >>> 0;
-  let bits = Math.imul(state ^ (state >>> 15), state | 1);
-  bits ^= bits + Math.imul(bits ^ (bits >>> 7), bits | 61);
-  return ((bits ^ (bits >>> 14)) >>> 0) / 2 ** 32;
-}
+const random = random_from(Number(seed));
 const between = (/** @type {number} */ low, /** @type {number} */ high) =>
   low + (high - low) * random();
 /** @template T @param {T[]} list @returns {T} */

@@ -7,23 +7,14 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import * as bench from "./bench.mjs";
+import { random_from } from "./random.mjs";
 
 const { go, isolator, numbers, notice, program, settle, with_page, words, words_of } = bench;
 
-/** @typedef {() => number} Random in [0, 1) */
+/** @typedef {import("./random.mjs").Random} Random */
 
 before(bench.start);
 after(bench.end);
-
-/** Evenly, from a seed (mulberry32). @param {number} seed @returns {Random} */
-function random_from(seed) {
-  return () => {
-    seed = (seed + 0x6d2b79f5) | 0;
-    let t = Math.imul(seed ^ (seed >>> 15), 1 | seed);
-    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
-    return ((t ^ (t >>> 14)) >>> 0) / 4294967296;
-  };
-}
 
 /**
  * A task as a fragment: with units or without, one hit or a range.

@@ -21,7 +21,7 @@ test("it is one file below 600 kB", () => {
   assert.ok(bytes < 600e3);
 });
 
-test("every control has a name and is reached by the keyboard", () =>
+test("every control is reached by the keyboard", () =>
   with_page(isolator, {}, async (page) => {
     const controls = await page.evaluate(() => {
       /** @type {NodeListOf<HTMLInputElement>} Or what has the like. */
@@ -32,17 +32,10 @@ test("every control has a name and is reached by the keyboard", () =>
         .filter((node) => !node.disabled && node.checkVisibility({ visibilityProperty: true }))
         .map((node, i) => {
           node.dataset.control = String(i);
-          const label =
-            node.getAttribute("aria-label") ||
-            [...(node.labels ?? [])].map((l) => l.textContent).join(" ");
-          return {
-            id: node.id || node.getAttribute("class"),
-            name: (label || node.textContent || "").trim(),
-          };
+          return node.id || node.getAttribute("class");
         });
     });
     assert.ok(controls.length > 25);
-    for (const { id, name } of controls) assert.ok(name.length > 0, String(id));
     const reached = new Set();
     for (let i = 0; i < controls.length + 8; i++) {
       await page.keyboard.press("Tab");
