@@ -29,20 +29,15 @@ bool are_seen(const Figure& figure, const FigureArea& one) {
   return one.look == AreaLook::box || thick > thinnest;
 }
 
-/// Whether the inset shows where an area ends.
+/// Whether the inset shows it.
 bool is_enlarged(const Figure& figure, const FigureArea& area) {
-  const auto ends_in = [&](const FigureAxis& axis, const FigureAxis& other,
-                           double FigurePoint::*along, double FigurePoint::*across) {
-    const auto ends = std::ranges::minmax(area.outline, {}, across);
-    return std::ranges::any_of(area.outline, [&](const FigurePoint& at) {
-      return std::abs(axis.position(at.*along) - 0.5) < 0.5 && ends.min.*across < other.most &&
-             ends.max.*across > other.least;
-    });
-  };
   constexpr double thickest = 0.01;  // pixels, of an area that no inset shows
+  const auto reaches = [&](const FigureAxis& axis, double FigurePoint::*along) {
+    const auto ends = std::ranges::minmax(area.outline, {}, along);
+    return ends.min.*along < axis.most && ends.max.*along > axis.least;
+  };
   return figure.inset && thickness(figure, area) > thickest &&
-         (ends_in(figure.inset->x, figure.inset->y, &FigurePoint::x, &FigurePoint::y) ||
-          ends_in(figure.inset->y, figure.inset->x, &FigurePoint::y, &FigurePoint::x));
+         reaches(figure.inset->x, &FigurePoint::x) && reaches(figure.inset->y, &FigurePoint::y);
 }
 
 /// Over the sample of an entry.

@@ -93,15 +93,8 @@ std::vector<Figure> trade_off_figures(const std::vector<design::TradeOff>& front
       "Each point is the most tolerant damper of its stroke: none is better in one of the three "
       "without being worse in another",
       "inside a notch the acceleration is f + Δ/w + spring"};
-  acceleration.description = format(
-      "The least transmitted acceleration for each stroke, from {} at {:.4g} g to {} at "
-      "{:.4g} g. The design has {} at {:.4g} g.",
-      units.length_words(front.front().peak_amplitude), front.front().transmitted,
-      units.length_words(front.back().peak_amplitude), front.back().transmitted,
-      units.length_words(chosen.response.peak_amplitude),
-      chosen.response.peak_absolute_acceleration);
-  tolerance.description = format("The largest tolerance for each stroke; the design has {}.",
-                                 percent_digits(chosen.point.tolerance));
+  acceleration.description = "The least transmitted acceleration for each stroke, and the design.";
+  tolerance.description = "The largest tolerance for each stroke, and the design.";
   return {std::move(acceleration), std::move(tolerance)};
 }
 

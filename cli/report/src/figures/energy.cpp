@@ -29,33 +29,7 @@ double friction_between(const DrawnMotion& motion, const State& one, const State
 
 /// "12 kJ", a part of a whole.
 std::string part_words(double part, double whole, const FigureUnits& units) {
-  return part < 1e-3 * whole ? "less than 0.1 %" : units.energy_words(part);
-}
-
-/// "constant friction took 28 kJ and the notch 12 kJ".
-std::string taken(const std::string& friction, double constant, double point, double whole,
-                  const FigureUnits& units) {
-  std::string text;
-  if (constant > 0) {
-    text = friction + " took " + part_words(constant, whole, units);
-  }
-  if (point > 0) {
-    text +=
-        (text.empty() ? "the notch took " : " and the notch ") + part_words(point, whole, units);
-  }
-  return text.empty() ? "none is lost" : text;
-}
-
-/// "2.3 kJ stays in the spring"; empty if nothing is left.
-std::string what_is_left(const DrawnMotion& motion, double left, double whole,
-                         const FigureUnits& units) {
-  if (motion.rest && motion.rest->x == 0) {
-    return "";
-  }
-  return fmt::format("{} {}", part_words(left, whole, units),
-                     motion.rest    ? "stays in the spring"
-                     : motion.whole ? "is left at the end"
-                                    : "is left where the figure ends");
+  return part <= 0 ? "nothing" : part < 1e-3 * whole ? "less than 0.1 %" : units.energy_words(part);
 }
 
 }  // namespace
@@ -100,9 +74,14 @@ Figure energy_figure(const DrawnMotion& motion, const FigureUnits& units) {
   figure.y = {units.energy_label, 0, most > 0 ? 1.06 * most : 1};
   const double now = left.back().y / units.energy;
   const std::string friction = motion.surface.zones.empty() ? "constant friction" : "friction";
-  figure.clauses = {fmt::format("Of the energy of {} at the start, {}", units.energy_words(whole),
-                                taken(friction, constant, point, whole, units)),
-                    what_is_left(motion, now, whole, units)};
+  figure.clauses = {
+      fmt::format("Of the energy of {} at the start, {} took {} and the notch {}",
+                  units.energy_words(whole), friction, part_words(constant, whole, units),
+                  part_words(point, whole, units)),
+      fmt::format("{} is left {}", part_words(now, whole, units),
+                  motion.rest    ? "in the spring"
+                  : motion.whole ? "at the end"
+                                 : "where the figure ends")};
   figure.description = figure.caption();
   figure.areas = {{"kinetic and spring", between(nothing, left), Ink::blue},
                   {constant > 0 ? friction : "", between(left, with_constant), Ink::orange},

@@ -63,6 +63,14 @@ std::vector<FigurePoint> wave(const Excitation& excitation, double horizon) {
 
 }  // namespace
 
+std::vector<double> evenly(double from, double to, int count) {
+  std::vector<double> places;
+  for (int i = 0; i < count; ++i) {
+    places.push_back(std::lerp(from, to, static_cast<double>(i) / (count - 1)));
+  }
+  return places;
+}
+
 std::vector<FigurePoint> thinned(const std::vector<FigurePoint>& points) {
   constexpr std::size_t most_columns = 1000;  // more than a figure is wide
   if (points.size() <= 2 * most_columns) {

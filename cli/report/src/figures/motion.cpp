@@ -61,10 +61,6 @@ std::vector<FigurePoint> crest_line(const std::vector<State>& states,
   return line;
 }
 
-std::string count_of(const std::vector<State>& events, std::string_view one) {
-  return plural(static_cast<double>(events.size()), one);
-}
-
 constexpr double rounding = 1 - 1e-12;
 
 /// The first of the farthest: what rests there may be drawn a last digit farther out later on.
@@ -273,9 +269,6 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   figure.title = "Motion" + beginning(motion);
   figure.x = {units.time_label, 0, motion.shown_to * units.time};
   figure.y = displacement_axis(motion, units);
-  figure.description =
-      format("Displacement over time: {}, {}, {} of x = 0, {}.", peak_words,
-             count_of(motion.turns, "turn"), count_of(motion.passages, "passage"), rest_words);
   const bool moves = is_moving(motion);
   const bool stays = motion.rest && std::abs(motion.rest->x) >= std::abs(peak.x) * rounding;
   const std::string mass = motion.with.empty() ? "The mass" : motion.with + "the mass";
@@ -286,6 +279,7 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
                     (motion.locked_to ? format(", locked to {}, beyond this figure",
                                                units.time_words(*motion.locked_to))
                                       : "")};
+  figure.description = "Displacement over time. " + figure.caption();
   add_zones(figure, motion, units.length, Along::x);
   add_lock(figure, motion, units);
   constexpr double narrowest = 0.005;  // of the figure, to be seen
@@ -321,9 +315,6 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
     figure.curves.push_back({"x", {places(motion.states, place)}, Ink::blue});
   }
   mark_events(figure, motion, place, long_one ? 0 : motion.shown_to);
-  if (long_one && motion.rest) {
-    figure.marks.push_back({"rest", {place(*motion.rest)}, figures::Shape::square, Ink::green});
-  }
   if (moves) {
     figure.notes.push_back(
         {(stays ? "rest at the " : "") + peak_words + (peak.tau > 0 ? "" : " at the start"),

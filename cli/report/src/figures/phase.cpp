@@ -32,21 +32,13 @@ bool is_one_orbit(const DrawnMotion& motion) {
   return distance(most) - distance(least) <= alike * distance(most);
 }
 
-/// From turn to turn but one of a motion with more than can be told apart: those that lie visibly
-/// farther in or out than the one before.
-std::vector<Interval> loops_apart(const DrawnMotion& motion) {
-  constexpr double apart = 0.05;  // of the largest, some pixels
-  const double most = std::abs(
-      std::ranges::max(motion.turns, {}, [](const State& turn) { return std::abs(turn.x); }).x);
+/// From turn to turn but one of a motion with more than can be told apart, evenly spaced.
+std::vector<Interval> some_loops(const DrawnMotion& motion) {
+  const std::vector<State>& turns = motion.turns;
+  const std::size_t step = 2 * (turns.size() / most_single_half_cycles + 1);
   std::vector<Interval> loops;
-  double before = HUGE_VAL;
-  for (std::size_t i = 0; i + 2 < motion.turns.size() && loops.size() < most_single_half_cycles / 2;
-       i += 2) {
-    const double now = std::abs(motion.turns[i].x);
-    if (std::abs(now - before) >= apart * most) {
-      loops.push_back({motion.turns[i].tau, motion.turns[i + 2].tau});
-      before = now;
-    }
+  for (std::size_t i = 0; i + 2 < turns.size(); i += step) {
+    loops.push_back({turns[i].tau, turns[i + 2].tau});
   }
   return loops;
 }
@@ -62,7 +54,7 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
   const bool long_one = !repeats && is_long(motion);
   const double last = repeats ? motion.turns[2].tau : motion.states.back().tau;
   const std::vector<Interval> loops =
-      long_one ? loops_apart(motion) : std::vector<Interval>{{0, last}};
+      long_one ? some_loops(motion) : std::vector<Interval>{{0, last}};
   const auto loop_of = [&](const State& state) {
     return std::ranges::find_if(loops, [&](const Interval& loop) {
       return loop.low <= state.tau && state.tau <= loop.high;
@@ -99,10 +91,9 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
                                                : beginning(motion));
   figure.x = axis_around(units.x_label, x_least * units.length, x_most * units.length);
   figure.y = axis_around(units.velocity_label, v_least * units.velocity, v_most * units.velocity);
-  figure.description = fmt::format(
-      "Velocity over displacement, from x = {}, x' = {}, with {} of the velocity at x = 0.",
-      units.length_words(states.front().x), units.velocity_words(states.front().v),
-      plural(static_cast<double>(jumps.strokes.size()), "jump"));
+  figure.description =
+      fmt::format("Velocity over displacement, from x = {}, x' = {}.",
+                  units.length_words(states.front().x), units.velocity_words(states.front().v));
   add_zones(figure, motion, units.length, Along::y);
   figure.curves = {std::move(arcs)};
   constexpr double visible = 0.01;  // of the height, some pixels

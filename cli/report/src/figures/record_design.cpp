@@ -102,8 +102,8 @@ std::vector<Figure> design_spectra(const design::RecordDesign& result, const Fig
                                   task.hold,
                                   notch_of(task, damper).width,
                                   task.threads};
-  for (int i = 0; i < points; ++i) {
-    request.p.push_back(damper.p / (shortest + (longest - shortest) * i / (points - 1)));
+  for (const double periods : evenly(shortest, longest, points)) {
+    request.p.push_back(damper.p / periods);
   }
   return spectrum_figures(design::spectrum(request), units, damper.p);
 }

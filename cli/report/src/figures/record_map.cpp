@@ -203,17 +203,13 @@ Figure drawn_map(const design::RecordDesign& result, const Window& window, bool 
       "The plane of f and Δ: the {} of the records combined{}, and where a limit is "
       "violated.",
       minimised(task).words, boxes ? ", the worst over the tolerance" : "");
-  if (!(values.least <= values.most)) {
-    figure.clauses = {"Each area is named after the limit exceeded most there",
-                      excess_clause(bounds, "")};
-  } else if (any_fails) {
-    figure.clauses = {
-        "A cell that is not hatched meets every limit in its middle, the darker the "
-        "better",
-        excess_clause(bounds, "where it is hatched, ")};
-  } else {
-    figure.clauses = {"The darker, the better"};
-  }
+  const bool any_good = values.least <= values.most;
+  figure.clauses = {
+      !any_good   ? "Each area is named after the limit exceeded most there"
+      : any_fails ? "A cell that is not hatched meets every limit in its middle, the "
+                    "darker the better"
+                  : "The darker, the better",
+      any_fails ? excess_clause(bounds, any_good ? "where it is hatched, " : "") : ""};
   if (boxes && !is_exact(task.tolerance)) {
     figure.clauses.emplace_back("a cell shows the worst within the tolerance about its middle");
   }

@@ -28,7 +28,7 @@ using figures::Ink;
 
 namespace {
 
-constexpr int steps = 200;  // of a curve over f
+constexpr int along_f = 201;  // points of a curve
 
 bool has(const std::vector<PlaneArea>& areas, PlaneKind kind) {
   return std::ranges::find(areas, kind, &PlaneArea::kind) != areas.end();
@@ -37,22 +37,23 @@ bool has(const std::vector<PlaneArea>& areas, PlaneKind kind) {
 /// Delta1 by either formula, up to the last f that returns.
 void add_delta1(Figure& figure, const Problem& problem, double last, double unit) {
   constexpr double visible = 0.005;  // of the plot above its lower edge
-  FigureCurve published{"least Δ (Δ₁ published)", {{}}, Ink::orange, Dash::dashed};
-  FigureCurve exact{"least Δ (Δ₁ exact)", {{}}, Ink::purple};
-  for (int i = 0; i <= steps; ++i) {
-    const double f = std::clamp(figure.x.value(static_cast<double>(i) / steps), 0.0, last);
-    published.strokes[0].push_back({f, design::delta1_published(problem, f) * unit});
-    if (const auto bound = design::delta1_exact(problem, f)) {
-      exact.strokes[0].push_back({f, *bound * unit});
-    }
-  }
-  for (FigureCurve* const curve : {&published, &exact}) {
-    if (std::ranges::any_of(curve->strokes[0], [&](const FigurePoint& point) {
-          return figure.y.position(point.y) > visible && point.y <= figure.y.most;
+  const auto f = evenly(std::max(figure.x.least, 0.0), std::min(figure.x.most, last), along_f);
+  const auto add = [&](std::string name, Ink ink, Dash dash, const auto& value) {
+    auto strokes = line_over(f, value);
+    if (std::ranges::any_of(strokes, [&](const auto& stroke) {
+          return std::ranges::any_of(stroke, [&](const FigurePoint& point) {
+            return figure.y.position(point.y) > visible && point.y <= figure.y.most;
+          });
         })) {
-      figure.curves.push_back(std::move(*curve));
+      figure.curves.push_back({std::move(name), std::move(strokes), ink, dash});
     }
-  }
+  };
+  add("least Δ (Δ₁ published)", Ink::orange, Dash::dashed,
+      [&](double at) { return std::optional(design::delta1_published(problem, at) * unit); });
+  add("least Δ (Δ₁ exact)", Ink::purple, Dash::solid, [&](double at) {
+    const auto bound = design::delta1_exact(problem, at);
+    return bound ? std::optional(*bound * unit) : std::nullopt;
+  });
 }
 
 /// From 0, but closer if the interesting part would be small.
@@ -142,22 +143,16 @@ std::vector<std::vector<FigurePoint>> outlines(const std::vector<PlaneArea>& are
   return made;
 }
 
-/// The least Delta over f under a pulse, in strokes that end where the mass does not return.
+/// The least Delta over f under a pulse, where the mass returns.
 FigureCurve needs(const design::PulseProblem& problem, double last, const FigureUnits& units) {
   const auto least_delta = design::least_delta(problem);
-  FigureCurve curve{"least Δ allowed", {{}}, Ink::purple};
-  for (int i = 1; i <= steps; ++i) {
-    const double f = last * i / steps;
-    if (const auto least = least_delta(f)) {
-      curve.strokes.back().push_back({f, *least * units.length});
-    } else if (!curve.strokes.back().empty()) {
-      curve.strokes.emplace_back();
-    }
-  }
-  if (curve.strokes.back().empty()) {
-    curve.strokes.pop_back();
-  }
-  return curve;
+  return {"least Δ allowed",
+          line_over(evenly(last / (along_f - 1), last, along_f - 1),
+                    [&](double f) {
+                      const auto least = least_delta(f);
+                      return least ? std::optional(*least * units.length) : std::nullopt;
+                    }),
+          Ink::purple};
 }
 
 /// The far corner of what is shown of f and Delta.

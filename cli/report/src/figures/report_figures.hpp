@@ -54,6 +54,24 @@ Interval extent(const std::vector<Item>& items, double Item::*value) {
 [[nodiscard]] std::vector<figures::FigurePoint> thinned(
     const std::vector<figures::FigurePoint>& points);
 
+/// A line through value(x), which is empty where it ends.
+template <class Value>
+std::vector<std::vector<figures::FigurePoint>> line_over(const std::vector<double>& places,
+                                                         const Value& value) {
+  std::vector<std::vector<figures::FigurePoint>> strokes{{}};
+  for (const double x : places) {
+    if (const std::optional<double> y = value(x)) {
+      strokes.back().push_back({x, *y});
+    } else if (!strokes.back().empty()) {
+      strokes.emplace_back();
+    }
+  }
+  std::erase_if(strokes, [](const auto& stroke) { return stroke.empty(); });
+  return strokes;
+}
+/// Evenly spaced.
+[[nodiscard]] std::vector<double> evenly(double from, double to, int count);
+
 /// Another motion from the same start, to compare with.
 struct OtherMotion {
   std::string name;
@@ -90,7 +108,7 @@ void add_if_visible(DrawnMotion& motion, OtherMotion other);
 [[nodiscard]] bool is_moving(const DrawnMotion& motion);
 /// " (beginning)" for a motion that is not drawn whole.
 [[nodiscard]] std::string beginning(const DrawnMotion& motion);
-/// Marks of events; turns and passages up to a tau.
+/// Marks of events: turns and passages up to a tau, and the rest.
 template <class Place>
 void mark_events(figures::Figure& figure, const DrawnMotion& motion, const Place& place,
                  double last) {
@@ -117,7 +135,7 @@ void mark_events(figures::Figure& figure, const DrawnMotion& motion, const Place
     figure.marks.push_back({"stopped by the notch, then freed", those(motion.passages, freed),
                             Shape::diamond, Ink::orange, Fill::hollow});
   }
-  if (motion.rest && motion.rest->tau <= last) {
+  if (motion.rest) {
     figure.marks.push_back({"rest", {place(*motion.rest)}, Shape::square, Ink::green});
   }
 }

@@ -35,19 +35,13 @@ struct SpectrumAxes {
   double unit;
   std::vector<double> periods;  ///< in the unit of the axis
 
-  /// A stroke ends where a value does not exist.
   [[nodiscard]] std::vector<std::vector<FigurePoint>> strokes(
       const std::vector<SpectrumPoint>& points, SpectrumFigures SpectrumPoint::*which) const {
-    std::vector<std::vector<FigurePoint>> strokes{{}};
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (const auto value = drawn(points[i].*which)) {
-        strokes.back().push_back({periods[i], *value * unit});
-      } else if (!strokes.back().empty()) {
-        strokes.emplace_back();
-      }
-    }
-    std::erase_if(strokes, [](const auto& stroke) { return stroke.empty(); });
-    return strokes;
+    auto point = points.begin();
+    return line_over(periods, [&](double) {
+      const auto value = drawn((*point++).*which);
+      return value ? std::optional(*value * unit) : std::nullopt;
+    });
   }
 };
 
@@ -137,13 +131,9 @@ std::vector<std::string> clauses(const std::string& name, const std::string& uni
       return std::string("undefined, because the mass never comes to rest");
     }
     const FigurePoint most = highest(curve);
-    const bool same = std::ranges::all_of(curve.strokes, [&](const auto& stroke) {
-      return std::ranges::all_of(
-          stroke, [&](const FigurePoint& now) { return value(now.y) == value(most.y); });
-    });
-    return same ? value(most.y) + (spectrum.request.p.size() == 1 ? "" : " at every period")
-                : format("largest at a period of {:.4g}{}, {}", most.x,
-                         units.time_unit.empty() ? "" : " s", value(most.y));
+    return most.y > 0 ? format("at most {}, at a period of {:.4g}{}", value(most.y), most.x,
+                               units.time_unit.empty() ? "" : " s")
+                      : "zero";
   };
   std::vector<std::string> said{format("The {} is {}", name, words(shown))};
   if (spectrum.request.delta > 0) {
@@ -195,10 +185,8 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
                                             {{{at, figure.y.least}, {at, figure.y.most}}},
                                             Ink::green, figures::Dash::dotted));
     }
-    figure.description = format(
-        "The {} against the period from {:.4g} to {:.4g}, with the notch and without, f and Δ "
-        "fixed.",
-        name, shortest, longest);
+    figure.description =
+        format("The {} against the period from {:.4g} to {:.4g}.", name, shortest, longest);
     all.push_back(std::move(figure));
   }
   const auto moves_without = [](const SpectrumPoint& point) { return !point.without.residual; };
