@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
 #include "damper.hpp"
-#include "figures/report_figures.hpp"
+#include "figures/motion_figures.hpp"
+#include "figures/region_figures.hpp"
 #include "format.hpp"
 #include "sections.hpp"
 

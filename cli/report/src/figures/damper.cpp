@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A damper with its tolerance in the plane of f and Delta.
-#include "figures/report_figures.hpp"
+#include "figures/region_figures.hpp"
 #include "format.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/report/digits.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace stillpoint::report {
@@ -29,36 +27,6 @@ std::string percent(double low, double high) {
 }
 
 }  // namespace
-
-void add_inset(Figure& figure, const FigurePoint& low, const FigurePoint& high) {
-  constexpr double least_numbers = 1e-9;
-  constexpr double room = 0.6;  // on either side
-  const double wide = high.x - low.x;
-  const double tall = high.y - low.y;
-  if (wide > least_numbers * high.x && tall > least_numbers * high.y) {
-    figure.inset = {{"", std::max(figure.x.least, low.x - room * wide), high.x + room * wide},
-                    {"", std::max(figure.y.least, low.y - room * tall), high.y + room * tall}};
-  }
-}
-
-void caption_inset(Figure& figure, const FigureUnits& units) {
-  if (figure.inset) {
-    const auto& [x, y] = *figure.inset;
-    figure.clauses.push_back(
-        format("the corner enlarges f of {} and Δ of {}{}", interval_digits(x.least, x.most),
-               interval_digits(y.least, y.most), with_blank(units.length_unit)));
-  }
-}
-
-void add_box_inset(Figure& figure, const std::vector<FigurePoint>& box) {
-  constexpr double visible = 0.05;          // of the plot
-  constexpr double next_to_nothing = 1e-6;  // of the axis
-  const bool small = box[2].x - box[0].x < visible * (figure.x.most - figure.x.least) ||
-                     box[2].y - box[0].y < visible * (figure.y.most - figure.y.least);
-  if (small && box[2].x > next_to_nothing * figure.x.most) {
-    add_inset(figure, box[0], box[2]);
-  }
-}
 
 std::vector<FigurePoint> tolerance_box(const DrawnDamper& damper, const design::BoxShape& shape,
                                        double unit) {

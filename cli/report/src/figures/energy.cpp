@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "figures/report_figures.hpp"
+#include "figures/lines.hpp"
+#include "figures/motion_figures.hpp"
 
 #include <fmt/format.h>
 

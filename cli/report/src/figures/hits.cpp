@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "figures/report_figures.hpp"
+#include "figures/region_figures.hpp"
 #include "format.hpp"
 #include "sections.hpp"
 
@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <set>
 #include <utility>
 

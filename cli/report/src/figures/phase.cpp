@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "figures/report_figures.hpp"
+#include "figures/motion_figures.hpp"
 
 #include <stillpoint/report/digits.hpp>
 

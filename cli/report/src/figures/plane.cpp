@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The areas of the plane of f and Delta in words and colours.
 #include "figures/plane.hpp"
-#include "figures/report_figures.hpp"
 
 #include <stillpoint/design/limit_kinds.hpp>
 

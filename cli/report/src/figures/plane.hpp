@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "figures/region_figures.hpp"
 #include "units.hpp"
 
 #include <stillpoint/design/plane.hpp>
@@ -31,5 +32,11 @@ struct PlaneWords {
 /// Named, in their colours.
 void add_areas(figures::Figure& figure, const std::vector<design::PlaneArea>& areas,
                const PlaneWords& words, double unit);
+
+/// Enlarges a strip too thin to see, where it is thickest. The legend names it.
+void add_strip_inset(figures::Figure& figure, const design::PlaneArea& strip, double unit);
+/// Enlarges a point whose mark would hide the strip, or the gap between strips, that it lies in.
+void add_point_inset(figures::Figure& figure, const std::vector<design::PlaneArea>& areas,
+                     const DrawnDamper& damper, double unit);
 
 }  // namespace stillpoint::report

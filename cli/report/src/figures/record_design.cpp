@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "figures/lines.hpp"
+#include "figures/motion_figures.hpp"
 #include "figures/record_map.hpp"
 #include "figures/report_figures.hpp"
 #include "format.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The admissible region in the plane of f and Delta.
+#include "figures/lines.hpp"
 #include "figures/plane.hpp"
-#include "figures/report_figures.hpp"
 #include "format.hpp"
 #include "sections.hpp"
 
@@ -80,42 +80,6 @@ struct Extent {
     }
   }
 };
-
-/// Of a strip too thin to see, where it is thickest. The legend names it.
-void add_strip_inset(Figure& figure, const PlaneArea& strip, double unit) {
-  const Interval thickest =
-      std::ranges::max_element(strip.columns, {}, [](const PlaneArea::Column& column) {
-        return column.delta.high - column.delta.low;
-      })->delta;
-  const auto is_within = [&](double at) { return thickest.low <= at && at <= thickest.high; };
-  Interval f{HUGE_VAL, -HUGE_VAL};
-  for (const auto& [at, delta] : strip.columns) {
-    if (is_within(delta.low) || is_within(delta.high)) {
-      f = {std::min(f.low, at), std::max(f.high, at)};
-    }
-  }
-  add_inset(figure, {f.low, thickest.low * unit}, {f.high, thickest.high * unit});
-}
-
-/// Of a point whose mark would hide the strip, or the gap between strips, that it lies in.
-void add_point_inset(Figure& figure, const std::vector<PlaneArea>& areas, const DrawnDamper& damper,
-                     double unit) {
-  constexpr double hidden = 0.06;  // of the plot
-  Interval around{-HUGE_VAL, HUGE_VAL};
-  for (const PlaneArea& area : areas) {
-    const auto range = area.at(damper.f);
-    for (const double edge : range ? std::vector{range->low, range->high} : std::vector<double>{}) {
-      (edge <= damper.delta ? around.low : around.high) =
-          edge <= damper.delta ? std::max(around.low, edge) : std::min(around.high, edge);
-    }
-  }
-  const double tall = (around.high - around.low) * unit;
-  if (!figure.inset && tall < hidden * (figure.y.most - figure.y.least)) {
-    const double half = hidden / 2 * (figure.x.most - figure.x.least);
-    add_inset(figure, {std::max(damper.f - half, figure.x.least), around.low * unit},
-              {damper.f + half, around.high * unit});
-  }
-}
 
 void add_edge(Figure& figure, std::string name, FigurePoint from, FigurePoint to) {
   figure.curves.push_back(

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "figures/lines.hpp"
 #include "figures/report_figures.hpp"
 #include "format.hpp"
 #include "sections.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "figures/region_figures.hpp"
 #include "figures/report_figures.hpp"
 #include "figures/shading.hpp"
 #include "format.hpp"
