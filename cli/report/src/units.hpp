@@ -51,6 +51,7 @@ struct FigureUnits {
   double time{1};
   double velocity{1};
   double energy{1};
+  std::string f_label{"constant friction f"};
   std::string delta_label{"point friction Δ"};
   std::string x_label{"displacement x"};
   std::string time_label{"time τ"};

@@ -188,7 +188,7 @@ Figure drawn_map(const design::RecordDesign& result, const Window& window, bool 
       boxes || !result.finding ? point.figures : result.finding->point.figures;
   const ShownValues values = shown_values(map, own, task);
   Figure figure;
-  figure.x = {"constant friction f", task.f->low, task.f->high};
+  figure.x = {units.f_label, task.f->low, task.f->high};
   figure.y = {units.delta_label, task.delta->low * units.length, task.delta->high * units.length};
   const std::vector<double> bounds = excess_bounds(map, task.limits);
   add_cells(figure.map, map, values, bounds, task);

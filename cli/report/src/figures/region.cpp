@@ -172,7 +172,7 @@ std::vector<PlaneArea> add_plane(Figure& figure, const DrawnRegion& drawn,
     all.add(box);
   }
 
-  figure.x = axis_of("constant friction f", seen.least.x, seen.most.x, all.most.x);
+  figure.x = axis_of(units.f_label, seen.least.x, seen.most.x, all.most.x);
   figure.y = axis_of(units.delta_label, seen.least.y, seen.most.y, all.most.y);
   const PlaneWords words(drawn.problem, drawn.limits, units);
   add_areas(figure, strips, words, unit);
@@ -208,7 +208,7 @@ std::vector<PlaneArea> add_pulse_plane(Figure& figure, const DrawnRegion& drawn,
   constexpr double headroom = 1.15;
   const double right = headroom * far.x;
   FigureCurve curve = needs(*drawn.pulse, right, units);
-  figure.x = {"constant friction f", 0, right};
+  figure.x = {units.f_label, 0, right};
   const double limit = design::largest_delta_allowed(drawn.limits) * units.length;
   figure.y = {units.delta_label, 0, headroom * topmost(curve, far.y, limit)};
   if (drawn.intervals.empty()) {

@@ -208,7 +208,7 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
   const std::string place = given(spec, Quantity::notch_width) ? "in the notch" : "at x = 0";
   Figure figure;
   figure.id = "map";
-  figure.x = figure_axis("constant friction f", map.f());
+  figure.x = figure_axis(units.f_label, map.f());
   figure.y = figure_axis(units.delta_label, map.delta(), units.length);
   figure.map = drawn(map, counts, v0 == 0, place);
   for (const ShadedClass& by : shaded) {
