@@ -16,7 +16,7 @@ using namespace stillpoint;
 using namespace stillpoint::fuzz;
 using namespace stillpoint::design;
 
-DesignRequest any_request(Numbers& numbers) {
+DesignRequest any_request(fuzz::Numbers& numbers) {
   DesignRequest request;
   Problem& problem = request.problem;
   Limits& limits = request.limits;
@@ -92,7 +92,7 @@ bool holds(const DesignRequest& request, const Oscillator& oscillator, double v0
          std::abs(*motion.stop_position) <= residual * (1 + rounding) + roundings;
 }
 
-void require_box(const DesignRequest& request, const DesignPoint& point, Numbers& numbers) {
+void require_box(const DesignRequest& request, const DesignPoint& point, fuzz::Numbers& numbers) {
   const auto& [problem, limits, search, pulse, ranges] = request;
   const double tolerance = point.tolerance;
   const BoxShape& shape = limits.shape;
@@ -118,7 +118,7 @@ void require_box(const DesignRequest& request, const DesignPoint& point, Numbers
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   accepted([&] {
-    Numbers numbers(data, size);
+    fuzz::Numbers numbers(data, size);
     const DesignRequest request = any_request(numbers);
     const DesignResult result = stillpoint::design::design(request);
     require(result.region.feasible == result.finding.has_value() &&

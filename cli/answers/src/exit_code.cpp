@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/answers/exit_code.hpp>
 
+#include <optional>
+
 namespace stillpoint::answers {
 
+namespace {
+
+template <class Finding>
+ExitCode of_design(const std::optional<Finding>& found) {
+  return !found ? exit_infeasible : found->cross_check.passed ? exit_done : exit_check_failed;
+}
+
+}  // namespace
+
 ExitCode exit_code(const report::DesignReport& report) {
-  if (!report.result.finding) {
-    return exit_infeasible;
-  }
-  return report.result.finding->cross_check.passed ? exit_done : exit_check_failed;
+  return of_design(report.result.finding);
 }
 
 ExitCode exit_code(const report::RecordDesignReport& report) {
-  if (report.result.search.interrupted) {
-    return exit_interrupted;
-  }
-  if (!report.result.finding) {
-    return exit_infeasible;
-  }
-  return report.result.finding->check.passed ? exit_done : exit_check_failed;
+  return report.result.search.interrupted ? exit_interrupted : of_design(report.result.finding);
 }
 
 ExitCode exit_code(const report::RegionReport& report) {

@@ -33,13 +33,6 @@ bool returns(std::span<const design::Constraint> constraints) {
 
 namespace {
 
-std::pair<double, std::string> unit_of(std::string_view variable, const FigureUnits& units) {
-  return variable == "delta" || variable == "peak" ? std::pair(units.length, units.length_unit)
-         : variable == "v0"                        ? std::pair(units.velocity, units.velocity_unit)
-         : variable == "acceleration"              ? std::pair(1.0, std::string("g"))
-                                                   : std::pair(1.0, std::string());
-}
-
 /// Then its slack is the distance to what no damper has.
 bool bounds_nothing(const design::Constraint& now) {
   return now.relation.front() == '>' && now.limit <= 0;
@@ -72,44 +65,47 @@ int digits_between(std::span<const design::Constraint> constraints) {
 /// "delta <= 8.1577 mm", rounded so that what is as printed meets it.
 std::string requirement(const design::Constraint& now, const FigureUnits& units, int shown) {
   constexpr double conversion = 1e-12;  // the rounding of 150 mm to dimensionless and back
-  const auto [unit, unit_name] = unit_of(now.variable, units);
+  const auto [unit, unit_name] = units.of(now.dimension());
   const bool upwards = now.relation.front() == '>';
   if (bounds_nothing(now)) {
     return format("any {}", now.variable);
   }
   const double limit = now.limit * unit * (upwards ? 1 - conversion : 1 + conversion);
-  return format("{} {} {}{}", now.variable == "acceleration" ? "outside the notch" : now.variable,
-                now.relation, limit > 0 ? limit_digits(limit, upwards, shown) : digits(limit),
+  return format("{} {} {}{}", now.variable, now.relation,
+                limit > 0 ? limit_digits(limit, upwards, shown) : digits(limit),
                 with_blank(unit_name));
 }
 
 }  // namespace
 
 void add_constraints(Document& document, std::span<const design::Constraint> constraints,
-                     const Physical& physical) {
+                     const Physical& physical, std::string_view of_what) {
+  if (constraints.empty()) {
+    return;
+  }
   const FigureUnits units(physical);
   const bool back = returns(constraints);
   const int shown = digits_between(constraints);
-  Table table{{"", "requirement", "slack", ""}, {}};
+  Table table{{"", "requirement", "slack", "under", ""}, {}};
   for (const design::Constraint& now : constraints) {
     if (!back && now.name == "stop") {
-      table.rows.push_back({{"stop", "-", "-", "not reached"}});
+      table.rows.push_back({{"stop", "-", "-", "", "not reached"}});
       continue;
     }
-    const auto [unit, unit_name] = unit_of(now.variable, units);
+    const auto [unit, unit_name] = units.of(now.dimension());
     table.rows.push_back(
         {{in_words(now.name), requirement(now, units, shown),
-          bounds_nothing(now) ? "-" : few_digits(now.slack * unit) + with_blank(unit_name),
+          bounds_nothing(now) || !now.known ? "-"
+                                            : few_digits(now.slack * unit) + with_blank(unit_name),
+          now.motion ? scaled_name(now.motion->file, now.motion->scale) : "",
           now.satisfied ? "met" : "violated"},
          now.satisfied ? Tone::good : Tone::bad});
   }
   Section& section = document.section("Constraints");
   section.detail = std::ranges::all_of(constraints, &design::Constraint::satisfied);
-  section.parts.emplace_back(std::move(table));
-  if (std::ranges::any_of(constraints, [](const design::Constraint& now) {
-        return now.variable == "peak" || now.variable == "acceleration";
-      })) {
-    section.line("Each is of the motion up to the first return.");
+  section.parts.emplace_back(without_empty_columns(std::move(table)));
+  if (!of_what.empty()) {
+    section.line(std::string(of_what));
   }
 }
 

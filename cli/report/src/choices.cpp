@@ -45,13 +45,13 @@ std::string consequence(const design::Constraint& violated, const ShownTask& tas
 
 /// "f must be 12 % larger", "f is 12 % too large", "delta is far too large".
 std::string by_how_much(const design::Constraint& violated) {
-  const auto& [name, measured, relation, value, limit, slack, satisfied, by_criterion] = violated;
+  const std::string_view measured = violated.variable;
   const std::string variable = (measured == "peak" || measured == "acceleration")
                                    ? format("the {} of the first swing", measured)
                                    : std::string(measured);
-  const bool too_large = relation.front() == '<';
+  const bool too_large = violated.relation.front() == '<';
   const std::string_view how = too_large ? "large" : "small";
-  const double off = 100 * std::abs(slack) / (too_large ? limit : value);
+  const double off = 100 * std::abs(violated.slack) / (too_large ? violated.limit : violated.value);
   constexpr double far = 1e3;  // per cent
   constexpr double next_to_all = 99;
   if (!(off > 0 && off < far)) {

@@ -33,15 +33,6 @@ double shown_f(const design::DesignResult& result) {
   return f;
 }
 
-/// "half-cycle map to 5.6e-17, Runge-Kutta to 1.3e-12"
-std::string agreements(const design::CrossCheck& check) {
-  std::string text;
-  for (const design::CheckMethod& method : check.methods) {
-    text += (text.empty() ? "" : ", ") + agreement(method.name, method.relative_error);
-  }
-  return text;
-}
-
 std::string best_part(const DesignReport& report) {
   const design::Limits& limits = report.result.request.limits;
   const design::RatedPart& best = report.catalogue->parts.front();
@@ -68,16 +59,10 @@ void add_answer(Section& answer, const DesignReport& report, const ShownDamper& 
                  ? format("delta may be off by +-{} with next to no f", percent_digits(tolerance))
                  : tolerance_words(limits, tolerance, delta));
   add_works_for(answer, shown.works_for, shown.task);
-  const design::CrossCheck& check = report.result.finding->cross_check;
-  add_check(answer, check.passed, agreements(check));
+  add_check(answer, report.result.finding->cross_check);
 }
 
 }  // namespace
-
-Optimum optimum_of(const design::DesignResult& result) {
-  const auto& search = result.finding->search;
-  return search ? Optimum{search->by_nlopt, search->along_f} : Optimum();
-}
 
 std::string verdict(const DesignReport& report) {
   const design::DesignResult& result = report.result;
@@ -106,25 +91,24 @@ std::string verdict(const DesignReport& report) {
 
 Document document(const DesignReport& report) {
   const design::DesignResult& result = report.result;
-  const Physical& physical = report.physical;
-  Document document = answered("Damper design", report, result.finding ? Tone::good : Tone::bad);
-  if (result.finding) {
-    const ShownDamper shown = shown_damper(report);
-    add_answer(document.answer, report, shown);
-    if (report.catalogue) {
-      add_parts(document, *report.catalogue, shown.task);
-    }
-    if (report.trade_off && !report.trade_off->empty()) {
-      add_trade_off(document, *report.trade_off, shown.task);
-    }
-    add_constraints(document, result.finding->constraints, physical);
+  const auto& found = result.finding;
+  const ShownTask task = task_of(report);
+  Document document = answered("Damper design", report, found ? Tone::good : Tone::bad);
+  if (found) {
+    add_answer(document.answer, report, shown_damper(report));
   } else {
-    add_mends(document, result, task_of(report));
-    if (report.catalogue) {
-      add_parts(document, *report.catalogue, task_of(report));
-    }
+    add_mends(document, result, task);
   }
-  add_findings(document, report.findings, physical);
+  if (report.catalogue) {
+    add_parts(document, *report.catalogue, task);
+  }
+  if (found && report.trade_off && !report.trade_off->empty()) {
+    add_trade_off(document, *report.trade_off, task);
+  }
+  if (found) {
+    add_constraints(document, found->constraints, report.physical, of_first_swing(task));
+  }
+  add_findings(document, report.findings, report.physical);
   return document;
 }
 

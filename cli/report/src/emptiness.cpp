@@ -36,12 +36,13 @@ std::string of_range(std::string_view field, std::string_view name, bool turned)
   return format("{}{}", end, in_words(name.substr(0, name.find(low ? "_low" : "_high"))));
 }
 
-Way way_of(const design::Mend& mend, const ShownTask& task) {
+Way way_of(const design::Mend& mend, const Physical& physical, const design::Limits& limits,
+           const std::optional<design::Pulse>& pulse) {
   constexpr int shown = 5;
   if (mend.field == "tolerance") {
-    return tolerance_way(mend.value, task.limits);
+    return tolerance_way(mend.value, limits);
   }
-  const auto now = task.physical ? physical_mend(*task.physical, mend, task.pulse) : std::nullopt;
+  const auto now = physical ? physical_mend(*physical, mend, pulse) : std::nullopt;
   if (!now) {
     std::string_view unit = mend.field.starts_with("k") ? " g" : "";
     for (const design::LimitKind& kind : design::limit_kinds()) {
@@ -51,13 +52,16 @@ Way way_of(const design::Mend& mend, const ShownTask& task) {
             format("{}{}", limit_digits(mend.value, mend.upwards, shown), unit), mend.upwards};
   }
   // The longest period is that of the softest spring, the least p.
-  const FigureUnits units(task.physical);
+  const FigureUnits units(physical);
   const bool length = now->unit == "m";
-  const double unit = length ? units.length / task.physical->scales.length_m : 1;
+  const double unit = length ? units.length / physical->scales.length_m : 1;
   return {of_range(mend.field, now->name, now->upwards != mend.upwards),
           format("{} {}", limit_digits(now->value * unit, now->upwards, shown),
                  length ? units.length_unit : now->unit),
           now->upwards};
+}
+Way way_of(const design::Mend& mend, const ShownTask& task) {
+  return way_of(mend, task.physical, task.limits, task.pulse);
 }
 
 /// "a max displacement of at least 168.8 mm", "f allowed up to 0.05", "at least 2 arrivals".
@@ -129,12 +133,19 @@ std::string none_admissible(const design::RegionVerdict& empty, const ShownTask&
                 way_out(empty, task));
 }
 
-void add_mends(Document& document, const design::RegionVerdict& empty, const ShownTask& task) {
+Section& add_mends(Document& document, std::span<const design::Mend> mends,
+                   const Physical& physical, const design::Limits& limits,
+                   const std::optional<design::Pulse>& pulse) {
   Section& section = document.section("What would make it feasible, each alone");
-  for (const design::Mend& mend : empty.mends) {
-    const Way way = way_of(mend, task);
+  for (const design::Mend& mend : mends) {
+    const Way way = way_of(mend, physical, limits, pulse);
     section.row(way.name, format("at {} {}", way.upwards ? "least" : "most", way.bound));
   }
+  return section;
+}
+
+void add_mends(Document& document, const design::RegionVerdict& empty, const ShownTask& task) {
+  Section& section = add_mends(document, empty.mends, task.physical, task.limits, task.pulse);
   if (empty.criterion_mend) {
     section.row("criterion", "exact: the published one requires more delta than needed");
   }

@@ -13,17 +13,16 @@ std::optional<double> felt_outside(double felt, double peak, double p, double f,
              : std::nullopt;
 }
 
-std::string agreement(std::string_view method, double relative_error) {
-  const std::string_view words = method == "half_cycle_map" ? "half-cycle map"
-                                 : method == "forced_pulse" ? "forced motion"
-                                                            : "Runge-Kutta";
-  return relative_error == 0 ? format("{} exactly", words)
-                             : format("{} to {:.1e}", words, relative_error);
-}
-
-void add_check(Section& answer, bool passed, const std::string& agreements) {
-  answer.row("checks", format("{}: {}", passed ? "agree" : "DISAGREE", agreements),
-             passed ? Tone::good : Tone::bad);
+void add_check(Section& answer, const design::CrossCheck& check) {
+  std::string text = check.passed ? "agree" : "DISAGREE";
+  for (const design::CheckMethod& now : check.methods) {
+    text += format("{} {} {}", now.name == check.methods.front().name ? ":" : ",",
+                   now.name == "half_cycle_map" ? "half-cycle map"
+                   : now.name == "forced_pulse" ? "forced motion"
+                                                : "Runge-Kutta",
+                   now.relative_error == 0 ? "exactly" : format("to {:.1e}", now.relative_error));
+  }
+  answer.row("checks", text, check.passed ? Tone::good : Tone::bad);
 }
 
 void add_start(Section& answer, double least_width, const Response& response,

@@ -27,11 +27,6 @@ std::optional<int> period_digits(const design::RecordDesignRequest& task) {
   return task.p.low < task.p.high ? std::optional(printed_digits) : std::nullopt;
 }
 
-std::string row_name(const design::SuiteFigureKind& kind) {
-  return kind.objective == design::SuiteObjective::acceleration ? "transmitted"
-                                                                : std::string(kind.words);
-}
-
 /// "0.1991 g transmitted, stroke 307.18 mm, residual 35.709 mm"
 std::string figures_words(const design::SuiteFigures& figures, const Physical& physical) {
   return acceleration_shown(figures.acceleration) + " transmitted" +
@@ -114,8 +109,7 @@ void add_answer(Section& answer, const RecordDesignReport& report) {
                              (at_end ? ", an end of what was searched" : ""));
   }
   add_box(answer, result, physical);
-  const design::SuiteCheck& check = result.finding->check;
-  add_check(answer, check.passed, agreement("runge_kutta", check.relative_error));
+  add_check(answer, result.finding->cross_check);
 }
 
 /// From when on the load is 0.
@@ -158,43 +152,23 @@ void add_records(Document& document, const design::RecordDesign& result, const P
   document.section("Records").parts.emplace_back(std::move(table));
 }
 
-void add_shortfalls(Document& document, const RecordDesignReport& report) {
-  const auto& [result, physical] = report;
-  Section& section = document.section("Limits");
-  if (!result.nearest.figures.settled) {
-    section.line("No damper that was tried comes to rest.", Tone::bad);
-    return;
-  }
-  const design::SuiteDamper& damper = result.nearest.damper;
-  section.row("nearest", format("{}, {}", exact_words(physical, damper),
-                                spring_words(physical, damper.p, period_digits(result.request))));
-  for (const auto& [kind, limit, nearest, record, relaxed] : result.shortfalls) {
-    const auto [near, allowed] = told_apart(physical, kind->dimension, nearest, limit);
-    section.row(row_name(*kind), format("{}; {} is allowed", near, allowed),
-                nearest > limit ? Tone::bad : Tone::plain);
-    if (relaxed) {
-      section.row("", format("with {} allowed and the other limits unchanged, there is a damper",
-                             told_apart(physical, kind->dimension, *relaxed, limit).first));
-    }
-  }
-}
-
 /// How far the nearest damper is from the limit that it exceeds most.
 std::string shortfall_words(const RecordDesignReport& report) {
-  const design::RecordDesign& result = report.result;
-  const auto excess = [](const design::SuiteShortfall& now) {
-    return now.nearest <= now.limit ? 0 : now.limit > 0 ? now.nearest / now.limit : HUGE_VAL;
+  const auto excess = [](const design::Constraint& now) {
+    return now.value <= now.limit ? 0 : now.limit > 0 ? now.value / now.limit : HUGE_VAL;
   };
-  const auto most = std::ranges::max_element(result.shortfalls, {}, excess);
-  if (most == result.shortfalls.end() || most->nearest <= most->limit) {
+  const auto& all = report.result.constraints;
+  const auto most = std::ranges::max_element(all, {}, excess);
+  if (most == all.end() || excess(*most) == 0) {
     return {};
   }
-  const auto& [kind, limit, nearest, record, relaxed] = *most;
+  const auto* const kind = std::ranges::find(design::suite_figure_kinds, most->name,
+                                             &design::SuiteFigureKind::constraint);
   return format("; the nearest has a {} of {}{}", kind->words,
-                beyond(report.physical, kind->dimension, nearest, limit),
-                result.request.records.size() == 1
+                beyond(report.physical, kind->dimension, most->value, most->limit),
+                report.result.request.records.size() == 1
                     ? ""
-                    : ", most under " + record_label(result.request.records[record]));
+                    : ", most under " + scaled_name(most->motion->file, most->motion->scale));
 }
 
 std::string no_damper(const RecordDesignReport& report) {
@@ -299,16 +273,24 @@ std::string verdict(const RecordDesignReport& report) {
 }
 
 Document document(const RecordDesignReport& report) {
-  const design::RecordDesign& result = report.result;
-  Document document =
-      answered("Damper under records", report, result.finding ? Tone::good : Tone::bad);
+  const auto& [result, physical] = report;
+  Document document = answered("Damper design", report, result.finding ? Tone::good : Tone::bad);
   if (result.finding) {
     add_answer(document.answer, report);
-    add_records(document, result, report.physical);
-  } else {
-    add_shortfalls(document, report);
+    add_records(document, result, physical);
+  } else if (result.nearest.figures.settled) {
+    const design::SuiteDamper& damper = result.nearest.damper;
+    document.answer.row("nearest",
+                        format("{}, {}", exact_words(physical, damper),
+                               spring_words(physical, damper.p, period_digits(result.request))));
+    if (!result.mends.empty()) {
+      add_mends(document, result.mends, physical);
+    }
   }
-  add_findings(document, result.findings, report.physical);
+  add_constraints(
+      document, result.constraints, physical,
+      is_exact(result.request.tolerance) ? "" : "Each is the worst within the tolerance.");
+  add_findings(document, result.findings, physical);
   return document;
 }
 

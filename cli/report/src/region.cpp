@@ -250,7 +250,7 @@ Document document(const RegionReport& report) {
     const auto feasible = feasible_at(report, *f);
     document.answer.row("feasible delta",
                         feasible.empty() ? "none with this f" : delta_words(feasible, physical));
-    add_constraints(document, answer.constraints, physical);
+    add_constraints(document, answer.constraints, physical, of_first_swing(task_of(report)));
   }
   if (f && (!delta || stops_by_delta1(answer.constraints))) {
     document.answer.row("delta needed",

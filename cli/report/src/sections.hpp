@@ -99,14 +99,6 @@ inline constexpr int usual_digits = 4;
 /// Of the motion after a hit, from x = 0 without a load, with the paper's notch; else empty.
 [[nodiscard]] std::optional<design::Practice> practice_of(const MotionReport& report);
 
-/// The objective's value of NLopt's best point, and of the best along f alone, without NLopt; empty
-/// if not known.
-struct Optimum {
-  std::optional<double> found;
-  std::optional<double> along_f;
-};
-[[nodiscard]] Optimum optimum_of(const design::DesignResult& result);
-
 /// The hits or pulses, and the periods, for which it works, if known.
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
                    const ShownTask& task);
@@ -114,15 +106,17 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
 [[nodiscard]] std::string none_admissible(const design::RegionVerdict& empty,
                                           const ShownTask& task);
 /// What would make it feasible.
+Section& add_mends(Document& document, std::span<const design::Mend> mends,
+                   const Physical& physical, const design::Limits& limits = {},
+                   const std::optional<design::Pulse>& pulse = {});
 void add_mends(Document& document, const design::RegionVerdict& empty, const ShownTask& task);
 /// "No damper with a max displacement below 168.8 mm", the title of the region's figure.
 [[nodiscard]] std::string mend_title(const design::RegionVerdict& empty, const ShownTask& task,
                                      std::string_view what = "damper");
 /// A name of the interface as people read it: "dead zone", "largest f".
 [[nodiscard]] std::string in_words(std::string_view name);
-/// How an independent method agrees: "Runge-Kutta to 1.3e-12".
-[[nodiscard]] std::string agreement(std::string_view method, double relative_error);
-void add_check(Section& answer, bool passed, const std::string& agreements);
+/// How independent methods agree: "half-cycle map to 5.6e-17, Runge-Kutta to 1.3e-12".
+void add_check(Section& answer, const design::CrossCheck& check);
 /// How wide a notch must be for the load to move the mass, unless none is.
 void add_start(Section& answer, double least_width, const Response& response,
                const Physical& physical);
@@ -133,7 +127,13 @@ void add_start(Section& answer, double least_width, const Response& response,
 [[nodiscard]] bool returns(std::span<const design::Constraint> constraints);
 /// Each with its slack: by how much a damper meets or misses it.
 void add_constraints(Document& document, std::span<const design::Constraint> constraints,
-                     const Physical& physical);
+                     const Physical& physical, std::string_view of_what = {});
+/// What those under a pulse are of; empty after a hit.
+[[nodiscard]] inline std::string_view of_first_swing(const ShownTask& task) {
+  return task.pulse ? "Each is of the motion up to the first return; accelerations are those "
+                      "outside the notch."
+                    : "";
+}
 
 /// What the mass feels outside the notch, from x = 0 on, if it feels more in it.
 [[nodiscard]] std::optional<double> felt_outside(double felt, double peak, double p, double f,

@@ -252,12 +252,7 @@ std::vector<Finding> findings_of(const DesignResult& design, const std::optional
                                         found.constraints, found.practice, built.has_value()},
                                   asked);
   std::vector<Finding> all;
-  const auto failed = std::ranges::find(found.cross_check.methods, false, &CheckMethod::passed);
-  if (failed != found.cross_check.methods.end()) {
-    Finding& check = all.emplace_back(check_failed);
-    check.add("relative_error", failed->relative_error);
-    check.add("tolerance", failed->tolerance);
-  }
+  add_failed(all, found.cross_check);
   if (built) {
     add_built(all, design.request, *built);
   }

@@ -166,6 +166,15 @@ double least_width(double f, double delta, double load) {
   return load > f ? delta / (load - f) : HUGE_VAL;
 }
 
+void add_failed(std::vector<Finding>& all, const CrossCheck& check) {
+  const auto method = std::ranges::find(check.methods, false, &CheckMethod::passed);
+  if (method != check.methods.end()) {
+    Finding& failed = all.emplace_back(check_failed);
+    failed.add("relative_error", method->relative_error);
+    failed.add("tolerance", method->tolerance);
+  }
+}
+
 Finding lock_of(const ForcedResponse& motion, double load_end) {
   Finding lock(locks);
   lock.add("largest_load_while_locked", motion.largest_load_while_locked, Dimension::gravities);

@@ -191,6 +191,9 @@ std::optional<PhysicalMend> physical_mend(const PhysicalInput& physical, const M
       return mended(name, "m", mend.value * scales.length_m, up);
     }
   }
+  if (mend.field == "jump_max") {
+    return mended(mend.field, "m/s", mend.value * scales.velocity_m_per_s, up);
+  }
   return std::nullopt;
 }
 

@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(friction_above_the_weight_is_a_brake) {
 BOOST_AUTO_TEST_CASE(a_check_that_fails_is_a_fault) {
   RecordDesign result = design::design(judged(0.1, 0));
   BOOST_TEST(!says(result, FindingKind::check_failed));
-  result.finding->check.passed = false;
+  result.finding->cross_check.methods.front().passed = false;
   result.findings = findings_of(result, result.request);
   BOOST_TEST((finding(result, FindingKind::check_failed).severity == Severity::fault));
 }

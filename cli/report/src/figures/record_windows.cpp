@@ -30,13 +30,13 @@ void add_box_outline(Figure& figure, const design::SuiteBox& box, const FigureUn
 
 /// "No damper: allow a stroke of 62.1 mm": the first limit that would be enough alone.
 std::string shortfall_title(const design::RecordDesign& result, const FigureUnits& units) {
-  for (const design::SuiteShortfall& each : result.shortfalls) {
-    if (each.relaxed) {
-      return format("No damper: allow a {} of {}", each.kind->words,
-                    units.words(each.kind->dimension, *each.relaxed));
-    }
+  if (result.mends.empty()) {
+    return "No damper meets the limits";
   }
-  return "No damper meets the limits";
+  const design::Mend& mend = result.mends.front();
+  const auto& kind =
+      *std::ranges::find(design::suite_figure_kinds, mend.field, &design::SuiteFigureKind::field);
+  return format("No damper: allow a {} of {}", kind.words, units.words(kind.dimension, mend.value));
 }
 
 /// Where the search went beyond the map; "" if nowhere.

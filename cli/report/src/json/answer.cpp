@@ -7,10 +7,6 @@
 
 namespace stillpoint::report {
 
-IfReal ShownConstraint::length(const IfReal& of) const {
-  return variable == "delta" || variable == "peak" || variable == "residual" ? of : std::nullopt;
-}
-
 std::optional<std::vector<std::string_view>> conflict_of(const design::Region& region) {
   using Names = std::vector<std::string_view>;
   switch (region.conflict) {
@@ -36,11 +32,12 @@ std::optional<std::vector<std::string_view>> conflict_of(const design::Region& r
   return std::nullopt;
 }
 
+Worst worst_of(const design::SuiteFigures& figures) {
+  return {figures.peak, figures.acceleration, figures.residual, {}, figures.jump};
+}
+
 std::optional<Worst> settled(const design::SuiteFigures& figures) {
-  return figures.settled
-             ? std::optional(
-                   Worst{figures.peak, figures.acceleration, figures.residual, {}, figures.jump})
-             : std::nullopt;
+  return figures.settled ? std::optional(worst_of(figures)) : std::nullopt;
 }
 
 namespace {

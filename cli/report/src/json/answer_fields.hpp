@@ -81,6 +81,7 @@ struct OfFigures {
             in_si<Value>(Dimension::velocity)}};
 };
 using Worst = OfFigures<double>;
+[[nodiscard]] Worst worst_of(const design::SuiteFigures& figures);
 /// Empty where a motion never rests.
 [[nodiscard]] std::optional<Worst> settled(const design::SuiteFigures& figures);
 
@@ -204,8 +205,8 @@ inline constexpr auto fields<design::SuiteOutlook> = [] {
 }();
 
 template <>
-inline constexpr auto fields<design::SuiteCheckRow> = [] {
-  using Now = design::SuiteCheckRow;
+inline constexpr auto fields<design::CheckedMotion> = [] {
+  using Now = design::CheckedMotion;
   return std::tuple{
       Field{"peak_amplitude", &Now::peak}, Field{"peak_absolute_acceleration", &Now::acceleration},
       Field{"residual", &Now::residual}, Field{"relative_error", &Now::relative_error}};
@@ -221,6 +222,97 @@ inline constexpr auto fields<design::MotionFigures> = [] {
                     Field{"half_cycles", &Now::half_cycles, "", report::counted},
                     Field{"stop_position", &Now::stop_position, "", report::any_number}};
 }();
+
+template <>
+inline constexpr auto fields<design::Constraint> = [] {
+  using report::any_number;
+  using Now = design::Constraint;
+  constexpr Measure metres_alone = report::si_alone(Dimension::length, Numbers::all);
+  const auto if_known = [](double Now::*of) {
+    return [of](const Now& now) { return now.known ? std::optional(now.*of) : std::nullopt; };
+  };
+  return std::tuple{
+      Field{"case", [](const Now&) { return report::Name(); }},
+      Field{"name", &Now::name, "", report::one_of(report::constraint_names)},
+      Field{"variable", &Now::variable, "what is bounded", report::one_of(report::constrained)},
+      Field{"relation", &Now::relation, "", report::one_of(report::relations)},
+      Field{"value", if_known(&Now::value), "null where a motion never rests, like slack",
+            any_number},
+      Field{"value_m",
+            [](const Now& now) {
+              return now.dimension() == Dimension::length && now.known ? std::optional(now.value)
+                                                                       : std::nullopt;
+            },
+            "of a length", metres_alone},
+      Field{"limit", &Now::limit, "", any_number},
+      Field{"limit_m",
+            [](const Now& now) {
+              return now.dimension() == Dimension::length ? std::optional(now.limit) : std::nullopt;
+            },
+            "", metres_alone},
+      Field{"slack", if_known(&Now::slack), "", any_number},
+      Field{"satisfied", &Now::satisfied},
+      Field{"motion", report::IfAny{&Now::motion, &Now::Motion::file},
+            "without a design, the record under which the value is largest", any_number}};
+}();
+
+template <>
+inline constexpr auto fields<design::Mend> =
+    std::tuple{Field{"case", [](const design::Mend&) { return report::Name(); }},
+               Field{"input", &design::Mend::field},
+               Field{"value", &design::Mend::value, "", report::any_number}};
+
+template <>
+inline constexpr auto fields<design::SearchRecord::Scan> =
+    std::tuple{Field{"points", &design::SearchRecord::Scan::points, "boxes"},
+               Field{"feasible", &design::SearchRecord::Scan::feasible}};
+
+template <>
+inline constexpr auto fields<design::SearchRecord> = [] {
+  using report::any_number;
+  using Now = design::SearchRecord;
+  return std::tuple{
+      Field{"library", [](const Now& now) { return report::libraries.at(now.scan ? 1 : 0); }, "",
+            report::one_of(report::libraries)},
+      Field{"library_version",
+            [](const Now& now) {
+              return now.scan ? report::program_version() : design::nlopt_version();
+            }},
+      Field{"algorithm", &Now::algorithm},
+      Field{"status", &Now::status, "NLopt's; under records SUCCESS or INTERRUPTED"},
+      Field{"evaluations", &Now::evaluations},
+      Field{"wall_time_s", &Now::wall_time_s},
+      Field{"optimum", &Now::by_nlopt,
+            "the objective's value of the design; with a pulse, of NLopt's best point", any_number},
+      Field{"optimum_along_f", &Now::along_f,
+            "that of the best damper along f alone, found without NLopt", any_number},
+      Field{"scan", &Now::scan, "null without records"},
+      Field{"interrupted", &Now::interrupted, "by the user: the design is the best so far"}};
+}();
+
+template <>
+inline constexpr auto fields<design::CheckMethod> = [] {
+  using Now = design::CheckMethod;
+  const auto figures = [](const Now& now) {
+    return now.motions.empty() ? static_cast<const design::MotionFigures*>(&now) : nullptr;
+  };
+  return std::tuple_cat(
+      std::tuple{Field{"name", &Now::name, "", report::one_of(report::check_methods)},
+                 Field{"tolerance", &Now::tolerance}},
+      report::fields_if_any(figures, fields<design::MotionFigures>),
+      std::tuple{Field{"relative_error", &Now::relative_error},
+                 Field{"wall_time_s", &Now::wall_time_s}, Field{"decided", &Now::decided},
+                 Field{"passed", &Now::passed},
+                 Field{"motions",
+                       [](const Now& now) {
+                         return now.motions.empty() ? std::nullopt : std::optional(now.motions);
+                       },
+                       "under each record, in place of the figures; else null"}});
+}();
+
+template <>
+inline constexpr auto fields<design::CrossCheck> = std::tuple{
+    Field{"passed", &design::CrossCheck::passed}, Field{"methods", &design::CrossCheck::methods}};
 
 }  // namespace stillpoint
 
@@ -389,45 +481,6 @@ struct ShownCase {
       Field{"motions", &Now::motions, "of the damper itself"}};
 };
 
-struct ShownConstraint {
-  Name of_case{};
-  std::string_view name, variable, relation;
-  IfReal value{}, slack{};
-  double limit{0};
-  bool satisfied{false};
-  Name motion{};
-
-  /// Of a length, empty of anything else.
-  [[nodiscard]] IfReal length(const IfReal& of) const;
-
-  using Now = ShownConstraint;
-  static constexpr Measure metres_alone = si_alone(Dimension::length, Numbers::all);
-  static constexpr std::tuple field_table{
-      Field{"case", &Now::of_case},
-      Field{"name", &Now::name, "", one_of(constraint_names)},
-      Field{"variable", &Now::variable, "what is bounded", one_of(constrained)},
-      Field{"relation", &Now::relation, "", one_of(relations)},
-      Field{"value", &Now::value, "null where a motion never rests, like slack", any_number},
-      Field{"value_m", [](const auto& now) { return now.length(now.value); }, "of a length",
-            metres_alone},
-      Field{"limit", &Now::limit, "", any_number},
-      Field{"limit_m", [](const auto& now) { return now.length(now.limit); }, "", metres_alone},
-      Field{"slack", &Now::slack, "", any_number},
-      Field{"satisfied", &Now::satisfied},
-      Field{"motion", &Now::motion, "without a design, the record under which the value is largest",
-            any_number}};
-};
-[[nodiscard]] std::vector<ShownConstraint> shown_constraints(
-    std::span<const design::Constraint> constraints);
-
-struct ShownMend : design::Mend {
-  Name of_case{};
-
-  static constexpr std::tuple field_table{Field{"case", &ShownMend::of_case},
-                                          Field{"input", &ShownMend::field},
-                                          Field{"value", &ShownMend::value, "", any_number}};
-};
-
 struct Nearest {
   design::SuiteDamper damper;
   std::optional<Worst> worst{};
@@ -463,7 +516,7 @@ struct ShownPart : design::RatedPart {
       Field{"tolerance", &Now::tolerance,
             "the largest that the part allows; null if it is not admissible itself"},
       Field{"why", &Now::why, "it is not admissible; null if it is", any_number},
-      Field{"violates", [](const auto& now) { return shown_constraints(now.violated); }}};
+      Field{"violates", [](const auto& now) { return now.violated; }}};
 };
 
 struct ShownNotch {
@@ -487,64 +540,6 @@ struct ShownNotch {
       Field{"largest_acceleration", &Now::felt, "the notch included"}};
 };
 
-struct Scan {
-  std::int64_t points{0}, feasible{0};
-
-  static constexpr std::tuple field_table{Field{"points", &Scan::points, "boxes"},
-                                          Field{"feasible", &Scan::feasible}};
-};
-struct ShownSearch {
-  std::string_view library;
-  std::string version, algorithm, status;
-  std::int64_t evaluations{0};
-  double wall_time_s{0};
-  Optimum optimum{};
-  std::optional<Scan> scan{};
-  bool interrupted{false};
-
-  using Now = ShownSearch;
-  static constexpr std::tuple field_table{
-      Field{"library", &Now::library, "", one_of(libraries)},
-      Field{"library_version", &Now::version},
-      Field{"algorithm", &Now::algorithm},
-      Field{"status", &Now::status, "NLopt's; under records SUCCESS or INTERRUPTED"},
-      Field{"evaluations", &Now::evaluations},
-      Field{"wall_time_s", &Now::wall_time_s},
-      Field{"optimum", in(&Now::optimum, &Optimum::found),
-            "the objective's value of the design; with a pulse, of NLopt's best point", any_number},
-      Field{"optimum_along_f", in(&Now::optimum, &Optimum::along_f),
-            "that of the best damper along f alone, found without NLopt", any_number},
-      Field{"scan", &Now::scan, "null without records"},
-      Field{"interrupted", &Now::interrupted, "by the user: the design is the best so far"}};
-};
-
-struct ShownCheckMethod {
-  std::string_view name;
-  double tolerance{0}, relative_error{0}, wall_time_s{0};
-  bool decided{true}, passed{false};
-  const design::MotionFigures* figures{nullptr};
-  std::optional<std::vector<design::SuiteCheckRow>> motions{};
-
-  using Now = ShownCheckMethod;
-  static constexpr auto field_table =
-      std::tuple_cat(std::tuple{Field{"name", &Now::name, "", one_of(check_methods)},
-                                Field{"tolerance", &Now::tolerance}},
-                     fields_if_any(&Now::figures, fields<design::MotionFigures>),
-                     std::tuple{Field{"relative_error", &Now::relative_error},
-                                Field{"wall_time_s", &Now::wall_time_s},
-                                Field{"decided", &Now::decided}, Field{"passed", &Now::passed},
-                                Field{"motions", &Now::motions,
-                                      "under each record, in place of the figures; else "
-                                      "null"}});
-};
-struct ShownCheck {
-  bool passed{false};
-  std::vector<ShownCheckMethod> methods{};
-
-  static constexpr std::tuple field_table{Field{"passed", &ShownCheck::passed},
-                                          Field{"methods", &ShownCheck::methods}};
-};
-
 struct ShownAnswer;
 [[nodiscard]] std::optional<AnswerSi> physical_of(const ShownAnswer& now);
 
@@ -555,12 +550,12 @@ struct ShownAnswer {
   AskedTask input{};
   std::optional<BoxedDamper> design{};
   std::vector<ShownCase> cases{};
-  std::vector<ShownConstraint> constraints{};
+  std::vector<design::Constraint> constraints{};
   std::optional<bool> admissible{};
   IfReal delta1_published{}, delta1_exact{}, largest_tolerance{};
   const design::RegionVerdict* region{nullptr};
   std::optional<std::vector<design::Strip>> strips{};
-  std::vector<ShownMend> mends{};
+  std::vector<design::Mend> mends{};
   std::optional<Nearest> nearest{};
   std::optional<ShownServed> works_for{};
   std::optional<std::vector<design::Hits>> hits{};
@@ -570,8 +565,8 @@ struct ShownAnswer {
   std::optional<std::vector<ShownPart>> catalogue{};
   std::optional<std::vector<design::TradeOff>> trade_off{};
   std::optional<design::SuiteOutlook> outlook{};
-  std::optional<ShownSearch> search{};
-  std::optional<ShownCheck> cross_check{};
+  const design::SearchRecord* search{nullptr};
+  const design::CrossCheck* cross_check{nullptr};
   /// For `physical` alone: the duration of a pulse, and the width of the worst of ranges.
   IfReal velocity_m_per_s{}, duration{}, notch_width_min{};
 
@@ -660,7 +655,7 @@ inline constexpr std::string_view shared_name<WorstAt> = "worst_damper";
 template <>
 inline constexpr std::string_view shared_name<Worst> = "figures";
 template <>
-inline constexpr std::string_view shared_name<ShownConstraint> = "constraint";
+inline constexpr std::string_view shared_name<design::Constraint> = "constraint";
 template <>
 inline constexpr std::string_view shared_name<ShownPractice> = "practice";
 

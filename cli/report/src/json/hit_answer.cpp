@@ -9,21 +9,6 @@ namespace stillpoint::report {
 
 namespace {
 
-ShownSearch shown_search(const design::SearchRecord& search, const Optimum& optimum) {
-  return {"NLopt",       design::nlopt_version(), search.algorithm,
-          search.status, search.evaluations,      search.wall_time_s,
-          optimum};
-}
-
-ShownCheck shown_check(const design::CrossCheck& check) {
-  ShownCheck shown{check.passed};
-  for (const design::CheckMethod& now : check.methods) {
-    shown.methods.push_back({now.name, now.tolerance, now.relative_error, now.wall_time_s,
-                             now.decided, now.passed, &now});
-  }
-  return shown;
-}
-
 ShownNotch shown_notch(const ShownTask& task, const design::Found& found,
                        const design::BuiltNotch& built) {
   const auto& pulse = found.pulse ? std::optional(found.pulse->pulse) : std::nullopt;
@@ -93,11 +78,11 @@ void add_found(ShownAnswer& now, const DesignReport& report, const design::Found
   add_worst(only, task, damper, found.pulse ? found.pulse->worst : std::nullopt);
   now.delta1_published = found.delta1_published;
   now.delta1_exact = found.delta1_exact;
-  now.constraints = shown_constraints(found.constraints);
+  now.constraints = found.constraints;
   if (found.search) {
-    now.search = shown_search(*found.search, optimum_of(report.result));
+    now.search = &*found.search;
   }
-  now.cross_check = shown_check(found.cross_check);
+  now.cross_check = &found.cross_check;
   if (const auto& built = report.built_notch) {
     now.built_notch = shown_notch(task, found, *built);
     damper.width = built->shape.width.value_or(0);
@@ -136,7 +121,7 @@ ShownAnswer shown(const RegionReport& report) {
   const ShownTask task = task_of(report);
   ShownAnswer now = asked(task, answer, report.findings);
   now.verdict = verdict(report);
-  now.constraints = shown_constraints(answer.constraints);
+  now.constraints = answer.constraints;
   now.admissible = answer.admissible;
   now.delta1_published = answer.delta1_published;
   now.delta1_exact = answer.delta1_exact;

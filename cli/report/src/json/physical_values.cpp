@@ -75,7 +75,7 @@ std::optional<AnswerSi> physical_of(const ShownAnswer& now) {
                .lambda = input.lambda,
                .duration = now.duration,
                .region = now.region != nullptr ? &now.region->region : nullptr,
-               .mends = {now.mends.begin(), now.mends.end()},
+               .mends = now.mends,
                .served = now.works_for,
                .of_pulse = input.pulse.has_value(),
                .hits = now.hits && !input.pulse ? &*now.hits : nullptr}};

@@ -12,29 +12,12 @@ namespace stillpoint::report {
 
 namespace {
 
-/// A figure of records as a condition, in the order of design::suite_figure_kinds.
-struct Condition {
-  std::string_view name;
-  std::string_view variable;
-  std::string_view input;
-  std::optional<WorstAt> OfFigures<WorstAt>::*of;
-};
-constexpr std::array<Condition, design::suite_figure_kinds.size()> conditions{
-    {{"amplitude", "peak", "beta", &OfFigures<WorstAt>::peak},
-     {"acceleration", "acceleration", "acceleration_max", &OfFigures<WorstAt>::acceleration},
-     {"residual", "residual", "residual", &OfFigures<WorstAt>::residual},
-     {"jump", "jump", "jump_max", &OfFigures<WorstAt>::jump}}};
-
 Interval factors(const design::Spread& spread) {
   return {1 - spread.below, 1 + spread.above};
 }
 
 IfRange unless_exact(const Interval& side) {
   return side.low < side.high ? std::optional(side) : std::nullopt;
-}
-
-Worst worst_of(const design::SuiteFigures& figures) {
-  return {figures.peak, figures.acceleration, figures.residual, {}, figures.jump};
 }
 
 AskedTask asked_task(const design::RecordDesignRequest& task) {
@@ -71,13 +54,11 @@ BoxedDamper boxed_damper(const design::RecordFinding& finding, const IfReal& tol
           tolerance};
 }
 
-/// The motion that has the worst is known of one record alone.
+/// In the order of design::suite_figure_kinds. The motion that has the worst is known of one record
+/// alone.
 WorstInBox shown_worst(const design::SuiteBox& box, const Name& motion) {
-  WorstInBox worst{worst_of(box.worst), {}};
-  for (std::size_t k = 0; k < conditions.size(); ++k) {
-    worst.of.*conditions.at(k).of = WorstAt{box.of.at(k), motion};
-  }
-  return worst;
+  const auto at = [&](std::size_t kind) { return WorstAt{box.of.at(kind), motion}; };
+  return {worst_of(box.worst), {at(0), at(1), at(2), {}, at(3)}};
 }
 
 std::vector<ShownLoaded> motions_of(const design::RecordDesign& result, const Physical& physical) {
@@ -95,60 +76,6 @@ std::vector<ShownLoaded> motions_of(const design::RecordDesign& result, const Ph
   return motions;
 }
 
-ShownConstraint constraint(std::size_t kind, double limit, const IfReal& value) {
-  return {{},
-          conditions.at(kind).name,
-          conditions.at(kind).variable,
-          "<=",
-          value,
-          value ? std::optional(limit - *value) : std::nullopt,
-          limit,
-          value && *value <= limit};
-}
-
-std::vector<ShownConstraint> kept(const design::SuiteLimits& limits,
-                                  const design::SuiteFigures& worst) {
-  std::vector<ShownConstraint> shown;
-  for (std::size_t k = 0; k < conditions.size(); ++k) {
-    const design::SuiteFigureKind& kind = design::suite_figure_kinds.at(k);
-    if (const auto& limit = limits.*kind.limit) {
-      shown.push_back(constraint(k, *limit, worst.*kind.value));
-    }
-  }
-  return shown;
-}
-
-/// What the nearest damper violates, and the limits that alone would have to change.
-void add_shortfalls(ShownAnswer& now, const design::RecordDesign& result) {
-  for (const design::SuiteShortfall& of : result.shortfalls) {
-    const auto kind = static_cast<std::size_t>(of.kind - design::suite_figure_kinds.data());
-    now.constraints.push_back(constraint(
-        kind, of.limit, result.nearest.figures.settled ? std::optional(of.nearest) : std::nullopt));
-    now.constraints.back().motion = result.request.records[of.record].name;
-    if (of.relaxed) {
-      now.mends.push_back({{conditions.at(kind).input, *of.relaxed, true}});
-    }
-  }
-}
-
-ShownSearch shown_search(const design::SuiteSearchCost& search) {
-  return {"stillpoint",
-          program_version(),
-          "boxes",
-          search.interrupted ? "INTERRUPTED" : "SUCCESS",
-          search.evaluations,
-          search.wall_time_s,
-          {},
-          Scan{search.scan_points, search.scan_feasible},
-          search.interrupted};
-}
-
-ShownCheck shown_check(const design::SuiteCheck& check) {
-  return {check.passed,
-          {{"runge_kutta", check.tolerance, check.relative_error, check.wall_time_s, true,
-            check.passed, nullptr, check.records}}};
-}
-
 }  // namespace
 
 ShownAnswer shown(const RecordDesignReport& report) {
@@ -159,7 +86,9 @@ ShownAnswer shown(const RecordDesignReport& report) {
                   .findings = findings(report),
                   .verdict = verdict(report),
                   .input = asked_task(request),
-                  .search = shown_search(result.search)};
+                  .constraints = result.constraints,
+                  .mends = result.mends,
+                  .search = &result.search};
   if (const auto& finding = result.finding) {
     now.design = boxed_damper(*finding, result.largest_tolerance);
     only.nominal = worst_of(finding->point.figures);
@@ -167,15 +96,11 @@ ShownAnswer shown(const RecordDesignReport& report) {
                                                ? std::optional(request.records.front().name)
                                                : std::nullopt);
     only.motions = motions_of(result, report.physical);
-    now.constraints = kept(request.limits, finding->box.worst);
     now.outlook = finding->outlook;
-    now.cross_check = shown_check(finding->check);
+    now.cross_check = &finding->cross_check;
   } else {
     now.largest_tolerance = result.largest_tolerance;
-    now.nearest = {result.nearest.damper, result.nearest.figures.settled
-                                              ? std::optional(worst_of(result.nearest.figures))
-                                              : std::nullopt};
-    add_shortfalls(now, result);
+    now.nearest = {result.nearest.damper, settled(result.nearest.figures)};
   }
   now.cases.push_back(std::move(only));
   return now;

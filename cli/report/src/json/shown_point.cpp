@@ -57,10 +57,8 @@ ShownAnswer asked(const ShownTask& task, const design::RegionVerdict& region,
                   .findings = findings,
                   .input = asked_task(task),
                   .largest_tolerance = region.largest_tolerance,
-                  .region = &region};
-  for (const design::Mend& mend : region.mends) {
-    now.mends.push_back({mend});
-  }
+                  .region = &region,
+                  .mends = region.mends};
   if (task.pulse) {
     now.duration = duration(design::excitation(*task.pulse));
   }
@@ -81,15 +79,6 @@ BoxedDamper boxed_damper(const ShownTask& task, double f, double delta) {
           {.f = side(f, f_low, f_high),
            .delta = side(delta, delta_low, delta_high),
            .exact = !(task.pulse && has_ranges(task))}};
-}
-
-std::vector<ShownConstraint> shown_constraints(std::span<const design::Constraint> constraints) {
-  std::vector<ShownConstraint> shown;
-  for (const design::Constraint& now : constraints) {
-    shown.push_back(
-        {{}, now.name, now.variable, now.relation, now.value, now.slack, now.limit, now.satisfied});
-  }
-  return shown;
 }
 
 std::optional<TwinsSi> twins_of(const Physical& physical, const ShownResponse& response) {

@@ -97,6 +97,7 @@ RecordDesign design(const RecordDesignRequest& request, const RecordWatch& go_on
                                         : within_tolerance(suite, result, watch);
   result.search.evaluations = watch.evaluations();
   result.search.interrupted = watch.stopped();
+  result.search.status = watch.stopped() ? "INTERRUPTED" : "SUCCESS";
   if (chosen) {
     const SuiteDamper& damper = chosen->verified.box.damper;
     RecordFinding finding;
@@ -104,8 +105,9 @@ RecordDesign design(const RecordDesignRequest& request, const RecordWatch& go_on
     finding.responses = suite.responses(damper);
     finding.box = promised(task, *chosen);
     finding.outlook = outlook(task, damper, chosen->scale);
-    finding.check = check(suite, damper, finding.responses);
+    finding.cross_check = check(suite, damper, finding.responses);
     result.nearest = {damper, chosen->verified.box.worst};
+    result.constraints = constraints_of(task.limits, finding.box.worst);
     result.finding = std::move(finding);
   }
   result.findings = findings_of(result, request);
@@ -167,10 +169,11 @@ std::string summary(const RecordDesign& result) {
           ? fmt::format("transmits {:.4g} g, moves up to |x| = {:.4g} and rests within {:.4g}",
                         figures.acceleration, figures.peak, figures.residual)
           : "does not come to rest";
-  return result.finding ? fmt::format("{} {} at the worst of {} dampers{}", point, does,
-                                      result.finding->box.samples,
-                                      result.finding->check.passed ? "" : "; the check failed")
-                        : fmt::format("no damper: the nearest, {}, {}", point, does);
+  return result.finding
+             ? fmt::format("{} {} at the worst of {} dampers{}", point, does,
+                           result.finding->box.samples,
+                           result.finding->cross_check.passed ? "" : "; the check failed")
+             : fmt::format("no damper: the nearest, {}, {}", point, does);
 }
 
 }  // namespace stillpoint::design

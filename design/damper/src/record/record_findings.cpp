@@ -3,6 +3,8 @@
 
 #include "record/suite_request.hpp"
 
+#include <stillpoint/design/motion_findings.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -143,11 +145,7 @@ std::vector<Finding> findings_of(const RecordDesign& result, const RecordDesignR
     return all;
   }
   const auto& [point, responses, box, outlook, check] = *result.finding;
-  if (!check.passed) {
-    Finding& failed = all.emplace_back(check_failed);
-    failed.add("relative_error", check.relative_error);
-    failed.add("tolerance", check.tolerance);
-  }
+  add_failed(all, check);
   add_motions(all, result);
   add_hidden(all, result);
   const auto& printed = result.request.printed;

@@ -19,11 +19,13 @@ double relative(double error, double size) {
 
 }  // namespace
 
-SuiteCheck check(const Suite& suite, const SuiteDamper& damper,
+CrossCheck check(const Suite& suite, const SuiteDamper& damper,
                  const std::vector<ForcedResponse>& responses) {
   const double begun = seconds_now();
-  SuiteCheck check;
-  check.passed = true;
+  CheckMethod method;
+  method.name = "runge_kutta";
+  method.tolerance = 1e-6;
+  method.passed = true;
   for (std::size_t i = 0; i < responses.size(); ++i) {
     const SuiteFigures kernel = suite_figures(responses[i]);
     const SuiteFigures other = integrate_record_motion(
@@ -32,12 +34,12 @@ SuiteCheck check(const Suite& suite, const SuiteDamper& damper,
         std::max({relative(other.peak - kernel.peak, kernel.peak),
                   relative(other.acceleration - kernel.acceleration, kernel.acceleration),
                   relative(other.residual - kernel.residual, kernel.peak)});
-    check.records.push_back({other.peak, other.acceleration, other.residual, error});
-    check.relative_error = std::max(check.relative_error, error);
-    check.passed = check.passed && other.settled && error <= check.tolerance;
+    method.motions.push_back({other.peak, other.acceleration, other.residual, error});
+    method.relative_error = std::max(method.relative_error, error);
+    method.passed = method.passed && other.settled && error <= method.tolerance;
   }
-  check.wall_time_s = seconds_now() - begun;
-  return check;
+  method.wall_time_s = seconds_now() - begun;
+  return {method.passed, {method}};
 }
 
 }  // namespace stillpoint::design

@@ -3,14 +3,14 @@
 
 #include "record/suite.hpp"
 
-#include <stillpoint/design/suite_check.hpp>
+#include <stillpoint/design/cross_check.hpp>
 
 #include <vector>
 
 namespace stillpoint::design {
 
 /// The motions of a damper under each record by another integrator.
-[[nodiscard]] SuiteCheck check(const Suite& suite, const SuiteDamper& damper,
+[[nodiscard]] CrossCheck check(const Suite& suite, const SuiteDamper& damper,
                                const std::vector<ForcedResponse>& responses);
 
 }  // namespace stillpoint::design

@@ -115,8 +115,8 @@ class TaskSearch {
   }
 
   void count(const Mapped& here, const BoxMap& map, const SuiteGoal& goal) {
-    result_.search.scan_points += here.scan.computed();
-    result_.search.scan_feasible += std::ranges::count_if(
+    result_.search.scan->points += here.scan.computed();
+    result_.search.scan->feasible += std::ranges::count_if(
         map.worst(), [&](const SuiteFigures& figures) { return admissible(figures, goal.limits); });
   }
 
@@ -199,18 +199,22 @@ class TaskSearch {
       return;
     }
     result_.nearest = {nearest->box.damper, nearest->box.worst};
+    result_.constraints = constraints_of(task_.limits, nearest->box.worst);
+    auto constraint = result_.constraints.begin();
     for (std::size_t k = 0; k < suite_figure_kinds.size(); ++k) {
       const SuiteFigureKind& kind = suite_figure_kinds.at(k);
-      if (const std::optional<double>& limit = task_.limits.*kind.limit) {
-        result_.shortfalls.push_back({&kind, *limit, nearest->box.worst.*kind.value,
-                                      record_of(kind, nearest->of.at(k)), relaxed(kind)});
+      if (task_.limits.*kind.limit) {
+        constraint++->motion = record_of(kind, nearest->of.at(k));
+        if (const auto enough = relaxed(kind)) {
+          result_.mends.push_back({kind.field, *enough, true});
+        }
       }
     }
   }
 
   /// Under which record the damper has the largest figure.
-  [[nodiscard]] std::size_t record_of(const SuiteFigureKind& kind,
-                                      const SuiteDamper& damper) const {
+  [[nodiscard]] Constraint::Motion record_of(const SuiteFigureKind& kind,
+                                             const SuiteDamper& damper) const {
     std::size_t worst = 0;
     double most = -1;
     for (std::size_t i = 0; i < task_.records.size(); ++i) {
@@ -222,7 +226,7 @@ class TaskSearch {
         worst = i;
       }
     }
-    return worst;
+    return {task_.records[worst].name, task_.records[worst].scale};
   }
 
   std::optional<double> relaxed(const SuiteFigureKind& kind) {
@@ -252,6 +256,19 @@ class TaskSearch {
 };
 
 }  // namespace
+
+std::vector<Constraint> constraints_of(const SuiteLimits& limits, const SuiteFigures& worst) {
+  std::vector<Constraint> list;
+  for (const SuiteFigureKind& kind : suite_figure_kinds) {
+    if (const std::optional<double>& limit = limits.*kind.limit) {
+      Constraint& now = list.emplace_back(
+          Constraint::compared(kind.constraint, kind.variable, "<=", worst.*kind.value, *limit));
+      now.known = worst.settled;
+      now.satisfied = now.satisfied && worst.settled;
+    }
+  }
+  return list;
+}
 
 std::optional<ChosenBox> within_tolerance(const Suite& suite, RecordDesign& result,
                                           SuiteWatch& watch) {

@@ -8,6 +8,7 @@
 #include <stillpoint/design/record_design_result.hpp>
 
 #include <optional>
+#include <vector>
 
 namespace stillpoint::design {
 
@@ -22,5 +23,9 @@ struct ChosenBox {
 /// The same with the objective `robust`.
 [[nodiscard]] std::optional<ChosenBox> most_tolerant(const Suite& suite, RecordDesign& result,
                                                      SuiteWatch& watch);
+
+/// The limits that are given, as conditions on the worst of a box.
+[[nodiscard]] std::vector<Constraint> constraints_of(const SuiteLimits& limits,
+                                                     const SuiteFigures& worst);
 
 }  // namespace stillpoint::design

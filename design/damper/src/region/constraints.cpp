@@ -109,6 +109,13 @@ Constraint Constraint::compared(std::string_view name, std::string_view variable
   return {name, variable, relation, value, limit, slack, strict ? slack > 0 : slack >= 0};
 }
 
+Dimension Constraint::dimension() const {
+  return variable == "delta" || variable == "peak" || variable == "residual" ? Dimension::length
+         : variable == "v0" || variable == "jump"                            ? Dimension::velocity
+         : variable == "acceleration"                                        ? Dimension::gravities
+                                                                             : Dimension::none;
+}
+
 std::array<Constraint, 5> constraints(const Problem& problem, double f, double delta) {
   require_valid(problem);
   const Edges edge = edges(problem, {});

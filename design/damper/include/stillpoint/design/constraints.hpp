@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/core/field.hpp>
 #include <stillpoint/design/problem.hpp>
 
 #include <array>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -36,10 +39,18 @@ struct Constraint {
   bool satisfied{false};
   /// Of a violated `stop`: the motion stops, only the published criterion asks for more.
   bool by_criterion_alone{false};
+  bool known{true};  ///< not where a motion never rests: then value and slack have no meaning
+  struct Motion {
+    std::string file;
+    double scale{1};
+  };
+  std::optional<Motion> motion{};  ///< without a design, that of the record with the largest value
 
   /// With the slack of a relation <, <=, > or >=.
   [[nodiscard]] static Constraint compared(std::string_view name, std::string_view variable,
                                            std::string_view relation, double value, double limit);
+  /// Of the variable.
+  [[nodiscard]] Dimension dimension() const;
 };
 
 /// In the order of the table. Throws InputError for a wrong problem and f or delta not in [0,

@@ -4,6 +4,7 @@
 // What a motion must say beyond its figures.
 
 #include <stillpoint/core/simulation.hpp>
+#include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/finding.hpp>
 
 #include <optional>
@@ -14,6 +15,9 @@ namespace stillpoint::design {
 /// Of a motion that was not cancelled. Motions with f and Delta slightly off are followed for that.
 [[nodiscard]] std::vector<Finding> findings_of(const SimulationRequest& request,
                                                const Simulation& motion);
+
+/// Of a check that failed.
+void add_failed(std::vector<Finding>& all, const CrossCheck& check);
 
 /// Of a forced motion that the notch holds at the end of a load that lasts until `load_end`.
 [[nodiscard]] Finding lock_of(const ForcedResponse& motion, double load_end);

@@ -6,6 +6,7 @@
 #include <stillpoint/design/problem.hpp>
 
 #include <string_view>
+#include <vector>
 
 namespace stillpoint::design {
 
@@ -30,9 +31,17 @@ using Prediction = MotionFigures;
 /// that is allowed.
 [[nodiscard]] Prediction predict(const Problem& problem, double f, double delta);
 
+/// The motion under a record by another method.
+struct CheckedMotion {
+  double peak{0};
+  double acceleration{0};
+  double residual{0};
+  double relative_error{0};  ///< of peak and acceleration; of residual over the peak
+};
+
 /// An independent method for the same quantities, and its distance from the prediction.
 struct CheckMethod : MotionFigures {
-  std::string_view name;  ///< half_cycle_map or runge_kutta
+  std::string_view name;  ///< half_cycle_map, runge_kutta or forced_pulse
   double tolerance{0};    ///< for relative_error
   /// The largest of |stop_position| / peak_amplitude, the error of arrival_speed over v0, and the
   /// relative errors of the other three.
@@ -43,6 +52,7 @@ struct CheckMethod : MotionFigures {
   bool decided{true};
   /// relative_error <= tolerance and, if decided, the predicted half_cycles and a stop at x = 0.
   bool passed{false};
+  std::vector<CheckedMotion> motions{};  ///< under records, in place of the figures
 };
 
 }  // namespace stillpoint::design

@@ -4,8 +4,10 @@
 // What a design under records is: docs/records-design.md.
 
 #include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/finding.hpp>
-#include <stillpoint/design/suite_check.hpp>
+#include <stillpoint/design/region_result.hpp>
+#include <stillpoint/design/search.hpp>
 #include <stillpoint/design/suite_task.hpp>
 
 #include <array>
@@ -15,14 +17,6 @@
 #include <vector>
 
 namespace stillpoint::design {
-
-struct SuiteSearchCost {
-  std::int64_t evaluations{0};
-  double wall_time_s{0};
-  std::int64_t scan_points{0};
-  std::int64_t scan_feasible{0};  ///< boxes of the scan within the limits
-  bool interrupted{false};        ///< the best so far; a whole search may find a better one
-};
 
 /// The dampers that were tried around a design: a sample, not a proof.
 struct SuiteBox {
@@ -40,17 +34,7 @@ struct RecordFinding {
   std::vector<ForcedResponse> responses;  ///< of each record
   SuiteBox box;
   SuiteOutlook outlook;
-  SuiteCheck check;
-};
-
-/// A limit, if the box of no damper met all of them.
-struct SuiteShortfall {
-  const SuiteFigureKind* kind{nullptr};
-  double limit{0};
-  double nearest{0};      ///< the worst in the box that violates the limits least
-  std::size_t record{0};  ///< under which that is largest
-  /// The value to which this limit alone must be relaxed to find a damper; empty: none was found.
-  std::optional<double> relaxed;
+  CrossCheck cross_check;
 };
 
 struct RecordDesign {
@@ -62,8 +46,10 @@ struct RecordDesign {
   /// The largest tolerance that was found within the limits, if that was searched: with the
   /// objective `robust`, or because no damper has the box.
   std::optional<double> largest_tolerance;
-  std::vector<SuiteShortfall> shortfalls;
-  SuiteSearchCost search;
+  std::vector<Constraint> constraints;  ///< the limits, and the worst of the box of `nearest`
+  /// Each limit that is the only one to be relaxed so that a damper is found, and how far.
+  std::vector<Mend> mends;
+  SearchRecord search{.algorithm = "boxes", .scan = SearchRecord::Scan()};
   std::vector<Finding> findings;
 };
 

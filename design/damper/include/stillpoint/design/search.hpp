@@ -7,6 +7,7 @@
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/search_options.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -17,14 +18,20 @@ namespace stillpoint::design {
 /// improve it; MAXEVAL_REACHED or MAXTIME_REACHED if the budget was spent, which global algorithms
 /// always do. The point is admissible in every case, because it is rechecked.
 struct SearchRecord {
-  std::string algorithm;
-  std::string status;
-  int evaluations{0};
+  struct Scan {
+    std::int64_t points{0};
+    std::int64_t feasible{0};  ///< boxes within the limits
+  };
+  std::string algorithm{};
+  std::string status{};
+  std::int64_t evaluations{0};
   double wall_time_s{0};
   /// The objective's value of the best point that NLopt saw, and of the best along f alone, which
   /// is found without it: the tolerance, the peak, the stop time or the transmitted acceleration.
-  std::optional<double> by_nlopt;
-  std::optional<double> along_f;
+  std::optional<double> by_nlopt{};
+  std::optional<double> along_f{};
+  std::optional<Scan> scan{};  ///< of boxes under records, without NLopt
+  bool interrupted{false};     ///< the best so far; a whole search may find a better one
 };
 
 struct SearchResult {

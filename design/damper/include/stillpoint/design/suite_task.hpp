@@ -126,20 +126,23 @@ struct SuiteFigureKind {
   std::optional<SuiteObjective> objective;
   double SuiteFigures::*value;
   std::optional<double> SuiteLimits::*limit;
-  std::string_view limit_field;  ///< in reports
+  std::string_view field;       ///< of the limit in reports, as that of a Mend
+  std::string_view constraint;  ///< its name there, and that of what it bounds
+  std::string_view variable;
   std::string_view words;
   records::Dimension dimension;
 };
 
 inline constexpr auto suite_figure_kinds = std::to_array<SuiteFigureKind>(
-    {{SuiteObjective::amplitude, &SuiteFigures::peak, &SuiteLimits::peak, "max_displacement",
-      "stroke", records::Dimension::length},
+    {{SuiteObjective::amplitude, &SuiteFigures::peak, &SuiteLimits::peak, "beta", "amplitude",
+      "peak", "stroke", records::Dimension::length},
      {SuiteObjective::acceleration, &SuiteFigures::acceleration, &SuiteLimits::acceleration,
-      "acceleration_max", "transmitted acceleration", records::Dimension::gravities},
+      "acceleration_max", "acceleration", "acceleration", "transmitted acceleration",
+      records::Dimension::gravities},
      {SuiteObjective::residual, &SuiteFigures::residual, &SuiteLimits::residual, "residual",
-      "residual", records::Dimension::length},
-     {std::nullopt, &SuiteFigures::jump, &SuiteLimits::jump, "jump_max", "jump of velocity",
-      records::Dimension::velocity}});
+      "residual", "residual", "residual", records::Dimension::length},
+     {std::nullopt, &SuiteFigures::jump, &SuiteLimits::jump, "jump_max", "jump", "jump",
+      "jump of velocity", records::Dimension::velocity}});
 
 /// The figure that is minimised; with `robust`, the first that has a limit.
 [[nodiscard]] const SuiteFigureKind& minimised(const RecordDesignRequest& request);
