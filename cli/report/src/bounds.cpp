@@ -41,8 +41,6 @@ bool bounds_nothing(const design::Constraint& now) {
 using records::decimal;
 using records::Rounding;
 
-constexpr int digits_of_bounds = 6;
-
 /// With which f >= f2 and f <= f3, so rounded, can both be met where the region is not empty.
 int digits_between(std::span<const design::Constraint> constraints) {
   double f2 = 0;
@@ -53,13 +51,11 @@ int digits_between(std::span<const design::Constraint> constraints) {
       (upwards ? f2 : f3) = upwards ? std::max(f2, now.limit) : std::min(f3, now.limit);
     }
   }
-  constexpr int every = 17;  // that a double has
-  int shown = digits_of_bounds;
-  while (f2 > 0 && f2 <= f3 && shown < every &&
-         decimal(f2, shown, Rounding::up) > decimal(f3, shown, Rounding::down)) {
-    ++shown;
-  }
-  return shown;
+  constexpr int fewest = 6;
+  return digits_until(fewest, [&](int digits) {
+    return !(f2 > 0 && f2 <= f3) ||
+           decimal(f2, digits, Rounding::up) <= decimal(f3, digits, Rounding::down);
+  });
 }
 
 /// "delta <= 8.1577 mm", rounded so that what is as printed meets it.

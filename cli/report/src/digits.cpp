@@ -69,42 +69,27 @@ double end_or_asked(double end, double asked) {
 }
 
 double decimal_within(double low, double high) {
-  constexpr int every = 17;  // that a double has
-  int digits = 6;
-  double found = decimal(high, digits, Rounding::down);
-  while (found < low && digits < every) {
-    found = decimal(high, ++digits, Rounding::down);
-  }
-  return found;
+  const auto rounded = [high](int digits) { return decimal(high, digits, Rounding::down); };
+  return rounded(digits_until(6, [&](int digits) { return rounded(digits) >= low; }));
 }
 
-std::string range_digits(double low, double high) {
-  constexpr int shown = 6;
-  const double to = decimal(high, shown, Rounding::down);
-  if (begins_at_nothing(low, high)) {
-    return "up to " + digits(to);
-  }
+std::string interval_digits(double low, double high, int fewest) {
+  constexpr double lost = 0.02;
   if (!(low < high)) {
     return fmt::format("{}", high);
   }
-  const double from = decimal(low, shown, Rounding::up);
-  return from < to ? fmt::format("{} to {}", digits(from), digits(to)) : interval_digits(low, high);
-}
-
-std::string interval_digits(double low, double high) {
-  constexpr int fewest = 3;
-  constexpr int every = 17;  // that a double has
-  constexpr double lost = 0.02;
-  for (int shown = fewest; shown < every; ++shown) {
-    const double from = decimal(low, shown, Rounding::up);
-    const double to = decimal(high, shown, Rounding::down);
-    if (std::max(from - low, high - to) <= lost * (high - low)) {
-      return begins_at_nothing(low, high)
-                 ? fmt::format("up to {:#.{}g}", to, shown)
-                 : fmt::format("{0:#.{2}g} to {1:#.{2}g}", from, to, shown);
-    }
-  }
-  return fmt::format("{} to {}", low, high);
+  const auto from = [low](int digits) {
+    return digits < digits_of_double ? decimal(low, digits, Rounding::up) : low;
+  };
+  const auto to = [high](int digits) {
+    return digits < digits_of_double ? decimal(high, digits, Rounding::down) : high;
+  };
+  const int shown = digits_until(fewest, [&](int digits) {
+    return std::max(from(digits) - low, high - to(digits)) <= lost * (high - low);
+  });
+  return begins_at_nothing(low, high)
+             ? fmt::format("up to {:.{}g}", to(shown), shown)
+             : fmt::format("{0:.{2}g} to {1:.{2}g}", from(shown), to(shown), shown);
 }
 
 std::string plural(const std::optional<double>& count, std::string_view one) {

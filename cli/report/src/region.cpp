@@ -17,6 +17,8 @@ namespace stillpoint::report {
 
 namespace {
 
+constexpr int digits_of_f = 6;
+
 /// In rising order, without those that overlap.
 std::vector<Interval> merged(std::vector<Interval> all) {
   std::ranges::sort(all, {}, &Interval::low);
@@ -47,7 +49,7 @@ std::string feasible_words(const RegionReport& report) {
   }
   std::string words;
   for (const auto& [low, high] : merged(std::move(all))) {
-    words += (words.empty() ? "" : " or ") + range_digits(low, high);
+    words += (words.empty() ? "" : " or ") + interval_digits(low, high, digits_of_f);
   }
   return words;
 }
@@ -167,12 +169,13 @@ void add_strips(Document& document, const design::Problem& problem,
   }
   Table table{{"arrival", "feasible f", "largest tolerance"}, {}};
   for (const design::Strip& strip : std::span(strips).first(std::min(most_listed, strips.size()))) {
-    table.rows.push_back({{strip.at_peak        ? "none, peak within the residual"
-                           : strip.arrival == 0 ? "none needed, rest within the residual"
-                                                : format("{}", strip.arrival),
-                           strip.f_lower ? range_digits(*strip.f_lower, *strip.f_upper)
-                                         : "none with the tolerance asked for",
-                           "+-" + percent_digits(strip.tolerance)}});
+    table.rows.push_back(
+        {{strip.at_peak        ? "none, peak within the residual"
+          : strip.arrival == 0 ? "none needed, rest within the residual"
+                               : format("{}", strip.arrival),
+          strip.f_lower ? interval_digits(*strip.f_lower, *strip.f_upper, digits_of_f)
+                        : "none with the tolerance asked for",
+          "+-" + percent_digits(strip.tolerance)}});
   }
   Section& section = document.section(
       problem.residual ? "Dampers that stop at each arrival, or before it within the residual"

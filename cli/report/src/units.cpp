@@ -44,44 +44,41 @@ std::string length_limit(const Physical& physical, double length, bool upwards,
              : limit_digits(metres, upwards, digits.value_or(with_a_unit)) + " m";
 }
 
-std::string displacement_shown(const Physical& physical, double length, std::optional<int> digits) {
+std::string figure_shown(const Physical& physical, Dimension dimension, double value) {
   constexpr double least_m = 1e-6;  // the least that a report tells from 0
-  return physical && length > 0 && length * physical->scales.length_m < least_m
-             ? "less than " + with_unit(least_m, "m")
-             : length_shown(physical, length, digits);
-}
-
-std::string figure_shown(const Physical& physical, records::Dimension dimension, double value) {
   switch (dimension) {
-    case records::Dimension::length:
-      return displacement_shown(physical, value);
-    case records::Dimension::time:
+    case Dimension::length:
+      return physical && value > 0 && value * physical->scales.length_m < least_m
+                 ? "less than " + with_unit(least_m, "m")
+                 : length_shown(physical, value);
+    case Dimension::time:
       return time_shown(physical, value);
-    case records::Dimension::velocity:
+    case Dimension::velocity:
       return FigureUnits(physical).velocity_words(value);
-    case records::Dimension::gravities:
+    case Dimension::gravities:
       return acceleration_shown(value);
     default:
       return format("{:.4g}", value);
   }
 }
 
-std::pair<std::string, std::string> told_apart(const Physical& physical,
-                                               records::Dimension dimension, double value,
-                                               double limit) {
-  constexpr int every = 17;  // that a double has
+std::pair<std::string, std::string> told_apart(const Physical& physical, Dimension dimension,
+                                               double value, double limit) {
   const auto [unit, name] = FigureUnits(physical).of(dimension);
-  std::string one = figure_shown(physical, dimension, value);
-  std::string other = figure_shown(physical, dimension, limit);
-  for (int digits = 6; value > limit && one == other && digits <= every; ++digits) {
-    one = format("{:.{}g}{}", value * unit, digits, with_blank(name));
-    other = format("{:.{}g}{}", limit * unit, digits, with_blank(name));
+  const auto shown = [factor = unit, after = with_blank(name)](double of, int digits) {
+    return format("{:.{}g}{}", of * factor, digits, after);
+  };
+  const std::pair usual{figure_shown(physical, dimension, value),
+                        figure_shown(physical, dimension, limit)};
+  if (value <= limit || usual.first != usual.second) {
+    return usual;
   }
-  return {one, other};
+  const int digits =
+      digits_until(6, [&](int now) { return shown(value, now) != shown(limit, now); });
+  return {shown(value, digits), shown(limit, digits)};
 }
 
-std::string beyond(const Physical& physical, records::Dimension dimension, double value,
-                   double limit) {
+std::string beyond(const Physical& physical, Dimension dimension, double value, double limit) {
   const auto [one, other] = told_apart(physical, dimension, value, limit);
   return format("{} where {} is allowed", one, other);
 }
@@ -125,8 +122,7 @@ FigureUnits::FigureUnits(const Physical& physical) {
   energy_label += ", " + energy_unit;
 }
 
-std::pair<double, std::string> FigureUnits::of(records::Dimension dimension) const {
-  using records::Dimension;
+std::pair<double, std::string> FigureUnits::of(Dimension dimension) const {
   return dimension == Dimension::length      ? std::pair(length, length_unit)
          : dimension == Dimension::velocity  ? std::pair(velocity, velocity_unit)
          : dimension == Dimension::gravities ? std::pair(1.0, std::string("g"))

@@ -3,8 +3,8 @@
 
 // Metres and seconds beside dimensionless numbers, if the input was given in them.
 
+#include <stillpoint/core/field.hpp>
 #include <stillpoint/design/physical.hpp>
-#include <stillpoint/records/units.hpp>
 
 #include <optional>
 #include <string>
@@ -26,19 +26,14 @@ using Physical = std::optional<design::PhysicalInput>;
 
 /// A figure by its dimension, with its unit: "412 mm", "0.1991 g", "0.891 m/s"; "less than 0.001
 /// mm" of what nobody can measure.
-[[nodiscard]] std::string figure_shown(const Physical& physical, records::Dimension dimension,
-                                       double value);
+[[nodiscard]] std::string figure_shown(const Physical& physical, Dimension dimension, double value);
 /// Two of them, in enough digits to be told apart if the first is larger; and "412 mm where 400 mm
 /// is allowed".
 [[nodiscard]] std::pair<std::string, std::string> told_apart(const Physical& physical,
-                                                             records::Dimension dimension,
-                                                             double value, double limit);
-[[nodiscard]] std::string beyond(const Physical& physical, records::Dimension dimension,
-                                 double value, double limit);
-/// A stroke or a residual; "less than 0.001 mm" of what nobody can measure.
-[[nodiscard]] std::string displacement_shown(const Physical& physical, double length,
-                                             std::optional<int> digits = {});
-
+                                                             Dimension dimension, double value,
+                                                             double limit);
+[[nodiscard]] std::string beyond(const Physical& physical, Dimension dimension, double value,
+                                 double limit);
 /// "peak, mm"; the name alone without a unit.
 [[nodiscard]] std::string in(const std::string& name, const std::string& unit);
 
@@ -65,7 +60,7 @@ struct FigureUnits {
 
   explicit FigureUnits(const Physical& physical);
   /// The factor and the unit of a dimension; 1 and none of what has none here.
-  [[nodiscard]] std::pair<double, std::string> of(records::Dimension dimension) const;
+  [[nodiscard]] std::pair<double, std::string> of(Dimension dimension) const;
 
   /// "137 mm"; the value is dimensionless.
   [[nodiscard]] std::string words(records::Dimension dimension, double value) const;

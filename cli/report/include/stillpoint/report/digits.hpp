@@ -17,16 +17,22 @@ namespace stillpoint::report {
 [[nodiscard]] std::string with_unit(double value, std::string_view unit, int digits = 5);
 /// low <= 1e-6 high: of two sizes, where the lower end is less than anyone can build or measure.
 [[nodiscard]] bool begins_at_nothing(double low, double high);
-/// "0.0158739 to 0.0323606": six digits, rounded inwards so that both are in the range, with more
-/// if they would leave nothing of it; "up to 0.0323606" if it begins at nothing.
-[[nodiscard]] std::string range_digits(double low, double high);
 /// The digits of a limit that an input copied from a report must meet.
 inline constexpr int every_digit = 10;
 /// That many digits, rounded up or down so that an input set to them meets the limit.
 [[nodiscard]] std::string limit_digits(double value, bool upwards, int shown = every_digit);
-/// "0.341 to 0.429": rounded inwards to three digits, or as many as hold both ends to 2 % of the
-/// width; "up to 0.429" if it begins at nothing.
-[[nodiscard]] std::string interval_digits(double low, double high);
+/// "0.341 to 0.429": rounded inwards to that many digits, or as many as hold both ends to 2 % of
+/// the width; "up to 0.429" if it begins at nothing.
+[[nodiscard]] std::string interval_digits(double low, double high, int fewest = 3);
+inline constexpr int digits_of_double = 17;
+/// The least number of digits, from `fewest` on, that is enough; else all that a double has.
+template <class Enough>
+[[nodiscard]] int digits_until(int fewest, const Enough& enough) {
+  while (fewest < digits_of_double && !enough(fewest)) {
+    ++fewest;
+  }
+  return fewest;
+}
 /// The end of a range, or the value asked for, as it was typed, if only the conversion of units is
 /// between them.
 [[nodiscard]] double end_or_asked(double end, double asked);
