@@ -19,36 +19,10 @@ namespace {
 
 constexpr int digits_of_f = 6;
 
-/// In rising order, without those that overlap.
-std::vector<Interval> merged(std::vector<Interval> all) {
-  std::ranges::sort(all, {}, &Interval::low);
-  std::vector<Interval> apart;
-  for (const Interval& now : all) {
-    if (!apart.empty() && now.low <= apart.back().high) {
-      apart.back().high = std::max(apart.back().high, now.high);
-    } else {
-      apart.push_back(now);
-    }
-  }
-  return apart;
-}
-
-/// "up to 0.0043 or 0.0106 to 0.0236": the f of a region that is not empty, without the gaps
-/// between its strips.
+/// "up to 0.0043 or 0.0106 to 0.0236"
 std::string feasible_words(const RegionReport& report) {
-  const design::Problem& problem = report.request.problem;
-  std::vector<Interval> all;
-  if (!report.request.pulse && (problem.arrivals > 1 || problem.residual)) {
-    for (const design::Strip& strip : report.answer.strips) {
-      if (strip.f_lower) {
-        all.push_back({*strip.f_lower, *strip.f_upper});
-      }
-    }
-  } else {
-    all.push_back({*report.answer.region.f_lower, *report.answer.region.f_upper});
-  }
   std::string words;
-  for (const auto& [low, high] : merged(std::move(all))) {
+  for (const auto& [low, high] : report.answer.feasible_f) {
     words += (words.empty() ? "" : " or ") + interval_digits(low, high, digits_of_f);
   }
   return words;
@@ -99,24 +73,6 @@ std::string feasible_f(const RegionReport& report) {
                     : "");
 }
 
-/// The ranges of Delta that are feasible with an f, in rising order.
-std::vector<Interval> feasible_at(const RegionReport& report, double f) {
-  const design::RegionRequest& request = report.request;
-  std::vector<Interval> all;
-  const auto add = [&all](const std::optional<Interval>& delta) {
-    if (delta && (delta->low < delta->high || delta->low == 0)) {  // delta > low
-      all.push_back(*delta);
-    }
-  };
-  if (request.pulse) {
-    add(design::feasible_delta(design::pulse_request(request).problem, request.limits)(f));
-  }
-  for (const design::Strip& strip : report.answer.strips) {
-    add(design::feasible_delta(request.problem, request.limits, strip.arrival, f));
-  }
-  return merged(std::move(all));
-}
-
 /// "2.1 mm to 8.2 mm or in 2 lower ranges"
 std::string delta_words(const std::vector<Interval>& all, const Physical& physical) {
   constexpr std::size_t most_listed = 3;
@@ -138,26 +94,21 @@ std::string delta_words(const std::vector<Interval>& all, const Physical& physic
 }
 
 /// "At f = 0.024, delta of 2.1 mm to 8.2 mm is admissible.", or what suits every feasible f, if
-/// more than next to nothing does: with a single arrival the least Delta falls with f.
+/// more than next to nothing does.
 std::string feasible_delta(const RegionReport& report) {
-  const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
-  const std::string_view fits = limits.tolerance == 0 ? "is admissible"
-                                : f                   ? "keeps the tolerance asked for"
-                                                      : "keeps it";
-  const bool falls = !pulse && problem.arrivals == 1 && !problem.residual && problem.v0_low != 0.0;
-  if (!f && !falls) {
-    return "";
-  }
-  const auto all = feasible_at(report, f.value_or(report.answer.region.f_lower.value_or(0)));
-  if (f) {
-    return all.empty() ? format("At f = {:.9g} no delta {}.", *f, fits)
-                       : format("At f = {:.9g}, delta of {} {}.", *f,
-                                delta_words(all, report.physical), fits);
+  const bool tolerant = report.request.limits.tolerance > 0;
+  const auto& all = report.answer.feasible_delta;
+  if (const auto& f = report.request.f) {
+    const char* const fits = tolerant ? "keeps the tolerance asked for" : "is admissible";
+    return all->empty() ? format("At f = {:.9g} no delta {}.", *f, fits)
+                        : format("At f = {:.9g}, delta of {} {}.", *f,
+                                 delta_words(*all, report.physical), fits);
   }
   constexpr double narrow = 1e-4;  // of five digits the last
-  return all.empty() || all.back().low >= all.back().high * (1 - narrow)
+  return !all || all->empty() || all->back().low >= all->back().high * (1 - narrow)
              ? ""
-             : format("With any of them, delta of {} {}.", delta_words(all, report.physical), fits);
+             : format("With any of them, delta of {} {}.", delta_words(*all, report.physical),
+                      tolerant ? "keeps it" : "is admissible");
 }
 
 /// Of several arrivals.
@@ -250,7 +201,7 @@ Document document(const RegionReport& report) {
     add_damper(document.answer, report);
   }
   if (delta) {
-    const auto feasible = feasible_at(report, *f);
+    const auto& feasible = answer.feasible_delta.value();
     document.answer.row("feasible delta",
                         feasible.empty() ? "none with this f" : delta_words(feasible, physical));
     add_constraints(document, answer.constraints, physical, of_first_swing(task_of(report)));

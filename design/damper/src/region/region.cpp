@@ -3,6 +3,7 @@
 
 #include "figures_of_damper.hpp"
 #include "pulse/answer.hpp"
+#include "region/feasible.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -41,7 +42,9 @@ RegionAnswer answer(const RegionRequest& request) {
     throw InputError::missing("f", "delta alone is not a damper: give f as well");
   }
   if (pulse) {
-    return answer_under_pulse(request);
+    RegionAnswer answer = answer_under_pulse(request);
+    add_feasible(answer, request);
+    return answer;
   }
   const Region region = admissible_region(problem, limits);
   if (f) {
@@ -52,6 +55,7 @@ RegionAnswer answer(const RegionRequest& request) {
     explain(answer, problem, limits);
   }
   answer.strips = strips(problem, limits);
+  add_feasible(answer, request);
   if (f) {
     add_delta1(answer, problem, *f);
   }

@@ -60,6 +60,9 @@ struct RegionRequest {
 /// empty; Delta1 is the least Delta, by either criterion, that stops the mass at its first return.
 struct RegionAnswer : RegionVerdict {
   std::vector<Strip> strips{};
+  std::vector<Interval> feasible_f{};  ///< with the tolerance asked for, in rising order
+  /// With the f of the request; without one with every feasible f, where that is known.
+  std::optional<std::vector<Interval>> feasible_delta{};
   std::optional<double> delta1_published{};  ///< these two with f; for a pulse like delta1_exact
   std::optional<double> delta1_exact{};      ///< also empty if the motion does not return
   std::optional<bool> admissible{};          ///< this and what follows with f and delta
