@@ -40,8 +40,9 @@ MostOf felt_of(const ShownDamper& shown) {
     return worst ? MostOf{worst->felt.response.peak_absolute_acceleration, worst_of_ranges}
                  : MostOf{shown.response.peak_absolute_acceleration, ""};
   }
-  return pulse ? MostOf{shown.worst ? shown.worst->acceleration
-                                    : shown.response.peak_absolute_acceleration,
+  const design::PulseWorst* const worst = shown.worst();
+  return pulse ? MostOf{worst != nullptr ? worst->acceleration
+                                         : shown.response.peak_absolute_acceleration,
                         ""}
                : MostOf{std::hypot(shown.point.f, problem.stiffest_p() * problem.v0),
                         extreme_words(problem, "stiffest")};
@@ -54,10 +55,10 @@ std::string inside_words(const ShownDamper& shown) {
   if (pulse) {
     return format("{} if the notch holds the mass", acceleration_shown(design::peak_load(*pulse)));
   }
-  if (shown.practice && limits.acceleration_max) {
-    return shown.notch_width_min
+  if (shown.judged.practice && limits.acceleration_max) {
+    return shown.judged.notch_width_min
                ? format("{} inside one {} wide", acceleration_shown(*limits.acceleration_max),
-                        length_limit(physical, *shown.notch_width_min, true))
+                        length_limit(physical, *shown.judged.notch_width_min, true))
                : format("no width is known to keep it within {} inside",
                         acceleration_shown(*limits.acceleration_max));
   }
@@ -76,7 +77,7 @@ std::string felt_words(const ShownDamper& shown) {
   }
   const auto& worst = shown.built->worst;
   const Response& slides = worst ? worst->outside.response : shown.response;
-  const double p = worst ? worst->outside.p : shown.shown_p;
+  const double p = worst ? worst->outside.p : shown.p();
   const auto outside =
       felt_outside(value, slides.peak_amplitude, p, shown.point.f, shown.built->shape.width);
   return outside ? format("{} inside the notch{}, {} outside it", felt, in_brackets(of),
@@ -103,56 +104,43 @@ std::string rest_words(const ShownDamper& shown) {
   }
   const std::string which = pulse ? "" : extreme_words(problem, "softest");
   const double residual = std::min(problem.residual.value_or(0), problem.beta);
-  return format(
-      "at x = {} {} {}{}{}{}", rest_shown(shown, *response.stop_position),
-      shown.worst ? "within" : "after",
-      time_shown(physical, shown.worst ? shown.worst->stop_time : *response.stop_time),
-      shown.arrival && problem.arrivals > 1 ? format(", at arrival {}", *shown.arrival) : "",
-      in_brackets(which),
-      which.empty() || residual == 0 || !shown.admissible
-          ? ""
-          : format("; within {} after any other", length_shown(physical, residual)));
+  const design::PulseWorst* const worst = shown.worst();
+  const auto arrival = shown.built == nullptr ? shown.judged.arrival : std::nullopt;
+  return format("at x = {} {} {}{}{}{}", rest_shown(shown, *response.stop_position),
+                worst != nullptr ? "within" : "after",
+                time_shown(physical, worst != nullptr ? worst->stop_time : *response.stop_time),
+                arrival && problem.arrivals > 1 ? format(", at arrival {}", *arrival) : "",
+                in_brackets(which),
+                which.empty() || residual == 0 || !shown.admissible
+                    ? ""
+                    : format("; within {} after any other", length_shown(physical, residual)));
 }
 
 }  // namespace
 
 ShownDamper shown_damper(const DesignReport& report) {
   const design::Found& found = *report.result.finding;
-  const auto& pulse = found.pulse;
-  const bool built = report.built_notch.has_value();
-  return {task_of(report),
-          found.point,
-          built ? report.built_notch->response : found.response,
-          found.practice,
-          found.notch_width_min,
-          found.works_for,
-          built ? &*report.built_notch : nullptr,
-          pulse && !built ? pulse->worst : std::nullopt,
-          built ? std::nullopt : found.arrival,
-          true,
-          pulse ? &pulse->pulse : nullptr,
-          pulse ? pulse->p : report.result.request.problem.p};
+  const auto* const built = report.built_notch ? &*report.built_notch : nullptr;
+  return {.task = task_of(report),
+          .point = found.point,
+          .judged = found,
+          .response = built != nullptr ? built->response : found.response,
+          .under_pulse = found.pulse ? &*found.pulse : nullptr,
+          .built = built};
 }
 
 std::optional<ShownDamper> shown_damper(const RegionReport& report) {
-  const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
   const design::RegionAnswer& answer = report.answer;
   if (!answer.response || !moves(*answer.response)) {
     return std::nullopt;
   }
-  const auto& shown = answer.shown;
-  return ShownDamper{task_of(report),
-                     {*f, *delta, answer.tolerance.value_or(0)},
-                     *answer.response,
-                     answer.practice,
-                     answer.notch_width_min,
-                     answer.works_for,
-                     nullptr,
-                     answer.worst,
-                     answer.arrival,
-                     answer.tolerance.has_value(),
-                     shown ? &shown->first : nullptr,
-                     shown ? shown->second : problem.p};
+  return ShownDamper{
+      .task = task_of(report),
+      .point = {*report.request.f, *report.request.delta, answer.tolerance.value_or(0)},
+      .judged = answer,
+      .response = *answer.response,
+      .under_pulse = answer.under_pulse ? &*answer.under_pulse : nullptr,
+      .admissible = answer.tolerance.has_value()};
 }
 
 std::string does_words(const ShownDamper& shown) {
@@ -198,10 +186,10 @@ std::string shown_motion(const ShownDamper& shown) {
   }
   std::string words;
   if (pulse) {
-    words = format("k = {:.6g} g", design::peak_load(*shown.shown_pulse));
+    words = format("k = {:.6g} g", design::peak_load(shown.under_pulse->pulse));
     if (ranges.lambda_high) {
       words += ", a pulse of " +
-               time_shown(physical, duration(design::excitation(*shown.shown_pulse)).value());
+               time_shown(physical, duration(design::excitation(shown.under_pulse->pulse)).value());
     }
   } else if (problem.v0_low) {
     words = format("the strongest hit, {}{}",
@@ -209,7 +197,7 @@ std::string shown_motion(const ShownDamper& shown) {
   }
   if (problem.p_high) {
     words += format("{}{}{}", words.empty() ? "" : ", and ", pulse ? "" : "the softest spring, ",
-                    period_words(physical, shown.shown_p));
+                    period_words(physical, shown.p()));
   }
   return words;
 }

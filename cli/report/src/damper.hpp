@@ -17,16 +17,21 @@ namespace stillpoint::report {
 struct ShownDamper {
   ShownTask task;
   design::DesignPoint point;
+  const design::Judged& judged;
   const Response& response;  ///< with the notch that will be built, if there is one
-  const std::optional<design::Practice>& practice;
-  const std::optional<double>& notch_width_min;  ///< enough for all ranges
-  const std::optional<design::WorksFor>& works_for;
-  const design::BuiltNotch* built{};
-  std::optional<design::PulseWorst> worst{};  ///< over the ranges of a pulse
-  std::optional<std::int64_t> arrival{};      ///< at which it stops at x = 0
+  const design::PulseMotion* under_pulse{nullptr};
+  const design::BuiltNotch* built{nullptr};
   bool admissible{true};
-  const design::Pulse* shown_pulse{};  ///< of ranges, that of the motion, and its spring
-  double shown_p{1};
+
+  /// Over the ranges of a pulse, with the paper's notch.
+  [[nodiscard]] const design::PulseWorst* worst() const {
+    return built == nullptr && under_pulse != nullptr && under_pulse->worst ? &*under_pulse->worst
+                                                                            : nullptr;
+  }
+  /// Of ranges, the spring of the motion.
+  [[nodiscard]] double p() const {
+    return under_pulse != nullptr ? under_pulse->p : task.problem.p;
+  }
 };
 /// Of a design with a damper.
 [[nodiscard]] ShownDamper shown_damper(const DesignReport& report);

@@ -58,7 +58,7 @@ void add_answer(Section& answer, const DesignReport& report, const ShownDamper& 
              no_friction && leaves_any(tolerance)
                  ? format("delta may be off by +-{} with next to no f", percent_digits(tolerance))
                  : tolerance_words(limits, tolerance, delta));
-  add_works_for(answer, shown.works_for, shown.task);
+  add_works_for(answer, shown.judged.works_for, shown.task);
   add_check(answer, report.result.finding->cross_check);
 }
 

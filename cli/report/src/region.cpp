@@ -217,7 +217,7 @@ Document document(const RegionReport& report) {
   add_region(document.answer, report);
   if (const auto shown = shown_damper(report)) {
     add_motion(document.answer, *shown);
-    add_works_for(document.answer, shown->works_for, shown->task);
+    add_works_for(document.answer, shown->judged.works_for, shown->task);
   }
   add_findings(document, report.findings, physical);
   return document;

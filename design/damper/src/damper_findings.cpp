@@ -280,12 +280,11 @@ std::vector<Finding> findings_of(const RegionRequest& request, const RegionAnswe
   if (!answer.response) {
     return of_region(answer, pulse && answer.region.feasible);
   }
-  const bool forced = answer.forced && answer.shown;
-  return findings_of(
-      Shown{problem, limits, pulse, ranges, *f, *delta, *answer.response,
-            forced ? &*answer.forced : nullptr, forced ? &answer.shown->first : nullptr,
-            answer.constraints, answer.practice, false},
-      asked);
+  const auto& under = answer.under_pulse;
+  return findings_of(Shown{problem, limits, pulse, ranges, *f, *delta, *answer.response,
+                           under ? &under->response : nullptr, under ? &under->pulse : nullptr,
+                           answer.constraints, answer.practice, false},
+                     asked);
 }
 
 }  // namespace stillpoint::design

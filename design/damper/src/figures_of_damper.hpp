@@ -6,17 +6,16 @@
 #include <stillpoint/design/admissible_region.hpp>
 #include <stillpoint/design/practice.hpp>
 #include <stillpoint/design/pulse.hpp>
+#include <stillpoint/design/region_result.hpp>
 
 namespace stillpoint::design {
 
 /// The least Delta for an f by either criterion, of a hit or a pulse.
-template <class Answer>
-void add_delta1(Answer& answer, const Problem& problem, double f) {
+inline void add_delta1(Judged& answer, const Problem& problem, double f) {
   answer.delta1_published = delta1_published(problem, f);
   answer.delta1_exact = delta1_exact(problem, f);
 }
-template <class Answer>
-void add_delta1(Answer& answer, PulseProblem problem, double f) {
+inline void add_delta1(Judged& answer, PulseProblem problem, double f) {
   problem.criterion = Criterion::published;
   answer.delta1_published = least_delta(problem, f);
   problem.criterion = Criterion::exact;
@@ -24,9 +23,8 @@ void add_delta1(Answer& answer, PulseProblem problem, double f) {
 }
 
 /// The practice of a motion, and over the ranges of its hit.
-template <class Answer>
-void add_practice(Answer& answer, const Problem& problem, const Limits& limits,
-                  const Oscillator& damper, const Response& motion) {
+inline void add_practice(Judged& answer, const Problem& problem, const Limits& limits,
+                         const Oscillator& damper, const Response& motion) {
   answer.practice = practice(damper, motion, limits.acceleration_max);
   if (answer.practice && (problem.p_high || problem.v0_low)) {
     answer.practice_worst = worst_practice(problem, limits, damper.f, damper.delta);
@@ -36,9 +34,9 @@ void add_practice(Answer& answer, const Problem& problem, const Limits& limits,
   }
 }
 /// Under `shown`, the pulse of `problem` and its ranges that moves the mass farthest.
-template <class Answer>
-void add_practice(Answer& answer, const PulseProblem& problem, const Limits& limits,
-                  const PulseProblem& shown, const Oscillator& damper, const Response& motion) {
+inline void add_practice(Judged& answer, const PulseProblem& problem, const Limits& limits,
+                         const PulseProblem& shown, const Oscillator& damper,
+                         const Response& motion) {
   const auto& limit = limits.acceleration_max;
   answer.practice = practice(damper, motion, limit, peak_load(shown.pulse));
   if (answer.practice && answer.practice->notch_width_min) {

@@ -156,8 +156,9 @@ std::optional<Practice> practice(const Oscillator& oscillator, const Response& r
       lines.notch_used = finite(w / delta * w / 2);
     }
   }
-  if (const auto all = impulses(oscillator, response); !all.empty()) {
-    lines.impulse_largest = std::ranges::max(all);
+  lines.impulses = impulses(oscillator, response);
+  if (!lines.impulses->empty()) {
+    lines.impulse_largest = std::ranges::max(*lines.impulses);
   }
   if (acceleration_max) {
     const bool arrives = lines.impulse_largest.has_value();
@@ -181,6 +182,9 @@ std::optional<Practice> worst_practice(const Problem& problem, const Limits& lim
     } else if (now) {
       worst = now;
     }
+  }
+  if (worst) {
+    worst->impulses.reset();
   }
   if (worst && worst->notch_width_min && problem.has_caught_hits(delta)) {
     worst->notch_width_min =

@@ -197,6 +197,14 @@ inline constexpr auto fields<design::TradeOff> = [] {
 }();
 
 template <>
+inline constexpr auto fields<design::SuitePoint> = [] {
+  using Now = design::SuitePoint;
+  return std::tuple{Field{"design", &Now::damper},
+                    Field{"worst", [](const Now& now) { return report::settled(now.figures); },
+                          "null where a motion never rests"}};
+}();
+
+template <>
 inline constexpr auto fields<design::SuiteOutlook> = [] {
   using Now = design::SuiteOutlook;
   return std::tuple{Field{"off", [](const Now&) { return Now::off; }},
@@ -481,15 +489,6 @@ struct ShownCase {
       Field{"motions", &Now::motions, "of the damper itself"}};
 };
 
-struct Nearest {
-  design::SuiteDamper damper;
-  std::optional<Worst> worst{};
-
-  static constexpr std::tuple field_table{
-      Field{"design", &Nearest::damper},
-      Field{"worst", &Nearest::worst, "null where a motion never rests"}};
-};
-
 /// The intervals of v0, or of the k of a pulse.
 constexpr auto served_hits(bool of_pulse) {
   return [of_pulse](const auto& now) {
@@ -556,10 +555,10 @@ struct ShownAnswer {
   const design::RegionVerdict* region{nullptr};
   std::optional<std::vector<design::Strip>> strips{};
   std::vector<design::Mend> mends{};
-  std::optional<Nearest> nearest{};
+  const design::SuitePoint* nearest{nullptr};
   std::optional<ShownServed> works_for{};
   std::optional<std::vector<design::Hits>> hits{};
-  std::optional<ShownPractice> practice{}, practice_worst{};
+  std::optional<design::Practice> practice{}, practice_worst{};
   const design::PulseCheck* pulse{nullptr};
   std::optional<ShownNotch> built_notch{};
   std::optional<std::vector<ShownPart>> catalogue{};
@@ -657,6 +656,6 @@ inline constexpr std::string_view shared_name<Worst> = "figures";
 template <>
 inline constexpr std::string_view shared_name<design::Constraint> = "constraint";
 template <>
-inline constexpr std::string_view shared_name<ShownPractice> = "practice";
+inline constexpr std::string_view shared_name<design::Practice> = "practice";
 
 }  // namespace stillpoint::report

@@ -33,31 +33,36 @@ ShownNotch shown_notch(const ShownTask& task, const design::Found& found,
   return shown;
 }
 
-/// The rest of a point's answer.
-template <class Answer>
-void add_point(ShownAnswer& now, const ShownTask& task, const IfReal& f, const IfReal& delta,
-               const Answer& answer, const Response* response) {
-  if (answer.works_for) {
-    now.works_for = ShownServed{*answer.works_for, task.pulse.has_value()};
+/// What both answers tell of a damper, and of an f alone.
+void add_judged(ShownAnswer& now, const ShownTask& task, const IfReal& f, const IfReal& delta,
+                const design::Judged& judged) {
+  now.constraints = judged.constraints;
+  now.delta1_published = judged.delta1_published;
+  now.delta1_exact = judged.delta1_exact;
+  if (judged.works_for) {
+    now.works_for = ShownServed{*judged.works_for, task.pulse.has_value()};
   }
   if (f && delta) {
     now.hits = task.pulse ? shown_strengths(pulse_problem(task.problem, *task.pulse, task.ranges),
                                             *f, *delta)
                           : shown_hits(task.problem, *f, *delta);
   }
-  if (answer.practice) {
-    now.practice = ShownPractice{{*answer.practice},
-                                 design::impulses({task.problem.p, *f, *delta}, *response)};
-  }
-  if (answer.practice_worst) {
-    now.practice_worst = ShownPractice{{*answer.practice_worst}, {}};
-  }
-  now.notch_width_min = answer.notch_width_min;
+  now.practice = judged.practice;
+  now.practice_worst = judged.practice_worst;
+  now.notch_width_min = judged.notch_width_min;
+}
+
+/// The motion of the damper, under a pulse if there is one.
+void add_motion(ShownAnswer& now, const ShownTask& task, const Response& response,
+                const design::PulseMotion* under) {
+  now.cases.front().motions.push_back(
+      under != nullptr
+          ? loaded(task, 0, under->pulse, under->p, ShownResponse(under->response))
+          : loaded(task, task.problem.v0, task.pulse, task.problem.p, ShownResponse(response)));
 }
 
 void add_found(ShownAnswer& now, const DesignReport& report, const design::Found& found) {
   const ShownTask task = task_of(report);
-  ShownCase& only = now.cases.front();
   const auto& [f, delta, tolerance] = found.point;
   const auto& [below_f, above_f, below_delta, above_delta] = task.limits.shape;
   BoxedDamper& damper = now.design.emplace(boxed_damper(task, f, delta));
@@ -67,21 +72,10 @@ void add_found(ShownAnswer& now, const DesignReport& report, const design::Found
   damper.tolerance_f = side_of(task.limits.shape, tolerance, below_f, above_f);
   damper.tolerance_delta = side_of(task.limits.shape, tolerance, below_delta, above_delta);
   damper.arrival = found.arrival;
-  if (found.pulse) {
-    only.motions.push_back(
-        loaded(task, 0, found.pulse->pulse, found.pulse->p, ShownResponse(found.pulse->response)));
-    now.pulse = &*found.pulse;
-  } else {
-    only.motions.push_back(
-        loaded(task, task.problem.v0, {}, task.problem.p, ShownResponse(found.response)));
-  }
-  add_worst(only, task, damper, found.pulse ? found.pulse->worst : std::nullopt);
-  now.delta1_published = found.delta1_published;
-  now.delta1_exact = found.delta1_exact;
-  now.constraints = found.constraints;
-  if (found.search) {
-    now.search = &*found.search;
-  }
+  now.pulse = found.pulse ? &*found.pulse : nullptr;
+  add_motion(now, task, found.response, now.pulse);
+  add_worst(now.cases.front(), task, damper, found.pulse ? found.pulse->worst : std::nullopt);
+  now.search = found.search ? &*found.search : nullptr;
   now.cross_check = &found.cross_check;
   if (const auto& built = report.built_notch) {
     now.built_notch = shown_notch(task, found, *built);
@@ -89,7 +83,7 @@ void add_found(ShownAnswer& now, const DesignReport& report, const design::Found
     now.input.hold = built->shape.hold;
     now.input.notch_width = built->shape.width;
   }
-  add_point(now, task, f, delta, found, &found.response);
+  add_judged(now, task, f, delta, found);
 }
 
 }  // namespace
@@ -121,10 +115,7 @@ ShownAnswer shown(const RegionReport& report) {
   const ShownTask task = task_of(report);
   ShownAnswer now = asked(task, answer, report.findings);
   now.verdict = verdict(report);
-  now.constraints = answer.constraints;
   now.admissible = answer.admissible;
-  now.delta1_published = answer.delta1_published;
-  now.delta1_exact = answer.delta1_exact;
   now.strips = answer.strips;
   if (!request.pulse) {
     now.input.v0 = request.problem.v0;
@@ -133,22 +124,17 @@ ShownAnswer shown(const RegionReport& report) {
   }
   now.input.f = request.f;
   now.input.delta = request.delta;
+  const auto* const under = answer.under_pulse ? &*answer.under_pulse : nullptr;
   if (answer.response) {
-    const auto& [pulse, p] =
-        answer.shown ? std::pair(std::optional(answer.shown->first), answer.shown->second)
-                     : std::pair(request.pulse, request.problem.p);
-    now.cases.front().motions.push_back(
-        loaded(task, request.problem.v0, pulse, p,
-               answer.forced ? ShownResponse(*answer.forced) : ShownResponse(*answer.response)));
+    add_motion(now, task, *answer.response, under);
   }
   if (request.f && request.delta) {
     now.design = boxed_damper(task, *request.f, *request.delta);
     now.design->tolerance = answer.tolerance;
     now.design->arrival = answer.arrival;
-    add_worst(now.cases.front(), task, *now.design, answer.worst);
+    add_worst(now.cases.front(), task, *now.design, under ? under->worst : std::nullopt);
   }
-  add_point(now, task, request.f, request.delta, answer,
-            answer.response ? &*answer.response : nullptr);
+  add_judged(now, task, request.f, request.delta, answer);
   add_catalogue(now, report.catalogue, task);
   return now;
 }

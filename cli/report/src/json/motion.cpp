@@ -19,13 +19,6 @@ namespace {
 
 constexpr auto schema_name = std::to_array<std::string_view>({"stillpoint/simulation-report/1"});
 
-std::optional<ShownPractice> practice_shown(const MotionReport& report) {
-  const auto lines = practice_of(report);
-  return lines ? std::optional(ShownPractice{
-                     {*lines}, design::impulses(report.request.oscillator, report.answer.response)})
-               : std::nullopt;
-}
-
 }  // namespace
 
 ordered_json own_json(const Version& version) {
@@ -79,7 +72,7 @@ constexpr auto motion_table = std::tuple_cat(
                 return design::caught_impulse(report.request, report.answer.response);
               },
               "per mass, for a hit that the notch catches at the start; null if it does not"},
-        Field{"practice", &practice_shown,
+        Field{"practice", &practice_of,
               "docs/theory.md section 11; null except after a hit from x = 0 without a load and "
               "with "
               "the paper's notch; notch_width_min is null"},

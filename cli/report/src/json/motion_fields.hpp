@@ -42,6 +42,35 @@ inline constexpr auto fields<HalfCycle> = std::tuple{
           "the impulse of the notch at its end that the structure feels, per mass; null if it does "
           "not end at x = 0 or the notch has a width"}};
 
+template <>
+inline constexpr auto fields<design::Practice> = [] {
+  using Now = design::Practice;
+  return std::tuple{
+      Field{"secant_stiffness", &Now::secant_stiffness, "at the peak; the spring's is p^2"},
+      Field{"equivalent_damping", &Now::equivalent_damping,
+            "of a full cycle at that peak; null above 1"},
+      Field{"base_shear_over_weight", &Now::base_shear},
+      Field{"restoring_over_weight", &Now::restoring},
+      Field{"energy_ratio", &Now::energy_ratio, "E_s/E_h (EN 15129)"},
+      Field{"residual_ratio", &Now::residual_ratio, "d/d_rm (EN 1998-2)"},
+      Field{
+          "impulse_at_stop", &Now::impulse_at_stop, "per mass", {.dimension = Dimension::velocity}},
+      Field{"impulse_largest", &Now::impulse_largest, "", {.dimension = Dimension::velocity}},
+      Field{"impulses", &Now::impulses,
+            "of each passage and of the stop at x = 0, in turn; at most the last 1000; null in "
+            "practice_worst"},
+      Field{"notch_capacity",
+            &Now::notch_capacity,
+            "what a whole passage takes",
+            {.dimension = Dimension::length}},
+      Field{"notch_used", &Now::notch_used, "the share of it that the stop took"},
+      Field{"notch_width_min",
+            &Now::notch_width_min,
+            "the least width with which the mass feels no more than acceleration_max inside the "
+            "notch; null without it, or if there is none",
+            {.dimension = Dimension::length}}};
+}();
+
 }  // namespace stillpoint
 
 namespace stillpoint::report {
@@ -138,37 +167,6 @@ struct ShownResponse {
   static constexpr auto field_table = std::tuple_cat(
       fields_in([](const auto& now) -> const Response& { return *now.response; }, fields<Response>),
       fields_if_any(&ShownResponse::forced, forced_fields));
-};
-
-/// With the impulses of the motion, if they are shown.
-struct ShownPractice : design::Practice {
-  std::optional<std::vector<double>> impulses{};
-
-  using Now = ShownPractice;
-  static constexpr std::tuple field_table{
-      Field{"secant_stiffness", &Now::secant_stiffness, "at the peak; the spring's is p^2"},
-      Field{"equivalent_damping", &Now::equivalent_damping,
-            "of a full cycle at that peak; null above 1"},
-      Field{"base_shear_over_weight", &Now::base_shear},
-      Field{"restoring_over_weight", &Now::restoring},
-      Field{"energy_ratio", &Now::energy_ratio, "E_s/E_h (EN 15129)"},
-      Field{"residual_ratio", &Now::residual_ratio, "d/d_rm (EN 1998-2)"},
-      Field{
-          "impulse_at_stop", &Now::impulse_at_stop, "per mass", {.dimension = Dimension::velocity}},
-      Field{"impulse_largest", &Now::impulse_largest, "", {.dimension = Dimension::velocity}},
-      Field{"impulses", &Now::impulses,
-            "of each passage and of the stop at x = 0, in turn; at most the last 1000; null in "
-            "practice_worst"},
-      Field{"notch_capacity",
-            &Now::notch_capacity,
-            "what a whole passage takes",
-            {.dimension = Dimension::length}},
-      Field{"notch_used", &Now::notch_used, "the share of it that the stop took"},
-      Field{"notch_width_min",
-            &Now::notch_width_min,
-            "the least width with which the mass feels no more than acceleration_max inside the "
-            "notch; null without it, or if there is none",
-            {.dimension = Dimension::length}}};
 };
 
 }  // namespace stillpoint::report

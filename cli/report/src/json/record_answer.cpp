@@ -100,7 +100,7 @@ ShownAnswer shown(const RecordDesignReport& report) {
     now.cross_check = &finding->cross_check;
   } else {
     now.largest_tolerance = result.largest_tolerance;
-    now.nearest = {result.nearest.damper, settled(result.nearest.figures)};
+    now.nearest = &result.nearest;
   }
   now.cases.push_back(std::move(only));
   return now;

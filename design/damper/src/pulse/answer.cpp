@@ -50,9 +50,9 @@ void judge(RegionAnswer& answer, const PulseRequest& request, const PulseRegion&
   answer.admissible = std::ranges::all_of(answer.constraints, &Constraint::satisfied);
   const PulseProblem shown = region.profile()->largest_peak(problem, unit_f);
   const Oscillator oscillator{shown.p, f, delta};
-  answer.forced = forced_response(oscillator, {}, excitation(shown.pulse));
-  answer.response = answer.forced;
-  answer.shown = {shown.pulse, shown.p};
+  answer.under_pulse = {shown.pulse, shown.p,
+                        forced_response(oscillator, {}, excitation(shown.pulse))};
+  answer.response = answer.under_pulse->response;
   if (!*answer.admissible) {
     return;
   }
@@ -64,7 +64,7 @@ void judge(RegionAnswer& answer, const PulseRequest& request, const PulseRegion&
   constexpr double edge = 1e-12;
   answer.admissible = limits.tolerance <= widest + edge;
   add_practice(answer, problem, limits, shown, oscillator, *answer.response);
-  answer.worst = worst_of(problem, region, motion);
+  answer.under_pulse->worst = worst_of(problem, region, motion);
   answer.works_for = works_for(problem, limits, f, delta);
 }
 
@@ -105,7 +105,7 @@ RegionAnswer answer_under_pulse(const RegionRequest& asked) {
   }
   const PulseRegion region(problem, limits);
   // Of several intervals, the region is the one with the most tolerant damper.
-  RegionAnswer answer{around(search(region, options), request, region)};
+  RegionAnswer answer{around(search(region, options), request, region), {}};
   if (!asked.f) {
     return answer;
   }

@@ -50,7 +50,7 @@ RegionAnswer answer(const RegionRequest& request) {
   if (f) {
     require_valid(Oscillator{problem.p, *f, delta.value_or(0)});
   }
-  RegionAnswer answer{{region}};
+  RegionAnswer answer{{region}, {}};
   if (!region.feasible) {
     explain(answer, problem, limits);
   }

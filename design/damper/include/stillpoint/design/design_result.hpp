@@ -23,21 +23,11 @@ struct DesignRequest {
 };
 
 /// The design found for an admissible region.
-struct Found {
+struct Found : Judged {
   DesignPoint point;
-  /// The one at which it stops the mass (with ranges: after the strongest hit); empty for a rest
-  /// off centre, within the residual.
-  std::optional<std::int64_t> arrival{};
-  std::vector<Constraint> constraints;
   Response response;                   ///< by the half-cycle map, or under the pulse
   std::optional<SearchRecord> search;  ///< empty for a part of a catalogue
   CrossCheck cross_check;
-  std::optional<WorksFor> works_for;
-  std::optional<Practice> practice;        ///< of `response`
-  std::optional<Practice> practice_worst;  ///< for ranges of a hit, of their ends
-  std::optional<double> notch_width_min;   ///< as in practice, enough for all ranges
-  std::optional<double> delta1_published;  ///< the least Delta for this f; see RegionAnswer
-  std::optional<double> delta1_exact;
   std::optional<PulseCheck> pulse;  ///< if a pulse moves the mass
 };
 

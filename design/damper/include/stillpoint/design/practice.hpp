@@ -23,6 +23,9 @@ struct Practice {
   /// Per mass, a speed: the arrival that stops at x = 0, and the largest of all passages and that.
   std::optional<double> impulse_at_stop;
   std::optional<double> impulse_largest;
+  /// Of each passage and of the stop at x = 0, in turn; at most the last 1000. Not of several
+  /// motions.
+  std::optional<std::vector<double>> impulses;
   double notch_capacity{0};          ///< Delta, the energy that a whole passage takes
   std::optional<double> notch_used;  ///< energy of the arrival that stops, over the capacity
   /// The least width with which the mass feels no more inside the notch than the limit that was

@@ -89,16 +89,19 @@ struct PulseWorst {
   double stop_time{0};
 };
 
-/// The design under its pulse, followed from rest by the exact forced motion, and how far the
-/// reduction to an initial velocity would be off.
-struct PulseCheck {
-  /// With ranges, those of the motion shown, which has the largest peak.
+/// The motion under a pulse; with ranges the one with the largest peak.
+struct PulseMotion {
   Pulse pulse;
   double p{0};
-  std::optional<PulseWorst> worst;  ///< of the ranges
-  double shortness{0};              ///< p / lambda, the paper's eps for p = 1
-  double friction_ratio{0};         ///< f / k
   ForcedResponse response;
+  std::optional<PulseWorst> worst{};  ///< of the ranges, for an admissible damper
+};
+
+/// The design under its pulse, followed from rest by the exact forced motion, and how far the
+/// reduction to an initial velocity would be off.
+struct PulseCheck : PulseMotion {
+  double shortness{0};       ///< p / lambda, the paper's eps for p = 1
+  double friction_ratio{0};  ///< f / k
   std::optional<EquivalentStart>
       start;                         ///< of the reduction; these three are empty for a full sine
   std::optional<double> peak_error;  ///< of the reduced motion's peak, relative to the true one

@@ -56,30 +56,34 @@ struct RegionRequest {
   PulseRanges pulse_ranges{};
 };
 
+/// What the answer of a design or a region tells of a damper. For a region delta1 needs only f, and
+/// works_for and practice need a damper that is admissible itself.
+struct Judged {
+  /// The one at which it stops the mass (with ranges: after the strongest hit); empty for a rest
+  /// off centre, within the residual, and of one that is not admissible.
+  std::optional<std::int64_t> arrival{};
+  std::vector<Constraint> constraints{};
+  std::optional<double> delta1_published{};  ///< the least Delta for this f; of a pulse as the next
+  std::optional<double> delta1_exact{};      ///< also empty if the motion does not return
+  std::optional<WorksFor> works_for{};
+  std::optional<Practice> practice{};        ///< of the motion
+  std::optional<Practice> practice_worst{};  ///< for ranges of a hit, of their ends
+  std::optional<double> notch_width_min{};   ///< as in practice, enough for all ranges
+};
+
 /// The region, and where the damper stands in it. Under a pulse, strips and arrival are
 /// empty; Delta1 is the least Delta, by either criterion, that stops the mass at its first return.
-struct RegionAnswer : RegionVerdict {
+struct RegionAnswer : RegionVerdict, Judged {
   std::vector<Strip> strips{};
   std::vector<Interval> feasible_f{};  ///< with the tolerance asked for, in rising order
   /// With the f of the request; without one with every feasible f, where that is known.
   std::optional<std::vector<Interval>> feasible_delta{};
-  std::optional<double> delta1_published{};  ///< these two with f; for a pulse like delta1_exact
-  std::optional<double> delta1_exact{};      ///< also empty if the motion does not return
-  std::optional<bool> admissible{};          ///< this and what follows with f and delta
-  std::optional<double> tolerance{};         ///< the largest that the damper has
-  std::optional<std::int64_t> arrival{};     ///< of an admissible one, at which it stops
-  std::vector<Constraint> constraints{};
-  std::optional<WorksFor> works_for{};  ///< these if the point itself is admissible
-  std::optional<Practice> practice{};
-  std::optional<Practice> practice_worst{};  ///< for ranges of a hit, of their ends
-  std::optional<double> notch_width_min{};   ///< as in practice, enough for all ranges
+  std::optional<bool> admissible{};   ///< this and what follows with f and delta
+  std::optional<double> tolerance{};  ///< the largest that the damper has
   /// Of the motion, with ranges that of the strongest hit and the softest spring. Empty if it has
   /// too many half-cycles.
   std::optional<Response> response{};
-  std::optional<ForcedResponse> forced{};  ///< the same under a pulse
-  /// The pulse of that motion and its p, with ranges those of the largest peak.
-  std::optional<std::pair<Pulse, double>> shown{};
-  std::optional<PulseWorst> worst{};  ///< for ranges of a pulse, if the point is admissible
+  std::optional<PulseMotion> under_pulse{};  ///< the same motion under a pulse
 };
 
 }  // namespace stillpoint::design
