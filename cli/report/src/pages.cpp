@@ -55,21 +55,15 @@ DrawnMotion told(const DesignReport& report) {
 }
 
 /// The region of a task, with a damper and the parts to choose from in it.
-template <class Request>
-Figure region_of(const Request& request, const design::RegionVerdict& verdict,
+Figure region_of(const ShownTask& task, const design::RegionVerdict& verdict,
                  const std::optional<DrawnDamper>& damper,
-                 const std::optional<Catalogue>& catalogue, const Physical& physical) {
-  const FigureUnits units(physical);
-  const design::Problem& problem = request.problem;
-  const design::Limits& limits = request.limits;
+                 const std::optional<Catalogue>& catalogue) {
+  const FigureUnits units(task.physical);
   const std::string mend =
-      verdict.region.feasible
-          ? ""
-          : mend_title(verdict, {problem, limits, request.pulse, request.pulse_ranges, physical},
-                       catalogue ? "part" : "damper");
-  DrawnRegion drawn{problem, limits, verdict.region, damper, mend};
-  if (request.pulse) {
-    drawn.pulse = design::pulse_request(request).problem;
+      verdict.region.feasible ? "" : mend_title(verdict, task, catalogue ? "part" : "damper");
+  DrawnRegion drawn{task.problem, task.limits, verdict.region, damper, mend};
+  if (task.pulse) {
+    drawn.pulse = design::pulse_problem(task.problem, *task.pulse, task.ranges);
     drawn.intervals = *verdict.intervals;
   }
   Figure figure = region_figure(drawn, units);
@@ -80,12 +74,13 @@ Figure region_of(const Request& request, const design::RegionVerdict& verdict,
 }
 
 /// The hits, or the pulses, that a damper works for.
-template <class Request>
-Figure damper_figure(const Request& request, double f, double delta,
-                     const std::optional<design::WorksFor>& works_for, const FigureUnits& units) {
-  return request.pulse
-             ? strengths_figure(design::pulse_request(request).problem, f, delta, works_for)
-             : hits_figure(request.problem, request.limits, f, delta, works_for, units);
+Figure damper_figure(const ShownTask& task, double f, double delta,
+                     const std::optional<design::WorksFor>& works_for) {
+  return task.pulse
+             ? strengths_figure(design::pulse_problem(task.problem, *task.pulse, task.ranges), f,
+                                delta, works_for)
+             : hits_figure(task.problem, task.limits, f, delta, works_for,
+                           FigureUnits(task.physical));
 }
 
 /// Its trade-offs, and what it works for.
@@ -95,8 +90,8 @@ std::vector<Figure> damper_figures(const DesignReport& report, const FigureUnits
   if (report.trade_off && report.trade_off->size() > 1) {
     figures = trade_off_figures(*report.trade_off, found, units);
   }
-  figures.push_back(damper_figure(report.result.request, found.point.f, found.point.delta,
-                                  found.works_for, units));
+  figures.push_back(
+      damper_figure(task_of(report), found.point.f, found.point.delta, found.works_for));
   return figures;
 }
 
@@ -154,7 +149,6 @@ bool has_figures(const DrawnMotion& motion) {
 }  // namespace
 
 HtmlPage page(const DesignReport& report) {
-  const design::DesignRequest& request = report.result.request;
   const FigureUnits units(report.physical);
   HtmlPage page = page_of(document(report, Verbosity::full));
   const auto& found = report.result.finding;
@@ -163,7 +157,7 @@ HtmlPage page(const DesignReport& report) {
     const auto& [f, delta, tolerance] = found->point;
     damper = DrawnDamper{"design", f, delta, tolerance};
   }
-  page.figures = {region_of(request, report.result, damper, report.catalogue, report.physical)};
+  page.figures = {region_of(task_of(report), report.result, damper, report.catalogue)};
   if (!found) {
     return page;
   }
@@ -181,11 +175,9 @@ std::vector<Figure> drawings(const RegionReport& report) {
     point = {*answer.admissible ? "point, admissible" : "point, not admissible", *f, *delta,
              answer.tolerance.value_or(0), *answer.admissible};
   }
-  std::vector<Figure> figures{
-      region_of(report.request, answer, point, report.catalogue, report.physical)};
+  std::vector<Figure> figures{region_of(task_of(report), answer, point, report.catalogue)};
   if (f && delta) {
-    figures.push_back(
-        damper_figure(report.request, *f, *delta, answer.works_for, FigureUnits(report.physical)));
+    figures.push_back(damper_figure(task_of(report), *f, *delta, answer.works_for));
   }
   return figures;
 }
