@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The tables of fields of what a design or a region finds.
+
+#include "json/motion_fields.hpp"
+
+#include <stillpoint/design/hits.hpp>
+#include <stillpoint/design/record_design_result.hpp>
+#include <stillpoint/design/region.hpp>
+#include <stillpoint/design/trade_off.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+namespace stillpoint::report {
+
+using Name = std::optional<std::string>;
+
+inline constexpr auto relations = std::to_array<std::string_view>({"<", "<=", ">=", ">"});
+inline constexpr auto constrained = std::to_array<std::string_view>(
+    {"f", "delta", "v0", "peak", "acceleration", "residual", "jump"});
+inline constexpr auto constraint_names =
+    std::to_array<std::string_view>({"dead_zone", "start", "amplitude", "return", "residual",
+                                     "stop", "f_max", "delta_max", "acceleration", "jump"});
+inline constexpr auto conflict_names =
+    std::to_array<std::string_view>({"amplitude", "return", "dead_zone", "f_max", "stop", "start",
+                                     "delta_max", "acceleration", "arrivals", "rounding"});
+inline constexpr auto region_origins =
+    std::to_array<std::string_view>({"reduction", "forced_motion"});
+inline constexpr auto libraries = std::to_array<std::string_view>({"NLopt", "stillpoint"});
+inline constexpr auto check_methods =
+    std::to_array<std::string_view>({"half_cycle_map", "runge_kutta", "forced_pulse"});
+
+/// The constraints and limits that conflict, by name; empty where none do.
+[[nodiscard]] std::optional<std::vector<std::string_view>> conflict_of(
+    const design::Region& region);
+
+/// Of numbers; what else there is of a figure has no unit.
+template <class Value>
+constexpr Measure in_si(Dimension dimension, std::string_view name = {}) {
+  return std::is_same_v<Value, double> ? with_si(dimension, name) : Measure();
+}
+/// A value of each figure that may be limited: of several motions, or of several dampers.
+template <class Value>
+struct OfFigures {
+  std::optional<Value> peak{}, acceleration{}, residual{}, stop_time{}, jump{};
+
+  static constexpr bool numbers = std::is_same_v<Value, double>;
+  static constexpr std::tuple field_table{
+      Field{"peak_amplitude", &OfFigures::peak, "", in_si<Value>(Dimension::length, "peak_m")},
+      Field{"peak_absolute_acceleration", &OfFigures::acceleration},
+      Field{"residual", &OfFigures::residual, "", in_si<Value>(Dimension::length)},
+      Field{"stop_time", &OfFigures::stop_time, "", in_si<Value>(Dimension::time)},
+      Field{"jump", &OfFigures::jump, numbers ? "of the velocity at a notch without a width" : "",
+            in_si<Value>(Dimension::velocity)}};
+};
+using Worst = OfFigures<double>;
+[[nodiscard]] Worst worst_of(const design::SuiteFigures& figures);
+/// Empty where a motion never rests.
+[[nodiscard]] std::optional<Worst> settled(const design::SuiteFigures& figures);
+
+}  // namespace stillpoint::report
+
+namespace stillpoint {
+
+template <>
+inline constexpr auto fields<design::SuiteDamper> = [] {
+  using Now = design::SuiteDamper;
+  return std::tuple{
+      Field{"f", &Now::f}, Field{"delta", &Now::delta, "", report::in_metres},
+      Field{"p", &Now::p, "of a range the softest spring"},
+      Field{"period_s", [](const Now& now) { return report::turn(now.p); }, "without friction",
+            report::si_alone(Dimension::time)},
+      Field{"notch_width",
+            [](const Now& now) { return now.width > 0 ? std::optional(now.width) : std::nullopt; },
+            "null without a width", report::in_metres}};
+}();
+
+template <>
+inline constexpr auto fields<design::DesignPoint> =
+    std::tuple{Field{"tolerance", &design::DesignPoint::tolerance},
+               Field{"f", &design::DesignPoint::f}, Field{"delta", &design::DesignPoint::delta}};
+
+template <>
+inline constexpr auto fields<design::Strip> = [] {
+  using Now = design::Strip;
+  return std::tuple{
+      Field{"arrival", &Now::arrival,
+            "0 where any rest, or the first peak, is within the residual"},
+      Field{"beta_min", &Now::beta_min},
+      Field{"f_lower", &Now::f_lower, "with f_upper null if no damper has the tolerance asked for"},
+      Field{"f_upper", &Now::f_upper},
+      Field{"tolerance", &Now::tolerance, "the largest of any damper that stops at this arrival"}};
+}();
+
+template <>
+inline constexpr auto fields<design::RegionVerdict> = [] {
+  using design::Region;
+  using report::any_number;
+  using Now = design::RegionVerdict;
+  return std::tuple{
+      Field{"feasible", in(&Now::region, &Region::feasible)},
+      Field{"reason", &Now::reason, "why it is empty; else null"},
+      Field{"conflict",
+            [](const Now& now) { return report::conflict_of(now.region); },
+            "the requirements that conflict; null if the region is not empty",
+            {.numbers = Numbers::from_one, .texts = report::conflict_names}},
+      Field{"f1", in(&Now::region, &Region::f1), "", any_number},
+      Field{"f2", in(&Now::region, &Region::f2), "may be negative", any_number},
+      Field{"f3", in(&Now::region, &Region::f3), "", any_number},
+      Field{"f4", in(&Now::region, &Region::f4), "of acceleration_max; negative if no f meets it",
+            any_number},
+      Field{"f_lower", in(&Now::region, &Region::f_lower),
+            "with f_upper: the f that every limit leaves", any_number},
+      Field{"f_upper", in(&Now::region, &Region::f_upper), "", any_number},
+      Field{"delta2", in(&Now::region, &Region::delta2),
+            "null with a pulse: the mass starts from rest, and nothing bounds delta", any_number},
+      Field{"beta_min", in(&Now::region, &Region::beta_min), "", any_number},
+      Field{"by",
+            [](const Now& now) {
+              return now.intervals ? std::optional(report::region_origins.back()) : std::nullopt;
+            },
+            "how the region of a pulse was found; null without a pulse",
+            report::one_of(report::region_origins)},
+      Field{"intervals", &Now::intervals,
+            "with a pulse, the f that are admissible, regardless of the tolerance; else null"},
+      Field{"most_tolerant", &Now::most_tolerant,
+            "if only the requested tolerance makes the region empty: the damper with the largest "
+            "tolerance, and that tolerance"},
+      Field{"mends_cut_short", &Now::mends_cut_short,
+            "with a pulse: the search for some mends was given up because it would have taken "
+            "longer than a second"},
+      Field{"criterion_mend", &Now::criterion_mend,
+            "exact if that criterion alone makes the region non-empty, or admits a part"}};
+}();
+
+template <>
+inline constexpr auto fields<design::Hits> =
+    std::tuple{Field{"from", &design::Hits::from}, Field{"to", &design::Hits::to},
+               Field{"ends", &design::Hits::end},
+               Field{"arrivals", &design::Hits::arrivals, "", report::counted},
+               Field{"rest", &design::Hits::rest, "off centre, the farthest", report::any_number}};
+
+template <>
+inline constexpr auto fields<design::PulseCheck> = [] {
+  using Now = design::PulseCheck;
+  using report::any_number;
+  using report::IfAny;
+  return std::tuple{
+      Field{"shortness", &Now::shortness, "p/lambda"},
+      Field{"friction_ratio", &Now::friction_ratio, "f/k"},
+      Field{"equivalent_v0", IfAny{&Now::start, &EquivalentStart::speed}, "", any_number},
+      Field{"equivalent_start", IfAny{&Now::start, &EquivalentStart::tau}, "", any_number},
+      Field{"peak_error", &Now::peak_error, "", any_number},
+      Field{"stop_time_error", &Now::stop_time_error, "", any_number},
+      Field{"warnings", &Now::warnings}};
+}();
+
+template <>
+inline constexpr auto fields<design::TradeOff> = [] {
+  using design::DesignPoint;
+  using report::with_si;
+  using Now = design::TradeOff;
+  return std::tuple{
+      Field{"f", in(&Now::damper, &DesignPoint::f)},
+      Field{"delta", in(&Now::damper, &DesignPoint::delta), "", report::in_metres},
+      Field{"tolerance", in(&Now::damper, &DesignPoint::tolerance)},
+      Field{"peak_amplitude", &Now::peak_amplitude, "", with_si(Dimension::length, "peak_m")},
+      Field{"peak_absolute_acceleration", &Now::transmitted},
+      Field{"stop_time", &Now::stop_time, "", with_si(Dimension::time)}};
+}();
+
+template <>
+inline constexpr auto fields<design::SuitePoint> = [] {
+  using Now = design::SuitePoint;
+  return std::tuple{Field{"design", &Now::damper},
+                    Field{"worst", [](const Now& now) { return report::settled(now.figures); },
+                          "null where a motion never rests"}};
+}();
+
+template <>
+inline constexpr auto fields<design::SuiteOutlook> = [] {
+  using Now = design::SuiteOutlook;
+  return std::tuple{Field{"off", [](const Now&) { return Now::off; }},
+                    Field{"period", [](const Now& now) { return report::settled(now.period); }},
+                    Field{"scale", [](const Now& now) { return report::settled(now.scale); }}};
+}();
+
+template <>
+inline constexpr auto fields<design::CheckedMotion> = [] {
+  using Now = design::CheckedMotion;
+  return std::tuple{
+      Field{"peak_amplitude", &Now::peak}, Field{"peak_absolute_acceleration", &Now::acceleration},
+      Field{"residual", &Now::residual}, Field{"relative_error", &Now::relative_error}};
+}();
+
+template <>
+inline constexpr auto fields<design::MotionFigures> = [] {
+  using Now = design::MotionFigures;
+  return std::tuple{Field{"peak_amplitude", &Now::peak_amplitude},
+                    Field{"peak_acceleration", &Now::peak_acceleration},
+                    Field{"stop_time", &Now::stop_time},
+                    Field{"arrival_speed", &Now::arrival_speed},
+                    Field{"half_cycles", &Now::half_cycles, "", report::counted},
+                    Field{"stop_position", &Now::stop_position, "", report::any_number}};
+}();
+
+template <>
+inline constexpr auto fields<design::Constraint> = [] {
+  using report::any_number;
+  using Now = design::Constraint;
+  constexpr Measure metres_alone = report::si_alone(Dimension::length, Numbers::all);
+  const auto if_known = [](double Now::*of) {
+    return [of](const Now& now) { return now.known ? std::optional(now.*of) : std::nullopt; };
+  };
+  return std::tuple{
+      Field{"case", [](const Now&) { return report::Name(); }},
+      Field{"name", &Now::name, "", report::one_of(report::constraint_names)},
+      Field{"variable", &Now::variable, "what is bounded", report::one_of(report::constrained)},
+      Field{"relation", &Now::relation, "", report::one_of(report::relations)},
+      Field{"value", if_known(&Now::value), "null where a motion never rests, like slack",
+            any_number},
+      Field{"value_m",
+            [](const Now& now) {
+              return now.dimension() == Dimension::length && now.known ? std::optional(now.value)
+                                                                       : std::nullopt;
+            },
+            "of a length", metres_alone},
+      Field{"limit", &Now::limit, "", any_number},
+      Field{"limit_m",
+            [](const Now& now) {
+              return now.dimension() == Dimension::length ? std::optional(now.limit) : std::nullopt;
+            },
+            "", metres_alone},
+      Field{"slack", if_known(&Now::slack), "", any_number},
+      Field{"satisfied", &Now::satisfied},
+      Field{"motion", report::IfAny{&Now::motion, &Now::Motion::file},
+            "without a design, the record under which the value is largest", any_number}};
+}();
+
+template <>
+inline constexpr auto fields<design::Mend> =
+    std::tuple{Field{"case", [](const design::Mend&) { return report::Name(); }},
+               Field{"input", &design::Mend::field},
+               Field{"value", &design::Mend::value, "", report::any_number}};
+
+template <>
+inline constexpr auto fields<design::SearchRecord::Scan> =
+    std::tuple{Field{"points", &design::SearchRecord::Scan::points, "boxes"},
+               Field{"feasible", &design::SearchRecord::Scan::feasible}};
+
+template <>
+inline constexpr auto fields<design::SearchRecord> = [] {
+  using report::any_number;
+  using Now = design::SearchRecord;
+  return std::tuple{
+      Field{"library", [](const Now& now) { return report::libraries.at(now.scan ? 1 : 0); }, "",
+            report::one_of(report::libraries)},
+      Field{"library_version",
+            [](const Now& now) {
+              return now.scan ? report::program_version() : design::nlopt_version();
+            }},
+      Field{"algorithm", &Now::algorithm},
+      Field{"status", &Now::status, "NLopt's; under records SUCCESS or INTERRUPTED"},
+      Field{"evaluations", &Now::evaluations},
+      Field{"wall_time_s", &Now::wall_time_s},
+      Field{"optimum", &Now::by_nlopt,
+            "the objective's value of the design; with a pulse, of NLopt's best point", any_number},
+      Field{"optimum_along_f", &Now::along_f,
+            "that of the best damper along f alone, found without NLopt", any_number},
+      Field{"scan", &Now::scan, "null without records"},
+      Field{"interrupted", &Now::interrupted, "by the user: the design is the best so far"}};
+}();
+
+template <>
+inline constexpr auto fields<design::CheckMethod> = [] {
+  using Now = design::CheckMethod;
+  const auto figures = [](const Now& now) {
+    return now.motions.empty() ? static_cast<const design::MotionFigures*>(&now) : nullptr;
+  };
+  return std::tuple_cat(
+      std::tuple{Field{"name", &Now::name, "", report::one_of(report::check_methods)},
+                 Field{"tolerance", &Now::tolerance}},
+      report::fields_if_any(figures, fields<design::MotionFigures>),
+      std::tuple{Field{"relative_error", &Now::relative_error},
+                 Field{"wall_time_s", &Now::wall_time_s}, Field{"decided", &Now::decided},
+                 Field{"passed", &Now::passed},
+                 Field{"motions",
+                       [](const Now& now) {
+                         return now.motions.empty() ? std::nullopt : std::optional(now.motions);
+                       },
+                       "under each record, in place of the figures; else null"}});
+}();
+
+template <>
+inline constexpr auto fields<design::CrossCheck> = std::tuple{
+    Field{"passed", &design::CrossCheck::passed}, Field{"methods", &design::CrossCheck::methods}};
+
+}  // namespace stillpoint
