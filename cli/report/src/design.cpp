@@ -36,10 +36,11 @@ double shown_f(const design::DesignResult& result) {
 std::string best_part(const DesignReport& report) {
   const design::Limits& limits = report.result.request.limits;
   const design::RatedPart& best = report.catalogue->parts.front();
-  return best.tolerance ? format("No admissible design: no part has {}; the best, {}, has {}.",
-                                 tolerance_shown(limits, limits.tolerance), best.part.name,
-                                 tolerance_shown(limits, *best.tolerance))
-                        : "";
+  return best.tolerance
+             ? format("No admissible design: no part has a tolerance of {}; the best, {}, has {}.",
+                      tolerance_text(limits, limits.tolerance), best.part.name,
+                      tolerance_text(limits, *best.tolerance))
+             : "";
 }
 
 void add_answer(Section& answer, const DesignReport& report, const ShownDamper& shown) {

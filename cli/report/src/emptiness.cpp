@@ -19,13 +19,6 @@ struct Way {
   bool upwards;       ///< at least that
 };
 
-Way tolerance_way(double tolerance, const design::Limits& limits) {
-  return {
-      "tolerance",
-      limits.shape == design::BoxShape{} ? percent_digits(tolerance) : box_text(limits, tolerance),
-      false};
-}
-
 /// "lowest period" of "period" for an end of a range, whose field says which.
 std::string of_range(std::string_view field, std::string_view name, bool turned) {
   name.remove_suffix(name.ends_with("_m") ? 2 : 0);
@@ -40,7 +33,7 @@ Way way_of(const design::Mend& mend, const Physical& physical, const design::Lim
            const std::optional<design::Pulse>& pulse) {
   constexpr int shown = 5;
   if (mend.field == "tolerance") {
-    return tolerance_way(mend.value, limits);
+    return {"tolerance", tolerance_text(limits, mend.value), false};
   }
   const auto now = physical ? physical_mend(*physical, mend, pulse) : std::nullopt;
   if (!now) {
@@ -93,11 +86,11 @@ std::string most_tolerant_text(const design::DesignPoint& most, const design::Li
                                const Physical& physical) {
   constexpr int many = 8;  // if the usual digits do not distinguish them
   const bool alike =
-      tolerance_shown(limits, most.tolerance) == tolerance_shown(limits, limits.tolerance);
+      tolerance_text(limits, most.tolerance) == tolerance_text(limits, limits.tolerance);
   const int shown = alike ? many : usual_digits;
-  return format("no damper has {}; the best has {}, at f = {:.6g}, delta = {}",
-                tolerance_shown(limits, limits.tolerance, shown),
-                tolerance_shown(limits, most.tolerance, shown), most.f,
+  return format("no damper has a tolerance of {}; the best has {}, at f = {:.6g}, delta = {}",
+                tolerance_text(limits, limits.tolerance, shown),
+                tolerance_text(limits, most.tolerance, shown), most.f,
                 length_shown(physical, most.delta));
 }
 

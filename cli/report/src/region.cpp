@@ -57,8 +57,8 @@ std::string judgement(const RegionReport& report) {
   const std::string tolerance =
       tolerance_words(design::Limits{}, *answer.tolerance, *report.request.delta);
   return *answer.admissible ? format("The damper is admissible: {}.", tolerance)
-                            : format("The damper is not admissible with {}: {}.",
-                                     tolerance_shown(limits, limits.tolerance), tolerance);
+                            : format("The damper is not admissible with a tolerance of {}: {}.",
+                                     tolerance_text(limits, limits.tolerance), tolerance);
 }
 
 /// "Feasible f: 0.1 to 0.25.", and whether there are others.

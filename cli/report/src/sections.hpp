@@ -80,12 +80,9 @@ inline constexpr int usual_digits = 4;
 [[nodiscard]] std::string percent_digits(double tolerance, int shown = usual_digits);
 /// Whether more than rounding is left.
 [[nodiscard]] bool leaves_any(double tolerance);
-/// "+-5 % of f and delta at once", or each side of a box of another shape.
-[[nodiscard]] std::string box_text(const design::Limits& limits, double tolerance,
-                                   int shown = usual_digits);
-/// "a tolerance of 34.18 %", likewise.
-[[nodiscard]] std::string tolerance_shown(const design::Limits& limits, double tolerance,
-                                          int shown = usual_digits);
+/// The same, or "+-8.63 % of f and -10 to +20 % of delta" of a box of another shape.
+[[nodiscard]] std::string tolerance_text(const design::Limits& limits, double tolerance,
+                                         int shown = usual_digits);
 /// The head and a cell of a table for the tolerance: "+-34.18 %", or that of f and that of delta.
 [[nodiscard]] std::string tolerance_head(const design::Limits& limits);
 [[nodiscard]] std::string tolerance_cell(const design::Limits& limits,
