@@ -15,12 +15,18 @@ namespace {
 /// By the number of variables: where three are moved, 48 leave gaps in which a limit breaks.
 constexpr std::array<std::size_t, most_axes + 1> sample_counts{48, 48, 48, 160, 160};
 constexpr std::size_t few_samples = 16;
-/// After so many, boxes that a sample rules out are dropped: those that did most harm last rule out
-/// most.
-constexpr std::array<std::size_t, 5> sample_stages{2, 8, 20, 56, SIZE_MAX};
-constexpr double last_step = 4e-4;   ///< of a value, relative
-constexpr int most_moves = 6;        ///< at each step
-constexpr double least_move = 2e-4;  ///< that is followed by another with the same step
+/// After so many, boxes that a sample rules out are dropped, since those that did most harm last
+/// rule out most, and of the others all but the best.
+struct SampleStage {
+  std::size_t samples;
+  std::size_t kept;
+};
+constexpr std::array<SampleStage, 5> sample_stages{
+    {{2, SIZE_MAX}, {8, SIZE_MAX}, {20, 8}, {56, 4}, {SIZE_MAX, 1}}};
+constexpr double last_step = 4e-4;  ///< of a value, relative
+constexpr int most_moves = 6;       ///< at each step
+/// Of a step: a move that gains less is not followed by another with the same step.
+constexpr double least_gained = 1.0 / 16;
 /// Of limits that a box misses, in steps: it gets no farther than its moves take it.
 constexpr double out_of_reach = 24;
 /// A candidate that is this much worse than the bar will not get below it: on the map, by a few
@@ -42,7 +48,7 @@ constexpr std::array<std::int64_t, most_axes + 1> most_windows{1, 256, 16, 8, 4}
 constexpr std::array<std::int64_t, most_axes + 1> reaches{1, 6, 3, 1, 1};
 constexpr std::array<std::size_t, most_axes + 1> most_refined{1, 2, 2, 3, 3};
 constexpr std::array<std::size_t, most_axes + 1> pool_sizes{1, 24, 48, 48, 48};
-constexpr std::array<std::size_t, most_axes + 1> candidate_counts{1, 4, 6, 8, 8};
+constexpr std::array<std::size_t, most_axes + 1> candidate_counts{1, 4, 6, 6, 8};
 
 /// The surest as it was found stays the first; then the surest now, then the others by merit.
 void by_promise(std::vector<BoxedDamper>& list) {
@@ -68,9 +74,9 @@ SuiteSearch::SuiteSearch(const Suite& suite, const RecordDesignRequest& task,
       task_(task),
       space_(space),
       goal_(goal),
-      limits_(goal.limits),
       watch_(watch),
       brief_(brief),
+      known_(space),
       samples_(box_samples(space, sample_counts.at(space.searched()))) {}
 
 std::vector<SuiteFigures> SuiteSearch::figures(const std::vector<SuiteDamper>& dampers) {
@@ -79,6 +85,7 @@ std::vector<SuiteFigures> SuiteSearch::figures(const std::vector<SuiteDamper>& d
   }
   std::vector<SuiteFigures> list = suite_.figures(dampers, task_.threads);
   watch_.evaluated(std::ssize(dampers));
+  known_.add(dampers, list);
   return list;
 }
 
@@ -106,7 +113,7 @@ BoxedDamper SuiteSearch::sampled(const SuiteDamper& damper) {
     sorted.push_back(samples_[i]);
   }
   samples_ = std::move(sorted);
-  return boxed(damper, worst);
+  return known(damper);
 }
 
 std::vector<BoxedDamper> SuiteSearch::roughly(const std::vector<BoxedDamper>& found) {
@@ -165,11 +172,17 @@ BoxedDamper SuiteSearch::best_of(const std::vector<SuiteDamper>& dampers, const 
   std::vector<BoxedDamper> left;
   left.reserve(dampers.size());
   for (const SuiteDamper& damper : dampers) {
-    left.push_back(boxed(damper, {}));
+    left.push_back(known(damper));
   }
+  const auto keep = [&](std::size_t most) {
+    std::erase_if(left, [&](const BoxedDamper& each) { return !(each.rank < bar.rank); });
+    std::ranges::stable_sort(left, {}, &BoxedDamper::rank);
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(std::min(left.size(), most)), left.end());
+  };
+  keep(SIZE_MAX);
   std::size_t begin = 0;
-  for (const std::size_t stage : sample_stages) {
-    const std::size_t end = std::min(stage, samples_.size());
+  for (const SampleStage& stage : sample_stages) {
+    const std::size_t end = std::min(stage.samples, samples_.size());
     std::vector<SuiteDamper> tries;
     for (const BoxedDamper& each : left) {
       for (std::size_t i = begin; i < end; ++i) {
@@ -184,10 +197,10 @@ BoxedDamper SuiteSearch::best_of(const std::vector<SuiteDamper>& dampers, const 
       }
       each.rank = rank(each.worst, goal_);
     }
-    std::erase_if(left, [&](const BoxedDamper& each) { return !(each.rank < bar.rank); });
+    keep(stage.kept);
     begin = end;
   }
-  return left.empty() ? bar : *std::ranges::min_element(left, {}, &BoxedDamper::rank);
+  return left.empty() ? bar : left.front();
 }
 
 /// Half of that of the finest map.
@@ -203,29 +216,33 @@ double SuiteSearch::first_step() const {
 }
 
 BoxedDamper SuiteSearch::polished(const BoxedDamper& from, double step, bool enough, double bar) {
-  constexpr double coarse = 4;  // is enough where only the limits matter, or with many variables
-  const double last = (enough || space_.searched() > 2 ? coarse : 1) * last_step;
+  constexpr double coarse = 4;  // is enough for what may be off by more
+  const double last = (space_.toleranced() > 0 ? coarse : 1) * last_step;
   BoxedDamper best = sampled(from.damper);
-  for (; step > last && !(enough && best.rank.off == 0) && merit(best) < bar * (1 + step) &&
+  for (; step > last && !(enough && best.rank.off == 0) && best.rank.value < bar * (1 + step / 2) &&
          (enough || best.rank.off < out_of_reach * step);
        step /= 2) {
     const double off = best.rank.off;
     for (int i = 0; i < most_moves && !watch_.stopped(); ++i) {
+      const SuiteRank before = best.rank;
       BoxedDamper now = best;
       for (const bool far : {false, true}) {
-        now = now.rank < best.rank ? now : best_of(around(best.damper, step, far), best);
+        now = now.rank < before ? now : best_of(around(best.damper, step, far), best);
       }
-      if (!(now.rank < best.rank)) {
+      best = known(best.damper);  // its neighbours may have told more of it
+      if (now.rank < best.rank) {
+        best = sampled(now.damper);
+      } else if (best.rank == before) {
         break;
       }
-      const SuiteRank before = best.rank;
-      best = sampled(now.damper);
-      if (best.rank.off > before.off - least_move &&
-          best.rank.value > (1 - least_move) * before.value) {
+      const double least = least_gained * step;
+      if (best.rank.off <= before.off && best.rank.off > before.off - least &&
+          best.rank.value <= before.value && best.rank.value > (1 - least) * before.value) {
         break;
       }
     }
-    if (!enough && best.rank.off > far_off && off - best.rank.off < least_mended * off) {
+    if (!enough && std::min(off, best.rank.off) > far_off &&
+        off - best.rank.off < least_mended * off) {
       break;
     }
   }

@@ -3,6 +3,7 @@
 
 // The best damper of a space with its box: docs/records-design.md section 2.
 
+#include "record/known_dampers.hpp"
 #include "record/suite_boxes.hpp"
 #include "record/suite_samples.hpp"
 
@@ -10,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace stillpoint::design {
@@ -57,6 +59,10 @@ class SuiteSearch {
   [[nodiscard]] BoxedDamper boxed(const SuiteDamper& damper, const SuiteFigures& worst) const {
     return {damper, worst, rank(worst, goal_)};
   }
+  /// By what is known of it.
+  [[nodiscard]] BoxedDamper known(const SuiteDamper& damper) const {
+    return boxed(damper, known_.worst(damper));
+  }
   [[nodiscard]] std::vector<SuiteFigures> figures(const std::vector<SuiteDamper>& dampers);
   [[nodiscard]] BoxedDamper sampled(const SuiteDamper& damper);
   [[nodiscard]] std::vector<BoxedDamper> shortlist(const std::vector<BoxedDamper>& found,
@@ -70,22 +76,19 @@ class SuiteSearch {
   [[nodiscard]] double first_step() const;
   /// At most that many times half the step, which it leaves in `grid`.
   [[nodiscard]] BoxedDamper refined(BoxedDamper candidate, SuiteGrid& grid, int levels);
+  void learn(std::span<const SuitePlace> places, const std::vector<SuiteFigures>& all);
   /// With few digits, if that costs next to nothing.
   [[nodiscard]] BoxedDamper rounded(const BoxedDamper& found);
   [[nodiscard]] BoxedDamper clear(const BoxedDamper& found) const;
-  /// Near one that failed, by the samples that it broke and limits that are smaller.
-  [[nodiscard]] BoxedDamper mended(const BoxedDamper& failed, const SuiteFigures& worst);
-  void tighten(const SuiteFigures& worst);
 
   const Suite& suite_;
   const RecordDesignRequest& task_;
   const SuiteSpace& space_;
   SuiteGoal goal_;
-  SuiteLimits limits_;  ///< as given; those of the goal may be smaller
   SuiteWatch& watch_;
   bool brief_;
+  KnownDampers known_;
   std::vector<SuitePlace> samples_;  ///< those that were worst last come first
-  std::vector<SuitePlace> worst_places_;
   std::optional<BoxedDamper> nearest_;
 };
 

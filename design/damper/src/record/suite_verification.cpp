@@ -8,27 +8,37 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
 #include <numeric>
+#include <span>
+#include <vector>
 
 namespace stillpoint::design {
 
 namespace {
 
-constexpr std::size_t most_learnt = 24;  ///< places where a verification found a limit broken
+/// Places of a box where its verification found a limit broken.
 constexpr std::size_t learnt_at_once = 4;
 constexpr std::size_t first_verified = 500;
 constexpr int most_failures = 8;
 constexpr std::size_t most_verified = 2;
-/// A limit is tightened where it is exceeded by less than this part; what exceeds it by more jumps,
-/// and no smaller limit mends that.
-constexpr double most_tightened = 0.02;
+/// Of each limit, after each failure: what lies on a limit breaks it between the samples.
+constexpr double reserve = 5e-4;
+/// A box that is not better by this part than one that holds is not tried.
+constexpr double worth_verifying = 1e-3;
+
+SuiteLimits tightened(SuiteLimits limits, double part) {
+  for (const SuiteFigureKind& kind : suite_figure_kinds) {
+    if (std::optional<double>& limit = limits.*kind.limit) {
+      *limit *= 1 - part;
+    }
+  }
+  return limits;
+}
 
 }  // namespace
 
 VerifiedBox SuiteSearch::tried(const SuiteDamper& damper) {
-  std::vector<SuitePlace> places = worst_places_;
-  std::ranges::copy(box_samples(space_, verifying_samples), std::back_inserter(places));
+  const std::vector<SuitePlace> places = box_samples(space_, verifying_samples);
   VerifiedBox result{boxed(damper, {}), {}, 0};
   result.of.fill(damper);
   for (std::size_t begin = 0; begin < places.size();) {
@@ -48,24 +58,31 @@ VerifiedBox SuiteSearch::tried(const SuiteDamper& damper) {
       result.box.worst = worse(result.box.worst, all[i]);
     }
     result.samples = static_cast<std::int64_t>(end);
-    // The samples that are worst, for the next box.
-    std::vector<std::size_t> order(all.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto off = [&](std::size_t i) { return excess(all[i], limits_); };
-    std::ranges::stable_sort(order, std::ranges::greater(), off);
-    for (std::size_t k = 0; k < std::min(learnt_at_once, order.size()) && off(order[k]) > 0; ++k) {
-      worst_places_.push_back(places[begin + order[k]]);
-    }
-    begin = end;
-    if (!admissible(result.box.worst, limits_)) {
+    if (!admissible(result.box.worst, goal_.limits)) {
+      learn(std::span(places).subspan(begin, end - begin), all);
       break;
     }
+    begin = end;
   }
-  result.box.rank = rank(result.box.worst, {goal_.figure, limits_});
+  result.box.rank = rank(result.box.worst, goal_);
   if (suite_.figures(damper).margin < least_suite_margin) {
     result.box.rank.off += least_suite_margin;
   }
   return result;
+}
+
+/// The places that are worst come first in every further box.
+void SuiteSearch::learn(std::span<const SuitePlace> places, const std::vector<SuiteFigures>& all) {
+  std::vector<std::size_t> order(all.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto off = [&](std::size_t i) { return excess(all[i], goal_.limits); };
+  std::ranges::stable_sort(order, std::ranges::greater(), off);
+  order.resize(std::min(learnt_at_once, order.size()));
+  for (const std::size_t i : order) {
+    if (off(i) > 0) {
+      samples_.insert(samples_.begin(), places[i]);
+    }
+  }
 }
 
 BoxedDamper SuiteSearch::rounded(const BoxedDamper& found) {
@@ -107,51 +124,25 @@ BoxedDamper SuiteSearch::clear(const BoxedDamper& found) const {
   return found;
 }
 
-void SuiteSearch::tighten(const SuiteFigures& worst) {
-  for (const SuiteFigureKind& kind : suite_figure_kinds) {
-    const std::optional<double>& given = limits_.*kind.limit;
-    std::optional<double>& limit = goal_.limits.*kind.limit;
-    const double part = given ? worst.*kind.value / *given : 0;
-    if (part > 1 && part < 1 + most_tightened) {
-      *limit /= part;
-    }
-  }
-}
-
-BoxedDamper SuiteSearch::mended(const BoxedDamper& failed, const SuiteFigures& worst) {
-  samples_.insert(samples_.begin(),
-                  worst_places_.end() -
-                      static_cast<std::ptrdiff_t>(std::min(learnt_at_once, worst_places_.size())),
-                  worst_places_.end());
-  if (worst_places_.size() > most_learnt) {
-    worst_places_.erase(worst_places_.begin(),
-                        worst_places_.end() - static_cast<std::ptrdiff_t>(most_learnt));
-  }
-  tighten(worst);
-  return polished(failed, first_step());
-}
-
 /// The likeliest is tried first, so that one which has to be mended waits for those that are as
 /// good as what is left of it.
 std::optional<VerifiedBox> SuiteSearch::verified(const std::vector<BoxedDamper>& candidates,
                                                  double bar) {
   struct Candidate {
     BoxedDamper box;
-    SuiteLimits limits;
     int failures{0};
-    std::optional<SuiteFigures> broken;  ///< the worst of a verification that failed
+    bool worse{false};  ///< in its last verification than by its samples
   };
-  const SuiteLimits given = goal_.limits;
   std::vector<Candidate> left;
   left.reserve(candidates.size());
   for (const BoxedDamper& box : candidates) {
-    left.push_back({box, given, 0, {}});
+    left.push_back({box});
   }
   std::optional<VerifiedBox> best;
   std::size_t count = 0;
   const auto is_hopeless = [&](const Candidate& each) {
-    return each.failures == most_failures || !admissible(each.box.worst, limits_) ||
-           each.box.rank.value >= bar;
+    return each.failures == most_failures || !admissible(each.box.worst, goal_.limits) ||
+           each.box.rank.value >= (best ? 1 - worth_verifying : 1) * bar;
   };
   while (count < most_verified && !watch_.stopped()) {
     std::erase_if(left, is_hopeless);
@@ -160,11 +151,12 @@ std::optional<VerifiedBox> SuiteSearch::verified(const std::vector<BoxedDamper>&
     if (next == left.end()) {
       break;
     }
-    goal_.limits = next->limits;
-    if (next->broken) {
-      next->box = mended(next->box, *next->broken);
-      next->limits = goal_.limits;
-      next->broken.reset();
+    if (next->worse) {
+      const SuiteLimits given = goal_.limits;
+      goal_.limits = tightened(given, next->failures * reserve);
+      next->box = polished(next->box, first_step(), false, bar);
+      goal_.limits = given;
+      next->worse = false;
       continue;
     }
     next->box = clear(rounded(next->box));
@@ -172,26 +164,20 @@ std::optional<VerifiedBox> SuiteSearch::verified(const std::vector<BoxedDamper>&
     if (watch_.stopped()) {
       break;
     }
-    if (box.box.rank.off > 0) {
-      next->box.rank = box.box.rank;
-      next->broken = box.box.worst;
-      ++next->failures;
-      continue;
-    }
-    if (box.box.rank.value < bar) {
+    const bool holds = box.box.rank.off == 0;
+    if (holds && box.box.rank.value < bar) {
       best = box;
       bar = box.box.rank.value;
+    }
+    if (holds && box.box.rank.value <= (1 + worth_verifying) * next->box.rank.value) {
       ++count;
-    }
-    // Limits that were tightened may leave room: once more without, by the samples learnt since.
-    if (next->failures > 1 && next->failures < most_failures) {
-      goal_.limits = given;
-      *next = {polished(box.box, first_step()), given, most_failures - 1, {}};
-    } else {
       left.erase(next);
+      continue;
     }
+    next->box.rank.off = box.box.rank.off;
+    next->worse = true;
+    ++next->failures;
   }
-  goal_.limits = given;
   return best;
 }
 

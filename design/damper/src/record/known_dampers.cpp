@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "record/known_dampers.hpp"
+
+#include <cmath>
+
+namespace stillpoint::design {
+
+void KnownDampers::add(std::span<const SuiteDamper> dampers,
+                       std::span<const SuiteFigures> figures) {
+  for (const SuiteDamper& damper : dampers) {
+    SuitePlace values{};
+    for (std::size_t i = 0; i < space_.size(); ++i) {
+      values.at(i) = space_.axes()[i].value(damper);
+    }
+    values_.push_back(values);
+  }
+  figures_.insert(figures_.end(), figures.begin(), figures.end());
+}
+
+SuiteFigures KnownDampers::worst(const SuiteDamper& nominal) const {
+  SuitePlace low{};
+  SuitePlace high{};
+  for (std::size_t i = 0; i < space_.size(); ++i) {
+    const SuiteAxis& axis = space_.axes()[i];
+    const double value = axis.value(nominal);
+    low.at(i) = value * (1 - axis.spread().below);
+    high.at(i) = value * (1 + axis.spread().above);
+  }
+  SuiteFigures all;
+  for (std::size_t k = 0; k < values_.size(); ++k) {
+    bool inside = true;
+    for (std::size_t i = 0; i < most_axes && inside; ++i) {
+      inside = low[i] <= values_[k][i] && values_[k][i] <= high[i];
+    }
+    if (inside) {
+      all = worse(all, figures_[k]);
+    }
+  }
+  return all;
+}
+
+}  // namespace stillpoint::design
