@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "damper.hpp"
+#include "record/suite.hpp"
 #include "suites_of_records.hpp"
 
 #include <iomanip>
@@ -141,6 +142,27 @@ BOOST_AUTO_TEST_CASE(a_damper_without_friction_never_rests) {
   BOOST_TEST(!result.nearest.figures.settled);
   BOOST_TEST(summary(result) ==
              "no damper: the nearest, p = 1, f = 0, delta = 0, does not come to rest");
+}
+
+/// However far off they are.
+BOOST_AUTO_TEST_CASE(the_nearest_is_as_near_to_the_limits_as_any_friction_alone) {
+  RecordDesignRequest request = short_records();
+  request.records.resize(1, request.records.front());
+  request.delta = Interval{0, 0};
+  request.tolerance.f = {0.01, 0.01};
+  for (const double most : {0.08, 0.04, 0.01}) {
+    request.limits = {0.2, most, {}, {}, {}};
+    const RecordDesign none = design::design(request);
+    BOOST_REQUIRE(!none.finding.has_value());
+    const SuiteLimits& limits = none.request.limits;
+    const Suite suite(none.request);
+    double least = HUGE_VAL;
+    for (double f = 1e-3; f < 1; f *= 1.05) {
+      least = std::min(least, excess(suite.figures({none.request.p.low, f, 0}), limits));
+    }
+    constexpr double steps_apart = 1.15;  // of this scan, and of the box
+    BOOST_TEST(excess(none.nearest.figures, limits) <= steps_apart * least);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(each_suggested_limit_suffices) {

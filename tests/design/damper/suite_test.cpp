@@ -2,6 +2,7 @@
 #include "record/suite.hpp"
 #include "check/runge_kutta.hpp"
 #include "damper.hpp"
+#include "record/known_dampers.hpp"
 
 #include "suites_of_records.hpp"
 
@@ -201,6 +202,30 @@ BOOST_AUTO_TEST_CASE(a_map_of_boxes_has_the_worst_about_each_place) {
   BOOST_REQUIRE(map.figures.size() == 100);
   BOOST_TEST(std::abs(map.figures[40].peak - worst.peak) <= hand_tolerance);
   BOOST_TEST(std::abs(map.figures[40].acceleration - worst.acceleration) <= hand_tolerance);
+}
+
+/// Whatever the rounding of 1/p, from which a period is read back.
+BOOST_AUTO_TEST_CASE(a_box_knows_its_own_corners) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> value(0.5, 2);
+  for (int i = 0; i < 1000; ++i) {
+    RecordDesignRequest request;
+    const double p = value(random);
+    request.p = {p, p};
+    request.f = Interval{0.01, 1};
+    request.delta = Interval{0, 0};
+    request.tolerance.f = {0.1, 0.2};
+    request.tolerance.period = {0.05, 0.03};
+    const SuiteSpace space(request, SuiteFrictions::constant);
+    const SuiteDamper nominal{p, 0.1 * value(random), 0, 0};
+    for (const SuitePlace& corner : {SuitePlace{-1, -1}, {-1, 1}, {1, -1}, {1, 1}}) {
+      SuiteFigures figures;
+      figures.peak = 1;
+      KnownDampers known(space);
+      known.add(std::array{space.off(nominal, corner)}, std::array{figures});
+      BOOST_TEST(known.worst(nominal).peak == 1, "p = " << p << ", f = " << nominal.f);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

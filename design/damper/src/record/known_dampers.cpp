@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "record/known_dampers.hpp"
 
-#include <cmath>
-
 namespace stillpoint::design {
 
 void KnownDampers::add(std::span<const SuiteDamper> dampers,
@@ -18,13 +16,14 @@ void KnownDampers::add(std::span<const SuiteDamper> dampers,
 }
 
 SuiteFigures KnownDampers::worst(const SuiteDamper& nominal) const {
+  constexpr double rounding = 1e-12;  // of a period, which a damper has as 1/p
   SuitePlace low{};
   SuitePlace high{};
   for (std::size_t i = 0; i < space_.size(); ++i) {
     const SuiteAxis& axis = space_.axes()[i];
     const double value = axis.value(nominal);
-    low.at(i) = value * (1 - axis.spread().below);
-    high.at(i) = value * (1 + axis.spread().above);
+    low.at(i) = value * (1 - axis.spread().below) * (1 - rounding);
+    high.at(i) = value * (1 + axis.spread().above) * (1 + rounding);
   }
   SuiteFigures all;
   for (std::size_t k = 0; k < values_.size(); ++k) {

@@ -12,7 +12,7 @@
 
 namespace stillpoint::design {
 
-/// Those of one space that were computed.
+/// Those that one search sampled.
 class KnownDampers {
  public:
   explicit KnownDampers(const SuiteSpace& space) : space_(space) {}

@@ -121,18 +121,22 @@ bool SuiteScan::has_promising_neighbour(const Index& index, std::int64_t stride,
   });
 }
 
+SuitePlace SuiteScan::place(const Index& index) const {
+  SuitePlace logs{};
+  for (std::size_t i = 0; i < space_.size(); ++i) {
+    const GridSide& side = finest_.at(i);
+    logs.at(i) = side.first + static_cast<double>(index.at(i)) * side.step;
+  }
+  return logs;
+}
+
 void SuiteScan::compute(const std::vector<Index>& list) {
   constexpr std::size_t block = 1024;  // between two checks of whether to go on
   for (std::size_t begin = 0; begin < list.size() && !watch_.stopped(); begin += block) {
     const std::size_t end = std::min(begin + block, list.size());
     std::vector<SuiteDamper> dampers;
     for (std::size_t k = begin; k < end; ++k) {
-      SuitePlace logs{};
-      for (std::size_t i = 0; i < space_.size(); ++i) {
-        const GridSide& side = finest_.at(i);
-        logs.at(i) = side.first + static_cast<double>(list[k].at(i)) * side.step;
-      }
-      dampers.push_back(space_.at(logs));
+      dampers.push_back(space_.at(place(list[k])));
     }
     const std::vector<SuiteFigures> figures = suite_.figures(dampers, threads_);
     for (std::size_t k = begin; k < end; ++k) {
@@ -171,6 +175,25 @@ bool SuiteScan::may_have(const SuiteGoal& goal) const {
     }
   }
   return false;
+}
+
+std::optional<SuiteDamper> SuiteScan::nearest(const SuiteGoal& goal) const {
+  SuitePlace best{};
+  std::optional<SuiteRank> least;
+  for (const Index& index : of_stride(1)) {
+    const std::size_t at = flat(index);
+    if (known_[at] && (!least || rank(figures_[at], goal) < *least)) {
+      least = rank(figures_[at], goal);
+      best = place(index);
+    }
+  }
+  if (!least) {
+    return std::nullopt;
+  }
+  for (std::size_t i = 0; i < space_.size(); ++i) {
+    best.at(i) = std::clamp(best.at(i), space_.axes()[i].low(), space_.axes()[i].high());
+  }
+  return space_.at(best);
 }
 
 SuiteGrid SuiteScan::grid() const {

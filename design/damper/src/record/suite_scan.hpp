@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace stillpoint::design {
@@ -26,6 +27,9 @@ class SuiteScan {
   /// points tell.
   [[nodiscard]] bool may_have(const SuiteGoal& goal) const;
 
+  /// Of the dampers that were computed, the one that is off the limits least.
+  [[nodiscard]] std::optional<SuiteDamper> nearest(const SuiteGoal& goal) const;
+
   /// The grid of the last look, its points, where those that were not computed count as unsettled,
   /// and its boxes.
   [[nodiscard]] SuiteGrid grid() const;
@@ -42,6 +46,7 @@ class SuiteScan {
   [[nodiscard]] std::int64_t points_of_stride(std::int64_t stride) const;
   [[nodiscard]] bool has_promising_neighbour(const Index& index, std::int64_t stride,
                                              const SuiteGoal& goal, double bar) const;
+  [[nodiscard]] SuitePlace place(const Index& index) const;
   void compute(const std::vector<Index>& list);
 
   const Suite& suite_;

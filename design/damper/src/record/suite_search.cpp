@@ -46,7 +46,7 @@ constexpr double spacing = 0.25;
 /// Steps to a box, and to each side of a candidate, by the number of axes.
 constexpr std::array<std::int64_t, most_axes + 1> most_windows{1, 256, 16, 8, 4};
 constexpr std::array<std::int64_t, most_axes + 1> reaches{1, 6, 3, 1, 1};
-constexpr std::array<std::size_t, most_axes + 1> most_refined{1, 2, 2, 3, 3};
+constexpr std::array<std::size_t, most_axes + 1> most_refined{1, 2, 2, 2, 2};
 constexpr std::array<std::size_t, most_axes + 1> pool_sizes{1, 24, 48, 48, 48};
 constexpr std::array<std::size_t, most_axes + 1> candidate_counts{1, 4, 6, 6, 8};
 
@@ -219,8 +219,8 @@ BoxedDamper SuiteSearch::polished(const BoxedDamper& from, double step, bool eno
   constexpr double coarse = 4;  // is enough for what may be off by more
   const double last = (space_.toleranced() > 0 ? coarse : 1) * last_step;
   BoxedDamper best = sampled(from.damper);
-  for (; step > last && !(enough && best.rank.off == 0) && best.rank.value < bar * (1 + step / 2) &&
-         (enough || best.rank.off < out_of_reach * step);
+  for (; step >= last && !(enough && best.rank.off == 0) &&
+         best.rank.value < bar * (1 + step / 2) && (enough || best.rank.off < out_of_reach * step);
        step /= 2) {
     const double off = best.rank.off;
     for (int i = 0; i < most_moves && !watch_.stopped(); ++i) {
@@ -230,7 +230,7 @@ BoxedDamper SuiteSearch::polished(const BoxedDamper& from, double step, bool eno
         now = now.rank < before ? now : best_of(around(best.damper, step, far), best);
       }
       best = known(best.damper);  // its neighbours may have told more of it
-      if (now.rank < best.rank) {
+      if (now.rank < before) {
         best = sampled(now.damper);
       } else if (best.rank == before) {
         break;

@@ -186,9 +186,10 @@ class TaskSearch {
     std::optional<VerifiedBox> nearest;
     for (const Mapped& here : maps_) {
       SuiteSearch search(suite_, task_, here.space, goal, watch_);
-      for (const BoxedDamper& each :
-           here.nearest ? std::vector{*here.nearest} : here.scan.map().best(goal, 1)) {
-        VerifiedBox box = search.tried(each.damper);
+      const std::optional<SuiteDamper> damper =
+          here.nearest ? here.nearest->damper : here.scan.nearest(goal);
+      if (damper) {
+        VerifiedBox box = search.tried(*damper);
         if (!nearest || box.box.rank < nearest->box.rank) {
           nearest = box;
         }

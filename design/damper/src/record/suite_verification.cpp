@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
+#include <ranges>
 #include <span>
 #include <vector>
 
@@ -78,7 +79,7 @@ void SuiteSearch::learn(std::span<const SuitePlace> places, const std::vector<Su
   const auto off = [&](std::size_t i) { return excess(all[i], goal_.limits); };
   std::ranges::stable_sort(order, std::ranges::greater(), off);
   order.resize(std::min(learnt_at_once, order.size()));
-  for (const std::size_t i : order) {
+  for (const std::size_t i : std::views::reverse(order)) {
     if (off(i) > 0) {
       samples_.insert(samples_.begin(), places[i]);
     }
@@ -156,6 +157,7 @@ std::optional<VerifiedBox> SuiteSearch::verified(const std::vector<BoxedDamper>&
       goal_.limits = tightened(given, next->failures * reserve);
       next->box = polished(next->box, first_step(), false, bar);
       goal_.limits = given;
+      next->box.rank = rank(next->box.worst, goal_);
       next->worse = false;
       continue;
     }
