@@ -38,6 +38,11 @@ bool bounds_nothing(const design::Constraint& now) {
   return now.relation.front() == '>' && now.limit <= 0;
 }
 
+/// The limit is a signed square root, negative where no f is small enough.
+bool nothing_meets(const design::Constraint& now) {
+  return now.relation.front() == '<' && now.limit < 0;
+}
+
 using records::decimal;
 using records::Rounding;
 
@@ -66,6 +71,9 @@ std::string requirement(const design::Constraint& now, const FigureUnits& units,
   if (bounds_nothing(now)) {
     return format("any {}", now.variable);
   }
+  if (nothing_meets(now)) {
+    return format("no {} meets it", now.variable);
+  }
   const double limit = now.limit * unit * (upwards ? 1 - conversion : 1 + conversion);
   return format("{} {} {}{}", now.variable, now.relation,
                 limit > 0 ? limit_digits(limit, upwards, shown) : digits(limit),
@@ -89,13 +97,13 @@ void add_constraints(Document& document, std::span<const design::Constraint> con
       continue;
     }
     const auto [unit, unit_name] = units.of(now.dimension());
-    table.rows.push_back(
-        {{in_words(now.name), requirement(now, units, shown),
-          bounds_nothing(now) || !now.known ? "-"
-                                            : few_digits(now.slack * unit) + with_blank(unit_name),
-          now.motion ? scaled_name(now.motion->file, now.motion->scale) : "",
-          now.satisfied ? "met" : "violated"},
-         now.satisfied ? Tone::good : Tone::bad});
+    table.rows.push_back({{in_words(now.name), requirement(now, units, shown),
+                           bounds_nothing(now) || nothing_meets(now) || !now.known
+                               ? "-"
+                               : few_digits(now.slack * unit) + with_blank(unit_name),
+                           now.motion ? scaled_name(now.motion->file, now.motion->scale) : "",
+                           now.satisfied ? "met" : "violated"},
+                          now.satisfied ? Tone::good : Tone::bad});
   }
   Section& section = document.section("Constraints");
   section.detail = std::ranges::all_of(constraints, &design::Constraint::satisfied);

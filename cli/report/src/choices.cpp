@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_rows = 12;  // with the answer, a screen
 
-/// What goes wrong if a constraint is violated: "exceeds 150 mm".
+/// What goes wrong if a constraint is violated: "swings beyond 150 mm".
 std::string consequence(const design::Constraint& violated, const ShownTask& task) {
   const std::string_view name = violated.name;
   const std::string stroke = length_shown(task.physical, task.problem.beta);
@@ -34,9 +34,9 @@ std::string consequence(const design::Constraint& violated, const ShownTask& tas
                       ? " after the weaker hits of the range"
                       : "");
   }
-  return name == "amplitude" ? "exceeds " + stroke
+  return name == "amplitude" ? "swings beyond " + stroke
          : name == "acceleration"
-             ? "exceeds " + acceleration_shown(task.limits.acceleration_max.value_or(0))
+             ? "transmits more than " + acceleration_shown(task.limits.acceleration_max.value_or(0))
          : name == "start"
              ? violated.variable == "f" ? "is held by friction" : "is held by the notch"
          : name == "dead_zone" ? "could be held at " + stroke + " by friction"
@@ -50,6 +50,9 @@ std::string by_how_much(const design::Constraint& violated) {
                                    ? format("the {} of the first swing", measured)
                                    : std::string(measured);
   const bool too_large = violated.relation.front() == '<';
+  if (too_large && violated.limit < 0) {
+    return format("no {} is small enough", variable);
+  }
   const std::string_view how = too_large ? "large" : "small";
   const double off = 100 * std::abs(violated.slack) / (too_large ? violated.limit : violated.value);
   constexpr double far = 1e3;  // per cent

@@ -99,21 +99,23 @@ std::string rest_words(const ShownDamper& shown) {
   }
   if (shown.built != nullptr && shown.built->worst) {
     const design::TriedMotion& farthest = shown.built->worst->farthest;
-    return format("within {} of x = 0{}", rest_shown(shown, std::abs(farthest.rest())),
-                  in_brackets(worst_of_ranges));
+    const std::string rest = rest_shown(shown, std::abs(farthest.rest()));
+    return (rest == "0" ? "at x = 0" : format("within {} of x = 0", rest)) +
+           in_brackets(worst_of_ranges);
   }
   const std::string which = pulse ? "" : extreme_words(problem, "softest");
   const double residual = std::min(problem.residual.value_or(0), problem.beta);
   const design::PulseWorst* const worst = shown.worst();
   const auto arrival = shown.built == nullptr ? shown.judged.arrival : std::nullopt;
-  return format("at x = {} {} {}{}{}{}", rest_shown(shown, *response.stop_position),
-                worst != nullptr ? "within" : "after",
-                time_shown(physical, worst != nullptr ? worst->stop_time : *response.stop_time),
-                arrival && problem.arrivals > 1 ? format(", at arrival {}", *arrival) : "",
-                in_brackets(which),
-                which.empty() || residual == 0 || !shown.admissible
-                    ? ""
-                    : format("; within {} after any other", length_shown(physical, residual)));
+  return format(
+      "at x = {} {} {}{}{}{}", rest_shown(shown, *response.stop_position),
+      worst != nullptr ? "within" : "after",
+      time_shown(physical, worst != nullptr ? worst->stop_time : *response.stop_time),
+      arrival && problem.arrivals > 1 ? format(", at arrival {}", *arrival) : "",
+      in_brackets(which),
+      which.empty() || residual == 0 || !shown.admissible
+          ? ""
+          : format("; within {} of x = 0 for any other", length_shown(physical, residual)));
 }
 
 }  // namespace
@@ -147,14 +149,16 @@ std::string does_words(const ShownDamper& shown) {
   const Response& response = shown.response;
   const Physical& physical = shown.task.physical;
   const double felt = felt_of(shown).value;
+  const design::PulseWorst* const worst = shown.worst();
   if (!moves(response)) {
     return format("the mass never moves, {} transmitted", acceleration_shown(felt));
   }
-  return format(
-      "peak {}, {}, {} transmitted{}", length_shown(physical, peak_of(shown).value),
-      response.stop_time ? "at rest after " + time_shown(physical, *response.stop_time) : "no rest",
-      acceleration_shown(felt),
-      shown.built == nullptr && shown.point.delta > 0 ? " outside the notch" : "");
+  return format("peak {}, {}, {} transmitted{}", length_shown(physical, peak_of(shown).value),
+                !response.stop_time ? "no rest"
+                : worst != nullptr  ? "at rest within " + time_shown(physical, worst->stop_time)
+                                    : "at rest after " + time_shown(physical, *response.stop_time),
+                acceleration_shown(felt),
+                shown.built == nullptr && shown.point.delta > 0 ? " outside the notch" : "");
 }
 
 void add_motion(Section& answer, const ShownDamper& shown) {

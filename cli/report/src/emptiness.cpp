@@ -57,12 +57,13 @@ Way way_of(const design::Mend& mend, const ShownTask& task) {
   return way_of(mend, task.physical, task.limits, task.pulse);
 }
 
-/// "a max displacement of at least 168.8 mm", "f allowed up to 0.05", "at least 2 arrivals".
+/// "a max displacement of at least 168.8 mm", "a limit of at least 0.05 on f", "at least 2
+/// arrivals".
 std::string words_of(const Way& way) {
   constexpr std::string_view largest = "largest ";
   return way.name == "arrivals" ? format("at least {} arrivals", way.bound)
          : way.name.starts_with(largest)
-             ? format("{} allowed up to {}", way.name.substr(largest.size()), way.bound)
+             ? format("a limit of at least {} on {}", way.bound, way.name.substr(largest.size()))
              : format("a {} of at {} {}", way.name, way.upwards ? "least" : "most", way.bound);
 }
 

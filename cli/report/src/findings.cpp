@@ -81,13 +81,16 @@ std::string lock_words(const Told& told) {
   return format("The notch locks the mass at x = {} {}", told["final_position"],
                 told.number("locked_from") == 0
                     ? "throughout the load"
-                    : format("from {} of {} on", told["locked_from"], told["load_end"]));
+                    : format("from {} to the end at {}", told["locked_from"], told["load_end"]));
 }
 
 std::string rest_words(const Told& told) {
   if (told.has("records")) {
     return format("it is held through {}, and the structure feels up to {}", told.records(),
                   told["largest_load"]);
+  }
+  if (!told.has("largest_load") && told.has("stop_position") && told.number("stop_position") == 0) {
+    return "it starts at rest at x = 0, and nothing acts on it";
   }
   return format("{}{} holds it {}", told.text("by") == "notch" ? "the " : "", told.text("by"),
                 told.has("largest_load")
@@ -97,7 +100,7 @@ std::string rest_words(const Told& told) {
 
 std::string changed_words(const std::string& what) {
   return what == "start"  ? "whether it starts"
-         : what == "stop" ? "the number of half-cycles or where it stops"
+         : what == "stop" ? "the number of half-cycles or whether it stops at x = 0"
          : what == "rest" ? "whether it comes to rest"
                           : "whether it locks";
 }
@@ -118,8 +121,8 @@ std::string sensitive_words(const Told& told, const Physical& physical) {
                   told.text("varied") + (told.text("varied") == "f" ? " is" : " are"), changes);
   }
   constexpr int digits = 3;
-  return format("With {} 1 % off either way it rests from x = {} to {}{}{}.", told.text("varied"),
-                length_shown(physical, told.number("rest_low"), digits),
+  return format("With {} 1 % off either way it rests between x = {} and {}{}{}.",
+                told.text("varied"), length_shown(physical, told.number("rest_low"), digits),
                 length_shown(physical, told.number("rest_high"), digits),
                 changes.empty() ? "" : ", and that may change ", changes);
 }
@@ -155,10 +158,12 @@ std::string notch_words(const Told& told, const Physical& physical) {
              : format("In this notch the structure feels {}{}.", value, motion);
 }
 
-/// As it would be ordered: "29 mm".
+/// As an option takes it: "29mm".
 std::string two_digits(const Physical& physical, double length) {
   const double unit = physical ? physical->scales.length_m : 1;
-  return length_shown(physical, records::decimal(length * unit, 2) / unit);
+  std::string text = length_shown(physical, records::decimal(length * unit, 2) / unit);
+  std::erase(text, ' ');
+  return text;
 }
 
 /// Of a search whose best has next to no constant friction.
@@ -177,13 +182,12 @@ std::string words(const design::Finding& finding, const Physical& physical) {
   switch (finding.kind) {
     case FindingKind::acts_late:
       return format(
-          "This is for a notch that acts only after the start; --notch-width{} shows what a real "
-          "one "
-          "does.",
+          "This is for a notch that acts only after the start; design --notch-width{} shows what a "
+          "real one does.",
           told.is_physical() ? "-m" : "");
     case FindingKind::catches_hit:
       return format(
-          "The notch catches the hit, as any below {}: the structure feels it in full, {}.",
+          "The notch catches the hit, as it does any below {}: the structure feels it in full, {}.",
           told["least_velocity"], impulse_shown(physical, told.number("caught_impulse")));
     case FindingKind::catches_weak_hits:
       return format("The notch catches {}, which the structure feels in full: up to {}.",
@@ -203,7 +207,7 @@ std::string words(const design::Finding& finding, const Physical& physical) {
     case FindingKind::delta_unbounded:
       return format(
           "Nothing bounds delta: anything above {} stops the mass, and more only adds tolerance. "
-          "--delta-max{} {} keeps the notch small.",
+          "--delta-max{} {} gives a smaller notch.",
           length_shown(physical, told.number("least_delta")), told.is_physical() ? "-m" : "",
           two_digits(physical, told.number("proposed")));
     case FindingKind::does_not_isolate:
@@ -268,7 +272,8 @@ std::string words(const design::Finding& finding, const Physical& physical) {
       return "Durations and periods between those that were tried are estimated.";
     case FindingKind::recentres_weakly:
       return format(
-          "Re-centring is weak without the notch: E_s/E_h is {:.2g}, EN 15129 asks for {:.2g}.",
+          "Re-centring is weak without the notch: E_s/E_h is {:.2g}, where EN 15129 asks for "
+          "{:.2g}.",
           told.number("energy_ratio"), told.number("limit"));
     case FindingKind::records_exceed_limit:
       return format("{} exceed{} a limit that the mean meets: under {} the {} is {}.",

@@ -197,7 +197,7 @@ std::string of_records(std::size_t count, std::size_t all) {
 
 bool is_exact(const design::SuiteTolerance& of) {
   return of.f.above + of.f.below + of.delta.above + of.delta.below + of.period.above +
-             of.period.below ==
+             of.period.below + of.width.above + of.width.below ==
          0;
 }
 

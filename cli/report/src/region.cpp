@@ -108,7 +108,7 @@ std::string feasible_delta(const RegionReport& report) {
   return !all || all->empty() || all->back().low >= all->back().high * (1 - narrow)
              ? ""
              : format("With any of them, delta of {} {}.", delta_words(*all, report.physical),
-                      tolerant ? "keeps it" : "is admissible");
+                      tolerant ? "keeps that tolerance" : "is admissible");
 }
 
 /// Of several arrivals.
@@ -202,8 +202,9 @@ Document document(const RegionReport& report) {
   }
   if (delta) {
     const auto& feasible = answer.feasible_delta.value();
-    document.answer.row("feasible delta",
-                        feasible.empty() ? "none with this f" : delta_words(feasible, physical));
+    document.answer.row("feasible delta", !feasible.empty()        ? delta_words(feasible, physical)
+                                          : answer.region.feasible ? "none with this f"
+                                                                   : "none with any f");
     add_constraints(document, answer.constraints, physical, of_first_swing(task_of(report)));
   }
   if (f && (!delta || stops_by_delta1(answer.constraints))) {
@@ -212,7 +213,7 @@ Document document(const RegionReport& report) {
                             ? format("{} by the published criterion, {} by the exact one",
                                      length_limit(physical, answer.delta1_published.value(), true),
                                      length_limit(physical, *answer.delta1_exact, true))
-                            : "none: the motion does not return");
+                            : "none is enough: the motion does not return");
   }
   add_region(document.answer, report);
   if (const auto shown = shown_damper(report)) {

@@ -80,7 +80,7 @@ inline constexpr int usual_digits = 4;
 [[nodiscard]] std::string percent_digits(double tolerance, int shown = usual_digits);
 /// Whether more than rounding is left.
 [[nodiscard]] bool leaves_any(double tolerance);
-/// The same, or "+-8.63 % of f and -10 to +20 % of delta" of a box of another shape.
+/// "34.18 %", or "+-8.63 % of f and -10 to +20 % of delta" of a box of another shape.
 [[nodiscard]] std::string tolerance_text(const design::Limits& limits, double tolerance,
                                          int shown = usual_digits);
 /// The head and a cell of a table for the tolerance: "+-34.18 %", or that of f and that of delta.
@@ -127,9 +127,11 @@ void add_constraints(Document& document, std::span<const design::Constraint> con
                      const Physical& physical, std::string_view of_what = {});
 /// What those under a pulse are of; empty after a hit.
 [[nodiscard]] inline std::string_view of_first_swing(const ShownTask& task) {
-  return task.pulse ? "Each is of the motion up to the first return; accelerations are those "
-                      "outside the notch."
-                    : "";
+  return !task.pulse ? ""
+         : task.limits.acceleration_max
+             ? "Each refers to the motion up to the first return; accelerations are those outside "
+               "the notch."
+             : "Each refers to the motion up to the first return.";
 }
 
 /// What the mass feels outside the notch, from x = 0 on, if it feels more in it.

@@ -65,11 +65,16 @@ std::string tolerance_words(const design::Limits& limits, double tolerance, doub
         "f{} must be exact: the damper is within a millionth of an edge of the admissible region",
         notch ? " or delta" : "");
   }
+  const design::BoxShape& shape = limits.shape;
+  if (!notch && shape.f_low + shape.f_high == 0) {
+    return "f must be exact";
+  }
+  const bool both = shape.f_low + shape.f_high > 0 && shape.delta_low + shape.delta_high > 0;
   return !notch ? "f may be off by " + off_by(tolerance * limits.shape.f_low,
                                               tolerance * limits.shape.f_high, usual_digits)
          : limits.shape == design::BoxShape{}
              ? "f and delta may both be off by +-" + tolerance_text(limits, tolerance)
-             : tolerance_text(limits, tolerance) + " at once";
+             : tolerance_text(limits, tolerance) + (both ? " at once" : "");
 }
 
 }  // namespace stillpoint::report

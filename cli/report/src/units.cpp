@@ -131,30 +131,30 @@ std::pair<double, std::string> FigureUnits::of(Dimension dimension) const {
 
 namespace {
 
-std::string with_unit(double value, const std::string& unit) {
+std::string few_with_unit(double value, const std::string& unit) {
   return format("{}{}{}", few_digits(value + 0.0), unit.empty() ? "" : " ", unit);
 }
 
 }  // namespace
 
-std::string FigureUnits::words(records::Dimension dimension, double value) const {
+std::string FigureUnits::words(Dimension dimension, double value) const {
   const auto [unit, name] = of(dimension);
-  return with_unit(value * unit, name);
+  return few_with_unit(value * unit, name);
 }
 std::string FigureUnits::length_words(double value) const {
-  return with_unit(value * length, length_unit);
+  return few_with_unit(value * length, length_unit);
 }
 std::string FigureUnits::place_words(double x) const {
   return x == 0 ? "0" : length_words(x);
 }
 std::string FigureUnits::time_words(double value) const {
-  return (time_unit.empty() ? "τ = " : "") + with_unit(value * time, time_unit);
+  return (time_unit.empty() ? "τ = " : "") + few_with_unit(value * time, time_unit);
 }
 std::string FigureUnits::velocity_words(double value) const {
-  return with_unit(value * velocity, velocity_unit);
+  return few_with_unit(value * velocity, velocity_unit);
 }
 std::string FigureUnits::energy_words(double value) const {
-  return with_unit(value * energy, energy_unit);
+  return few_with_unit(value * energy, energy_unit);
 }
 
 }  // namespace stillpoint::report

@@ -63,7 +63,7 @@ struct FigureUnits {
   [[nodiscard]] std::pair<double, std::string> of(Dimension dimension) const;
 
   /// "137 mm"; the value is dimensionless.
-  [[nodiscard]] std::string words(records::Dimension dimension, double value) const;
+  [[nodiscard]] std::string words(Dimension dimension, double value) const;
   [[nodiscard]] std::string length_words(double value) const;
   /// The same of an x; "0" alone.
   [[nodiscard]] std::string place_words(double x) const;

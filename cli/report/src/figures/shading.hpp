@@ -19,7 +19,7 @@ namespace stillpoint::report {
 /// Of a value between the first bound and the last; a bound belongs to the class below it.
 [[nodiscard]] std::size_t class_of(double value, const std::vector<double>& bounds);
 
-/// A shade of cells with values from `low` to `high`, written among them: "0.210 to 0.233 g", or
+/// A shade of cells with values from `low` to `high`, written among them: "0.21 to 0.233 g", or
 /// "≈ 0.222 g" of those that hardly differ.
 [[nodiscard]] figures::MapShade shade(std::string colour, const std::string& name, double low,
                                       double high, const std::string& unit,
