@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
-#include <ranges>
 #include <span>
 #include <vector>
 
@@ -79,7 +78,8 @@ void SuiteSearch::learn(std::span<const SuitePlace> places, const std::vector<Su
   const auto off = [&](std::size_t i) { return excess(all[i], goal_.limits); };
   std::ranges::stable_sort(order, std::ranges::greater(), off);
   order.resize(std::min(learnt_at_once, order.size()));
-  for (const std::size_t i : std::views::reverse(order)) {
+  std::ranges::reverse(order);
+  for (const std::size_t i : order) {
     if (off(i) > 0) {
       samples_.insert(samples_.begin(), places[i]);
     }
