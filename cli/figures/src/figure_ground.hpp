@@ -11,7 +11,7 @@
 namespace stillpoint::figures {
 
 struct Ground {
-  Ground(const Figure& figure, const Plane& plane);
+  Ground(const Figure& drawn, const Plane& plot);
 
   const Figure& figure;
   Plane plane;

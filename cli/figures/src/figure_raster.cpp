@@ -100,8 +100,9 @@ Box Raster::extent() const {
   Box box{HUGE_VAL, HUGE_VAL, 0, 0};
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     if (cells_[i] != 0) {
+      const std::size_t row = i / columns_;
       const double left = cell * static_cast<double>(i % columns_);
-      const double top = cell * static_cast<double>(i / columns_);
+      const double top = cell * static_cast<double>(row);
       box = {std::min(box.left, left), std::min(box.top, top), std::max(box.right, left + cell),
              std::max(box.bottom, top + cell)};
     }

@@ -68,8 +68,8 @@ std::pair<std::string, std::string> told_apart(const Physical& physical, Dimensi
   const auto shown = [factor = unit, after = with_blank(name)](double of, int digits) {
     return format("{:.{}g}{}", of * factor, digits, after);
   };
-  const std::pair usual{figure_shown(physical, dimension, value),
-                        figure_shown(physical, dimension, limit)};
+  std::pair usual{figure_shown(physical, dimension, value),
+                  figure_shown(physical, dimension, limit)};
   if (value <= limit || usual.first != usual.second) {
     return usual;
   }

@@ -11,6 +11,7 @@ using figures::FigurePoint;
 
 std::vector<double> evenly(double from, double to, int count) {
   std::vector<double> places;
+  places.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     places.push_back(std::lerp(from, to, static_cast<double>(i) / (count - 1)));
   }

@@ -132,7 +132,7 @@ ShownAnswer shown(const RegionReport& report) {
     now.design = boxed_damper(task, *request.f, *request.delta);
     now.design->tolerance = answer.tolerance;
     now.design->arrival = answer.arrival;
-    add_worst(now.cases.front(), task, *now.design, under ? under->worst : std::nullopt);
+    add_worst(now.cases.front(), task, *now.design, under != nullptr ? under->worst : std::nullopt);
   }
   add_judged(now, task, request.f, request.delta, answer);
   add_catalogue(now, report.catalogue, task);
