@@ -42,10 +42,9 @@ json at_place(const json& report, const std::string& place) {
 /// A command with its report.
 class Reported {
  public:
-  explicit Reported(const Wrong& told) : input_{.input = told.input} {
+  explicit Reported(const Wrong& told) : input_{.input = told.input}, arguments_(told.arguments) {
     write_files(sandbox_, told);
     fs::create_directory_symlink(STILLPOINT_DATA_DIR, sandbox_.path("data"));
-    arguments_ = told.arguments;
     run_ = sandbox_.run(arguments_ + "--json", input_);
     check_only_finite(run_.out);
   }

@@ -23,8 +23,11 @@ constexpr double widest = 0.995;
 Scanned worst(const PulseRequest& request, double f) {
   Scanned worst{.f = f, .holds = true};
   for (int i = 0; i < 45 && worst.holds; ++i) {
-    const Scanned now =
-        scanned(request, at_parts(request.problem, i % 3 / 2.0, i / 3 % 5 / 4.0, i / 15 / 2.0), f);
+    const int strength = i % 3;
+    const int duration = i / 3 % 5;
+    const int spring = i / 15;
+    const Scanned now = scanned(
+        request, at_parts(request.problem, strength / 2.0, duration / 4.0, spring / 2.0), f);
     worst.holds = now.holds;
     worst.need = std::max(worst.need, now.need);
   }
