@@ -136,7 +136,8 @@ std::optional<WayResult> search_way(const Way& way, const SearchOptions& options
   BestPoint by_nlopt(way, objective);
   const auto consider = [&](double x) {
     const double f = way.f_of(x * way.a_cap);
-    by_nlopt.consider(f > 0 ? std::clamp(f, range->f.low, range->f.high) : f);
+    // Not std::clamp: the ends of a region that is a point may cross by rounding.
+    by_nlopt.consider(f > 0 ? std::max(range->f.low, std::min(f, range->f.high)) : f);
   };
   consider(outcome.x[0]);
   if (algorithm.constraints == ConstraintSupport::no) {
