@@ -91,6 +91,14 @@ std::string rest_shown(const ShownDamper& shown, double x) {
   return length_shown(shown.task.physical, centre ? 0 : x);
 }
 
+/// "after 1.4461 s"; over the ranges of a pulse "within 1.4566 s".
+std::string stop_words(const ShownDamper& shown) {
+  const design::PulseWorst* const worst = shown.worst();
+  return (worst != nullptr ? "within " : "after ") +
+         time_shown(shown.task.physical,
+                    worst != nullptr ? worst->stop_time : shown.response.stop_time.value());
+}
+
 std::string rest_words(const ShownDamper& shown) {
   const auto& [problem, limits, pulse, ranges, physical] = shown.task;
   const Response& response = shown.response;
@@ -105,12 +113,9 @@ std::string rest_words(const ShownDamper& shown) {
   }
   const std::string which = pulse ? "" : extreme_words(problem, "softest");
   const double residual = std::min(problem.residual.value_or(0), problem.beta);
-  const design::PulseWorst* const worst = shown.worst();
   const auto arrival = shown.built == nullptr ? shown.judged.arrival : std::nullopt;
   return format(
-      "at x = {} {} {}{}{}{}", rest_shown(shown, *response.stop_position),
-      worst != nullptr ? "within" : "after",
-      time_shown(physical, worst != nullptr ? worst->stop_time : *response.stop_time),
+      "at x = {} {}{}{}{}", rest_shown(shown, *response.stop_position), stop_words(shown),
       arrival && problem.arrivals > 1 ? format(", at arrival {}", *arrival) : "",
       in_brackets(which),
       which.empty() || residual == 0 || !shown.admissible
@@ -149,14 +154,11 @@ std::string does_words(const ShownDamper& shown) {
   const Response& response = shown.response;
   const Physical& physical = shown.task.physical;
   const double felt = felt_of(shown).value;
-  const design::PulseWorst* const worst = shown.worst();
   if (!moves(response)) {
     return format("the mass never moves, {} transmitted", acceleration_shown(felt));
   }
   return format("peak {}, {}, {} transmitted{}", length_shown(physical, peak_of(shown).value),
-                !response.stop_time ? "no rest"
-                : worst != nullptr  ? "at rest within " + time_shown(physical, worst->stop_time)
-                                    : "at rest after " + time_shown(physical, *response.stop_time),
+                response.stop_time ? "at rest " + stop_words(shown) : "no rest",
                 acceleration_shown(felt),
                 shown.built == nullptr && shown.point.delta > 0 ? " outside the notch" : "");
 }

@@ -20,7 +20,6 @@ namespace stillpoint::report {
 using IfReal = std::optional<double>;
 using IfCount = std::optional<std::int64_t>;
 using IfRange = std::optional<Interval>;
-using Name = std::optional<std::string>;
 
 inline constexpr auto objectives =
     std::to_array<std::string_view>({"robust", "amplitude", "time", "acceleration", "residual"});

@@ -34,6 +34,7 @@ struct nlohmann::adl_serializer<std::optional<Value>> {
 namespace stillpoint::report {
 
 using stillpoint::in;
+using Name = std::optional<std::string>;
 
 /// The period of the spring alone, in tau.
 [[nodiscard]] inline double turn(double p) {

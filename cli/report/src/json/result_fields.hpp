@@ -20,8 +20,6 @@
 
 namespace stillpoint::report {
 
-using Name = std::optional<std::string>;
-
 inline constexpr auto relations = std::to_array<std::string_view>({"<", "<=", ">=", ">"});
 inline constexpr auto constrained = std::to_array<std::string_view>(
     {"f", "delta", "v0", "peak", "acceleration", "residual", "jump"});

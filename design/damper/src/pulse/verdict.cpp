@@ -147,8 +147,7 @@ std::string reason_of(const Region& found, const PulseRegion& region, const Puls
                  ? "without a notch (delta = 0) the mass rests up to f/p^2 off centre, not at "
                    "x = 0, where a design for a pulse stops it"
                  : "at every f that meets the other requirements the mass arrives too fast for a "
-                   "notch with "
-                   "the largest delta allowed" +
+                   "notch with the largest delta allowed" +
                        box;
   }
 }
