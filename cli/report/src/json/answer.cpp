@@ -5,6 +5,9 @@
 
 #include <stillpoint/report/schemas.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace stillpoint::report {
 
 std::optional<std::vector<std::string_view>> conflict_of(const design::Region& region) {
@@ -32,12 +35,62 @@ std::optional<std::vector<std::string_view>> conflict_of(const design::Region& r
   return std::nullopt;
 }
 
+Worst worst_of(const Response& motion) {
+  return {motion.peak_amplitude, motion.peak_absolute_acceleration,
+          motion.stop_position ? IfReal(std::abs(*motion.stop_position)) : IfReal(),
+          motion.stop_time, motion.jump};
+}
+
 Worst worst_of(const design::SuiteFigures& figures) {
   return {figures.peak, figures.acceleration, figures.residual, {}, figures.jump};
 }
 
 std::optional<Worst> settled(const design::SuiteFigures& figures) {
   return figures.settled ? std::optional(worst_of(figures)) : std::nullopt;
+}
+
+IfReal AnswerSi::mended(std::string_view field, bool by_stiffness) const {
+  const auto found = std::ranges::find(answer->mends, field, &design::Mend::field);
+  if (found == answer->mends.end() || (by_stiffness && !scales().mass_kg)) {
+    return std::nullopt;
+  }
+  design::PhysicalInput given = input;
+  given.by_frequency = false;
+  given.by_stiffness = by_stiffness;
+  return times(physical_mend(given, *found)->value, 1);
+}
+
+std::optional<std::vector<HitsSi>> AnswerSi::hits() const {
+  if (!answer->hits || answer->input.pulse) {
+    return std::nullopt;
+  }
+  std::vector<HitsSi> rows;
+  for (const design::Hits& row : *answer->hits) {
+    rows.push_back({row});
+  }
+  return rows;
+}
+
+std::optional<AnswerSi> ShownAnswer::in_si() const {
+  if (!units) {
+    return std::nullopt;
+  }
+  AnswerSi si{{.input = *units,
+               .velocity_m_per_s = velocity_m_per_s,
+               .f = design ? std::optional(design->f) : input.f,
+               .delta = design ? std::optional(design->delta) : input.delta,
+               .practice = of_judged(&Judged::practice)(*this),
+               .notch_width_min = of_judged(&Judged::notch_width_min)(*this),
+               .lambda = input.lambda,
+               .duration = pulse_duration},
+              this};
+  if (region == nullptr) {  // under records, whose motions have their own
+    si.input.max_displacement_m =
+        input.beta ? units->scales.in_si(Dimension::length, *input.beta) : std::nullopt;
+  } else if (const auto& motions = cases.front().motions; !motions.empty()) {
+    si.motion = motions.front().response;
+  }
+  return si;
 }
 
 namespace {

@@ -7,6 +7,7 @@
 #include "choices.hpp"
 #include "json/asked_fields.hpp"
 #include "json/head_fields.hpp"
+#include "json/physical_fields.hpp"
 #include "json/result_fields.hpp"
 #include "json/schema.hpp"
 #include "sections.hpp"
@@ -84,27 +85,48 @@ struct WorstInBox : Worst {
                                       "for each figure the damper of the box and the motion"}});
 };
 
-/// A motion under a load.
-struct ShownLoaded {
-  std::string what;
-  IfReal v0{}, p{}, k{}, lambda{}, scale{}, pga{};
-  std::optional<bool> from_inside{};
-  ShownResponse response;
-  std::optional<TwinsSi> physical{};
+/// Of a motion alone.
+struct ResponseSi {
+  std::optional<ShownResponse> motion;
 
+  static constexpr auto field_table = twins<fields<ShownResponse>>([](auto get) {
+    return IfAny{&ResponseSi::motion, get};
+  });
+};
+/// A motion under a hit, a pulse or a record.
+struct ShownLoaded {
+  const Physical& units;
+  IfReal v0, p;
+  std::optional<design::Pulse> pulse;
+  ShownResponse response;
+  const design::SuiteRecord* record{nullptr};
+  std::optional<bool> from_inside{};
+
+  [[nodiscard]] std::string what() const {
+    return record != nullptr ? record->name : std::string(pulse ? design::name(*pulse) : "hit");
+  }
+  [[nodiscard]] std::optional<ResponseSi> in_si() const {
+    return units ? std::optional(ResponseSi{response}) : std::nullopt;
+  }
   using Now = ShownLoaded;
+  using Pulse = design::Pulse;
+  using Record = design::SuiteRecord;
   static constexpr std::tuple field_table{
       Field{"what", &Now::what, "hit, the shape of the pulse, or the file of the record"},
-      Field{"v0", &Now::v0, "of a hit"},
+      Field{"v0", [](const auto& now) { return now.pulse ? IfReal() : now.v0; }, "of a hit"},
       Field{"p", &Now::p},
-      Field{"k", &Now::k, "of a pulse, like lambda"},
-      Field{"lambda", &Now::lambda},
-      Field{"scale", &Now::scale, "the factor on the values of a record", any_number},
-      Field{"pga", &Now::pga, "the largest |W| of a record in g, with that factor"},
+      Field{"k", IfAny{&Now::pulse, [](const Pulse& pulse) { return design::peak_load(pulse); }},
+            "of a pulse, like lambda"},
+      Field{"lambda", IfAny{&Now::pulse,
+                            [](const Pulse& pulse) { return design::angular_frequency(pulse); }}},
+      Field{"scale", IfAny{&Now::record, &Record::scale}, "the factor on the values of a record",
+            any_number},
+      Field{"pga", IfAny{&Now::record, [](const Record& of) { return design::peak_load(of); }},
+            "the largest |W| of a record in g, with that factor"},
       Field{"from_inside", &Now::from_inside,
             "of a notch as built: whether it acts from the start; else null"},
       Field{"response", &Now::response},
-      Field{"physical", &Now::physical, "the response in SI units"}};
+      Field{"physical", &Now::in_si, "the response in SI units"}};
 };
 
 struct ShownLoad {
@@ -166,28 +188,45 @@ struct ShownPart : design::RatedPart {
 };
 
 struct ShownNotch {
-  IfReal friction{};
-  bool changes_nothing{false};
+  const design::BuiltNotch& built;
   ShownLoaded motion;
-  std::optional<ShownLoaded> from_start{}, farthest{}, peak{}, felt{};
 
+  [[nodiscard]] std::optional<ShownLoaded> from_start() const {
+    std::optional<ShownLoaded> shown;
+    if (built.from_start) {
+      shown.emplace(motion).response = ShownResponse(*built.from_start);
+    }
+    return shown;
+  }
+  static constexpr auto tried = [](design::TriedMotion design::WorstMotions::*most) {
+    return [most](const auto& now) {
+      std::optional<ShownLoaded> shown;
+      if (now.built.worst) {
+        const design::TriedMotion& of = (*now.built.worst).*most;
+        shown.emplace(ShownLoaded{now.motion.units, of.v0, of.p, of.pulse,
+                                  ShownResponse(of.response), nullptr, of.from_inside});
+      }
+      return shown;
+    };
+  };
   using Now = ShownNotch;
+  using Worst = design::WorstMotions;
   static constexpr std::tuple field_table{
-      Field{"friction", &Now::friction, "inside, f + delta/width; null with a hold"},
-      Field{"changes_nothing", &Now::changes_nothing,
+      Field{"friction", [](const auto& now) { return now.built.friction; },
+            "inside, f + delta/width; null with a hold"},
+      Field{"changes_nothing", [](const auto& now) { return now.built.changes_nothing; },
             "compared with the same motion with the paper's notch"},
       Field{"motion", &Now::motion},
       Field{"from_start", &Now::from_start,
             "if the notch acts on the way out too; null with a pulse or a hold"},
-      Field{"farthest_rest", &Now::farthest,
+      Field{"farthest_rest", tried(&Worst::farthest),
             "of a grid of the ranges the motion that rests farthest from x = 0; null without "
             "any"},
-      Field{"largest_peak", &Now::peak},
-      Field{"largest_acceleration", &Now::felt, "the notch included"}};
+      Field{"largest_peak", tried(&Worst::peak)},
+      Field{"largest_acceleration", tried(&Worst::felt), "the notch included"}};
 };
 
-struct ShownAnswer;
-[[nodiscard]] std::optional<AnswerSi> physical_of(const ShownAnswer& now);
+struct AnswerSi;
 
 struct ShownAnswer {
   const Physical& units;
@@ -196,27 +235,34 @@ struct ShownAnswer {
   AskedTask input{};
   std::optional<BoxedDamper> design{};
   std::vector<ShownCase> cases{};
-  std::vector<design::Constraint> constraints{};
+  std::span<const design::Constraint> constraints{};
   std::optional<bool> admissible{};
-  IfReal delta1_published{}, delta1_exact{}, largest_tolerance{};
+  const design::Judged* judged{nullptr};
+  IfReal largest_tolerance{};
   const design::RegionVerdict* region{nullptr};
-  std::optional<std::vector<design::Strip>> strips{};
-  std::vector<design::Mend> mends{};
+  const std::vector<design::Strip>* strips{nullptr};
+  std::span<const design::Mend> mends{};
   const design::SuitePoint* nearest{nullptr};
-  std::optional<ShownServed> works_for{};
   std::optional<std::vector<design::Hits>> hits{};
-  std::optional<design::Practice> practice{}, practice_worst{};
   const design::PulseCheck* pulse{nullptr};
   std::optional<ShownNotch> built_notch{};
   std::optional<std::vector<ShownPart>> catalogue{};
   std::optional<std::vector<design::TradeOff>> trade_off{};
-  std::optional<design::SuiteOutlook> outlook{};
+  const design::SuiteOutlook* outlook{nullptr};
   const design::SearchRecord* search{nullptr};
   const design::CrossCheck* cross_check{nullptr};
-  /// For `physical` alone: the duration of a pulse, and the width of the worst of ranges.
-  IfReal velocity_m_per_s{}, duration{}, notch_width_min{};
+  IfReal velocity_m_per_s{}, pulse_duration{};  ///< for `physical` alone
+
+  [[nodiscard]] std::optional<ShownServed> works_for() const {
+    return judged != nullptr && judged->works_for
+               ? std::optional(ShownServed{*judged->works_for, input.pulse.has_value()})
+               : std::nullopt;
+  }
+  [[nodiscard]] std::optional<AnswerSi> in_si() const;
 
   using Now = ShownAnswer;
+  using Judged = design::Judged;
+  static constexpr auto of_judged = [](auto get) { return IfAny{&Now::judged, get}; };
   static constexpr std::tuple field_table{
       Field{"verdict", &Now::verdict, "the answer, in a sentence or two"},
       Field{"findings",
@@ -228,8 +274,8 @@ struct ShownAnswer {
       Field{"cases", &Now::cases},
       Field{"constraints", &Now::constraints},
       Field{"admissible", &Now::admissible, "of a given damper; null without one"},
-      Field{"delta1_published", &Now::delta1_published, "at the f of the damper"},
-      Field{"delta1_exact", &Now::delta1_exact,
+      Field{"delta1_published", of_judged(&Judged::delta1_published), "at the f of the damper"},
+      Field{"delta1_exact", of_judged(&Judged::delta1_exact),
             "null if the motion does not return, for a hit with f > f3"},
       Field{"region", &Now::region, "null under records"},
       Field{"strips", &Now::strips,
@@ -246,8 +292,8 @@ struct ShownAnswer {
             "around the given v0, or k of a pulse, and p, each with the other as given: where "
             "the point itself meets every requirement, both ends included"},
       Field{"hits", &Now::hits, "how the motion ends, for every v0 from 0 to twice the given one"},
-      Field{"practice", &Now::practice},
-      Field{"practice_worst", &Now::practice_worst,
+      Field{"practice", of_judged(&Judged::practice)},
+      Field{"practice_worst", of_judged(&Judged::practice_worst),
             "each figure at the end of the ranges where it is worst; null without ranges and "
             "with a pulse"},
       Field{"pulse", &Now::pulse, "null without a pulse"},
@@ -261,36 +307,69 @@ struct ShownAnswer {
             "is off as well"},
       Field{"search", &Now::search, "null with a catalogue and for a region"},
       Field{"cross_check", &Now::cross_check},
-      Field{"physical", [](const auto& now) { return physical_of(now); },
+      Field{"physical", [](const auto& now) { return now.in_si(); },
             "in the units at the ends of the names; null with dimensionless input"}};
 };
 
-/// Of a hit or a pulse; without its answer.
-[[nodiscard]] ShownAnswer asked(const ShownTask& task, const design::RegionVerdict& region,
-                                std::span<const design::Finding> findings);
-/// In which the damper keeps every requirement, as its corners prove, or a scan of a pulse's
-/// ranges.
-[[nodiscard]] BoxedDamper boxed_damper(const ShownTask& task, double f, double delta);
-[[nodiscard]] std::optional<TwinsSi> twins_of(const Physical& physical,
-                                              const ShownResponse& response);
-/// What the hit or pulse of a motion is.
-[[nodiscard]] ShownLoaded loaded(const ShownTask& task, double v0,
-                                 const std::optional<design::Pulse>& pulse, double p,
-                                 const ShownResponse& response);
-/// Over the box that was asked for, as far as it is known from the motion of the damper itself, or
-/// from the `worst` of ranges.
-void add_worst(ShownCase& now, const ShownTask& task, const BoxedDamper& damper,
-               const std::optional<design::PulseWorst>& worst);
-void add_catalogue(ShownAnswer& answer, const std::optional<Catalogue>& catalogue,
-                   const ShownTask& task);
+/// A row of the hits.
+struct HitsSi : design::Hits {
+  static constexpr auto field_table = twins<fields<design::Hits>>([](auto get) { return get; });
+};
+/// Of a damper and its task.
+struct AnswerSi : Si {
+  const ShownAnswer* answer;
+
+  /// What would mend an empty region; empty if that input alone cannot.
+  [[nodiscard]] IfReal mended(std::string_view field, bool by_stiffness) const;
+  [[nodiscard]] std::optional<design::PhysicalWorksFor> works_for() const {
+    const auto served = answer->works_for();
+    return served ? std::optional(physical_works_for(scales(), *served)) : std::nullopt;
+  }
+  [[nodiscard]] std::optional<design::ServedInterval> velocity() const {
+    const auto served = works_for();
+    return served && !answer->input.pulse ? std::optional(served->velocity_m_per_s) : std::nullopt;
+  }
+  [[nodiscard]] std::optional<std::vector<HitsSi>> hits() const;
+
+  static constexpr auto mend = [](std::string_view field, bool by_stiffness = false) {
+    return [=](const auto& now) { return now.mended(field, by_stiffness); };
+  };
+  static constexpr auto of = [](auto part, auto get) {
+    return IfAny{in(&AnswerSi::answer, part), get};
+  };
+  static constexpr auto of_region = [](auto design::Region::*value) {
+    return of(&ShownAnswer::region, in(&design::RegionVerdict::region, value));
+  };
+  using Now = AnswerSi;
+  using Judged = design::Judged;
+  static constexpr Measure length = si_always(Dimension::length);
+  static constexpr auto field_table = std::tuple_cat(
+      scale_fields,
+      std::tuple{
+          Field{"max_displacement_m", in(&Now::input, &design::PhysicalInput::max_displacement_m)},
+          Field{"max_displacement_min_m", of_region(&design::Region::beta_min), "", length},
+          Field{"delta2_m", of_region(&design::Region::delta2), "",
+                si_always(Dimension::length, Numbers::all)},
+          Field{"velocity_mend_m_per_s", mend("v0"), "with the next four: the mends of the region"},
+          Field{"period_mend_s", mend("p")}, Field{"stiffness_mend_n_per_m", mend("p", true)},
+          Field{"max_displacement_mend_m", mend("beta")},
+          Field{"delta_max_mend_m", mend("delta_max")}},
+      damper_fields,
+      std::tuple{
+          Field{"works_for_velocity_m_per_s", &Now::velocity},
+          Field{"works_for_period_s", IfAny{&Now::works_for, &design::PhysicalWorksFor::period_s}},
+          Field{"hits", &Now::hits, "in the order of those of the report"}},
+      practice_fields_si,
+      std::tuple{
+          Field{"delta1_published_m", of(&ShownAnswer::judged, &Judged::delta1_published), "",
+                length},
+          Field{"delta1_exact_m", of(&ShownAnswer::judged, &Judged::delta1_exact), "", length}},
+      motion_fields_si, wave_fields);
+};
 
 [[nodiscard]] ShownAnswer shown(const DesignReport& report);
 [[nodiscard]] ShownAnswer shown(const RegionReport& report);
 [[nodiscard]] ShownAnswer shown(const RecordDesignReport& report);
-
-/// The factors of one side of a tolerance box; empty if the box has the usual shape.
-[[nodiscard]] IfRange side_of(const design::BoxShape& shape, double tolerance, double below,
-                              double above);
 
 template <>
 inline constexpr std::string_view shared_name<ShownLoaded> = "motion";

@@ -23,7 +23,8 @@ namespace {
                               : !json.is_number_float() || std::isfinite(json.get<double>());
 }
 
-/// Null of what does not exist, without scales, and of a force whose mass is not known.
+/// Null of what does not exist or is beyond a double, without scales, and of a force whose mass is
+/// not known.
 ordered_json in_si(const ordered_json& value, Dimension dimension, Scales scales) {
   if (scales == nullptr || value.is_null()) {
     return nullptr;
@@ -31,7 +32,8 @@ ordered_json in_si(const ordered_json& value, Dimension dimension, Scales scales
   if (value.is_array()) {
     return list_json(value, [&](const ordered_json& end) { return in_si(end, dimension, scales); });
   }
-  return scales->in_si(dimension, value.get<double>());
+  const auto scaled = scales->in_si(dimension, value.get<double>());
+  return scaled && std::isfinite(*scaled) ? ordered_json(*scaled) : nullptr;
 }
 
 }  // namespace

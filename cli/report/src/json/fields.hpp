@@ -71,8 +71,8 @@ constexpr Measure with_si(Dimension dimension, std::string_view name = {}) {
 constexpr Measure si_alone(Dimension dimension, Numbers numbers = {}) {
   return {numbers, dimension, {}, {}, InSi::alone};
 }
-constexpr Measure si_always(Dimension dimension) {
-  return {{}, dimension, {}, {}, InSi::always};
+constexpr Measure si_always(Dimension dimension, Numbers numbers = {}) {
+  return {numbers, dimension, {}, {}, InSi::always};
 }
 inline constexpr Measure in_metres = with_si(Dimension::length);
 
@@ -81,9 +81,11 @@ inline constexpr bool is_optional = false;
 template <class Value>
 inline constexpr bool is_optional<std::optional<Value>> = true;
 template <class Value>
-inline constexpr bool is_vector = false;
+inline constexpr bool is_list = false;
 template <class Value>
-inline constexpr bool is_vector<std::vector<Value>> = true;
+inline constexpr bool is_list<std::vector<Value>> = true;
+template <class Value>
+inline constexpr bool is_list<std::span<Value>> = true;
 
 /// Optional, by a pointer into the answer.
 template <class Value>
@@ -158,7 +160,7 @@ template <class Value>
     return own_json(value);
   } else if constexpr (requires { value.low, value.high; }) {
     return interval_json(value);
-  } else if constexpr (is_vector<Value>) {
+  } else if constexpr (is_list<Value>) {
     return list_json(value, [&](const auto& item) { return value_json(item, numbers, scales); });
   } else {
     return value;

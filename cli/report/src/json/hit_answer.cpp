@@ -1,89 +1,170 @@
 // SPDX-License-Identifier: MIT
 // The answers of a design and a region after a hit or under a pulse.
 
+#include "choices.hpp"
 #include "json/answer_fields.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace stillpoint::report {
 
 namespace {
 
-ShownNotch shown_notch(const ShownTask& task, const design::Found& found,
-                       const design::BuiltNotch& built) {
-  const auto& pulse = found.pulse ? std::optional(found.pulse->pulse) : std::nullopt;
-  const double p = found.pulse ? found.pulse->p : task.problem.p;
-  const auto motion = [&](const ForcedResponse& response) {
-    return loaded(task, task.problem.v0, pulse, p, ShownResponse(response));
-  };
-  const auto tried = [&](const design::TriedMotion& now) {
-    ShownLoaded shown = loaded(task, now.v0, now.pulse, now.p, ShownResponse(now.response));
-    shown.from_inside = now.from_inside;
-    return shown;
-  };
-  ShownNotch shown{built.friction, built.changes_nothing, motion(built.response)};
-  if (built.from_start) {
-    shown.from_start = motion(*built.from_start);
-  }
-  if (const auto& worst = built.worst) {
-    shown.farthest = tried(worst->farthest);
-    shown.peak = tried(worst->peak);
-    shown.felt = tried(worst->felt);
-  }
-  return shown;
+IfRange range_of(const IfReal& low, const IfReal& high) {
+  return low && high ? std::optional(Interval{*low, *high}) : std::nullopt;
 }
 
-/// What both answers tell of a damper, and of an f alone.
-void add_judged(ShownAnswer& now, const ShownTask& task, const IfReal& f, const IfReal& delta,
-                const design::Judged& judged) {
-  now.constraints = judged.constraints;
-  now.delta1_published = judged.delta1_published;
-  now.delta1_exact = judged.delta1_exact;
-  if (judged.works_for) {
-    now.works_for = ShownServed{*judged.works_for, task.pulse.has_value()};
+bool has_ranges(const ShownTask& task) {
+  return task.problem.p_high || task.problem.v0_low || task.ranges.k_low || task.ranges.lambda_high;
+}
+
+/// The factors of one side of a tolerance box; empty if the box has the usual shape.
+IfRange side_of(const design::BoxShape& shape, double tolerance, double below, double above) {
+  return shape == design::BoxShape{}
+             ? std::nullopt
+             : std::optional(Interval{1 - tolerance * below, 1 + tolerance * above});
+}
+
+AskedTask asked_task(const ShownTask& task) {
+  const auto& [problem, limits, pulse, ranges, physical] = task;
+  const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
+  AskedTask asked{.p = problem.p,
+                  .beta = problem.beta,
+                  .residual = problem.residual,
+                  .v0_range = range_of(problem.v0_low, problem.v0),
+                  .p_range = range_of(problem.p, problem.p_high),
+                  .tolerance_f = side_of(limits.shape, limits.tolerance, f_low, f_high),
+                  .tolerance_delta = side_of(limits.shape, limits.tolerance, delta_low, delta_high),
+                  .arrivals = problem.arrivals,
+                  .criterion = problem.criterion,
+                  .tolerance = limits.tolerance * std::min({f_low, f_high, delta_low, delta_high}),
+                  .limits = limits};
+  if (pulse) {
+    asked.pulse = design::name(*pulse);
+    asked.k = design::peak_load(*pulse);
+    asked.lambda = design::angular_frequency(*pulse);
+    asked.k_range = range_of(ranges.k_low, asked.k);
+    asked.lambda_range = range_of(asked.lambda, ranges.lambda_high);
+  }
+  return asked;
+}
+
+/// What both answers tell, of a damper if there is one, and of an f alone.
+template <class Report>
+ShownAnswer answer_of(const Report& report, const ShownTask& task,
+                      const design::RegionVerdict& region, const design::Judged* judged) {
+  ShownAnswer now{.units = task.physical,
+                  .findings = report.findings,
+                  .verdict = verdict(report),
+                  .input = asked_task(task),
+                  .judged = judged,
+                  .largest_tolerance = region.largest_tolerance,
+                  .region = &region,
+                  .mends = region.mends};
+  if (judged != nullptr) {
+    now.constraints = judged->constraints;
+  }
+  if (task.pulse) {
+    now.pulse_duration = duration(design::excitation(*task.pulse));
+  }
+  now.cases.push_back({.load = {task.pulse ? design::name(*task.pulse) : "hit"}});
+  if (const auto& catalogue = report.catalogue) {
+    now.input.catalogue = spelled_out(catalogue->file);
+    now.catalogue.emplace();
+    for (const design::RatedPart& rated : catalogue->parts) {
+      now.catalogue->push_back(
+          {rated, rated.admissible ? std::nullopt : std::optional(judgement(rated, task))});
+    }
+  }
+  return now;
+}
+
+/// In which it keeps every requirement, as its corners prove, or a scan of a pulse's ranges.
+BoxedDamper boxed_damper(const ShownTask& task, double f, double delta) {
+  const double tolerance = task.limits.tolerance;
+  const auto& [f_low, f_high, delta_low, delta_high] = task.limits.shape;
+  const auto side = [&](double value, double below, double above) {
+    return tolerance * std::max(below, above) > 0
+               ? std::optional(
+                     Interval{value * (1 - tolerance * below), value * (1 + tolerance * above)})
+               : std::nullopt;
+  };
+  return {{task.problem.p, f, delta},
+          {.f = side(f, f_low, f_high),
+           .delta = side(delta, delta_low, delta_high),
+           .exact = !(task.pulse && has_ranges(task))}};
+}
+
+/// Over the box that was asked for, as far as it is known from the motion of the damper itself, or
+/// from the `worst` of ranges.
+void add_worst(ShownCase& now, const ShownTask& task, const BoxedDamper& damper,
+               const std::optional<design::PulseWorst>& worst) {
+  const bool exactly = !damper.box.f && !damper.box.delta;
+  if (worst) {
+    now.nominal = Worst{worst->peak, worst->acceleration, {}, worst->stop_time, {}};
+    if (exactly) {
+      now.worst = {*now.nominal, {}};
+    }
+  } else if (exactly && !now.motions.empty()) {
+    const ShownLoaded& motion = now.motions.front();
+    const auto here = [at = WorstAt{damper, motion.what()}](const IfReal& figure) {
+      return figure ? std::optional(at) : std::nullopt;
+    };
+    Worst of = worst_of(*motion.response.response);
+    if (has_ranges(task)) {  // the motion shown is only the one with the largest peak
+      of = {.peak = of.peak};
+    }
+    now.worst = {of,
+                 {here(of.peak), here(of.acceleration), here(of.residual), here(of.stop_time),
+                  here(of.jump)}};
+  }
+}
+
+/// The motion of the damper, under a pulse if there is one, and the damper with its box.
+void add_damper(ShownAnswer& now, const ShownTask& task, const IfReal& f, const IfReal& delta,
+                const Response* response, const design::PulseMotion* under) {
+  ShownCase& only = now.cases.front();
+  if (under != nullptr) {
+    only.motions.push_back(
+        {task.physical, {}, under->p, under->pulse, ShownResponse(under->response)});
+  } else if (response != nullptr) {
+    only.motions.push_back(
+        {task.physical, task.problem.v0, task.problem.p, task.pulse, ShownResponse(*response)});
   }
   if (f && delta) {
+    now.design = boxed_damper(task, *f, *delta);
+    add_worst(only, task, *now.design, under != nullptr ? under->worst : std::nullopt);
     now.hits = task.pulse ? shown_strengths(pulse_problem(task.problem, *task.pulse, task.ranges),
                                             *f, *delta)
                           : shown_hits(task.problem, *f, *delta);
   }
-  now.practice = judged.practice;
-  now.practice_worst = judged.practice_worst;
-  now.notch_width_min = judged.notch_width_min;
-}
-
-/// The motion of the damper, under a pulse if there is one.
-void add_motion(ShownAnswer& now, const ShownTask& task, const Response& response,
-                const design::PulseMotion* under) {
-  now.cases.front().motions.push_back(
-      under != nullptr
-          ? loaded(task, 0, under->pulse, under->p, ShownResponse(under->response))
-          : loaded(task, task.problem.v0, task.pulse, task.problem.p, ShownResponse(response)));
 }
 
 void add_found(ShownAnswer& now, const DesignReport& report, const design::Found& found) {
   const ShownTask task = task_of(report);
   const auto& [f, delta, tolerance] = found.point;
   const auto& [below_f, above_f, below_delta, above_delta] = task.limits.shape;
-  BoxedDamper& damper = now.design.emplace(boxed_damper(task, f, delta));
+  now.pulse = found.pulse ? &*found.pulse : nullptr;
+  add_damper(now, task, f, delta, &found.response, now.pulse);
+  BoxedDamper& damper = *now.design;
   damper.name =
       report.catalogue ? std::optional(report.catalogue->parts.front().part.name) : std::nullopt;
   damper.tolerance = design::even_tolerance(report.result);
   damper.tolerance_f = side_of(task.limits.shape, tolerance, below_f, above_f);
   damper.tolerance_delta = side_of(task.limits.shape, tolerance, below_delta, above_delta);
   damper.arrival = found.arrival;
-  now.pulse = found.pulse ? &*found.pulse : nullptr;
-  add_motion(now, task, found.response, now.pulse);
-  add_worst(now.cases.front(), task, damper, found.pulse ? found.pulse->worst : std::nullopt);
   now.search = found.search ? &*found.search : nullptr;
   now.cross_check = &found.cross_check;
   if (const auto& built = report.built_notch) {
-    now.built_notch = shown_notch(task, found, *built);
+    ShownLoaded motion = now.cases.front().motions.front();
+    motion.response = ShownResponse(built->response);
+    now.built_notch.emplace(ShownNotch{*built, motion});
     damper.width = built->shape.width.value_or(0);
     now.input.hold = built->shape.hold;
     now.input.notch_width = built->shape.width;
   }
-  add_judged(now, task, f, delta, found);
 }
 
 }  // namespace
@@ -91,9 +172,8 @@ void add_found(ShownAnswer& now, const DesignReport& report, const design::Found
 ShownAnswer shown(const DesignReport& report) {
   const design::DesignResult& result = report.result;
   const design::DesignRequest& request = result.request;
-  const ShownTask task = task_of(report);
-  ShownAnswer now = asked(task, result, report.findings);
-  now.verdict = verdict(report);
+  ShownAnswer now =
+      answer_of(report, task_of(report), result, result.finding ? &*result.finding : nullptr);
   now.trade_off = report.trade_off;
   now.input.v0 = request.pulse ? result.reduced_v0 : std::optional(request.problem.v0);
   if (now.input.v0 && report.physical) {
@@ -102,7 +182,6 @@ ShownAnswer shown(const DesignReport& report) {
   now.input.objective = name(request.search.objective);
   now.input.algorithm = request.search.algorithm;
   now.input.trade_off = report.trade_offs;
-  add_catalogue(now, report.catalogue, task);
   if (result.finding) {
     add_found(now, report, *result.finding);
   }
@@ -113,10 +192,9 @@ ShownAnswer shown(const RegionReport& report) {
   const design::RegionRequest& request = report.request;
   const design::RegionAnswer& answer = report.answer;
   const ShownTask task = task_of(report);
-  ShownAnswer now = asked(task, answer, report.findings);
-  now.verdict = verdict(report);
+  ShownAnswer now = answer_of(report, task, answer, &answer);
   now.admissible = answer.admissible;
-  now.strips = answer.strips;
+  now.strips = &answer.strips;
   if (!request.pulse) {
     now.input.v0 = request.problem.v0;
     now.velocity_m_per_s =
@@ -124,18 +202,12 @@ ShownAnswer shown(const RegionReport& report) {
   }
   now.input.f = request.f;
   now.input.delta = request.delta;
-  const auto* const under = answer.under_pulse ? &*answer.under_pulse : nullptr;
-  if (answer.response) {
-    add_motion(now, task, *answer.response, under);
-  }
-  if (request.f && request.delta) {
-    now.design = boxed_damper(task, *request.f, *request.delta);
+  add_damper(now, task, request.f, request.delta, answer.response ? &*answer.response : nullptr,
+             answer.response && answer.under_pulse ? &*answer.under_pulse : nullptr);
+  if (now.design) {
     now.design->tolerance = answer.tolerance;
     now.design->arrival = answer.arrival;
-    add_worst(now.cases.front(), task, *now.design, under != nullptr ? under->worst : std::nullopt);
   }
-  add_judged(now, task, request.f, request.delta, answer);
-  add_catalogue(now, report.catalogue, task);
   return now;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "json/head_fields.hpp"
-#include "json/motion_fields.hpp"
+#include "json/physical_fields.hpp"
 #include "json/schema.hpp"
 
 #include <stillpoint/report/schemas.hpp>
@@ -55,6 +55,42 @@ std::optional<ShownExcitation> shown(const Excitation& excitation,
 
 namespace {
 
+struct MotionSi : Si {
+  std::optional<double> caught_impulse{};
+
+  static constexpr auto field_table =
+      std::tuple_cat(scale_fields, damper_fields, motion_fields_si, practice_fields_si,
+                     std::tuple{Field{"caught_impulse_n_s", &MotionSi::caught_impulse, "",
+                                      si_always(Dimension::impulse)}},
+                     wave_fields);
+};
+
+ShownResponse response_of(const MotionReport& report) {
+  return report.answer.forced ? ShownResponse(*report.answer.forced)
+                              : ShownResponse(report.answer.response);
+}
+
+std::optional<double> caught(const MotionReport& report) {
+  return design::caught_impulse(report.request, report.answer.response);
+}
+
+std::optional<MotionSi> physical_of(const MotionReport& report) {
+  if (!report.physical) {
+    return std::nullopt;
+  }
+  const auto load = shown(report.request.excitation, {});
+  const bool wave = load && load->lambda;
+  return MotionSi{{.input = *report.physical,
+                   .velocity_m_per_s = report.physical->velocity_m_per_s,
+                   .f = report.request.oscillator.f,
+                   .delta = report.request.oscillator.delta,
+                   .practice = practice_of(report),
+                   .lambda = wave ? load->lambda : std::nullopt,
+                   .duration = wave ? load->duration : std::nullopt,
+                   .motion = response_of(report)},
+                  caught(report)};
+}
+
 constexpr auto motion_table = std::tuple_cat(
     head_fields<MotionReport, schema_name>, told_fields<MotionReport>,
     std::tuple{
@@ -62,15 +98,8 @@ constexpr auto motion_table = std::tuple_cat(
               [](const MotionReport& report) {
                 return ShownMotion{{report.request}, report.record};
               }},
-        Field{"response",
-              [](const MotionReport& report) {
-                return report.answer.forced ? ShownResponse(*report.answer.forced)
-                                            : ShownResponse(report.answer.response);
-              }},
-        Field{"caught_impulse",
-              [](const MotionReport& report) {
-                return design::caught_impulse(report.request, report.answer.response);
-              },
+        Field{"response", &response_of},
+        Field{"caught_impulse", &caught,
               "per mass, for a hit that the notch catches at the start; null if it does not"},
         Field{"practice", &practice_of,
               "docs/theory.md section 11; null except after a hit from x = 0 without a load and "
@@ -80,14 +109,14 @@ constexpr auto motion_table = std::tuple_cat(
               "the first of them, at most --max-half-cycles"},
         Field{"half_cycles_listed",
               [](const MotionReport& report) { return report.answer.half_cycles.size(); }},
-        Field{"physical", [](const MotionReport& report) { return physical_of(report); },
+        Field{"physical", &physical_of,
               "in the units at the ends of the names; null with dimensionless input; under an "
               "excitation with its end as well"}});
 
 }  // namespace
 
 nlohmann::ordered_json json(const MotionReport& report) {
-  return object_by<motion_table>(report);
+  return object_by<motion_table>(report, scales_of(report.physical));
 }
 
 nlohmann::ordered_json simulation_schema() {

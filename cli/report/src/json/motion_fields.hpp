@@ -3,7 +3,7 @@
 
 // The fields of the report of one motion, some of which other reports have too.
 
-#include "json/physical_fields.hpp"
+#include "json/fields.hpp"
 
 #include <stillpoint/core/response_fields.hpp>
 #include <stillpoint/core/simulation.hpp>
@@ -53,22 +53,22 @@ inline constexpr auto fields<design::Practice> = [] {
       Field{"restoring_over_weight", &Now::restoring},
       Field{"energy_ratio", &Now::energy_ratio, "E_s/E_h (EN 15129)"},
       Field{"residual_ratio", &Now::residual_ratio, "d/d_rm (EN 1998-2)"},
-      Field{
-          "impulse_at_stop", &Now::impulse_at_stop, "per mass", {.dimension = Dimension::velocity}},
-      Field{"impulse_largest", &Now::impulse_largest, "", {.dimension = Dimension::velocity}},
+      Field{"impulse_at_stop",
+            &Now::impulse_at_stop,
+            "per mass",
+            {.dimension = Dimension::impulse, .physical = "impulse_at_stop_n_s"}},
+      Field{"impulse_largest",
+            &Now::impulse_largest,
+            "",
+            {.dimension = Dimension::impulse, .physical = "impulse_largest_n_s"}},
       Field{"impulses", &Now::impulses,
             "of each passage and of the stop at x = 0, in turn; at most the last 1000; null in "
             "practice_worst"},
-      Field{"notch_capacity",
-            &Now::notch_capacity,
-            "what a whole passage takes",
-            {.dimension = Dimension::length}},
+      Field{"notch_capacity", &Now::notch_capacity, "what a whole passage takes"},
       Field{"notch_used", &Now::notch_used, "the share of it that the stop took"},
-      Field{"notch_width_min",
-            &Now::notch_width_min,
+      Field{"notch_width_min", &Now::notch_width_min,
             "the least width with which the mass feels no more than acceleration_max inside the "
-            "notch; null without it, or if there is none",
-            {.dimension = Dimension::length}}};
+            "notch; null without it, or if there is none"}};
 }();
 
 }  // namespace stillpoint

@@ -64,14 +64,12 @@ WorstInBox shown_worst(const design::SuiteBox& box, const Name& motion) {
 std::vector<ShownLoaded> motions_of(const design::RecordDesign& result, const Physical& physical) {
   std::vector<ShownLoaded> motions;
   for (std::size_t i = 0; i < result.finding->responses.size(); ++i) {
-    const design::SuiteRecord& record = result.request.records[i];
-    const ShownResponse response(result.finding->responses[i]);
-    motions.push_back({.what = record.name,
-                       .p = result.finding->point.damper.p,
-                       .scale = record.scale,
-                       .pga = design::peak_load(record),
-                       .response = response,
-                       .physical = twins_of(physical, response)});
+    motions.push_back({physical,
+                       {},
+                       result.finding->point.damper.p,
+                       {},
+                       ShownResponse(result.finding->responses[i]),
+                       &result.request.records[i]});
   }
   return motions;
 }
@@ -96,7 +94,7 @@ ShownAnswer shown(const RecordDesignReport& report) {
                                                ? std::optional(request.records.front().name)
                                                : std::nullopt);
     only.motions = motions_of(result, report.physical);
-    now.outlook = finding->outlook;
+    now.outlook = &finding->outlook;
     now.cross_check = &finding->cross_check;
   } else {
     now.largest_tolerance = result.largest_tolerance;

@@ -60,6 +60,7 @@ struct OfFigures {
 };
 using Worst = OfFigures<double>;
 [[nodiscard]] Worst worst_of(const design::SuiteFigures& figures);
+[[nodiscard]] Worst worst_of(const Response& motion);
 /// Empty where a motion never rests.
 [[nodiscard]] std::optional<Worst> settled(const design::SuiteFigures& figures);
 
@@ -140,10 +141,14 @@ inline constexpr auto fields<design::RegionVerdict> = [] {
 
 template <>
 inline constexpr auto fields<design::Hits> =
-    std::tuple{Field{"from", &design::Hits::from}, Field{"to", &design::Hits::to},
+    std::tuple{Field{"from", &design::Hits::from, "", {{}, Dimension::velocity, "from_m_per_s"}},
+               Field{"to", &design::Hits::to, "", {{}, Dimension::velocity, "to_m_per_s"}},
                Field{"ends", &design::Hits::end},
                Field{"arrivals", &design::Hits::arrivals, "", report::counted},
-               Field{"rest", &design::Hits::rest, "off centre, the farthest", report::any_number}};
+               Field{"rest",
+                     &design::Hits::rest,
+                     "off centre, the farthest",
+                     {Numbers::all, Dimension::length, "rest_m"}}};
 
 template <>
 inline constexpr auto fields<design::PulseCheck> = [] {
