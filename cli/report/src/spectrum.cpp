@@ -69,9 +69,7 @@ std::string friction_words(const SpectrumReport& report) {
   const auto largest = [&](const auto& value, const auto& words) {
     const auto most = std::ranges::max_element(
         points, {}, [&](const SpectrumPoint& point) { return value(point.without); });
-    const auto at = static_cast<std::size_t>(most - points.begin());
-    return format("{} at {}", words(value(most->without)),
-                  period_words(report.physical, report.result.request.p[at]));
+    return format("{} at {}", words(value(most->without)), period_words(report.physical, most->p));
   };
   const auto length = [&](double value) { return units.length_words(value); };
   const bool settles = std::ranges::all_of(
@@ -103,12 +101,11 @@ Table spectrum_table(const SpectrumReport& report, const std::vector<SpectrumPoi
        in("residual without", units.length_unit), in("jump", units.velocity_unit)},
       {}};
   for (const std::size_t i : shown_periods(points)) {
-    const auto& [with, without] = points[i];
-    table.rows.push_back(
-        {{number(2 * std::numbers::pi / report.result.request.p[i] * units.time),
-          number(with.acceleration), compared(number(without.acceleration)),
-          number(with.peak * units.length), compared(number(without.peak * units.length)),
-          residual(with), compared(residual(without)), jump(with.jump)}});
+    const auto& [with, without, p] = points[i];
+    table.rows.push_back({{number(2 * std::numbers::pi / p * units.time), number(with.acceleration),
+                           compared(number(without.acceleration)), number(with.peak * units.length),
+                           compared(number(without.peak * units.length)), residual(with),
+                           compared(residual(without)), jump(with.jump)}});
   }
   return without_empty_columns(std::move(table));
 }

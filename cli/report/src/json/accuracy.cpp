@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "json/head_fields.hpp"
-#include "json/motion_fields.hpp"
+#include "json/physical_fields.hpp"
 #include "json/schema.hpp"
 #include "sections.hpp"
 
@@ -21,80 +21,85 @@ constexpr auto reasons_not_run = std::to_array<std::string_view>({"nothing_moves
 
 /// The motion in 50 digits, rounded.
 struct Truth : peers::Result {
-  design::Scales scales{};
-
   [[nodiscard]] double final_velocity() const { return outcome == Outcome::running ? v : 0; }
 
   static constexpr std::tuple field_table{
-      Field{"digits", [](const Truth&) { return 50; }},
+      Field{"digits", [](const auto& /*now*/) { return 50; }},
       Field{"outcome", &Truth::outcome},
-      Field{"peak_amplitude", &Truth::peak},
-      Field{"end_time", &Truth::end_time},
-      Field{"final_position", &Truth::x, "", any_number},
-      Field{"final_velocity", &Truth::final_velocity, "", any_number},
+      Field{"peak_amplitude", &Truth::peak, "", {{}, Dimension::length, "peak_m"}},
+      Field{"end_time", &Truth::end_time, "", {{}, Dimension::time, "end_time_s"}},
+      Field{"final_position", &Truth::x, "", {Numbers::all, Dimension::length, "final_position_m"}},
+      Field{"final_velocity",
+            &Truth::final_velocity,
+            "",
+            {Numbers::all, Dimension::velocity, "final_velocity_m_per_s"}},
       Field{"zero_passages", &Truth::passages},
       Field{"turning_points", &Truth::turns},
       Field{"sticks", &Truth::sticks}};
 };
 struct TruthSi : Truth {
-  static constexpr Measure signed_length{Numbers::all, Dimension::length, {}, {}, InSi::always};
-  static constexpr Measure signed_velocity{Numbers::all, Dimension::velocity, {}, {}, InSi::always};
-  static constexpr std::tuple field_table{
-      Field{"length_unit_m", in(&Truth::scales, &design::Scales::length_m)},
-      Field{"time_unit_s", in(&Truth::scales, &design::Scales::time_s)},
-      Field{"peak_m", &Truth::peak, "", si_always(Dimension::length)},
-      Field{"end_time_s", &Truth::end_time, "", si_always(Dimension::time)},
-      Field{"final_position_m", &Truth::x, "", signed_length},
-      Field{"final_velocity_m_per_s", &Truth::final_velocity, "", signed_velocity}};
+  design::Scales scales;
+
+  static constexpr auto field_table = std::tuple_cat(
+      std::tuple{Field{"length_unit_m", in(&TruthSi::scales, &design::Scales::length_m)},
+                 Field{"time_unit_s", in(&TruthSi::scales, &design::Scales::time_s)}},
+      twins<fields<Truth>>([](auto get) { return get; }));
 };
 
 /// A method, and whether it is what simulate uses.
 struct ShownMethod {
-  const peers::MethodRow& row;
-  bool used{false};
+  const peers::MethodRow* row;
+  bool used;
 
   [[nodiscard]] const peers::MethodRow* run() const {
-    return row.run == peers::Run::done ? &row : nullptr;
+    return row->run == peers::Run::done ? row : nullptr;
+  }
+  [[nodiscard]] std::optional<std::string_view> not_run() const {
+    return run() != nullptr
+               ? std::nullopt
+               : std::optional(reasons_not_run.at(row->run == peers::Run::nothing_moves ? 0 : 1));
   }
   using Now = ShownMethod;
-  using MethodRow = peers::MethodRow;
+  using Row = peers::MethodRow;
   using Result = peers::Result;
   static constexpr auto field_table = std::tuple_cat(
-        std::tuple{Field{"name", [](const auto& now) { return now.row.name; }},
-                   Field{"setting", [](const auto& now) { return setting(now.row); }, "",
-                         any_number},
-                   Field{"used_by_simulate", &Now::used}},
-        fields_if_any(
-            &Now::run,
-            std::tuple{
-                Field{"wall_time_s", [](const MethodRow& shown) { return shown.time.median; },
-                      "the median of repeated runs; null, like all that follows, for a method that "
-                      "was not run"},
-                Field{"peak_error", &MethodRow::peak_error, "relative to the peak"},
-                Field{"end_error", &MethodRow::end_error,
-                      "the larger of the errors of x, relative to the peak, and of the stop time, "
-                      "relative to itself, or if the motion goes on, of v at the end, relative to "
-                      "p times the peak"},
-                Field{"zero_passages", in(&MethodRow::result, &Result::passages)},
-                Field{"turning_points", in(&MethodRow::result, &Result::turns)},
-                Field{"sticks", in(&MethodRow::result, &Result::sticks)},
-                Field{"counts_right", &MethodRow::counts_right}}),
-        std::tuple{Field{"not_run",
-                         [](const auto& now) {
-                           return now.run() != nullptr
-                                      ? std::nullopt
-                                      : std::optional(reasons_not_run.at(
-                                            now.row.run == peers::Run::nothing_moves ? 0 : 1));
-                         },
-                         "null if it was run", one_of(reasons_not_run)}});
+      std::tuple{
+          Field{"name", in(&Now::row, &Row::name)},
+          Field{"setting", [](const auto& now) { return setting(*now.row); }, "", any_number},
+          Field{"used_by_simulate", &Now::used}},
+      fields_if_any(
+          &Now::run,
+          std::tuple{
+              Field{"wall_time_s", [](const Row& row) { return row.time.median; },
+                    "the median of repeated runs; null, like all that follows, for a method that "
+                    "was not run"},
+              Field{"peak_error", &Row::peak_error, "relative to the peak"},
+              Field{"end_error", &Row::end_error,
+                    "the larger of the errors of x, relative to the peak, and of the stop time, "
+                    "relative to itself, or if the motion goes on, of v at the end, relative to "
+                    "p times the peak"},
+              Field{"zero_passages", in(&Row::result, &Result::passages)},
+              Field{"turning_points", in(&Row::result, &Result::turns)},
+              Field{"sticks", in(&Row::result, &Result::sticks)},
+              Field{"counts_right", &Row::counts_right}}),
+      std::tuple{Field{"not_run", &Now::not_run, "null if it was run", one_of(reasons_not_run)}});
 };
 
 std::vector<ShownMethod> shown_methods(const AccuracyReport& report) {
   std::vector<ShownMethod> methods;
   for (const peers::MethodRow& now : report.comparison.rows) {
-    methods.push_back({now, methods.empty()});
+    methods.push_back({&now, methods.empty()});
   }
   return methods;
+}
+
+Truth truth_of(const AccuracyReport& report) {
+  return {report.comparison.exact.rounded};
+}
+
+std::optional<TruthSi> truth_in_si(const AccuracyReport& report) {
+  return report.physical ? std::optional(TruthSi{truth_of(report), report.physical->scales})
+                         : std::nullopt;
 }
 
 constexpr auto accuracy_table = std::tuple_cat(
@@ -103,20 +108,11 @@ constexpr auto accuracy_table = std::tuple_cat(
                      [](const AccuracyReport& report) {
                        return ShownMotion{{report.request}, report.record};
                      }},
-               Field{"reference",
-                     [](const AccuracyReport& report) {
-                       return Truth{{report.comparison.exact.rounded}};
-                     }},
+               Field{"reference", &truth_of},
                Field{"methods", &shown_methods, "", {Numbers::from_one}},
                Field{"why", [](const AccuracyReport& report) { return reason(report.request); },
                      "why simulate uses its method"},
-               Field{"physical",
-                     [](const AccuracyReport& report) {
-                       return report.physical
-                                  ? std::optional(TruthSi{{{report.comparison.exact.rounded},
-                                                           report.physical->scales}})
-                                  : std::nullopt;
-                     },
+               Field{"physical", &truth_in_si,
                      "the reference in metres and seconds; null with dimensionless input"}});
 
 }  // namespace

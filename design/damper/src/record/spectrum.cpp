@@ -118,7 +118,7 @@ std::vector<Finding> findings_of(const Spectrum& spectrum) {
   if (jump(*most) > 0) {
     Finding& jolt = all.emplace_back(FindingKind::jolts);
     jolt.add("jump", jump(*most), records::Dimension::velocity);
-    jolt.add("p", spectrum.request.p[static_cast<std::size_t>(most - spectrum.combined.begin())]);
+    jolt.add("p", most->p);
   }
   return all;
 }
@@ -152,10 +152,12 @@ Spectrum spectrum(const SpectrumRequest& request, const std::function<bool(doubl
                    point.with_notch = figures({p, request.f, request.delta, request.hold}, load,
                                               Surface{request.notch_width, {}});
                    point.without = figures({p, request.f, 0}, load, {});
+                   point.p = p;
                  });
   result.combined.resize(points);
   for (std::size_t i = 0; i < points; ++i) {
     SpectrumPoint& point = result.combined[i];
+    point.p = request.p[i];
     for (const auto member : {&SpectrumPoint::with_notch, &SpectrumPoint::without}) {
       point.*member = combined(result.records, i, member, combine);
     }

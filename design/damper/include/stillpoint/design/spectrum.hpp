@@ -40,6 +40,7 @@ struct SpectrumFigures {
 struct SpectrumPoint {
   SpectrumFigures with_notch;
   SpectrumFigures without;  ///< the same with delta = 0
+  double p{1};
 };
 
 /// A point for each p of the request.
