@@ -2,53 +2,6 @@
 // The region as the engine draws it, and over it the damper as a handle with its tolerance box.
 "use strict";
 
-/**
- * The sentence for a violated condition: what goes wrong, and the bound.
- * @param {any} constraint
- * @param {any} report
- * @returns {Part[]}
- */
-function broken_words(constraint, report) {
-  const { name, variable, relation, limit } = constraint;
-  const physical = report.physical;
-  const of_delta = variable === "delta" && physical;
-  const bound = of_delta ? number(limit * physical.length_unit_m, "m") : number(limit);
-  const stroke = number(limit_of(report), units_of(physical).length);
-  const symbol =
-    /** @type {Record<string, string>} */ ({ delta: "Δ", f: "f", v0: "V₀" })[variable] ?? variable;
-  const need = [
-    ` ${symbol} must be ${
-      { "<": "below ", "<=": "at most ", ">": "above ", ">=": "at least " }[
-        /** @type {string} */ (relation)
-      ] ?? relation
-    }`,
-    bound,
-    ".",
-  ];
-  switch (name) {
-    case "amplitude":
-      return ["Too weak: the peak exceeds ", stroke, ".", ...need];
-    case "return":
-      return ["Too strong: the mass does not come back to x = 0.", ...need];
-    case "dead_zone":
-      return ["Too strong: the mass may stay as far out as the limit.", ...need];
-    case "start":
-      return ["The notch holds the mass at the start.", ...need];
-    case "stop":
-      return constraint.value > (report.delta1_exact ?? Infinity)
-        ? ["The mass stops, but not by the published criterion.", ...need]
-        : ["The notch is too weak: the mass passes x = 0 and goes on.", ...need];
-    case "residual":
-      return ["The mass may rest farther off centre than the residual allows.", ...need];
-    case "f_max":
-      return ["More friction than can be manufactured.", ...need];
-    case "delta_max":
-      return ["A stronger notch than can be manufactured.", ...need];
-    default:
-      return [`The condition on the ${String(name).replaceAll("_", " ")} is violated.`, ...need];
-  }
-}
-
 class RegionView {
   /** @param {(f: number, delta: number, done: boolean, source: string) => void} move */
   constructor(move) {

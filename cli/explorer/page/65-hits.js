@@ -74,7 +74,7 @@ class HitsView {
   }
 
   /**
-   * Shows which hit is tried, and how it ended.
+   * Shows which hit is tried, and what the program says of it.
    * @param {number | null} hit @param {any} motion report of simulate @param {number} limit
    */
   show(hit, motion, limit) {
@@ -83,32 +83,15 @@ class HitsView {
     write(slider, String(Math.round((2000 * value) / this.most)));
     /** @type {HTMLButtonElement} */ (el("design-hit")).disabled = hit === null;
     slider.setAttribute("aria-valuetext", words(value, this.unit, 4));
-    const { response } = motion;
+    const { peak } = motion_of(motion);
     const { length } = units_of(motion.physical);
-    const { peak, rest } = motion_of(motion);
-    const too_far = peak > limit * (1 + 1e-12);
-    const moved = response.half_cycles > 0;
+    const reached = [": peak ", number(peak, length), " of ", number(limit, length), ". "];
     fill(
       el("hit-words"),
       hit === null ? "The design hit of " : "A hit of ",
       number(value, this.unit),
-      ...(!moved
-        ? [" is held: the notch does not let the mass go."]
-        : [
-            too_far ? " goes too far: the peak is " : " reaches ",
-            number(peak, length),
-            too_far ? ", the limit " : " of ",
-            number(limit, length),
-            ...(rest === null
-              ? [", and it never comes to rest."]
-              : rest === 0
-                ? [", and the mass rests at the centre."]
-                : [
-                    `, and the mass rests ${response.outcome === "stopped_in_notch" ? "in the notch, off its middle" : "off centre"} by `,
-                    number(Math.abs(rest), length),
-                    ".",
-                  ]),
-          ]),
+      ...(motion.response.half_cycles > 0 ? reached : [". "]),
+      make("span", { id: "hit-verdict" }, motion.verdict),
     );
   }
 }

@@ -85,7 +85,7 @@ class RecordView {
   /** @param {string} name @param {Answer} answer */
   show(name, { report, figures, doubts }) {
     const { response, physical } = report;
-    const { length, time, velocity } = units_of(physical);
+    const { length, time } = units_of(physical);
     const { peak, acceleration } = motion_of(report);
     const load = report.input.excitation;
     const value = (/** @type {string} */ of_physical, /** @type {string} */ plain) =>
@@ -94,14 +94,10 @@ class RecordView {
       /** @type {string} */ title,
       /** @type {Node} */ node,
       /** @type {string} */ id,
-      /** @type {Part[]} */ ...sub
     ) => {
       if (node instanceof HTMLElement) node.id = id;
-      const below = sub.length ? [make("dd", { class: "sub" }, ...sub)] : [];
-      return make("div", {}, make("dt", {}, title), make("dd", {}, node), ...below);
+      return make("div", {}, make("dt", {}, title), make("dd", {}, node));
     };
-    const jump = value("jump_m_per_s", "jump");
-    const jumps = jump ? ["jumps of velocity of up to ", number(jump, velocity), " on top"] : [];
     const locked = value("locked_from_s", "locked_from");
     fill(
       el("record-answer"),
@@ -113,7 +109,7 @@ class RecordView {
         "dl",
         { class: "facts" },
         fact("peak", number(peak, length), "record-peak"),
-        fact("transmitted", number(acceleration, "g"), "record-acceleration", ...jumps),
+        fact("transmitted", number(acceleration, "g"), "record-acceleration"),
         fact(
           locked !== null && locked !== undefined
             ? "locked from"

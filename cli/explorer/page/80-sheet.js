@@ -29,8 +29,6 @@ const most_full_rows = 4; // of hits: more do not leave room for the plots
  * @property {Options} options
  * @property {any} report of the design, or of the damper that was chosen
  * @property {any} motion
- * @property {boolean} chosen the damper was set by hand
- * @property {boolean} admissible
  * @property {number | null} tolerance
  * @property {string} command
  * @property {string} link
@@ -300,7 +298,7 @@ function whole_words(text) {
 
 /** @param {Sheet} sheet */
 function draw_sheet(sheet) {
-  const { options, chosen, admissible, command, link, version } = sheet;
+  const { options, command, link, version } = sheet;
   const task = Object.entries(without(options, ["title", ...damper_options]));
   const title = options.title ?? "Damper with constant and point friction";
   const day = new Date().toLocaleDateString("en-GB", {
@@ -308,11 +306,6 @@ function draw_sheet(sheet) {
     month: "long",
     year: "numeric",
   });
-  const head = chosen
-    ? `Damper chosen by hand; ${admissible ? "it meets every condition" : "it is NOT admissible"}.`
-    : options.objective && options.objective !== "robust"
-      ? `The best damper for the objective ${options.objective}.`
-      : "Of all dampers, this one tolerates the largest manufacturing errors.";
   const hits = hit_nodes(sheet.report);
   const ranges = Boolean(sheet.report.practice_worst); // whose figures leave no room for the hits
   fill(
@@ -321,7 +314,7 @@ function draw_sheet(sheet) {
       "div",
       { class: "leaf" },
       make("h1", {}, title),
-      make("p", {}, `Damper specification. ${head}`),
+      make("p", {}, `Damper specification. ${sheet.report.verdict}`),
       make("h2", {}, "To build"),
       build_rows(sheet),
       make("p", {}, remarks_of(sheet.report)),

@@ -9,7 +9,6 @@
  * @property {any} motion its motion
  * @property {{ f: number, delta: number } | null} damper
  * @property {number | null} tolerance
- * @property {boolean} admissible
  * @property {boolean} chosen the damper was set by hand
  * @property {Options} options
  */
@@ -24,7 +23,6 @@ class AnswerView {
   show(shown) {
     this.show_numbers(shown);
     this.show_verdict(shown);
-    this.show_judgement(shown);
   }
 
   /** @param {Answered} shown */
@@ -114,29 +112,5 @@ class AnswerView {
       }
     }
     return buttons;
-  }
-
-  /** @param {Answered} shown */
-  show_judgement({ judged, damper, admissible }) {
-    const node = el("judgement");
-    node.classList.toggle("broken", !admissible);
-    if (!damper)
-      return fill(node, "No damper is admissible: at every f and Δ some requirement is violated.");
-    if (admissible) {
-      const served = judged.physical?.works_for_velocity_m_per_s ?? judged.works_for?.v0;
-      const range = range_parts(served, units_of(judged.physical).velocity);
-      return fill(
-        node,
-        "Every condition is met.",
-        ...(range ? [" It works for hits of ", ...range, "."] : []),
-      );
-    }
-    const broken = judged.constraints.filter((/** @type {any} */ one) => !one.satisfied);
-    if (!broken.length)
-      return fill(node, "Not admissible: between the arrivals the mass would rest off centre.");
-    return fill(
-      node,
-      ...broken.flatMap((/** @type {any} */ one) => [...broken_words(one, judged), " "]),
-    );
   }
 }

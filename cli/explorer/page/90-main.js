@@ -384,8 +384,6 @@ class Bench {
       options: this.options,
       report: this.judged,
       motion: this.motion,
-      chosen: this.judged !== this.design,
-      admissible: this.admissible,
       tolerance: this.tolerance,
       command: this.commands().trim(),
       link: to_fragment(this.options),

@@ -156,14 +156,14 @@ test("numbers in sentences stand in full in data-value", () =>
   with_page(isolator, {}, async (page) => {
     const bare = await page.evaluate(() => {
       const found = [];
-      for (const id of ["answer", "judgement", "hit-words", "cloud-words", "hit-ends", "hit-key"]) {
+      for (const id of ["answer", "hit-words", "cloud-words", "hit-ends", "hit-key"]) {
         const walker = document.createTreeWalker(
           /** @type {Node} */ (document.getElementById(id)),
           NodeFilter.SHOW_TEXT,
         );
         for (let node = walker.nextNode(); node; node = walker.nextNode()) {
           const place = node.parentElement?.id ?? "";
-          if (["remarks", "verdict"].includes(place)) continue; // the program's own words
+          if (["remarks", "verdict", "hit-verdict"].includes(place)) continue; // the program's own words
           const text = (node.textContent ?? "").replaceAll("x = 0", "");
           const full = node.parentElement?.closest("[data-value]")?.getAttribute("data-value");
           if (/\d/.test(text) && !(full && Number.isFinite(Number(full)))) found.push(text);

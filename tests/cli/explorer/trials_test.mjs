@@ -127,7 +127,7 @@ test("a hit of zero is refused as a task and held as a trial", () =>
     assert.equal(await notice(page), "");
     await page.fill("#hit", "0");
     await settle(page);
-    assert.match(await words(page, "#hit-words"), /is held/);
+    assert.match(await words(page, "#hit-words"), /It never moves\./);
     assert.equal(await notice(page), "");
   }));
 
@@ -248,7 +248,7 @@ test("a record may have any name, and doubts of its units are told", () =>
     );
     assert.match(
       await words(page, "#record-answer"),
-      /transmitted[\d.]+\sgjumps of velocity of up to [\d.]+\sm\/s on top/,
+      /At the notch the velocity jumps by up to [\d.]+ m\/s/,
     );
     await drop(page, "strong.txt", values(3));
     await page.waitForSelector("#record-answer .bad:not(#record-verdict)");
