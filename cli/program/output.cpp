@@ -9,8 +9,6 @@
 #include <stillpoint/report/findings.hpp>
 #include <stillpoint/report/page_frame.hpp>
 #include <stillpoint/report/report.hpp>
-#include <stillpoint/report/spectrum.hpp>
-#include <stillpoint/report/sweep.hpp>
 #include <stillpoint/report/terminal.hpp>
 #include <stillpoint/sweep/output_file.hpp>
 
@@ -21,7 +19,6 @@
 #include <cassert>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <vector>
 
 namespace stillpoint::cli {
@@ -87,17 +84,6 @@ void require_no_json(const Settings& settings, std::string_view rows, std::strin
   }
 }
 
-std::span<const std::string_view> figure_names(Command command) {
-  static const std::map<Command, std::span<const std::string_view>> names{
-      {Command::design, report::all_design_figures()},
-      {Command::region, report::region_figures},
-      {Command::simulate, report::motion_figures},
-      {Command::spectrum, report::spectrum_figure_names},
-      {Command::sweep, report::sweep_figures}};
-  const auto found = names.find(command);
-  return found == names.end() ? std::span<const std::string_view>() : found->second;
-}
-
 std::string svg_path(const std::string& directory, std::string_view figure) {
   return (std::filesystem::path(directory) / fmt::format("{}.svg", figure)).string();
 }
@@ -130,7 +116,7 @@ void write_page(const Settings& settings, Command command, figures::HtmlPage pag
   }
   sweep::make_directory("svg", *directory);
   for (const figures::Figure& figure : page.figures) {
-    assert(std::ranges::count(figure_names(command), figure.id) == 1);
+    assert(std::ranges::count(report::figure_ids(name(command)), figure.id) == 1);
     output.write_file("svg", svg_path(*directory, figure.id), svg(figure, figures::Frame::alone));
   }
 }

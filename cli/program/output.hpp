@@ -50,9 +50,6 @@ void print_report(const Report& report, const Settings& settings, Output& output
 /// `option` gives a file.
 void require_no_json(const Settings& settings, std::string_view rows, std::string_view option);
 
-/// The figures that a command may draw; each is a file NAME.svg of --svg.
-[[nodiscard]] std::span<const std::string_view> figure_names(Command command);
-
 /// The file of a figure in the directory of --svg.
 [[nodiscard]] std::string svg_path(const std::string& directory, std::string_view figure);
 

@@ -3,6 +3,7 @@
 
 #include "output.hpp"
 
+#include <stillpoint/report/page_frame.hpp>
 #include <stillpoint/sweep/output_file.hpp>
 
 #include <fmt/format.h>
@@ -53,7 +54,7 @@ void require_files_apart(Command command, const Settings& settings,
   const std::vector<NamedFile> read = files_to_read(command, settings, scene);
   std::vector<NamedFile> written = files(command, settings, FileUse::written);
   for (const auto& [option, directory] : files(command, settings, FileUse::directory)) {
-    for (const std::string_view figure : figure_names(command)) {
+    for (const std::string& figure : report::figure_ids(name(command))) {
       written.push_back({option, svg_path(directory, figure)});
     }
   }

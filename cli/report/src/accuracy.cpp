@@ -76,16 +76,13 @@ std::string verdict(const peers::MethodRow& kernel, bool stops) {
 Document document(const AccuracyReport& report) {
   const peers::Result& truth = report.comparison.exact.rounded;
   const bool stops = truth.outcome != Outcome::running;
-  Document document;
-  document.title = "Accuracy";
-  document.verdict = verdict(report.comparison.rows.front(), stops);
+  Document document{.title = "Accuracy", .verdict = verdict(report.comparison.rows.front(), stops)};
   Table table{{"", "setting", "time", "error of peak", stops ? "of rest" : "of end", "counts", ""},
               {}};
   for (const peers::MethodRow& now : report.comparison.rows) {
     table.rows.push_back(method_row(now));
   }
-  Section& methods = document.section("Methods");
-  methods.parts.emplace_back(std::move(table));
+  Section& methods = document.section("Methods", std::move(table));
   methods.line(
       stops ? "Errors of the peak and of the place of rest are relative to the peak, of the "
               "stop time to itself."

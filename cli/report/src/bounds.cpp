@@ -87,7 +87,7 @@ void add_constraints(Document& document, std::span<const design::Constraint> con
   if (constraints.empty()) {
     return;
   }
-  const FigureUnits units(physical);
+  const FigureUnits units = units_of(physical);
   const bool back = returns(constraints);
   const int shown = digits_between(constraints);
   Table table{{"", "requirement", "slack", "under", ""}, {}};
@@ -105,9 +105,8 @@ void add_constraints(Document& document, std::span<const design::Constraint> con
                            now.satisfied ? "met" : "violated"},
                           now.satisfied ? Tone::good : Tone::bad});
   }
-  Section& section = document.section("Constraints");
+  Section& section = document.section("Constraints", without_empty_columns(std::move(table)));
   section.detail = std::ranges::all_of(constraints, &design::Constraint::satisfied);
-  section.parts.emplace_back(without_empty_columns(std::move(table)));
   if (!of_what.empty()) {
     section.line(std::string(of_what));
   }

@@ -90,9 +90,9 @@ std::string judgement(const design::RatedPart& rated, const ShownTask& task) {
 }
 
 void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& task) {
-  const FigureUnits units(task.physical);
+  const FigureUnits units = units_of(task.physical);
   const auto& parts = catalogue.parts;
-  Table table{{"part", "f", in("delta", units.length_unit), tolerance_head(task.limits), ""}, {}};
+  Table table{{"part", "f", in("delta", units.length), tolerance_head(task.limits), ""}, {}};
   const std::size_t shown = std::min(parts.size(), most_rows);
   for (const design::RatedPart& rated : std::span(parts).first(shown)) {
     const auto& [name, f, delta] = rated.part;
@@ -100,8 +100,8 @@ void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& 
                            tolerance_cell(task.limits, rated.tolerance), judgement(rated, task)},
                           rated.admissible ? Tone::good : Tone::bad});
   }
-  Section& section = document.section(format("Parts, best first: {}", how_many_fit(parts)));
-  section.parts.emplace_back(std::move(table));
+  Section& section =
+      document.section(format("Parts, best first: {}", how_many_fit(parts)), std::move(table));
   if (parts.size() > shown) {
     section.line(format("{} more; --json lists them all.", parts.size() - shown), Tone::faint);
   }
@@ -109,9 +109,9 @@ void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& 
 
 void add_trade_off(Document& document, const std::vector<design::TradeOff>& front,
                    const ShownTask& task) {
-  const FigureUnits units(task.physical);
-  Table table{{in("stroke", units.length_unit), "acceleration, g", tolerance_head(task.limits),
-               in("stop time", units.time_unit), "f", in("delta", units.length_unit)},
+  const FigureUnits units = units_of(task.physical);
+  Table table{{in("stroke", units.length), "acceleration, g", tolerance_head(task.limits),
+               in("stop time", units.time), "f", in("delta", units.length)},
               {}};
   const auto aligned = [](double value) { return format("{:#.6g}", value); };  // zeros too
   const std::size_t step = (front.size() + most_rows - 1) / most_rows;
@@ -124,8 +124,8 @@ void add_trade_off(Document& document, const std::vector<design::TradeOff>& fron
           aligned(damper.f), aligned(damper.delta * units.length)}});
   }
   const std::size_t shown = table.rows.size();
-  Section& section = document.section("Trade-off of stroke, acceleration and tolerance");
-  section.parts.emplace_back(std::move(table));
+  Section& section =
+      document.section("Trade-off of stroke, acceleration and tolerance", std::move(table));
   section.line(
       format("{}Accelerations are those outside the notch.",
              step == 1 ? ""

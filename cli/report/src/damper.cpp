@@ -186,7 +186,7 @@ void add_motion(Section& answer, const ShownDamper& shown) {
 
 std::string shown_motion(const ShownDamper& shown) {
   const auto& [problem, limits, pulse, ranges, physical] = shown.task;
-  const FigureUnits units(physical);
+  const FigureUnits units = units_of(physical);
   if (pulse && !design::pulse_problem(problem, *pulse, ranges).has_ranges()) {
     return {};
   }
@@ -199,7 +199,7 @@ std::string shown_motion(const ShownDamper& shown) {
     }
   } else if (problem.v0_low) {
     words = format("the strongest hit, {}{}",
-                   physical ? "" : "v0 = ", units.velocity_words(problem.v0));
+                   physical ? "" : "v0 = ", units.velocity.words(problem.v0));
   }
   if (problem.p_high) {
     words += format("{}{}{}", words.empty() ? "" : ", and ", pulse ? "" : "the softest spring, ",

@@ -45,12 +45,12 @@ Way way_of(const design::Mend& mend, const Physical& physical, const design::Lim
             format("{}{}", limit_digits(mend.value, mend.upwards, shown), unit), mend.upwards};
   }
   // The longest period is that of the softest spring, the least p.
-  const FigureUnits units(physical);
+  const FigureUnits units = units_of(physical);
   const bool length = now->unit == "m";
-  const double unit = length ? units.length / physical->scales.length_m : 1;
+  const double unit = length ? units.length.factor / physical->scales.length_m : 1;
   return {of_range(mend.field, now->name, now->upwards != mend.upwards),
           format("{} {}", limit_digits(now->value * unit, now->upwards, shown),
-                 length ? units.length_unit : now->unit),
+                 length ? units.length.name : now->unit),
           now->upwards};
 }
 Way way_of(const design::Mend& mend, const ShownTask& task) {
@@ -97,12 +97,12 @@ std::string most_tolerant_text(const design::DesignPoint& most, const design::Li
 
 /// In the units of the task; a catalogue that misses the region has a reason of its own.
 std::string reason_in_units(const design::RegionVerdict& empty, const ShownTask& task) {
-  const FigureUnits units(task.physical);
+  const FigureUnits units = units_of(task.physical);
   return task.pulse || empty.region.conflict == design::Conflict::none
              ? empty.reason.value()
-             : design::reason(
-                   empty.region, task.problem, task.limits,
-                   {units.length, units.length_unit, units.velocity, units.velocity_unit})
+             : design::reason(empty.region, task.problem, task.limits,
+                              {units.length.factor, units.length.name, units.velocity.factor,
+                               units.velocity.name})
                    .value();
 }
 

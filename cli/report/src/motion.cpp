@@ -85,12 +85,11 @@ void add_answer(Section& answer, const MotionReport& report) {
 void add_half_cycles(Section& section, std::span<const HalfCycle> half_cycles,
                      const std::optional<double>& count, const Physical& physical) {
   constexpr std::size_t most_half_cycles = 12;
-  const FigureUnits units(physical);
-  Table table{
-      {"", in("starts", units.time_unit), in("leaves with", units.velocity_unit),
-       in("peak at", units.time_unit), in("peak", units.length_unit), in("ends", units.time_unit),
-       in("arrives with", units.velocity_unit), in("impulse/mass", units.velocity_unit)},
-      {}};
+  const FigureUnits units = units_of(physical);
+  Table table{{"", in("starts", units.time), in("leaves with", units.velocity),
+               in("peak at", units.time), in("peak", units.length), in("ends", units.time),
+               in("arrives with", units.velocity), in("impulse/mass", units.velocity)},
+              {}};
   const std::size_t listed = std::min(most_half_cycles, half_cycles.size());
   for (const HalfCycle& now : half_cycles.first(listed)) {
     const auto speed = [&](const std::optional<double>& value, std::string_view none) {

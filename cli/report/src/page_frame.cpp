@@ -3,13 +3,9 @@
 
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/report/record_design.hpp>
-#include <stillpoint/report/report.hpp>
-#include <stillpoint/report/spectrum.hpp>
 #include <stillpoint/report/version.hpp>
 
 #include <fmt/format.h>
-
-#include <vector>
 
 namespace stillpoint::report {
 
@@ -30,14 +26,23 @@ void add_frame(figures::HtmlPage& page, const PageFrame& frame) {
   page.footer = version_line();
 }
 
-std::span<const std::string_view> all_design_figures() {
-  static const std::vector<std::string_view> all = [] {
-    std::vector<std::string_view> list(design_figures.begin(), design_figures.end());
-    list.insert(list.end(), record_design_figures.begin(), record_design_figures.end());
-    list.insert(list.end(), spectrum_figure_names.begin(), spectrum_figure_names.end());
-    return list;
-  }();
-  return all;
+std::vector<std::string> figure_ids(std::string_view command) {
+  const auto words = records::words_of(
+      command == "design"
+          ? "region trade-off trade-off-tolerance hits motion phase energy pulse excitation map "
+            "map-near worst worst-load spectrum-acceleration spectrum-peak spectrum-residual"
+      : command == "region"   ? "region hits"
+      : command == "simulate" ? "motion phase energy excitation"
+      : command == "spectrum" ? "spectrum-acceleration spectrum-peak spectrum-residual"
+      : command == "sweep"    ? "map"
+                              : "",
+      " ");
+  std::vector<std::string> ids(words.begin(), words.end());
+  for (int record = 1; command == "design" && record <= most_drawn_records; ++record) {
+    ids.push_back(fmt::format("record-{}", record));
+    ids.push_back(ids.back() + "-load");
+  }
+  return ids;
 }
 
 }  // namespace stillpoint::report

@@ -58,7 +58,7 @@ DrawnMotion told(const DesignReport& report) {
 Figure region_of(const ShownTask& task, const design::RegionVerdict& verdict,
                  const std::optional<DrawnDamper>& damper,
                  const std::optional<Catalogue>& catalogue) {
-  const FigureUnits units(task.physical);
+  const FigureUnits units = units_of(task.physical);
   const std::string mend =
       verdict.region.feasible ? "" : mend_title(verdict, task, catalogue ? "part" : "damper");
   DrawnRegion drawn{task.problem, task.limits, verdict.region, damper, mend};
@@ -79,8 +79,7 @@ Figure damper_figure(const ShownTask& task, double f, double delta,
   return task.pulse
              ? strengths_figure(design::pulse_problem(task.problem, *task.pulse, task.ranges), f,
                                 delta, works_for)
-             : hits_figure(task.problem, task.limits, f, delta, works_for,
-                           FigureUnits(task.physical));
+             : hits_figure(task.problem, task.limits, f, delta, works_for, units_of(task.physical));
 }
 
 /// Its trade-offs, and what it works for.
@@ -118,7 +117,7 @@ std::vector<Figure> told_figures(const DesignReport& report, const FigureUnits& 
 }
 
 std::vector<Figure> drawings_of(const MotionReport& report, const DrawnMotion& motion) {
-  const FigureUnits units(report.physical);
+  const FigureUnits units = units_of(report.physical);
   std::vector<Figure> figures{motion_figure(motion, units)};
   if (is_forced(report.request)) {
     figures.push_back(excitation_figure(report.request.excitation, motion, units));
@@ -149,7 +148,7 @@ bool has_figures(const DrawnMotion& motion) {
 }  // namespace
 
 HtmlPage page(const DesignReport& report) {
-  const FigureUnits units(report.physical);
+  const FigureUnits units = units_of(report.physical);
   HtmlPage page = page_of(document(report, Verbosity::full));
   const auto& found = report.result.finding;
   std::optional<DrawnDamper> damper;

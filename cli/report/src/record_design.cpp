@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/report/record_design.hpp>
 #include "format.hpp"
-#include "record_design_parts.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/design/record_findings.hpp>
@@ -124,7 +123,7 @@ double load_end(Record record) {
 
 /// In the unit of the figures.
 std::string displacement_cell(const Physical& physical, double length) {
-  const FigureUnits units(physical);
+  const FigureUnits units = units_of(physical);
   constexpr double least_m = 1e-6;
   return physical && length > 0 && length * physical->scales.length_m < least_m
              ? format("<{:g}", least_m / physical->scales.length_m * units.length)
@@ -132,9 +131,9 @@ std::string displacement_cell(const Physical& physical, double length) {
 }
 
 void add_records(Document& document, const design::RecordDesign& result, const Physical& physical) {
-  const FigureUnits units(physical);
-  Table table{{"record", "PGA, g", in("peak", units.length_unit), in("residual", units.length_unit),
-               "transmitted, g", in("rests from", units.time_unit), "at rest"},
+  const FigureUnits units = units_of(physical);
+  Table table{{"record", "PGA, g", in("peak", units.length), in("residual", units.length),
+               "transmitted, g", in("rests from", units.time), "at rest"},
               {}};
   for (std::size_t i = 0; i < result.finding->responses.size(); ++i) {
     const ForcedResponse& response = result.finding->responses[i];
@@ -149,7 +148,7 @@ void add_records(Document& document, const design::RecordDesign& result, const P
           : response.stop_time.value() <= load_end(record.record) ? "by friction"
                                                                   : "after load"}});
   }
-  document.section("Records").parts.emplace_back(std::move(table));
+  document.section("Records", std::move(table));
 }
 
 /// How far the nearest damper is from the limit that it exceeds most.
@@ -182,31 +181,17 @@ std::string no_damper(const RecordDesignReport& report) {
   const auto& largest = result.largest_tolerance;
   return format(
       "No damper was found that meets the limits{}{}.{}",
-      is_exact(result.request.tolerance) ? "" : " within its tolerance", shortfall_words(report),
+      result.request.tolerance.exact() ? "" : " within its tolerance", shortfall_words(report),
       largest ? format(" The largest tolerance within the limits is {:.2g} %.", 100 * *largest)
               : "");
 }
 
 }  // namespace
 
-std::string of_records(std::size_t count, std::size_t all) {
+std::string of_records(std::int64_t count, std::int64_t all) {
   return all == 1       ? "the record"
          : count == all ? "every record"
                         : format("{} of {} records", count, all);
-}
-
-bool is_exact(const design::SuiteTolerance& of) {
-  return of.f.above + of.f.below + of.delta.above + of.delta.below + of.period.above +
-             of.period.below + of.width.above + of.width.below ==
-         0;
-}
-
-design::NotchShape notch_of(const design::RecordDesignRequest& task,
-                            const design::SuiteDamper& damper) {
-  return damper.delta == 0
-             ? design::NotchShape()
-             : design::NotchShape{damper.width > 0 ? std::optional(damper.width) : std::nullopt,
-                                  task.hold};
 }
 
 std::string scaled_name(std::string_view file, double scale) {
@@ -222,30 +207,6 @@ std::string record_words(std::string_view file, double scale, std::string_view u
                          double peak) {
   return format("{}, in {}{}, peak {}", scaled_name(file, scale), units,
                 assumed ? " (assumed)" : "", acceleration_shown(peak));
-}
-
-SimulationRequest motion_request(const design::RecordDesign& result,
-                                 const design::SuiteDamper& damper, std::size_t record) {
-  const design::RecordDesignRequest& task = result.request;
-  SimulationRequest request;
-  request.oscillator = {damper.p, damper.f, damper.delta, task.hold};
-  request.start = {0, 0};
-  request.surface.notch_width = notch_of(task, damper).width;
-  request.excitation = design::scaled(task.records[record]);
-  return request;
-}
-
-std::size_t worst_record(const design::RecordDesign& result) {
-  const std::vector<ForcedResponse>& all = result.finding->responses;
-  const auto value = [&](const ForcedResponse& response) {
-    return design::suite_figures(response).*minimised(result.request).value;
-  };
-  constexpr double same = 1 - 1e-9;  // f + hold is felt under every record that frees the mass
-  const double most = value(*std::ranges::max_element(all, {}, value));
-  const auto peak_of_worst = [&](const ForcedResponse& response) {
-    return value(response) >= same * most ? response.peak_amplitude : -1;
-  };
-  return static_cast<std::size_t>(std::ranges::max_element(all, {}, peak_of_worst) - all.begin());
 }
 
 std::string progress_words(const design::RecordProgress& progress, const Physical& physical) {
@@ -266,8 +227,8 @@ std::string verdict(const RecordDesignReport& report) {
                 result.search.interrupted     ? "The best damper so far has"
                 : is_useless(result.findings) ? "The damper found has"
                                               : "Build",
-                damper_words(physical, damper.f, damper.delta, notch_of(result.request, damper),
-                             printed_digits),
+                damper_words(physical, damper.f, damper.delta,
+                             {damper.notch_width(), result.request.hold}, printed_digits),
                 period_words(physical, damper.p, period_digits(result.request)),
                 whose_words(result), figures_words(result.finding->box.worst, physical));
 }
@@ -289,7 +250,7 @@ Document document(const RecordDesignReport& report) {
   }
   add_constraints(
       document, result.constraints, physical,
-      is_exact(result.request.tolerance) ? "" : "Each is the worst within the tolerance.");
+      result.request.tolerance.exact() ? "" : "Each is the worst within the tolerance.");
   add_findings(document, result.findings, physical);
   return document;
 }

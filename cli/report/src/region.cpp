@@ -130,8 +130,8 @@ void add_strips(Document& document, const design::Problem& problem,
   }
   Section& section = document.section(
       problem.residual ? "Dampers that stop at each arrival, or before it within the residual"
-                       : "Dampers that stop at each arrival");
-  section.parts.emplace_back(std::move(table));
+                       : "Dampers that stop at each arrival",
+      std::move(table));
   if (strips.size() > most_listed) {
     section.line(format("{} more arrivals have a damper; --json lists them all.",
                         strips.size() - most_listed));

@@ -15,7 +15,7 @@
 #include <stillpoint/report/document.hpp>
 #include <stillpoint/report/report.hpp>
 
-#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -66,7 +66,7 @@ struct ShownTask {
 [[nodiscard]] std::string record_label(const design::SuiteRecord& record);
 [[nodiscard]] std::string scaled_name(std::string_view file, double scale);
 /// "the record", "every record", "1 of 2 records"
-[[nodiscard]] std::string of_records(std::size_t count, std::size_t all);
+[[nodiscard]] std::string of_records(std::int64_t count, std::int64_t all);
 /// "2 x a.AT2, in g (assumed), peak 0.3 g".
 [[nodiscard]] std::string record_words(std::string_view file, double scale, std::string_view units,
                                        bool assumed, double peak);

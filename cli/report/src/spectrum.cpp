@@ -65,13 +65,13 @@ std::string whose(const SpectrumReport& report) {
 /// The largest of each figure of friction alone, and the period at which it occurs.
 std::string friction_words(const SpectrumReport& report) {
   const std::vector<SpectrumPoint>& points = report.result.combined;
-  const FigureUnits units(report.physical);
+  const FigureUnits units = units_of(report.physical);
   const auto largest = [&](const auto& value, const auto& words) {
     const auto most = std::ranges::max_element(
         points, {}, [&](const SpectrumPoint& point) { return value(point.without); });
     return format("{} at {}", words(value(most->without)), period_words(report.physical, most->p));
   };
-  const auto length = [&](double value) { return units.length_words(value); };
+  const auto length = [&](double value) { return units.length.words(value); };
   const bool settles = std::ranges::all_of(
       points, [](const SpectrumPoint& point) { return point.without.residual.has_value(); });
   return format(
@@ -86,7 +86,7 @@ std::string friction_words(const SpectrumReport& report) {
 
 /// In the units of the figures. Without a notch there is nothing to compare with.
 Table spectrum_table(const SpectrumReport& report, const std::vector<SpectrumPoint>& points) {
-  const FigureUnits units(report.physical);
+  const FigureUnits units = units_of(report.physical);
   const auto number = [](double value) { return format("{:.5g}", value); };
   const auto residual = [&](const SpectrumFigures& one) {
     return one.residual ? number(*one.residual * units.length) : "none";
@@ -95,11 +95,10 @@ Table spectrum_table(const SpectrumReport& report, const std::vector<SpectrumPoi
     return report.result.request.delta > 0 ? std::move(words) : "";
   };
   const auto jump = [&](double value) { return value > 0 ? number(value * units.velocity) : ""; };
-  Table table{
-      {"period, s", "transmitted, g", "transmitted without, g", in("peak", units.length_unit),
-       in("peak without", units.length_unit), in("residual", units.length_unit),
-       in("residual without", units.length_unit), in("jump", units.velocity_unit)},
-      {}};
+  Table table{{"period, s", "transmitted, g", "transmitted without, g", in("peak", units.length),
+               in("peak without", units.length), in("residual", units.length),
+               in("residual without", units.length), in("jump", units.velocity)},
+              {}};
   for (const std::size_t i : shown_periods(points)) {
     const auto& [with, without, p] = points[i];
     table.rows.push_back({{number(2 * std::numbers::pi / p * units.time), number(with.acceleration),

@@ -1,146 +1,105 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/report/sweep.hpp>
+// What a sweep found, with rows in a file or without.
 
 #include "figures/report_figures.hpp"
-#include "json/head_fields.hpp"
-#include "json/schema.hpp"
-#include "sections.hpp"
-#include "sweep_parts.hpp"
 
-#include <stillpoint/report/digits.hpp>
-#include <stillpoint/report/schemas.hpp>
-#include <stillpoint/sweep/json_text.hpp>
+#include <stillpoint/report/reduction.hpp>
+#include <stillpoint/report/sweep.hpp>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
-#include <optional>
+#include <cmath>
+#include <cstddef>
+#include <span>
 #include <string>
-#include <string_view>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::report {
 
 namespace {
 
-using nlohmann::ordered_json;
-using sweep::Quantity;
-using sweep::sweep_outcome_count;
-using sweep::sweep_outcome_name;
-using sweep::SweepKind;
-using sweep::SweepState;
-using sweep::SweepSummary;
+using sweep::BestRows;
+using sweep::Form;
+using sweep::ReducedColumn;
+using sweep::ReducedRow;
+using sweep::Reduction;
 
-double rate(const SweepSummary& summary) {
-  constexpr double least_s = 1e-6;
-  return static_cast<double>(summary.state.rows - summary.resumed_at) /
-         std::max(summary.wall_time_s, least_s);
+std::string short_number(double value) {
+  return std::isfinite(value) ? fmt::format("{:.6g}", value) : "-";
+}
+
+/// Its value and its entry.
+void add_extreme(std::vector<std::string>& cells, const BestRows& extreme) {
+  const std::vector<ReducedRow> rows = extreme.rows();
+  cells.push_back(rows.empty() ? "-" : short_number(rows.front().values[extreme.column()]));
+  cells.push_back(rows.empty() ? "-" : fmt::format("{}", rows.front().entry + 1));
+}
+
+void add_columns(Document& made, const Reduction& reduction) {
+  Table table{{"column", "least", "entry", "largest", "entry"}, {}};
+  for (const ReducedColumn& column : reduction.columns) {
+    std::vector<std::string> cells{reduction.row[column.column].name};
+    add_extreme(cells, column.least);
+    add_extreme(cells, column.largest);
+    table.rows.push_back({std::move(cells)});
+  }
+  made.section("Columns", std::move(table))
+      .line("The entries are where the least and the largest are.");
+}
+
+/// The inputs, how the motion ends and what the rows are chosen by: a line has 80 columns.
+std::vector<std::size_t> shown_columns(const BestRows& best, const Reduction& reduction) {
+  std::vector<std::size_t> shown;
+  for (std::size_t i = 0; i < reduction.row.size(); ++i) {
+    if (i == best.column() || std::ranges::find(reduction.columns, i, &ReducedColumn::column) ==
+                                  reduction.columns.end()) {
+      shown.push_back(i);
+    }
+  }
+  return shown;
+}
+
+void add_best(Document& made, const BestRows& best, const Reduction& reduction) {
+  constexpr std::size_t most_shown = 10;
+  const std::vector<std::size_t> shown = shown_columns(best, reduction);
+  Table table{{"entry"}, {}};
+  for (const std::size_t i : shown) {
+    table.head.push_back(reduction.row[i].name);
+  }
+  const std::vector<ReducedRow> rows = best.rows();
+  for (const ReducedRow& row : std::span(rows).first(std::min(rows.size(), most_shown))) {
+    TableRow cells{{fmt::format("{}", row.entry + 1)}};
+    for (const std::size_t i : shown) {
+      const double value = row.values[i];
+      const bool is_outcome = reduction.row[i].form == Form::outcome && std::isfinite(value);
+      cells.cells.push_back(
+          is_outcome ? std::string(sweep::sweep_outcome_name(static_cast<std::size_t>(value)))
+                     : short_number(value));
+    }
+    table.rows.push_back(std::move(cells));
+  }
+  Section& section = made.section(fmt::format("{} {}", best.largest() ? "Largest" : "Smallest",
+                                              reduction.row[best.column()].name),
+                                  std::move(table));
+  if (rows.size() > most_shown || shown.size() < reduction.row.size()) {
+    section.line("--json lists all rows and columns.", Tone::faint);
+  }
+}
+
+/// With how many entries ended in each way.
+Document document_of(std::string title, const sweep::SweepState& state, bool design) {
+  return {.title = std::move(title),
+          .verdict = summary(state, design),
+          .tone = state.locked() > 0 ? Tone::bad : Tone::plain};
 }
 
 }  // namespace
-
-ordered_json own_json(const Outcomes& outcomes) {
-  ordered_json counts;
-  for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
-    counts[std::string(sweep_outcome_name(i))] = outcomes.counts[i];
-  }
-  return counts;
-}
-
-ordered_json own_schema(const Outcomes* /*outcomes*/) {
-  ordered_json counts;
-  for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
-    counts[std::string(sweep_outcome_name(i))] = number_schema(true, Numbers::counts);
-  }
-  return object_schema(std::move(counts));
-}
-
-void outcomes_from_json(const ordered_json& counts, SweepState::Counts& outcomes) {
-  for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
-    sweep::read_integers(counts.at(std::string(sweep_outcome_name(i))), outcomes[i]);
-  }
-}
-
-Document document_of(std::string title, const SweepState& state, bool design) {
-  Document document;
-  document.title = std::move(title);
-  document.verdict = summary(state, design);
-  document.tone = state.locked() > 0 ? Tone::bad : Tone::plain;
-  return document;
-}
-
-namespace {
-
-constexpr auto sweep_name = std::to_array<std::string_view>({"stillpoint/sweep-report/1"});
-
-/// Where the rows are.
-struct ShownOutput {
-  const sweep::SweepSpec& spec;
-
-  static constexpr std::tuple field_table{
-      Field{"file", [](const auto& now) { return now.spec.output; }, "null for rows in memory"},
-      Field{"format", [](const auto& now) { return now.spec.format; }},
-      Field{"columns",
-            [](const auto& now) {
-              std::vector<std::string> names;
-              for (const sweep::Quantity column : now.spec.columns) {
-                names.emplace_back(sweep::name(column, now.spec.units));
-              }
-              return names;
-            },
-            "", at_least_one}};
-};
-
-/// What `get` gives of a sweep of motions, or of designs.
-template <class Get>
-constexpr auto rows_of(bool designs, Get get) {
-  return [designs, get](const SweepReport& report) {
-    return (report.spec.kind == SweepKind::design) == designs
-               ? std::optional(get(report.summary.state))
-               : std::nullopt;
-  };
-}
-
-constexpr auto sweep_table = std::tuple_cat(
-    head_fields<SweepReport, sweep_name>,
-    std::tuple{
-        Field{"kind", in(&SweepReport::spec, &sweep::SweepSpec::kind)},
-        Field{"output", [](const SweepReport& report) { return ShownOutput{report.spec}; }},
-        Field{"record", &SweepReport::record, "the file of the load; null of any other"},
-        Field{"part", in(&SweepReport::spec, &sweep::SweepSpec::part), "null for a whole sweep"},
-        Field{"rows", in(&SweepReport::summary, &SweepSummary::state, &SweepState::rows),
-              "all rows in the file"},
-        Field{"outcomes",
-              rows_of(false, [](const SweepState& state) { return Outcomes{state.outcomes}; }),
-              "how many rows have each outcome; null for designs"},
-        Field{"locked", rows_of(false, [](const SweepState& state) { return state.locked(); }),
-              "motions that the notch holds while the load goes on"},
-        Field{"feasible", rows_of(true, [](const SweepState& state) { return state.feasible; }),
-              "how many designs there are; null for motions"},
-        Field{"resumed_at", in(&SweepReport::summary, &SweepSummary::resumed_at),
-              "how many rows existed when this run began"},
-        Field{"threads", [](const SweepReport& report) { return int{report.spec.threads}; }, "",
-              at_least_one},
-        Field{"wall_time_s", in(&SweepReport::summary, &SweepSummary::wall_time_s),
-              "of this run only, like rows_per_s"},
-        Field{"rows_per_s", [](const SweepReport& report) { return rate(report.summary); }}});
-
-}  // namespace
-
-ordered_json json(const SweepReport& report) {
-  return object_by<sweep_table>(report);
-}
-
-ordered_json sweep_schema() {
-  return report_schema<SweepReport>(sweep_table, sweep_name.front(), "sweep --output FILE --json");
-}
 
 Document document(const SweepReport& report) {
   const auto& [spec, summary, map, record] = report;
-  Document document = document_of("Sweep", summary.state, spec.kind == SweepKind::design);
+  Document document = document_of("Sweep", summary.state, spec.kind == sweep::SweepKind::design);
   if (record) {
     document.answer.row("record", spelled_out(*record));
   }
@@ -169,6 +128,19 @@ figures::HtmlPage page(const SweepReport& report) {
     page.figures = {sweep_figure(report.spec, *report.map)};
   }
   return page;
+}
+
+Document document(const ReductionReport& report) {
+  Document made = document_of("Sweep without rows", report.state,
+                              report.kind == name(sweep::SweepKind::design));
+  if (report.split) {
+    made.answer.row("part", text(report.label.part));
+  }
+  add_columns(made, report.reduction);
+  for (const BestRows& best : report.reduction.best) {
+    add_best(made, best, report.reduction);
+  }
+  return made;
 }
 
 }  // namespace stillpoint::report

@@ -251,6 +251,10 @@ Section& Document::section(std::string heading) {
   return sections.emplace_back(Section{std::move(heading), {}});
 }
 
+Section& Document::section(std::string heading, Table table) {
+  return sections.emplace_back(Section{std::move(heading), {std::move(table)}});
+}
+
 Section& Document::detail(std::string heading) {
   return sections.emplace_back(Section{std::move(heading), {}, true});
 }

@@ -4,8 +4,6 @@
 
 #include <stillpoint/report/digits.hpp>
 
-#include <numbers>
-#include <tuple>
 #include <utility>
 
 namespace stillpoint::report {
@@ -36,11 +34,11 @@ std::string length_limit(const Physical& physical, double length, bool upwards,
   if (!physical) {
     return limit_digits(length, upwards, digits.value_or(plain));
   }
-  const FigureUnits units(physical);
-  const double shown = length * units.length;
+  const Unit unit = units_of(physical).length;
+  const double shown = length * unit;
   const double metres = length * physical->scales.length_m;
   return shown < all_its_digits
-             ? limit_digits(shown, upwards, digits.value_or(with_a_unit)) + " " + units.length_unit
+             ? limit_digits(shown, upwards, digits.value_or(with_a_unit)) + " " + unit.name
              : limit_digits(metres, upwards, digits.value_or(with_a_unit)) + " m";
 }
 
@@ -54,7 +52,7 @@ std::string figure_shown(const Physical& physical, Dimension dimension, double v
     case Dimension::time:
       return time_shown(physical, value);
     case Dimension::velocity:
-      return FigureUnits(physical).velocity_words(value);
+      return units_of(physical).velocity.words(value);
     case Dimension::gravities:
       return acceleration_shown(value);
     default:
@@ -64,9 +62,8 @@ std::string figure_shown(const Physical& physical, Dimension dimension, double v
 
 std::pair<std::string, std::string> told_apart(const Physical& physical, Dimension dimension,
                                                double value, double limit) {
-  const auto [unit, name] = FigureUnits(physical).of(dimension);
-  const auto shown = [factor = unit, after = with_blank(name)](double of, int digits) {
-    return format("{:.{}g}{}", of * factor, digits, after);
+  const auto shown = [unit = units_of(physical).of(dimension)](double of, int digits) {
+    return format("{:.{}g}{}", of * unit, digits, with_blank(unit.name));
   };
   std::pair usual{figure_shown(physical, dimension, value),
                   figure_shown(physical, dimension, limit)};
@@ -83,78 +80,52 @@ std::string beyond(const Physical& physical, Dimension dimension, double value, 
   return format("{} where {} is allowed", one, other);
 }
 
-std::string in(const std::string& name, const std::string& unit) {
-  return name + (unit.empty() ? "" : ", " + unit);
+std::string Unit::words(double value) const {
+  return few_digits(value * factor + 0.0) + with_blank(name);
+}
+
+std::string in(std::string_view name, const Unit& unit) {
+  return format("{}{}{}", name, unit.name.empty() ? "" : ", ", unit.name);
 }
 
 namespace {
 
 /// In the unit in which it has digits before the point.
-std::pair<double, std::string> in_joules(double energy) {
-  return energy >= 1e3 ? std::pair(1e-3 * energy, "kJ")
-         : energy >= 1 ? std::pair(energy, "J")
-                       : std::pair(1e3 * energy, "mJ");
+Unit in_joules(double energy) {
+  return energy >= 1e3 ? Unit{1e-3 * energy, "kJ"}
+         : energy >= 1 ? Unit{energy, "J"}
+                       : Unit{1e3 * energy, "mJ"};
 }
 
 }  // namespace
 
-FigureUnits::FigureUnits(const Physical& physical) {
+FigureUnits units_of(const Physical& physical) {
   if (!physical) {
-    return;
+    return {};
   }
   const design::Scales& scales = physical->scales;
-  const bool large = scales.length_m > 10;
-  length = scales.length_m * (large ? 1 : 1e3);
-  time = scales.time_s;
-  velocity = scales.velocity_m_per_s;
-  energy = scales.velocity_m_per_s * scales.velocity_m_per_s * scales.mass_kg.value_or(1);
-  length_unit = large ? "m" : "mm";
-  time_unit = "s";
-  velocity_unit = "m/s";
-  energy_unit = "J/kg";
-  if (scales.mass_kg) {
-    std::tie(energy, energy_unit) = in_joules(energy);
-  }
-  delta_label += ", " + length_unit;
-  x_label += ", " + length_unit;
-  time_label = "time, s";
-  velocity_label = "velocity, m/s";
-  energy_label += ", " + energy_unit;
+  const double speed = scales.velocity_m_per_s;
+  const double energy = speed * speed * scales.mass_kg.value_or(1);
+  return {.length =
+              scales.length_m > 10 ? Unit{scales.length_m, "m"} : Unit{scales.length_m * 1e3, "mm"},
+          .time = {scales.time_s, "s"},
+          .velocity = {speed, "m/s"},
+          .energy = scales.mass_kg ? in_joules(energy) : Unit{energy, "J/kg"}};
 }
 
-std::pair<double, std::string> FigureUnits::of(Dimension dimension) const {
-  return dimension == Dimension::length      ? std::pair(length, length_unit)
-         : dimension == Dimension::velocity  ? std::pair(velocity, velocity_unit)
-         : dimension == Dimension::gravities ? std::pair(1.0, std::string("g"))
-                                             : std::pair(1.0, std::string());
+Unit FigureUnits::of(Dimension dimension) const {
+  return dimension == Dimension::length      ? length
+         : dimension == Dimension::velocity  ? velocity
+         : dimension == Dimension::gravities ? Unit{1, "g"}
+                                             : Unit{};
 }
 
-namespace {
-
-std::string few_with_unit(double value, const std::string& unit) {
-  return format("{}{}{}", few_digits(value + 0.0), unit.empty() ? "" : " ", unit);
-}
-
-}  // namespace
-
-std::string FigureUnits::words(Dimension dimension, double value) const {
-  const auto [unit, name] = of(dimension);
-  return few_with_unit(value * unit, name);
-}
-std::string FigureUnits::length_words(double value) const {
-  return few_with_unit(value * length, length_unit);
-}
 std::string FigureUnits::place_words(double x) const {
-  return x == 0 ? "0" : length_words(x);
+  return x == 0 ? "0" : length.words(x);
 }
+
 std::string FigureUnits::time_words(double value) const {
-  return (time_unit.empty() ? "τ = " : "") + few_with_unit(value * time, time_unit);
-}
-std::string FigureUnits::velocity_words(double value) const {
-  return few_with_unit(value * velocity, velocity_unit);
-}
-std::string FigureUnits::energy_words(double value) const {
-  return few_with_unit(value * energy, energy_unit);
+  return (time.name.empty() ? "τ = " : "") + time.words(value);
 }
 
 }  // namespace stillpoint::report

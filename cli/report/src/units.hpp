@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace stillpoint::report {
@@ -34,42 +35,42 @@ using Physical = std::optional<design::PhysicalInput>;
                                                              double limit);
 [[nodiscard]] std::string beyond(const Physical& physical, Dimension dimension, double value,
                                  double limit);
-/// "peak, mm"; the name alone without a unit.
-[[nodiscard]] std::string in(const std::string& name, const std::string& unit);
-
 /// " mm" behind a number; nothing without a unit.
 [[nodiscard]] std::string with_blank(const std::string& unit);
 
-/// The factors that figures apply to dimensionless numbers, and the labels of their axes.
-struct FigureUnits {
-  double length{1};
-  double time{1};
-  double velocity{1};
-  double energy{1};
-  std::string f_label{"constant friction f"};
-  std::string delta_label{"point friction Δ"};
-  std::string x_label{"displacement x"};
-  std::string time_label{"time τ"};
-  std::string velocity_label{"velocity x′"};
-  std::string energy_label{"energy"};
-
-  std::string length_unit;  ///< these as words, empty without physical input
-  std::string time_unit;
-  std::string velocity_unit;
-  std::string energy_unit;
-
-  explicit FigureUnits(const Physical& physical);
-  /// The factor and the unit of a dimension; 1 and none of what has none here.
-  [[nodiscard]] std::pair<double, std::string> of(Dimension dimension) const;
+/// What people read numbers in: "mm", of which a dimensionless one has so many.
+struct Unit {
+  double factor{1};
+  std::string name{};  ///< empty without physical input
 
   /// "137 mm"; the value is dimensionless.
-  [[nodiscard]] std::string words(Dimension dimension, double value) const;
-  [[nodiscard]] std::string length_words(double value) const;
-  /// The same of an x; "0" alone.
+  [[nodiscard]] std::string words(double value) const;
+};
+[[nodiscard]] inline double operator*(double value, const Unit& unit) {
+  return value * unit.factor;
+}
+/// "peak, mm"; the name alone without a unit.
+[[nodiscard]] std::string in(std::string_view name, const Unit& unit);
+
+/// The units of figures and tables, and the labels of axes.
+struct FigureUnits {
+  Unit length{};
+  Unit time{};
+  Unit velocity{};
+  Unit energy{};
+  std::string f_label{"constant friction f"};
+  std::string delta_label{in("point friction Δ", length)};
+  std::string x_label{in("displacement x", length)};
+  std::string time_label{time.name.empty() ? "time τ" : "time, s"};
+  std::string velocity_label{velocity.name.empty() ? "velocity x′" : "velocity, m/s"};
+  std::string energy_label{in("energy", energy)};
+
+  [[nodiscard]] Unit of(Dimension dimension) const;
+  /// "0" alone of that x.
   [[nodiscard]] std::string place_words(double x) const;
   [[nodiscard]] std::string time_words(double value) const;
-  [[nodiscard]] std::string velocity_words(double value) const;
-  [[nodiscard]] std::string energy_words(double value) const;
 };
+/// Those of a task.
+[[nodiscard]] FigureUnits units_of(const Physical& physical);
 
 }  // namespace stillpoint::report

@@ -31,7 +31,7 @@ Figure over_stroke(const std::vector<design::TradeOff>& front, const FigureUnits
     least = std::min(least, quantity(now));
     most = std::max(most, quantity(now));
   }
-  figure.x = figures::axis_around(in("stroke", units.length_unit), curve.strokes[0].back().x,
+  figure.x = figures::axis_around(in("stroke", units.length), curve.strokes[0].back().x,
                                   curve.strokes[0].front().x);
   figure.y = figures::axis_around(curve.name, least, most);
   figure.curves.push_back(std::move(curve));

@@ -83,11 +83,11 @@ void add_damper(Figure& figure, const DrawnDamper& damper, const design::BoxShap
                 const FigureUnits& units) {
   const FigurePoint at{damper.f, damper.delta * units.length};
   const std::string values =
-      format("f = {:.4g}, Δ = {}", damper.f, units.length_words(damper.delta));
+      format("f = {:.4g}, Δ = {}", damper.f, units.length.words(damper.delta));
   figure.description += damper.name + " at " + values;
   if (leaves_any(damper.tolerance)) {
     const std::string words = tolerance_words(shape, damper.tolerance);
-    auto box = tolerance_box(damper, shape, units.length);
+    auto box = tolerance_box(damper, shape, units.length.factor);
     add_box_inset(figure, box);
     if (begins_at_nothing(box[2].x, figure.x.most)) {  // a line along the axis would not be seen
       constexpr double visible = 0.012;                // of the axis

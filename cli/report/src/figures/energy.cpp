@@ -30,7 +30,7 @@ double friction_between(const DrawnMotion& motion, const State& one, const State
 
 /// "12 kJ", a part of a whole.
 std::string part_words(double part, double whole, const FigureUnits& units) {
-  return part <= 0 ? "nothing" : part < 1e-3 * whole ? "less than 0.1 %" : units.energy_words(part);
+  return part <= 0 ? "nothing" : part < 1e-3 * whole ? "less than 0.1 %" : units.energy.words(part);
 }
 
 }  // namespace
@@ -73,11 +73,11 @@ Figure energy_figure(const DrawnMotion& motion, const FigureUnits& units) {
   figure.title = "Where the energy went" + beginning(motion);
   figure.x = {units.time_label, 0, motion.shown_to * units.time};
   figure.y = {units.energy_label, 0, most > 0 ? 1.06 * most : 1};
-  const double now = left.back().y / units.energy;
+  const double now = left.back().y / units.energy.factor;
   const std::string friction = motion.surface.zones.empty() ? "constant friction" : "friction";
   figure.clauses = {
       fmt::format("Of the energy of {} at the start, {} took {} and the notch {}",
-                  units.energy_words(whole), friction, part_words(constant, whole, units),
+                  units.energy.words(whole), friction, part_words(constant, whole, units),
                   part_words(point, whole, units)),
       fmt::format("{} is left {}", part_words(now, whole, units),
                   motion.rest    ? "in the spring"

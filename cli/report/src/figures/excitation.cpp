@@ -68,7 +68,7 @@ Figure excitation_figure(const Excitation& excitation, const DrawnMotion& motion
                          const FigureUnits& units) {
   std::vector<FigurePoint> points = thinned(wave(excitation, motion.shown_to));
   for (FigurePoint& at : points) {
-    at.x *= units.time;
+    at.x *= units.time.factor;
   }
   const auto [least, most] = extent(points, &FigurePoint::y);
   Figure figure;

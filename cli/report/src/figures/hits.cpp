@@ -200,14 +200,14 @@ std::optional<design::ServedInterval> hit_of(const std::optional<design::WorksFo
 Figure hits_figure(const design::Problem& problem, const design::Limits& limits, double f,
                    double delta, const std::optional<design::WorksFor>& works_for,
                    const FigureUnits& units) {
-  const double unit = units.velocity;
+  const double unit = units.velocity.factor;
   const auto hits = design::shown_hits(problem, f, delta);
   const auto felt = above_limit(problem, limits, f, hits);
   Figure figure = ends_figure({.noun = "hit",
                                .measured = "hits",
                                .symbol = "V₀",
                                .scale = unit,
-                               .unit = units.velocity_unit,
+                               .unit = units.velocity.name,
                                .list = hits,
                                .asked = {problem.v0_low.value_or(problem.v0), problem.v0},
                                .arrivals = static_cast<double>(problem.arrivals),
@@ -215,8 +215,8 @@ Figure hits_figure(const design::Problem& problem, const design::Limits& limits,
                                .works = hit_of(works_for)});
   figure.title = problem.p_high ? "Where the mass stops with the worst spring"
                                 : "Where the mass stops after a hit";
-  figure.x.label = units.velocity_unit.empty() ? "velocity of the hit, V₀"
-                                               : "velocity of the hit V₀, " + units.velocity_unit;
+  figure.x.label = units.velocity.name.empty() ? "velocity of the hit, V₀"
+                                               : "velocity of the hit V₀, " + units.velocity.name;
   if (felt) {
     figure.areas.push_back({format("above {:.4g} g", *limits.acceleration_max),
                             rectangle(felt->low * unit, felt->high * unit, 0, 1), Ink::purple,

@@ -32,7 +32,7 @@ void caption_inset(Figure& figure, const FigureUnits& units) {
     const auto& [x, y] = *figure.inset;
     figure.clauses.push_back(
         format("the corner enlarges f of {} and Δ of {}{}", interval_digits(x.least, x.most),
-               interval_digits(y.least, y.most), with_blank(units.length_unit)));
+               interval_digits(y.least, y.most), with_blank(units.length.name)));
   }
 }
 

@@ -29,7 +29,7 @@ const State& farthest(const DrawnMotion& motion) {
 
 /// "starts at its peak of 0.5" or "reaches its peak of 137 mm after 0.585 s".
 std::string reached(const State& peak, const FigureUnits& units) {
-  const std::string length = units.length_words(peak.x);
+  const std::string length = units.length.words(peak.x);
   return peak.tau > 0
              ? format("reaches its peak of {} after {}", length, units.time_words(peak.tau))
              : format("starts at its peak of {}", length);
@@ -75,7 +75,7 @@ figures::FigureAxis displacement_axis(const DrawnMotion& motion, const FigureUni
 }
 
 void add_limits(Figure& figure, const DrawnMotion& motion, const FigureUnits& units) {
-  std::string name = format("limit {}", units.length_words(*motion.beta));
+  std::string name = format("limit {}", units.length.words(*motion.beta));
   for (const double limit : {*motion.beta, -*motion.beta}) {
     const double y = limit * units.length;
     if (figure.y.least < y && y < figure.y.most) {
@@ -103,7 +103,7 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   };
   const bool long_one = is_long(motion);
   const State& peak = farthest(motion);
-  const std::string peak_words = "peak " + units.length_words(peak.x);
+  const std::string peak_words = "peak " + units.length.words(peak.x);
   const std::string rest_words = words_of_rest(motion, units);
   Figure figure;
   figure.id = "motion";
@@ -121,7 +121,7 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
                                                units.time_words(*motion.locked_to))
                                       : "")};
   figure.description = "Displacement over time. " + figure.caption();
-  add_zones(figure, motion, units.length, Along::x);
+  add_zones(figure, motion, units.length.factor, Along::x);
   add_lock(figure, motion, units);
   constexpr double narrowest = 0.005;  // of the figure, to be seen
   for (const auto& [from, to] : motion.sticks) {
@@ -136,7 +136,7 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
     if (!is_drawn(motion, other)) {
       const auto [low, high] = other.reach;
       figure.clauses.push_back(format("{} it would reach {}, beyond this figure", other.name,
-                                      units.length_words(std::max(high, -low))));
+                                      units.length.words(std::max(high, -low))));
       continue;
     }
     figure.curves.push_back(figures::line(name_of(other, figure.y, units), strokes_of(other, place),
@@ -163,7 +163,7 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   }
   if (motion.rest && !(moves && stays)) {
     figure.notes.push_back(
-        {format("rest {}", units.length_words(motion.rest->x)), place(*motion.rest)});
+        {format("rest {}", units.length.words(motion.rest->x)), place(*motion.rest)});
   }
   return figure;
 }

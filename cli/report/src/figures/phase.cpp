@@ -93,8 +93,8 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
   figure.y = axis_around(units.velocity_label, v_least * units.velocity, v_most * units.velocity);
   figure.description =
       fmt::format("Velocity over displacement, from x = {}, x' = {}.",
-                  units.length_words(states.front().x), units.velocity_words(states.front().v));
-  add_zones(figure, motion, units.length, Along::y);
+                  units.length.words(states.front().x), units.velocity.words(states.front().v));
+  add_zones(figure, motion, units.length.factor, Along::y);
   figure.curves = {std::move(arcs)};
   constexpr double visible = 0.01;  // of the height, some pixels
   if (largest_jump > visible * (v_most - v_least)) {

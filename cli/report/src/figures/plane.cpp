@@ -64,7 +64,7 @@ PlaneLook look_of(PlaneKind kind) {
 
 PlaneWords::PlaneWords(const design::Problem& problem, const design::Limits& limits,
                        const FigureUnits& units)
-    : beta(units.length_words(problem.beta)),
+    : beta(units.length.words(problem.beta)),
       hits(problem.v0_low || problem.p_high ? "some hits rest" : "rests"),
       arrivals(problem.arrivals),
       residual(problem.residual.has_value()) {

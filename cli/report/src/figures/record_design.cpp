@@ -4,7 +4,6 @@
 #include "figures/record_map.hpp"
 #include "figures/report_figures.hpp"
 #include "format.hpp"
-#include "record_design_parts.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/report/record_design.hpp>
@@ -40,7 +39,7 @@ void add_worst_of_box(DrawnMotion& motion, const design::RecordDesign& result, s
   if (box.samples == 1) {
     return;
   }
-  const SimulationRequest request = motion_request(result, box.of.at(kind), index);
+  const SimulationRequest request = motion_of(result.request, box.of.at(kind), index);
   add(motion, {.name = "worst within the tolerance",
                .states = design::shown_motion(request).states,
                .ink = figures::Ink::orange});
@@ -50,7 +49,7 @@ void add_worst_of_box(DrawnMotion& motion, const design::RecordDesign& result, s
 void add_record(std::vector<Figure>& figures, const design::RecordDesign& result, std::size_t index,
                 const FigureUnits& units) {
   const design::RecordDesignRequest& task = result.request;
-  const SimulationRequest request = motion_request(result, result.finding->point.damper, index);
+  const SimulationRequest request = motion_of(task, result.finding->point.damper, index);
   const bool worst = index == worst_record(result);
   const std::string id = format("record-{}", index + 1);
   DrawnMotion motion(design::shown_motion(request));
@@ -82,7 +81,8 @@ void add_records(std::vector<Figure>& figures, const design::RecordDesign& resul
                  const FigureUnits& units) {
   const std::size_t worst = worst_record(result);
   add_record(figures, result, worst, units);
-  for (std::size_t i = 0; i < std::min(most_drawn_records, result.request.records.size()); ++i) {
+  for (std::size_t i = 0;
+       i < std::min<std::size_t>(most_drawn_records, result.request.records.size()); ++i) {
     if (i != worst) {
       add_record(figures, result, i, units);
     }
@@ -102,7 +102,7 @@ std::vector<Figure> design_spectra(const design::RecordDesign& result, const Fig
                                   damper.delta,
                                   task.combine,
                                   task.hold,
-                                  notch_of(task, damper).width,
+                                  damper.delta > 0 ? damper.notch_width() : std::nullopt,
                                   task.threads};
   for (const double periods : evenly(shortest, longest, points)) {
     request.p.push_back(damper.p / periods);
@@ -114,7 +114,7 @@ std::vector<Figure> design_spectra(const design::RecordDesign& result, const Fig
 
 figures::HtmlPage page(const RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;
-  const FigureUnits units(report.physical);
+  const FigureUnits units = units_of(report.physical);
   figures::HtmlPage page = page_of(document(report, Verbosity::full));
   page.figures = record_maps(result, units);
   if (result.finding) {

@@ -2,7 +2,6 @@
 #include "figures/record_map.hpp"
 #include "figures/shading.hpp"
 #include "format.hpp"
-#include "record_design_parts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -105,10 +104,10 @@ void add_shades(figures::FigureMap& drawn, const ShownValues& shown,
                                        : figures::MapShade{shades.at(i)});
   }
   if (least < most) {
-    drawn.key.push_back({"from " + units.words(kind.dimension, least), shades.front()});
-    drawn.key.push_back({"to " + units.words(kind.dimension, most), shades.back()});
+    drawn.key.push_back({"from " + units.of(kind.dimension).words(least), shades.front()});
+    drawn.key.push_back({"to " + units.of(kind.dimension).words(most), shades.back()});
   } else if (least == most) {
-    drawn.key.push_back({units.words(kind.dimension, least), shades.front()});
+    drawn.key.push_back({units.of(kind.dimension).words(least), shades.front()});
   }
 }
 
@@ -209,7 +208,7 @@ Figure drawn_map(const design::RecordDesign& result, const Window& window, bool 
                     "darker the better"
                   : "The darker, the better",
       any_fails ? excess_clause(bounds, any_good ? "where it is hatched, " : "") : ""};
-  if (boxes && !is_exact(task.tolerance)) {
+  if (boxes && !task.tolerance.exact()) {
     figure.clauses.emplace_back("a cell shows the worst within the tolerance about its middle");
   }
   constexpr std::uint8_t best_shade = 0;

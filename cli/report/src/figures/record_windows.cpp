@@ -2,7 +2,6 @@
 // Which parts of the plane of f and delta the maps of a design under records show.
 #include "figures/record_map.hpp"
 #include "format.hpp"
-#include "record_design_parts.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -36,7 +35,8 @@ std::string shortfall_title(const design::RecordDesign& result, const FigureUnit
   const design::Mend& mend = result.mends.front();
   const auto& kind =
       *std::ranges::find(design::suite_figure_kinds, mend.field, &design::SuiteFigureKind::field);
-  return format("No damper: allow a {} of {}", kind.words, units.words(kind.dimension, mend.value));
+  return format("No damper: allow a {} of {}", kind.words,
+                units.of(kind.dimension).words(mend.value));
 }
 
 /// Where the search went beyond the map; "" if nowhere.

@@ -149,7 +149,7 @@ design::PlaneWindow window(const Figure& figure, double unit) {
 /// After a hit; the strips of the arrivals, which are its first areas.
 std::vector<PlaneArea> add_plane(Figure& figure, const DrawnRegion& drawn,
                                  const FigureUnits& units) {
-  const double unit = units.length;
+  const double unit = units.length.factor;
   const Region& region = drawn.region;
   const auto& damper = drawn.damper;
   const bool several = drawn.problem.arrivals > 1 || !is_plain(drawn.problem, {});
@@ -204,7 +204,7 @@ std::vector<PlaneArea> add_plane(Figure& figure, const DrawnRegion& drawn,
 /// strips.
 std::vector<PlaneArea> add_pulse_plane(Figure& figure, const DrawnRegion& drawn,
                                        const FigureUnits& units) {
-  const FigurePoint far = far_corner(drawn, units.length);
+  const FigurePoint far = far_corner(drawn, units.length.factor);
   constexpr double headroom = 1.15;
   const double right = headroom * far.x;
   FigureCurve curve = needs(*drawn.pulse, right, units);
@@ -221,8 +221,8 @@ std::vector<PlaneArea> add_pulse_plane(Figure& figure, const DrawnRegion& drawn,
   }
   add_areas(figure,
             design::pulse_areas(*drawn.pulse, drawn.limits, drawn.region, drawn.intervals,
-                                window(figure, units.length)),
-            PlaneWords(units.length_words(drawn.pulse->beta)), units.length);
+                                window(figure, units.length.factor)),
+            PlaneWords(units.length.words(drawn.pulse->beta)), units.length.factor);
   for (figures::FigureArea& area : figure.areas) {
     const bool loose = area.name == "admissible" && drawn.limits.tolerance > 0;
     area.name += loose ? " without a tolerance" : "";
@@ -231,8 +231,8 @@ std::vector<PlaneArea> add_pulse_plane(Figure& figure, const DrawnRegion& drawn,
   if (drawn.region.feasible) {
     add_tolerant(figure, drawn.limits,
                  outlines(design::tolerant_areas(*drawn.pulse, drawn.limits, drawn.intervals,
-                                                 figure.y.most / units.length),
-                          units.length));
+                                                 figure.y.most / units.length.factor),
+                          units.length.factor));
   }
   return {};
 }
@@ -242,7 +242,7 @@ std::vector<PlaneArea> add_pulse_plane(Figure& figure, const DrawnRegion& drawn,
 void add_boundaries(Figure& figure, const Problem& problem, const FigureUnits& units,
                     const FigurePoint& last) {
   const Region region = design::admissible_region(problem);
-  add_delta1(figure, problem, region.f3, units.length);
+  add_delta1(figure, problem, region.f3, units.length.factor);
   const double top = region.delta2.value() * units.length;
   if (region.f3 > figure.x.least && region.f3 < last.x) {
     add_edge(figure, "does not return →", {region.f3, figure.y.least}, {region.f3, figure.y.most});
@@ -265,11 +265,11 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
     add_damper(figure, *damper, drawn.limits.shape, units);
   }
   if (damper && strips.size() > 1) {
-    add_point_inset(figure, strips, *damper, units.length);
+    add_point_inset(figure, strips, *damper, units.length.factor);
   }
   for (std::size_t i = 0; i < strips.size() && !figure.inset; ++i) {
     if (!is_seen(figure, figure.areas[i])) {
-      add_strip_inset(figure, strips[i], units.length);
+      add_strip_inset(figure, strips[i], units.length.factor);
     }
   }
   caption_inset(figure, units);

@@ -133,7 +133,7 @@ std::vector<std::string> clauses(const std::string& name, const std::string& uni
     }
     const FigurePoint most = highest(curve);
     return most.y > 0 ? format("at most {}, at a period of {:.4g}{}", value(most.y), most.x,
-                               units.time_unit.empty() ? "" : " s")
+                               units.time.name.empty() ? "" : " s")
                       : "zero";
   };
   std::vector<std::string> said{format("The {} is {}", name, words(shown))};
@@ -156,20 +156,20 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
   const auto [shortest, longest] = std::ranges::minmax(periods);
   std::vector<Figure> all;
   for (const Kind& kind : kinds) {
-    const auto [unit, unit_name] = units.of(kind.dimension);
+    const Unit unit = units.of(kind.dimension);
     const bool felt = kind.dimension == records::Dimension::gravities;
     const std::string name =
         format("{}{}", kind.quantity,
                felt ? jumps_words(spectrum.request.delta, spectrum.request.notch_width) : "");
     Figure figure;
-    figure.id = spectrum_figure_names.at(all.size());
+    figure.id = format("spectrum-{}", kind.axis);
     figure.title = format("Spectrum of the {}", kind.quantity);
     figure.height = 170;
-    figure.x = figures::axis_around(units.time_unit.empty() ? "period 2π/p" : "period, s", shortest,
+    figure.x = figures::axis_around(units.time.name.empty() ? "period 2π/p" : "period, s", shortest,
                                     longest);
     figure.x.least = std::max(figure.x.least, 0.0);
-    add_curves(figure, spectrum, {kind.drawn, unit, periods});
-    figure.clauses = clauses(name, unit_name, figure, spectrum, units,
+    add_curves(figure, spectrum, {kind.drawn, unit.factor, periods});
+    figure.clauses = clauses(name, unit.name, figure, spectrum, units,
                              chosen ? std::optional(period(*chosen)) : std::nullopt);
     add_points(figure, periods.size());
     double most = 0;
@@ -179,7 +179,7 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
     constexpr double above_most = 1.08;
     constexpr double below_zero = -0.02;  // so that a line at 0 is seen whole
     most = most > 0 ? above_most * most : 1;
-    figure.y = {in(std::string(kind.axis), unit_name), below_zero * most, most};
+    figure.y = {in(kind.axis, unit), below_zero * most, most};
     if (chosen) {
       const double at = period(*chosen);
       figure.curves.push_back(figures::line("period of the design",
@@ -207,7 +207,7 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
 figures::HtmlPage page(const SpectrumReport& report) {
   figures::HtmlPage page = page_of(document(report, Verbosity::full));
   if (report.result.combined.size() > 1) {  // the table says more than two dots
-    page.figures = spectrum_figures(report.result, FigureUnits(report.physical));
+    page.figures = spectrum_figures(report.result, units_of(report.physical));
   }
   return page;
 }

@@ -117,7 +117,7 @@ figures::FigureMap drawn(const sweep::SweepMap& map, const ClassCounts& counts, 
 std::string peak_words(double peak, double most, const FigureUnits& units) {
   constexpr double nothing = 1e-6;
   return format("{:.3g}{}", peak < nothing * most ? 0 : peak * units.length,
-                with_blank(units.length_unit));
+                with_blank(units.length.name));
 }
 
 /// Shades a class by its peaks, if they differ; the key says from which to which.
@@ -140,7 +140,7 @@ void shade_peaks(figures::FigureMap& drawn, const sweep::SweepMap& map, const Sh
   for (std::size_t i = 0; i < peak_shades; ++i) {
     drawn.palette.push_back(shade(shade_of(by.shades, i), name + ", peak ",
                                   bounds[2 * i] * units.length, bounds[2 * i + 2] * units.length,
-                                  units.length_unit, hatch));
+                                  units.length.name, hatch));
   }
   for (std::size_t i = 0; i < drawn.cells.size(); ++i) {
     if (map.cells()[i] == by.index) {
@@ -196,12 +196,8 @@ double only_value(const sweep::SweepSpec& spec, Quantity quantity) {
 }  // namespace
 
 Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
-  FigureUnits units({});
-  if (spec.units) {  // rows are in metres, figures in millimetres
-    units.length = 1e3;
-    units.length_unit = "mm";
-    units.delta_label += ", mm";
-  }
+  // Rows are in metres, figures in millimetres.
+  const FigureUnits units{.length = spec.units ? Unit{1e3, "mm"} : Unit()};
   ClassCounts counts{};
   std::ranges::for_each(map.cells(), [&counts](std::uint8_t cell) { ++counts.at(cell); });
   const double v0 = std::abs(only_value(spec, Quantity::v0));
@@ -209,7 +205,7 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
   Figure figure;
   figure.id = "map";
   figure.x = figure_axis(units.f_label, map.f());
-  figure.y = figure_axis(units.delta_label, map.delta(), units.length);
+  figure.y = figure_axis(units.delta_label, map.delta(), units.length.factor);
   figure.map = drawn(map, counts, v0 == 0, place);
   for (const ShadedClass& by : shaded) {
     shade_peaks(figure.map, map, by, units);

@@ -4,7 +4,7 @@
 #include "json/head_fields.hpp"
 #include "json/motion_fields.hpp"
 #include "json/schema.hpp"
-#include "sweep_parts.hpp"
+#include "json/sweep_parts.hpp"
 
 #include <stillpoint/report/reduction.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads the parts of a reduced sweep, as reduction.cpp writes them, and joins them.
 
-#include "sweep_parts.hpp"
+#include "json/sweep_parts.hpp"
 
 #include <stillpoint/core/cancellation.hpp>
 #include <stillpoint/core/input_error.hpp>

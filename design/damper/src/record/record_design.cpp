@@ -84,6 +84,19 @@ struct Cells {
 
 }  // namespace
 
+std::size_t worst_record(const RecordDesign& result) {
+  const std::vector<ForcedResponse>& all = result.finding->responses;
+  const auto value = [&](const ForcedResponse& response) {
+    return suite_figures(response).*minimised(result.request).value;
+  };
+  constexpr double same = 1 - 1e-9;  // f + hold is felt under every record that frees the mass
+  const double most = value(*std::ranges::max_element(all, {}, value));
+  const auto peak_of_worst = [&](const ForcedResponse& response) {
+    return value(response) >= same * most ? response.peak_amplitude : -1;
+  };
+  return static_cast<std::size_t>(std::ranges::max_element(all, {}, peak_of_worst) - all.begin());
+}
+
 RecordDesign design(const RecordDesignRequest& request, const RecordWatch& go_on) {
   require_valid(request);
   const double begun = seconds_now();

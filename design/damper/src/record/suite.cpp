@@ -76,6 +76,16 @@ Record scaled(const SuiteRecord& record) {
   return load;
 }
 
+SimulationRequest motion_of(const RecordDesignRequest& request, const SuiteDamper& damper,
+                            std::size_t record) {
+  SimulationRequest motion;
+  motion.oscillator = {damper.p, damper.f, damper.delta, request.hold};
+  motion.start = {0, 0};
+  motion.surface.notch_width = damper.delta > 0 ? damper.notch_width() : std::nullopt;
+  motion.excitation = scaled(request.records[record]);
+  return motion;
+}
+
 SuiteFigures suite_figures(const ForcedResponse& response) {
   return {response.peak_amplitude,
           response.peak_absolute_acceleration,

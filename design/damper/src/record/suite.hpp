@@ -52,7 +52,7 @@ class Suite {
     return {damper.p, damper.f, damper.delta, hold_};
   }
   [[nodiscard]] static Surface surface(const SuiteDamper& damper) {
-    return {damper.width > 0 ? std::optional(damper.width) : std::nullopt, {}};
+    return {damper.notch_width(), {}};
   }
 
  private:

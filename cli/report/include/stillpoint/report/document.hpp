@@ -61,6 +61,8 @@ struct Document {
 
   /// A new section at the end; the reference is good until the next one.
   Section& section(std::string heading);
+  /// One that begins with a table.
+  Section& section(std::string heading, Table table);
   Section& detail(std::string heading);
 };
 

@@ -3,9 +3,9 @@
 
 #include <stillpoint/figures/html_page.hpp>
 
-#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace stillpoint::report {
 
@@ -19,7 +19,7 @@ struct PageFrame {
 /// Adds the frame and the version of the program.
 void add_frame(figures::HtmlPage& page, const PageFrame& frame);
 
-/// The ids of the figures that the page of a design may have, for a hit or under records.
-[[nodiscard]] std::span<const std::string_view> all_design_figures();
+/// The ids of the figures that the page of a command may have.
+[[nodiscard]] std::vector<std::string> figure_ids(std::string_view command);
 
 }  // namespace stillpoint::report

@@ -10,11 +10,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace stillpoint::report {
@@ -28,10 +26,6 @@ struct RecordDesignReport {
   design::RecordDesign result;
   std::optional<design::PhysicalInput> physical{};
 };
-
-/// Of a design with a damper: the record with the largest figure of the objective, or of several
-/// the one with the largest stroke.
-[[nodiscard]] std::size_t worst_record(const design::RecordDesign& result);
 
 /// How far a search is, in about 80 characters.
 [[nodiscard]] std::string progress_words(const design::RecordProgress& progress,
@@ -50,14 +44,6 @@ struct RecordDesignReport {
 /// chosen period; they are computed here.
 [[nodiscard]] figures::HtmlPage page(const RecordDesignReport& report);
 
-inline constexpr std::size_t most_drawn_records = 11;
-/// The ids of the figures that the page may have, besides those of a spectrum.
-inline constexpr std::array<std::string_view, 26> record_design_figures{
-    "map",           "map-near",      "worst",         "worst-load",    "record-1",
-    "record-2",      "record-3",      "record-4",      "record-5",      "record-6",
-    "record-7",      "record-8",      "record-9",      "record-10",     "record-11",
-    "record-1-load", "record-2-load", "record-3-load", "record-4-load", "record-5-load",
-    "record-6-load", "record-7-load", "record-8-load", "record-9-load", "record-10-load",
-    "record-11-load"};
+inline constexpr int most_drawn_records = 11;
 
 }  // namespace stillpoint::report

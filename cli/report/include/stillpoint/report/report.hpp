@@ -18,7 +18,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -129,13 +128,5 @@ struct PhysicalState {
 /// A line for each state, with the columns of PhysicalState, or tau,x,v without physical input.
 [[nodiscard]] std::string trajectory_csv(const std::vector<State>& states,
                                          const std::optional<design::PhysicalInput>& physical);
-
-/// The ids of the figures that a page may have.
-inline constexpr std::array<std::string_view, 9> design_figures{
-    "region", "trade-off", "trade-off-tolerance", "hits", "motion", "phase",
-    "energy", "pulse",     "excitation"};
-inline constexpr std::array<std::string_view, 2> region_figures{"region", "hits"};
-inline constexpr std::array<std::string_view, 4> motion_figures{"motion", "phase", "energy",
-                                                                "excitation"};
 
 }  // namespace stillpoint::report

@@ -10,9 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <array>
 #include <string>
-#include <string_view>
 
 namespace stillpoint::report {
 
@@ -36,9 +34,5 @@ struct SpectrumReport {
 /// NumPy's format.
 [[nodiscard]] std::string spectrum_csv(const SpectrumReport& report);
 [[nodiscard]] std::string spectrum_npy(const SpectrumReport& report);
-
-/// The ids of the figures of a spectrum, here and on the page of a design under records.
-inline constexpr std::array<std::string_view, 3> spectrum_figure_names{
-    "spectrum-acceleration", "spectrum-peak", "spectrum-residual"};
 
 }  // namespace stillpoint::report

@@ -8,11 +8,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 
 namespace stillpoint::report {
 
@@ -33,7 +31,5 @@ struct SweepReport {
 /// `begun_with` rows.
 [[nodiscard]] std::string progress_words(double rows, std::int64_t begun_with,
                                          const std::optional<std::int64_t>& total, double seconds);
-
-inline constexpr std::array<std::string_view, 1> sweep_figures{"map"};
 
 }  // namespace stillpoint::report

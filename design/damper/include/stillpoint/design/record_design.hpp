@@ -18,6 +18,10 @@ namespace stillpoint::design {
 [[nodiscard]] RecordDesign design(const RecordDesignRequest& request,
                                   const RecordWatch& go_on = {});
 
+/// Of a design with a damper: the record with the largest figure of the objective, or of several
+/// the one with the largest stroke.
+[[nodiscard]] std::size_t worst_record(const RecordDesign& result);
+
 /// The figures of a damper for `request` as in a RecordDesign. Throws InputError.
 [[nodiscard]] SuiteFigures figures_of(const RecordDesignRequest& request,
                                       const SuiteDamper& damper);

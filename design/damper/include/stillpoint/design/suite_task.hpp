@@ -6,6 +6,7 @@
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/interval.hpp>
 #include <stillpoint/core/names.hpp>
+#include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/box_shape.hpp>
 #include <stillpoint/records/record_suite.hpp>
 #include <stillpoint/records/units.hpp>
@@ -61,6 +62,13 @@ struct SuiteTolerance {
   Spread delta{0.1, 0.1};
   Spread width{0.1, 0.1};
   Spread period{};
+
+  /// Whether the damper is built as it is designed; a width alone does not count.
+  [[nodiscard]] bool exact() const {
+    return f.above + f.below + delta.above + delta.below + period.above + period.below +
+               width.above + width.below ==
+           0;
+  }
 };
 
 /// The units in which a damper is printed: those of delta, and of the period if that is what is
@@ -103,6 +111,10 @@ struct SuiteDamper {
   double f{0};
   double delta{0};
   double width{0};  ///< of the notch; 0: that of the paper, or one that lets go
+
+  [[nodiscard]] std::optional<double> notch_width() const {
+    return width > 0 ? std::optional(width) : std::nullopt;
+  }
 };
 
 /// The figures of all records, combined.
@@ -117,6 +129,10 @@ struct SuiteFigures {
   /// meaning.
   bool settled{true};
 };
+
+/// The motion of a damper under one of the records.
+[[nodiscard]] SimulationRequest motion_of(const RecordDesignRequest& request,
+                                          const SuiteDamper& damper, std::size_t record);
 
 /// Of one motion that comes to rest.
 [[nodiscard]] SuiteFigures suite_figures(const ForcedResponse& response);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the reports of sweeps with and without rows share.
+// What the JSON of sweeps with and without rows shares.
 
 #include "json/motion_fields.hpp"
 
-#include <stillpoint/report/document.hpp>
 #include <stillpoint/sweep/part.hpp>
 #include <stillpoint/sweep/state.hpp>
 
@@ -31,9 +30,6 @@ struct Outcomes {
 [[nodiscard]] nlohmann::ordered_json own_schema(const Outcomes* outcomes);
 /// Throws nlohmann's exceptions where one is missing.
 void outcomes_from_json(const nlohmann::ordered_json& counts, sweep::SweepState::Counts& outcomes);
-
-/// With how many entries ended in each way.
-[[nodiscard]] Document document_of(std::string title, const sweep::SweepState& state, bool design);
 
 }  // namespace stillpoint::report
 

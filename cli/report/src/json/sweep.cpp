@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// A sweep with rows as JSON.
+
+#include <stillpoint/report/sweep.hpp>
+
+#include "json/head_fields.hpp"
+#include "json/schema.hpp"
+#include "json/sweep_parts.hpp"
+
+#include <stillpoint/report/schemas.hpp>
+#include <stillpoint/sweep/json_text.hpp>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace stillpoint::report {
+
+using nlohmann::ordered_json;
+using sweep::sweep_outcome_count;
+using sweep::sweep_outcome_name;
+
+ordered_json own_json(const Outcomes& outcomes) {
+  ordered_json counts;
+  for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
+    counts[std::string(sweep_outcome_name(i))] = outcomes.counts[i];
+  }
+  return counts;
+}
+
+ordered_json own_schema(const Outcomes* /*outcomes*/) {
+  ordered_json counts;
+  for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
+    counts[std::string(sweep_outcome_name(i))] = number_schema(true, Numbers::counts);
+  }
+  return object_schema(std::move(counts));
+}
+
+void outcomes_from_json(const ordered_json& counts, sweep::SweepState::Counts& outcomes) {
+  for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
+    sweep::read_integers(counts.at(std::string(sweep_outcome_name(i))), outcomes[i]);
+  }
+}
+
+namespace {
+
+using sweep::SweepKind;
+using sweep::SweepState;
+using sweep::SweepSummary;
+
+double rate(const SweepSummary& summary) {
+  constexpr double least_s = 1e-6;
+  return static_cast<double>(summary.state.rows - summary.resumed_at) /
+         std::max(summary.wall_time_s, least_s);
+}
+
+constexpr auto sweep_name = std::to_array<std::string_view>({"stillpoint/sweep-report/1"});
+
+/// Where the rows are.
+struct ShownOutput {
+  const sweep::SweepSpec& spec;
+
+  static constexpr std::tuple field_table{
+      Field{"file", [](const auto& now) { return now.spec.output; }, "null for rows in memory"},
+      Field{"format", [](const auto& now) { return now.spec.format; }},
+      Field{"columns",
+            [](const auto& now) {
+              std::vector<std::string> names;
+              for (const sweep::Quantity column : now.spec.columns) {
+                names.emplace_back(sweep::name(column, now.spec.units));
+              }
+              return names;
+            },
+            "", at_least_one}};
+};
+
+/// What `get` gives of a sweep of motions, or of designs.
+template <class Get>
+constexpr auto rows_of(bool designs, Get get) {
+  return [designs, get](const SweepReport& report) {
+    return (report.spec.kind == SweepKind::design) == designs
+               ? std::optional(get(report.summary.state))
+               : std::nullopt;
+  };
+}
+
+constexpr auto sweep_table = std::tuple_cat(
+    head_fields<SweepReport, sweep_name>,
+    std::tuple{
+        Field{"kind", in(&SweepReport::spec, &sweep::SweepSpec::kind)},
+        Field{"output", [](const SweepReport& report) { return ShownOutput{report.spec}; }},
+        Field{"record", &SweepReport::record, "the file of the load; null of any other"},
+        Field{"part", in(&SweepReport::spec, &sweep::SweepSpec::part), "null for a whole sweep"},
+        Field{"rows", in(&SweepReport::summary, &SweepSummary::state, &SweepState::rows),
+              "all rows in the file"},
+        Field{"outcomes",
+              rows_of(false, [](const SweepState& state) { return Outcomes{state.outcomes}; }),
+              "how many rows have each outcome; null for designs"},
+        Field{"locked", rows_of(false, [](const SweepState& state) { return state.locked(); }),
+              "motions that the notch holds while the load goes on"},
+        Field{"feasible", rows_of(true, [](const SweepState& state) { return state.feasible; }),
+              "how many designs there are; null for motions"},
+        Field{"resumed_at", in(&SweepReport::summary, &SweepSummary::resumed_at),
+              "how many rows existed when this run began"},
+        Field{"threads", [](const SweepReport& report) { return int{report.spec.threads}; }, "",
+              at_least_one},
+        Field{"wall_time_s", in(&SweepReport::summary, &SweepSummary::wall_time_s),
+              "of this run only, like rows_per_s"},
+        Field{"rows_per_s", [](const SweepReport& report) { return rate(report.summary); }}});
+
+}  // namespace
+
+ordered_json json(const SweepReport& report) {
+  return object_by<sweep_table>(report);
+}
+
+ordered_json sweep_schema() {
+  return report_schema<SweepReport>(sweep_table, sweep_name.front(), "sweep --output FILE --json");
+}
+
+}  // namespace stillpoint::report
