@@ -7,6 +7,7 @@
 #include <stillpoint/report/digits.hpp>
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 #include <utility>
 
@@ -14,47 +15,224 @@ namespace stillpoint::report {
 
 namespace {
 
+using design::Finding;
 using design::FindingKind;
 using design::FindingValue;
 using design::Severity;
 using nlohmann::ordered_json;
 
-/// The values of a finding by their names.
+/// With values {name} or {name:form}. Of [one|other] stands the first of which all values exist, if
+/// any. {name?} has no words and exists if the value does, {name=other?} if it is that text or has
+/// the value of that name.
+struct Wording {
+  FindingKind kind;
+  std::string_view pattern;
+};
+constexpr auto wordings = [] {
+  using enum FindingKind;
+  return std::to_array<Wording>({
+      {acts_late,
+       "This is for a notch that acts only after the start; design --notch-width[{physical?}-m] "
+       "shows what a real one does."},
+      {catches_hit,
+       "The notch catches the hit, as it does any below {least_velocity}: the structure feels it "
+       "in full, {caught_impulse:impulse}."},
+      {catches_weak_hits,
+       "The notch catches [every hit below {least_velocity}|all hits of the range], which the "
+       "structure feels in full: up to {caught_impulse:impulse}."},
+      {check_failed,
+       "The independent check disagrees by {relative_error:.1e} where {tolerance:.0e} is allowed: "
+       "do not rely on this design."},
+      {close_call,
+       "[If all inputs shift by {decision_margin:%}, that|Rounding] could change {changes}."},
+      {delta_unbounded,
+       "Nothing bounds delta: anything above {least_delta:length} stops the mass, and more only "
+       "adds tolerance. --delta-max[{physical?}-m] {proposed:option} gives a smaller notch."},
+      {does_not_isolate,
+       "The structure feels {peak_absolute_acceleration}, more than 95 % of the load of "
+       "{largest_load}: this damper isolates nothing."},
+      {ends_before_load, "The run ends after {end_time} of the {load_end} of the load."},
+      {exact_only, "No other damper was tried: one that is not exactly this one may do anything."},
+      {exceeds_later, "After the first swing, which meets its limit, the {figure} is {beyond}."},
+      {fails_if_off,
+       "If [{input=period?}the period is|the scale of all records is] off by {off:%} as well, the "
+       "[{figure} may be {beyond}|mass may never come to rest]."},
+      {friction_above_weight,
+       "The friction is more than the weight: that takes a brake, not a bearing."},
+      {interrupted, "The search was interrupted: a complete one may find a better damper."},
+      {jolts,
+       "At the notch the velocity jumps by up to {jump}[, at {p:spring}]; the accelerations leave "
+       "these jumps out."},
+      {least_friction_is_best,
+       "The less constant friction, the better[: with any f up to {f:most}, delta may be off by "
+       "{tolerance:%}]."},
+      {locks,
+       "The notch locks the mass [to the end of {records}|to the end of [{of_records=1?}the|a] "
+       "record[{of_periods=1?}|{periods=of_periods?} at every period| at {periods} of {of_periods} "
+       "periods]{periods?}|at x = {final_position} [{locked_from=0?}throughout the load|from "
+       "{locked_from} to the end at {load_end}]][, after it moves for {moved} in all]; the "
+       "structure then feels up to {largest_load_while_locked}."},
+      {never_moves,
+       "The mass never moves: [it is held through {records}, and the structure feels up to "
+       "{largest_load}|[{by=notch?}the ]{by} holds it throughout the load, and the structure feels "
+       "up to {largest_load}|{stop_position=0?}it starts at rest at x = 0, and nothing acts on "
+       "it|[{by=notch?}the ]{by} holds it at x = {stop_position}]."},
+      {no_notch_works,
+       "No notch works: only one wider than {least_width:least} would let the load move the mass, "
+       "but the peak is {peak_amplitude}."},
+      {notch_changes_nothing, "With this notch the mass moves as with the paper's."},
+      {notch_fails,
+       "[{what=held?}With this notch a pulse of {k} never moves the mass|{what=moving?}With this "
+       "notch the mass never comes to rest|{what=inside?}The mass never leaves this notch[, and "
+       "rests at x = {value}]|[{what=peak?}With this notch the peak is|{what=rest?}With this notch "
+       "the mass rests off centre by|In this notch the structure feels] [{beyond}|{value}][ after "
+       "a hit of {v0}[{from?} from inside the notch]| after a pulse of {k}[ and {duration}]][, "
+       "with {p:spring}]]."},
+      {notch_gains_little, "The notch is left out: it would gain less than one per cent."},
+      {notch_needs_width,
+       "No notch was searched: without a width nobody knows what the mass feels in it. "
+       "--notch-width[{physical?}-m or --search-notch-width-m] gives it one; "
+       "--jump-max[{physical?}|-v] admits one without, as of a rocking support."},
+      {notch_unused, "The mass never comes back to the notch: delta has no effect on this hit."},
+      {peaks_develop,
+       "[{trend=settle?}The peaks settle at {last_peak}|{trend=vary?}The last peaks lie between "
+       "{least_peak} and {largest_peak}|The peaks {trend}, the last to {last_peak}]."},
+      {ranges_estimated, "Durations and periods between those that were tried are estimated."},
+      {recentres_weakly,
+       "Re-centring is weak without the notch: E_s/E_h is {energy_ratio:.2g}, where EN 15129 asks "
+       "for {limit:.2g}."},
+      {records_exceed_limit,
+       "{records} exceed[{records=1?}s] a limit that the mean meets: under {record} the {figure} "
+       "is {beyond}."},
+      {search_cut_short,
+       "The search for changes was cut short after a second: another may help as well."},
+      {sensitive,
+       "[With {varied} 1 % off either way it rests between x = {rest_low:few} and "
+       "{rest_high:few}[, and that may change {changes}]|If {varied} [{varied=f?}is|are] 1 % off, "
+       "that may change {changes}]."},
+      {too_exact,
+       "Too exact to be built: [the tolerance is only {tolerance:left}|{tolerance?}it has no "
+       "tolerance|f is on the edge of the region]."},
+  });
+}();
+
+/// What "changes" says.
+std::string changed_words(std::string_view what) {
+  return what == "start"  ? "whether it starts"
+         : what == "stop" ? "the number of half-cycles or whether it stops at x = 0"
+         : what == "rest" ? "whether it comes to rest"
+                          : "whether it locks";
+}
+
+/// As an option takes it: "29mm".
+std::string option_text(const Physical& physical, double length) {
+  const double unit = physical ? physical->scales.length_m : 1;
+  std::string text = length_shown(physical, records::decimal(length * unit, 2) / unit);
+  std::erase(text, ' ');
+  return text;
+}
+
+/// A finding and the units to tell it in.
 class Told {
  public:
-  Told(const design::Finding& finding, const Physical& physical)
+  Told(const Finding& finding, const Physical& physical)
       : values_(finding.values), physical_(physical) {}
 
-  [[nodiscard]] bool has(std::string_view name) const { return find(name) != nullptr; }
-  [[nodiscard]] double number(std::string_view name) const {
-    return std::get<double>(find(name)->value);
+  /// A pattern up to the bracket behind it, which is passed over: one of its alternatives.
+  [[nodiscard]] std::string choice(std::string_view& pattern) const {
+    std::optional<std::string> chosen = filled(pattern);
+    while (pattern.starts_with('|')) {
+      pattern.remove_prefix(1);
+      const auto other = filled(pattern);
+      chosen = chosen ? chosen : other;
+    }
+    pattern.remove_prefix(pattern.empty() ? 0 : 1);
+    return chosen.value_or("");
   }
-  [[nodiscard]] std::int64_t count(std::string_view name) const {
-    return std::get<std::int64_t>(find(name)->value);
-  }
-  [[nodiscard]] const std::string& text(std::string_view name) const {
-    return std::get<std::string>(find(name)->value);
-  }
-  /// With its unit.
-  [[nodiscard]] std::string operator[](std::string_view name) const {
-    return figure_shown(physical_, find(name)->dimension, number(name));
-  }
-  /// "412 mm where 400 mm is allowed"
-  [[nodiscard]] std::string beyond_limit() const {
-    return beyond(physical_, find("value")->dimension, number("value"), number("limit"));
-  }
-  /// Of a share of 1.
-  [[nodiscard]] std::string percent(std::string_view name) const {
-    return format("{:.2g} %", 100 * number(name));
-  }
-  /// "the record", "every record" or "1 of 2 records"
-  [[nodiscard]] std::string records(std::string_view counted = "records") const {
-    return of_records(static_cast<std::size_t>(count(counted)),
-                      static_cast<std::size_t>(count(has("of_records") ? "of_records" : counted)));
-  }
-  [[nodiscard]] bool is_physical() const { return physical_.has_value(); }
 
  private:
+  [[nodiscard]] std::optional<std::string> filled(std::string_view& pattern) const {
+    std::string text;
+    bool exist = true;
+    while (!pattern.empty() && pattern.front() != '|' && pattern.front() != ']') {
+      const char sign = pattern.front();
+      pattern.remove_prefix(1);
+      if (sign == '{') {
+        const std::string_view value = pattern.substr(0, pattern.find('}'));
+        pattern.remove_prefix(value.size() + 1);
+        const auto words = value.ends_with('?') ? condition(value) : words_of(value);
+        exist = exist && words;
+        text += words.value_or("");
+      } else {
+        text += sign == '[' ? choice(pattern) : std::string(1, sign);
+      }
+    }
+    return exist ? std::optional(text) : std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<std::string> condition(std::string_view text) const {
+    text.remove_suffix(1);
+    const std::size_t equals = std::min(text.find('='), text.size());
+    const FindingValue* const value = find(text.substr(0, equals));
+    const std::string_view other = text.substr(std::min(equals + 1, text.size()));
+    const bool holds = text == "physical"                  ? physical_.has_value()
+                       : value == nullptr || other.empty() ? value != nullptr
+                       : find(other) != nullptr            ? value->value == find(other)->value
+                                                           : plain(*value) == other;
+    return holds ? std::optional("") : std::nullopt;
+  }
+
+  static std::string plain(const FindingValue& of) {
+    const auto* const number = std::get_if<double>(&of.value);
+    return number != nullptr
+               ? digits(*number + 0.0)
+               : std::visit([](const auto& value) { return fmt::format("{}", value); }, of.value);
+  }
+
+  [[nodiscard]] std::optional<std::string> words_of(std::string_view text) const {
+    const std::size_t colon = std::min(text.find(':'), text.size());
+    const std::string_view name = text.substr(0, colon);
+    const FindingValue* const limit = find("limit");
+    const FindingValue* const value = find(name == "beyond" ? "value" : name);
+    if (value == nullptr || (name == "beyond" && limit == nullptr)) {
+      return std::nullopt;
+    }
+    if (const auto* const count = std::get_if<std::int64_t>(&value->value)) {
+      const FindingValue* const all = find("of_records");
+      return name != "records"
+                 ? format("{}", *count)
+                 : of_records(*count,
+                              std::get<std::int64_t>((all == nullptr ? value : all)->value));
+    }
+    if (const auto* const word = std::get_if<std::string>(&value->value)) {
+      return name == "changes"  ? changed_words(*word)
+             : name == "record" ? scaled_name(*word, number(*find("scale")))
+                                : *word;
+    }
+    return name == "beyond" ? beyond(physical_, value->dimension, number(*value), number(*limit))
+                            : in_form(*value, text.substr(std::min(colon + 1, text.size())));
+  }
+
+  /// In that of its dimension if none is given.
+  [[nodiscard]] std::optional<std::string> in_form(const FindingValue& of,
+                                                   std::string_view form) const {
+    constexpr int few = 3;
+    const double value = number(of);
+    return form.empty()        ? figure_shown(physical_, of.dimension, value)
+           : form == "%"       ? format("{:.2g} %", 100 * value)
+           : form == "impulse" ? impulse_shown(physical_, value)
+           : form == "length"  ? length_shown(physical_, value)
+           : form == "few"     ? length_shown(physical_, value, few)
+           : form == "least"   ? length_limit(physical_, value, true)
+           : form == "most"    ? limit_digits(value, false, few)
+           : form == "option"  ? option_text(physical_, value)
+           : form == "spring"  ? period_words(physical_, value)
+           : form != "left"    ? fmt::format(fmt::runtime(format("{{:{}}}", form)), value)
+           : leaves_any(value) ? std::optional(percent_digits(value))
+                               : std::nullopt;
+  }
+
+  static double number(const FindingValue& of) { return std::get<double>(of.value); }
   [[nodiscard]] const FindingValue* find(std::string_view name) const {
     const auto found = std::ranges::find(values_, name, &FindingValue::name);
     return found != values_.end() ? &*found : nullptr;
@@ -64,234 +242,11 @@ class Told {
   const Physical& physical_;
 };
 
-/// "The notch locks the mass at x = 0 from 2.717 s of 3.5 s on"
-std::string lock_words(const Told& told) {
-  if (told.has("records")) {
-    return format("The notch locks the mass to the end of {}", told.records());
-  }
-  if (told.has("periods")) {
-    const std::int64_t all = told.count("of_periods");
-    const std::int64_t locked = told.count("periods");
-    return format("The notch locks the mass to the end of {} record{}",
-                  told.count("of_records") == 1 ? "the" : "a",
-                  all == 1        ? ""
-                  : locked == all ? " at every period"
-                                  : format(" at {} of {} periods", locked, all));
-  }
-  return format("The notch locks the mass at x = {} {}", told["final_position"],
-                told.number("locked_from") == 0
-                    ? "throughout the load"
-                    : format("from {} to the end at {}", told["locked_from"], told["load_end"]));
-}
-
-std::string rest_words(const Told& told) {
-  if (told.has("records")) {
-    return format("it is held through {}, and the structure feels up to {}", told.records(),
-                  told["largest_load"]);
-  }
-  if (!told.has("largest_load") && told.has("stop_position") && told.number("stop_position") == 0) {
-    return "it starts at rest at x = 0, and nothing acts on it";
-  }
-  return format("{}{} holds it {}", told.text("by") == "notch" ? "the " : "", told.text("by"),
-                told.has("largest_load")
-                    ? "throughout the load, and the structure feels up to " + told["largest_load"]
-                    : "at x = " + told["stop_position"]);
-}
-
-std::string changed_words(const std::string& what) {
-  return what == "start"  ? "whether it starts"
-         : what == "stop" ? "the number of half-cycles or whether it stops at x = 0"
-         : what == "rest" ? "whether it comes to rest"
-                          : "whether it locks";
-}
-
-std::string peaks_words(const Told& told) {
-  const std::string& trend = told.text("trend");
-  return trend == "settle" ? format("The peaks settle at {}.", told["last_peak"])
-         : trend == "vary" ? format("The last peaks lie between {} and {}.", told["least_peak"],
-                                    told["largest_peak"])
-                           : format("The peaks {}, the last to {}.", trend, told["last_peak"]);
-}
-
-/// Of f and Delta slightly off.
-std::string sensitive_words(const Told& told, const Physical& physical) {
-  const std::string changes = told.has("changes") ? changed_words(told.text("changes")) : "";
-  if (!told.has("rest_low")) {
-    return format("If {} 1 % off, that may change {}.",
-                  told.text("varied") + (told.text("varied") == "f" ? " is" : " are"), changes);
-  }
-  constexpr int digits = 3;
-  return format("With {} 1 % off either way it rests between x = {} and {}{}{}.",
-                told.text("varied"), length_shown(physical, told.number("rest_low"), digits),
-                length_shown(physical, told.number("rest_high"), digits),
-                changes.empty() ? "" : ", and that may change ", changes);
-}
-
-/// What the notch that will be built spoils, and after which motion of the ranges.
-std::string notch_words(const Told& told, const Physical& physical) {
-  const std::string& what = told.text("what");
-  if (what == "held") {
-    return format("With this notch a pulse of {} never moves the mass.", told["k"]);
-  }
-  if (what == "moving") {
-    return "With this notch the mass never comes to rest.";
-  }
-  if (what == "inside") {
-    return format("The mass never leaves this notch{}.",
-                  told.has("value") ? ", and rests at x = " + told["value"] : "");
-  }
-  std::string motion;
-  if (told.has("v0")) {
-    motion = format(" after a hit of {}{}", told["v0"],
-                    told.has("from") ? " from inside the notch" : "");
-  } else if (told.has("k")) {
-    motion = format(" after a pulse of {}{}", told["k"],
-                    told.has("duration") ? " and " + told["duration"] : "");
-  }
-  if (told.has("p")) {
-    motion += ", with " + period_words(physical, told.number("p"));
-  }
-  const std::string value = told.has("limit") ? told.beyond_limit() : told["value"];
-  return what == "peak" ? format("With this notch the peak is {}{}.", value, motion)
-         : what == "rest"
-             ? format("With this notch the mass rests off centre by {}{}.", value, motion)
-             : format("In this notch the structure feels {}{}.", value, motion);
-}
-
-/// As an option takes it: "29mm".
-std::string two_digits(const Physical& physical, double length) {
-  const double unit = physical ? physical->scales.length_m : 1;
-  std::string text = length_shown(physical, records::decimal(length * unit, 2) / unit);
-  std::erase(text, ' ');
-  return text;
-}
-
-/// Of a search whose best has next to no constant friction.
-std::string least_friction_words(const Told& told) {
-  return format("The less constant friction, the better{}.",
-                told.has("f")
-                    ? format(": with any f up to {}, delta may be off by {}",
-                             limit_digits(told.number("f"), false, 3), told.percent("tolerance"))
-                    : "");
-}
-
 }  // namespace
 
-std::string words(const design::Finding& finding, const Physical& physical) {
-  const Told told(finding, physical);
-  switch (finding.kind) {
-    case FindingKind::acts_late:
-      return format(
-          "This is for a notch that acts only after the start; design --notch-width{} shows what a "
-          "real one does.",
-          told.is_physical() ? "-m" : "");
-    case FindingKind::catches_hit:
-      return format(
-          "The notch catches the hit, as it does any below {}: the structure feels it in full, {}.",
-          told["least_velocity"], impulse_shown(physical, told.number("caught_impulse")));
-    case FindingKind::catches_weak_hits:
-      return format("The notch catches {}, which the structure feels in full: up to {}.",
-                    told.has("least_velocity") ? "every hit below " + told["least_velocity"]
-                                               : "all hits of the range",
-                    impulse_shown(physical, told.number("caught_impulse")));
-    case FindingKind::check_failed:
-      return format(
-          "The independent check disagrees by {:.1e} where {:.0e} is allowed: do not rely on this "
-          "design.",
-          told.number("relative_error"), told.number("tolerance"));
-    case FindingKind::close_call:
-      return told.has("decision_margin")
-                 ? format("If all inputs shift by {}, that could change {}.",
-                          told.percent("decision_margin"), changed_words(told.text("changes")))
-                 : format("Rounding could change {}.", changed_words(told.text("changes")));
-    case FindingKind::delta_unbounded:
-      return format(
-          "Nothing bounds delta: anything above {} stops the mass, and more only adds tolerance. "
-          "--delta-max{} {} gives a smaller notch.",
-          length_shown(physical, told.number("least_delta")), told.is_physical() ? "-m" : "",
-          two_digits(physical, told.number("proposed")));
-    case FindingKind::does_not_isolate:
-      return format(
-          "The structure feels {}, more than 95 % of the load of {}: this damper isolates nothing.",
-          told["peak_absolute_acceleration"], told["largest_load"]);
-    case FindingKind::ends_before_load:
-      return format("The run ends after {} of the {} of the load.", told["end_time"],
-                    told["load_end"]);
-    case FindingKind::exact_only:
-      return "No other damper was tried: one that is not exactly this one may do anything.";
-    case FindingKind::exceeds_later:
-      return format("After the first swing, which meets its limit, the {} is {}.",
-                    told.text("figure"), told.beyond_limit());
-    case FindingKind::fails_if_off:
-      return format(
-          "If {} off by {} as well, {}.",
-          told.text("input") == "period" ? "the period is" : "the scale of all records is",
-          told.percent("off"),
-          told.has("value") ? format("the {} may be {}", told.text("figure"), told.beyond_limit())
-                            : "the mass may never come to rest");
-    case FindingKind::friction_above_weight:
-      return "The friction is more than the weight: that takes a brake, not a bearing.";
-    case FindingKind::interrupted:
-      return "The search was interrupted: a complete one may find a better damper.";
-    case FindingKind::jolts:
-      return format(
-          "At the notch the velocity jumps by up to {}{}; the accelerations leave these jumps out.",
-          told["jump"], told.has("p") ? ", at " + period_words(physical, told.number("p")) : "");
-    case FindingKind::least_friction_is_best:
-      return least_friction_words(told);
-    case FindingKind::locks:
-      return format(
-          "{}{}; the structure then feels up to {}.", lock_words(told),
-          told.has("moved") ? format(", after it moves for {} in all", told["moved"]) : "",
-          told["largest_load_while_locked"]);
-    case FindingKind::never_moves:
-      return format("The mass never moves: {}.", rest_words(told));
-    case FindingKind::no_notch_works:
-      return format(
-          "No notch works: only one wider than {} would let the load move the mass, but the peak "
-          "is "
-          "{}.",
-          length_limit(physical, told.number("least_width"), true), told["peak_amplitude"]);
-    case FindingKind::notch_changes_nothing:
-      return "With this notch the mass moves as with the paper's.";
-    case FindingKind::notch_fails:
-      return notch_words(told, physical);
-    case FindingKind::notch_gains_little:
-      return "The notch is left out: it would gain less than one per cent.";
-    case FindingKind::notch_needs_width:
-      return format(
-          "No notch was searched: without a width nobody knows what the mass feels in it. {} gives "
-          "it one; {} admits one without, as of a rocking support.",
-          told.is_physical() ? "--notch-width-m or --search-notch-width-m" : "--notch-width",
-          told.is_physical() ? "--jump-max" : "--jump-max-v");
-    case FindingKind::notch_unused:
-      return "The mass never comes back to the notch: delta has no effect on this hit.";
-    case FindingKind::peaks_develop:
-      return peaks_words(told);
-    case FindingKind::ranges_estimated:
-      return "Durations and periods between those that were tried are estimated.";
-    case FindingKind::recentres_weakly:
-      return format(
-          "Re-centring is weak without the notch: E_s/E_h is {:.2g}, where EN 15129 asks for "
-          "{:.2g}.",
-          told.number("energy_ratio"), told.number("limit"));
-    case FindingKind::records_exceed_limit:
-      return format("{} exceed{} a limit that the mean meets: under {} the {} is {}.",
-                    told.records(), told.count("records") == 1 ? "s" : "",
-                    scaled_name(told.text("record"), told.number("scale")), told.text("figure"),
-                    told.beyond_limit());
-    case FindingKind::search_cut_short:
-      return "The search for changes was cut short after a second: another may help as well.";
-    case FindingKind::sensitive:
-      return sensitive_words(told, physical);
-    case FindingKind::too_exact:
-      return format("Too exact to be built: {}.",
-                    !told.has("tolerance") ? "f is on the edge of the region"
-                    : leaves_any(told.number("tolerance"))
-                        ? "the tolerance is only " + percent_digits(told.number("tolerance"))
-                        : "it has no tolerance");
-  }
-  return {};
+std::string words(const Finding& finding, const Physical& physical) {
+  std::string_view pattern = std::ranges::find(wordings, finding.kind, &Wording::kind)->pattern;
+  return Told(finding, physical).choice(pattern);
 }
 
 ordered_json findings_json(std::span<const design::Finding> findings, const Physical& physical) {
