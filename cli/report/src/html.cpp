@@ -109,59 +109,44 @@ bool is_wide(const Section& section) {
   });
 }
 
-/// Renders the parts of a section. Rows that follow each other are one table.
-class Parts {
- public:
-  void operator()(const Row& row) {
-    if (!in_rows_) {
-      text_ += "<div class=\"wide\"><table class=\"rows\">\n";
-      in_rows_ = true;
-    }
-    text_ += format("<tr><th>{}</th><td{}>{}</td></tr>\n", escaped(lettered(row.label)),
-                    look_of(row.tone), prose(row.text));
-  }
+std::string html_of(const Row& row) {
+  return format("<tr><th>{}</th><td{}>{}</td></tr>\n", escaped(lettered(row.label)),
+                look_of(row.tone), prose(row.text));
+}
 
-  void operator()(const Line& line) {
-    end_rows();
-    text_ += format("<p{}>{}</p>\n", look_of(line.tone), prose(line.text));
-  }
+std::string html_of(const Line& line) {
+  return format("<p{}>{}</p>\n", look_of(line.tone), prose(line.text));
+}
 
-  void operator()(const Table& table) {
-    end_rows();
-    text_ += "<div class=\"wide\"><table class=\"columns\">\n<thead><tr>";
-    for (const std::string& name : table.head) {
-      text_ += format("<th>{}</th>", head_of(name));
-    }
-    text_ += "</tr></thead>\n";
-    for (const TableRow& row : table.rows) {
-      text_ += cells(row, table.head);
-    }
-    text_ += "</table></div>\n";
+std::string html_of(const Table& table) {
+  std::string text = "<div class=\"wide\"><table class=\"columns\">\n<thead><tr>";
+  for (const std::string& name : table.head) {
+    text += format("<th>{}</th>", head_of(name));
   }
-
-  std::string text() {
-    end_rows();
-    return std::move(text_);
+  text += "</tr></thead>\n";
+  for (const TableRow& row : table.rows) {
+    text += cells(row, table.head);
   }
-
- private:
-  void end_rows() {
-    text_ += in_rows_ ? "</table></div>\n" : "";
-    in_rows_ = false;
-  }
-
-  std::string text_;
-  bool in_rows_{false};
-};
+  return text + "</table></div>\n";
+}
 
 }  // namespace
 
 std::string html(const Section& section) {
-  Parts parts;
+  std::string text;
+  bool in_rows = false;  // which are one table
+  const auto begin_or_end = [&](bool rows) {
+    text += rows == in_rows ? ""
+            : rows          ? "<div class=\"wide\"><table class=\"rows\">\n"
+                            : "</table></div>\n";
+    in_rows = rows;
+  };
   for (const auto& part : section.parts) {
-    std::visit(parts, part);
+    begin_or_end(std::holds_alternative<Row>(part));
+    text += std::visit([](const auto& of) { return html_of(of); }, part);
   }
-  return parts.text();
+  begin_or_end(false);
+  return text;
 }
 
 std::string html(const Document& document) {

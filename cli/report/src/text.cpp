@@ -22,13 +22,6 @@ constexpr std::size_t label_width = 18;  // if no label of the section is longer
 constexpr std::size_t page_width = 80;
 constexpr std::size_t indent = 2;
 
-/// `text` in lines of at most `width`, if its words allow it.
-std::vector<std::string> lines_of(std::string_view text, std::size_t width) {
-  const std::string folded = wrapped(text, width);
-  const auto lines = records::split(folded, '\n');
-  return {lines.begin(), lines.end()};
-}
-
 fmt::text_style style_of(Tone tone) {
   static const std::array styles{fmt::text_style(), fmt::text_style(fmt::emphasis::bold),
                                  fmt::fg(fmt::terminal_color::green),
@@ -48,29 +41,16 @@ class Text {
   }
 
   [[nodiscard]] std::string heading(std::string_view words) const {
-    std::string text;
-    for (const std::string& line : lines_of(words, page_width)) {
-      text += styled(Tone::heading, line) + "\n";
-    }
-    return text;
+    return lines(Tone::heading, "", words, page_width);
   }
 
   std::string operator()(const Row& row) const {
-    std::string text;
-    std::string_view label = row.label;
-    for (const std::string& line : lines_of(row.text, page_width - indent - label_width_)) {
-      text += fmt::format("  {:<{}}{}\n", label, label_width_, styled(row.tone, line));
-      label = "";
-    }
-    return text;
+    const std::string label = fmt::format("  {:<{}}", row.label, label_width_);
+    return lines(row.tone, label, row.text, page_width - label.size());
   }
 
   std::string operator()(const Line& line) const {
-    std::string text;
-    for (const std::string& part : lines_of(line.text, page_width - indent)) {
-      text += fmt::format("  {}\n", styled(line.tone, part));
-    }
-    return text;
+    return lines(line.tone, "  ", line.text, page_width - indent);
   }
 
   std::string operator()(const Section& section) {
@@ -128,6 +108,20 @@ class Text {
  private:
   static constexpr std::size_t usual_gap = 3;  // between columns
 
+  /// In lines of at most `width`, if the words allow it; all but the first are indented as far.
+  [[nodiscard]] std::string lines(Tone tone, std::string before, std::string_view words,
+                                  std::size_t width) const {
+    std::string text;
+    const std::string folded = wrapped(words, width);
+    for (const std::string_view line : records::split(folded, '\n')) {
+      text += before + styled(tone, line);
+      text.erase(text.find_last_not_of(' ') + 1);
+      text += "\n";
+      before.assign(before.size(), ' ');
+    }
+    return text;
+  }
+
   static std::size_t width(const std::vector<std::size_t>& columns, std::size_t gap) {
     return std::accumulate(columns.begin(), columns.end(), 2 + (columns.size() - 1) * gap);
   }
@@ -151,7 +145,7 @@ class Text {
     return widths;
   }
 
-  /// "peak, mm" in two lines; one line where all heads are single words.
+  /// "peak, mm" in two lines; the second is empty where all heads are single words.
   static std::vector<std::vector<std::string>> in_two_lines(const std::vector<std::string>& heads) {
     std::vector<std::vector<std::string>> lines(2);
     for (const std::string& head : heads) {
@@ -162,8 +156,6 @@ class Text {
       lines[0].push_back(head.substr(0, end) + (head[end] == '-' ? "-" : ""));
       lines[1].push_back(head.substr(std::min(head.find_first_not_of(", -", end), head.size())));
     }
-    const bool any = std::ranges::any_of(lines[1], [](const auto& line) { return !line.empty(); });
-    lines.resize(any ? 2 : 1);
     return lines;
   }
 
@@ -175,12 +167,7 @@ class Text {
       const bool last = i + 1 == row.cells.size();
       text += std::string(i == 0 ? 2 : gap, ' ');
       if (last && !ends_in_numbers_) {
-        const std::string below = "\n" + std::string(text.size(), ' ');
-        const auto lines = lines_of(cell, widths[i]);
-        for (const std::string& line : lines) {
-          text += (&line == lines.data() ? "" : below) + styled(row.tone, line);
-        }
-        continue;
+        return lines(row.tone, text, cell, widths[i]);
       }
       const std::string placed =
           i == 0 ? fmt::format("{:<{}}", cell, widths[i]) : fmt::format("{:>{}}", cell, widths[i]);
