@@ -7,9 +7,9 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/motion_findings.hpp>
-#include <stillpoint/report/progress_words.hpp>
 #include <stillpoint/report/report.hpp>
 #include <stillpoint/report/spectrum.hpp>
+#include <stillpoint/report/terminal.hpp>
 
 #include <fmt/format.h>
 

@@ -4,7 +4,6 @@
 #include "messages.hpp"
 
 #include <stillpoint/core/seconds.hpp>
-#include <stillpoint/report/progress_words.hpp>
 #include <stillpoint/report/terminal.hpp>
 
 #include <fmt/format.h>

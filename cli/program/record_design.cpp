@@ -4,8 +4,8 @@
 #include "messages.hpp"
 #include "progress.hpp"
 
-#include <stillpoint/report/progress_words.hpp>
 #include <stillpoint/report/record_design.hpp>
+#include <stillpoint/report/terminal.hpp>
 
 #include <algorithm>
 

@@ -43,7 +43,8 @@ std::string best_part(const DesignReport& report) {
              : "";
 }
 
-void add_answer(Section& answer, const DesignReport& report, const ShownDamper& shown) {
+void add_answer(Section& answer, const DesignReport& report) {
+  const design::ShownDamper shown = shown_damper(report.result, report.built_notch);
   const auto& [f, delta, tolerance] = shown.point;
   const design::Limits& limits = report.result.request.limits;
   const Physical& physical = report.physical;
@@ -54,12 +55,12 @@ void add_answer(Section& answer, const DesignReport& report, const ShownDamper& 
                                 : format("f = {}", shown_f(report.result)),
                     length_shown(physical, delta)),
              Tone::heading);
-  add_motion(answer, shown);
+  add_motion(answer, shown, physical);
   answer.row("tolerance",
              no_friction && leaves_any(tolerance)
                  ? format("delta may be off by +-{} with next to no f", percent_digits(tolerance))
                  : tolerance_words(limits, tolerance, delta));
-  add_works_for(answer, shown.judged.works_for, shown.task);
+  add_works_for(answer, shown.judged.works_for, task_of(report));
   add_check(answer, report.result.finding->cross_check);
 }
 
@@ -71,7 +72,7 @@ std::string verdict(const DesignReport& report) {
     const std::string best = report.catalogue ? best_part(report) : "";
     return best.empty() ? none_admissible(result, task_of(report)) : best;
   }
-  const ShownDamper shown = shown_damper(report);
+  const design::ShownDamper shown = shown_damper(result, report.built_notch);
   const Physical& physical = report.physical;
   const auto& [f, delta, tolerance] = shown.point;
   const bool weighed = physical && physical->scales.mass_kg;
@@ -87,7 +88,7 @@ std::string verdict(const DesignReport& report) {
   const std::string_view does = is_useless(report.findings) ? "The damper found has"
                                 : report.catalogue          ? "Order"
                                                             : "Build";
-  return format("{} {}: {}.", does, damper, does_words(shown));
+  return format("{} {}: {}.", does, damper, does_words(shown, physical));
 }
 
 Document document(const DesignReport& report) {
@@ -96,7 +97,7 @@ Document document(const DesignReport& report) {
   const ShownTask task = task_of(report);
   Document document = answered("Damper design", report, found ? Tone::good : Tone::bad);
   if (found) {
-    add_answer(document.answer, report, shown_damper(report));
+    add_answer(document.answer, report);
   } else {
     add_mends(document, result, task);
   }

@@ -3,6 +3,7 @@
 #include "sections.hpp"
 
 #include <stillpoint/design/motion_findings.hpp>
+#include <stillpoint/design/shown_damper.hpp>
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/findings.hpp>
 #include <stillpoint/report/report.hpp>
@@ -30,10 +31,11 @@ std::string felt_where(const MotionReport& report) {
   if (delta == 0 || response.peak_amplitude == 0) {
     return "";
   }
-  const auto outside = zones.empty() && report.request.start.x0 == 0 && (hold || notch_width)
-                           ? felt_outside(response.peak_absolute_acceleration,
-                                          response.peak_amplitude, p, f, notch_width)
-                           : std::nullopt;
+  const auto outside =
+      zones.empty() && report.request.start.x0 == 0 && (hold || notch_width)
+          ? design::felt_outside(report.request.oscillator, response.peak_absolute_acceleration,
+                                 response.peak_amplitude, notch_width)
+          : std::nullopt;
   return outside       ? format(" inside the notch, {} outside it", acceleration_shown(*outside))
          : notch_width ? ", the notch included"
          : forced && response.jump > 0 ? " between the jumps"
@@ -111,15 +113,6 @@ void add_half_cycles(Section& section, std::span<const HalfCycle> half_cycles,
 }
 
 }  // namespace
-
-std::optional<design::Practice> practice_of(const MotionReport& report) {
-  const SimulationRequest& request = report.request;
-  const Simulation& answer = report.answer;
-  const bool after_a_hit =
-      !answer.forced && request.surface.plain() && request.start.x0 == 0 && moves(answer.response);
-  return after_a_hit ? design::practice(request.oscillator, answer.response, std::nullopt)
-                     : std::nullopt;
-}
 
 std::string verdict(const MotionReport& report) {
   const Response& response = report.answer.response;

@@ -4,15 +4,6 @@
 
 namespace stillpoint::report {
 
-std::optional<double> felt_outside(double felt, double peak, double p, double f,
-                                   const std::optional<double>& notch_width) {
-  // It slides at the largest acceleration outside, f + p^2 |x|, where it is farthest.
-  const double outside = f + p * p * peak;
-  return notch_width.value_or(0) / 2 < peak && felt > for_rounding * outside
-             ? std::optional(outside)
-             : std::nullopt;
-}
-
 void add_check(Section& answer, const design::CrossCheck& check) {
   std::string text = check.passed ? "agree" : "DISAGREE";
   for (const design::CheckMethod& now : check.methods) {

@@ -216,9 +216,9 @@ Document document(const RegionReport& report) {
                             : "none is enough: the motion does not return");
   }
   add_region(document.answer, report);
-  if (const auto shown = shown_damper(report)) {
-    add_motion(document.answer, *shown);
-    add_works_for(document.answer, shown->judged.works_for, shown->task);
+  if (answer.response && moves(*answer.response)) {
+    add_motion(document.answer, shown_damper(report.request, answer), physical);
+    add_works_for(document.answer, answer.works_for, task_of(report));
   }
   add_findings(document, report.findings, physical);
   return document;

@@ -73,8 +73,6 @@ struct ShownTask {
 /// " between the velocity jumps at the notch", of an acceleration that does not count them; empty
 /// of a notch with a width, and without a notch.
 [[nodiscard]] std::string_view jumps_words(double delta, const std::optional<double>& width);
-/// A value beyond a limit times this exceeds it by more than rounding.
-inline constexpr double for_rounding = 1 + 1e-9;
 inline constexpr int usual_digits = 4;
 /// "34.18 %", which the damper withstands.
 [[nodiscard]] std::string percent_digits(double tolerance, int shown = usual_digits);
@@ -93,9 +91,6 @@ inline constexpr int usual_digits = 4;
 
 /// "strongest hit, softest spring", or stiffest: an end of the ranges; empty without ranges.
 [[nodiscard]] std::string extreme_words(const design::Problem& problem, std::string_view spring);
-/// Of the motion after a hit, from x = 0 without a load, with the paper's notch; else empty.
-[[nodiscard]] std::optional<design::Practice> practice_of(const MotionReport& report);
-
 /// The hits or pulses, and the periods, for which it works, if known.
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
                    const ShownTask& task);
@@ -133,10 +128,6 @@ void add_constraints(Document& document, std::span<const design::Constraint> con
                "the notch."
              : "Each refers to the motion up to the first return.";
 }
-
-/// What the mass feels outside the notch, from x = 0 on, if it feels more in it.
-[[nodiscard]] std::optional<double> felt_outside(double felt, double peak, double p, double f,
-                                                 const std::optional<double>& notch_width);
 
 using design::moves;  // not if friction or the notch holds the mass from the start
 /// "stops at x = 0" and so on.

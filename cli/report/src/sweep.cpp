@@ -122,12 +122,9 @@ std::string progress_words(double rows, std::int64_t begun_with,
                      per_second);
 }
 
-figures::HtmlPage page(const SweepReport& report) {
-  figures::HtmlPage page = page_of(document(report, Verbosity::full));
-  if (report.map) {
-    page.figures = {sweep_figure(report.spec, *report.map)};
-  }
-  return page;
+std::vector<figures::Figure> drawings(const SweepReport& report) {
+  return report.map ? std::vector{sweep_figure(report.spec, *report.map)}
+                    : std::vector<figures::Figure>();
 }
 
 Document document(const ReductionReport& report) {

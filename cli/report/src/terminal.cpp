@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/report/terminal.hpp>
 
+#include <fmt/format.h>
+
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <cstdlib>
 #include <string_view>
 
@@ -42,6 +45,16 @@ bool terminal_has_escapes() {
 
 bool terminal_has_colours() {
   return environment("NO_COLOR").empty() && terminal_has_escapes() && ::isatty(STDOUT_FILENO) == 1;
+}
+
+std::string progress_in_tau(double tau, double end) {
+  return end > 0 ? fmt::format("tau {:.6g} of {:.6g}, {:.0f} %", tau, end, 100 * tau / end)
+                 : fmt::format("tau {:.6g}", tau);
+}
+
+std::string time_left(double seconds) {
+  const auto minutes = static_cast<std::int64_t>(seconds / 60);
+  return fmt::format(", {}:{:02.0f} left", minutes, seconds - 60 * static_cast<double>(minutes));
 }
 
 }  // namespace stillpoint::report

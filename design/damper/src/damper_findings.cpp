@@ -2,6 +2,7 @@
 #include <stillpoint/design/damper_findings.hpp>
 
 #include <stillpoint/design/motion_findings.hpp>
+#include <stillpoint/design/shown_damper.hpp>
 #include <stillpoint/design/tolerance.hpp>
 #include <stillpoint/records/decimal.hpp>
 
@@ -17,31 +18,14 @@ namespace {
 using enum FindingKind;
 
 constexpr double buildable = 0.01;  // a smaller tolerance is too little for a real damper
-constexpr double for_rounding = 1 + 1e-9;
 constexpr double off_centre = 0.1;  // a rest beyond that share of the peak, without a residual
 
-/// A damper, the motion that its answer shows, and what was asked for.
-struct Shown {
-  const Problem& problem;
-  const Limits& limits;
-  const std::optional<Pulse>& pulse;
-  const PulseRanges& ranges;
-  double f{0};
-  double delta{0};
-  const Response& response;
-  const ForcedResponse* forced{};  ///< under the next
-  const Pulse* of_pulse{};
-  std::span<const Constraint> constraints{};
-  const std::optional<Practice>& practice;
-  bool built{false};  ///< the motion is with the notch that will be built
-};
-
-void add_pulse_notch(std::vector<Finding>& all, const Shown& now) {
-  if (!now.pulse || now.delta == 0 || now.built || !moves(now.response)) {
+void add_pulse_notch(std::vector<Finding>& all, const ShownDamper& now) {
+  if (!now.pulse || now.point.delta == 0 || now.built != nullptr || !moves(now.response)) {
     return;
   }
   const double width =
-      least_width(now.f, now.delta, now.ranges.k_low.value_or(peak_load(*now.pulse)));
+      least_width(now.point.f, now.point.delta, now.ranges.k_low.value_or(peak_load(*now.pulse)));
   if (width < 2 * now.response.peak_amplitude) {
     all.emplace_back(acts_late);
   } else {
@@ -50,15 +34,15 @@ void add_pulse_notch(std::vector<Finding>& all, const Shown& now) {
 }
 
 /// The requirements on peak and acceleration under a pulse end with the first swing.
-void add_later(std::vector<Finding>& all, const Shown& now) {
-  for (const Constraint& bound : now.constraints) {
+void add_later(std::vector<Finding>& all, const ShownDamper& now) {
+  for (const Constraint& bound : now.judged.constraints) {
     const bool peak = bound.variable == "peak";
     if (!bound.satisfied || (!peak && bound.variable != "acceleration")) {
       continue;
     }
     const double whole =
         peak ? now.response.peak_amplitude : now.response.peak_absolute_acceleration;
-    if (whole > bound.limit * for_rounding) {
+    if (exceeds(whole, bound.limit)) {
       Finding& later = all.emplace_back(exceeds_later);
       later.values.push_back({"figure", std::string(bound.variable)});
       const Dimension dimension = peak ? Dimension::length : Dimension::gravities;
@@ -68,12 +52,12 @@ void add_later(std::vector<Finding>& all, const Shown& now) {
   }
 }
 
-void add_weak_hits(std::vector<Finding>& all, const Shown& now) {
-  if (now.pulse || !now.problem.has_caught_hits(now.delta)) {
+void add_weak_hits(std::vector<Finding>& all, const ShownDamper& now) {
+  if (now.pulse || !now.problem.has_caught_hits(now.point.delta)) {
     return;
   }
   // A weaker hit than this is caught at the start: rule 4 of docs/theory.md, section 2.
-  const double caught = std::sqrt(2 * now.delta);
+  const double caught = std::sqrt(2 * now.point.delta);
   Finding& weak = all.emplace_back(catches_weak_hits);
   weak.add("caught_impulse", std::min(caught, now.problem.v0), Dimension::velocity);
   if (caught < now.problem.v0) {
@@ -81,9 +65,9 @@ void add_weak_hits(std::vector<Finding>& all, const Shown& now) {
   }
 }
 
-void add_recentring(std::vector<Finding>& all, const Shown& now) {
+void add_recentring(std::vector<Finding>& all, const ShownDamper& now) {
   constexpr double asked = 0.25;  // EN 15129
-  const auto ratio = now.practice ? now.practice->energy_ratio : std::nullopt;
+  const auto ratio = now.judged.practice ? now.judged.practice->energy_ratio : std::nullopt;
   if (ratio && *ratio < asked) {
     Finding& weak = all.emplace_back(recentres_weakly);
     weak.add("energy_ratio", ratio);
@@ -91,14 +75,18 @@ void add_recentring(std::vector<Finding>& all, const Shown& now) {
   }
 }
 
-std::vector<Finding> findings_of(const Shown& now, const AskedWith& asked) {
+std::vector<Finding> findings_of(const ShownDamper& now, const AskedWith& asked) {
   std::vector<Finding> all;
-  if (now.forced != nullptr && now.forced->locked_from) {
-    all.push_back(lock_of(*now.forced, duration(excitation(*now.of_pulse)).value()));
+  if (now.under_pulse != nullptr) {
+    const ForcedResponse& forced =
+        now.built != nullptr ? now.built->response : now.under_pulse->response;
+    if (forced.locked_from) {
+      all.push_back(lock_of(forced, duration(excitation(now.under_pulse->pulse)).value()));
+    }
   }
   add_later(all, now);
-  if (asked.weight && now.f > 1) {  // without units f has no weight
-    all.emplace_back(friction_above_weight).add("f", now.f);
+  if (asked.weight && now.point.f > 1) {  // without units f has no weight
+    all.emplace_back(friction_above_weight).add("f", now.point.f);
   }
   add_weak_hits(all, now);
   add_recentring(all, now);
@@ -130,12 +118,12 @@ void add_built(std::vector<Finding>& all, const DesignRequest& request, const Bu
   const ForcedResponse& response = built.response;
   const double rest = std::abs(response.stop_position.value_or(0));
   const bool within =
-      problem.residual && response.stop_position && rest <= *problem.residual * for_rounding;
+      problem.residual && response.stop_position && !exceeds(rest, *problem.residual);
   const auto fails = [&](std::string_view what) -> Finding& {
     return all.emplace_back(notch_fails, std::vector<FindingValue>{{"what", std::string(what)}});
   };
-  const auto exceeds = [&](std::string_view what, double value, std::optional<double> limit,
-                           Dimension dimension, TriedMotion WorstMotions::*of) {
+  const auto tell = [&](std::string_view what, double value, std::optional<double> limit,
+                        Dimension dimension, TriedMotion WorstMotions::*of) {
     Finding& finding = fails(what);
     finding.add("value", value, dimension);
     finding.add("limit", limit, dimension);
@@ -157,8 +145,8 @@ void add_built(std::vector<Finding>& all, const DesignRequest& request, const Bu
     return;
   }
   const double peak = largest(&WorstMotions::peak).peak_amplitude;
-  if (peak > problem.beta * for_rounding) {
-    exceeds("peak", peak, problem.beta, Dimension::length, &WorstMotions::peak);
+  if (exceeds(peak, problem.beta)) {
+    tell("peak", peak, problem.beta, Dimension::length, &WorstMotions::peak);
     return;
   }
   const double allowed = problem.residual.value_or(off_centre * response.peak_amplitude);
@@ -167,12 +155,11 @@ void add_built(std::vector<Finding>& all, const DesignRequest& request, const Bu
       response.outcome == Outcome::stopped_at_zero || response.outcome == Outcome::stopped_in_notch;
   if (!response.stop_position) {
     fails("moving");
-  } else if (farthest > allowed * for_rounding || !(problem.residual ? within : stops)) {
-    exceeds("rest", farthest, problem.residual, Dimension::length, &WorstMotions::farthest);
+  } else if (exceeds(farthest, allowed) || !(problem.residual ? within : stops)) {
+    tell("rest", farthest, problem.residual, Dimension::length, &WorstMotions::farthest);
   } else if (const double felt = largest(&WorstMotions::felt).peak_absolute_acceleration;
-             limits.acceleration_max && felt > *limits.acceleration_max * for_rounding) {
-    exceeds("acceleration", felt, limits.acceleration_max, Dimension::gravities,
-            &WorstMotions::felt);
+             limits.acceleration_max && exceeds(felt, *limits.acceleration_max)) {
+    tell("acceleration", felt, limits.acceleration_max, Dimension::gravities, &WorstMotions::felt);
   }
 }
 
@@ -244,13 +231,7 @@ std::vector<Finding> findings_of(const DesignResult& design, const std::optional
   }
   const auto& [problem, limits, search, pulse, ranges] = design.request;
   const Found& found = *design.finding;
-  const ForcedResponse* const under_pulse = found.pulse ? &found.pulse->response : nullptr;
-  const auto all_of = findings_of(Shown{problem, limits, pulse, ranges, found.point.f,
-                                        found.point.delta, built ? built->response : found.response,
-                                        built && found.pulse ? &built->response : under_pulse,
-                                        found.pulse ? &found.pulse->pulse : nullptr,
-                                        found.constraints, found.practice, built.has_value()},
-                                  asked);
+  const auto all_of = findings_of(shown_damper(design, built), asked);
   std::vector<Finding> all;
   add_failed(all, found.cross_check);
   if (built) {
@@ -276,15 +257,10 @@ std::vector<Finding> findings_of(const DesignResult& design, const std::optional
 
 std::vector<Finding> findings_of(const RegionRequest& request, const RegionAnswer& answer,
                                  const AskedWith& asked) {
-  const auto& [problem, limits, f, delta, pulse, ranges] = request;
   if (!answer.response) {
-    return of_region(answer, pulse && answer.region.feasible);
+    return of_region(answer, request.pulse && answer.region.feasible);
   }
-  const auto& under = answer.under_pulse;
-  return findings_of(Shown{problem, limits, pulse, ranges, *f, *delta, *answer.response,
-                           under ? &under->response : nullptr, under ? &under->pulse : nullptr,
-                           answer.constraints, answer.practice, false},
-                     asked);
+  return findings_of(shown_damper(request, answer), asked);
 }
 
 }  // namespace stillpoint::design

@@ -170,6 +170,12 @@ std::optional<Practice> practice(const Oscillator& oscillator, const Response& r
   return lines;
 }
 
+std::optional<Practice> practice(const SimulationRequest& request, const Simulation& motion) {
+  return !motion.forced && request.surface.plain() && request.start.x0 == 0
+             ? practice(request.oscillator, motion.response, std::nullopt)
+             : std::nullopt;
+}
+
 std::optional<Practice> worst_practice(const Problem& problem, const Limits& limits, double f,
                                        double delta) {
   std::optional<Practice> worst;

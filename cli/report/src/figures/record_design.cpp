@@ -112,16 +112,15 @@ std::vector<Figure> design_spectra(const design::RecordDesign& result, const Fig
 
 }  // namespace
 
-figures::HtmlPage page(const RecordDesignReport& report) {
+std::vector<Figure> drawings(const RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;
   const FigureUnits units = units_of(report.physical);
-  figures::HtmlPage page = page_of(document(report, Verbosity::full));
-  page.figures = record_maps(result, units);
+  std::vector<Figure> figures = record_maps(result, units);
   if (result.finding) {
-    add_records(page.figures, result, units);
-    std::ranges::move(design_spectra(result, units), std::back_inserter(page.figures));
+    add_records(figures, result, units);
+    std::ranges::move(design_spectra(result, units), std::back_inserter(figures));
   }
-  return page;
+  return figures;
 }
 
 }  // namespace stillpoint::report

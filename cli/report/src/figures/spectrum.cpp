@@ -204,12 +204,10 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
   return all;
 }
 
-figures::HtmlPage page(const SpectrumReport& report) {
-  figures::HtmlPage page = page_of(document(report, Verbosity::full));
-  if (report.result.combined.size() > 1) {  // the table says more than two dots
-    page.figures = spectrum_figures(report.result, units_of(report.physical));
-  }
-  return page;
+std::vector<Figure> drawings(const SpectrumReport& report) {
+  return report.result.combined.size() > 1  // the table says more than two dots
+             ? spectrum_figures(report.result, units_of(report.physical))
+             : std::vector<Figure>();
 }
 
 }  // namespace stillpoint::report

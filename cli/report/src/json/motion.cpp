@@ -84,7 +84,7 @@ std::optional<MotionSi> physical_of(const MotionReport& report) {
                    .velocity_m_per_s = report.physical->velocity_m_per_s,
                    .f = report.request.oscillator.f,
                    .delta = report.request.oscillator.delta,
-                   .practice = practice_of(report),
+                   .practice = design::practice(report.request, report.answer),
                    .lambda = wave ? load->lambda : std::nullopt,
                    .duration = wave ? load->duration : std::nullopt,
                    .motion = response_of(report)},
@@ -101,7 +101,10 @@ constexpr auto motion_table = std::tuple_cat(
         Field{"response", &response_of},
         Field{"caught_impulse", &caught,
               "per mass, for a hit that the notch catches at the start; null if it does not"},
-        Field{"practice", &practice_of,
+        Field{"practice",
+              [](const MotionReport& report) {
+                return design::practice(report.request, report.answer);
+              },
               "docs/theory.md section 11; null except after a hit from x = 0 without a load and "
               "with "
               "the paper's notch; notch_width_min is null"},

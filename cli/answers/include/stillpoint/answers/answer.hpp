@@ -25,7 +25,7 @@ class Answer {
   [[nodiscard]] virtual figures::HtmlPage page() const = 0;
 };
 
-/// For a report that has json() and document(), and page() if there is something to draw.
+/// For a report that has json() and document().
 template <class Report>
 class AnswerOf : public Answer {
  public:
@@ -40,13 +40,8 @@ class AnswerOf : public Answer {
     return document(report_, report::Verbosity::normal);
   }
   [[nodiscard]] figures::HtmlPage page() const override {
-    using report::document;
     using report::page;
-    if constexpr (requires { page(report_); }) {
-      return page(report_);
-    } else {
-      return report::page_of(document(report_, report::Verbosity::full));
-    }
+    return page(report_);
   }
 
   [[nodiscard]] const Report& made() const { return report_; }

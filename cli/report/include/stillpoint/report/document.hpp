@@ -66,6 +66,16 @@ struct Document {
   Section& detail(std::string heading);
 };
 
+/// Of a report that has some.
+template <class Report>
+[[nodiscard]] auto findings(const Report& report) -> decltype((report.findings)) {
+  return report.findings;
+}
+template <class Report>
+[[nodiscard]] auto findings(const Report& report) -> decltype((report.result.findings)) {
+  return report.result.findings;
+}
+
 /// Of a report that has verdict(), without its rows.
 template <class Report>
 [[nodiscard]] Document answered(const std::string& title, const Report& report, Tone tone) {
@@ -106,6 +116,17 @@ struct TextOptions {
 
 /// Its page, without figures.
 [[nodiscard]] figures::HtmlPage page_of(const Document& document);
+
+/// The page of a report with its drawings(), if it has any. The caller adds title, input and
+/// footer.
+template <class Report>
+[[nodiscard]] figures::HtmlPage page(const Report& report) {
+  figures::HtmlPage made = page_of(document(report, Verbosity::full));
+  if constexpr (requires { drawings(report); }) {
+    made.figures = drawings(report);
+  }
+  return made;
+}
 
 /// Control characters and marks of direction, which could break a line or play tricks with a
 /// terminal, as \\xNN or \\uNNNN.

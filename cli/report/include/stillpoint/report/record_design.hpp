@@ -5,7 +5,7 @@
 
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/design/record_design.hpp>
-#include <stillpoint/figures/html_page.hpp>
+#include <stillpoint/figures/figure.hpp>
 #include <stillpoint/report/document.hpp>
 
 #include <nlohmann/json.hpp>
@@ -31,10 +31,6 @@ struct RecordDesignReport {
 [[nodiscard]] std::string progress_words(const design::RecordProgress& progress,
                                          const std::optional<design::PhysicalInput>& physical);
 
-[[nodiscard]] inline const std::vector<design::Finding>& findings(
-    const RecordDesignReport& report) {
-  return report.result.findings;
-}
 /// What to build and what it does, or what is in the way.
 [[nodiscard]] std::string verdict(const RecordDesignReport& report);
 [[nodiscard]] Document document(const RecordDesignReport& report);
@@ -42,7 +38,7 @@ struct RecordDesignReport {
 [[nodiscard]] nlohmann::ordered_json json(const RecordDesignReport& report);
 /// The maps of the objective, the motion under each record with its load, and the spectra about the
 /// chosen period; they are computed here.
-[[nodiscard]] figures::HtmlPage page(const RecordDesignReport& report);
+[[nodiscard]] std::vector<figures::Figure> drawings(const RecordDesignReport& report);
 
 inline constexpr int most_drawn_records = 11;
 

@@ -91,10 +91,6 @@ struct AccuracyReport {
 [[nodiscard]] std::string verdict(const DesignReport& report);
 [[nodiscard]] std::string verdict(const RegionReport& report);
 [[nodiscard]] std::string verdict(const MotionReport& report);
-template <class Report>
-[[nodiscard]] const std::vector<design::Finding>& findings(const Report& report) {
-  return report.findings;
-}
 
 /// As docs/reports.md describes them. Numbers carry a double's full precision; a value that does
 /// not exist is null.
@@ -106,13 +102,11 @@ template <class Report>
 /// assertion.
 [[nodiscard]] std::string json_text(const nlohmann::ordered_json& json);
 
-/// The figures above the document. The caller adds title, input and footer.
-[[nodiscard]] figures::HtmlPage page(const DesignReport& report);
-[[nodiscard]] figures::HtmlPage page(const RegionReport& report);
-[[nodiscard]] figures::HtmlPage page(const MotionReport& report);
-/// Those figures alone.
+[[nodiscard]] std::vector<figures::Figure> drawings(const DesignReport& report);
 [[nodiscard]] std::vector<figures::Figure> drawings(const RegionReport& report);
 [[nodiscard]] std::vector<figures::Figure> drawings(const MotionReport& report);
+/// Which says where they do not show all.
+[[nodiscard]] figures::HtmlPage page(const MotionReport& report);
 
 /// A state of a trajectory in metres and seconds as well.
 struct PhysicalState {

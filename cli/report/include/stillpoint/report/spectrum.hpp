@@ -5,12 +5,13 @@
 
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/design/spectrum.hpp>
-#include <stillpoint/figures/html_page.hpp>
+#include <stillpoint/figures/figure.hpp>
 #include <stillpoint/report/document.hpp>
 
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <vector>
 
 namespace stillpoint::report {
 
@@ -21,14 +22,10 @@ struct SpectrumReport {
 
 /// "locked: at 3 of 9 periods ..."; empty if it locks at none.
 [[nodiscard]] std::string verdict(const SpectrumReport& report);
-[[nodiscard]] inline const std::vector<design::Finding>& findings(const SpectrumReport& report) {
-  return report.result.findings;
-}
-
 [[nodiscard]] Document document(const SpectrumReport& report);
 /// As docs/reports.md describes it.
 [[nodiscard]] nlohmann::ordered_json json(const SpectrumReport& report);
-[[nodiscard]] figures::HtmlPage page(const SpectrumReport& report);
+[[nodiscard]] std::vector<figures::Figure> drawings(const SpectrumReport& report);
 
 /// A row for each record and period. A value that does not exist is left out in CSV and NaN in
 /// NumPy's format.

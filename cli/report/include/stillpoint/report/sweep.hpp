@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/figures/html_page.hpp>
+#include <stillpoint/figures/figure.hpp>
 #include <stillpoint/report/document.hpp>
 #include <stillpoint/sweep/map.hpp>
 #include <stillpoint/sweep/run.hpp>
@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace stillpoint::report {
 
@@ -24,8 +25,8 @@ struct SweepReport {
 
 [[nodiscard]] Document document(const SweepReport& report);
 [[nodiscard]] nlohmann::ordered_json json(const SweepReport& report);
-/// With the map if there is one.
-[[nodiscard]] figures::HtmlPage page(const SweepReport& report);
+/// The map if there is one.
+[[nodiscard]] std::vector<figures::Figure> drawings(const SweepReport& report);
 
 /// "4.2e+06 of 1e+08 rows, 4 %, 1.9e+06 rows/s", after `seconds` of a run that began with
 /// `begun_with` rows.

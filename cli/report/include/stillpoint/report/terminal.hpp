@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What standard output can show.
+// What standard output can show, and how far a command is.
 
 #include <cstddef>
+#include <string>
 
 namespace stillpoint::report {
 
@@ -16,5 +17,11 @@ namespace stillpoint::report {
 
 /// Only where standard output is such a terminal, and NO_COLOR is not set (or empty).
 [[nodiscard]] bool terminal_has_colours();
+
+/// "tau 3 of 10, 30 %"; `end` is 0 if that is not known.
+[[nodiscard]] std::string progress_in_tau(double tau, double end);
+
+/// ", 0:50 left"
+[[nodiscard]] std::string time_left(double seconds);
 
 }  // namespace stillpoint::report

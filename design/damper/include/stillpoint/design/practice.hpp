@@ -3,6 +3,7 @@
 
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/problem.hpp>
 
 #include <optional>
@@ -39,6 +40,10 @@ struct Practice {
                                                const Response& response,
                                                const std::optional<double>& acceleration_max,
                                                const std::optional<double>& load = {});
+
+/// Of a motion after a hit, from x = 0 without a load, with the paper's notch; else empty.
+[[nodiscard]] std::optional<Practice> practice(const SimulationRequest& request,
+                                               const Simulation& motion);
 
 /// Of a free motion with that response: the impulse of each passage and of the stop at x = 0, in
 /// turn; at most the last 1000.
