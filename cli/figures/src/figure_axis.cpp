@@ -69,6 +69,18 @@ std::string Figure::caption() const {
   return text.empty() ? text : text + '.';
 }
 
+void Figure::add_line(std::string name, Strokes strokes, Ink ink, Dash dash, bool labelled) {
+  curves.push_back({std::move(name), std::move(strokes), ink, dash, false, false, labelled});
+}
+
+Points Figure::upright(double at) const {
+  return {{at, y.least}, {at, y.most}};
+}
+
+Points Figure::level(double at) const {
+  return {{x.least, at}, {x.most, at}};
+}
+
 void Figure::add_band(std::string name, double from, double to, Ink ink) {
   areas.push_back({std::move(name), rectangle(from, to, y.least, y.most), ink, AreaLook::band});
 }

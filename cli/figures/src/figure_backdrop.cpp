@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "figure_backdrop.hpp"
-
 #include "figure_looks.hpp"
-#include "figure_map.hpp"
+#include "figure_parts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -112,7 +110,8 @@ std::string hatches(const Figure& figure) {
       add(text,
           "<pattern id=\"{0}\" width=\"{1}\" height=\"{1}\" patternUnits=\"userSpaceOnUse\" "
           "patternTransform=\"rotate({2})\"><path class=\"hatch {3}\" d=\"M3.5 0V7\"/></pattern>\n",
-          hatch_id(figure, area.name), hatch_spacing, hatch_angle(kinds++), word(area.ink));
+          hatch_id(figure, area.name), hatch_spacing, hatch_angle(kinds++),
+          of(ink_words, area.ink));
     }
   }
   return text;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "figure_contents.hpp"
-
-#include "figure_backdrop.hpp"
 #include "figure_looks.hpp"
+#include "figure_parts.hpp"
 
 #include <fmt/compile.h>
 
@@ -11,7 +9,7 @@ namespace stillpoint::figures {
 namespace {
 
 /// Path data of straight lines.
-std::string path(const Plane& plot, const std::vector<FigurePoint>& points) {
+std::string path(const Plane& plot, const Points& points) {
   std::string d;
   for (const FigurePoint& point : points) {
     const auto [x, y] = plot.pixel(point);
@@ -23,7 +21,7 @@ std::string path(const Plane& plot, const std::vector<FigurePoint>& points) {
 
 std::string_view look_of(const Figure& figure, const FigureArea& area) {
   if (area.look != AreaLook::hatched) {
-    return word(area.look);
+    return of(look_words, area.look);
   }
   // Between the lines of its hatching a thin one would not be seen.
   const double thick = thickness(figure, area);
@@ -43,7 +41,7 @@ std::string contents(const Figure& figure, const Plane& plot) {
       }
       const bool hatched = area.look == AreaLook::hatched;
       add(text, "<path class=\"{} {}\"{} d=\"{}Z\"><title>{}</title></path>\n",
-          look_of(figure, area), word(area.ink),
+          look_of(figure, area), of(ink_words, area.ink),
           hatched ? fmt::format(" fill=\"url(#{})\"", hatch_id(figure, area.name)) : "",
           path(plot, area.outline), escaped(area.told.empty() ? area.name : area.told));
     }
@@ -56,8 +54,8 @@ std::string contents(const Figure& figure, const Plane& plot) {
     if (!figure.map.cells.empty()) {
       add(text, "<path class=\"halo\" d=\"{}\"/>\n", d);
     }
-    add(text, "<path class=\"curve {}{}{}\" d=\"{}\"{}/>\n", word(curve.ink), word(curve.dash),
-        curve.hover ? " hover" : "", d,
+    add(text, "<path class=\"curve {}{}{}\" d=\"{}\"{}/>\n", of(ink_words, curve.ink),
+        of(dash_words, curve.dash), curve.hover ? " hover" : "", d,
         curve.hover ? fmt::format(" data-name=\"{}\"", escaped(curve.name)) : "");
   }
   return text;

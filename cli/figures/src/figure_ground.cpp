@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "figure_ground.hpp"
+#include "figure_words.hpp"
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@ Ground::Ground(const Figure& drawn, const Plane& plot)
     : figure(drawn), plane(plot), ink(plot.width, plot.height), taken(plot.width, plot.height) {
   for (const FigureCurve& curve : figure.curves) {
     for (const auto& stroke : curve.strokes) {
-      const auto line = pixels(stroke);
+      const auto line = plane.pixels(stroke);
       ink.set_line(line);
       if (curve.labelled || !curve.hover) {
         others.push_back(line);
@@ -21,7 +21,7 @@ Ground::Ground(const Figure& drawn, const Plane& plot)
   }
   for (const FigureArea& area : figure.areas) {
     if (area.look == AreaLook::filled || area.look == AreaLook::box) {  // others have no edge
-      auto outline = pixels(area.outline);
+      auto outline = plane.pixels(area.outline);
       outline.push_back(outline.front());
       ink.set_line(outline);
     }
@@ -32,15 +32,6 @@ Ground::Ground(const Figure& drawn, const Plane& plot)
       taken.set(box_around(at_frame(plane, at), mark, mark));
     }
   }
-}
-
-std::vector<FigurePoint> Ground::pixels(const std::vector<FigurePoint>& points) const {
-  std::vector<FigurePoint> made;
-  made.reserve(points.size());
-  for (const FigurePoint& at : points) {
-    made.push_back(plane.pixel(at));
-  }
-  return made;
 }
 
 bool Ground::is_free(const Box& box) const {

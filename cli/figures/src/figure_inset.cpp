@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "figure_inset.hpp"
-
-#include "figure_contents.hpp"
 #include "figure_looks.hpp"
+#include "figure_parts.hpp"
+#include "figure_words.hpp"
 
 #include <algorithm>
 #include <cmath>

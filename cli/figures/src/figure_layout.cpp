@@ -57,6 +57,12 @@ FigurePoint Plane::pixel(const FigurePoint& at) const {
           std::clamp((1 - y.position(at.y)) * height, -far, far)};
 }
 
+Points Plane::pixels(const Points& points) const {
+  Points made(points);
+  std::ranges::transform(points, made.begin(), [this](const auto& at) { return pixel(at); });
+  return made;
+}
+
 bool Plane::holds(const FigurePoint& at) const {
   return at.x >= x.least && at.x <= x.most && at.y >= y.least && at.y <= y.most;
 }

@@ -28,6 +28,7 @@ struct Plane {
 
   /// In the plot, y down. Far beyond it, only the direction counts.
   [[nodiscard]] FigurePoint pixel(const FigurePoint& at) const;
+  [[nodiscard]] Points pixels(const Points& points) const;
   [[nodiscard]] bool holds(const FigurePoint& at) const;
 };
 

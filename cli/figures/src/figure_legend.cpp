@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "figure_legend.hpp"
-
-#include "figure_backdrop.hpp"
 #include "figure_layout.hpp"
 #include "figure_looks.hpp"
+#include "figure_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -86,15 +85,17 @@ void FigureLegend::add(const Figure& figure, const std::set<std::string>& named)
                                        ? fmt::format("<path fill=\"url(#{})\" d=\"{}\"/>",
                                                      hatch_id(figure, area.name), swatch)
                                        : "";
-      const std::string_view look = area.look == AreaLook::hatched ? "hatch" : word(area.look);
+      const std::string_view look =
+          area.look == AreaLook::hatched ? "hatch" : of(look_words, area.look);
       enter_unless_named(key_of(area), fmt::format(R"({}<path class="{} {}" d="{}"/>)", hatching,
-                                                   look, word(area.ink), swatch));
+                                                   look, of(ink_words, area.ink), swatch));
     }
   }
   for (const FigureCurve& curve : figure.curves) {
     if (!curve.strokes.empty()) {
-      enter_unless_named(curve.name, fmt::format(R"(<path class="curve {}{}" d="M0-4h24"/>)",
-                                                 word(curve.ink), word(curve.dash)));
+      enter_unless_named(curve.name,
+                         fmt::format(R"(<path class="curve {}{}" d="M0-4h24"/>)",
+                                     of(ink_words, curve.ink), of(dash_words, curve.dash)));
     }
   }
   for (const FigureMarks& marks : figure.marks) {

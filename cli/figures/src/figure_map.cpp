@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "figure_map.hpp"
+#include "figure_parts.hpp"
 
 #include <zlib.h>
 

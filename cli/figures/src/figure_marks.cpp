@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "figure_contents.hpp"
-#include "figure_ground.hpp"
 #include "figure_looks.hpp"
+#include "figure_parts.hpp"
+#include "figure_words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,24 +31,23 @@ void add_arrows(std::string& text, const Figure& figure, const Plane& plot,
   constexpr double along = 160;
   constexpr double shortest = 60;
   constexpr double apart = 24;
-  std::vector<FigurePoint> arrows;
+  Points arrows;
   for (const auto& stroke : curve.strokes) {
+    const Points line = plot.pixels(stroke);
     std::vector<double> reached{0};
-    for (std::size_t i = 1; i < stroke.size(); ++i) {
-      const FigurePoint from = plot.pixel(stroke[i - 1]);
-      const FigurePoint to = plot.pixel(stroke[i]);
-      reached.push_back(reached.back() + std::hypot(to.x - from.x, to.y - from.y));
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      reached.push_back(reached.back() +
+                        std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y));
     }
     const double length = reached.back();
     const double spacing = length / std::ceil(length / along);
     double next = length < shortest ? HUGE_VAL : spacing / 2;
-    for (std::size_t i = 1; i < stroke.size(); ++i) {
+    for (std::size_t i = 1; i < line.size(); ++i) {
       if (reached[i] < next) {
         continue;
       }
       next += spacing;
-      const FigurePoint from = plot.pixel(stroke[i - 1]);
-      const FigurePoint at = plot.pixel(stroke[i]);
+      const FigurePoint& at = line[i];
       if (!is_marked(figure, plot, at) && std::ranges::none_of(arrows, [&](const auto& other) {
             return are_close(other, at, apart);
           })) {
@@ -56,8 +55,8 @@ void add_arrows(std::string& text, const Figure& figure, const Plane& plot,
         add(text,
             "{}><path class=\"disc arrow {}\" transform=\"rotate({:.1f})\" "
             "d=\"M-5-4.5L5 0L-5 4.5Z\"/></g>\n",
-            pin(at), word(curve.ink),
-            std::atan2(at.y - from.y, at.x - from.x) * 180 / std::numbers::pi);
+            pin(at), of(ink_words, curve.ink),
+            std::atan2(at.y - line[i - 1].y, at.x - line[i - 1].x) * 180 / std::numbers::pi);
       }
     }
   }
@@ -89,7 +88,7 @@ std::string marks(const Figure& figure, const Plane& plot) {
         add(text,
             " data-far=\"{}\"><path class=\"disc {}\" transform=\"rotate({:.1f})\" "
             "d=\"M-9-2H-1V-7L9 0L-1 7V2H-9Z\"/></g>\n",
-            name, word(marks.ink), outward(plot, at));
+            name, of(ink_words, marks.ink), outward(plot, at));
       }
     }
   }

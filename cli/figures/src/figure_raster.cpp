@@ -52,7 +52,7 @@ bool Raster::is_full(const Box& box) const {
          static_cast<int>((across.last - across.first) * (down.last - down.first));
 }
 
-void Raster::set_line(const std::vector<FigurePoint>& points) {
+void Raster::set_line(const Points& points) {
   constexpr double most_steps = 2000;
   for (std::size_t i = 1; i < points.size(); ++i) {
     const FigurePoint& a = points[i - 1];
@@ -67,7 +67,7 @@ void Raster::set_line(const std::vector<FigurePoint>& points) {
   }
 }
 
-void Raster::fill(const std::vector<FigurePoint>& outline) {
+void Raster::fill(const Points& outline) {
   std::vector<std::vector<double>> crossings(rows_);
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const FigurePoint& a = outline[i];

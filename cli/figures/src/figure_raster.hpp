@@ -34,9 +34,9 @@ class Raster {
   /// All that the box touches.
   void set(const Box& box, bool value = true);
   /// Along the straight lines between points.
-  void set_line(const std::vector<FigurePoint>& points);
+  void set_line(const Points& points);
   /// Inside the polygon.
-  void fill(const std::vector<FigurePoint>& outline);
+  void fill(const Points& outline);
   /// Calls is_set(middle of the cell) for each.
   template <class IsSet>
   void set_where(const IsSet& is_set) {

@@ -2,11 +2,9 @@
 // Draws figures. The plot is an svg of its own, so that a page can zoom into it, and so are its
 // marks, which may reach over the frame. A "pin" (a mark or a word) keeps its size when zoomed.
 #include "figure_svg.hpp"
-
-#include "figure_backdrop.hpp"
-#include "figure_contents.hpp"
-#include "figure_inset.hpp"
 #include "figure_looks.hpp"
+#include "figure_parts.hpp"
+
 #include "page_files.hpp"
 
 namespace stillpoint::figures {

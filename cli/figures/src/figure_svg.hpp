@@ -3,7 +3,7 @@
 
 #include "figure_layout.hpp"
 #include "figure_legend.hpp"
-#include "figure_names.hpp"
+#include "figure_words.hpp"
 
 #include <fmt/format.h>
 

@@ -30,7 +30,7 @@ bool is_between(const FigurePoint& a, const FigurePoint& b, const FigurePoint& o
 /// exceeded, however close to it the point is.
 bool misleads(const Ground& ground, const FigurePoint& point, const Box& words) {
   const FigurePoint end = farthest_of(words, point);
-  return std::ranges::any_of(ground.others, [&](const std::vector<FigurePoint>& line) {
+  return std::ranges::any_of(ground.others, [&](const Points& line) {
     return std::ranges::adjacent_find(line, [&](const FigurePoint& a, const FigurePoint& b) {
              return is_between(a, b, point, end) && is_between(point, end, a, b);
            }) != line.end();
@@ -38,15 +38,14 @@ bool misleads(const Ground& ground, const FigurePoint& point, const Box& words) 
 }
 
 /// From words to the nearest of their points, unless they are close to it.
-std::vector<FigurePoint> leader(const std::vector<FigurePoint>& points, const Box& words) {
+Points leader(const Points& points, const Box& words) {
   constexpr double close = 18;  // pixels: a mark lies between
   const auto apart = [&](const FigurePoint& point) {
     const FigurePoint nearest = nearest_of(words, point);
     return std::hypot(nearest.x - point.x, nearest.y - point.y);
   };
   const FigurePoint point = *std::ranges::min_element(points, {}, apart);
-  return apart(point) > close ? std::vector{nearest_of(words, point), point}
-                              : std::vector<FigurePoint>{};
+  return apart(point) > close ? std::vector{nearest_of(words, point), point} : Points{};
 }
 
 }  // namespace
@@ -57,7 +56,7 @@ Box PlacedName::box() const {
 }
 
 std::optional<PlacedName> near(const Ground& ground, const std::string& text,
-                               const std::vector<FigurePoint>& points) {
+                               const Points& points) {
   constexpr double clear = 2;        // pixels above and below
   constexpr double farther = 0.15;   // of a cell covered, a pixel
   constexpr double covering = 12;    // cells: 80 pixels away rather than on a line

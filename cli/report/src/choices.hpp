@@ -31,7 +31,7 @@ void add_trade_off(Document& document, const std::vector<design::TradeOff>& fron
                    const ShownTask& task);
 /// Acceleration over stroke, and tolerance below it.
 [[nodiscard]] std::vector<figures::Figure> trade_off_figures(
-    const std::vector<design::TradeOff>& front, const design::Found& chosen,
+    const std::vector<design::TradeOff>& front, const design::Found& found,
     const FigureUnits& units);
 
 }  // namespace stillpoint::report

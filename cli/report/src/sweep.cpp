@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a sweep found, with rows in a file or without.
 
-#include "figures/report_figures.hpp"
-
 #include <stillpoint/report/reduction.hpp>
 #include <stillpoint/report/sweep.hpp>
 
@@ -120,11 +118,6 @@ std::string progress_words(double rows, std::int64_t begun_with,
   const auto all = static_cast<double>(*total);
   return fmt::format("{:.4g} of {:.4g} rows, {:.0f} %, {:.3g} rows/s", rows, all, 100 * rows / all,
                      per_second);
-}
-
-std::vector<figures::Figure> drawings(const SweepReport& report) {
-  return report.map ? std::vector{sweep_figure(report.spec, *report.map)}
-                    : std::vector<figures::Figure>();
 }
 
 Document document(const ReductionReport& report) {

@@ -247,4 +247,17 @@ std::vector<Hits> shown_hits(const Problem& problem, double f, double delta) {
   return list;
 }
 
+std::optional<Interval> hits_above_limit(const Problem& problem, const Limits& limits, double f,
+                                         const std::vector<Hits>& hits) {
+  if (!limits.acceleration_max) {
+    return std::nullopt;
+  }
+  const double limit = *limits.acceleration_max;
+  const double from =
+      limit > f ? std::sqrt((limit - f) * (limit + f)) / problem.p_high.value_or(problem.p) : 0;
+  const auto far = std::ranges::find(hits, HitEnd::too_far, &Hits::end);
+  const double to = far == hits.end() ? hits.back().to : far->from;
+  return from < to ? std::optional(Interval{from, to}) : std::nullopt;
+}
+
 }  // namespace stillpoint::design

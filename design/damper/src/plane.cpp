@@ -376,4 +376,41 @@ std::vector<PlaneArea> tolerant_areas(const PulseProblem& problem, const Limits&
   return areas;
 }
 
+PlaneWindow thickest_part(const PlaneArea& area) {
+  const Interval thickest =
+      std::ranges::max_element(area.columns, {}, [](const PlaneArea::Column& column) {
+        return column.delta.high - column.delta.low;
+      })->delta;
+  const auto is_within = [&](double at) { return thickest.low <= at && at <= thickest.high; };
+  Interval f{HUGE_VAL, -HUGE_VAL};
+  for (const auto& [at, delta] : area.columns) {
+    if (is_within(delta.low) || is_within(delta.high)) {
+      f = {std::min(f.low, at), std::max(f.high, at)};
+    }
+  }
+  return {f, thickest};
+}
+
+Interval edges_about(const std::vector<PlaneArea>& areas, double f, double delta) {
+  Interval around{-HUGE_VAL, HUGE_VAL};
+  for (const PlaneArea& area : areas) {
+    const auto range = area.at(f);
+    for (const double edge : range ? std::vector{range->low, range->high} : std::vector<double>{}) {
+      (edge <= delta ? around.low : around.high) =
+          edge <= delta ? std::max(around.low, edge) : std::min(around.high, edge);
+    }
+  }
+  return around;
+}
+
+std::string_view beyond_limits(const Problem& problem, const Limits& limits) {
+  const double allowed = largest_f_allowed(problem, limits);
+  for (const LimitEdge& one : limit_edges(problem, limits)) {
+    if (one.kind->bounds_f() && one.edge == allowed) {
+      return one.kind->beyond;
+    }
+  }
+  return {};
+}
+
 }  // namespace stillpoint::design

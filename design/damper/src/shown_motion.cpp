@@ -73,7 +73,7 @@ void add_frictionless(ShownMotion& motion, const SimulationRequest& request) {
     return ForcedTrajectory({p, 0, 0}, request.start, request.excitation, limits);
   };
   const ForcedTrajectory path = path_to(motion.shown_to);
-  FrictionlessMotion& other = motion.frictionless.emplace();
+  OtherMotion& other = motion.frictionless.emplace();
   other.states = path.sampled(sample_count(rate, motion.shown_to));
   for (const Event& event : path.events()) {
     if (event.kind == EventKind::turn) {
@@ -228,15 +228,6 @@ ShownMotion shown_motion(const SimulationRequest& request, const Simulation& ans
 
 ShownMotion shown_motion(const SimulationRequest& request) {
   return shown_motion(request, simulate(request));
-}
-
-double displacement(const std::vector<State>& states, double tau) {
-  const auto next = std::ranges::lower_bound(states, tau, {}, &State::tau);
-  if (next == states.begin() || next == states.end()) {
-    return next == states.end() ? states.back().x : next->x;
-  }
-  const State& before = *std::prev(next);
-  return std::lerp(before.x, next->x, (tau - before.tau) / (next->tau - before.tau));
 }
 
 }  // namespace stillpoint::design

@@ -129,6 +129,24 @@ void SweepMap::add(const SweepBlock& block) {
   }
 }
 
+ClassCounts SweepMap::counts() const {
+  ClassCounts counts{};
+  for (const std::uint8_t cell : cells_) {
+    ++counts.at(cell);
+  }
+  return counts;
+}
+
+std::vector<double> SweepMap::peaks_of(std::size_t index) const {
+  std::vector<double> all;
+  for (std::size_t i = 0; i < peaks_.size(); ++i) {
+    if (cells_[i] == index) {
+      all.push_back(peaks_[i]);
+    }
+  }
+  return all;
+}
+
 bool SweepMap::complete(const SweepSpec& spec, SweepStep& step, const std::stop_token& stop) {
   for (std::int64_t f_cell = 0; f_cell < f_.cells() && !stop.stop_requested(); ++f_cell) {
     if (cells_[index(f_cell, 0)] != unknown &&

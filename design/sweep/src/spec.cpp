@@ -119,6 +119,11 @@ bool varies(const SweepSpec& spec, Quantity input) {
   return (spec.list && spec.list->has(input)) || count_in_axes(spec, input) > 1;
 }
 
+double only_value(const SweepSpec& spec, Quantity input) {
+  const double value = std::ranges::find(spec.axes, input, &SweepAxis::quantity)->axis[0];
+  return spec.units ? spec.units->plain(input, value) : value;
+}
+
 bool from_zero(const SweepSpec& spec) {
   const auto x0 = std::ranges::find(spec.axes, Quantity::x0, &SweepAxis::quantity);
   return x0 != spec.axes.end() && x0->axis.size() == 1 && x0->axis[0] == 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "figure_map.hpp"
-#include "figure_names.hpp"
+#include "figure_parts.hpp"
 #include "figure_sheet.hpp"
+#include "figure_words.hpp"
 #include "testing/contains.hpp"
 #include "testing/printing.hpp"
 

@@ -1,50 +1,41 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
-#include "format.hpp"
+#include "figures/drawing.hpp"
 #include "sections.hpp"
 
-#include <algorithm>
-#include <cstddef>
-#include <utility>
+#include <array>
+#include <iterator>
 
 namespace stillpoint::report {
-
-using figures::Figure;
-using figures::FigurePoint;
-using figures::Fill;
-using figures::Ink;
-using figures::Shape;
 
 namespace {
 
 /// One of the quantities over the stroke.
-Figure over_stroke(const std::vector<design::TradeOff>& front, const FigureUnits& units,
-                   std::string name, double (*quantity)(const design::TradeOff&), Ink ink,
-                   FigurePoint chosen) {
-  Figure figure;
+Figure over_stroke(Figure figure, const std::vector<design::TradeOff>& front,
+                   const design::TradeOff& chosen, const FigureUnits& units, std::string name,
+                   Ink ink, double (*quantity)(const design::TradeOff&)) {
+  const auto place = [&](const design::TradeOff& now) {
+    return FigurePoint{now.peak_amplitude * units.length, quantity(now)};
+  };
+  Points all{place(chosen)};
+  std::ranges::transform(front, std::back_inserter(all), place);
+  const Points line(all.begin() + 1, all.end());
+  const auto [least, most] = std::ranges::minmax(all, {}, &FigurePoint::y);
   figure.height = 170;
-  figures::FigureCurve curve{std::move(name), {{}}, ink};
-  double least = chosen.y;
-  double most = chosen.y;
-  for (const design::TradeOff& now : front) {
-    curve.strokes[0].push_back({now.peak_amplitude * units.length, quantity(now)});
-    least = std::min(least, quantity(now));
-    most = std::max(most, quantity(now));
-  }
-  figure.x = figures::axis_around(in("stroke", units.length), curve.strokes[0].back().x,
-                                  curve.strokes[0].front().x);
-  figure.y = figures::axis_around(curve.name, least, most);
-  figure.curves.push_back(std::move(curve));
-  figure.marks.push_back({"design", {chosen}, Shape::diamond, Ink::blue});
+  figure.x = axis_around(in("stroke", units.length), line.back().x, line.front().x);
+  figure.y = axis_around(name, least.y, most.y);
+  figure.curves.push_back({std::move(name), {line}, ink});
+  figure.marks.push_back({"design", {all.front()}, Shape::diamond, Ink::blue});
   return figure;
 }
 
 }  // namespace
 
 void add_parts(Figure& figure, const Catalogue& catalogue, const FigureUnits& units) {
-  std::vector<FigurePoint> fit;
-  std::vector<FigurePoint> too_little;
-  std::vector<FigurePoint> fail;
+  std::array<figures::FigureMarks, 3> kinds{
+      {{"parts that fail", {}, Shape::cross, Ink::purple},
+       {"parts that tolerate too little", {}, Shape::triangle, Ink::amber, Fill::hollow},
+       {"parts that fit", {}, Shape::disc, Ink::green, Fill::hollow}}};
   std::size_t outside = 0;
   for (const design::RatedPart& rated : catalogue.parts) {
     const FigurePoint at{rated.part.f, rated.part.delta * units.length};
@@ -52,20 +43,15 @@ void add_parts(Figure& figure, const Catalogue& catalogue, const FigureUnits& un
     if (!within(figure.x.position(at.x)) || !within(figure.y.position(at.y))) {
       ++outside;
     } else {
-      (rated.admissible ? fit : rated.tolerance ? too_little : fail).push_back(at);
+      kinds.at(rated.admissible ? 2 : rated.tolerance ? 1 : 0).points.push_back(at);
     }
   }
-  const auto add = [&figure](const char* name, std::vector<FigurePoint> points, Shape shape,
-                             Ink ink, Fill fill) {
-    if (!points.empty()) {
-      figure.description += format(" {}: {}.", name, points.size());
-      figure.marks.insert(figure.marks.begin(), {name, std::move(points), shape, ink, fill});
+  for (figures::FigureMarks& marks : kinds) {
+    if (!marks.points.empty()) {
+      figure.description += format(" {}: {}.", marks.name, marks.points.size());
+      figure.marks.insert(figure.marks.begin(), std::move(marks));
     }
-  };
-  add("parts that fail", std::move(fail), Shape::cross, Ink::purple, Fill::solid);
-  add("parts that tolerate too little", std::move(too_little), Shape::triangle, Ink::amber,
-      Fill::hollow);
-  add("parts that fit", std::move(fit), Shape::disc, Ink::green, Fill::hollow);
+  }
   if (outside > 0) {
     figure.clauses.push_back(format("{} of the {} parts {} outside this figure", outside,
                                     catalogue.parts.size(), outside == 1 ? "lies" : "lie"));
@@ -73,28 +59,25 @@ void add_parts(Figure& figure, const Catalogue& catalogue, const FigureUnits& un
 }
 
 std::vector<Figure> trade_off_figures(const std::vector<design::TradeOff>& front,
-                                      const design::Found& chosen, const FigureUnits& units) {
-  const double stroke = chosen.response.peak_amplitude * units.length;
+                                      const design::Found& found, const FigureUnits& units) {
+  const design::TradeOff chosen{found.point, found.response.peak_amplitude,
+                                found.response.peak_absolute_acceleration};
   Figure acceleration =
-      over_stroke(front, units, "acceleration outside the notch, g",
-                  [](const design::TradeOff& now) { return now.transmitted; }, Ink::orange,
-                  {stroke, chosen.response.peak_absolute_acceleration});
-  acceleration.id = "trade-off";
+      over_stroke({"trade-off", "Trade-off of stroke, acceleration and tolerance",
+                   "The least transmitted acceleration for each stroke, and the design."},
+                  front, chosen, units, "acceleration outside the notch, g", Ink::orange,
+                  [](const design::TradeOff& now) { return now.transmitted; });
   acceleration.y.label = "acceleration, g";  // the name is too long for its height
-  acceleration.title = "Trade-off of stroke, acceleration and tolerance";
   Figure tolerance =
-      over_stroke(front, units, "tolerance, %",
-                  [](const design::TradeOff& now) { return 100 * now.damper.tolerance; }, Ink::blue,
-                  {stroke, 100 * chosen.point.tolerance});
-  tolerance.id = "trade-off-tolerance";
-  tolerance.title = "Tolerance of the same dampers";
+      over_stroke({"trade-off-tolerance", "Tolerance of the same dampers",
+                   "The largest tolerance for each stroke, and the design."},
+                  front, chosen, units, "tolerance, %", Ink::blue,
+                  [](const design::TradeOff& now) { return 100 * now.damper.tolerance; });
   tolerance.below = true;
   tolerance.clauses = {
       "Each point is the most tolerant damper of its stroke: none is better in one of the three "
       "without being worse in another",
       "inside a notch the acceleration is f + Δ/w + spring"};
-  acceleration.description = "The least transmitted acceleration for each stroke, and the design.";
-  tolerance.description = "The largest tolerance for each stroke, and the design.";
   return {std::move(acceleration), std::move(tolerance)};
 }
 

@@ -1,21 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A damper with its tolerance in the plane of f and Delta.
 #include "figures/region_figures.hpp"
-#include "format.hpp"
 #include "sections.hpp"
 
-#include <stillpoint/report/digits.hpp>
-
-#include <utility>
-
 namespace stillpoint::report {
-
-using figures::AreaLook;
-using figures::Dash;
-using figures::Figure;
-using figures::FigurePoint;
-using figures::Ink;
-using figures::Shape;
 
 namespace {
 
@@ -28,12 +16,11 @@ std::string percent(double low, double high) {
 
 }  // namespace
 
-std::vector<FigurePoint> tolerance_box(const DrawnDamper& damper, const design::BoxShape& shape,
-                                       double unit) {
+Points tolerance_box(const DrawnDamper& damper, const design::BoxShape& shape, double unit) {
   const double r = damper.tolerance;
   const double delta = damper.delta * unit;
-  return figures::rectangle(damper.f * (1 - r * shape.f_low), damper.f * (1 + r * shape.f_high),
-                            delta * (1 - r * shape.delta_low), delta * (1 + r * shape.delta_high));
+  return rectangle(damper.f * (1 - r * shape.f_low), damper.f * (1 + r * shape.f_high),
+                   delta * (1 - r * shape.delta_low), delta * (1 + r * shape.delta_high));
 }
 
 std::string tolerance_words(const design::BoxShape& shape, double tolerance) {
@@ -63,20 +50,6 @@ std::string region_clause(const std::optional<DrawnDamper>& damper, const design
   return format("The box shows how far {} be off", !any_f      ? "Δ may"
                                                    : any_delta ? "f and Δ may both"
                                                                : "f may");
-}
-
-void add_tolerant(Figure& figure, const design::Limits& limits,
-                  std::vector<std::vector<FigurePoint>> areas) {
-  std::erase_if(areas, [](const auto& area) { return area.empty(); });
-  if (areas.empty()) {
-    return;
-  }
-  for (std::vector<FigurePoint>& area : areas) {
-    area.push_back(area.front());
-  }
-  figure.curves.push_back(
-      figures::line(tolerance_words(limits.shape, limits.tolerance) + " asked for",
-                    std::move(areas), Ink::blue, Dash::dotted));
 }
 
 void add_damper(Figure& figure, const DrawnDamper& damper, const design::BoxShape& shape,

@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "figures/region_figures.hpp"
-#include "format.hpp"
-#include "sections.hpp"
 
 #include <stillpoint/design/hits.hpp>
-#include <stillpoint/report/digits.hpp>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
 #include <set>
-#include <utility>
 
 namespace stillpoint::report {
 
 using design::HitEnd;
-using figures::AreaLook;
-using figures::Figure;
-using figures::Ink;
-using figures::rectangle;
+using design::Hits;
 
 namespace {
 
@@ -27,15 +17,54 @@ namespace {
 struct DrawnEnds {
   std::string_view noun;      ///< "hit"
   std::string_view measured;  ///< "hits"
-  std::string symbol;         ///< of the strength
-  double scale{1};            ///< from a strength to its place on the axis
-  std::string unit;           ///< there, may be empty
-  std::vector<design::Hits> list;
+  std::string_view symbol;    ///< of the strength
+  std::string title;
+  std::string label;  ///< of the axis
+  double scale{1};    ///< from a strength to its place on the axis
+  std::string unit;   ///< there, may be empty
+  std::vector<Hits> list;
   Interval asked;      ///< the strengths of the task
   double arrivals{1};  ///< at which it may rest
   bool has_range{false};
-  std::optional<design::ServedInterval> works;
 };
+
+DrawnEnds after_hits(const ShownTask& task, double f, double delta) {
+  const design::Problem& problem = task.problem;
+  const FigureUnits units = units_of(task.physical);
+  const std::string& unit = units.velocity.name;
+  return {.noun = "hit",
+          .measured = "hits",
+          .symbol = "V₀",
+          .title = problem.p_high ? "Where the mass stops with the worst spring"
+                                  : "Where the mass stops after a hit",
+          .label = "velocity of the hit" + (unit.empty() ? ", V₀" : " V₀, " + unit),
+          .scale = units.velocity.factor,
+          .unit = unit,
+          .list = design::shown_hits(problem, f, delta),
+          .asked = {problem.v0_low.value_or(problem.v0), problem.v0},
+          .arrivals = static_cast<double>(problem.arrivals),
+          .has_range = problem.v0_low.has_value()};
+}
+
+/// At the first return, and somewhat beyond those that it works for.
+DrawnEnds under_pulses(const ShownTask& task, double f, double delta,
+                       const std::optional<design::WorksFor>& works_for) {
+  constexpr double room = 1.25;
+  const auto problem = design::pulse_problem(task.problem, *task.pulse, task.ranges);
+  const double k = design::peak_load(problem.pulse);
+  const double works = works_for ? works_for->hit.high.value_or(0) : 0;
+  return {.noun = "pulse",
+          .measured = "pulses with k",
+          .symbol = "k",
+          .title = problem.p_high || problem.ranges.lambda_high
+                       ? "Where the mass stops under the worst of the pulses"
+                       : "Where the mass stops under the pulse",
+          .label = "largest acceleration of the pulse k, g",
+          .unit = "g",
+          .list = design::shown_strengths(problem, f, delta, room * works),
+          .asked = {problem.ranges.k_low.value_or(k), k},
+          .has_range = problem.has_ranges()};
+}
 
 struct Look {
   HitEnd end;
@@ -58,20 +87,20 @@ const Look& look_of(HitEnd end) {
   return *std::ranges::find(looks, end, &Look::end);
 }
 
-Ink ink_of(const design::Hits& now) {
+Ink ink_of(const Hits& now) {
   return now.end == HitEnd::centred ? arrival_ink(now.arrivals.value_or(1)) : look_of(now.end).ink;
 }
 
-std::string some_spring(const design::Hits& now) {
+std::string some_spring(const Hits& now) {
   return now.every_spring ? "" : " with some spring";
 }
 
-bool is_later(const design::Hits& now) {
+bool is_later(const Hits& now) {
   return now.end == HitEnd::centred && now.arrivals.value_or(0) > 1;
 }
 
 /// "off centre with some spring", "centred at arrival 2", "within the residual after 1 passage"
-std::string named(const design::Hits& now) {
+std::string named(const Hits& now) {
   const double arrivals = now.arrivals.value_or(0);
   const std::string later = is_later(now) ? format(" at arrival {}", arrivals)
                             : now.end == HitEnd::within_residual && arrivals > 0
@@ -81,9 +110,9 @@ std::string named(const design::Hits& now) {
 }
 
 /// "centred at arrivals 2, 5", which have one ink; empty if no other has it.
-std::string key_of_later(const DrawnEnds& drawn, const design::Hits& one) {
+std::string key_of_later(const DrawnEnds& drawn, const Hits& one) {
   std::set<double> arrivals;
-  for (const design::Hits& now : drawn.list) {
+  for (const Hits& now : drawn.list) {
     if (is_later(now) && now.every_spring == one.every_spring) {
       arrivals.insert(*now.arrivals);
     }
@@ -104,145 +133,92 @@ std::string words(const DrawnEnds& drawn, double from, double to) {
 }
 
 /// Those of the task as lines.
-figures::FigureCurve asked(const DrawnEnds& drawn) {
+void add_asked(Figure& figure, const DrawnEnds& drawn) {
   const auto& [low, high] = drawn.asked;
   const bool from_low = 0 < low && drawn.has_range;
-  std::vector<std::vector<figures::FigurePoint>> strokes;
-  for (const double strength : from_low ? std::vector{low, high} : std::vector{high}) {
-    strokes.push_back({{strength * drawn.scale, 0}, {strength * drawn.scale, 1}});
+  Strokes strokes{figure.upright(high * drawn.scale)};
+  if (from_low) {
+    strokes.insert(strokes.begin(), figure.upright(low * drawn.scale));
   }
-  return figures::line(format("{} {}{}", drawn.symbol, low == 0 ? "up to " : "= ",
-                              from_low ? words(drawn, low, high) : words(drawn, high)),
-                       std::move(strokes), Ink::blue, figures::Dash::dashed);
+  figure.add_line(format("{} {}{}", drawn.symbol, low == 0 ? "up to " : "= ",
+                         from_low ? words(drawn, low, high) : words(drawn, high)),
+                  std::move(strokes), Ink::blue, Dash::dashed);
 }
 
-/// Without its title and the name of its axis.
-Figure ends_figure(const DrawnEnds& drawn) {
+/// The box around those that the damper works for.
+void add_works(Figure& figure, const DrawnEnds& drawn, const design::ServedInterval& works) {
+  const double scale = drawn.scale;
+  const Interval shown{works.low * scale, *works.high * scale};
+  const std::string range =
+      interval_text({shown.low, shown.high}, {drawn.asked.low * scale, drawn.asked.high * scale}) +
+      with_blank(drawn.unit);
+  auto box = rectangle(shown.low, shown.high, 0.05, 0.3);
+  add_box_inset(figure, box);
+  figure.areas.push_back({"works for " + range, std::move(box), Ink::blue, AreaLook::box});
+  figure.clauses = {
+      format("The damper works for {} of {}", drawn.measured, range),
+      format("{}s beside them violate a requirement, even where the mass stops", drawn.noun)};
+  if (figure.inset) {
+    const FigureAxis& x = figure.inset->x;
+    figure.clauses.push_back(format("the corner enlarges {}{}", interval_digits(x.least, x.most),
+                                    with_blank(drawn.unit)));
+  }
+}
+
+void add_end(Figure& figure, const DrawnEnds& drawn, const Hits& now) {
+  const std::string name = named(now);
+  const std::string range = words(drawn, now.from, now.to);
+  const bool off = now.end == HitEnd::within_residual;
+  const bool too_late = off && now.arrivals.value_or(0) >= drawn.arrivals;
+  const std::string allowed =
+      too_late ? "within the residual, but too late" : "within the residual";
+  figure.areas.push_back({.name = name,
+                          .outline = rectangle(now.from * drawn.scale, now.to * drawn.scale, 0, 1),
+                          .ink = ink_of(now),
+                          .look = too_late ? AreaLook::hatched : look_of(now.end).look,
+                          .again = true,
+                          .told = format("{}, {}", name, range),
+                          .key = off ? allowed + some_spring(now) : key_of_later(drawn, now)});
+  figure.description += format("{} {} from {}", &now == drawn.list.data() ? "" : ",", name, range);
+}
+
+}  // namespace
+
+Figure ends_figure(const ShownTask& task, double f, double delta,
+                   const std::optional<design::WorksFor>& works_for) {
+  const DrawnEnds drawn =
+      task.pulse ? under_pulses(task, f, delta, works_for) : after_hits(task, f, delta);
   const double scale = drawn.scale;
   const double known = drawn.list.back().to * scale;
   const double asked_for = 2 * drawn.asked.high * scale;
-  Figure figure;
-  figure.id = format("{}s", drawn.noun);
+  Figure figure{format("{}s", drawn.noun), drawn.title};
   figure.height = 150;
-  figure.x = {"", 0, std::max(known, asked_for)};
-  if (drawn.works) {  // the first to be named
-    const double low = drawn.works->low * scale;
-    const double high = *drawn.works->high * scale;
-    const std::string range =
-        interval_text({low, high}, {drawn.asked.low * scale, drawn.asked.high * scale}) +
-        with_blank(drawn.unit);
-    auto box = rectangle(low, high, 0.05, 0.3);
-    add_box_inset(figure, box);
-    figure.areas.push_back({"works for " + range, std::move(box), Ink::blue, AreaLook::box});
-    figure.clauses = {
-        format("The damper works for {} of {}", drawn.measured, range),
-        format("{}s beside them violate a requirement, even where the mass stops", drawn.noun)};
-    if (figure.inset) {
-      const figures::FigureAxis& x = figure.inset->x;
-      figure.clauses.push_back(format("the corner enlarges {}{}", interval_digits(x.least, x.most),
-                                      with_blank(drawn.unit)));
-    }
+  figure.x = {drawn.label, 0, std::max(known, asked_for)};
+  if (works_for) {  // the first to be named
+    add_works(figure, drawn, works_for->hit);
   } else {
-    figure.clauses = {format("The damper does not work for {} {}",
-                             drawn.has_range ? "every" : "the", drawn.noun) +
-                      (drawn.has_range ? " of the range" : " that was asked for")};
+    figure.clauses = {
+        drawn.has_range
+            ? format("The damper does not work for every {} of the range", drawn.noun)
+            : format("The damper does not work for the {} that was asked for", drawn.noun)};
   }
   figure.description = format("Ends of the motion by the strength of the {}:", drawn.noun);
-  for (const design::Hits& now : drawn.list) {
-    const std::string name = named(now);
-    const std::string range = words(drawn, now.from, now.to);
-    const bool too_late =
-        now.end == HitEnd::within_residual && now.arrivals.value_or(0) >= drawn.arrivals;
-    figure.areas.push_back(
-        {.name = name,
-         .outline = rectangle(now.from * scale, now.to * scale, 0, 1),
-         .ink = ink_of(now),
-         .look = too_late ? AreaLook::hatched : look_of(now.end).look,
-         .again = true,
-         .told = format("{}, {}", name, range),
-         .key = now.end != HitEnd::within_residual
-                    ? key_of_later(drawn, now)
-                    : (too_late ? "within the residual, but too late" : "within the residual") +
-                          some_spring(now)});
-    figure.description +=
-        format("{} {} from {}", &now == drawn.list.data() ? "" : ",", name, range);
+  for (const Hits& now : drawn.list) {
+    add_end(figure, drawn, now);
   }
   if (known < asked_for) {  // beyond what the program takes
     figure.areas.push_back(
         {"not computed", rectangle(known, figure.x.most, 0, 1), Ink::purple, AreaLook::hatched});
   }
   figure.description += ". " + figure.caption();
-  figure.curves.push_back(asked(drawn));
-  return figure;
-}
-
-/// The hits whose peak is within beta, but whose acceleration outside the notch is not within its
-/// limit: sqrt(f^2 + (v0 p)^2) is above it, with the stiffest spring.
-std::optional<Interval> above_limit(const design::Problem& problem, const design::Limits& limits,
-                                    double f, const std::vector<design::Hits>& hits) {
-  if (!limits.acceleration_max) {
-    return std::nullopt;
-  }
-  const double limit = *limits.acceleration_max;
-  const double from =
-      limit > f ? std::sqrt((limit - f) * (limit + f)) / problem.p_high.value_or(problem.p) : 0;
-  const auto far = std::ranges::find(hits, HitEnd::too_far, &design::Hits::end);
-  const double to = far == hits.end() ? hits.back().to : far->from;
-  return from < to ? std::optional(Interval{from, to}) : std::nullopt;
-}
-
-std::optional<design::ServedInterval> hit_of(const std::optional<design::WorksFor>& works_for) {
-  return works_for ? std::optional(works_for->hit) : std::nullopt;
-}
-
-}  // namespace
-
-Figure hits_figure(const design::Problem& problem, const design::Limits& limits, double f,
-                   double delta, const std::optional<design::WorksFor>& works_for,
-                   const FigureUnits& units) {
-  const double unit = units.velocity.factor;
-  const auto hits = design::shown_hits(problem, f, delta);
-  const auto felt = above_limit(problem, limits, f, hits);
-  Figure figure = ends_figure({.noun = "hit",
-                               .measured = "hits",
-                               .symbol = "V₀",
-                               .scale = unit,
-                               .unit = units.velocity.name,
-                               .list = hits,
-                               .asked = {problem.v0_low.value_or(problem.v0), problem.v0},
-                               .arrivals = static_cast<double>(problem.arrivals),
-                               .has_range = problem.v0_low.has_value(),
-                               .works = hit_of(works_for)});
-  figure.title = problem.p_high ? "Where the mass stops with the worst spring"
-                                : "Where the mass stops after a hit";
-  figure.x.label = units.velocity.name.empty() ? "velocity of the hit, V₀"
-                                               : "velocity of the hit V₀, " + units.velocity.name;
+  add_asked(figure, drawn);
+  const auto felt = task.pulse ? std::nullopt
+                               : design::hits_above_limit(task.problem, task.limits, f, drawn.list);
   if (felt) {
-    figure.areas.push_back({format("above {:.4g} g", *limits.acceleration_max),
-                            rectangle(felt->low * unit, felt->high * unit, 0, 1), Ink::purple,
+    figure.areas.push_back({format("above {:.4g} g", *task.limits.acceleration_max),
+                            rectangle(felt->low * scale, felt->high * scale, 0, 1), Ink::purple,
                             AreaLook::hatched});
   }
-  return figure;
-}
-
-Figure strengths_figure(const design::PulseProblem& problem, double f, double delta,
-                        const std::optional<design::WorksFor>& works_for) {
-  constexpr double room = 1.25;
-  const double k = design::peak_load(problem.pulse);
-  const auto works = hit_of(works_for);
-  Figure figure = ends_figure({.noun = "pulse",
-                               .measured = "pulses with k",
-                               .symbol = "k",
-                               .unit = "g",
-                               .list = design::shown_strengths(
-                                   problem, f, delta, works ? room * works->high.value_or(0) : 0),
-                               .asked = {problem.ranges.k_low.value_or(k), k},
-                               .has_range = problem.has_ranges(),
-                               .works = works});
-  figure.title = problem.p_high || problem.ranges.lambda_high
-                     ? "Where the mass stops under the worst of the pulses"
-                     : "Where the mass stops under the pulse";
-  figure.x.label = "largest acceleration of the pulse k, g";
   return figure;
 }
 

@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Which part of the plane of f and Delta is enlarged.
-#include "figures/plane.hpp"
 #include "figures/region_figures.hpp"
-#include "format.hpp"
 #include "sections.hpp"
-
-#include <stillpoint/report/digits.hpp>
-
-#include <algorithm>
-#include <cmath>
 
 namespace stillpoint::report {
 
 using design::PlaneArea;
-using figures::Figure;
-using figures::FigurePoint;
 
 void add_inset(Figure& figure, const FigurePoint& low, const FigurePoint& high) {
   constexpr double least_numbers = 1e-9;
@@ -36,7 +27,7 @@ void caption_inset(Figure& figure, const FigureUnits& units) {
   }
 }
 
-void add_box_inset(Figure& figure, const std::vector<FigurePoint>& box) {
+void add_box_inset(Figure& figure, const Points& box) {
   constexpr double visible = 0.05;          // of the plot
   constexpr double next_to_nothing = 1e-6;  // of the axis
   const bool small = box[2].x - box[0].x < visible * (figure.x.most - figure.x.least) ||
@@ -47,31 +38,14 @@ void add_box_inset(Figure& figure, const std::vector<FigurePoint>& box) {
 }
 
 void add_strip_inset(Figure& figure, const PlaneArea& strip, double unit) {
-  const Interval thickest =
-      std::ranges::max_element(strip.columns, {}, [](const PlaneArea::Column& column) {
-        return column.delta.high - column.delta.low;
-      })->delta;
-  const auto is_within = [&](double at) { return thickest.low <= at && at <= thickest.high; };
-  Interval f{HUGE_VAL, -HUGE_VAL};
-  for (const auto& [at, delta] : strip.columns) {
-    if (is_within(delta.low) || is_within(delta.high)) {
-      f = {std::min(f.low, at), std::max(f.high, at)};
-    }
-  }
-  add_inset(figure, {f.low, thickest.low * unit}, {f.high, thickest.high * unit});
+  const auto [f, delta] = design::thickest_part(strip);
+  add_inset(figure, {f.low, delta.low * unit}, {f.high, delta.high * unit});
 }
 
 void add_point_inset(Figure& figure, const std::vector<PlaneArea>& areas, const DrawnDamper& damper,
                      double unit) {
   constexpr double hidden = 0.06;  // of the plot
-  Interval around{-HUGE_VAL, HUGE_VAL};
-  for (const PlaneArea& area : areas) {
-    const auto range = area.at(damper.f);
-    for (const double edge : range ? std::vector{range->low, range->high} : std::vector<double>{}) {
-      (edge <= damper.delta ? around.low : around.high) =
-          edge <= damper.delta ? std::max(around.low, edge) : std::min(around.high, edge);
-    }
-  }
+  const Interval around = design::edges_about(areas, damper.f, damper.delta);
   const double tall = (around.high - around.low) * unit;
   if (!figure.inset && tall < hidden * (figure.y.most - figure.y.least)) {
     const double half = hidden / 2 * (figure.x.most - figure.x.least);

@@ -1,19 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "figures/other_motions.hpp"
-#include "format.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <string_view>
-#include <utility>
+#include "figures/motion_figures.hpp"
 
 namespace stillpoint::report {
-
-using figures::axis_around;
-using figures::Dash;
-using figures::Figure;
-using figures::FigurePoint;
-using figures::Ink;
 
 namespace {
 
@@ -47,41 +35,12 @@ std::string words_of_rest(const DrawnMotion& motion, const FigureUnits& units) {
                 inside ? ", inside the notch," : "", units.time_words(motion.rest->tau));
 }
 
-/// Up to the motion and the limit, and to the motion without friction if that is not much larger.
-figures::FigureAxis displacement_axis(const DrawnMotion& motion, const FigureUnits& units) {
-  auto [least, most] = extent(motion.states, &State::x);
-  if (least == most) {  // it never moves
-    const double shown = motion.beta.value_or(motion.surface.notch_width.value_or(1));
-    return axis_around(units.x_label, -shown * units.length, shown * units.length);
-  }
-  if (motion.beta) {
-    least = least < 0 ? std::min(least, -*motion.beta) : 0;
-    most = most > 0 ? std::max(most, *motion.beta) : 0;
-  }
-  constexpr double words = 0.08;  // room for the peak
-  const double largest = std::max(most, -least);
-  for (const OtherMotion& other : motion.others) {
-    if (!is_drawn(motion, other)) {
-      continue;
-    }
-    for (const State& state : other.states) {
-      least = least < 0 ? std::min(least, std::max(state.x, -farthest_shown * largest)) : 0;
-      most = most > 0 ? std::max(most, std::min(state.x, farthest_shown * largest)) : 0;
-    }
-  }
-  const double room = words * (most - least);
-  return axis_around(units.x_label, (least < 0 ? least - room : least) * units.length,
-                     (most > 0 ? most + room : most) * units.length);
-}
-
 void add_limits(Figure& figure, const DrawnMotion& motion, const FigureUnits& units) {
   std::string name = format("limit {}", units.length.words(*motion.beta));
   for (const double limit : {*motion.beta, -*motion.beta}) {
     const double y = limit * units.length;
     if (figure.y.least < y && y < figure.y.most) {
-      figure.curves.push_back(figures::line(std::exchange(name, ""),
-                                            {{{figure.x.least, y}, {figure.x.most, y}}},
-                                            Ink::orange, Dash::dashed, true));
+      figure.add_line(std::exchange(name, ""), {figure.level(y)}, Ink::orange, Dash::dashed, true);
     }
   }
 }
@@ -97,6 +56,32 @@ std::string beginning(const DrawnMotion& motion) {
   return motion.whole ? "" : " (beginning)";
 }
 
+Figure over_time(std::string id, const std::string& title, const DrawnMotion& motion,
+                 const FigureUnits& units) {
+  Figure figure{std::move(id), title + beginning(motion)};
+  figure.x = {units.time_label, 0, motion.shown_to * units.time};
+  return figure;
+}
+
+Figure excitation_figure(const Excitation& excitation, const DrawnMotion& motion,
+                         const FigureUnits& units) {
+  Points points;
+  for (const auto& [tau, load] : design::shown_load(excitation, motion.shown_to)) {
+    points.push_back({tau * units.time, load});
+  }
+  points = thinned(points);
+  const auto [least, most] = extent(points, &FigurePoint::y);
+  Figure figure = over_time("excitation", "Excitation", motion, units);
+  figure.height = 130;
+  figure.below = true;
+  figure.y = axis_around("base acceleration W, g", least, most);
+  figure.description =
+      format("Acceleration of the base over time, from {:.4g} g to {:.4g} g.", least, most);
+  add_lock(figure, motion, units);
+  figure.curves.push_back({"", {std::move(points)}, Ink::purple});
+  return figure;
+}
+
 Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   const Place place = [&](const State& state) {
     return FigurePoint{state.tau * units.time, state.x * units.length};
@@ -105,10 +90,7 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   const State& peak = farthest(motion);
   const std::string peak_words = "peak " + units.length.words(peak.x);
   const std::string rest_words = words_of_rest(motion, units);
-  Figure figure;
-  figure.id = "motion";
-  figure.title = "Motion" + beginning(motion);
-  figure.x = {units.time_label, 0, motion.shown_to * units.time};
+  Figure figure = over_time("motion", "Motion", motion, units);
   figure.y = displacement_axis(motion, units);
   const bool moves = is_moving(motion);
   const bool stays = motion.rest && std::abs(motion.rest->x) >= std::abs(peak.x) * rounding;
@@ -121,7 +103,7 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
                                                units.time_words(*motion.locked_to))
                                       : "")};
   figure.description = "Displacement over time. " + figure.caption();
-  add_zones(figure, motion, units.length.factor, Along::x);
+  add_zones(figure, motion, units, Along::x);
   add_lock(figure, motion, units);
   constexpr double narrowest = 0.005;  // of the figure, to be seen
   for (const auto& [from, to] : motion.sticks) {
@@ -132,26 +114,17 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   if (motion.beta) {
     add_limits(figure, motion, units);
   }
-  for (const OtherMotion& other : motion.others) {
-    if (!is_drawn(motion, other)) {
-      const auto [low, high] = other.reach;
-      figure.clauses.push_back(format("{} it would reach {}, beyond this figure", other.name,
-                                      units.length.words(std::max(high, -low))));
-      continue;
-    }
-    figure.curves.push_back(figures::line(name_of(other, figure.y, units), strokes_of(other, place),
-                                          other.ink, other.dash));
-  }
+  add_others(figure, motion, place, units);
   if (long_one) {
-    const bool rests = motion.rest.has_value();
-    auto outline = crest_line(motion.states, motion.turns, 1, rests, place);
-    const auto lower = crest_line(motion.states, motion.turns, -1, rests, place);
-    outline.insert(outline.end(), lower.rbegin(), lower.rend());
+    const auto crests = [&](double side) {
+      return places(design::crests(motion.states, motion.turns, side, motion.rest.has_value()),
+                    place);
+    };
+    Points outline = between(crests(1), crests(-1));
     figure.curves.push_back({"envelope", {outline}, Ink::blue});
     figure.areas.push_back(
         {.name = "", .outline = std::move(outline), .ink = Ink::blue, .told = "envelope"});
-    figure.marks.push_back(
-        {"peak", {place(peak)}, figures::Shape::disc, Ink::blue, figures::Fill::hollow});
+    figure.marks.push_back({"peak", {place(peak)}, Shape::disc, Ink::blue, Fill::hollow});
   } else {
     figure.curves.push_back({"x", {places(motion.states, place)}, Ink::blue});
   }

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "figures/other_motions.hpp"
-#include "format.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <iterator>
-#include <utility>
+// The motions to compare with, and the axis that they and the motion share.
+#include "figures/motion_figures.hpp"
 
 namespace stillpoint::report {
 
-using figures::FigurePoint;
-
 namespace {
 
-bool is_long(const OtherMotion& other) {
-  return other.turns.size() > most_single_half_cycles;
-}
+/// Another motion is cut off at so many times the peak or the limit.
+constexpr double farthest_shown = 1.4;
 
 /// The largest |x|.
 double reach(const std::vector<State>& states) {
@@ -24,98 +15,85 @@ double reach(const std::vector<State>& states) {
   return std::max(most, -least);
 }
 
-}  // namespace
-
-/// The farthest in each column of time, without those between two that are farther.
-std::vector<FigurePoint> crest_line(const std::vector<State>& states,
-                                    const std::vector<State>& turns, double side, bool rests,
-                                    const Place& place) {
-  constexpr double columns = 180;
-  const double column = states.back().tau / columns;
-  const State& first = states.front();
-  const State held = *std::prev(std::ranges::find_if(  // until it first moves
-      states, [&](const State& state) { return state.x != first.x; }));
-  std::vector<State> crests;
-  for (const State& turn : turns) {
-    if (!crests.empty() &&
-        std::floor(turn.tau / column) == std::floor(crests.back().tau / column)) {
-      crests.back() = side * turn.x > side * crests.back().x ? turn : crests.back();
-    } else {
-      crests.push_back(turn);
-    }
-  }
-  std::vector<FigurePoint> line{place(first), place(held)};
-  for (std::size_t i = 0; i < crests.size(); ++i) {
-    const auto is_farther = [&](std::size_t other) {
-      return other >= crests.size() || side * crests[other].x > side * crests[i].x;
-    };
-    if (!is_farther(i - 1) || !is_farther(i + 1)) {
-      line.push_back(place(crests[i]));
-    }
-  }
-  if (rests) {
-    line.push_back(place(*std::next(states.rbegin())));
-  }
-  line.push_back({place(states.back()).x, rests ? place(states.back()).y : line.back().y});
-  return line;
-}
-
+/// An envelope only if all of it is seen.
 bool is_drawn(const DrawnMotion& motion, const OtherMotion& other) {
   constexpr double crossing = 3;  // times the peak: beyond that it would only cross the figure
   return !other.if_comparable ||
-         reach(other.states) <=
-             std::max((is_long(other) ? farthest_shown : crossing) * reach(motion.states),
+         reach(other.path.states) <=
+             std::max((is_long(other.path) ? farthest_shown : crossing) * reach(motion.states),
                       farthest_shown * motion.beta.value_or(0));
 }
 
-std::string name_of(const OtherMotion& other, const figures::FigureAxis& axis,
-                    const FigureUnits& units) {
-  const std::string name = other.name + (is_long(other) ? " (envelope)" : "");
-  const auto [least, most] = extent(other.states, &State::x);
+/// "without friction, beyond the frame to -158 mm", if the frame cuts it off.
+std::string name_of(const OtherMotion& other, const FigureAxis& axis, const FigureUnits& units) {
+  const std::string name = other.name + (is_long(other.path) ? " (envelope)" : "");
+  const auto [least, most] = extent(other.path.states, &State::x);
   const bool below = least * units.length < axis.least;
   const bool above = most * units.length > axis.most;
-  const auto [low, high] = other.reach;
+  const auto [low, high] = other.path.reach;
   return below || above ? format("{}, beyond the frame to {}", name,
                                  units.place_words(above && (!below || high > -low) ? high : low))
                         : name;
 }
 
-std::vector<std::vector<FigurePoint>> strokes_of(const OtherMotion& other, const Place& place) {
-  if (!is_long(other)) {
-    return {places(other.states, place)};
-  }
-  return {crest_line(other.states, other.turns, 1, false, place),
-          crest_line(other.states, other.turns, -1, false, place)};
+}  // namespace
+
+Points places(const std::vector<State>& states, const Place& place) {
+  Points points;
+  points.reserve(states.size());
+  std::ranges::transform(states, std::back_inserter(points), place);
+  return points;
 }
 
 DrawnMotion::DrawnMotion(ShownMotion shown) : ShownMotion(std::move(shown)) {
   if (frictionless) {
     const bool slides = oscillator.f > 0 || !surface.zones.empty();
     others.push_back({.name = slides ? "without friction" : "without the notch",
-                      .states = std::move(frictionless->states),
-                      .reach = frictionless->reach,
-                      .turns = std::move(frictionless->turns),
+                      .path = std::move(*frictionless),
                       .if_comparable = true});
   }
 }
 
-void add_if_visible(DrawnMotion& motion, OtherMotion other) {
-  double apart = 0;
-  for (const State& state : motion.states) {
-    apart = std::max(apart, std::abs(state.x - design::displacement(other.states, state.tau)));
+FigureAxis displacement_axis(const DrawnMotion& motion, const FigureUnits& units) {
+  const std::string label = units.x_label;
+  auto [least, most] = extent(motion.states, &State::x);
+  if (least == most) {  // it never moves
+    const double shown = motion.beta.value_or(motion.surface.notch_width.value_or(1));
+    return axis_around(label, -shown * units.length, shown * units.length);
   }
-  constexpr double visible = 0.02;  // of the peak: a few pixels
-  if (apart >= visible * reach(motion.states) && !is_long(motion)) {
-    add(motion, std::move(other));
+  if (motion.beta) {
+    least = least < 0 ? std::min(least, -*motion.beta) : 0;
+    most = most > 0 ? std::max(most, *motion.beta) : 0;
   }
+  constexpr double words = 0.08;  // room for the peak
+  const double farthest = farthest_shown * std::max(most, -least);
+  for (const OtherMotion& other : motion.others) {
+    if (is_drawn(motion, other)) {
+      const auto [low, high] = extent(other.path.states, &State::x);
+      least = least < 0 ? std::min(least, std::max(low, -farthest)) : 0;
+      most = most > 0 ? std::max(most, std::min(high, farthest)) : 0;
+    }
+  }
+  const double room = words * (most - least);
+  return axis_around(label, (least < 0 ? least - room : least) * units.length,
+                     (most > 0 ? most + room : most) * units.length);
 }
 
-void add(DrawnMotion& motion, OtherMotion other) {
-  const double last = design::displacement(other.states, motion.shown_to);
-  std::erase_if(other.states, [&](const State& state) { return state.tau > motion.shown_to; });
-  other.states.push_back({motion.shown_to, last, 0});
-  other.reach = extent(other.states, &State::x);
-  motion.others.push_back(std::move(other));
+void add_others(Figure& figure, const DrawnMotion& motion, const Place& place,
+                const FigureUnits& units) {
+  for (const OtherMotion& other : motion.others) {
+    const auto& [states, turns, reach] = other.path;
+    if (!is_drawn(motion, other)) {
+      figure.clauses.push_back(format("{} it would reach {}, beyond this figure", other.name,
+                                      units.length.words(std::max(reach.high, -reach.low))));
+      continue;
+    }
+    figure.add_line(name_of(other, figure.y, units),
+                    is_long(other.path) ? Strokes{places(design::crests(states, turns, 1), place),
+                                                  places(design::crests(states, turns, -1), place)}
+                                        : Strokes{places(states, place)},
+                    other.ink, other.dash);
+  }
 }
 
 }  // namespace stillpoint::report

@@ -3,20 +3,11 @@
 #include "damper.hpp"
 #include "figures/motion_figures.hpp"
 #include "figures/region_figures.hpp"
-#include "format.hpp"
-#include "sections.hpp"
 
-#include <stillpoint/report/report.hpp>
-
-#include <algorithm>
 #include <iterator>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace stillpoint::report {
 
-using figures::Figure;
 using figures::HtmlPage;
 
 namespace {
@@ -28,52 +19,26 @@ DrawnMotion told(const design::ShownDamper& shown) {
   if (shown.built != nullptr) {
     request.oscillator.hold.reset();
     request.surface.notch_width.reset();
-    add_if_visible(motion, {.name = format("notch that {}", ideal_words(shown)),
-                            .states = design::shown_motion(request).states,
-                            .ink = figures::Ink::purple,
-                            .dash = figures::Dash::dashed});
+    design::ShownMotion ideal = design::shown_motion(request);
+    if (!is_long(motion) && is_apart(motion, ideal.states)) {
+      motion.others.push_back({.name = format("notch that {}", ideal_words(shown)),
+                               .path = beside(motion, std::move(ideal.states)),
+                               .ink = Ink::purple,
+                               .dash = Dash::dashed});
+    }
   }
   return motion;
 }
 
-/// The region of a task, with a damper and the parts to choose from in it.
+/// With the parts to choose from in it.
 Figure region_of(const ShownTask& task, const design::RegionVerdict& verdict,
                  const std::optional<DrawnDamper>& damper,
                  const std::optional<Catalogue>& catalogue) {
-  const FigureUnits units = units_of(task.physical);
-  const std::string mend =
-      verdict.region.feasible ? "" : mend_title(verdict, task, catalogue ? "part" : "damper");
-  DrawnRegion drawn{task.problem, task.limits, verdict.region, damper, mend};
-  if (task.pulse) {
-    drawn.pulse = design::pulse_problem(task.problem, *task.pulse, task.ranges);
-    drawn.intervals = *verdict.intervals;
-  }
-  Figure figure = region_figure(drawn, units);
+  Figure figure = region_figure(task, verdict, damper, catalogue ? "part" : "damper");
   if (catalogue) {
-    add_parts(figure, *catalogue, units);
+    add_parts(figure, *catalogue, units_of(task.physical));
   }
   return figure;
-}
-
-/// The hits, or the pulses, that a damper works for.
-Figure damper_figure(const ShownTask& task, double f, double delta,
-                     const std::optional<design::WorksFor>& works_for) {
-  return task.pulse
-             ? strengths_figure(design::pulse_problem(task.problem, *task.pulse, task.ranges), f,
-                                delta, works_for)
-             : hits_figure(task.problem, task.limits, f, delta, works_for, units_of(task.physical));
-}
-
-/// Its trade-offs, and what it works for.
-std::vector<Figure> damper_figures(const DesignReport& report, const FigureUnits& units) {
-  const design::Found& found = *report.result.finding;
-  std::vector<Figure> figures;
-  if (report.trade_off && report.trade_off->size() > 1) {
-    figures = trade_off_figures(*report.trade_off, found, units);
-  }
-  figures.push_back(
-      damper_figure(task_of(report), found.point.f, found.point.delta, found.works_for));
-  return figures;
 }
 
 /// Of one that moves; of a mass that stands still, only a load that it withstands.
@@ -102,7 +67,7 @@ std::vector<Figure> told_figures(const DesignReport& report, const FigureUnits& 
   const design::ShownDamper shown = shown_damper(report.result, report.built_notch);
   DrawnMotion motion = told(shown);
   if (const std::string which = shown_motion(shown, report.physical); !which.empty()) {
-    motion.with = fmt::format("With {}, ", which);
+    motion.with = format("With {}, ", which);
   }
   motion.beta = report.result.request.problem.beta;
   std::vector<Figure> figures = drawn(motion, motion_of(shown).excitation, units);
@@ -117,17 +82,17 @@ std::vector<Figure> told_figures(const DesignReport& report, const FigureUnits& 
 
 std::vector<Figure> drawings(const DesignReport& report) {
   const FigureUnits units = units_of(report.physical);
+  const ShownTask task = task_of(report);
   const auto& found = report.result.finding;
-  std::optional<DrawnDamper> damper;
-  if (found) {
-    const auto& [f, delta, tolerance] = found->point;
-    damper = DrawnDamper{"design", f, delta, tolerance};
-  }
-  std::vector<Figure> all{region_of(task_of(report), report.result, damper, report.catalogue)};
+  const auto damper = found ? std::optional(DrawnDamper{found->point, "design"}) : std::nullopt;
+  std::vector<Figure> all{region_of(task, report.result, damper, report.catalogue)};
   if (!found) {
     return all;
   }
-  std::ranges::move(damper_figures(report, units), std::back_inserter(all));
+  if (report.trade_off && report.trade_off->size() > 1) {
+    std::ranges::move(trade_off_figures(*report.trade_off, *found, units), std::back_inserter(all));
+  }
+  all.push_back(ends_figure(task, found->point.f, found->point.delta, found->works_for));
   for (Figure& figure : all) {
     if (report.built_notch && !figure.clauses.empty()) {  // which the captions are not of
       figure.clauses.front() += format(
@@ -143,12 +108,13 @@ std::vector<Figure> drawings(const RegionReport& report) {
   const design::RegionAnswer& answer = report.answer;
   std::optional<DrawnDamper> point;
   if (answer.admissible) {
-    point = {*answer.admissible ? "point, admissible" : "point, not admissible", *f, *delta,
-             answer.tolerance.value_or(0), *answer.admissible};
+    point = {{*f, *delta, answer.tolerance.value_or(0)},
+             *answer.admissible ? "point, admissible" : "point, not admissible",
+             *answer.admissible};
   }
   std::vector<Figure> figures{region_of(task_of(report), answer, point, report.catalogue)};
   if (f && delta) {
-    figures.push_back(damper_figure(task_of(report), *f, *delta, answer.works_for));
+    figures.push_back(ends_figure(task_of(report), *f, *delta, answer.works_for));
   }
   return figures;
 }

@@ -1,26 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The areas of the plane of f and Delta in words and colours.
-#include "figures/plane.hpp"
+#include "figures/region_figures.hpp"
 
-#include <stillpoint/design/limit_kinds.hpp>
-
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
 #include <iterator>
-#include <utility>
 
 namespace stillpoint::report {
 
 using design::PlaneArea;
 using design::PlaneKind;
-using figures::AreaLook;
-using figures::Figure;
-using figures::FigurePoint;
-using figures::Ink;
 
 namespace {
 
@@ -62,36 +50,20 @@ PlaneLook look_of(PlaneKind kind) {
 
 }  // namespace
 
-PlaneWords::PlaneWords(const design::Problem& problem, const design::Limits& limits,
-                       const FigureUnits& units)
-    : beta(units.length.words(problem.beta)),
-      hits(problem.v0_low || problem.p_high ? "some hits rest" : "rests"),
-      arrivals(problem.arrivals),
-      residual(problem.residual.has_value()) {
-  const double allowed = design::largest_f_allowed(problem, limits);
-  for (const design::LimitEdge& one : design::limit_edges(problem, limits)) {
-    if (one.kind->bounds_f() && one.edge == allowed) {
-      beyond = one.kind->beyond;
-      break;
-    }
-  }
-}
-
-std::vector<FigurePoint> outline(const PlaneArea& area, double unit) {
-  std::vector<FigurePoint> points;
-  std::vector<FigurePoint> upper;
-  points.reserve(2 * area.columns.size());
-  upper.reserve(area.columns.size());
+Points outline(const PlaneArea& area, double unit) {
+  Points lower;
+  Points upper;
   for (const auto& [f, delta] : area.columns) {
-    points.push_back({f, delta.low * unit});
+    lower.push_back({f, delta.low * unit});
     upper.push_back({f, delta.high * unit});
   }
-  points.insert(points.end(), upper.rbegin(), upper.rend());
-  return points;
+  return between(std::move(lower), upper);
 }
 
-void add_areas(Figure& figure, const std::vector<PlaneArea>& areas, const PlaneWords& words,
-               double unit) {
+void add_areas(Figure& figure, const std::vector<PlaneArea>& areas, const ShownTask& task,
+               const FigureUnits& units) {
+  const design::Problem& problem = task.problem;
+  const auto beyond = task.pulse ? std::string_view() : design::beyond_limits(problem, task.limits);
   std::set<double> arrivals;
   for (const PlaneArea& area : areas) {
     if (area.kind == PlaneKind::arrival) {
@@ -102,14 +74,14 @@ void add_areas(Figure& figure, const std::vector<PlaneArea>& areas, const PlaneW
     const PlaneLook look = look_of(area.kind);
     const auto n = static_cast<double>(area.arrival);
     const bool strip = area.kind == PlaneKind::arrival;
+    const bool other = problem.residual && look.with_residual != nullptr;
     figure.areas.push_back(
         {.name = fmt::format(
-             fmt::runtime(words.residual && look.with_residual != nullptr ? look.with_residual
-                                                                          : look.name),
-             fmt::arg("beta", words.beta), fmt::arg("beyond", words.beyond),
-             fmt::arg("hits", words.hits), fmt::arg("n", area.arrival),
-             fmt::arg("last", words.arrivals)),
-         .outline = outline(area, unit),
+             fmt::runtime(other ? look.with_residual : look.name),
+             fmt::arg("beta", units.length.words(problem.beta)), fmt::arg("beyond", beyond),
+             fmt::arg("hits", problem.v0_low || problem.p_high ? "some hits rest" : "rests"),
+             fmt::arg("n", area.arrival), fmt::arg("last", problem.arrivals)),
+         .outline = outline(area, units.length.factor),
          .ink = strip ? arrival_ink(n) : look.ink,
          .look = look.look,
          .key = strip ? key_of_arrivals(arrivals, n) : ""});
@@ -132,7 +104,7 @@ std::string key_of_arrivals(const std::set<double>& arrivals, double one) {
   std::string text = "arrivals";
   for (std::size_t i = 0; i < alike.size(); ++i) {
     if (i < most || i + 1 == alike.size()) {
-      text += fmt::format("{} {}", i == 0 ? "" : i > most ? ", …," : ",", alike[i]);
+      text += format("{} {}", i == 0 ? "" : i > most ? ", …," : ",", alike[i]);
     }
   }
   return text;

@@ -1,35 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "figures/lines.hpp"
 #include "figures/motion_figures.hpp"
-#include "figures/record_map.hpp"
 #include "figures/report_figures.hpp"
-#include "format.hpp"
 #include "sections.hpp"
 
+#include <stillpoint/design/suite_view.hpp>
 #include <stillpoint/report/record_design.hpp>
 
-#include <algorithm>
-#include <cstddef>
 #include <iterator>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace stillpoint::report {
 
-using figures::Figure;
-
 namespace {
-
-/// A limit so far beyond the motion that it would be hard to see is left out; but a motion of next
-/// to nothing is shown as that.
-void fit(DrawnMotion& motion, double peak, bool low) {
-  constexpr double nothing = 0.01;
-  const double far = low ? 3 : 6;
-  if (motion.beta && *motion.beta > far * peak && peak >= nothing * *motion.beta) {
-    motion.beta.reset();
-  }
-}
 
 /// That of the damper of the box with the worst objective, if it is another.
 void add_worst_of_box(DrawnMotion& motion, const design::RecordDesign& result, std::size_t index) {
@@ -40,9 +21,9 @@ void add_worst_of_box(DrawnMotion& motion, const design::RecordDesign& result, s
     return;
   }
   const SimulationRequest request = motion_of(result.request, box.of.at(kind), index);
-  add(motion, {.name = "worst within the tolerance",
-               .states = design::shown_motion(request).states,
-               .ink = figures::Ink::orange});
+  motion.others.push_back({.name = "worst within the tolerance",
+                           .path = beside(motion, design::shown_motion(request).states),
+                           .ink = Ink::orange});
 }
 
 /// The motion under a record and its load below it; the worst one is large.
@@ -53,11 +34,16 @@ void add_record(std::vector<Figure>& figures, const design::RecordDesign& result
   const bool worst = index == worst_record(result);
   const std::string id = format("record-{}", index + 1);
   DrawnMotion motion(design::shown_motion(request));
-  if (*task.combine == design::Combine::max) {  // that of a mean bounds no single record
+  // The limit of a mean bounds no single record. One so far beyond the motion that it would be hard
+  // to see is left out; but a motion of next to nothing is shown as that.
+  constexpr double nothing = 0.01;
+  const double far = worst ? 6 : 3;
+  const double peak = result.finding->responses[index].peak_amplitude;
+  const double limit = task.limits.peak.value_or(HUGE_VAL);
+  if (*task.combine == design::Combine::max && (limit <= far * peak || peak < nothing * limit)) {
     motion.beta = task.limits.peak;
   }
   add_worst_of_box(motion, result, index);
-  fit(motion, result.finding->responses[index].peak_amplitude, !worst);
   Figure drawn = motion_figure(motion, units);
   Figure load = excitation_figure(request.excitation, motion, units);
   const bool first_of_many = worst && task.records.size() > 1;
@@ -68,7 +54,7 @@ void add_record(std::vector<Figure>& figures, const design::RecordDesign& result
     drawn.height = 130;
     load.height = 70;
     load.y.label = "W, g";
-    for (figures::FigureArea& band : load.areas) {
+    for (FigureArea& band : load.areas) {
       band.name.clear();  // it stands above
     }
   }
@@ -89,27 +75,6 @@ void add_records(std::vector<Figure>& figures, const design::RecordDesign& resul
   }
 }
 
-/// Of the chosen damper, from a quarter of its period to twice that.
-std::vector<Figure> design_spectra(const design::RecordDesign& result, const FigureUnits& units) {
-  constexpr int points = 141;
-  constexpr double shortest = 0.25;
-  constexpr double longest = 2;
-  const design::RecordDesignRequest& task = result.request;
-  const design::SuiteDamper& damper = result.finding->point.damper;
-  design::SpectrumRequest request{task.records,
-                                  {},
-                                  damper.f,
-                                  damper.delta,
-                                  task.combine,
-                                  task.hold,
-                                  damper.delta > 0 ? damper.notch_width() : std::nullopt,
-                                  task.threads};
-  for (const double periods : evenly(shortest, longest, points)) {
-    request.p.push_back(damper.p / periods);
-  }
-  return spectrum_figures(design::spectrum(request), units, damper.p);
-}
-
 }  // namespace
 
 std::vector<Figure> drawings(const RecordDesignReport& report) {
@@ -118,7 +83,9 @@ std::vector<Figure> drawings(const RecordDesignReport& report) {
   std::vector<Figure> figures = record_maps(result, units);
   if (result.finding) {
     add_records(figures, result, units);
-    std::ranges::move(design_spectra(result, units), std::back_inserter(figures));
+    std::ranges::move(
+        spectrum_figures(spectrum_about(result), units, result.finding->point.damper.p),
+        std::back_inserter(figures));
   }
   return figures;
 }

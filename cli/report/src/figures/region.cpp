@@ -1,17 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The admissible region in the plane of f and Delta.
-#include "figures/lines.hpp"
-#include "figures/plane.hpp"
-#include "format.hpp"
-#include "sections.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <optional>
-#include <string_view>
-#include <utility>
-#include <vector>
+#include "figures/region_figures.hpp"
 
 namespace stillpoint::report {
 
@@ -19,20 +8,10 @@ using design::PlaneArea;
 using design::PlaneKind;
 using design::Problem;
 using design::Region;
-using figures::Dash;
-using figures::Figure;
-using figures::FigureAxis;
-using figures::FigureCurve;
-using figures::FigurePoint;
-using figures::Ink;
 
 namespace {
 
 constexpr int along_f = 201;  // points of a curve
-
-bool has(const std::vector<PlaneArea>& areas, PlaneKind kind) {
-  return std::ranges::find(areas, kind, &PlaneArea::kind) != areas.end();
-}
 
 /// Delta1 by either formula, up to the last f that returns.
 void add_delta1(Figure& figure, const Problem& problem, double last, double unit) {
@@ -56,223 +35,208 @@ void add_delta1(Figure& figure, const Problem& problem, double last, double unit
   });
 }
 
-/// From 0, but closer if the interesting part would be small.
-FigureAxis axis_of(std::string label, double least, double most, double all) {
+/// What is drawn, and the length that a unit of Delta has on the axis.
+struct DrawnRegion {
+  const ShownTask& task;
+  const design::RegionVerdict& verdict;
+  const std::optional<DrawnDamper>& damper;
+  FigureUnits units;
+  double unit{units.length.factor};
+};
+
+void append(Points& points, const Points& more) {
+  points.insert(points.end(), more.begin(), more.end());
+}
+
+double most(const Points& points, double FigurePoint::*along) {
+  return std::ranges::max(points, {}, along).*along;
+}
+
+/// From 0 to the farthest of all, but closer if what is seen, the interesting part, would be small.
+FigureAxis axis_of(std::string label, const Points& seen, const Points& all,
+                   double FigurePoint::*along) {
   constexpr double margin = 1.15;
   constexpr double small = 0.25;
   constexpr double room = 0.8;  // on either side, in widths
-  const double wide = most - least;
-  if (!(wide > 0) || wide > small * all) {
-    return {std::move(label), 0, margin * all};
-  }
-  return {std::move(label), std::max(0.0, least - room * wide), most + room * wide};
+  const double far = most(all, along);
+  const double high = seen.empty() ? 0 : most(seen, along);
+  const double low = seen.empty() ? 0 : std::ranges::min(seen, {}, along).*along;
+  const double wide = high - low;
+  return !(wide > 0) || wide > small * far
+             ? FigureAxis{std::move(label), 0, margin * far}
+             : FigureAxis{std::move(label), std::max(0.0, low - room * wide), high + room * wide};
 }
 
-/// The least and the largest of what is to be seen.
-struct Extent {
-  FigurePoint least{HUGE_VAL, HUGE_VAL};
-  FigurePoint most{-HUGE_VAL, -HUGE_VAL};
-
-  void add(const std::vector<FigurePoint>& points) {
-    for (const FigurePoint& at : points) {
-      least = {std::min(least.x, at.x), std::min(least.y, at.y)};
-      most = {std::max(most.x, at.x), std::max(most.y, at.y)};
-    }
-  }
-};
-
-void add_edge(Figure& figure, std::string name, FigurePoint from, FigurePoint to) {
-  figure.curves.push_back(
-      figures::line(std::move(name), {{from, to}}, Ink::grey, Dash::solid, true));
-}
-
-/// What the strips mean, if there are some to tell apart.
-void add_strips_clauses(Figure& figure, const Problem& problem,
-                        const std::vector<PlaneArea>& strips) {
-  if (has(strips, PlaneKind::arrival) && (problem.arrivals > 1 || strips.size() > 1)) {
-    figure.clauses.push_back(format("in a strip the mass {} at that arrival",
-                                    problem.residual ? "rests within the residual" : "stops"));
-  }
-  if (has(strips, PlaneKind::later_arrivals)) {
-    figure.clauses.emplace_back("the grey area is admissible only in thin strips");
-  }
-}
-
-std::vector<std::vector<FigurePoint>> outlines(const std::vector<PlaneArea>& areas, double unit) {
-  std::vector<std::vector<FigurePoint>> made;
-  made.reserve(areas.size());
+/// A line around each of the areas in which a damper keeps the tolerance asked for.
+void add_tolerant(Figure& figure, const DrawnRegion& drawn, const std::vector<PlaneArea>& areas) {
+  const design::Limits& limits = drawn.task.limits;
+  Strokes lines;
   for (const PlaneArea& area : areas) {
-    made.push_back(outline(area, unit));
-  }
-  return made;
-}
-
-/// The least Delta over f under a pulse, where the mass returns.
-FigureCurve needs(const design::PulseProblem& problem, double last, const FigureUnits& units) {
-  const auto least_delta = design::least_delta(problem);
-  return {"least Δ allowed",
-          line_over(evenly(last / (along_f - 1), last, along_f - 1),
-                    [&](double f) {
-                      const auto least = least_delta(f);
-                      return least ? std::optional(*least * units.length) : std::nullopt;
-                    }),
-          Ink::purple};
-}
-
-/// The far corner of what is shown of f and Delta.
-FigurePoint far_corner(const DrawnRegion& drawn, double unit) {
-  FigurePoint far{
-      std::max(drawn.region.f3, drawn.intervals.empty() ? 0 : drawn.intervals.back().high), 0};
-  if (drawn.damper) {
-    for (const FigurePoint& corner : tolerance_box(*drawn.damper, drawn.limits.shape, unit)) {
-      far = {std::max(far.x, corner.x), std::max(far.y, corner.y)};
+    if (!area.columns.empty()) {
+      lines.push_back(outline(area, drawn.unit));
+      lines.back().push_back(lines.back().front());
     }
   }
-  return far;
-}
-
-/// Of the curve and of a limit not far above it.
-double topmost(const FigureCurve& curve, double least, double limit) {
-  for (const auto& stroke : curve.strokes) {
-    for (const FigurePoint& at : stroke) {
-      least = std::max(least, at.y);
-    }
+  if (!lines.empty()) {
+    figure.add_line(tolerance_words(limits.shape, limits.tolerance) + " asked for",
+                    std::move(lines), Ink::blue, Dash::dotted);
   }
-  constexpr double far = 1.5;  // from there on it would flatten the curve
-  return limit < far * least ? std::max(least, limit) : least;
 }
 
 design::PlaneWindow window(const Figure& figure, double unit) {
   return {{figure.x.least, figure.x.most}, {figure.y.least / unit, figure.y.most / unit}};
 }
 
-/// After a hit; the strips of the arrivals, which are its first areas.
-std::vector<PlaneArea> add_plane(Figure& figure, const DrawnRegion& drawn,
-                                 const FigureUnits& units) {
-  const double unit = units.length.factor;
-  const Region& region = drawn.region;
-  const auto& damper = drawn.damper;
-  const bool several = drawn.problem.arrivals > 1 || !is_plain(drawn.problem, {});
-  const auto own = damper && is_within(*damper)
-                       ? design::arrival_of(drawn.problem, damper->f, damper->delta)
-                       : std::nullopt;
-  auto strips = design::admissible_areas(drawn.problem, drawn.limits, own.value_or(0));
-  Extent seen;
-  for (const PlaneArea& area : strips) {
-    seen.add(outline(area, unit));
-  }
-  Extent all = seen;
-  constexpr double gap = 20;  // times f3: up to there its far end is seen
-  all.add(
-      {{std::max(region.f3, std::min(region.f2, gap * region.f3)), region.delta2.value() * unit}});
-  constexpr double far = 1.6;  // farther out, a damper would flatten the region
-  if (damper && damper->f <= far * all.most.x && damper->delta * unit <= far * all.most.y) {
-    const auto box = tolerance_box(*damper, drawn.limits.shape, unit);
-    seen.add(box);
-    all.add(box);
-  }
+/// What the box or the area that is left means.
+std::string clause(const DrawnRegion& drawn) {
+  return region_clause(drawn.damper, drawn.verdict.region, drawn.task.limits);
+}
 
-  figure.x = axis_of(units.f_label, seen.least.x, seen.most.x, all.most.x);
-  figure.y = axis_of(units.delta_label, seen.least.y, seen.most.y, all.most.y);
-  const PlaneWords words(drawn.problem, drawn.limits, units);
-  add_areas(figure, strips, words, unit);
-  if (drawn.problem.arrivals == 1 && strips.size() == 1) {  // no strips to tell apart
-    figure.areas.front().name = region.feasible && drawn.limits.tolerance == 0
-                                    ? "admissible"
-                                    : "admissible without a tolerance";
+/// After a hit; the strips of the arrivals, which are its first areas.
+std::vector<PlaneArea> add_plane(Figure& figure, const DrawnRegion& drawn) {
+  const double unit = drawn.unit;
+  const Problem& problem = drawn.task.problem;
+  const design::Limits& limits = drawn.task.limits;
+  const Region& region = drawn.verdict.region;
+  const auto& damper = drawn.damper;
+  const auto own = damper && is_within(*damper)
+                       ? design::arrival_of(problem, damper->f, damper->delta)
+                       : std::nullopt;
+  auto strips = design::admissible_areas(problem, limits, own.value_or(0));
+  Points seen;
+  for (const PlaneArea& area : strips) {
+    append(seen, outline(area, unit));
+  }
+  Points all = seen;
+  constexpr double gap = 20;  // times f3: up to there its far end is seen
+  all.push_back(
+      {std::max(region.f3, std::min(region.f2, gap * region.f3)), region.delta2.value() * unit});
+  constexpr double far = 1.6;  // farther out, a damper would flatten the region
+  if (damper && damper->f <= far * most(all, &FigurePoint::x) &&
+      damper->delta * unit <= far * most(all, &FigurePoint::y)) {
+    const Points box = tolerance_box(*damper, limits.shape, unit);
+    append(seen, box);
+    append(all, box);
+  }
+  figure.x = axis_of(drawn.units.f_label, seen, all, &FigurePoint::x);
+  figure.y = axis_of(drawn.units.delta_label, seen, all, &FigurePoint::y);
+  add_areas(figure, strips, drawn.task, drawn.units);
+  if (problem.arrivals == 1 && strips.size() == 1) {  // no strips to tell apart
+    figure.areas.front().name =
+        region.feasible && limits.tolerance == 0 ? "admissible" : "admissible without a tolerance";
     figure.areas.front().ink = Ink::sky;
   }
-  const auto forbidden =
-      design::forbidden_areas(drawn.problem, drawn.limits, region, window(figure, unit));
-  add_areas(figure, forbidden, words, unit);
+  add_areas(figure, design::forbidden_areas(problem, limits, region, window(figure, unit)),
+            drawn.task, drawn.units);
   figure.clauses = {strips.empty()
                         ? "No damper is admissible: at every f and Δ some requirement is violated"
-                        : region_clause(damper, region, drawn.limits) +
-                              (drawn.problem.v0_low || drawn.problem.p_high
-                                   ? ", whatever the hit and the spring"
-                                   : "")};
-  add_strips_clauses(figure, drawn.problem, strips);
-  if (!several) {
-    add_delta1(figure, drawn.problem, region.f3, unit);
+                        : clause(drawn) + (problem.v0_low || problem.p_high
+                                               ? ", whatever the hit and the spring"
+                                               : "")};
+  const auto any = [&](PlaneKind kind) {
+    return std::ranges::find(strips, kind, &PlaneArea::kind) != strips.end();
+  };
+  if (any(PlaneKind::arrival) && (problem.arrivals > 1 || strips.size() > 1)) {
+    figure.clauses.push_back(format("in a strip the mass {} at that arrival",
+                                    problem.residual ? "rests within the residual" : "stops"));
   }
-  add_tolerant(figure, drawn.limits,
-               outlines(design::tolerant_areas(drawn.problem, drawn.limits), unit));
+  if (any(PlaneKind::later_arrivals)) {
+    figure.clauses.emplace_back("the grey area is admissible only in thin strips");
+  }
+  if (problem.arrivals == 1 && is_plain(problem, {})) {
+    add_delta1(figure, problem, region.f3, unit);
+  }
+  add_tolerant(figure, drawn, design::tolerant_areas(problem, limits));
   return strips;
 }
 
 /// Under a pulse every Delta above the curve is admissible, between the ends of f: it has no
 /// strips.
-std::vector<PlaneArea> add_pulse_plane(Figure& figure, const DrawnRegion& drawn,
-                                       const FigureUnits& units) {
-  const FigurePoint far = far_corner(drawn, units.length.factor);
+void add_pulse_plane(Figure& figure, const DrawnRegion& drawn) {
   constexpr double headroom = 1.15;
-  const double right = headroom * far.x;
-  FigureCurve curve = needs(*drawn.pulse, right, units);
-  figure.x = {units.f_label, 0, right};
-  const double limit = design::largest_delta_allowed(drawn.limits) * units.length;
-  figure.y = {units.delta_label, 0, headroom * topmost(curve, far.y, limit)};
-  if (drawn.intervals.empty()) {
-    figure.clauses = {"With every f the mass misses x = 0 or violates a limit"};
-  } else {
-    figure.clauses = {region_clause(drawn.damper, drawn.region, drawn.limits)};
-    if (std::isinf(design::largest_delta_allowed(drawn.limits))) {
-      figure.clauses.emplace_back("nothing bounds Δ from above, because the mass starts from rest");
-    }
+  const double unit = drawn.unit;
+  const design::Limits& limits = drawn.task.limits;
+  const std::vector<Interval>& intervals = *drawn.verdict.intervals;
+  const Region& region = drawn.verdict.region;
+  const auto pulse = pulse_problem(drawn.task.problem, *drawn.task.pulse, drawn.task.ranges);
+  Points seen{{std::max(region.f3, intervals.empty() ? 0 : intervals.back().high), 0}};
+  if (drawn.damper) {
+    append(seen, tolerance_box(*drawn.damper, limits.shape, unit));
   }
-  add_areas(figure,
-            design::pulse_areas(*drawn.pulse, drawn.limits, drawn.region, drawn.intervals,
-                                window(figure, units.length.factor)),
-            PlaneWords(units.length.words(drawn.pulse->beta)), units.length.factor);
-  for (figures::FigureArea& area : figure.areas) {
-    const bool loose = area.name == "admissible" && drawn.limits.tolerance > 0;
+  const double right = headroom * most(seen, &FigurePoint::x);
+  const auto least_delta = design::least_delta(pulse);
+  Strokes needs = line_over(evenly(right / (along_f - 1), right, along_f - 1), [&](double f) {
+    const auto least = least_delta(f);
+    return least ? std::optional(*least * unit) : std::nullopt;
+  });
+  for (const Points& stroke : needs) {
+    append(seen, stroke);
+  }
+  constexpr double far = 1.5;  // from there on a limit would flatten the curve
+  const double limit = design::largest_delta_allowed(limits) * unit;
+  const double top = most(seen, &FigurePoint::y);
+  figure.x = {drawn.units.f_label, 0, right};
+  figure.y = {drawn.units.delta_label, 0,
+              headroom * (limit < far * top ? std::max(top, limit) : top)};
+  figure.clauses = {intervals.empty() ? "With every f the mass misses x = 0 or violates a limit"
+                                      : clause(drawn)};
+  if (!intervals.empty() && std::isinf(limit)) {
+    figure.clauses.emplace_back("nothing bounds Δ from above, because the mass starts from rest");
+  }
+  add_areas(figure, design::pulse_areas(pulse, limits, region, intervals, window(figure, unit)),
+            drawn.task, drawn.units);
+  for (FigureArea& area : figure.areas) {
+    const bool loose = area.name == "admissible" && limits.tolerance > 0;
     area.name += loose ? " without a tolerance" : "";
   }
-  figure.curves.push_back(std::move(curve));
-  if (drawn.region.feasible) {
-    add_tolerant(figure, drawn.limits,
-                 outlines(design::tolerant_areas(*drawn.pulse, drawn.limits, drawn.intervals,
-                                                 figure.y.most / units.length.factor),
-                          units.length.factor));
+  figure.curves.push_back({"least Δ allowed", std::move(needs), Ink::purple});
+  if (region.feasible) {
+    add_tolerant(figure, drawn,
+                 design::tolerant_areas(pulse, limits, intervals, figure.y.most / unit));
   }
-  return {};
 }
 
 }  // namespace
 
-void add_boundaries(Figure& figure, const Problem& problem, const FigureUnits& units,
+bool add_boundaries(Figure& figure, const Problem& problem, const FigureUnits& units,
                     const FigurePoint& last) {
   const Region region = design::admissible_region(problem);
   add_delta1(figure, problem, region.f3, units.length.factor);
+  const bool seen = !figure.curves.empty();
   const double top = region.delta2.value() * units.length;
   if (region.f3 > figure.x.least && region.f3 < last.x) {
-    add_edge(figure, "does not return →", {region.f3, figure.y.least}, {region.f3, figure.y.most});
+    figure.add_line("does not return →", {figure.upright(region.f3)}, Ink::grey, Dash::solid, true);
   }
   if (top > figure.y.least && top < last.y) {
-    add_edge(figure, "held ↑", {figure.x.least, top}, {figure.x.most, top});
+    figure.add_line("held ↑", {figure.level(top)}, Ink::grey, Dash::solid, true);
   }
+  return seen;
 }
 
-Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
-  Figure figure;
-  figure.id = "region";
-  figure.description =
-      "The plane of f and Δ: which dampers are admissible, and what forbids others. ";
-  figure.title = drawn.region.feasible ? "Admissible region" : drawn.mend;
-  const auto strips =
-      drawn.pulse ? add_pulse_plane(figure, drawn, units) : add_plane(figure, drawn, units);
-  const auto& damper = drawn.damper;
+Figure region_figure(const ShownTask& task, const design::RegionVerdict& verdict,
+                     const std::optional<DrawnDamper>& damper, std::string_view what) {
+  const DrawnRegion drawn{task, verdict, damper, units_of(task.physical)};
+  Figure figure{"region",
+                verdict.region.feasible ? "Admissible region" : mend_title(verdict, task, what),
+                "The plane of f and Δ: which dampers are admissible, and what forbids others. "};
+  std::vector<PlaneArea> strips;
+  if (task.pulse) {
+    add_pulse_plane(figure, drawn);
+  } else {
+    strips = add_plane(figure, drawn);
+  }
   if (damper) {
-    add_damper(figure, *damper, drawn.limits.shape, units);
+    add_damper(figure, *damper, task.limits.shape, drawn.units);
   }
   if (damper && strips.size() > 1) {
-    add_point_inset(figure, strips, *damper, units.length.factor);
+    add_point_inset(figure, strips, *damper, drawn.unit);
   }
   for (std::size_t i = 0; i < strips.size() && !figure.inset; ++i) {
     if (!is_seen(figure, figure.areas[i])) {
-      add_strip_inset(figure, strips[i], units.length.factor);
+      add_strip_inset(figure, strips[i], drawn.unit);
     }
   }
-  caption_inset(figure, units);
+  caption_inset(figure, drawn.units);
   return figure;
 }
 

@@ -1,28 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The figures of a spectrum and of a sweep.
+// The figures of a spectrum and of a design under records.
 
-#include "units.hpp"
+#include "figures/drawing.hpp"
 
+#include <stillpoint/design/record_design_result.hpp>
 #include <stillpoint/design/spectrum.hpp>
-#include <stillpoint/figures/figure.hpp>
-#include <stillpoint/sweep/map.hpp>
-
-#include <optional>
-#include <vector>
 
 namespace stillpoint::report {
 
 /// Transmitted acceleration, peak and residual over the period, with the notch and without; for a
 /// design, `chosen` is its p, which is marked.
-[[nodiscard]] std::vector<figures::Figure> spectrum_figures(
+[[nodiscard]] std::vector<Figure> spectrum_figures(
     const design::Spectrum& spectrum, const FigureUnits& units,
     const std::optional<double>& chosen = std::nullopt);
 
-/// The plane of f and Delta, coloured by how the motions end and after how many half-cycles; of
-/// free motions from x = 0 with the analytic boundaries on top.
-[[nodiscard]] figures::Figure sweep_figure(const sweep::SweepSpec& spec,
-                                           const sweep::SweepMap& map);
+/// The plane of f and delta where the objective is good, then what lies about the damper; none if
+/// f or delta was not searched.
+[[nodiscard]] std::vector<Figure> record_maps(const design::RecordDesign& result,
+                                              const FigureUnits& units);
 
 }  // namespace stillpoint::report

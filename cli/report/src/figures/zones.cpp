@@ -1,28 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "figures/motion_figures.hpp"
-#include "format.hpp"
-
-#include <algorithm>
-#include <utility>
 
 namespace stillpoint::report {
 
-using figures::Figure;
-using figures::FigurePoint;
-using figures::Ink;
-
-void add_zones(Figure& figure, const DrawnMotion& motion, double length, Along along) {
+void add_zones(Figure& figure, const DrawnMotion& motion, const FigureUnits& units, Along along) {
+  const FigureAxis& across = along == Along::x ? figure.y : figure.x;
   const auto strip = [&](const std::string& name, Ink ink, double from, double to) {
-    const figures::FigureAxis& long_way = along == Along::x ? figure.x : figure.y;
-    const figures::FigureAxis& across = along == Along::x ? figure.y : figure.x;
-    from = std::max(from * length, across.least);
-    to = std::min(to * length, across.most);
+    from = std::max(from * units.length, across.least);
+    to = std::min(to * units.length, across.most);
     if (from < to && (from > across.least || to < across.most)) {  // else it is all
-      auto outline = figures::rectangle(long_way.least, long_way.most, from, to);
-      for (FigurePoint& at : outline) {
-        at = along == Along::x ? at : FigurePoint{at.y, at.x};
-      }
-      figure.areas.push_back({name, std::move(outline), ink});
+      figure.areas.push_back({name,
+                              along == Along::x ? rectangle(figure.x.least, figure.x.most, from, to)
+                                                : Points{{from, figure.y.least},
+                                                         {from, figure.y.most},
+                                                         {to, figure.y.most},
+                                                         {to, figure.y.least}},
+                              ink});
     }
   };
   double before = 0;
@@ -49,6 +42,32 @@ void add_lock(Figure& figure, const DrawnMotion& motion, const FigureUnits& unit
     figure.add_band(
         (from == 0 ? "locked throughout" : "locked from " + units.time_words(from)) + to,
         from * units.time, figure.x.most, Ink::amber);
+  }
+}
+
+void mark_events(Figure& figure, const DrawnMotion& motion, const Place& place, double last) {
+  const auto those = [&](std::vector<State> states, const auto& are) {
+    std::erase_if(states, [&](const State& at) { return at.tau > last || !are(at); });
+    return places(states, place);
+  };
+  const auto goes_on = [&](const State& at) { return !motion.rest || at.tau != motion.rest->tau; };
+  const auto& width = motion.surface.notch_width;
+  const bool acts = motion.oscillator.delta > 0 && !width;
+  const auto freed = [&](const State& at) { return acts && at.v == 0; };
+  figure.marks.push_back(
+      {"turn", those(motion.turns, goes_on), Shape::disc, Ink::blue, Fill::hollow});
+  if (width) {
+    const auto at_edge = [&](const State& at) { return std::abs(at.x) == *width / 2; };
+    figure.marks.push_back(
+        {"edge of the notch", those(motion.states, at_edge), Shape::cross, Ink::orange});
+  } else {
+    figure.marks.push_back(
+        {"passage", those(motion.passages, std::not_fn(freed)), Shape::cross, Ink::orange});
+    figure.marks.push_back({"stopped by the notch, then freed", those(motion.passages, freed),
+                            Shape::diamond, Ink::orange, Fill::hollow});
+  }
+  if (motion.rest) {
+    figure.marks.push_back({"rest", {place(*motion.rest)}, Shape::square, Ink::green});
   }
 }
 

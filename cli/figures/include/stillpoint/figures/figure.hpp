@@ -17,6 +17,8 @@ struct FigurePoint {
   double x{0};
   double y{0};
 };
+using Points = std::vector<FigurePoint>;
+using Strokes = std::vector<Points>;
 
 /// Colours of Okabe and Ito, which colour-blind readers can tell apart; data/page/figure.css has
 /// their values.
@@ -27,7 +29,7 @@ enum class Dash { solid, dashed, dotted };
 /// A line in one or several strokes.
 struct FigureCurve {
   std::string name;  ///< in the legend; empty: not in it
-  std::vector<std::vector<FigurePoint>> strokes;
+  Strokes strokes;
   Ink ink{Ink::blue};
   Dash dash{Dash::solid};
   bool hover{true};      ///< shows its values under the pointer
@@ -35,20 +37,8 @@ struct FigureCurve {
   bool labelled{false};  ///< named beside its line
 };
 
-/// One that shows no values under the pointer.
-[[nodiscard]] inline FigureCurve line(std::string name,
-                                      std::vector<std::vector<FigurePoint>> strokes, Ink ink,
-                                      Dash dash = Dash::solid, bool labelled = false) {
-  return {.name = std::move(name),
-          .strokes = std::move(strokes),
-          .ink = ink,
-          .dash = dash,
-          .hover = false,
-          .labelled = labelled};
-}
 /// From the lower left corner on.
-[[nodiscard]] inline std::vector<FigurePoint> rectangle(double left, double right, double bottom,
-                                                        double top) {
+[[nodiscard]] inline Points rectangle(double left, double right, double bottom, double top) {
   return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
 }
 
@@ -58,7 +48,7 @@ enum class AreaLook { band, filled, hatched, box };
 /// A polygon. It is named inside if there is room, else in the legend if it can be seen.
 struct FigureArea {
   std::string name;
-  std::vector<FigurePoint> outline;
+  Points outline;
   Ink ink{Ink::blue};
   AreaLook look{AreaLook::filled};
   bool again{false};   ///< named if there is room, though another area has its name
@@ -73,7 +63,7 @@ enum class Fill { solid, hollow };
 /// A mark beyond the axes is an arrow at the frame, with its name.
 struct FigureMarks {
   std::string name;
-  std::vector<FigurePoint> points;
+  Points points;
   Shape shape{Shape::disc};
   Ink ink{Ink::blue};
   Fill fill{Fill::solid};
@@ -146,24 +136,30 @@ struct FigureInset {
 
 /// All values are finite, and both axes are longer than 0. An axis without a label has no ticks.
 struct Figure {
-  std::string id;                    ///< of its file, "region" for instance
-  std::string title;                 ///< above it
-  std::string description;           ///< for readers who cannot see it
-  std::vector<std::string> clauses;  ///< of the sentence below it; empty ones do not count
-  double height{270};                ///< of the plot, in pixels of a figure 450 wide
-  bool below{false};   ///< belongs below the previous figure, on the same horizontal axis
-  std::string folded;  ///< opens it, below the previous figure of a page; empty: always shown
-  FigureAxis x;
-  FigureAxis y;
-  FigureMap map;
-  std::vector<FigureArea> areas;
-  std::vector<FigureCurve> curves;
-  std::vector<FigureMarks> marks;
-  std::vector<FigureNote> notes;
-  std::optional<FigureInset> inset;
+  std::string id{};                    ///< of its file, "region" for instance
+  std::string title{};                 ///< above it
+  std::string description{};           ///< for readers who cannot see it
+  std::vector<std::string> clauses{};  ///< of the sentence below it; empty ones do not count
+  double height{270};                  ///< of the plot, in pixels of a figure 450 wide
+  bool below{false};     ///< belongs below the previous figure, on the same horizontal axis
+  std::string folded{};  ///< opens it, below the previous figure of a page; empty: always shown
+  FigureAxis x{};
+  FigureAxis y{};
+  FigureMap map{};
+  std::vector<FigureArea> areas{};
+  std::vector<FigureCurve> curves{};
+  std::vector<FigureMarks> marks{};
+  std::vector<FigureNote> notes{};
+  std::optional<FigureInset> inset{};
 
   /// The sentence: its clauses with semicolons between them, and a full stop.
   [[nodiscard]] std::string caption() const;
+  /// A line that shows no values under the pointer.
+  void add_line(std::string name, Strokes strokes, Ink ink, Dash dash = Dash::solid,
+                bool labelled = false);
+  /// Straight through the whole plot.
+  [[nodiscard]] Points upright(double at) const;
+  [[nodiscard]] Points level(double at) const;
   /// A span of x over the whole height.
   void add_band(std::string name, double from, double to, Ink ink);
 };

@@ -57,6 +57,11 @@ inline constexpr int most_hit_segments = 100;
 /// has a range of them, without `rest`.
 [[nodiscard]] std::vector<Hits> shown_hits(const Problem& problem, double f, double delta);
 
+/// Of those, the ones whose peak is within beta, but whose acceleration outside the notch is not
+/// within its limit: sqrt(f^2 + (v0 p)^2) is above it, with the stiffest spring.
+[[nodiscard]] std::optional<Interval> hits_above_limit(const Problem& problem, const Limits& limits,
+                                                       double f, const std::vector<Hits>& hits);
+
 /// Every k of a pulse, from 0 to twice the strongest or to `k_most` if that is larger, of the worst
 /// of the lengths and springs of the ranges, by the motion up to its first return: docs/theory.md
 /// (71).

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace stillpoint::design {
@@ -54,6 +55,13 @@ struct PlaneWindow {
   Interval f;
   Interval delta;
 };
+
+/// Where an area has its largest range, and the f whose edges lie in that.
+[[nodiscard]] PlaneWindow thickest_part(const PlaneArea& area);
+/// The nearest edges below a point and above it; infinite without one.
+[[nodiscard]] Interval edges_about(const std::vector<PlaneArea>& areas, double f, double delta);
+/// What lies beyond the largest f that the limits allow; empty without one.
+[[nodiscard]] std::string_view beyond_limits(const Problem& problem, const Limits& limits);
 
 /// Strips that can be told apart; those of later arrivals are one area.
 inline constexpr std::int64_t most_shown_strips = 12;

@@ -14,11 +14,11 @@
 
 namespace stillpoint::design {
 
-/// The same start without friction.
-struct FrictionlessMotion {
+/// Another motion from the same start, to compare with.
+struct OtherMotion {
   std::vector<State> states;
-  std::vector<State> turns;
-  Interval reach;  ///< of x, also beyond what is shown
+  std::vector<State> turns;  ///< of one that may be drawn as its envelope
+  Interval reach;            ///< of x, also beyond what is shown
 };
 
 struct ShownMotion {
@@ -29,11 +29,11 @@ struct ShownMotion {
   std::vector<State> passages;  ///< of x = 0, with the speed after the notch
   std::optional<State> rest;    ///< the end of the motion
   std::vector<std::pair<double, double>> sticks;  ///< tau from, to
-  std::optional<double> locked;     ///< held at x = 0 from then on, though the load goes on
-  std::optional<double> locked_to;  ///< the end of the load, if it is not shown
-  double shown_to{0};               ///< the end of the time axis
-  bool whole{true};                 ///< else only its beginning
-  std::optional<FrictionlessMotion> frictionless;  ///< if friction takes energy
+  std::optional<double> locked;             ///< held at x = 0 from then on, though the load goes on
+  std::optional<double> locked_to;          ///< the end of the load, if it is not shown
+  double shown_to{0};                       ///< the end of the time axis
+  bool whole{true};                         ///< else only its beginning
+  std::optional<OtherMotion> frictionless;  ///< if friction takes energy
 };
 
 /// For a longer motion only the beginning is shown: this many half-cycles, and periods of the
@@ -48,8 +48,5 @@ inline constexpr double most_shown_periods = 1000;
 /// Evenly spaced points that make a curve of an angular frequency look smooth up to tau =
 /// `horizon`.
 [[nodiscard]] std::int64_t sample_count(double rate, double horizon);
-
-/// Where a motion in states is at tau; after the last it rests.
-[[nodiscard]] double displacement(const std::vector<State>& states, double tau);
 
 }  // namespace stillpoint::design

@@ -35,6 +35,9 @@ class SweepClass {
   [[nodiscard]] static std::uint8_t of(Outcome outcome, double half_cycles);
 };
 
+/// How many motions each class has.
+using ClassCounts = std::array<std::int64_t, SweepClass::count>;
+
 /// One of the two axes of a map: every n-th value of a range.
 class MapAxis {
  public:
@@ -67,6 +70,9 @@ class SweepMap {
   [[nodiscard]] const std::vector<std::uint8_t>& cells() const { return cells_; }
   /// The peak of each of these motions; empty without a load.
   [[nodiscard]] const std::vector<double>& peaks() const { return peaks_; }
+  [[nodiscard]] ClassCounts counts() const;
+  /// The peaks of a class.
+  [[nodiscard]] std::vector<double> peaks_of(std::size_t index) const;
 
   /// Fills the cells of the entries in the block.
   void add(const SweepBlock& block);

@@ -98,6 +98,9 @@ struct OwnEntries {
 /// Whether the input takes more than one value.
 [[nodiscard]] bool varies(const SweepSpec& spec, Quantity input);
 
+/// Of an input with one value: that, without its unit.
+[[nodiscard]] double only_value(const SweepSpec& spec, Quantity input);
+
 /// Whether every motion starts at x = 0.
 [[nodiscard]] bool from_zero(const SweepSpec& spec);
 
