@@ -9,7 +9,6 @@
 #include <stillpoint/report/findings.hpp>
 #include <stillpoint/report/page_frame.hpp>
 #include <stillpoint/report/report.hpp>
-#include <stillpoint/report/terminal.hpp>
 #include <stillpoint/sweep/output_file.hpp>
 
 #include <fmt/format.h>
@@ -69,13 +68,6 @@ void link_explorer(const Settings& settings, Command command, figures::HtmlPage&
 }
 
 }  // namespace
-
-report::TextOptions text_options(const Settings& settings) {
-  return {
-      .title = settings.text("title").value_or(""),
-      .coloured = report::terminal_has_colours(),
-      .verbosity = settings.flag("verbose") ? report::Verbosity::full : report::Verbosity::normal};
-}
 
 void require_no_json(const Settings& settings, std::string_view rows, std::string_view option) {
   if (settings.flag("json")) {

@@ -9,6 +9,7 @@
 #include <stillpoint/figures/html_page.hpp>
 #include <stillpoint/report/document.hpp>
 #include <stillpoint/report/report.hpp>
+#include <stillpoint/report/terminal.hpp>
 #include <stillpoint/sweep/output.hpp>
 
 #include <optional>
@@ -20,14 +21,12 @@ namespace stillpoint::cli {
 
 using sweep::Output;
 
-/// For the terminal, under the title of the settings.
-[[nodiscard]] report::TextOptions text_options(const Settings& settings);
-
 /// The report as text, with its details if they are asked for.
 template <class Report>
 [[nodiscard]] std::string shown(const Report& report, const Settings& settings) {
-  const report::TextOptions options = text_options(settings);
-  return text(document(report, options.verbosity), options);
+  using report::Verbosity;
+  return text(document(report, settings.flag("verbose") ? Verbosity::full : Verbosity::normal),
+              {settings.text("title").value_or(""), report::terminal_has_colours()});
 }
 
 /// The report on standard output: JSON if asked for, else the document; nothing if `print` is

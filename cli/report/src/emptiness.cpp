@@ -53,9 +53,6 @@ Way way_of(const design::Mend& mend, const Physical& physical, const design::Lim
                  length ? units.length.name : now->unit),
           now->upwards};
 }
-Way way_of(const design::Mend& mend, const ShownTask& task) {
-  return way_of(mend, task.physical, task.limits, task.pulse);
-}
 
 /// "a max displacement of at least 168.8 mm", "a limit of at least 0.05 on f", "at least 2
 /// arrivals".
@@ -67,17 +64,14 @@ std::string words_of(const Way& way) {
              : format("a {} of at {} {}", way.name, way.upwards ? "least" : "most", way.bound);
 }
 
-/// Nobody chooses the hit, and the period only by another isolator.
-bool is_given(const design::Mend& mend) {
-  const std::string_view field = mend.field;
-  return field.starts_with("v0") || field.starts_with("p") || field.starts_with("k") ||
-         field.starts_with("lambda");
-}
-
 /// Of several mends the first of what a designer can choose: that of beta, which is the stroke, if
-/// there is one.
+/// there is one. Nobody chooses the hit, and the period only by another isolator.
 const design::Mend& named_mend(const std::vector<design::Mend>& mends) {
-  const auto chosen = std::ranges::find(mends, false, is_given);
+  // As the names of v0, p, k, lambda and their ends begin.
+  static constexpr std::string_view given = "vpkl";
+  const auto chosen = std::ranges::find_if(mends, [](const design::Mend& mend) {
+    return given.find(mend.field.front()) == std::string_view::npos;
+  });
   return chosen != mends.end() ? *chosen : mends.front();
 }
 
@@ -114,7 +108,8 @@ std::string way_out(const design::RegionVerdict& empty, const ShownTask& task) {
   const design::Mend& mend = named_mend(empty.mends);
   return empty.most_tolerant && mend.field == "tolerance"
              ? ""  // which the verdict says
-             : format(" One way out: {}.", words_of(way_of(mend, task)));
+             : format(" One way out: {}.",
+                      words_of(way_of(mend, task.physical, task.limits, task.pulse)));
 }
 
 }  // namespace
@@ -157,7 +152,8 @@ std::string mend_title(const design::RegionVerdict& empty, const ShownTask& task
   if (empty.mends.empty()) {
     return format("No {} is admissible", what);
   }
-  const auto& [name, bound, upwards] = way_of(named_mend(empty.mends), task);
+  const auto& [name, bound, upwards] =
+      way_of(named_mend(empty.mends), task.physical, task.limits, task.pulse);
   return name == "arrivals"
              ? format("No {} with fewer than {} arrivals", what, bound)
              : format("No {} with a {} {} {}", what, name, upwards ? "below" : "above", bound);

@@ -172,7 +172,7 @@ figures::HtmlPage page_of(const Document& document) {
           .answer = html(document.answer),
           .figures = {},
           .body = html(document),
-          .report = text(document, {.verbosity = Verbosity::full}),
+          .report = text(document),
           .footer = {}};
 }
 

@@ -66,22 +66,21 @@ std::string whose(const SpectrumReport& report) {
 std::string friction_words(const SpectrumReport& report) {
   const std::vector<SpectrumPoint>& points = report.result.combined;
   const FigureUnits units = units_of(report.physical);
-  const auto largest = [&](const auto& value, const auto& words) {
+  const auto largest = [&](auto SpectrumFigures::*figure, const auto& words) {
     const auto most = std::ranges::max_element(
-        points, {}, [&](const SpectrumPoint& point) { return value(point.without); });
-    return format("{} at {}", words(value(most->without)), period_words(report.physical, most->p));
+        points, {}, [&](const SpectrumPoint& point) { return point.without.*figure; });
+    const std::optional<double> value = most->without.*figure;
+    return format("{} at {}", words(*value), period_words(report.physical, most->p));
   };
   const auto length = [&](double value) { return units.length.words(value); };
   const bool settles = std::ranges::all_of(
       points, [](const SpectrumPoint& point) { return point.without.residual.has_value(); });
-  return format(
-      "{}: {}friction alone transmits at most {}; its largest peak is {}, {}.", whose(report),
-      report.result.request.delta > 0 ? "without the notch, " : "",
-      largest([](const SpectrumFigures& one) { return one.acceleration; }, acceleration_shown),
-      largest([](const SpectrumFigures& one) { return one.peak; }, length),
-      settles ? "its largest residual " +
-                    largest([](const SpectrumFigures& one) { return *one.residual; }, length)
-              : "and at some period the mass never comes to rest");
+  return format("{}: {}friction alone transmits at most {}; its largest peak is {}, {}.",
+                whose(report), report.result.request.delta > 0 ? "without the notch, " : "",
+                largest(&SpectrumFigures::acceleration, acceleration_shown),
+                largest(&SpectrumFigures::peak, length),
+                settles ? "its largest residual " + largest(&SpectrumFigures::residual, length)
+                        : "and at some period the mass never comes to rest");
 }
 
 /// In the units of the figures. Without a notch there is nothing to compare with.

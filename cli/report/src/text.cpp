@@ -196,18 +196,13 @@ std::string text(const Document& document, const TextOptions& options) {
   if (!document.answer.parts.empty()) {
     text += "\n" + rendered(document.answer);
   }
-  bool more = document.brief;
   for (const Section& section : document.sections) {
-    if (section.parts.empty()) {
-      continue;
-    }
-    if (section.detail && options.verbosity == Verbosity::normal) {
-      more = true;
+    if (section.parts.empty() || (section.detail && document.brief)) {
       continue;
     }
     text += "\n" + rendered.heading(section.heading) + rendered(section);
   }
-  if (more) {
+  if (document.brief) {
     text += "\n" + rendered(Line{"--verbose shows more.", Tone::faint});
   }
   return text;

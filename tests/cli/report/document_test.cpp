@@ -132,11 +132,13 @@ BOOST_AUTO_TEST_CASE(details_are_shown_on_request) {
   Document document{.title = "t", .verdict = "v"};
   document.section("shown").line("one");
   document.detail("hidden").line("two");
+  document.brief = true;
   const std::string brief = text(document);
   BOOST_TEST(contains(brief, "one"));
   BOOST_TEST(!contains(brief, "two"));
   BOOST_TEST(contains(brief, "--verbose"));
-  const std::string full = text(document, {.verbosity = Verbosity::full});
+  document.brief = false;
+  const std::string full = text(document);
   BOOST_TEST(contains(full, "two"));
   BOOST_TEST(!contains(full, "--verbose"));
 }

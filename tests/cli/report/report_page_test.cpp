@@ -33,7 +33,7 @@ DesignReport isolator() {
 BOOST_AUTO_TEST_CASE(text_page_and_json_agree) {
   const DesignReport report = isolator();
   const auto data = json(report);
-  const std::string plain = text(document(report), {.verbosity = Verbosity::full});
+  const std::string plain = text(document(report));
   const figures::HtmlPage made = page(report);
   const auto& physical = data["physical"];
   for (const std::string& value :

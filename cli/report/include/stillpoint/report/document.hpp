@@ -102,7 +102,6 @@ template <class Report>
 struct TextOptions {
   std::string title{};   ///< the scene's own, after that of the document
   bool coloured{false};  ///< for a terminal
-  Verbosity verbosity{Verbosity::normal};
 };
 
 /// For a terminal or a file, at most 80 columns wide if words and tables allow it: the answer, then
