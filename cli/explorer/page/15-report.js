@@ -24,6 +24,9 @@ function response_of(report) {
   return report.response ?? report.cases[0].motions[0]?.response;
 }
 
+/** The largest acceleration that the structure feels. @param {any} response */
+const felt_of = (response) => response.peak_absolute_acceleration;
+
 /** The figures of a motion. @param {any} report of design or simulate */
 function motion_of(report) {
   const { physical, input } = report;
@@ -32,7 +35,7 @@ function motion_of(report) {
     peak: physical ? physical.peak_m : response.peak_amplitude,
     rest: physical ? physical.stop_position_m : response.stop_position,
     stop_time: physical ? physical.stop_time_s : response.stop_time,
-    acceleration: response.peak_absolute_acceleration,
+    acceleration: felt_of(response),
     felt: input.notch_width ? "the notch included" : "outside the notch",
   };
 }

@@ -177,7 +177,7 @@ function practice_nodes({ report, motion, options }) {
         ? [number(velocity_unit_m_per_s * value, "N s"), " per kg"]
         : [number(value), " times the mass"];
   const columns = [practice, practice_worst].filter(Boolean);
-  const range_worst = report.built_notch?.largest_acceleration?.response.peak_absolute_acceleration;
+  const range_worst = report.built_notch?.largest_acceleration;
   /** @param {string} name @param {(now: any) => Part[] | null} cell @returns {[string, ...(Part[] | null)[]]} */
   const row = (name, cell) => [name, ...columns.map(cell)];
   const rows = [
@@ -186,10 +186,10 @@ function practice_nodes({ report, motion, options }) {
       !motion.input.notch_width
         ? [number(now.base_shear_over_weight)]
         : now === practice
-          ? [number(motion.response.peak_absolute_acceleration), " the notch included"]
-          : range_worst === undefined
-            ? null
-            : [number(range_worst), " the notch included"],
+          ? [number(felt_of(motion.response)), " the notch included"]
+          : range_worst
+            ? [number(felt_of(range_worst.response)), " the notch included"]
+            : null,
     ),
     row("secant stiffness", ({ secant_stiffness: stiffness, ...now }) =>
       !stiffness

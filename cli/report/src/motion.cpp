@@ -25,17 +25,17 @@ std::string felt_where(const MotionReport& report) {
   const Response& response = report.answer.response;
   const auto& forced = report.answer.forced;
   const auto& [notch_width, zones] = report.request.surface;
-  if (forced && forced->largest_load_while_locked == response.peak_absolute_acceleration) {
+  const double felt = design::figures_of(response).acceleration;
+  if (forced && forced->largest_load_while_locked == felt) {
     return " while it is locked";
   }
   if (delta == 0 || response.peak_amplitude == 0) {
     return "";
   }
-  const auto outside =
-      zones.empty() && report.request.start.x0 == 0 && (hold || notch_width)
-          ? design::felt_outside(report.request.oscillator, response.peak_absolute_acceleration,
-                                 response.peak_amplitude, notch_width)
-          : std::nullopt;
+  const auto outside = zones.empty() && report.request.start.x0 == 0 && (hold || notch_width)
+                           ? design::felt_outside(report.request.oscillator, felt,
+                                                  response.peak_amplitude, notch_width)
+                           : std::nullopt;
   return outside       ? format(" inside the notch, {} outside it", acceleration_shown(*outside))
          : notch_width ? ", the notch included"
          : forced && response.jump > 0 ? " between the jumps"
@@ -68,9 +68,9 @@ void add_answer(Section& answer, const MotionReport& report) {
     answer.row("peak", length_shown(physical, response.peak_amplitude), Tone::heading);
   }
   if (report.answer.forced || moves(response)) {
-    answer.row("acceleration",
-               format("{} transmitted{}", acceleration_shown(response.peak_absolute_acceleration),
-                      felt_where(report)));
+    answer.row("acceleration", format("{} transmitted{}",
+                                      acceleration_shown(design::figures_of(response).acceleration),
+                                      felt_where(report)));
   }
   if (report.answer.forced && report.answer.forced->left_notch_from_rest) {
     const double load = design::largest_load(report.request.excitation);

@@ -144,7 +144,7 @@ void add_records(Document& document, const design::RecordDesign& result, const P
           displacement_cell(physical, figures.peak), displacement_cell(physical, figures.residual),
           format("{:.4g}", figures.acceleration),
           format("{:.5g}", *response.stop_time * units.time),
-          response.locked_from                                    ? "by notch"
+          response.locks()                                        ? "by notch"
           : response.stop_time.value() <= load_end(record.record) ? "by friction"
                                                                   : "after load"}});
   }

@@ -18,7 +18,7 @@ namespace stillpoint::report {
 
 namespace {
 
-using design::SpectrumFigures;
+using design::Figures;
 using design::SpectrumPoint;
 
 /// At even steps; more do not fit a screen, and a file has them all.
@@ -31,17 +31,17 @@ std::set<std::size_t> shown_periods(const std::vector<SpectrumPoint>& points) {
   for (std::size_t row = 0; row < even; ++row) {
     shown.insert(even > 1 ? row * (points.size() - 1) / (even - 1) : 0);
   }
-  const auto add_largest = [&](auto SpectrumFigures::*figure) {
+  const auto add_largest = [&](auto Figures::*figure) {
     for (const auto of : {&SpectrumPoint::with_notch, &SpectrumPoint::without}) {
       const auto most = std::ranges::max_element(
           points, {}, [&](const SpectrumPoint& point) { return point.*of.*figure; });
       shown.insert(static_cast<std::size_t>(most - points.begin()));
     }
   };
-  add_largest(&SpectrumFigures::acceleration);
-  add_largest(&SpectrumFigures::peak);
-  add_largest(&SpectrumFigures::residual);
-  add_largest(&SpectrumFigures::jump);
+  add_largest(&Figures::acceleration);
+  add_largest(&Figures::peak);
+  add_largest(&Figures::residual);
+  add_largest(&Figures::jump);
   constexpr std::size_t few = 6;
   for (std::size_t i = 0; points.size() <= shown.size() + few && i < points.size(); ++i) {
     shown.insert(i);
@@ -66,7 +66,7 @@ std::string whose(const SpectrumReport& report) {
 std::string friction_words(const SpectrumReport& report) {
   const std::vector<SpectrumPoint>& points = report.result.combined;
   const FigureUnits units = units_of(report.physical);
-  const auto largest = [&](auto SpectrumFigures::*figure, const auto& words) {
+  const auto largest = [&](auto Figures::*figure, const auto& words) {
     const auto most = std::ranges::max_element(
         points, {}, [&](const SpectrumPoint& point) { return point.without.*figure; });
     const std::optional<double> value = most->without.*figure;
@@ -77,9 +77,9 @@ std::string friction_words(const SpectrumReport& report) {
       points, [](const SpectrumPoint& point) { return point.without.residual.has_value(); });
   return format("{}: {}friction alone transmits at most {}; its largest peak is {}, {}.",
                 whose(report), report.result.request.delta > 0 ? "without the notch, " : "",
-                largest(&SpectrumFigures::acceleration, acceleration_shown),
-                largest(&SpectrumFigures::peak, length),
-                settles ? "its largest residual " + largest(&SpectrumFigures::residual, length)
+                largest(&Figures::acceleration, acceleration_shown),
+                largest(&Figures::peak, length),
+                settles ? "its largest residual " + largest(&Figures::residual, length)
                         : "and at some period the mass never comes to rest");
 }
 
@@ -87,7 +87,7 @@ std::string friction_words(const SpectrumReport& report) {
 Table spectrum_table(const SpectrumReport& report, const std::vector<SpectrumPoint>& points) {
   const FigureUnits units = units_of(report.physical);
   const auto number = [](double value) { return format("{:.5g}", value); };
-  const auto residual = [&](const SpectrumFigures& one) {
+  const auto residual = [&](const Figures& one) {
     return one.residual ? number(*one.residual * units.length) : "none";
   };
   const auto compared = [&](std::string words) {

@@ -122,7 +122,7 @@ std::string progress_words(double rows, std::int64_t begun_with,
 
 Document document(const ReductionReport& report) {
   Document made = document_of("Sweep without rows", report.state,
-                              report.kind == name(sweep::SweepKind::design));
+                              report.kind == sweep::SweepKind::design);
   if (report.split) {
     made.answer.row("part", text(report.label.part));
   }

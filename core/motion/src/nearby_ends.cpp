@@ -16,7 +16,7 @@ struct End {
 /// A run that is cut may end at rest too.
 End end_of(const ForcedResponse& response) {
   const bool rests = response.stop_position || response.final_velocity == 0;
-  return {rests ? response.final_position : std::nullopt, response.locked_from.has_value()};
+  return {rests ? response.final_position : std::nullopt, response.locks()};
 }
 
 }  // namespace

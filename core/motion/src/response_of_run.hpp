@@ -45,7 +45,7 @@ ForcedResponse so_far(const Run& run) {
     response.decision_margin = state.margin.value();
   }
   response.sticks = static_cast<double>(state.sticks);
-  response.stick_time = state.stick_time.value() / p;
+  response.stick_time = state.stuck.value() / p;
   response.left_notch_from_rest = state.left_notch_from_rest;
   response.cancelled = run.cancelled();
   return response;

@@ -165,7 +165,7 @@ BuiltNotch built_notch(const DesignResult& design, const NotchShape& shape) {
   built.worst = {
       largest(tried, [](const TriedMotion& of) { return std::abs(of.rest()); }),
       largest(tried, [](const TriedMotion& of) { return of.response.peak_amplitude; }),
-      largest(tried, [](const TriedMotion& of) { return of.response.peak_absolute_acceleration; }),
+      largest(tried, [](const TriedMotion& of) { return figures_of(of.response).acceleration; }),
       largest(tried,
               [](const TriedMotion& of) { return of.p * of.response.peak_amplitude * of.p; })};
   return built;

@@ -40,8 +40,8 @@ void add_later(std::vector<Finding>& all, const ShownDamper& now) {
     if (!bound.satisfied || (!peak && bound.variable != "acceleration")) {
       continue;
     }
-    const double whole =
-        peak ? now.response.peak_amplitude : now.response.peak_absolute_acceleration;
+    const Figures figures = figures_of(now.response);
+    const double whole = peak ? figures.peak : figures.acceleration;
     if (exceeds(whole, bound.limit)) {
       Finding& later = all.emplace_back(exceeds_later);
       later.values.push_back({"figure", std::string(bound.variable)});
@@ -80,7 +80,7 @@ std::vector<Finding> findings_of(const ShownDamper& now, const AskedWith& asked)
   if (now.under_pulse != nullptr) {
     const ForcedResponse& forced =
         now.built != nullptr ? now.built->response : now.under_pulse->response;
-    if (forced.locked_from) {
+    if (forced.locks()) {
       all.push_back(lock_of(forced, duration(excitation(now.under_pulse->pulse)).value()));
     }
   }
@@ -157,7 +157,7 @@ void add_built(std::vector<Finding>& all, const DesignRequest& request, const Bu
     fails("moving");
   } else if (exceeds(farthest, allowed) || !(problem.residual ? within : stops)) {
     tell("rest", farthest, problem.residual, Dimension::length, &WorstMotions::farthest);
-  } else if (const double felt = largest(&WorstMotions::felt).peak_absolute_acceleration;
+  } else if (const double felt = figures_of(largest(&WorstMotions::felt)).acceleration;
              limits.acceleration_max && exceeds(felt, *limits.acceleration_max)) {
     tell("acceleration", felt, limits.acceleration_max, Dimension::gravities, &WorstMotions::felt);
   }

@@ -48,7 +48,7 @@ void add_rest(std::vector<Finding>& all, const Simulation& motion) {
   const bool notch = response.outcome == Outcome::stopped_in_notch;
   still.values.push_back({"by", std::string(notch ? "notch" : "friction")});
   if (motion.forced) {
-    still.add("largest_load", response.peak_absolute_acceleration, Dimension::gravities);
+    still.add("largest_load", figures_of(response).acceleration, Dimension::gravities);
   } else {
     still.add("stop_position", response.stop_position, Dimension::length);
   }
@@ -213,7 +213,7 @@ std::vector<Finding> findings_of(const SimulationRequest& request, const Simulat
       all.push_back(no_notch(width, response.peak_amplitude));
     }
   }
-  if (forced && forced->locked_from) {
+  if (forced && forced->locks()) {
     add_lock(all, request, *forced);
   } else if (!moves(response) && response.outcome != Outcome::caught_at_start) {
     add_rest(all, motion);

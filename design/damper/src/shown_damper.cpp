@@ -15,9 +15,9 @@ const WorstMotions* ShownDamper::tried() const {
 }
 
 double ShownDamper::felt() const {
-  return tried() != nullptr          ? tried()->felt.response.peak_absolute_acceleration
+  return tried() != nullptr          ? figures_of(tried()->felt.response).acceleration
          : worst() != nullptr        ? worst()->acceleration
-         : built != nullptr || pulse ? response.peak_absolute_acceleration
+         : built != nullptr || pulse ? figures_of(response).acceleration
                                      : std::hypot(point.f, problem.stiffest_p() * problem.v0);
 }
 

@@ -2,6 +2,7 @@
 #include <stillpoint/core/elementary.hpp>
 #include <stillpoint/core/half_cycles.hpp>
 #include <stillpoint/core/trajectory.hpp>
+#include <stillpoint/design/figures.hpp>
 #include <stillpoint/design/shown_motion.hpp>
 
 #include <algorithm>
@@ -203,7 +204,9 @@ ShownMotion shown_motion(const SimulationRequest& request, const Simulation& ans
   const auto listed = forced_half_cycles(request.oscillator, request.start, excitation, last,
                                          most_shown_half_cycles, {}, request.surface);
   last = std::min(last, end_of_beginning(listed).value_or(last));
-  motion.locked = answer.forced ? answer.forced->locked_from : std::nullopt;
+  if (answer.forced) {
+    motion.locked = figures_of(*answer.forced).locked;
+  }
   if (stop_time == 0.0) {  // the whole load is shown here too
     follow(motion, request, std::min(last, duration(excitation).value_or(last)));
     return motion;

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -23,6 +24,11 @@ struct SweepBlock {
   Eigen::ArrayXd& operator[](Quantity quantity) { return columns[index(quantity)]; }
   const Eigen::ArrayXd& operator[](Quantity quantity) const { return columns[index(quantity)]; }
 
+  /// Whether the notch holds the mass of an entry although the load goes on.
+  [[nodiscard]] bool locks(Eigen::Index entry) const {
+    const Eigen::ArrayXd& from = (*this)[Quantity::locked_from];
+    return from.size() == size && std::isfinite(from[entry]);
+  }
   [[nodiscard]] std::uint64_t digest() const { return digests.empty() ? 0 : digests.back(); }
   /// Keeps the first `count` entries.
   void cut(Eigen::Index count);

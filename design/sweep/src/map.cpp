@@ -51,8 +51,7 @@ std::size_t range_of(double half_cycles) {
 }
 
 std::uint8_t class_of(const SweepBlock& block, Index i) {
-  const auto& locked_from = block[Quantity::locked_from];
-  if (locked_from.size() == block.size && std::isfinite(locked_from[i])) {
+  if (block.locks(i)) {
     return SweepClass::locked;
   }
   const auto outcome = motion_outcome(static_cast<std::size_t>(block[Quantity::outcome][i]));

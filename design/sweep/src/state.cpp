@@ -44,12 +44,10 @@ void SweepState::add(const SweepBlock& block) {
   rows += block.size;
   digest = block.digest();
   if (block[Quantity::outcome].size() == block.size) {
-    const auto& locked_from = block[Quantity::locked_from];
     for (Eigen::Index i = 0; i < block.size; ++i) {
       const auto outcome = static_cast<std::size_t>(block[Quantity::outcome][i]);
       ++outcomes[outcome];
-      const bool locks = locked_from.size() == block.size && std::isfinite(locked_from[i]);
-      locked_outcomes[outcome] += locks ? 1 : 0;
+      locked_outcomes[outcome] += block.locks(i) ? 1 : 0;
     }
   }
   if (block[Quantity::feasible].size() == block.size) {

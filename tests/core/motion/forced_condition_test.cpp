@@ -36,7 +36,7 @@ std::array<Real, 6> metrics_of(const ForcedState<Real>& state, const Real& p) {
           std::max(state.farthest, Real(abs(state.u))) / p,
           state.acceleration * p,
           state.arrival_speed.value_or(Real(0)),
-          state.stick_time.value() / p};
+          state.stuck.value() / p};
 }
 
 /// From rest or not, f below |k| by 1e-9 to 1e-2 of it.

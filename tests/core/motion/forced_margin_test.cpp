@@ -248,7 +248,7 @@ BOOST_AUTO_TEST_CASE(no_sample_of_a_long_rest_is_overlooked) {
     // On its way from -0.5 to 2 the load passes 1 after 0.6 of the interval.
     const auto end = static_cast<double>(at);
     const auto first = run_forced(ForcedScene<>{{0, 0, 1, 1, 0}, record, end}).state;
-    BOOST_TEST(first.stick_time.value() == end - 0.4, tt::tolerance(1e-15));
+    BOOST_TEST(first.stuck.value() == end - 0.4, tt::tolerance(1e-15));
   }
 }
 

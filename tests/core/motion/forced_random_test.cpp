@@ -60,7 +60,7 @@ double error(const ForcedScene<>& scene, const ForcedState<double>& of,
                 off(got.transmitted.locked, right.transmitted.locked) / scene.motion.p});
   return std::max({length > 0 ? of_length / length : of_length,
                    off(got.acceleration, right.acceleration) / force, felt / force,
-                   off(got.stick_time.value(), right.stick_time.value()) / time});
+                   off(got.stuck.value(), right.stuck.value()) / time});
 }
 
 /// Calls `each` with the inputs.

@@ -34,7 +34,7 @@ SpectrumRequest request_of(std::vector<SuiteRecord> records, double f, double de
   return request;
 }
 
-bool same(const SpectrumFigures& one, const SpectrumFigures& other) {
+bool same(const Figures& one, const Figures& other) {
   return one.peak == other.peak && one.acceleration == other.acceleration &&
          one.jump == other.jump && one.residual == other.residual;
 }
@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(without_friction_a_rectangle_has_its_closed_form_and_no_res
     const double p = found.request.p[i];
     const double half = p * 2 / 2;
     const double peak = 0.8 / (p * p) * (half >= std::numbers::pi / 2 ? 1 : std::sin(half));
-    const SpectrumFigures& figures = found.records[0][i].with_notch;
+    const Figures& figures = found.records[0][i].with_notch;
     BOOST_TEST(std::abs(figures.peak - peak) <= closed_form_tolerance * peak,
                figures.peak << " " << peak);
     BOOST_TEST(std::abs(figures.acceleration - p * p * peak) <=
@@ -91,8 +91,8 @@ BOOST_AUTO_TEST_CASE(each_point_is_a_motion_of_the_kernel) {
     const SpectrumPoint point = spectrum(request).records[0][0];
     const auto figures = [&](const Oscillator& oscillator, const Surface& surface) {
       const ForcedResponse motion = forced_response(oscillator, {}, load, {}, surface);
-      return SpectrumFigures{motion.peak_amplitude, motion.peak_absolute_acceleration, motion.jump,
-                             std::abs(motion.stop_position.value())};
+      return Figures{motion.peak_amplitude, motion.peak_absolute_acceleration, motion.jump,
+                     std::abs(motion.stop_position.value())};
     };
     const double p = request.p[0];
     BOOST_TEST(same(point.with_notch, figures({p, request.f, request.delta, request.hold},

@@ -60,8 +60,8 @@ void add_parts(Figure& figure, const Catalogue& catalogue, const FigureUnits& un
 
 std::vector<Figure> trade_off_figures(const std::vector<design::TradeOff>& front,
                                       const design::Found& found, const FigureUnits& units) {
-  const design::TradeOff chosen{found.point, found.response.peak_amplitude,
-                                found.response.peak_absolute_acceleration};
+  const design::Figures of = design::figures_of(found.response);
+  const design::TradeOff chosen{found.point, of.peak, of.acceleration};
   Figure acceleration =
       over_stroke({"trade-off", "Trade-off of stroke, acceleration and tolerance",
                    "The least transmitted acceleration for each stroke, and the design."},

@@ -12,7 +12,7 @@ namespace stillpoint::report {
 
 namespace {
 
-using design::SpectrumFigures;
+using design::Figures;
 using design::SpectrumPoint;
 
 /// A figure of a motion over the period.
@@ -20,15 +20,14 @@ struct Kind {
   std::string_view quantity;
   std::string_view axis;
   Dimension dimension;
-  std::optional<double> (*drawn)(const SpectrumFigures&);  ///< empty if it does not exist
+  std::optional<double> (*drawn)(const Figures&);  ///< empty if it does not exist
 };
-constexpr std::array kinds{
-    Kind{"transmitted acceleration", "acceleration", Dimension::gravities,
-         [](const SpectrumFigures& one) { return std::optional(one.acceleration); }},
-    Kind{"peak displacement", "peak", Dimension::length,
-         [](const SpectrumFigures& one) { return std::optional(one.peak); }},
-    Kind{"residual displacement", "residual", Dimension::length,
-         [](const SpectrumFigures& one) { return one.residual; }}};
+constexpr std::array kinds{Kind{"transmitted acceleration", "acceleration", Dimension::gravities,
+                                [](const Figures& one) { return std::optional(one.acceleration); }},
+                           Kind{"peak displacement", "peak", Dimension::length,
+                                [](const Figures& one) { return std::optional(one.peak); }},
+                           Kind{"residual displacement", "residual", Dimension::length,
+                                [](const Figures& one) { return one.residual; }}};
 
 /// A spectrum in the units of its axes.
 struct DrawnSpectrum {

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "json/head_fields.hpp"
 #include "json/physical_fields.hpp"
-#include "json/schema.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/peers/comparison.hpp>
-#include <stillpoint/report/schemas.hpp>
 
 #include <array>
 #include <optional>
@@ -26,13 +24,12 @@ struct Truth : peers::Result {
   static constexpr std::tuple field_table{
       Field{"digits", [](const auto& /*now*/) { return 50; }},
       Field{"outcome", &Truth::outcome},
-      Field{"peak_amplitude", &Truth::peak, "", {{}, Dimension::length, "peak_m"}},
-      Field{"end_time", &Truth::end_time, "", {{}, Dimension::time, "end_time_s"}},
-      Field{"final_position", &Truth::x, "", {Numbers::all, Dimension::length, "final_position_m"}},
-      Field{"final_velocity",
-            &Truth::final_velocity,
-            "",
-            {Numbers::all, Dimension::velocity, "final_velocity_m_per_s"}},
+      Field{"peak_amplitude", &Truth::peak, "", si_apart(Dimension::length, "peak_m")},
+      Field{"end_time", &Truth::end_time, "", si_apart(Dimension::time, "end_time_s")},
+      Field{"final_position", &Truth::x, "",
+            si_apart(Dimension::length, "final_position_m", Numbers::all)},
+      Field{"final_velocity", &Truth::final_velocity, "",
+            si_apart(Dimension::velocity, "final_velocity_m_per_s", Numbers::all)},
       Field{"zero_passages", &Truth::passages},
       Field{"turning_points", &Truth::turns},
       Field{"sticks", &Truth::sticks}};

@@ -3,10 +3,7 @@
 
 #include "json/answer_fields.hpp"
 
-#include <stillpoint/report/schemas.hpp>
-
 #include <algorithm>
-#include <cmath>
 
 namespace stillpoint::report {
 
@@ -35,10 +32,8 @@ std::optional<std::vector<std::string_view>> conflict_of(const design::Region& r
   return std::nullopt;
 }
 
-Worst worst_of(const Response& motion) {
-  return {motion.peak_amplitude, motion.peak_absolute_acceleration,
-          motion.stop_position ? IfReal(std::abs(*motion.stop_position)) : IfReal(),
-          motion.stop_time, motion.jump};
+Worst worst_of(const design::Figures& figures) {
+  return {figures.peak, figures.acceleration, figures.residual, figures.stop_time, figures.jump};
 }
 
 Worst worst_of(const design::SuiteFigures& figures) {
@@ -81,9 +76,11 @@ std::optional<AnswerSi> ShownAnswer::in_si() const {
                .delta = design ? std::optional(design->delta) : input.delta,
                .practice = of_judged(&Judged::practice)(*this),
                .notch_width_min = of_judged(&Judged::notch_width_min)(*this),
-               .lambda = input.lambda,
-               .duration = pulse_duration},
+               .lambda = IfAny{&AskedTask::pulse, lambda_of}(input)},
               this};
+  if (input.pulse) {
+    si.duration = duration(design::excitation(*input.pulse));
+  }
   if (region == nullptr) {  // under records, whose motions have their own
     si.input.max_displacement_m =
         input.beta ? units->scales.in_si(Dimension::length, *input.beta) : std::nullopt;

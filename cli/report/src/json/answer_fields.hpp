@@ -9,11 +9,8 @@
 #include "json/head_fields.hpp"
 #include "json/physical_fields.hpp"
 #include "json/result_fields.hpp"
-#include "json/schema.hpp"
-#include "sections.hpp"
 
 #include <stillpoint/report/record_design.hpp>
-#include <stillpoint/report/report.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -109,16 +106,13 @@ struct ShownLoaded {
     return units ? std::optional(ResponseSi{response}) : std::nullopt;
   }
   using Now = ShownLoaded;
-  using Pulse = design::Pulse;
   using Record = design::SuiteRecord;
   static constexpr std::tuple field_table{
       Field{"what", &Now::what, "hit, the shape of the pulse, or the file of the record"},
       Field{"v0", [](const auto& now) { return now.pulse ? IfReal() : now.v0; }, "of a hit"},
       Field{"p", &Now::p},
-      Field{"k", IfAny{&Now::pulse, [](const Pulse& pulse) { return design::peak_load(pulse); }},
-            "of a pulse, like lambda"},
-      Field{"lambda", IfAny{&Now::pulse,
-                            [](const Pulse& pulse) { return design::angular_frequency(pulse); }}},
+      Field{"k", IfAny{&Now::pulse, k_of}, "of a pulse, like lambda"},
+      Field{"lambda", IfAny{&Now::pulse, lambda_of}},
       Field{"scale", IfAny{&Now::record, &Record::scale}, "the factor on the values of a record",
             any_number},
       Field{"pga", IfAny{&Now::record, [](const Record& of) { return design::peak_load(of); }},
@@ -251,7 +245,7 @@ struct ShownAnswer {
   const design::SuiteOutlook* outlook{nullptr};
   const design::SearchRecord* search{nullptr};
   const design::CrossCheck* cross_check{nullptr};
-  IfReal velocity_m_per_s{}, pulse_duration{};  ///< for `physical` alone
+  IfReal velocity_m_per_s{};  ///< for `physical` alone
 
   [[nodiscard]] std::optional<ShownServed> works_for() const {
     return judged != nullptr && judged->works_for

@@ -6,12 +6,11 @@
 #include "json/fields.hpp"
 
 #include <stillpoint/core/interval.hpp>
-#include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/pulse.hpp>
 
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <tuple>
 
@@ -26,17 +25,23 @@ inline constexpr auto objectives =
 inline constexpr auto pulse_names =
     std::to_array<std::string_view>({"half-sine", "full-sine", "rectangle"});
 
+inline constexpr auto shape_of = [](const design::Pulse& pulse) { return design::name(pulse); };
+inline constexpr auto k_of = [](const design::Pulse& pulse) { return design::peak_load(pulse); };
+inline constexpr auto lambda_of = [](const design::Pulse& pulse) {
+  return design::angular_frequency(pulse);
+};
+
 /// What was asked for.
 struct AskedTask {
-  IfReal v0{}, p{}, beta{}, residual{}, jump_max{}, k{}, lambda{}, f{}, delta{}, hold{},
-      notch_width{};
+  IfReal v0{}, p{}, beta{}, residual{}, jump_max{}, f{}, delta{}, hold{}, notch_width{};
   IfRange v0_range{}, p_range{}, tolerance_f{}, tolerance_delta{}, tolerance_width{},
       tolerance_period{}, k_range{}, lambda_range{}, f_range{}, delta_range{}, notch_width_range{};
   IfCount arrivals{}, trade_off{};
   std::optional<design::Criterion> criterion{};
   double tolerance{0};
   design::Limits limits{};
-  std::optional<std::string_view> pulse{}, objective{};
+  std::optional<design::Pulse> pulse{};
+  std::optional<std::string_view> objective{};
   Name algorithm{}, catalogue{};
 
   using Now = AskedTask;
@@ -62,10 +67,10 @@ struct AskedTask {
       Field{"delta_max", in(&Now::limits, &Limits::delta_max)},
       Field{"acceleration_max", in(&Now::limits, &Limits::acceleration_max)},
       Field{"jump_max", &Now::jump_max, "", with_si(Dimension::velocity)},
-      Field{"pulse", &Now::pulse, "", one_of(pulse_names)},
-      Field{"k", &Now::k},
+      Field{"pulse", IfAny{&Now::pulse, shape_of}, "", one_of(pulse_names)},
+      Field{"k", IfAny{&Now::pulse, k_of}},
       Field{"k_range", &Now::k_range},
-      Field{"lambda", &Now::lambda},
+      Field{"lambda", IfAny{&Now::pulse, lambda_of}},
       Field{"lambda_range", &Now::lambda_range},
       Field{"f_range", &Now::f_range, "searched under records, like the next two"},
       Field{"delta_range", &Now::delta_range},

@@ -43,10 +43,6 @@ ordered_json number_json(double value, Numbers numbers) {
                                                                     : ordered_json(value);
 }
 
-void put(ordered_json& object, std::string_view name, ordered_json value) {
-  object[std::string(name)] = std::move(value);
-}
-
 std::string si_name(std::string_view name, const Measure& measure) {
   return measure.physical.empty() ? std::string(name) + std::string(si_suffix(measure.dimension))
                                   : std::string(measure.physical);
@@ -54,13 +50,11 @@ std::string si_name(std::string_view name, const Measure& measure) {
 
 void put(ordered_json& object, std::string_view name, ordered_json value, const Measure& measure,
          Scales scales) {
-  if (measure.si == InSi::alone || measure.si == InSi::always) {
-    object[std::string(name)] = in_si(value, measure.dimension, scales);
-    return;
-  }
-  ordered_json& now = object[std::string(name)] = std::move(value);
-  if (measure.si == InSi::beside) {
-    ordered_json twin = in_si(now, measure.dimension, scales);
+  const bool apart = measure.si == InSi::apart;
+  ordered_json twin = apart ? nullptr : in_si(value, measure.dimension, scales);
+  const bool beside = measure.si == InSi::beside;
+  object[std::string(name)] = apart || beside ? std::move(value) : std::move(twin);
+  if (beside) {
     object[si_name(name, measure)] = std::move(twin);
   }
 }

@@ -59,7 +59,6 @@ template <class Range>
 }
 
 inline constexpr Measure any_number{Numbers::all};
-inline constexpr Measure counted{Numbers::counts};
 inline constexpr Measure at_least_one{Numbers::from_one};
 constexpr Measure one_of(std::span<const std::string_view> texts) {
   return {.texts = texts};
@@ -135,7 +134,6 @@ using Scales = const design::Scales*;
 }
 /// The value of a field, and in SI units if the field says so: a number, or the ends of an
 /// interval. Out of line, as every field of every report comes here.
-void put(nlohmann::ordered_json& object, std::string_view name, nlohmann::ordered_json value);
 void put(nlohmann::ordered_json& object, std::string_view name, nlohmann::ordered_json value,
          const Measure& measure, Scales scales);
 /// "delta_m" beside "delta".
@@ -173,14 +171,8 @@ template <const auto& all, std::size_t i, class Result>
 void add_field(nlohmann::ordered_json& json, const Result& result, Scales scales) {
   constexpr auto get = std::get<i>(all).get;
   constexpr std::string_view name = std::get<i>(all).name;
-  constexpr Measure measure = std::get<i>(all).measure;
-  auto value = value_json(std::invoke(get, result), measure.numbers, scales);
-  if constexpr (measure.si == InSi::apart) {
-    put(json, name, std::move(value));
-  } else {
-    static constexpr Measure in_si = measure;
-    put(json, name, std::move(value), in_si, scales);
-  }
+  static constexpr Measure measure = std::get<i>(all).measure;
+  put(json, name, value_json(std::invoke(get, result), measure.numbers, scales), measure, scales);
 }
 
 /// By its table, in its order.

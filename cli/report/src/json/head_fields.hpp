@@ -3,14 +3,37 @@
 
 // The rows with which every report begins.
 
-#include "json/motion_fields.hpp"
+#include "json/schema.hpp"
 
 #include <stillpoint/report/findings.hpp>
+#include <stillpoint/report/schemas.hpp>
+#include <stillpoint/report/version.hpp>
 
+#include <array>
 #include <span>
+#include <string>
+#include <string_view>
 #include <tuple>
 
 namespace stillpoint::report {
+
+inline constexpr auto program_names = std::to_array<std::string_view>({"stillpoint"});
+
+struct Version {
+  std::string text;
+};
+[[nodiscard]] inline nlohmann::ordered_json own_json(const Version& version) {
+  return version.text;
+}
+[[nodiscard]] inline nlohmann::ordered_json own_schema(const Version* /*version*/) {
+  return {{"type", "string"}, {"pattern", "^[0-9]+\\.[0-9]+\\.[0-9]+$"}};
+}
+struct Program {
+  static constexpr std::tuple field_table{
+      Field{"name", [](const Program&) { return program_names.front(); }, "",
+            one_of(program_names)},
+      Field{"version", [](const Program&) { return Version{program_version()}; }}};
+};
 
 struct ShownFindings {
   std::span<const design::Finding> all;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The answers of a design and a region after a hit or under a pulse.
 
-#include "choices.hpp"
 #include "json/answer_fields.hpp"
 
 #include <algorithm>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace stillpoint::report {
@@ -20,11 +20,14 @@ bool has_ranges(const ShownTask& task) {
   return task.problem.p_high || task.problem.v0_low || task.ranges.k_low || task.ranges.lambda_high;
 }
 
-/// The factors of one side of a tolerance box; empty if the box has the usual shape.
-IfRange side_of(const design::BoxShape& shape, double tolerance, double below, double above) {
-  return shape == design::BoxShape{}
-             ? std::nullopt
-             : std::optional(Interval{1 - tolerance * below, 1 + tolerance * above});
+/// The factors of f and delta in a tolerance box; empty if it has the usual shape.
+std::pair<IfRange, IfRange> sides_of(const design::BoxShape& shape, double tolerance) {
+  const auto side = [&](double below, double above) {
+    return shape == design::BoxShape{}
+               ? std::nullopt
+               : std::optional(Interval{1 - tolerance * below, 1 + tolerance * above});
+  };
+  return {side(shape.f_low, shape.f_high), side(shape.delta_low, shape.delta_high)};
 }
 
 AskedTask asked_task(const ShownTask& task) {
@@ -35,18 +38,15 @@ AskedTask asked_task(const ShownTask& task) {
                   .residual = problem.residual,
                   .v0_range = range_of(problem.v0_low, problem.v0),
                   .p_range = range_of(problem.p, problem.p_high),
-                  .tolerance_f = side_of(limits.shape, limits.tolerance, f_low, f_high),
-                  .tolerance_delta = side_of(limits.shape, limits.tolerance, delta_low, delta_high),
                   .arrivals = problem.arrivals,
                   .criterion = problem.criterion,
                   .tolerance = limits.tolerance * std::min({f_low, f_high, delta_low, delta_high}),
-                  .limits = limits};
+                  .limits = limits,
+                  .pulse = pulse};
+  std::tie(asked.tolerance_f, asked.tolerance_delta) = sides_of(limits.shape, limits.tolerance);
   if (pulse) {
-    asked.pulse = design::name(*pulse);
-    asked.k = design::peak_load(*pulse);
-    asked.lambda = design::angular_frequency(*pulse);
-    asked.k_range = range_of(ranges.k_low, asked.k);
-    asked.lambda_range = range_of(asked.lambda, ranges.lambda_high);
+    asked.k_range = range_of(ranges.k_low, k_of(*pulse));
+    asked.lambda_range = range_of(lambda_of(*pulse), ranges.lambda_high);
   }
   return asked;
 }
@@ -65,9 +65,6 @@ ShownAnswer answer_of(const Report& report, const ShownTask& task,
                   .mends = region.mends};
   if (judged != nullptr) {
     now.constraints = judged->constraints;
-  }
-  if (task.pulse) {
-    now.pulse_duration = duration(design::excitation(*task.pulse));
   }
   now.cases.push_back({.load = {task.pulse ? design::name(*task.pulse) : "hit"}});
   if (const auto& catalogue = report.catalogue) {
@@ -112,7 +109,7 @@ void add_worst(ShownCase& now, const ShownTask& task, const BoxedDamper& damper,
     const auto here = [at = WorstAt{damper, motion.what()}](const IfReal& figure) {
       return figure ? std::optional(at) : std::nullopt;
     };
-    Worst of = worst_of(*motion.response.response);
+    Worst of = worst_of(design::figures_of(*motion.response.response));
     if (has_ranges(task)) {  // the motion shown is only the one with the largest peak
       of = {.peak = of.peak};
     }
@@ -145,15 +142,13 @@ void add_damper(ShownAnswer& now, const ShownTask& task, const IfReal& f, const 
 void add_found(ShownAnswer& now, const DesignReport& report, const design::Found& found) {
   const ShownTask task = task_of(report);
   const auto& [f, delta, tolerance] = found.point;
-  const auto& [below_f, above_f, below_delta, above_delta] = task.limits.shape;
   now.pulse = found.pulse ? &*found.pulse : nullptr;
   add_damper(now, task, f, delta, &found.response, now.pulse);
   BoxedDamper& damper = *now.design;
   damper.name =
       report.catalogue ? std::optional(report.catalogue->parts.front().part.name) : std::nullopt;
   damper.tolerance = design::even_tolerance(report.result);
-  damper.tolerance_f = side_of(task.limits.shape, tolerance, below_f, above_f);
-  damper.tolerance_delta = side_of(task.limits.shape, tolerance, below_delta, above_delta);
+  std::tie(damper.tolerance_f, damper.tolerance_delta) = sides_of(task.limits.shape, tolerance);
   damper.arrival = found.arrival;
   now.search = found.search ? &*found.search : nullptr;
   now.cross_check = &found.cross_check;

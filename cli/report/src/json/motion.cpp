@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "json/head_fields.hpp"
 #include "json/physical_fields.hpp"
-#include "json/schema.hpp"
 
-#include <stillpoint/report/schemas.hpp>
 #include "sections.hpp"
 
 #include <stillpoint/records/record_scaling.hpp>
-#include <stillpoint/report/report.hpp>
 
 #include <tuple>
 
@@ -20,14 +17,6 @@ namespace {
 constexpr auto schema_name = std::to_array<std::string_view>({"stillpoint/simulation-report/1"});
 
 }  // namespace
-
-ordered_json own_json(const Version& version) {
-  return version.text;
-}
-
-ordered_json own_schema(const Version* /*version*/) {
-  return {{"type", "string"}, {"pattern", "^[0-9]+\\.[0-9]+\\.[0-9]+$"}};
-}
 
 std::optional<ShownExcitation> shown(const Excitation& excitation,
                                      const std::optional<RecordOrigin>& record) {

@@ -9,16 +9,12 @@
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/practice.hpp>
 #include <stillpoint/records/record_file.hpp>
-#include <stillpoint/report/report.hpp>
-#include <stillpoint/report/version.hpp>
 
 #include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 namespace stillpoint {
 
@@ -53,14 +49,10 @@ inline constexpr auto fields<design::Practice> = [] {
       Field{"restoring_over_weight", &Now::restoring},
       Field{"energy_ratio", &Now::energy_ratio, "E_s/E_h (EN 15129)"},
       Field{"residual_ratio", &Now::residual_ratio, "d/d_rm (EN 1998-2)"},
-      Field{"impulse_at_stop",
-            &Now::impulse_at_stop,
-            "per mass",
-            {.dimension = Dimension::impulse, .physical = "impulse_at_stop_n_s"}},
-      Field{"impulse_largest",
-            &Now::impulse_largest,
-            "",
-            {.dimension = Dimension::impulse, .physical = "impulse_largest_n_s"}},
+      Field{"impulse_at_stop", &Now::impulse_at_stop, "per mass",
+            si_apart(Dimension::impulse, "impulse_at_stop_n_s")},
+      Field{"impulse_largest", &Now::impulse_largest, "",
+            si_apart(Dimension::impulse, "impulse_largest_n_s")},
       Field{"impulses", &Now::impulses,
             "of each passage and of the stop at x = 0, in turn; at most the last 1000; null in "
             "practice_worst"},
@@ -75,23 +67,10 @@ inline constexpr auto fields<design::Practice> = [] {
 
 namespace stillpoint::report {
 
-inline constexpr auto program_names = std::to_array<std::string_view>({"stillpoint"});
 inline constexpr auto excitation_types =
     std::to_array<std::string_view>({"harmonic", "half-sine", "full-sine", "rectangle", "record"});
 inline constexpr auto record_units =
     std::to_array<std::string_view>({"g", "m/s2", "cm/s2", "mm/s2"});
-
-struct Version {
-  std::string text;
-};
-[[nodiscard]] nlohmann::ordered_json own_json(const Version& version);
-[[nodiscard]] nlohmann::ordered_json own_schema(const Version* version);
-struct Program {
-  static constexpr std::tuple field_table{
-      Field{"name", [](const Program&) { return program_names.front(); }, "",
-            one_of(program_names)},
-      Field{"version", [](const Program&) { return Version{program_version()}; }}};
-};
 
 /// An excitation: empty is what a type does not have.
 struct ShownExcitation {

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "json/answer_fields.hpp"
 
-#include <stillpoint/report/record_design.hpp>
-
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 

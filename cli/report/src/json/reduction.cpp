@@ -2,13 +2,9 @@
 // A reduced sweep as JSON; reduction_parts.cpp reads it.
 
 #include "json/head_fields.hpp"
-#include "json/motion_fields.hpp"
-#include "json/schema.hpp"
 #include "json/sweep_parts.hpp"
 
 #include <stillpoint/report/reduction.hpp>
-
-#include <stillpoint/report/schemas.hpp>
 
 #include <array>
 #include <cmath>
@@ -145,59 +141,49 @@ constexpr auto of_columns(std::vector<Part> Reduction::*parts) {
   };
 }
 
-/// What `get` gives of a sweep of motions, or of designs.
-template <class Get>
-constexpr auto only_of(bool designs, Get get) {
-  return [designs, get](const ReductionReport& report) {
-    return (report.kind == name(sweep::SweepKind::design)) == designs
-               ? std::optional(get(report.state))
-               : std::nullopt;
-  };
-}
-
-constexpr auto sweep_kinds = std::to_array<std::string_view>({"free", "forced", "design"});
-
 constexpr auto reduction_table = [] {
   using Now = ReductionReport;
   using sweep::PartLabel;
   using sweep::SweepState;
-  return std::tuple_cat(head_fields<Now, reduction_names>, std::tuple{
-      Field{"kind", &ReductionReport::kind, "", one_of(sweep_kinds)},
-      Field{"part",
-            [](const ReductionReport& report) {
-              return report.split ? std::optional(report.label.part) : std::nullopt;
-            },
-            "null for a whole sweep"},
-      Field{"entries", in(&Now::label, &PartLabel::whole, &sweep::ListExtent::entries),
-            "of the whole sweep"},
-      Field{"rows", in(&Now::state, &SweepState::rows), "the entries in this report"},
-      Field{"outcomes",
-            only_of(false, [](const SweepState& state) { return Outcomes{state.outcomes}; }),
-            "how many entries have each; null for designs, like the next two"},
-      Field{"locked", only_of(false, [](const SweepState& state) { return state.locked(); }),
-            "motions that the notch holds while the load goes on"},
-      Field{"locked_outcomes",
-            only_of(false, [](const SweepState& state) { return Outcomes{state.locked_outcomes}; }),
-            "how many of them have each outcome"},
-      Field{"feasible", only_of(true, [](const SweepState& state) { return state.feasible; }),
-            "how many designs there are; null for motions"},
-      Field{"row",
-            [](const ReductionReport& report) {
-              std::vector<std::string> names;
-              for (const sweep::RowColumn& column : report.reduction.row) {
-                names.push_back(column.name);
-              }
-              return names;
-            },
-            "the columns of each row below",
-            at_least_one},
-      Field{"columns", of_columns<ShownColumn>(&Reduction::columns), "of each result that is a number"},
-      Field{"histograms", of_columns<ShownHistogram>(&Reduction::histograms)},
-      Field{"best", of_columns<ShownBest>(&Reduction::best)},
-      Field{"list_digest", in(&Now::label, &PartLabel::whole, &sweep::ListExtent::digest),
-            "of the entries of a list"},
-      Field{"task", [](const ReductionReport& report) { return Task{report.label.task}; },
-            "the options that decide the numbers"}});
+  constexpr auto of_motions = [](auto get) { return only_of(false, &Now::kind, &Now::state, get); };
+  return std::tuple_cat(
+      head_fields<Now, reduction_names>,
+      std::tuple{
+          Field{"kind", &Now::kind},
+          Field{"part",
+                [](const ReductionReport& report) {
+                  return report.split ? std::optional(report.label.part) : std::nullopt;
+                },
+                "null for a whole sweep"},
+          Field{"entries", in(&Now::label, &PartLabel::whole, &sweep::ListExtent::entries),
+                "of the whole sweep"},
+          Field{"rows", in(&Now::state, &SweepState::rows), "the entries in this report"},
+          Field{"outcomes", of_motions(&outcomes_of),
+                "how many entries have each; null for designs, like the next two"},
+          Field{"locked", of_motions(&SweepState::locked),
+                "motions that the notch holds while the load goes on"},
+          Field{"locked_outcomes",
+                of_motions([](const SweepState& state) { return Outcomes{state.locked_outcomes}; }),
+                "how many of them have each outcome"},
+          Field{"feasible", only_of(true, &Now::kind, &Now::state, &SweepState::feasible),
+                "how many designs there are; null for motions"},
+          Field{"row",
+                [](const ReductionReport& report) {
+                  std::vector<std::string> names;
+                  for (const sweep::RowColumn& column : report.reduction.row) {
+                    names.push_back(column.name);
+                  }
+                  return names;
+                },
+                "the columns of each row below", at_least_one},
+          Field{"columns", of_columns<ShownColumn>(&Reduction::columns),
+                "of each result that is a number"},
+          Field{"histograms", of_columns<ShownHistogram>(&Reduction::histograms)},
+          Field{"best", of_columns<ShownBest>(&Reduction::best)},
+          Field{"list_digest", in(&Now::label, &PartLabel::whole, &sweep::ListExtent::digest),
+                "of the entries of a list"},
+          Field{"task", [](const ReductionReport& report) { return Task{report.label.task}; },
+                "the options that decide the numbers"}});
 }();
 
 }  // namespace
@@ -209,8 +195,7 @@ ReductionReport reduction_report(const sweep::SweepSpec& spec, const sweep::Swee
     label.whole.entries = summary.state.rows;
     label.whole.digest = summary.state.digest;
   }
-  return {std::string(name(spec.kind)), spec.part.has_value(), std::move(label), summary.state,
-          std::move(reduction)};
+  return {spec.kind, spec.part.has_value(), std::move(label), summary.state, std::move(reduction)};
 }
 
 ordered_json json(const ReductionReport& report) {

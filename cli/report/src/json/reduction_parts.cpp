@@ -126,7 +126,7 @@ ReductionReport report_from(const ordered_json& document) {
   report.label.task = document.at("task").dump();
   sweep::read_integers(document.at("part").at("number"), report.label.part.number);
   sweep::read_integers(document.at("part").at("count"), report.label.part.count);
-  document.at("kind").get_to(report.kind);
+  report.kind = parse<sweep::SweepKind>(document.at("kind").get<std::string>()).value();
   report.split = true;
   sweep::read_integers(document.at("entries"), report.label.whole.entries);
   sweep::read_integers(document.at("list_digest"), report.label.whole.digest);

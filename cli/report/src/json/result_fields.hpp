@@ -9,10 +9,10 @@
 #include <stillpoint/design/record_design_result.hpp>
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/trade_off.hpp>
+#include <stillpoint/report/version.hpp>
 
 #include <array>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
@@ -52,7 +52,7 @@ struct OfFigures {
   static constexpr bool numbers = std::is_same_v<Value, double>;
   static constexpr std::tuple field_table{
       Field{"peak_amplitude", &OfFigures::peak, "", in_si<Value>(Dimension::length, "peak_m")},
-      Field{"peak_absolute_acceleration", &OfFigures::acceleration},
+      Field{transmitted_name, &OfFigures::acceleration},
       Field{"residual", &OfFigures::residual, "", in_si<Value>(Dimension::length)},
       Field{"stop_time", &OfFigures::stop_time, "", in_si<Value>(Dimension::time)},
       Field{"jump", &OfFigures::jump, numbers ? "of the velocity at a notch without a width" : "",
@@ -60,7 +60,7 @@ struct OfFigures {
 };
 using Worst = OfFigures<double>;
 [[nodiscard]] Worst worst_of(const design::SuiteFigures& figures);
-[[nodiscard]] Worst worst_of(const Response& motion);
+[[nodiscard]] Worst worst_of(const design::Figures& figures);
 /// Empty where a motion never rests.
 [[nodiscard]] std::optional<Worst> settled(const design::SuiteFigures& figures);
 
@@ -69,17 +69,17 @@ using Worst = OfFigures<double>;
 namespace stillpoint {
 
 template <>
-inline constexpr auto fields<design::SuiteDamper> = [] {
-  using Now = design::SuiteDamper;
-  return std::tuple{
-      Field{"f", &Now::f}, Field{"delta", &Now::delta, "", report::in_metres},
-      Field{"p", &Now::p, "of a range the softest spring"},
-      Field{"period_s", [](const Now& now) { return report::turn(now.p); }, "without friction",
-            report::si_alone(Dimension::time)},
-      Field{"notch_width",
-            [](const Now& now) { return now.width > 0 ? std::optional(now.width) : std::nullopt; },
-            "null without a width", report::in_metres}};
-}();
+inline constexpr auto fields<design::SuiteDamper> =
+    std::tuple{Field{"f", &design::SuiteDamper::f},
+               Field{"delta", &design::SuiteDamper::delta, "", report::in_metres},
+               Field{"p", &design::SuiteDamper::p, "of a range the softest spring"},
+               Field{"period_s", [](const design::SuiteDamper& now) { return report::turn(now.p); },
+                     "without friction", report::si_alone(Dimension::time)},
+               Field{"notch_width",
+                     [](const design::SuiteDamper& now) {
+                       return now.width > 0 ? std::optional(now.width) : std::nullopt;
+                     },
+                     "null without a width", report::in_metres}};
 
 template <>
 inline constexpr auto fields<design::DesignPoint> =
@@ -87,16 +87,15 @@ inline constexpr auto fields<design::DesignPoint> =
                Field{"f", &design::DesignPoint::f}, Field{"delta", &design::DesignPoint::delta}};
 
 template <>
-inline constexpr auto fields<design::Strip> = [] {
-  using Now = design::Strip;
-  return std::tuple{
-      Field{"arrival", &Now::arrival,
-            "0 where any rest, or the first peak, is within the residual"},
-      Field{"beta_min", &Now::beta_min},
-      Field{"f_lower", &Now::f_lower, "with f_upper null if no damper has the tolerance asked for"},
-      Field{"f_upper", &Now::f_upper},
-      Field{"tolerance", &Now::tolerance, "the largest of any damper that stops at this arrival"}};
-}();
+inline constexpr auto fields<design::Strip> =
+    std::tuple{Field{"arrival", &design::Strip::arrival,
+                     "0 where any rest, or the first peak, is within the residual"},
+               Field{"beta_min", &design::Strip::beta_min},
+               Field{"f_lower", &design::Strip::f_lower,
+                     "with f_upper null if no damper has the tolerance asked for"},
+               Field{"f_upper", &design::Strip::f_upper},
+               Field{"tolerance", &design::Strip::tolerance,
+                     "the largest of any damper that stops at this arrival"}};
 
 template <>
 inline constexpr auto fields<design::RegionVerdict> = [] {
@@ -140,15 +139,12 @@ inline constexpr auto fields<design::RegionVerdict> = [] {
 }();
 
 template <>
-inline constexpr auto fields<design::Hits> =
-    std::tuple{Field{"from", &design::Hits::from, "", {{}, Dimension::velocity, "from_m_per_s"}},
-               Field{"to", &design::Hits::to, "", {{}, Dimension::velocity, "to_m_per_s"}},
-               Field{"ends", &design::Hits::end},
-               Field{"arrivals", &design::Hits::arrivals, "", report::counted},
-               Field{"rest",
-                     &design::Hits::rest,
-                     "off centre, the farthest",
-                     {Numbers::all, Dimension::length, "rest_m"}}};
+inline constexpr auto fields<design::Hits> = std::tuple{
+    Field{"from", &design::Hits::from, "", si_apart(Dimension::velocity, "from_m_per_s")},
+    Field{"to", &design::Hits::to, "", si_apart(Dimension::velocity, "to_m_per_s")},
+    Field{"ends", &design::Hits::end}, Field{"arrivals", &design::Hits::arrivals, "", counted},
+    Field{"rest", &design::Hits::rest, "off centre, the farthest",
+          si_apart(Dimension::length, "rest_m", Numbers::all)}};
 
 template <>
 inline constexpr auto fields<design::PulseCheck> = [] {
@@ -175,44 +171,37 @@ inline constexpr auto fields<design::TradeOff> = [] {
       Field{"delta", in(&Now::damper, &DesignPoint::delta), "", report::in_metres},
       Field{"tolerance", in(&Now::damper, &DesignPoint::tolerance)},
       Field{"peak_amplitude", &Now::peak_amplitude, "", with_si(Dimension::length, "peak_m")},
-      Field{"peak_absolute_acceleration", &Now::transmitted},
+      Field{transmitted_name, &Now::transmitted},
       Field{"stop_time", &Now::stop_time, "", with_si(Dimension::time)}};
 }();
 
 template <>
-inline constexpr auto fields<design::SuitePoint> = [] {
-  using Now = design::SuitePoint;
-  return std::tuple{Field{"design", &Now::damper},
-                    Field{"worst", [](const Now& now) { return report::settled(now.figures); },
-                          "null where a motion never rests"}};
-}();
+inline constexpr auto fields<design::SuitePoint> = std::tuple{
+    Field{"design", &design::SuitePoint::damper},
+    Field{"worst", [](const design::SuitePoint& now) { return report::settled(now.figures); },
+          "null where a motion never rests"}};
 
 template <>
-inline constexpr auto fields<design::SuiteOutlook> = [] {
-  using Now = design::SuiteOutlook;
-  return std::tuple{Field{"off", [](const Now&) { return Now::off; }},
-                    Field{"period", [](const Now& now) { return report::settled(now.period); }},
-                    Field{"scale", [](const Now& now) { return report::settled(now.scale); }}};
-}();
+inline constexpr auto fields<design::SuiteOutlook> = std::tuple{
+    Field{"off", [](const design::SuiteOutlook&) { return design::SuiteOutlook::off; }},
+    Field{"period", [](const design::SuiteOutlook& now) { return report::settled(now.period); }},
+    Field{"scale", [](const design::SuiteOutlook& now) { return report::settled(now.scale); }}};
 
 template <>
-inline constexpr auto fields<design::CheckedMotion> = [] {
-  using Now = design::CheckedMotion;
-  return std::tuple{
-      Field{"peak_amplitude", &Now::peak}, Field{"peak_absolute_acceleration", &Now::acceleration},
-      Field{"residual", &Now::residual}, Field{"relative_error", &Now::relative_error}};
-}();
+inline constexpr auto fields<design::CheckedMotion> =
+    std::tuple{Field{"peak_amplitude", &design::CheckedMotion::peak},
+               Field{transmitted_name, &design::CheckedMotion::acceleration},
+               Field{"residual", &design::CheckedMotion::residual},
+               Field{"relative_error", &design::CheckedMotion::relative_error}};
 
 template <>
-inline constexpr auto fields<design::MotionFigures> = [] {
-  using Now = design::MotionFigures;
-  return std::tuple{Field{"peak_amplitude", &Now::peak_amplitude},
-                    Field{"peak_acceleration", &Now::peak_acceleration},
-                    Field{"stop_time", &Now::stop_time},
-                    Field{"arrival_speed", &Now::arrival_speed},
-                    Field{"half_cycles", &Now::half_cycles, "", report::counted},
-                    Field{"stop_position", &Now::stop_position, "", report::any_number}};
-}();
+inline constexpr auto fields<design::MotionFigures> = std::tuple{
+    Field{"peak_amplitude", &design::MotionFigures::peak_amplitude},
+    Field{"peak_acceleration", &design::MotionFigures::peak_acceleration},
+    Field{"stop_time", &design::MotionFigures::stop_time},
+    Field{"arrival_speed", &design::MotionFigures::arrival_speed},
+    Field{"half_cycles", &design::MotionFigures::half_cycles, "", counted},
+    Field{"stop_position", &design::MotionFigures::stop_position, "", report::any_number}};
 
 template <>
 inline constexpr auto fields<design::Constraint> = [] {

@@ -32,17 +32,12 @@ ordered_json text_schema(std::span<const std::string_view> texts, bool may_be_em
   return texts.size() == 1 ? ordered_json{{"const", texts.front()}} : ordered_json{{"enum", texts}};
 }
 
-ordered_json list_schema(ordered_json item, bool filled) {
+ordered_json list_schema(ordered_json item, int least) {
   ordered_json schema{{"type", "array"}, {"items", std::move(item)}};
-  if (filled) {
-    schema["minItems"] = 1;
+  if (least > 0) {
+    schema["minItems"] = least;
   }
   return schema;
-}
-
-ordered_json interval_schema(bool open, Numbers numbers) {
-  const ordered_json end = number_schema(false, numbers);
-  return {{"type", "array"}, {"items", open ? or_null_schema(end) : end}, {"minItems", 2}};
 }
 
 ordered_json or_null_schema(ordered_json schema) {
@@ -65,9 +60,8 @@ void add_property(ordered_json& properties, std::string_view name, std::string_v
                   ordered_json schema, const Measure& measure) {
   // In SI units it may always be null.
   const bool can_be_null = schema.contains("type") && schema["type"].is_array();
-  const ordered_json in_si = measure.si == InSi::apart || measure.si == InSi::always || can_be_null
-                                 ? schema
-                                 : or_null_schema(schema);
+  const bool has_twin = measure.si == InSi::beside || measure.si == InSi::alone;
+  const ordered_json in_si = has_twin && !can_be_null ? or_null_schema(schema) : schema;
   ordered_json& now = properties[std::string(name)] = measure.si == InSi::alone ? in_si : schema;
   if (!words.empty()) {
     now["description"] = words;

@@ -5,15 +5,11 @@
 
 #include "json/fields.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <concepts>
 #include <functional>
 #include <span>
-#include <string>
 #include <string_view>
 #include <type_traits>
-#include <utility>
 
 namespace stillpoint::report {
 
@@ -23,9 +19,8 @@ inline constexpr std::string_view dimensionless_numbers =
 [[nodiscard]] nlohmann::ordered_json number_schema(bool whole, Numbers numbers);
 [[nodiscard]] nlohmann::ordered_json text_schema(std::span<const std::string_view> texts,
                                                  bool may_be_empty);
-[[nodiscard]] nlohmann::ordered_json list_schema(nlohmann::ordered_json item, bool filled);
-/// From, to; an open one has null for what nothing bounds.
-[[nodiscard]] nlohmann::ordered_json interval_schema(bool open, Numbers numbers);
+/// With at least so many items.
+[[nodiscard]] nlohmann::ordered_json list_schema(nlohmann::ordered_json item, int least);
 /// Null as well.
 [[nodiscard]] nlohmann::ordered_json or_null_schema(nlohmann::ordered_json schema);
 /// Of a field, and of its value in SI units if the field says so.
@@ -68,12 +63,12 @@ template <class Value>
   } else if constexpr (HasFields<Value>) {
     return schema_of<Value>();
   } else if constexpr (requires(const Value& value) { value.low, value.high; }) {
-    return interval_schema(is_optional<decltype(Value::high)>, measure.numbers);
+    return list_schema(value_schema<decltype(Value::high)>(measure), 2);
   } else if constexpr (requires { typename Value::value_type; }) {
     const bool filled = measure.numbers == Numbers::from_one;
     Measure of_item = measure;
     of_item.numbers = filled ? Numbers() : measure.numbers;
-    return list_schema(value_schema<typename Value::value_type>(of_item), filled);
+    return list_schema(value_schema<typename Value::value_type>(of_item), filled ? 1 : 0);
   } else {
     static_assert(std::is_same_v<Value, nlohmann::ordered_json>, "a value without a schema");
     return {};

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "json/head_fields.hpp"
-#include "json/motion_fields.hpp"
-#include "json/schema.hpp"
 
-#include <stillpoint/report/schemas.hpp>
 #include <stillpoint/report/spectrum.hpp>
 #include <stillpoint/sweep/npy.hpp>
 
@@ -24,34 +21,33 @@
 namespace stillpoint {
 
 template <>
-inline constexpr auto fields<design::SpectrumFigures> = [] {
-  using Now = design::SpectrumFigures;
+inline constexpr auto fields<design::Figures> = [] {
+  using Now = design::Figures;
   using report::si_always;
   return std::tuple{Field{"peak_m", &Now::peak, "", si_always(Dimension::length)},
                     Field{"residual_m", &Now::residual,
                           "null where the mass does not come to rest within 10 000 half-cycles",
                           si_always(Dimension::length)},
-                    Field{"peak_absolute_acceleration", &Now::acceleration, "in g"}};
+                    Field{transmitted_name, &Now::acceleration, "in g"}};
 }();
 
 template <>
 inline constexpr auto fields<design::SpectrumPoint> = [] {
   using Now = design::SpectrumPoint;
-  using design::SpectrumFigures;
+  using design::Figures;
   using report::si_always;
   return std::tuple_cat(
       std::tuple{Field{"period_s", [](const Now& now) { return report::turn(now.p); }, "",
                        si_always(Dimension::time)}},
-      report::fields_in(&Now::with_notch, fields<SpectrumFigures>),
+      report::fields_in(&Now::with_notch, fields<Figures>),
       report::fields_in(
           &Now::with_notch,
-          std::tuple{
-              Field{"jump_m_per_s", &SpectrumFigures::jump, "", si_always(Dimension::velocity)},
-              Field{"locked_from_s", &SpectrumFigures::locked,
-                    "null where the mass does not lock, like the next; for several records "
-                    "the earliest and the largest",
-                    si_always(Dimension::time)},
-              Field{"largest_load_while_locked", &SpectrumFigures::largest_load_while_locked}}),
+          std::tuple{Field{"jump_m_per_s", &Figures::jump, "", si_always(Dimension::velocity)},
+                     Field{"locked_from_s", &Figures::locked,
+                           "null where the mass does not lock, like the next; for several records "
+                           "the earliest and the largest",
+                           si_always(Dimension::time)},
+                     Field{"largest_load_while_locked", &Figures::largest_load_while_locked}}),
       std::tuple{Field{"without_notch", &Now::without}});
 }();
 

@@ -4,15 +4,12 @@
 #include <stillpoint/report/sweep.hpp>
 
 #include "json/head_fields.hpp"
-#include "json/schema.hpp"
 #include "json/sweep_parts.hpp"
 
-#include <stillpoint/report/schemas.hpp>
 #include <stillpoint/sweep/json_text.hpp>
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -48,7 +45,6 @@ void outcomes_from_json(const ordered_json& counts, sweep::SweepState::Counts& o
 
 namespace {
 
-using sweep::SweepKind;
 using sweep::SweepState;
 using sweep::SweepSummary;
 
@@ -78,39 +74,33 @@ struct ShownOutput {
             "", at_least_one}};
 };
 
-/// What `get` gives of a sweep of motions, or of designs.
-template <class Get>
-constexpr auto rows_of(bool designs, Get get) {
-  return [designs, get](const SweepReport& report) {
-    return (report.spec.kind == SweepKind::design) == designs
-               ? std::optional(get(report.summary.state))
-               : std::nullopt;
-  };
-}
-
-constexpr auto sweep_table = std::tuple_cat(
-    head_fields<SweepReport, sweep_name>,
-    std::tuple{
-        Field{"kind", in(&SweepReport::spec, &sweep::SweepSpec::kind)},
-        Field{"output", [](const SweepReport& report) { return ShownOutput{report.spec}; }},
-        Field{"record", &SweepReport::record, "the file of the load; null of any other"},
-        Field{"part", in(&SweepReport::spec, &sweep::SweepSpec::part), "null for a whole sweep"},
-        Field{"rows", in(&SweepReport::summary, &SweepSummary::state, &SweepState::rows),
-              "all rows in the file"},
-        Field{"outcomes",
-              rows_of(false, [](const SweepState& state) { return Outcomes{state.outcomes}; }),
-              "how many rows have each outcome; null for designs"},
-        Field{"locked", rows_of(false, [](const SweepState& state) { return state.locked(); }),
-              "motions that the notch holds while the load goes on"},
-        Field{"feasible", rows_of(true, [](const SweepState& state) { return state.feasible; }),
-              "how many designs there are; null for motions"},
-        Field{"resumed_at", in(&SweepReport::summary, &SweepSummary::resumed_at),
-              "how many rows existed when this run began"},
-        Field{"threads", [](const SweepReport& report) { return int{report.spec.threads}; }, "",
-              at_least_one},
-        Field{"wall_time_s", in(&SweepReport::summary, &SweepSummary::wall_time_s),
-              "of this run only, like rows_per_s"},
-        Field{"rows_per_s", [](const SweepReport& report) { return rate(report.summary); }}});
+constexpr auto sweep_table = [] {
+  using Now = SweepReport;
+  using sweep::SweepSpec;
+  constexpr auto kind = in(&Now::spec, &SweepSpec::kind);
+  constexpr auto state = in(&Now::summary, &SweepSummary::state);
+  return std::tuple_cat(
+      head_fields<Now, sweep_name>,
+      std::tuple{Field{"kind", kind},
+                 Field{"output", [](const Now& report) { return ShownOutput{report.spec}; }},
+                 Field{"record", &Now::record, "the file of the load; null of any other"},
+                 Field{"part", in(&Now::spec, &SweepSpec::part), "null for a whole sweep"},
+                 Field{"rows", in(&Now::summary, &SweepSummary::state, &SweepState::rows),
+                       "all rows in the file"},
+                 Field{"outcomes", only_of(false, kind, state, &outcomes_of),
+                       "how many rows have each outcome; null for designs"},
+                 Field{"locked", only_of(false, kind, state, &SweepState::locked),
+                       "motions that the notch holds while the load goes on"},
+                 Field{"feasible", only_of(true, kind, state, &SweepState::feasible),
+                       "how many designs there are; null for motions"},
+                 Field{"resumed_at", in(&Now::summary, &SweepSummary::resumed_at),
+                       "how many rows existed when this run began"},
+                 Field{"threads", [](const Now& report) { return int{report.spec.threads}; }, "",
+                       at_least_one},
+                 Field{"wall_time_s", in(&Now::summary, &SweepSummary::wall_time_s),
+                       "of this run only, like rows_per_s"},
+                 Field{"rows_per_s", [](const Now& report) { return rate(report.summary); }}});
+}();
 
 }  // namespace
 

@@ -5,13 +5,10 @@
 
 #include "json/motion_fields.hpp"
 
-#include <stillpoint/sweep/part.hpp>
+#include <stillpoint/sweep/spec.hpp>
 #include <stillpoint/sweep/state.hpp>
 
-#include <nlohmann/json.hpp>
-
 #include <cstdint>
-#include <string>
 #include <string_view>
 #include <tuple>
 
@@ -28,8 +25,20 @@ struct Outcomes {
 };
 [[nodiscard]] nlohmann::ordered_json own_json(const Outcomes& outcomes);
 [[nodiscard]] nlohmann::ordered_json own_schema(const Outcomes* outcomes);
+[[nodiscard]] inline Outcomes outcomes_of(const sweep::SweepState& state) {
+  return {state.outcomes};
+}
 /// Throws nlohmann's exceptions where one is missing.
 void outcomes_from_json(const nlohmann::ordered_json& counts, sweep::SweepState::Counts& outcomes);
+
+/// What `get` gives of the state of a sweep of motions, or of designs; empty of the other.
+constexpr auto only_of(bool designs, auto kind, auto state, auto get) {
+  return [=](const auto& report) {
+    return (std::invoke(kind, report) == sweep::SweepKind::design) == designs
+               ? std::optional(std::invoke(get, std::invoke(state, report)))
+               : std::nullopt;
+  };
+}
 
 }  // namespace stillpoint::report
 

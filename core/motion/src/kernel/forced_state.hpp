@@ -46,7 +46,7 @@ struct ForcedState {
   std::int64_t passages{0};
   std::int64_t turning_points{0};
   std::int64_t sticks{0};
-  ExactSum<Real> stick_time;
+  ExactSum<Real> stuck;               ///< for how long, in all
   Real farthest{0};                   ///< largest |u| at events
   Real acceleration{0};               ///< largest |x''| / p
   std::optional<Real> arrival_speed;  ///< at the last arrival at x = 0

@@ -39,7 +39,7 @@ void set_off(Run& run, int direction, const Real& acceleration) {
   }
   if (waited > 0) {
     ++s.sticks;
-    s.stick_time.add(waited);
+    s.stuck.add(waited);
     is_held(s, run.law(), s.now, false);
     s.transmitted.locked = Real(0);
     run.event(EventKind::release);

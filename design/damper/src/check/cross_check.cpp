@@ -29,7 +29,7 @@ CrossCheck cross_check(const Prediction& prediction, const Problem& problem, dou
   CheckMethod map = measured([&] {
     const Response response = free_response(oscillator, {0, problem.v0});
     margin = response.decision_margin.value_or(0);
-    return figures_of(response);
+    return checked_figures(response);
   });
   judge(map, map_quality, prediction, problem, f, delta, margin);
 

@@ -70,7 +70,7 @@ void conclude(CheckMethod& method, bool same_end, double error_of_peak,
   method.passed = method.relative_error <= method.tolerance && (same_end || !method.decided);
 }
 
-MotionFigures figures_of(const Response& response) {
+MotionFigures checked_figures(const Response& response) {
   return {.peak_amplitude = response.peak_amplitude,
           .peak_acceleration = response.peak_acceleration,
           .stop_time = response.stop_time.value_or(0),

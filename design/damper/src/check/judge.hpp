@@ -31,7 +31,7 @@ void conclude(CheckMethod& method, bool same_end, double error_of_peak,
               std::initializer_list<double> others);
 
 /// The figures of a motion.
-[[nodiscard]] MotionFigures figures_of(const Response& response);
+[[nodiscard]] MotionFigures checked_figures(const Response& response);
 
 /// A method with the figures that `run` gives, and how long that took.
 template <class Run>

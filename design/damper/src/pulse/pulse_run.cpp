@@ -22,7 +22,7 @@ FirstReturn forced_return(const Pulse& unit, double f) {
   found.peak = motion.peak_amplitude;
   found.speed = speed;
   found.time = motion.stop_time.value_or(0);
-  found.acceleration = motion.peak_absolute_acceleration;
+  found.acceleration = figures_of(motion).acceleration;
   found.turns = motion.turning_points.value_or(0);
   found.exact_need = speed * speed / 2;
   found.published_need = (speed * speed + f * f) / 2;

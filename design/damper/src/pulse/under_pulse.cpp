@@ -109,7 +109,7 @@ Found finding_under_pulse(const PulseProblem& problem, const DesignPoint& point,
   const ForcedResponse& response = check.response;
   CheckMethod forced = measured([&] {
     check.response = forced_response(oscillator, {}, excitation(problem.pulse));
-    return figures_of(response);
+    return checked_figures(response);
   });
   forced.name = "forced_pulse";
   const double margin = response.decision_margin.value_or(0);

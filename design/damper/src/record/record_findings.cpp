@@ -3,6 +3,7 @@
 
 #include "record/suite_request.hpp"
 
+#include <stillpoint/core/response_fields.hpp>
 #include <stillpoint/design/motion_findings.hpp>
 
 #include <algorithm>
@@ -39,14 +40,13 @@ void add_motions(std::vector<Finding>& all, const RecordDesign& result) {
   }
   if (!isolates(result)) {
     Finding& useless = all.emplace_back(does_not_isolate);
-    useless.add("peak_absolute_acceleration", result.nearest.figures.acceleration,
-                Dimension::gravities);
+    useless.add(transmitted_name, result.nearest.figures.acceleration, Dimension::gravities);
     useless.add("largest_load", load_of(result.request), Dimension::gravities);
   }
   std::size_t count = 0;
   double most = 0;
   for (const ForcedResponse& response : responses) {
-    count += response.locked_from ? 1U : 0U;
+    count += response.locks() ? 1U : 0U;
     most = std::max(most, response.largest_load_while_locked.value_or(0));
   }
   if (count > 0 && result.finding->point.figures.peak > 0) {

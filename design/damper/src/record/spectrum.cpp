@@ -20,29 +20,22 @@ namespace stillpoint::design {
 
 namespace {
 
-/// For a motion followed only to its peak, which comes at most half a period after the load:
-/// friction only takes energy from then on.
-SpectrumFigures figures_to_the_peak(const Oscillator& oscillator, const Excitation& load,
-                                    const Surface& surface) {
-  const double t_end = duration(load).value() + 2 * std::numbers::pi / oscillator.p;
-  const ForcedResponse motion = forced_response(oscillator, {}, load, {.t_end = t_end}, surface);
-  return {motion.peak_amplitude, motion.peak_absolute_acceleration, motion.jump};
-}
-
-SpectrumFigures figures(const Oscillator& oscillator, const Excitation& load,
-                        const Surface& surface) {
+/// One with very many half-cycles is followed only to its peak, which comes at most half a period
+/// after the load: friction only takes energy from then on.
+Figures figures(const Oscillator& oscillator, const Excitation& load, const Surface& surface) {
   try {
     const ForcedResponse motion = forced_response(
         oscillator, {}, load, {.half_cycle_limit = most_suite_half_cycles}, surface);
-    SpectrumFigures all{motion.peak_amplitude, motion.peak_absolute_acceleration,
-                        motion.jump,           std::nullopt,
-                        motion.locked_from,    motion.largest_load_while_locked};
-    if (motion.stop_position && rests_in_time(motion.half_cycles.value())) {
-      all.residual = std::abs(*motion.stop_position);
+    Figures all = figures_of(motion);
+    if (all.residual && !rests_in_time(motion.half_cycles.value())) {
+      all.residual.reset();
     }
     return all;
   } catch (const TooManyHalfCycles&) {
-    return figures_to_the_peak(oscillator, load, surface);
+    const double t_end = duration(load).value() + 2 * std::numbers::pi / oscillator.p;
+    const Figures all =
+        figures_of(forced_response(oscillator, {}, load, {.t_end = t_end}, surface));
+    return {all.peak, all.acceleration, all.jump};
   }
 }
 
@@ -58,15 +51,15 @@ void require_valid(const SpectrumRequest& request) {
   }
 }
 
-SpectrumFigures combined(const std::vector<std::vector<SpectrumPoint>>& records, std::size_t place,
-                         SpectrumFigures SpectrumPoint::*which, Combine combine) {
-  SpectrumFigures all{0, 0, 0, 0};
+Figures combined(const std::vector<std::vector<SpectrumPoint>>& records, std::size_t place,
+                 Figures SpectrumPoint::*which, Combine combine) {
+  Figures all{0, 0, 0, 0};
   const auto count = static_cast<double>(records.size());
   const auto add = [&](double& figure, double value) {
     figure = combine == Combine::max ? std::max(figure, value) : figure + value / count;
   };
   for (const std::vector<SpectrumPoint>& record : records) {
-    const SpectrumFigures& one = record[place].*which;
+    const Figures& one = record[place].*which;
     add(all.peak, one.peak);
     add(all.acceleration, one.acceleration);
     add(all.jump, one.jump);
@@ -173,8 +166,7 @@ std::string summary(const Spectrum& spectrum) {
   }
   std::string text;
   const auto add = [&](std::string_view name, const auto& value) {
-    const auto count_less = [&](SpectrumFigures SpectrumPoint::*first,
-                                SpectrumFigures SpectrumPoint::*second) {
+    const auto count_less = [&](Figures SpectrumPoint::*first, Figures SpectrumPoint::*second) {
       return std::ranges::count_if(points, [&](const SpectrumPoint& point) {
         return value(point.*first) < value(point.*second);
       });
@@ -188,12 +180,12 @@ std::string summary(const Spectrum& spectrum) {
                                        : fmt::format("{} of {} periods", lowered, points.size()),
                         raised > 0 ? fmt::format(" (raises it at {})", raised) : "");
   };
-  add("residual", [](const SpectrumFigures& one) { return one.residual.value_or(HUGE_VAL); });
+  add("residual", [](const Figures& one) { return one.residual.value_or(HUGE_VAL); });
   add(spectrum.request.notch_width
           ? "transmitted acceleration"
           : "transmitted acceleration between the velocity jumps at the notch",
-      [](const SpectrumFigures& one) { return one.acceleration; });
-  add("peak", [](const SpectrumFigures& one) { return one.peak; });
+      [](const Figures& one) { return one.acceleration; });
+  add("peak", [](const Figures& one) { return one.peak; });
   return suite_words(*spectrum.request.combine, spectrum.records.size()) + text + ".";
 }
 

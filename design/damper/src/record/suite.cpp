@@ -87,11 +87,12 @@ SimulationRequest motion_of(const RecordDesignRequest& request, const SuiteDampe
 }
 
 SuiteFigures suite_figures(const ForcedResponse& response) {
-  return {response.peak_amplitude,
-          response.peak_absolute_acceleration,
-          std::abs(response.stop_position.value()),
+  const Figures figures = figures_of(response);
+  return {figures.peak,
+          figures.acceleration,
+          figures.residual.value(),
           response.decision_margin.value_or(1),
-          response.jump,
+          figures.jump,
           0,
           true};
 }

@@ -23,7 +23,7 @@ struct Row {
   std::string_view name;
   ClosedForm form;
   double (*unit)(const Problem& problem);
-  std::optional<double> (*of)(const Response& motion);
+  std::optional<double> (*of)(const Figures& motion);
   double FirstReturn::*under_pulse;
   double (*pulse_units)(double value, double k, double p);
 };
@@ -42,19 +42,19 @@ constexpr ClosedForm acceleration_form{&unit::radius, [](double a) { return a / 
 
 constexpr std::array rows{
     Row{Objective::robust, "robust", no_form, [](const Problem&) { return -1.0; },
-        [](const Response&) { return std::optional<double>(); }, nullptr,
+        [](const Figures&) { return std::optional<double>(); }, nullptr,
         [](double value, double /*k*/, double /*p*/) { return -value; }},
     Row{Objective::amplitude, "amplitude", peak_form,
         [](const Problem& problem) { return problem.v0 / problem.p; },
-        [](const Response& motion) { return std::optional(motion.peak_amplitude); },
-        &FirstReturn::peak, [](double value, double k, double p) { return value * (k / p / p); }},
+        [](const Figures& motion) { return std::optional(motion.peak); }, &FirstReturn::peak,
+        [](double value, double k, double p) { return value * (k / p / p); }},
     Row{Objective::time, "time", time_form,
         [](const Problem& problem) { return std::numbers::pi / problem.p; },
-        [](const Response& motion) { return motion.stop_time; }, &FirstReturn::time,
+        [](const Figures& motion) { return motion.stop_time; }, &FirstReturn::time,
         [](double value, double /*k*/, double p) { return value / p; }},
     Row{Objective::acceleration, "acceleration", acceleration_form,
         [](const Problem& problem) { return problem.v0 * problem.p; },
-        [](const Response& motion) { return std::optional(motion.peak_absolute_acceleration); },
+        [](const Figures& motion) { return std::optional(motion.acceleration); },
         &FirstReturn::acceleration, [](double value, double k, double /*p*/) { return value * k; }},
 };
 
@@ -103,7 +103,7 @@ double objective_of(Objective objective, const FirstReturn& motion) {
 }
 
 std::optional<double> objective_of(Objective objective, const Response& motion) {
-  return row_of(objective).of(motion);
+  return row_of(objective).of(figures_of(motion));
 }
 
 }  // namespace stillpoint::design

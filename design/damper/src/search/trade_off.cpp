@@ -5,6 +5,7 @@
 
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/figures.hpp>
 #include <stillpoint/design/region.hpp>
 
 #include <fmt/format.h>
@@ -131,9 +132,9 @@ std::vector<TradeOff> trade_off(const Problem& problem, const Limits& limits, st
     const bool again = !front.empty() && front.back().damper.f >= f;
     const auto damper = again ? std::nullopt : best_with(problem, limits, f);
     if (damper) {
-      const Response motion = free_response({problem.p, f, damper->delta}, {0, problem.v0});
-      front.push_back({*damper, motion.peak_amplitude, motion.peak_absolute_acceleration,
-                       motion.stop_time.value_or(0)});
+      const Figures motion =
+          figures_of(free_response({problem.p, f, damper->delta}, {0, problem.v0}));
+      front.push_back({*damper, motion.peak, motion.acceleration, motion.stop_time.value_or(0)});
     }
   }
   return front;

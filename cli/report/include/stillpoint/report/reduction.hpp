@@ -16,7 +16,7 @@ namespace stillpoint::report {
 /// What a sweep without rows found. Nothing in it depends on how it was computed, so the reports of
 /// the parts suffice to make that of the whole, to the last byte.
 struct ReductionReport {
-  std::string kind;   ///< of the sweep
+  sweep::SweepKind kind{};
   bool split{false};  ///< into parts, of which this is one
   sweep::PartLabel label;
   sweep::SweepState state;  ///< rows, outcomes, locked motions, feasible designs

@@ -71,6 +71,12 @@ struct Measure {
   InSi si{};
 };
 
+inline constexpr Measure counted{Numbers::counts};
+/// With its value in SI units under that name among others.
+constexpr Measure si_apart(Dimension dimension, std::string_view physical, Numbers numbers = {}) {
+  return {numbers, dimension, physical};
+}
+
 /// A figure of a result, stated once: its name in reports, the member that holds it, or a function
 /// that gives it, what it means, and its measure.
 template <class Get>

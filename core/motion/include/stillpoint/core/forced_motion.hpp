@@ -46,6 +46,7 @@ struct ForcedResponse : Response {
   std::optional<double> largest_load_while_locked;  ///< |W| in g, which the structure then feels
   bool cancelled{false};                            ///< go_on returned false
 
+  [[nodiscard]] bool locks() const { return locked_from.has_value(); }
   [[nodiscard]] bool operator==(const ForcedResponse&) const = default;
 };
 // decision_margin here: the smallest relative distance of a compared quantity from what it was

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/design/design.hpp>
+#include <stillpoint/design/figures.hpp>
 
 #include <optional>
 

@@ -5,6 +5,7 @@
 
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/cross_check.hpp>
+#include <stillpoint/design/figures.hpp>
 #include <stillpoint/design/finding.hpp>
 
 #include <optional>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/names.hpp>
+#include <stillpoint/design/figures.hpp>
 
 #include <optional>
 #include <span>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <stillpoint/core/excitation.hpp>
-#include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/names.hpp>
+#include <stillpoint/design/figures.hpp>
 #include <stillpoint/design/problem.hpp>
 
 #include <functional>

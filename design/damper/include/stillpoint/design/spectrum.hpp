@@ -3,6 +3,7 @@
 
 // What one damper does under records when the period changes: docs/records-design.md section 5.
 
+#include <stillpoint/design/figures.hpp>
 #include <stillpoint/design/finding.hpp>
 #include <stillpoint/design/record_design.hpp>
 
@@ -24,22 +25,11 @@ struct SpectrumRequest {
   Threads threads{};
 };
 
-/// For one motion from rest at x = 0, or combined for the motions under all records.
-struct SpectrumFigures {
-  double peak{0};          ///< largest |x|
-  double acceleration{0};  ///< largest transmitted one, in g
-  double jump{0};          ///< largest of velocity, at a notch without width
-  /// |x| at the final rest; empty where the motion never rests, or not within 10 000 half-cycles.
-  std::optional<double> residual{};
-  /// From when, as in a ForcedResponse, and the load; for several records the earliest and the
-  /// largest.
-  std::optional<double> locked{};
-  std::optional<double> largest_load_while_locked{};
-};
-
+/// Those of one motion from rest at x = 0, or combined for the motions under all records: of what
+/// locks the earliest and the largest. Not at rest within 10 000 half-cycles counts as never.
 struct SpectrumPoint {
-  SpectrumFigures with_notch;
-  SpectrumFigures without;  ///< the same with delta = 0
+  Figures with_notch;
+  Figures without;  ///< the same with delta = 0
   double p{1};
 };
 

@@ -3,11 +3,11 @@
 
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/for_each_entry.hpp>
-#include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/interval.hpp>
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/box_shape.hpp>
+#include <stillpoint/design/figures.hpp>
 #include <stillpoint/records/record_suite.hpp>
 #include <stillpoint/records/units.hpp>
 
