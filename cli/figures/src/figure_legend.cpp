@@ -54,9 +54,10 @@ double thickness(const Figure& figure, const FigureArea& area) {
   const Plane plane{figure.x, figure.y, figure_width, figure.height};
   double twice_area = 0;
   double perimeter = 0;
-  for (std::size_t i = 0; i < area.outline.size(); ++i) {
-    const FigurePoint a = plane.pixel(area.outline[i]);
-    const FigurePoint b = plane.pixel(area.outline[(i + 1) % area.outline.size()]);
+  const Points outline = plane.pixels(area.outline);
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const FigurePoint& a = outline[i];
+    const FigurePoint& b = outline[(i + 1) % outline.size()];
     twice_area += a.x * b.y - b.x * a.y;
     perimeter += std::hypot(b.x - a.x, b.y - a.y);
   }
@@ -70,59 +71,49 @@ bool is_seen(const Figure& figure, const FigureArea& area) {
 }
 
 void FigureLegend::add(const Figure& figure, const std::set<std::string>& named) {
-  const auto enter_unless_named = [&](const std::string& name, const std::string& sample) {
-    if (!named.contains(name)) {
-      enter(name, sample);
+  const auto enter = [&](const std::string& name, const std::string& sample) {
+    const auto known = std::ranges::find(entries_, name, &Entry::name);
+    if (name.empty() || named.contains(name)) {
+      return;
     }
+    if (known != entries_.end()) {
+      known->sample += known->sample.find(sample) == std::string::npos ? sample : "";
+      return;
+    }
+    const double wide = 30 + 12 + text_width(name);
+    if (next_x_ > 0 && next_x_ + wide > width_) {
+      next_x_ = 0;
+      ++last_line_;
+    }
+    entries_.push_back({name, sample, next_x_, last_line_});
+    next_x_ += wide;
   };
   for (const MapKey& key : figure.map.key) {
-    enter_unless_named(key.name, fmt::format(R"(<path class="cell" fill="{}" d="{}"/>{})",
-                                             key.colour, swatch, hatching(key)));
+    enter(key.name, fmt::format(R"(<path class="cell" fill="{}" d="{}"/>{})", key.colour, swatch,
+                                hatching(key)));
   }
   for (const FigureArea& area : figure.areas) {
     if (!named.contains(area.name) && (are_seen(figure, area) || is_enlarged(figure, area))) {
-      const std::string hatching = area.look == AreaLook::hatched
-                                       ? fmt::format("<path fill=\"url(#{})\" d=\"{}\"/>",
-                                                     hatch_id(figure, area.name), swatch)
-                                       : "";
-      const std::string_view look =
-          area.look == AreaLook::hatched ? "hatch" : of(look_words, area.look);
-      enter_unless_named(key_of(area), fmt::format(R"({}<path class="{} {}" d="{}"/>)", hatching,
-                                                   look, of(ink_words, area.ink), swatch));
+      const bool hatched = area.look == AreaLook::hatched;
+      const std::string behind = hatched ? fmt::format("<path fill=\"url(#{})\" d=\"{}\"/>",
+                                                       hatch_id(figure, area.name), swatch)
+                                         : "";
+      enter(key_of(area), fmt::format(R"({}<path class="{} {}" d="{}"/>)", behind,
+                                      hatched ? "hatch" : of(look_words, area.look),
+                                      of(ink_words, area.ink), swatch));
     }
   }
   for (const FigureCurve& curve : figure.curves) {
     if (!curve.strokes.empty()) {
-      enter_unless_named(curve.name,
-                         fmt::format(R"(<path class="curve {}{}" d="M0-4h24"/>)",
-                                     of(ink_words, curve.ink), of(dash_words, curve.dash)));
+      enter(curve.name, fmt::format(R"(<path class="curve {}{}" d="M0-4h24"/>)",
+                                    of(ink_words, curve.ink), of(dash_words, curve.dash)));
     }
   }
   for (const FigureMarks& marks : figure.marks) {
     if (!marks.points.empty()) {
-      enter_unless_named(marks.name, mark(marks, R"x( transform="translate(12 -4)")x"));
+      enter(marks.name, mark(marks, R"x( transform="translate(12 -4)")x"));
     }
   }
-}
-
-void FigureLegend::enter(const std::string& name, const std::string& sample) {
-  if (name.empty()) {
-    return;
-  }
-  const auto known = std::ranges::find(entries_, name, &Entry::name);
-  if (known != entries_.end()) {
-    if (known->sample.find(sample) == std::string::npos) {
-      known->sample += sample;
-    }
-    return;
-  }
-  const double wide = 30 + 12 + text_width(name);
-  if (next_x_ > 0 && next_x_ + wide > width_) {
-    next_x_ = 0;
-    ++last_line_;
-  }
-  entries_.push_back({name, sample, next_x_, last_line_});
-  next_x_ += wide;
 }
 
 double FigureLegend::height() const {

@@ -30,8 +30,6 @@ class FigureLegend {
     int line;
   };
 
-  void enter(const std::string& name, const std::string& sample);
-
   double width_;
   std::vector<Entry> entries_;
   double next_x_{0};

@@ -22,34 +22,29 @@ Raster::Range Raster::range(double from, double to, std::size_t most) {
 }
 
 void Raster::set(const Box& box, bool value) {
-  const Range across = range(box.left, box.right, columns_);
-  const Range down = range(box.top, box.bottom, rows_);
-  for (std::size_t row = down.first; row < down.last; ++row) {
-    for (std::size_t column = across.first; column < across.last; ++column) {
-      cells_[row * columns_ + column] = value ? 1 : 0;
-    }
+  const auto [left, right] = across(box);
+  const auto [top, bottom] = down(box);
+  for (std::size_t row = top; row < bottom; ++row) {
+    std::fill(cells_.begin() + static_cast<std::ptrdiff_t>(row * columns_ + left),
+              cells_.begin() + static_cast<std::ptrdiff_t>(row * columns_ + right), value ? 1 : 0);
   }
   sums_.clear();
 }
 
-int Raster::set_in(const Range& across, const Range& down) const {
+int Raster::set_in(const Box& box) const {
   if (sums_.empty()) {
     sum();
   }
-  const int* const upper = &sums_[down.first * (columns_ + 1)];
-  const int* const lower = &sums_[down.last * (columns_ + 1)];
-  return lower[across.last] - upper[across.last] - lower[across.first] + upper[across.first];
-}
-
-int Raster::set_in(const Box& box) const {
-  return set_in(range(box.left, box.right, columns_), range(box.top, box.bottom, rows_));
+  const auto [left, right] = across(box);
+  const int* const upper = &sums_[down(box).first * (columns_ + 1)];
+  const int* const lower = &sums_[down(box).last * (columns_ + 1)];
+  return lower[right] - upper[right] - lower[left] + upper[left];
 }
 
 bool Raster::is_full(const Box& box) const {
-  const Range across = range(box.left, box.right, columns_);
-  const Range down = range(box.top, box.bottom, rows_);
-  return set_in(across, down) ==
-         static_cast<int>((across.last - across.first) * (down.last - down.first));
+  const auto [left, right] = across(box);
+  const auto [top, bottom] = down(box);
+  return set_in(box) == static_cast<int>((right - left) * (bottom - top));
 }
 
 void Raster::set_line(const Points& points) {
@@ -72,8 +67,8 @@ void Raster::fill(const Points& outline) {
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const FigurePoint& a = outline[i];
     const FigurePoint& b = outline[(i + 1) % outline.size()];
-    const Range down = range(std::min(a.y, b.y), std::max(a.y, b.y), rows_);
-    for (std::size_t row = down.first; row < down.last; ++row) {
+    const auto [top, bottom] = range(std::min(a.y, b.y), std::max(a.y, b.y), rows_);
+    for (std::size_t row = top; row < bottom; ++row) {
       const double y = middle(row);
       if ((a.y <= y) != (b.y <= y)) {
         crossings[row].push_back(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
@@ -85,8 +80,8 @@ void Raster::fill(const Points& outline) {
     for (std::size_t i = 1; i < crossings[row].size(); i += 2) {
       const double from = crossings[row][i - 1];
       const double to = crossings[row][i];
-      const Range across = range(from, to, columns_);
-      for (std::size_t column = across.first; column < across.last; ++column) {
+      const auto [left, right] = range(from, to, columns_);
+      for (std::size_t column = left; column < right; ++column) {
         if (from <= middle(column) && middle(column) < to) {
           cells_[row * columns_ + column] = 1;
         }

@@ -60,8 +60,9 @@ class Raster {
     std::size_t first;
     std::size_t last;  ///< one beyond
   };
-  [[nodiscard]] int set_in(const Range& across, const Range& down) const;
   [[nodiscard]] static Range range(double from, double to, std::size_t most);
+  [[nodiscard]] Range across(const Box& box) const { return range(box.left, box.right, columns_); }
+  [[nodiscard]] Range down(const Box& box) const { return range(box.top, box.bottom, rows_); }
   [[nodiscard]] static double middle(std::size_t index) {
     return (static_cast<double>(index) + 0.5) * cell;
   }

@@ -73,8 +73,7 @@ std::string friction_words(const SpectrumReport& report) {
     return format("{} at {}", words(*value), period_words(report.physical, most->p));
   };
   const auto length = [&](double value) { return units.length.words(value); };
-  const bool settles = std::ranges::all_of(
-      points, [](const SpectrumPoint& point) { return point.without.residual.has_value(); });
+  const bool settles = report.result.resting(&SpectrumPoint::without) == points.size();
   return format("{}: {}friction alone transmits at most {}; its largest peak is {}, {}.",
                 whose(report), report.result.request.delta > 0 ? "without the notch, " : "",
                 largest(&Figures::acceleration, acceleration_shown),

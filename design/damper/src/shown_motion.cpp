@@ -180,6 +180,22 @@ void follow(ShownMotion& motion, const SimulationRequest& request, double horizo
 
 }  // namespace
 
+bool ShownMotion::moves() const {
+  return std::ranges::any_of(states,
+                             [](const State& state) { return state.tau > 0 && state.v != 0; });
+}
+
+bool is_as_far(const State& one, const State& other) {
+  constexpr double rounding = 1 - 1e-12;
+  return std::abs(one.x) >= std::abs(other.x) * rounding;
+}
+
+const State& ShownMotion::farthest() const {
+  const State& most =
+      *std::ranges::max_element(states, {}, [](const State& state) { return std::abs(state.x); });
+  return *std::ranges::find_if(states, [&](const State& at) { return is_as_far(at, most); });
+}
+
 std::int64_t sample_count(double rate, double horizon) {
   constexpr double smoothness = 40;  // samples a period
   constexpr double fewest_samples = 400;

@@ -129,9 +129,9 @@ void SweepMap::add(const SweepBlock& block) {
 }
 
 ClassCounts SweepMap::counts() const {
-  ClassCounts counts{};
+  ClassCounts counts;
   for (const std::uint8_t cell : cells_) {
-    ++counts.at(cell);
+    ++counts.of.at(cell);
   }
   return counts;
 }

@@ -20,30 +20,27 @@ struct DrawnEnds {
   std::string_view symbol;    ///< of the strength
   std::string title;
   std::string label;  ///< of the axis
-  double scale{1};    ///< from a strength to its place on the axis
-  std::string unit;   ///< there, may be empty
+  Unit unit;          ///< there
   std::vector<Hits> list;
-  Interval asked;      ///< the strengths of the task
+  Interval asked;  ///< the strengths of the task
+  bool has_range;
   double arrivals{1};  ///< at which it may rest
-  bool has_range{false};
 };
 
 DrawnEnds after_hits(const ShownTask& task, double f, double delta) {
   const design::Problem& problem = task.problem;
-  const FigureUnits units = units_of(task.physical);
-  const std::string& unit = units.velocity.name;
-  return {.noun = "hit",
-          .measured = "hits",
-          .symbol = "V₀",
-          .title = problem.p_high ? "Where the mass stops with the worst spring"
-                                  : "Where the mass stops after a hit",
-          .label = "velocity of the hit" + (unit.empty() ? ", V₀" : " V₀, " + unit),
-          .scale = units.velocity.factor,
-          .unit = unit,
-          .list = design::shown_hits(problem, f, delta),
-          .asked = {problem.v0_low.value_or(problem.v0), problem.v0},
-          .arrivals = static_cast<double>(problem.arrivals),
-          .has_range = problem.v0_low.has_value()};
+  const Unit unit = units_of(task.physical).velocity;
+  return {"hit",
+          "hits",
+          "V₀",
+          problem.p_high ? "Where the mass stops with the worst spring"
+                         : "Where the mass stops after a hit",
+          "velocity of the hit" + (unit.name.empty() ? ", V₀" : " V₀, " + unit.name),
+          unit,
+          design::shown_hits(problem, f, delta),
+          {problem.v0_low.value_or(problem.v0), problem.v0},
+          problem.v0_low.has_value(),
+          static_cast<double>(problem.arrivals)};
 }
 
 /// At the first return, and somewhat beyond those that it works for.
@@ -53,17 +50,17 @@ DrawnEnds under_pulses(const ShownTask& task, double f, double delta,
   const auto problem = design::pulse_problem(task.problem, *task.pulse, task.ranges);
   const double k = design::peak_load(problem.pulse);
   const double works = works_for ? works_for->hit.high.value_or(0) : 0;
-  return {.noun = "pulse",
-          .measured = "pulses with k",
-          .symbol = "k",
-          .title = problem.p_high || problem.ranges.lambda_high
-                       ? "Where the mass stops under the worst of the pulses"
-                       : "Where the mass stops under the pulse",
-          .label = "largest acceleration of the pulse k, g",
-          .unit = "g",
-          .list = design::shown_strengths(problem, f, delta, room * works),
-          .asked = {problem.ranges.k_low.value_or(k), k},
-          .has_range = problem.has_ranges()};
+  return {"pulse",
+          "pulses with k",
+          "k",
+          problem.p_high || problem.ranges.lambda_high
+              ? "Where the mass stops under the worst of the pulses"
+              : "Where the mass stops under the pulse",
+          "largest acceleration of the pulse k, g",
+          {1, "g"},
+          design::shown_strengths(problem, f, delta, room * works),
+          {problem.ranges.k_low.value_or(k), k},
+          problem.has_ranges()};
 }
 
 struct Look {
@@ -121,37 +118,34 @@ std::string key_of_later(const DrawnEnds& drawn, const Hits& one) {
   return key.empty() ? "" : "centred at " + key + some_spring(one);
 }
 
-std::string words(const DrawnEnds& drawn, double strength) {
-  return format("{:.4g}{}", strength * drawn.scale, with_blank(drawn.unit));
-}
-
 /// "0.3 to 0.35 m/s", in as many digits as tell them apart.
 std::string words(const DrawnEnds& drawn, double from, double to) {
   constexpr int fewest = 4;
-  const auto ends = figures::tick_labels({from * drawn.scale, to * drawn.scale}, fewest);
-  return format("{} to {}{}", ends[0], ends[1], with_blank(drawn.unit));
+  const auto ends = figures::tick_labels({from * drawn.unit, to * drawn.unit}, fewest);
+  return format("{} to {}{}", ends[0], ends[1], with_blank(drawn.unit.name));
 }
 
 /// Those of the task as lines.
 void add_asked(Figure& figure, const DrawnEnds& drawn) {
-  const auto& [low, high] = drawn.asked;
-  const bool from_low = 0 < low && drawn.has_range;
-  Strokes strokes{figure.upright(high * drawn.scale)};
-  if (from_low) {
-    strokes.insert(strokes.begin(), figure.upright(low * drawn.scale));
+  const auto [low, high] = drawn.asked;
+  const Points strongest = figure.upright(high * drawn.unit);
+  if (drawn.has_range && low > 0) {
+    figure.add_line(format("{} = {}", drawn.symbol, words(drawn, low, high)),
+                    {figure.upright(low * drawn.unit), strongest}, Ink::blue, Dash::dashed);
+  } else {
+    figure.add_line(format("{} {}{:.4g}{}", drawn.symbol, low == 0 ? "up to " : "= ",
+                           high * drawn.unit, with_blank(drawn.unit.name)),
+                    {strongest}, Ink::blue, Dash::dashed);
   }
-  figure.add_line(format("{} {}{}", drawn.symbol, low == 0 ? "up to " : "= ",
-                         from_low ? words(drawn, low, high) : words(drawn, high)),
-                  std::move(strokes), Ink::blue, Dash::dashed);
 }
 
 /// The box around those that the damper works for.
 void add_works(Figure& figure, const DrawnEnds& drawn, const design::ServedInterval& works) {
-  const double scale = drawn.scale;
-  const Interval shown{works.low * scale, *works.high * scale};
+  const Unit& unit = drawn.unit;
+  const Interval shown{works.low * unit, *works.high * unit};
   const std::string range =
-      interval_text({shown.low, shown.high}, {drawn.asked.low * scale, drawn.asked.high * scale}) +
-      with_blank(drawn.unit);
+      interval_text({shown.low, shown.high}, {drawn.asked.low * unit, drawn.asked.high * unit}) +
+      with_blank(drawn.unit.name);
   auto box = rectangle(shown.low, shown.high, 0.05, 0.3);
   add_box_inset(figure, box);
   figure.areas.push_back({"works for " + range, std::move(box), Ink::blue, AreaLook::box});
@@ -161,7 +155,7 @@ void add_works(Figure& figure, const DrawnEnds& drawn, const design::ServedInter
   if (figure.inset) {
     const FigureAxis& x = figure.inset->x;
     figure.clauses.push_back(format("the corner enlarges {}{}", interval_digits(x.least, x.most),
-                                    with_blank(drawn.unit)));
+                                    with_blank(drawn.unit.name)));
   }
 }
 
@@ -173,7 +167,7 @@ void add_end(Figure& figure, const DrawnEnds& drawn, const Hits& now) {
   const std::string allowed =
       too_late ? "within the residual, but too late" : "within the residual";
   figure.areas.push_back({.name = name,
-                          .outline = rectangle(now.from * drawn.scale, now.to * drawn.scale, 0, 1),
+                          .outline = rectangle(now.from * drawn.unit, now.to * drawn.unit, 0, 1),
                           .ink = ink_of(now),
                           .look = too_late ? AreaLook::hatched : look_of(now.end).look,
                           .again = true,
@@ -188,9 +182,9 @@ Figure ends_figure(const ShownTask& task, double f, double delta,
                    const std::optional<design::WorksFor>& works_for) {
   const DrawnEnds drawn =
       task.pulse ? under_pulses(task, f, delta, works_for) : after_hits(task, f, delta);
-  const double scale = drawn.scale;
-  const double known = drawn.list.back().to * scale;
-  const double asked_for = 2 * drawn.asked.high * scale;
+  const Unit& unit = drawn.unit;
+  const double known = drawn.list.back().to * unit;
+  const double asked_for = 2 * drawn.asked.high * unit;
   Figure figure{format("{}s", drawn.noun), drawn.title};
   figure.height = 150;
   figure.x = {drawn.label, 0, std::max(known, asked_for)};
@@ -216,7 +210,7 @@ Figure ends_figure(const ShownTask& task, double f, double delta,
                                : design::hits_above_limit(task.problem, task.limits, f, drawn.list);
   if (felt) {
     figure.areas.push_back({format("above {:.4g} g", *task.limits.acceleration_max),
-                            rectangle(felt->low * scale, felt->high * scale, 0, 1), Ink::purple,
+                            rectangle(felt->low * unit, felt->high * unit, 0, 1), Ink::purple,
                             AreaLook::hatched});
   }
   return figure;

@@ -7,7 +7,10 @@ namespace stillpoint::report {
 
 using design::PlaneArea;
 
-void add_inset(Figure& figure, const FigurePoint& low, const FigurePoint& high) {
+namespace {
+
+/// A part of the plane in a corner, unless rounding would be seen.
+void enlarge(Figure& figure, const FigurePoint& low, const FigurePoint& high) {
   constexpr double least_numbers = 1e-9;
   constexpr double room = 0.6;  // on either side
   const double wide = high.x - low.x;
@@ -18,14 +21,7 @@ void add_inset(Figure& figure, const FigurePoint& low, const FigurePoint& high) 
   }
 }
 
-void caption_inset(Figure& figure, const FigureUnits& units) {
-  if (figure.inset) {
-    const auto& [x, y] = *figure.inset;
-    figure.clauses.push_back(
-        format("the corner enlarges f of {} and Δ of {}{}", interval_digits(x.least, x.most),
-               interval_digits(y.least, y.most), with_blank(units.length.name)));
-  }
-}
+}  // namespace
 
 void add_box_inset(Figure& figure, const Points& box) {
   constexpr double visible = 0.05;          // of the plot
@@ -33,24 +29,33 @@ void add_box_inset(Figure& figure, const Points& box) {
   const bool small = box[2].x - box[0].x < visible * (figure.x.most - figure.x.least) ||
                      box[2].y - box[0].y < visible * (figure.y.most - figure.y.least);
   if (small && box[2].x > next_to_nothing * figure.x.most) {
-    add_inset(figure, box[0], box[2]);
+    enlarge(figure, box[0], box[2]);
   }
 }
 
-void add_strip_inset(Figure& figure, const PlaneArea& strip, double unit) {
-  const auto [f, delta] = design::thickest_part(strip);
-  add_inset(figure, {f.low, delta.low * unit}, {f.high, delta.high * unit});
-}
-
-void add_point_inset(Figure& figure, const std::vector<PlaneArea>& areas, const DrawnDamper& damper,
-                     double unit) {
-  constexpr double hidden = 0.06;  // of the plot
-  const Interval around = design::edges_about(areas, damper.f, damper.delta);
-  const double tall = (around.high - around.low) * unit;
-  if (!figure.inset && tall < hidden * (figure.y.most - figure.y.least)) {
-    const double half = hidden / 2 * (figure.x.most - figure.x.least);
-    add_inset(figure, {std::max(damper.f - half, figure.x.least), around.low * unit},
-              {damper.f + half, around.high * unit});
+void add_inset(Figure& figure, const std::vector<PlaneArea>& strips,
+               const std::optional<DrawnDamper>& damper, const FigureUnits& units) {
+  constexpr double hidden = 0.06;  // of the plot, by the mark of a damper
+  const Unit& unit = units.length;
+  if (damper && strips.size() > 1 && !figure.inset) {
+    const auto [low, high] = design::edges_about(strips, damper->f, damper->delta);
+    if ((high - low) * unit < hidden * (figure.y.most - figure.y.least)) {
+      const double half = hidden / 2 * (figure.x.most - figure.x.least);
+      enlarge(figure, {std::max(damper->f - half, figure.x.least), low * unit},
+              {damper->f + half, high * unit});
+    }
+  }
+  for (std::size_t i = 0; i < strips.size() && !figure.inset; ++i) {
+    if (!is_seen(figure, figure.areas[i])) {
+      const auto [f, delta] = design::thickest_part(strips[i]);
+      enlarge(figure, {f.low, delta.low * unit}, {f.high, delta.high * unit});
+    }
+  }
+  if (figure.inset) {
+    const auto& [x, y] = *figure.inset;
+    figure.clauses.push_back(format("the corner enlarges f of {} and Δ of {}{}",
+                                    interval_digits(x.least, x.most),
+                                    interval_digits(y.least, y.most), with_blank(unit.name)));
   }
 }
 

@@ -5,16 +5,6 @@ namespace stillpoint::report {
 
 namespace {
 
-constexpr double rounding = 1 - 1e-12;
-
-/// The first of the farthest: what rests there may be drawn a last digit farther out later on.
-const State& farthest(const DrawnMotion& motion) {
-  const auto distance = [](const State& state) { return std::abs(state.x); };
-  const double most = distance(*std::ranges::max_element(motion.states, {}, distance));
-  return *std::ranges::find_if(
-      motion.states, [&](const State& state) { return distance(state) >= most * rounding; });
-}
-
 /// "starts at its peak of 0.5" or "reaches its peak of 137 mm after 0.585 s".
 std::string reached(const State& peak, const FigureUnits& units) {
   const std::string length = units.length.words(peak.x);
@@ -46,11 +36,6 @@ void add_limits(Figure& figure, const DrawnMotion& motion, const FigureUnits& un
 }
 
 }  // namespace
-
-bool is_moving(const DrawnMotion& motion) {
-  return std::ranges::any_of(motion.states,
-                             [](const State& state) { return state.tau > 0 && state.v != 0; });
-}
 
 std::string beginning(const DrawnMotion& motion) {
   return motion.whole ? "" : " (beginning)";
@@ -87,13 +72,13 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
     return FigurePoint{state.tau * units.time, state.x * units.length};
   };
   const bool long_one = is_long(motion);
-  const State& peak = farthest(motion);
+  const State& peak = motion.farthest();
   const std::string peak_words = "peak " + units.length.words(peak.x);
   const std::string rest_words = words_of_rest(motion, units);
   Figure figure = over_time("motion", "Motion", motion, units);
   figure.y = displacement_axis(motion, units);
-  const bool moves = is_moving(motion);
-  const bool stays = motion.rest && std::abs(motion.rest->x) >= std::abs(peak.x) * rounding;
+  const bool moves = motion.moves();
+  const bool stays = motion.rest && design::is_as_far(*motion.rest, peak);
   const std::string mass = motion.with.empty() ? "The mass" : motion.with + "the mass";
   figure.clauses = {(!moves  ? mass + " does not move"
                      : stays ? format("{} {} and stays there", mass, reached(peak, units))

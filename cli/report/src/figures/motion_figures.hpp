@@ -42,8 +42,6 @@ struct DrawnMotion : design::ShownMotion {
 void add_others(Figure& figure, const DrawnMotion& motion, const Place& place,
                 const FigureUnits& units);
 
-/// Whether it moves at all: a load may be too weak.
-[[nodiscard]] bool is_moving(const DrawnMotion& motion);
 /// " (beginning)" for a motion that is not drawn whole.
 [[nodiscard]] std::string beginning(const DrawnMotion& motion);
 /// Marks of events: turns and passages up to a tau, and the rest.

@@ -12,35 +12,6 @@ using figures::HtmlPage;
 
 namespace {
 
-/// With the notch that will be built, beside the motion with the paper's where that can be seen.
-DrawnMotion told(const design::ShownDamper& shown) {
-  SimulationRequest request = motion_of(shown);
-  DrawnMotion motion(design::shown_motion(request));
-  if (shown.built != nullptr) {
-    request.oscillator.hold.reset();
-    request.surface.notch_width.reset();
-    design::ShownMotion ideal = design::shown_motion(request);
-    if (!is_long(motion) && is_apart(motion, ideal.states)) {
-      motion.others.push_back({.name = format("notch that {}", ideal_words(shown)),
-                               .path = beside(motion, std::move(ideal.states)),
-                               .ink = Ink::purple,
-                               .dash = Dash::dashed});
-    }
-  }
-  return motion;
-}
-
-/// With the parts to choose from in it.
-Figure region_of(const ShownTask& task, const design::RegionVerdict& verdict,
-                 const std::optional<DrawnDamper>& damper,
-                 const std::optional<Catalogue>& catalogue) {
-  Figure figure = region_figure(task, verdict, damper, catalogue ? "part" : "damper");
-  if (catalogue) {
-    add_parts(figure, *catalogue, units_of(task.physical));
-  }
-  return figure;
-}
-
 /// Of one that moves; of a mass that stands still, only a load that it withstands.
 std::vector<Figure> drawn(const DrawnMotion& motion, const Excitation& load,
                           const FigureUnits& units) {
@@ -53,7 +24,7 @@ std::vector<Figure> drawn(const DrawnMotion& motion, const Excitation& load,
   if (forced) {
     figures.push_back(excitation_figure(load, motion, units));
   }
-  if (is_moving(motion)) {
+  if (motion.moves()) {
     figures.push_back(phase_figure(motion, units));
   }
   if (!forced) {
@@ -62,15 +33,28 @@ std::vector<Figure> drawn(const DrawnMotion& motion, const Excitation& load,
   return figures;
 }
 
-/// What the design does after its hit, or under its pulse.
+/// What the design does after its hit, or under its pulse, with the notch that will be built,
+/// beside the motion with the paper's where that can be seen.
 std::vector<Figure> told_figures(const DesignReport& report, const FigureUnits& units) {
   const design::ShownDamper shown = shown_damper(report.result, report.built_notch);
-  DrawnMotion motion = told(shown);
+  SimulationRequest request = motion_of(shown);
+  DrawnMotion motion(design::shown_motion(request));
   if (const std::string which = shown_motion(shown, report.physical); !which.empty()) {
     motion.with = format("With {}, ", which);
   }
-  motion.beta = report.result.request.problem.beta;
-  std::vector<Figure> figures = drawn(motion, motion_of(shown).excitation, units);
+  motion.beta = shown.problem.beta;
+  if (shown.built != nullptr) {
+    request.oscillator.hold.reset();
+    request.surface.notch_width.reset();
+    std::vector<State> ideal = design::shown_motion(request).states;
+    if (!is_long(motion) && is_apart(motion, ideal)) {
+      motion.others.push_back({.name = format("notch that {}", ideal_words(shown)),
+                               .path = beside(motion, std::move(ideal)),
+                               .ink = Ink::purple,
+                               .dash = Dash::dashed});
+    }
+  }
+  std::vector<Figure> figures = drawn(motion, request.excitation, units);
   if (shown.pulse) {
     figures.front().id = "pulse";
     figures.front().title = "Motion under the pulse itself";
@@ -85,7 +69,7 @@ std::vector<Figure> drawings(const DesignReport& report) {
   const ShownTask task = task_of(report);
   const auto& found = report.result.finding;
   const auto damper = found ? std::optional(DrawnDamper{found->point, "design"}) : std::nullopt;
-  std::vector<Figure> all{region_of(task, report.result, damper, report.catalogue)};
+  std::vector<Figure> all{region_figure(task, report.result, damper, report.catalogue)};
   if (!found) {
     return all;
   }
@@ -112,7 +96,7 @@ std::vector<Figure> drawings(const RegionReport& report) {
              *answer.admissible ? "point, admissible" : "point, not admissible",
              *answer.admissible};
   }
-  std::vector<Figure> figures{region_of(task_of(report), answer, point, report.catalogue)};
+  std::vector<Figure> figures{region_figure(task_of(report), answer, point, report.catalogue)};
   if (f && delta) {
     figures.push_back(ends_figure(task_of(report), *f, *delta, answer.works_for));
   }

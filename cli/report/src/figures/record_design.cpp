@@ -12,20 +12,6 @@ namespace stillpoint::report {
 
 namespace {
 
-/// That of the damper of the box with the worst objective, if it is another.
-void add_worst_of_box(DrawnMotion& motion, const design::RecordDesign& result, std::size_t index) {
-  const design::SuiteBox& box = result.finding->box;
-  const auto& kinds = design::suite_figure_kinds;
-  const auto kind = static_cast<std::size_t>(&minimised(result.request) - kinds.data());
-  if (box.samples == 1) {
-    return;
-  }
-  const SimulationRequest request = motion_of(result.request, box.of.at(kind), index);
-  motion.others.push_back({.name = "worst within the tolerance",
-                           .path = beside(motion, design::shown_motion(request).states),
-                           .ink = Ink::orange});
-}
-
 /// The motion under a record and its load below it; the worst one is large.
 void add_record(std::vector<Figure>& figures, const design::RecordDesign& result, std::size_t index,
                 const FigureUnits& units) {
@@ -43,7 +29,15 @@ void add_record(std::vector<Figure>& figures, const design::RecordDesign& result
   if (*task.combine == design::Combine::max && (limit <= far * peak || peak < nothing * limit)) {
     motion.beta = task.limits.peak;
   }
-  add_worst_of_box(motion, result, index);
+  const design::SuiteBox& box = result.finding->box;
+  if (box.samples > 1) {  // that of its damper with the worst objective
+    const auto& of =
+        box.of.at(static_cast<std::size_t>(&minimised(task) - design::suite_figure_kinds.data()));
+    motion.others.push_back(
+        {.name = "worst within the tolerance",
+         .path = beside(motion, design::shown_motion(motion_of(task, of, index)).states),
+         .ink = Ink::orange});
+  }
   Figure drawn = motion_figure(motion, units);
   Figure load = excitation_figure(request.excitation, motion, units);
   const bool first_of_many = worst && task.records.size() > 1;

@@ -36,19 +36,6 @@ double shade_width(const Interval& values) {
                                   : 1;
 }
 
-/// The bounds of the shades of what exceeds a limit.
-std::vector<double> excess_bounds(const SuiteView& view) {
-  std::vector<double> all;
-  for (const SuiteCell& cell : view.cells) {
-    if (cell.excess > 0 && cell.fault < never) {
-      all.push_back(cell.excess);
-    }
-  }
-  std::ranges::sort(all);  // a value that many have is in one shade
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  return even_bounds(std::move(all), excesses);
-}
-
 /// The shade of its value, or that of its excess in the colour of the limit that it exceeds most.
 std::uint8_t cell_shade(const SuiteCell& cell, const Interval& values,
                         const std::vector<double>& bounds) {
@@ -118,7 +105,7 @@ Figure drawn_map(const design::RecordDesign& result, const SuiteView& view, bool
   Figure figure;
   figure.x = {units.f_label, view.f.low, view.f.high};
   figure.y = {units.delta_label, view.delta.low * unit, view.delta.high * unit};
-  const std::vector<double> bounds = excess_bounds(view);
+  const std::vector<double> bounds = even_bounds(view.excesses(), excesses);
   figure.map.columns = figure.map.rows = static_cast<std::int64_t>(view.side);
   for (const SuiteCell& cell : view.cells) {
     figure.map.cells.push_back(cell_shade(cell, view.values, bounds));

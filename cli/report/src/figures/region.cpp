@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The admissible region in the plane of f and Delta.
+#include "choices.hpp"
 #include "figures/region_figures.hpp"
 
 namespace stillpoint::report {
@@ -214,10 +215,12 @@ bool add_boundaries(Figure& figure, const Problem& problem, const FigureUnits& u
 }
 
 Figure region_figure(const ShownTask& task, const design::RegionVerdict& verdict,
-                     const std::optional<DrawnDamper>& damper, std::string_view what) {
+                     const std::optional<DrawnDamper>& damper,
+                     const std::optional<Catalogue>& catalogue) {
   const DrawnRegion drawn{task, verdict, damper, units_of(task.physical)};
   Figure figure{"region",
-                verdict.region.feasible ? "Admissible region" : mend_title(verdict, task, what),
+                verdict.region.feasible ? "Admissible region"
+                                        : mend_title(verdict, task, catalogue ? "part" : "damper"),
                 "The plane of f and Δ: which dampers are admissible, and what forbids others. "};
   std::vector<PlaneArea> strips;
   if (task.pulse) {
@@ -228,15 +231,10 @@ Figure region_figure(const ShownTask& task, const design::RegionVerdict& verdict
   if (damper) {
     add_damper(figure, *damper, task.limits.shape, drawn.units);
   }
-  if (damper && strips.size() > 1) {
-    add_point_inset(figure, strips, *damper, drawn.unit);
+  add_inset(figure, strips, damper, drawn.units);
+  if (catalogue) {
+    add_parts(figure, *catalogue, drawn.units);
   }
-  for (std::size_t i = 0; i < strips.size() && !figure.inset; ++i) {
-    if (!is_seen(figure, figure.areas[i])) {
-      add_strip_inset(figure, strips[i], drawn.unit);
-    }
-  }
-  caption_inset(figure, drawn.units);
   return figure;
 }
 

@@ -27,12 +27,13 @@ struct DrawnDamper : design::DesignPoint {
   return damper.admissible || damper.tolerance > 0;
 }
 
-/// A part of the plane is enlarged in a corner, unless rounding would be seen.
-void add_inset(Figure& figure, const FigurePoint& low, const FigurePoint& high);
 /// Enlarges a box if it is too small to see, unless it is one of next to nothing.
 void add_box_inset(Figure& figure, const Points& box);
-/// Adds to the caption of a region which part of it is enlarged, if any.
-void caption_inset(Figure& figure, const FigureUnits& units);
+/// Enlarges what of the strips would not be seen: the one that a damper's mark would hide, or the
+/// gap between strips, else one that is too thin, where it is thickest, which the legend names. The
+/// caption says what is enlarged.
+void add_inset(Figure& figure, const std::vector<design::PlaneArea>& strips,
+               const std::optional<DrawnDamper>& damper, const FigureUnits& units);
 /// The corners of its tolerance box, starting from the lower left.
 [[nodiscard]] Points tolerance_box(const DrawnDamper& damper, const design::BoxShape& shape,
                                    double unit);
@@ -50,10 +51,11 @@ void add_damper(Figure& figure, const DrawnDamper& damper, const design::BoxShap
 [[nodiscard]] Ink arrival_ink(double arrival);
 /// "arrivals 3, 6, 9": those of `arrivals` that have the ink of `one`; empty if it is the only one.
 [[nodiscard]] std::string key_of_arrivals(const std::set<double>& arrivals, double one);
-/// The admissible region in the (f, Delta) plane, its forbidden sides in words, and a point in it;
-/// of `what` none is admissible where it is empty.
+/// The admissible region in the (f, Delta) plane, its forbidden sides in words, a point in it, and
+/// the parts to choose from.
 [[nodiscard]] Figure region_figure(const ShownTask& task, const design::RegionVerdict& verdict,
-                                   const std::optional<DrawnDamper>& damper, std::string_view what);
+                                   const std::optional<DrawnDamper>& damper,
+                                   const std::optional<Catalogue>& catalogue);
 
 /// Where the mass stops, by the velocity of the hit or the strength of the pulse, and which of them
 /// the damper works for.
@@ -68,11 +70,5 @@ bool add_boundaries(Figure& figure, const design::Problem& problem, const Figure
 /// Named, in their colours.
 void add_areas(Figure& figure, const std::vector<design::PlaneArea>& areas, const ShownTask& task,
                const FigureUnits& units);
-
-/// Enlarges a strip too thin to see, where it is thickest. The legend names it.
-void add_strip_inset(Figure& figure, const design::PlaneArea& strip, double unit);
-/// Enlarges a point whose mark would hide the strip, or the gap between strips, that it lies in.
-void add_point_inset(Figure& figure, const std::vector<design::PlaneArea>& areas,
-                     const DrawnDamper& damper, double unit);
 
 }  // namespace stillpoint::report

@@ -166,15 +166,12 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
   for (const Kind& kind : kinds) {
     all.push_back(figure_of(drawn, kind));
   }
-  const auto moves_without = [](const SpectrumPoint& point) { return !point.without.residual; };
-  const auto moves = [&](const SpectrumPoint& point) {
-    return !point.with_notch.residual || moves_without(point);
-  };
-  if (std::ranges::all_of(spectrum.combined, moves_without)) {
+  if (spectrum.resting(&SpectrumPoint::without) == 0) {
     if (chosen) {  // else it is said
       all.back().clauses.emplace_back("without the notch the mass never comes to rest");
     }
-  } else if (std::ranges::any_of(spectrum.combined, moves)) {
+  } else if (spectrum.resting(&SpectrumPoint::without) < spectrum.combined.size() ||
+             spectrum.resting(&SpectrumPoint::with_notch) < spectrum.combined.size()) {
     all.back().clauses.emplace_back("a line has a gap where the mass does not come to rest");
   }
   return all;

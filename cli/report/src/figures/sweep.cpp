@@ -61,19 +61,6 @@ constexpr std::array shaded{
     ShadedClass{SweepClass::locked, "#8a8100#ada100#ccbf08#e8dc22#faf060"},
     ShadedClass{SweepClass::locked - 1, "#4b2a78#7550a6#9a70c4#c9aae4#e8daf5"}};
 
-/// Whether there are any of the classes of rests that begin at `from`.
-bool any_rests(const sweep::ClassCounts& counts, std::size_t from) {
-  const auto* const first = counts.begin() + static_cast<std::ptrdiff_t>(from);
-  return std::any_of(first, first + SweepClass::ranges,
-                     [](std::int64_t count) { return count > 0; });
-}
-bool centred(const sweep::ClassCounts& counts) {
-  return any_rests(counts, 0);
-}
-bool off_centre(const sweep::ClassCounts& counts) {
-  return any_rests(counts, SweepClass::ranges);
-}
-
 /// The key has two colours that no cell has, the shades of more than a few cells and every other
 /// colour.
 FigureMap drawn(const sweep::SweepMap& map, const sweep::ClassCounts& counts, bool from_rest,
@@ -81,27 +68,20 @@ FigureMap drawn(const sweep::SweepMap& map, const sweep::ClassCounts& counts, bo
   constexpr std::size_t rests = 2 * SweepClass::ranges;
   const auto few = static_cast<std::int64_t>(map.cells().size() / 50);
   FigureMap drawn{map.f().cells(), map.delta().cells(), map.cells(), palette(from_rest), {}};
-  if (centred(counts)) {
+  if (counts.centred()) {
     drawn.key.push_back({"stops " + place, "#4c96cf"});
   }
-  if (off_centre(counts)) {
+  if (counts.off_centre()) {
     drawn.key.push_back({"stops off centre", "#dc7515", Hatch::one_way});
   }
   for (std::size_t i = 0; i < SweepClass::count; ++i) {
     const auto& [colour, name, label, hatch] = drawn.palette[i];
-    if (counts.at(i) > (i < rests ? few : 0)) {
+    if (counts.of.at(i) > (i < rests ? few : 0)) {
       const bool locked = i == SweepClass::locked;  // in the key even if a label says so
       drawn.key.push_back({locked ? format("{} {}", name, place) : name, colour, hatch});
     }
   }
   return drawn;
-}
-
-/// In three digits; rounding beside the largest is 0.
-std::string peak_words(double peak, double most, const FigureUnits& units) {
-  constexpr double nothing = 1e-6;
-  return format("{:.3g}{}", peak < nothing * most ? 0 : peak * units.length,
-                with_blank(units.length.name));
 }
 
 /// Shades a class by its peaks, if they differ; the key says from which to which.
@@ -111,7 +91,11 @@ void shade_peaks(FigureMap& drawn, const sweep::SweepMap& map, const ShadedClass
   if (bounds.empty() || bounds.front() == bounds.back()) {
     return;
   }
-  const auto words = [&](double peak) { return peak_words(peak, bounds.back(), units); };
+  constexpr double nothing = 1e-6;
+  const auto words = [&](double peak) {  // rounding beside the largest is 0
+    return format("{:.3g}{}", peak < nothing * bounds.back() ? 0 : peak * units.length,
+                  with_blank(units.length.name));
+  };
   const std::size_t first = drawn.palette.size();
   const std::string name = drawn.palette[by.index].name;
   const Hatch hatch = drawn.palette[by.index].hatch;
@@ -143,16 +127,16 @@ FigureAxis figure_axis(const std::string& label, const MapAxis& swept, double un
 
 /// Of the colours that are there.
 std::vector<std::string> clauses(const sweep::ClassCounts& counts, const std::string& place) {
-  const bool middle = centred(counts);
-  const bool off = off_centre(counts);
-  const bool locks = counts.at(SweepClass::locked) > 0;
-  const std::string words = middle && off
+  const bool centred = counts.centred();
+  const bool off = counts.off_centre();
+  const bool locks = counts.of.at(SweepClass::locked) > 0;
+  const std::string words = centred && off
                                 ? format("The mass stops {} in blue areas and off centre in {}",
                                          place, locks ? "those hatched one way" : "hatched ones")
-                            : middle ? format("The mass stops {} in every blue area", place)
-                            : off    ? format("The mass stops off centre in every {}",
+                            : centred ? format("The mass stops {} in every blue area", place)
+                            : off     ? format("The mass stops off centre in every {}",
                                            locks ? "area hatched one way" : "hatched area")
-                                     : "";
+                                      : "";
   std::vector<std::string> said;
   if (!words.empty()) {
     said = {words, "the darker, the fewer half-cycles it takes"};
@@ -186,7 +170,7 @@ std::vector<Figure> drawings(const SweepReport& report) {
   for (const ShadedClass& by : shaded) {
     shade_peaks(figure.map, map, by, units);
   }
-  const bool any_rest = centred(counts) || off_centre(counts);
+  const bool any_rest = counts.centred() || counts.off_centre();
   const bool any_peaks = figure.map.palette.size() > SweepClass::count;
   figure.title = format("How the motions end{}", any_rest && any_peaks ? ""
                                                  : any_rest  ? ", after how many half-cycles"
@@ -195,10 +179,10 @@ std::vector<Figure> drawings(const SweepReport& report) {
   figure.description = format(
       "The plane of f and Δ. Centred means a rest {}, off centre one in the dead zone.", place);
   for (std::size_t i = 0; i < SweepClass::count; ++i) {
-    if (counts.at(i) > 0) {
+    if (counts.of.at(i) > 0) {
       figure.description += format(
           " {}: {:.3g} %.", figure.map.palette[i].name,
-          100.0 * static_cast<double>(counts.at(i)) / static_cast<double>(map.cells().size()));
+          100.0 * static_cast<double>(counts.of.at(i)) / static_cast<double>(map.cells().size()));
     }
   }
   figure.clauses = clauses(counts, place);

@@ -46,25 +46,22 @@ void add_lock(Figure& figure, const DrawnMotion& motion, const FigureUnits& unit
 }
 
 void mark_events(Figure& figure, const DrawnMotion& motion, const Place& place, double last) {
-  const auto those = [&](std::vector<State> states, const auto& are) {
+  const auto mark = [&](const char* name, std::vector<State> states, const auto& are, Shape shape,
+                        Ink ink, Fill fill) {
     std::erase_if(states, [&](const State& at) { return at.tau > last || !are(at); });
-    return places(states, place);
+    figure.marks.push_back({name, places(states, place), shape, ink, fill});
   };
-  const auto goes_on = [&](const State& at) { return !motion.rest || at.tau != motion.rest->tau; };
   const auto& width = motion.surface.notch_width;
-  const bool acts = motion.oscillator.delta > 0 && !width;
-  const auto freed = [&](const State& at) { return acts && at.v == 0; };
-  figure.marks.push_back(
-      {"turn", those(motion.turns, goes_on), Shape::disc, Ink::blue, Fill::hollow});
+  const auto goes_on = [&](const State& at) { return !motion.rest || at.tau != motion.rest->tau; };
+  const auto at_edge = [&](const State& at) { return std::abs(at.x) == *width / 2; };
+  const auto freed = [&](const State& at) { return motion.oscillator.delta > 0 && at.v == 0; };
+  mark("turn", motion.turns, goes_on, Shape::disc, Ink::blue, Fill::hollow);
   if (width) {
-    const auto at_edge = [&](const State& at) { return std::abs(at.x) == *width / 2; };
-    figure.marks.push_back(
-        {"edge of the notch", those(motion.states, at_edge), Shape::cross, Ink::orange});
+    mark("edge of the notch", motion.states, at_edge, Shape::cross, Ink::orange, Fill::solid);
   } else {
-    figure.marks.push_back(
-        {"passage", those(motion.passages, std::not_fn(freed)), Shape::cross, Ink::orange});
-    figure.marks.push_back({"stopped by the notch, then freed", those(motion.passages, freed),
-                            Shape::diamond, Ink::orange, Fill::hollow});
+    mark("passage", motion.passages, std::not_fn(freed), Shape::cross, Ink::orange, Fill::solid);
+    mark("stopped by the notch, then freed", motion.passages, freed, Shape::diamond, Ink::orange,
+         Fill::hollow);
   }
   if (motion.rest) {
     figure.marks.push_back({"rest", {place(*motion.rest)}, Shape::square, Ink::green});

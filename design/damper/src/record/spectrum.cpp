@@ -118,6 +118,12 @@ std::vector<Finding> findings_of(const Spectrum& spectrum) {
 
 }  // namespace
 
+std::size_t Spectrum::resting(Figures SpectrumPoint::*member) const {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      combined,
+      [member](const SpectrumPoint& point) { return (point.*member).residual.has_value(); }));
+}
+
 Spectrum spectrum(const SpectrumRequest& request, const std::function<bool(double)>& go_on) {
   require_valid(request);
   Spectrum result{request, {}, {}, {}};

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace stillpoint::design {
 
@@ -98,6 +99,16 @@ bool is_wide(const Interval& f, const Interval& delta) {
 }
 
 }  // namespace
+
+std::vector<double> SuiteView::excesses() const {
+  std::set<double> all;
+  for (const SuiteCell& now : cells) {
+    if (now.excess > 0 && now.fault < suite_figure_kinds.size()) {
+      all.insert(now.excess);
+    }
+  }
+  return {all.begin(), all.end()};
+}
 
 std::size_t SuiteView::cell(const SuiteDamper& damper) const {
   const auto along = [this](const Interval& range, double value) {

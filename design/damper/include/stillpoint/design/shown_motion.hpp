@@ -34,7 +34,14 @@ struct ShownMotion {
   double shown_to{0};                       ///< the end of the time axis
   bool whole{true};                         ///< else only its beginning
   std::optional<OtherMotion> frictionless;  ///< if friction takes energy
+
+  /// Whether it moves at all: a load may be too weak.
+  [[nodiscard]] bool moves() const;
+  /// The first of the farthest states.
+  [[nodiscard]] const State& farthest() const;
 };
+/// But for rounding: what rests at its peak may be shown a last digit farther out later on.
+[[nodiscard]] bool is_as_far(const State& one, const State& other);
 
 /// For a longer motion only the beginning is shown: this many half-cycles, and periods of the
 /// spring or of the load, whichever is faster.

@@ -7,6 +7,7 @@
 #include <stillpoint/design/finding.hpp>
 #include <stillpoint/design/record_design.hpp>
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -39,6 +40,9 @@ struct Spectrum {
   std::vector<std::vector<SpectrumPoint>> records;
   std::vector<SpectrumPoint> combined;
   std::vector<Finding> findings;
+
+  /// At how many points all motions come to rest.
+  [[nodiscard]] std::size_t resting(Figures SpectrumPoint::*member) const;
 };
 
 /// `go_on`, if not empty, is called by several threads, but one at a time, with the fraction done;

@@ -30,6 +30,8 @@ struct SuiteView {
   std::size_t side{60};  ///< cells along each
 
   [[nodiscard]] bool any_good() const { return values.low <= values.high; }
+  /// Those of figures, from the least on, each once.
+  [[nodiscard]] std::vector<double> excesses() const;
   /// The number of the one that a damper lies in, or else the nearest.
   [[nodiscard]] std::size_t cell(const SuiteDamper& damper) const;
 };

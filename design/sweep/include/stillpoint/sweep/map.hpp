@@ -5,6 +5,7 @@
 
 #include <stillpoint/core/state.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -35,8 +36,19 @@ class SweepClass {
   [[nodiscard]] static std::uint8_t of(Outcome outcome, double half_cycles);
 };
 
-/// How many motions each class has.
-using ClassCounts = std::array<std::int64_t, SweepClass::count>;
+/// How many motions each class has, and whether any rest at x = 0, and off it.
+struct ClassCounts {
+  std::array<std::int64_t, SweepClass::count> of{};
+
+  [[nodiscard]] bool centred() const { return any(0); }
+  [[nodiscard]] bool off_centre() const { return any(SweepClass::ranges); }
+
+ private:
+  [[nodiscard]] bool any(std::size_t from) const {
+    return std::any_of(&of[from], &of[from + SweepClass::ranges],
+                       [](std::int64_t count) { return count > 0; });
+  }
+};
 
 /// One of the two axes of a map: every n-th value of a range.
 class MapAxis {
