@@ -81,8 +81,8 @@ Points Figure::level(double at) const {
   return {{x.least, at}, {x.most, at}};
 }
 
-void Figure::add_band(std::string name, double from, double to, Ink ink) {
-  areas.push_back({std::move(name), rectangle(from, to, y.least, y.most), ink, AreaLook::band});
+void Figure::add_band(std::string name, double from, double to, Ink ink, AreaLook look) {
+  areas.push_back({std::move(name), rectangle(from, to, y.least, y.most), ink, look});
 }
 
 std::vector<double> ticks(const FigureAxis& axis, int wanted) {

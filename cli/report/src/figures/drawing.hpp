@@ -40,13 +40,13 @@ using figures::Scale;
 using figures::Shape;
 using figures::Strokes;
 
-/// A line through value(x), which is empty where it ends.
+/// A line through value(x) times a unit, which is empty where it ends.
 template <class Value>
-Strokes line_over(const std::vector<double>& places, const Value& value) {
+Strokes line_over(const std::vector<double>& places, double unit, const Value& value) {
   Strokes strokes{{}};
   for (const double x : places) {
     if (const std::optional<double> y = value(x)) {
-      strokes.back().push_back({x, *y});
+      strokes.back().push_back({x, *y * unit});
     } else if (!strokes.back().empty()) {
       strokes.emplace_back();
     }

@@ -201,17 +201,15 @@ Figure ends_figure(const ShownTask& task, double f, double delta,
     add_end(figure, drawn, now);
   }
   if (known < asked_for) {  // beyond what the program takes
-    figure.areas.push_back(
-        {"not computed", rectangle(known, figure.x.most, 0, 1), Ink::purple, AreaLook::hatched});
+    figure.add_band("not computed", known, figure.x.most, Ink::purple, AreaLook::hatched);
   }
   figure.description += ". " + figure.caption();
   add_asked(figure, drawn);
-  const auto felt = task.pulse ? std::nullopt
-                               : design::hits_above_limit(task.problem, task.limits, f, drawn.list);
-  if (felt) {
-    figure.areas.push_back({format("above {:.4g} g", *task.limits.acceleration_max),
-                            rectangle(felt->low * unit, felt->high * unit, 0, 1), Ink::purple,
-                            AreaLook::hatched});
+  if (const auto felt = task.pulse
+                            ? std::nullopt
+                            : design::hits_above_limit(task.problem, task.limits, f, drawn.list)) {
+    figure.add_band(format("above {:.4g} g", *task.limits.acceleration_max), felt->low * unit,
+                    felt->high * unit, Ink::purple, AreaLook::hatched);
   }
   return figure;
 }

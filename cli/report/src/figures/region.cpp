@@ -19,7 +19,7 @@ void add_delta1(Figure& figure, const Problem& problem, double last, double unit
   constexpr double visible = 0.005;  // of the plot above its lower edge
   const auto f = evenly(std::max(figure.x.least, 0.0), std::min(figure.x.most, last), along_f);
   const auto add = [&](std::string name, Ink ink, Dash dash, const auto& value) {
-    auto strokes = line_over(f, value);
+    auto strokes = line_over(f, unit, value);
     if (std::ranges::any_of(strokes, [&](const auto& stroke) {
           return std::ranges::any_of(stroke, [&](const FigurePoint& point) {
             return figure.y.position(point.y) > visible && point.y <= figure.y.most;
@@ -29,11 +29,9 @@ void add_delta1(Figure& figure, const Problem& problem, double last, double unit
     }
   };
   add("least Δ (Δ₁ published)", Ink::orange, Dash::dashed,
-      [&](double at) { return std::optional(design::delta1_published(problem, at) * unit); });
-  add("least Δ (Δ₁ exact)", Ink::purple, Dash::solid, [&](double at) {
-    const auto bound = design::delta1_exact(problem, at);
-    return bound ? std::optional(*bound * unit) : std::nullopt;
-  });
+      [&](double at) { return design::delta1_published(problem, at); });
+  add("least Δ (Δ₁ exact)", Ink::purple, Dash::solid,
+      [&](double at) { return design::delta1_exact(problem, at); });
 }
 
 /// What is drawn, and the length that a unit of Delta has on the axis.
@@ -165,11 +163,8 @@ void add_pulse_plane(Figure& figure, const DrawnRegion& drawn) {
     append(seen, tolerance_box(*drawn.damper, limits.shape, unit));
   }
   const double right = headroom * most(seen, &FigurePoint::x);
-  const auto least_delta = design::least_delta(pulse);
-  Strokes needs = line_over(evenly(right / (along_f - 1), right, along_f - 1), [&](double f) {
-    const auto least = least_delta(f);
-    return least ? std::optional(*least * unit) : std::nullopt;
-  });
+  Strokes needs = line_over(evenly(right / (along_f - 1), right, along_f - 1), unit,
+                            design::least_delta(pulse));
   for (const Points& stroke : needs) {
     append(seen, stroke);
   }

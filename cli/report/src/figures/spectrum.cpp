@@ -56,13 +56,10 @@ FigurePoint highest(const FigureCurve& curve, double first = 0, double last = HU
 /// them would look like more as points too.
 void add_curves(Figure& figure, const DrawnSpectrum& drawn, const Kind& kind) {
   const auto& [request, records, combined, findings] = drawn.spectrum;
-  const Unit unit = drawn.units.of(kind.dimension);
+  const double unit = drawn.units.of(kind.dimension).factor;
   const auto strokes = [&](const std::vector<SpectrumPoint>& points, auto which) {
     auto point = points.begin();
-    return line_over(drawn.periods, [&](double) {
-      const auto value = kind.drawn((*point++).*which);
-      return value ? std::optional(*value * unit) : std::nullopt;
-    });
+    return line_over(drawn.periods, unit, [&](double) { return kind.drawn((*point++).*which); });
   };
   const bool several = records.size() > 1;
   const std::string which = !several                                   ? ""

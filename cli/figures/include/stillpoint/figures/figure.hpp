@@ -161,7 +161,7 @@ struct Figure {
   [[nodiscard]] Points upright(double at) const;
   [[nodiscard]] Points level(double at) const;
   /// A span of x over the whole height.
-  void add_band(std::string name, double from, double to, Ink ink);
+  void add_band(std::string name, double from, double to, Ink ink, AreaLook look = AreaLook::band);
 };
 
 /// The width of an area in pixels, on average.
