@@ -47,25 +47,21 @@ std::string with_folded(const std::string& above, std::span<const Figure> folded
   return text + "</div>\n";
 }
 
-/// How many figures at the beginning of a list belong together.
-template <class Belongs>
-std::size_t leading(std::span<const Figure> list, const Belongs& belongs) {
-  return static_cast<std::size_t>(std::find_if_not(list.begin(), list.end(), belongs) -
-                                  list.begin());
-}
-
 /// Pairs, and after them what is left of an odd number.
 std::string figures(std::span<const Figure> list) {
+  const auto end_of = [list](std::size_t from, const auto& belongs) {
+    while (from < list.size() && belongs(list[from])) {
+      ++from;
+    }
+    return from;
+  };
   std::vector<std::string> columns;
-  while (!list.empty()) {
-    const auto is_below = [](const Figure& figure) { return figure.below; };
-    const auto is_folded = [](const Figure& figure) { return !figure.folded.empty(); };
-    const std::size_t shown = 1 + leading(list.subspan(1), is_below);
-    const std::size_t folded = leading(list.subspan(shown), is_folded);
-    const bool only = columns.empty() && shown + folded == list.size();
-    const std::string text = column(list.first(shown), only);
-    columns.push_back(folded == 0 ? text : with_folded(text, list.subspan(shown, folded)));
-    list = list.subspan(shown + folded);
+  for (std::size_t first = 0, next = 0; first < list.size(); first = next) {
+    const std::size_t shown = end_of(first + 1, [](const Figure& now) { return now.below; });
+    next = end_of(shown, [](const Figure& now) { return !now.folded.empty(); });
+    const bool only = first == 0 && next == list.size();
+    const std::string text = column(list.subspan(first, shown - first), only);
+    columns.push_back(shown == next ? text : with_folded(text, list.subspan(shown, next - shown)));
   }
   const std::size_t paired = columns.size() / 2 * 2;
   const auto odd = columns.begin() + static_cast<std::ptrdiff_t>(paired);
