@@ -19,18 +19,16 @@ namespace {
 /// where none of six is.
 double shown_f(const design::DesignResult& result) {
   constexpr int fewest = 6;
-  constexpr int every = 17;  // that a double has
   using enum records::Rounding;
-  const double f = result.finding->point.f;
-  for (int shown = fewest; shown < every; ++shown) {
+  for (int shown = fewest; shown < digits_of_double; ++shown) {
     for (const records::Rounding rounding : {nearest, up, down}) {
-      const double found = records::decimal(f, shown, rounding);
-      if (*result.region.f_lower <= found && found <= *result.region.f_upper) {
-        return found;
+      const double f = records::decimal(result.finding->point.f, shown, rounding);
+      if (*result.region.f_lower <= f && f <= *result.region.f_upper) {
+        return f;
       }
     }
   }
-  return f;
+  return result.finding->point.f;
 }
 
 std::string best_part(const DesignReport& report) {

@@ -34,22 +34,19 @@ std::string with_unit(double value, std::string_view unit, int digits) {
                                        Prefix{1e-9, "n"}};
   // As it will be displayed: 0.99999999 mm is 1 mm, not 1000 um.
   const double magnitude = decimal(std::abs(value), digits);
-  const bool in_range = magnitude >= 1e-9 && magnitude < 1e12;
-  if (in_range) {
-    for (const Prefix& prefix : prefixes) {
-      // For lengths neither kilometres nor micrometres, for times seconds down to a thousandth, as
-      // in tables: those of one report compare at a glance.
-      const bool length = unit == "m";
-      const bool time = unit == "s";
-      const bool least =
-          (length && prefix.factor == 1e-3) || (time && prefix.factor == 1 && magnitude >= 1e-3);
-      const bool unusual = (length || time) && prefix.factor > 1;
-      if ((magnitude >= prefix.factor || least) && !unusual) {
-        return fmt::format("{:.{}g} {}{}", value / prefix.factor, digits, prefix.sign, unit);
-      }
-    }
-  }
-  return fmt::format("{:.{}g} {}", value, digits, unit);
+  // For lengths neither kilometres nor micrometres, for times seconds down to a thousandth, as in
+  // tables: those of one report compare at a glance.
+  const bool length = unit == "m";
+  const bool time = unit == "s";
+  const auto* const fitting = std::ranges::find_if(prefixes, [&](const Prefix& now) {
+    const bool least =
+        (length && now.factor == 1e-3) || (time && now.factor == 1 && magnitude >= 1e-3);
+    const bool unusual = (length || time) && now.factor > 1;
+    return (magnitude >= now.factor || least) && !unusual;
+  });
+  const bool in_range = magnitude >= 1e-9 && magnitude < 1e12 && fitting != prefixes.end();
+  const auto [factor, sign] = in_range ? *fitting : Prefix{1, ""};
+  return fmt::format("{:.{}g} {}{}", value / factor, digits, sign, unit);
 }
 
 bool begins_at_nothing(double low, double high) {

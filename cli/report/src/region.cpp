@@ -31,20 +31,17 @@ std::string feasible_words(const RegionReport& report) {
 /// "it rests off centre: f is 55 % too large", of what decides.
 std::string first_violation(const RegionReport& report) {
   const std::vector<design::Constraint>& all = report.answer.constraints;
-  const bool back = returns(all);
-  const design::Constraint* first = nullptr;
-  const auto rank = [](const design::Constraint& now) {
-    return now.name == "start" ? 0 : now.name == "dead_zone" ? 2 : 1;
+  enum Rank { first, second, last, none };
+  const auto rank = [back = returns(all)](const design::Constraint& now) {
+    return now.satisfied || (!back && now.name == "stop") ? none
+           : now.name == "start"                          ? first
+           : now.name == "dead_zone"                      ? last
+                                                          : second;
   };
-  for (const design::Constraint& now : all) {
-    if (!now.satisfied && (back || now.name != "stop") &&
-        (first == nullptr || rank(now) < rank(*first))) {
-      first = &now;
-    }
-  }
-  return first == nullptr
+  const auto decisive = std::ranges::min_element(all, {}, rank);
+  return decisive == all.end() || rank(*decisive) == none
              ? "some hits of the range leave it too far off centre"  // all else it meets
-             : "it " + violation(*first, task_of(report));
+             : "it " + violation(*decisive, task_of(report));
 }
 
 /// "The damper is admissible: f and delta may both be off by +-33.86 %.", or what is wrong.
