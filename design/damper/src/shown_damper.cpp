@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/design/shown_damper.hpp>
 
-#include <cmath>
+#include <stillpoint/core/elementary.hpp>
 
 namespace stillpoint::design {
 
@@ -15,10 +15,11 @@ const WorstMotions* ShownDamper::tried() const {
 }
 
 double ShownDamper::felt() const {
-  return tried() != nullptr          ? figures_of(tried()->felt.response).acceleration
-         : worst() != nullptr        ? worst()->acceleration
-         : built != nullptr || pulse ? figures_of(response).acceleration
-                                     : std::hypot(point.f, problem.stiffest_p() * problem.v0);
+  return tried() != nullptr   ? figures_of(tried()->felt.response).acceleration
+         : worst() != nullptr ? worst()->acceleration
+         : built != nullptr || pulse
+             ? figures_of(response).acceleration
+             : elementary::hypot(point.f, problem.stiffest_p() * problem.v0);
 }
 
 std::optional<double> ShownDamper::felt_outside() const {
