@@ -44,11 +44,9 @@ Box place_inset(Ground& ground) {
   }
   ground.taken.set(box_around(best, wide, high));
   ground.taken.set(box_around(middle, 14, 14));
-  ground.ink.set_line({{small.left, small.bottom},
-                       {small.right, small.bottom},
-                       {small.right, small.top},
-                       {small.left, small.top},
-                       {small.left, small.bottom}});
+  Points edge_of_small = rectangle(small.left, small.right, small.bottom, small.top);
+  edge_of_small.push_back(edge_of_small.front());
+  ground.ink.set_line(edge_of_small);
   ground.ink.set_line({middle, {best.x + (best.x < middle.x ? wide : -wide) / 2, best.y}});
   return box_around(best, wide, high);
 }

@@ -33,11 +33,9 @@ std::vector<Place> places(const Ground& ground, double width, const Raster& insi
   constexpr double loose = Raster::cell;  // a box is that much larger than its letters
   const Box all = inside.extent();
   const bool on_map = !ground.figure.map.cells.empty();  // whose numbers have no other place
-  const double best_upright = turned - tight * margins.front();
-  double best = HUGE_VAL;
   std::vector<Place> found;
   for (const bool upright : {false, true}) {
-    if (upright && (width < 2 * text_height || best <= best_upright)) {
+    if (upright && width < 2 * text_height) {
       continue;  // a single number is read level
     }
     const double w = upright ? text_height : width;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <initializer_list>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -18,8 +19,7 @@ namespace {
 
 using Replaced = std::pair<std::string_view, std::string_view>;
 
-template <std::size_t count>
-std::string replaced(std::string text, const std::array<Replaced, count>& all) {
+std::string replaced(std::string text, std::initializer_list<Replaced> all) {
   for (const auto& [from, to] : all) {
     for (std::size_t i = text.find(from); i != std::string::npos;
          i = text.find(from, i + to.size())) {
@@ -92,9 +92,8 @@ std::vector<bool> bound(const std::vector<std::string_view>& words) {
 }  // namespace
 
 std::string escaped(std::string_view text) {
-  return replaced(
-      std::string(text),
-      std::to_array<Replaced>({{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}}));
+  return replaced(std::string(text),
+                  {{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}});
 }
 
 std::string prose(std::string_view text) {
@@ -106,8 +105,7 @@ std::string prose(std::string_view text) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     together += replaced(
         escaped(words[i]),
-        std::to_array<Replaced>(
-            {{"+-", "\u00b1"}, {"m/s2", "m/s\u00b2"}, {"&gt;=", "\u2265"}, {"&lt;=", "\u2264"}}));
+        {{"+-", "\u00b1"}, {"m/s2", "m/s\u00b2"}, {"&gt;=", "\u2265"}, {"&lt;=", "\u2264"}});
     if (stays[i]) {
       together += "\u00a0";
       continue;

@@ -30,7 +30,7 @@ void add_record(std::vector<Figure>& figures, const design::RecordDesign& result
     motion.beta = task.limits.peak;
   }
   const design::SuiteBox& box = result.finding->box;
-  if (box.samples > 1) {  // that of its damper with the worst objective
+  if (box.samples > 1) {  // its damper with the worst objective moves too
     const auto& of =
         box.of.at(static_cast<std::size_t>(&minimised(task) - design::suite_figure_kinds.data()));
     motion.others.push_back(
@@ -56,19 +56,6 @@ void add_record(std::vector<Figure>& figures, const design::RecordDesign& result
   figures.push_back(std::move(load));
 }
 
-/// The worst one, then the others.
-void add_records(std::vector<Figure>& figures, const design::RecordDesign& result,
-                 const FigureUnits& units) {
-  const std::size_t worst = worst_record(result);
-  add_record(figures, result, worst, units);
-  for (std::size_t i = 0;
-       i < std::min<std::size_t>(most_drawn_records, result.request.records.size()); ++i) {
-    if (i != worst) {
-      add_record(figures, result, i, units);
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<Figure> drawings(const RecordDesignReport& report) {
@@ -76,7 +63,14 @@ std::vector<Figure> drawings(const RecordDesignReport& report) {
   const FigureUnits units = units_of(report.physical);
   std::vector<Figure> figures = record_maps(result, units);
   if (result.finding) {
-    add_records(figures, result, units);
+    const std::size_t worst = worst_record(result);
+    const std::size_t count = result.request.records.size();
+    add_record(figures, result, worst, units);
+    for (std::size_t i = 0; i < std::min<std::size_t>(most_drawn_records, count); ++i) {
+      if (i != worst) {
+        add_record(figures, result, i, units);
+      }
+    }
     std::ranges::move(
         spectrum_figures(spectrum_about(result), units, result.finding->point.damper.p),
         std::back_inserter(figures));
