@@ -31,27 +31,6 @@ std::string tolerance_words(const design::BoxShape& shape, double tolerance) {
                       percent(tolerance * shape.delta_low, tolerance * shape.delta_high));
 }
 
-std::string region_clause(const std::optional<DrawnDamper>& damper, const design::Region& region,
-                          const design::Limits& limits) {
-  if (!damper || !is_within(*damper)) {
-    return limits.tolerance > 0 && region.feasible
-               ? "A damper inside the dotted line keeps the tolerance asked for"
-               : format("A damper in the area without hatching is admissible{}",
-                        limits.tolerance > 0 ? " without the tolerance asked for" : "");
-  }
-  if (!leaves_any(damper->tolerance)) {
-    return "f or Δ must be exact: the damper is within a millionth of an edge of the admissible "
-           "region";
-  }
-  const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
-  const bool any_f =
-      f_low + f_high > 0 && !begins_at_nothing(damper->f, region.f_upper.value_or(0));
-  const bool any_delta = delta_low + delta_high > 0;
-  return format("The box shows how far {} be off", !any_f      ? "Δ may"
-                                                   : any_delta ? "f and Δ may both"
-                                                               : "f may");
-}
-
 void add_damper(Figure& figure, const DrawnDamper& damper, const design::BoxShape& shape,
                 const FigureUnits& units) {
   const FigurePoint at{damper.f, damper.delta * units.length};

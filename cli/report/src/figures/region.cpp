@@ -34,15 +34,6 @@ void add_delta1(Figure& figure, const Problem& problem, double last, double unit
       [&](double at) { return design::delta1_exact(problem, at); });
 }
 
-/// What is drawn, and the length that a unit of Delta has on the axis.
-struct DrawnRegion {
-  const ShownTask& task;
-  const design::RegionVerdict& verdict;
-  const std::optional<DrawnDamper>& damper;
-  FigureUnits units;
-  double unit{units.length.factor};
-};
-
 void append(Points& points, const Points& more) {
   points.insert(points.end(), more.begin(), more.end());
 }
@@ -66,131 +57,149 @@ FigureAxis axis_of(std::string label, const Points& seen, const Points& all,
              : FigureAxis{std::move(label), std::max(0.0, low - room * wide), high + room * wide};
 }
 
-/// A line around each of the areas in which a damper keeps the tolerance asked for.
-void add_tolerant(Figure& figure, const DrawnRegion& drawn, const std::vector<PlaneArea>& areas) {
-  const design::Limits& limits = drawn.task.limits;
-  Strokes lines;
-  for (const PlaneArea& area : areas) {
-    if (!area.columns.empty()) {
-      lines.push_back(outline(area, drawn.unit));
-      lines.back().push_back(lines.back().front());
+/// The figure while it is drawn.
+struct RegionFigure : ShownTask {
+  const Region& region;
+  const std::optional<DrawnDamper>& damper;
+  FigureUnits units;
+  Figure figure;
+  double unit{units.length.factor};  ///< that Delta has on the axis
+  std::vector<PlaneArea> strips{};   ///< of the arrivals, its first areas
+
+  void add(const std::vector<PlaneArea>& areas) { add_areas(figure, areas, *this, units); }
+
+  /// A line around each of the areas in which a damper keeps the tolerance asked for.
+  void add_tolerant(const std::vector<PlaneArea>& areas) {
+    Strokes lines;
+    for (const PlaneArea& area : areas) {
+      if (!area.columns.empty()) {
+        lines.push_back(outline(area, unit));
+        lines.back().push_back(lines.back().front());
+      }
+    }
+    if (!lines.empty()) {
+      figure.add_line(tolerance_words(limits.shape, limits.tolerance) + " asked for",
+                      std::move(lines), Ink::blue, Dash::dotted);
     }
   }
-  if (!lines.empty()) {
-    figure.add_line(tolerance_words(limits.shape, limits.tolerance) + " asked for",
-                    std::move(lines), Ink::blue, Dash::dotted);
-  }
-}
 
-design::PlaneWindow window(const Figure& figure, double unit) {
-  return {{figure.x.least, figure.x.most}, {figure.y.least / unit, figure.y.most / unit}};
-}
+  [[nodiscard]] design::PlaneWindow window() const {
+    return {{figure.x.least, figure.x.most}, {figure.y.least / unit, figure.y.most / unit}};
+  }
 
-/// What the box or the area that is left means.
-std::string clause(const DrawnRegion& drawn) {
-  return region_clause(drawn.damper, drawn.verdict.region, drawn.task.limits);
-}
+  /// Whether the damper is in the region, even if it keeps less than the tolerance asked for.
+  [[nodiscard]] bool is_within() const {
+    return damper && (damper->admissible || damper->tolerance > 0);
+  }
 
-/// After a hit; the strips of the arrivals, which are its first areas.
-std::vector<PlaneArea> add_plane(Figure& figure, const DrawnRegion& drawn) {
-  const double unit = drawn.unit;
-  const Problem& problem = drawn.task.problem;
-  const design::Limits& limits = drawn.task.limits;
-  const Region& region = drawn.verdict.region;
-  const auto& damper = drawn.damper;
-  const auto own = damper && is_within(*damper)
-                       ? design::arrival_of(problem, damper->f, damper->delta)
-                       : std::nullopt;
-  auto strips = design::admissible_areas(problem, limits, own.value_or(0));
-  Points seen;
-  for (const PlaneArea& area : strips) {
-    append(seen, outline(area, unit));
+  /// What the box means, or without one the area that is left.
+  [[nodiscard]] std::string clause() const {
+    if (!is_within()) {
+      return limits.tolerance > 0 && region.feasible
+                 ? "A damper inside the dotted line keeps the tolerance asked for"
+                 : format("A damper in the area without hatching is admissible{}",
+                          limits.tolerance > 0 ? " without the tolerance asked for" : "");
+    }
+    if (!leaves_any(damper->tolerance)) {
+      return "f or Δ must be exact: the damper is within a millionth of an edge of the admissible "
+             "region";
+    }
+    const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
+    const bool any_f =
+        f_low + f_high > 0 && !begins_at_nothing(damper->f, region.f_upper.value_or(0));
+    const bool any_delta = delta_low + delta_high > 0;
+    return format("The box shows how far {} be off", !any_f      ? "Δ may"
+                                                     : any_delta ? "f and Δ may both"
+                                                                 : "f may");
   }
-  Points all = seen;
-  constexpr double gap = 20;  // times f3: up to there its far end is seen
-  all.push_back(
-      {std::max(region.f3, std::min(region.f2, gap * region.f3)), region.delta2.value() * unit});
-  constexpr double far = 1.6;  // farther out, a damper would flatten the region
-  if (damper && damper->f <= far * most(all, &FigurePoint::x) &&
-      damper->delta * unit <= far * most(all, &FigurePoint::y)) {
-    const Points box = tolerance_box(*damper, limits.shape, unit);
-    append(seen, box);
-    append(all, box);
-  }
-  figure.x = axis_of(drawn.units.f_label, seen, all, &FigurePoint::x);
-  figure.y = axis_of(drawn.units.delta_label, seen, all, &FigurePoint::y);
-  add_areas(figure, strips, drawn.task, drawn.units);
-  if (problem.arrivals == 1 && strips.size() == 1) {  // no strips to tell apart
-    figure.areas.front().name =
-        region.feasible && limits.tolerance == 0 ? "admissible" : "admissible without a tolerance";
-    figure.areas.front().ink = Ink::sky;
-  }
-  add_areas(figure, design::forbidden_areas(problem, limits, region, window(figure, unit)),
-            drawn.task, drawn.units);
-  figure.clauses = {strips.empty()
-                        ? "No damper is admissible: at every f and Δ some requirement is violated"
-                        : clause(drawn) + (problem.v0_low || problem.p_high
-                                               ? ", whatever the hit and the spring"
-                                               : "")};
-  const auto any = [&](PlaneKind kind) {
-    return std::ranges::find(strips, kind, &PlaneArea::kind) != strips.end();
-  };
-  if (any(PlaneKind::arrival) && (problem.arrivals > 1 || strips.size() > 1)) {
-    figure.clauses.push_back(format("in a strip the mass {} at that arrival",
-                                    problem.residual ? "rests within the residual" : "stops"));
-  }
-  if (any(PlaneKind::later_arrivals)) {
-    figure.clauses.emplace_back("the grey area is admissible only in thin strips");
-  }
-  if (problem.arrivals == 1 && is_plain(problem, {})) {
-    add_delta1(figure, problem, region.f3, unit);
-  }
-  add_tolerant(figure, drawn, design::tolerant_areas(problem, limits));
-  return strips;
-}
 
-/// Under a pulse every Delta above the curve is admissible, between the ends of f: it has no
-/// strips.
-void add_pulse_plane(Figure& figure, const DrawnRegion& drawn) {
-  constexpr double headroom = 1.15;
-  const double unit = drawn.unit;
-  const design::Limits& limits = drawn.task.limits;
-  const std::vector<Interval>& intervals = *drawn.verdict.intervals;
-  const Region& region = drawn.verdict.region;
-  const auto pulse = pulse_problem(drawn.task.problem, *drawn.task.pulse, drawn.task.ranges);
-  Points seen{{std::max(region.f3, intervals.empty() ? 0 : intervals.back().high), 0}};
-  if (drawn.damper) {
-    append(seen, tolerance_box(*drawn.damper, limits.shape, unit));
+  /// After a hit.
+  void add_plane() {
+    const auto own =
+        is_within() ? design::arrival_of(problem, damper->f, damper->delta) : std::nullopt;
+    strips = design::admissible_areas(problem, limits, own.value_or(0));
+    Points seen;
+    for (const PlaneArea& area : strips) {
+      append(seen, outline(area, unit));
+    }
+    Points all = seen;
+    constexpr double gap = 20;  // times f3: up to there its far end is seen
+    all.push_back(
+        {std::max(region.f3, std::min(region.f2, gap * region.f3)), region.delta2.value() * unit});
+    constexpr double far = 1.6;  // farther out, a damper would flatten the region
+    if (damper && damper->f <= far * most(all, &FigurePoint::x) &&
+        damper->delta * unit <= far * most(all, &FigurePoint::y)) {
+      const Points box = tolerance_box(*damper, limits.shape, unit);
+      append(seen, box);
+      append(all, box);
+    }
+    figure.x = axis_of(units.f_label, seen, all, &FigurePoint::x);
+    figure.y = axis_of(units.delta_label, seen, all, &FigurePoint::y);
+    add(strips);
+    if (problem.arrivals == 1 && strips.size() == 1) {  // no strips to tell apart
+      figure.areas.front().name = region.feasible && limits.tolerance == 0
+                                      ? "admissible"
+                                      : "admissible without a tolerance";
+      figure.areas.front().ink = Ink::sky;
+    }
+    add(design::forbidden_areas(problem, limits, region, window()));
+    figure.clauses = {strips.empty()
+                          ? "No damper is admissible: at every f and Δ some requirement is violated"
+                          : clause() + (problem.v0_low || problem.p_high
+                                            ? ", whatever the hit and the spring"
+                                            : "")};
+    const auto any = [&](PlaneKind kind) {
+      return std::ranges::find(strips, kind, &PlaneArea::kind) != strips.end();
+    };
+    if (any(PlaneKind::arrival) && (problem.arrivals > 1 || strips.size() > 1)) {
+      figure.clauses.push_back(format("in a strip the mass {} at that arrival",
+                                      problem.residual ? "rests within the residual" : "stops"));
+    }
+    if (any(PlaneKind::later_arrivals)) {
+      figure.clauses.emplace_back("the grey area is admissible only in thin strips");
+    }
+    if (problem.arrivals == 1 && is_plain(problem, {})) {
+      add_delta1(figure, problem, region.f3, unit);
+    }
+    add_tolerant(design::tolerant_areas(problem, limits));
   }
-  const double right = headroom * most(seen, &FigurePoint::x);
-  Strokes needs = line_over(evenly(right / (along_f - 1), right, along_f - 1), unit,
-                            design::least_delta(pulse));
-  for (const Points& stroke : needs) {
-    append(seen, stroke);
+
+  /// Under a pulse every Delta above the curve is admissible, between the ends of f: it has no
+  /// strips.
+  void add_pulse_plane(const std::vector<Interval>& intervals) {
+    constexpr double headroom = 1.15;
+    const auto posed = pulse_problem(problem, *pulse, ranges);
+    Points seen{{std::max(region.f3, intervals.empty() ? 0 : intervals.back().high), 0}};
+    if (damper) {
+      append(seen, tolerance_box(*damper, limits.shape, unit));
+    }
+    const double right = headroom * most(seen, &FigurePoint::x);
+    Strokes needs = line_over(evenly(right / (along_f - 1), right, along_f - 1), unit,
+                              design::least_delta(posed));
+    for (const Points& stroke : needs) {
+      append(seen, stroke);
+    }
+    constexpr double far = 1.5;  // from there on a limit would flatten the curve
+    const double limit = design::largest_delta_allowed(limits) * unit;
+    const double top = most(seen, &FigurePoint::y);
+    figure.x = {units.f_label, 0, right};
+    figure.y = {units.delta_label, 0, headroom * (limit < far * top ? std::max(top, limit) : top)};
+    figure.clauses = {intervals.empty() ? "With every f the mass misses x = 0 or violates a limit"
+                                        : clause()};
+    if (!intervals.empty() && std::isinf(limit)) {
+      figure.clauses.emplace_back("nothing bounds Δ from above, because the mass starts from rest");
+    }
+    add(design::pulse_areas(posed, limits, region, intervals, window()));
+    for (FigureArea& area : figure.areas) {
+      const bool loose = area.name == "admissible" && limits.tolerance > 0;
+      area.name += loose ? " without a tolerance" : "";
+    }
+    figure.curves.push_back({"least Δ allowed", std::move(needs), Ink::purple});
+    if (region.feasible) {
+      add_tolerant(design::tolerant_areas(posed, limits, intervals, figure.y.most / unit));
+    }
   }
-  constexpr double far = 1.5;  // from there on a limit would flatten the curve
-  const double limit = design::largest_delta_allowed(limits) * unit;
-  const double top = most(seen, &FigurePoint::y);
-  figure.x = {drawn.units.f_label, 0, right};
-  figure.y = {drawn.units.delta_label, 0,
-              headroom * (limit < far * top ? std::max(top, limit) : top)};
-  figure.clauses = {intervals.empty() ? "With every f the mass misses x = 0 or violates a limit"
-                                      : clause(drawn)};
-  if (!intervals.empty() && std::isinf(limit)) {
-    figure.clauses.emplace_back("nothing bounds Δ from above, because the mass starts from rest");
-  }
-  add_areas(figure, design::pulse_areas(pulse, limits, region, intervals, window(figure, unit)),
-            drawn.task, drawn.units);
-  for (FigureArea& area : figure.areas) {
-    const bool loose = area.name == "admissible" && limits.tolerance > 0;
-    area.name += loose ? " without a tolerance" : "";
-  }
-  figure.curves.push_back({"least Δ allowed", std::move(needs), Ink::purple});
-  if (region.feasible) {
-    add_tolerant(figure, drawn,
-                 design::tolerant_areas(pulse, limits, intervals, figure.y.most / unit));
-  }
-}
+};
 
 }  // namespace
 
@@ -212,25 +221,29 @@ bool add_boundaries(Figure& figure, const Problem& problem, const FigureUnits& u
 Figure region_figure(const ShownTask& task, const design::RegionVerdict& verdict,
                      const std::optional<DrawnDamper>& damper,
                      const std::optional<Catalogue>& catalogue) {
-  const DrawnRegion drawn{task, verdict, damper, units_of(task.physical)};
-  Figure figure{"region",
-                verdict.region.feasible ? "Admissible region"
-                                        : mend_title(verdict, task, catalogue ? "part" : "damper"),
-                "The plane of f and Δ: which dampers are admissible, and what forbids others. "};
-  std::vector<PlaneArea> strips;
+  RegionFigure drawn{
+      task,
+      verdict.region,
+      damper,
+      units_of(task.physical),
+      {"region",
+       verdict.region.feasible ? "Admissible region"
+                               : mend_title(verdict, task, catalogue ? "part" : "damper"),
+       "The plane of f and Δ: which dampers are admissible, and what forbids others. "}};
+  Figure& figure = drawn.figure;
   if (task.pulse) {
-    add_pulse_plane(figure, drawn);
+    drawn.add_pulse_plane(*verdict.intervals);
   } else {
-    strips = add_plane(figure, drawn);
+    drawn.add_plane();
   }
   if (damper) {
     add_damper(figure, *damper, task.limits.shape, drawn.units);
   }
-  add_inset(figure, strips, damper, drawn.units);
+  add_inset(figure, drawn.strips, damper, drawn.units);
   if (catalogue) {
     add_parts(figure, *catalogue, drawn.units);
   }
-  return figure;
+  return std::move(figure);
 }
 
 }  // namespace stillpoint::report

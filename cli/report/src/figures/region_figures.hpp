@@ -22,11 +22,6 @@ struct DrawnDamper : design::DesignPoint {
   bool admissible{true};
 };
 
-/// Whether it is in the region, even if it keeps less than the tolerance asked for.
-[[nodiscard]] inline bool is_within(const DrawnDamper& damper) {
-  return damper.admissible || damper.tolerance > 0;
-}
-
 /// Enlarges a box if it is too small to see, unless it is one of next to nothing.
 void add_box_inset(Figure& figure, const Points& box);
 /// Enlarges what of the strips would not be seen: the one that a damper's mark would hide, or the
@@ -43,10 +38,6 @@ void add_inset(Figure& figure, const std::vector<design::PlaneArea>& strips,
 /// The damper with its box, enlarged if it is small.
 void add_damper(Figure& figure, const DrawnDamper& damper, const design::BoxShape& shape,
                 const FigureUnits& units);
-/// What the box means, or without one the area that is left, for a caption to go on.
-[[nodiscard]] std::string region_clause(const std::optional<DrawnDamper>& damper,
-                                        const design::Region& region, const design::Limits& limits);
-
 /// Of a stop at that arrival, in each figure; those of neighbours differ.
 [[nodiscard]] Ink arrival_ink(double arrival);
 /// "arrivals 3, 6, 9": those of `arrivals` that have the ink of `one`; empty if it is the only one.
