@@ -160,9 +160,8 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
     drawn.chosen = drawn.period(*chosen);
   }
   std::vector<Figure> all;
-  for (const Kind& kind : kinds) {
-    all.push_back(figure_of(drawn, kind));
-  }
+  std::ranges::transform(kinds, std::back_inserter(all),
+                         [&](const Kind& kind) { return figure_of(drawn, kind); });
   if (spectrum.resting(&SpectrumPoint::without) == 0) {
     if (chosen) {  // else it is said
       all.back().clauses.emplace_back("without the notch the mass never comes to rest");
