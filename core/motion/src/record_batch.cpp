@@ -149,6 +149,17 @@ std::optional<ForcedResponse> alone(const Oscillator& oscillator, const Start& s
 
 }  // namespace
 
+ForcedResponse RecordBatchResult::rest_of(Eigen::Index entry) const {
+  ForcedResponse response;
+  response.peak_amplitude = peak_amplitude[entry];
+  response.peak_absolute_acceleration = peak_absolute_acceleration[entry];
+  response.jump = jump[entry];
+  response.stop_position = stop_position[entry];
+  response.stop_time = stop_time[entry];
+  response.decision_margin = decision_margin[entry];
+  return response;
+}
+
 void record_batch(double v0, const BatchValues& p, const BatchValues& f, const BatchValues& delta,
                   const Record& record, const RecordBatchOptions& options,
                   RecordBatchResult& result) {

@@ -61,13 +61,13 @@ struct ShownMethod {
   using Result = peers::Result;
   static constexpr auto field_table = std::tuple_cat(
       std::tuple{
-          Field{"name", in(&Now::row, &Row::name)},
+          Field{"name", [](const auto& now) { return now.row->name; }},
           Field{"setting", [](const auto& now) { return setting(*now.row); }, "", any_number},
           Field{"used_by_simulate", &Now::used}},
-      fields_if_any(
+      fields_in(
           &Now::run,
           std::tuple{
-              Field{"wall_time_s", [](const Row& row) { return row.time.median; },
+              Field{"wall_time_s", [](const Row& timed) { return timed.time.median; },
                     "the median of repeated runs; null, like all that follows, for a method that "
                     "was not run"},
               Field{"peak_error", &Row::peak_error, "relative to the peak"},

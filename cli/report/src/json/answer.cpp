@@ -76,7 +76,7 @@ std::optional<AnswerSi> ShownAnswer::in_si() const {
                .delta = design ? std::optional(design->delta) : input.delta,
                .practice = of_judged(&Judged::practice)(*this),
                .notch_width_min = of_judged(&Judged::notch_width_min)(*this),
-               .lambda = IfAny{&AskedTask::pulse, lambda_of}(input)},
+               .lambda = in(&AskedTask::pulse, lambda_of)(input)},
               this};
   if (input.pulse) {
     si.duration = duration(design::excitation(*input.pulse));

@@ -86,9 +86,8 @@ struct WorstInBox : Worst {
 struct ResponseSi {
   std::optional<ShownResponse> motion;
 
-  static constexpr auto field_table = twins<fields<ShownResponse>>([](auto get) {
-    return IfAny{&ResponseSi::motion, get};
-  });
+  static constexpr auto field_table =
+      twins<fields<ShownResponse>>([](auto get) { return in(&ResponseSi::motion, get); });
 };
 /// A motion under a hit, a pulse or a record.
 struct ShownLoaded {
@@ -111,11 +110,11 @@ struct ShownLoaded {
       Field{"what", &Now::what, "hit, the shape of the pulse, or the file of the record"},
       Field{"v0", [](const auto& now) { return now.pulse ? IfReal() : now.v0; }, "of a hit"},
       Field{"p", &Now::p},
-      Field{"k", IfAny{&Now::pulse, k_of}, "of a pulse, like lambda"},
-      Field{"lambda", IfAny{&Now::pulse, lambda_of}},
-      Field{"scale", IfAny{&Now::record, &Record::scale}, "the factor on the values of a record",
+      Field{"k", in(&Now::pulse, k_of), "of a pulse, like lambda"},
+      Field{"lambda", in(&Now::pulse, lambda_of)},
+      Field{"scale", in(&Now::record, &Record::scale), "the factor on the values of a record",
             any_number},
-      Field{"pga", IfAny{&Now::record, [](const Record& of) { return design::peak_load(of); }},
+      Field{"pga", in(&Now::record, [](const Record& of) { return design::peak_load(of); }),
             "the largest |W| of a record in g, with that factor"},
       Field{"from_inside", &Now::from_inside,
             "of a notch as built: whether it acts from the start; else null"},
@@ -256,7 +255,7 @@ struct ShownAnswer {
 
   using Now = ShownAnswer;
   using Judged = design::Judged;
-  static constexpr auto of_judged = [](auto get) { return IfAny{&Now::judged, get}; };
+  static constexpr auto of_judged = [](auto get) { return in(&Now::judged, get); };
   static constexpr std::tuple field_table{
       Field{"verdict", &Now::verdict, "the answer, in a sentence or two"},
       Field{"findings",
@@ -328,11 +327,11 @@ struct AnswerSi : Si {
   static constexpr auto mend = [](std::string_view field, bool by_stiffness = false) {
     return [=](const auto& now) { return now.mended(field, by_stiffness); };
   };
-  static constexpr auto of = [](auto part, auto get) {
-    return IfAny{in(&AnswerSi::answer, part), get};
-  };
   static constexpr auto of_region = [](auto design::Region::*value) {
-    return of(&ShownAnswer::region, in(&design::RegionVerdict::region, value));
+    return in(&AnswerSi::answer, &ShownAnswer::region, &design::RegionVerdict::region, value);
+  };
+  static constexpr auto of_judged = [](auto design::Judged::*value) {
+    return in(&AnswerSi::answer, &ShownAnswer::judged, value);
   };
   using Now = AnswerSi;
   using Judged = design::Judged;
@@ -351,13 +350,11 @@ struct AnswerSi : Si {
       damper_fields,
       std::tuple{
           Field{"works_for_velocity_m_per_s", &Now::velocity},
-          Field{"works_for_period_s", IfAny{&Now::works_for, &design::PhysicalWorksFor::period_s}},
+          Field{"works_for_period_s", in(&Now::works_for, &design::PhysicalWorksFor::period_s)},
           Field{"hits", &Now::hits, "in the order of those of the report"}},
       practice_fields_si,
-      std::tuple{
-          Field{"delta1_published_m", of(&ShownAnswer::judged, &Judged::delta1_published), "",
-                length},
-          Field{"delta1_exact_m", of(&ShownAnswer::judged, &Judged::delta1_exact), "", length}},
+      std::tuple{Field{"delta1_published_m", of_judged(&Judged::delta1_published), "", length},
+                 Field{"delta1_exact_m", of_judged(&Judged::delta1_exact), "", length}},
       motion_fields_si, wave_fields);
 };
 

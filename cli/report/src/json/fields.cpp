@@ -30,7 +30,8 @@ ordered_json in_si(const ordered_json& value, Dimension dimension, Scales scales
     return nullptr;
   }
   if (value.is_array()) {
-    return list_json(value, [&](const ordered_json& end) { return in_si(end, dimension, scales); });
+    return ordered_json::array(
+        {in_si(value[0], dimension, scales), in_si(value[1], dimension, scales)});
   }
   const auto scaled = scales->in_si(dimension, value.get<double>());
   return scaled && std::isfinite(*scaled) ? ordered_json(*scaled) : nullptr;
@@ -39,8 +40,10 @@ ordered_json in_si(const ordered_json& value, Dimension dimension, Scales scales
 }  // namespace
 
 ordered_json number_json(double value, Numbers numbers) {
-  return numbers == Numbers::counts || numbers == Numbers::from_one ? count(value)
-                                                                    : ordered_json(value);
+  constexpr double exact = 9007199254740992;  // 2^53
+  const bool counts = numbers == Numbers::counts || numbers == Numbers::from_one;
+  return counts && value <= exact ? ordered_json(static_cast<std::int64_t>(value))
+                                  : ordered_json(value);
 }
 
 std::string si_name(std::string_view name, const Measure& measure) {
@@ -67,14 +70,6 @@ std::string json_text(const ordered_json& json) {
     return code == '\n' ? "\n" : fmt::format("\\u{:04x}", code);
   };
   return records::with_controls_as(escaped, json.dump(spaces)) + "\n";
-}
-
-ordered_json count(const std::optional<double>& value) {
-  constexpr double exact = 9007199254740992;  // 2^53
-  if (value && *value <= exact) {
-    return static_cast<std::int64_t>(*value);
-  }
-  return value;
 }
 
 }  // namespace stillpoint::report

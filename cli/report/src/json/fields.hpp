@@ -40,24 +40,6 @@ using Name = std::optional<std::string>;
 [[nodiscard]] inline double turn(double p) {
   return 2 * std::numbers::pi / p;
 }
-/// A count: an integer, if a double holds it exactly.
-[[nodiscard]] nlohmann::ordered_json count(const std::optional<double>& value);
-/// An array of what `make` makes of each item.
-template <class Items, class Make>
-[[nodiscard]] nlohmann::ordered_json list_json(const Items& items, const Make& make) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const auto& item : items) {
-    list.push_back(make(item));
-  }
-  return list;
-}
-
-/// From the low end to the high one, which may not exist.
-template <class Range>
-[[nodiscard]] nlohmann::ordered_json interval_json(const Range& range) {
-  return nlohmann::ordered_json::array({range.low, range.high});
-}
-
 inline constexpr Measure any_number{Numbers::all};
 inline constexpr Measure at_least_one{Numbers::from_one};
 constexpr Measure one_of(std::span<const std::string_view> texts) {
@@ -76,38 +58,11 @@ constexpr Measure si_always(Dimension dimension, Numbers numbers = {}) {
 inline constexpr Measure in_metres = with_si(Dimension::length);
 
 template <class Value>
-inline constexpr bool is_optional = false;
-template <class Value>
-inline constexpr bool is_optional<std::optional<Value>> = true;
-template <class Value>
 inline constexpr bool is_list = false;
 template <class Value>
 inline constexpr bool is_list<std::vector<Value>> = true;
 template <class Value>
 inline constexpr bool is_list<std::span<Value>> = true;
-
-/// Optional, by a pointer into the answer.
-template <class Value>
-inline constexpr bool is_reference =
-    std::is_pointer_v<Value>&& std::is_class_v<std::remove_pointer_t<Value>>;
-
-/// What `get` gives of the optional, or the pointer, that `whole` gives; empty without it.
-template <class Whole, class Get>
-struct IfAny {
-  Whole whole;
-  Get get;
-
-  template <class Result>
-  auto operator()(const Result& result) const {
-    const auto& of = std::invoke(whole, result);
-    using Value = std::remove_cvref_t<std::invoke_result_t<Get, decltype(*of)>>;
-    using Shown =
-        std::conditional_t<is_optional<Value> || is_reference<Value>, Value, std::optional<Value>>;
-    return of ? Shown(std::invoke(get, *of)) : Shown();
-  }
-};
-template <class Whole, class Get>
-IfAny(Whole, Get) -> IfAny<Whole, Get>;
 
 /// A table of part of a result: each field is taken from what `whole` gives; empty without it.
 template <class Make, class... Gets>
@@ -121,11 +76,8 @@ constexpr auto fields_of(const std::tuple<Field<Gets>...>& part, Make make) {
 constexpr auto fields_in(auto whole, const auto& part) {
   return fields_of(part, [whole](auto get) { return in(whole, get); });
 }
-constexpr auto fields_if_any(auto whole, const auto& part) {
-  return fields_of(part, [whole](auto get) { return IfAny{whole, get}; });
-}
 
-/// An integer where the field has counts.
+/// An integer where the field has counts, if a double holds it exactly.
 [[nodiscard]] nlohmann::ordered_json number_json(double value, Numbers numbers);
 /// Those of a report with physical input; else null.
 using Scales = const design::Scales*;
@@ -157,9 +109,13 @@ template <class Value>
   } else if constexpr (requires { own_json(value); }) {
     return own_json(value);
   } else if constexpr (requires { value.low, value.high; }) {
-    return interval_json(value);
+    return nlohmann::ordered_json::array({value.low, value.high});
   } else if constexpr (is_list<Value>) {
-    return list_json(value, [&](const auto& item) { return value_json(item, numbers, scales); });
+    auto list = nlohmann::ordered_json::array();
+    for (const auto& item : value) {
+      list.push_back(value_json(item, numbers, scales));
+    }
+    return list;
   } else {
     return value;
   }

@@ -12,12 +12,6 @@ namespace stillpoint::report {
 
 using nlohmann::ordered_json;
 
-namespace {
-
-constexpr auto schema_name = std::to_array<std::string_view>({"stillpoint/simulation-report/1"});
-
-}  // namespace
-
 std::optional<ShownExcitation> shown(const Excitation& excitation,
                                      const std::optional<RecordOrigin>& record) {
   if (std::holds_alternative<NoExcitation>(excitation)) {
@@ -43,6 +37,8 @@ std::optional<ShownExcitation> shown(const Excitation& excitation,
 }
 
 namespace {
+
+constexpr auto schema_name = std::to_array<std::string_view>({"stillpoint/simulation-report/1"});
 
 struct MotionSi : Si {
   std::optional<double> caught_impulse{};

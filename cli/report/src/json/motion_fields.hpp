@@ -80,7 +80,7 @@ struct ShownExcitation {
   std::optional<RecordOrigin> record{};
 
   using Now = ShownExcitation;
-  static constexpr auto of_record = [](auto member) { return IfAny{&Now::record, member}; };
+  static constexpr auto of_record = [](auto member) { return in(&Now::record, member); };
   static constexpr std::tuple field_table{
       Field{"type", &Now::type, "", one_of(excitation_types)},
       Field{"k", &Now::k, "", any_number},
@@ -145,7 +145,7 @@ struct ShownResponse {
 
   static constexpr auto field_table = std::tuple_cat(
       fields_in([](const auto& now) -> const Response& { return *now.response; }, fields<Response>),
-      fields_if_any(&ShownResponse::forced, forced_fields));
+      fields_in(&ShownResponse::forced, forced_fields));
 };
 
 }  // namespace stillpoint::report

@@ -85,9 +85,7 @@ inline constexpr auto practice_fields_si = std::tuple_cat(
                                                             *weight / of.scales().length_m)
                                                     : std::nullopt;
                      }}},
-    twins<fields<design::Practice>>([](auto get) {
-      return IfAny{&Si::practice, get};
-    }),
+    twins<fields<design::Practice>>([](auto get) { return in(&Si::practice, get); }),
     std::tuple{Field{"energy_at_stop_j",
                      [](const Si& of) {
                        return of.practice
@@ -98,9 +96,8 @@ inline constexpr auto practice_fields_si = std::tuple_cat(
                      "what the notch took at the stop, of energy_per_passage_j"},
                Field{"notch_width_min_m", &Si::notch_width_min, "", si_always(Dimension::length)}});
 
-inline constexpr auto motion_fields_si = twins<fields<ShownResponse>>([](auto get) {
-  return IfAny{&Si::motion, get};
-});
+inline constexpr auto motion_fields_si =
+    twins<fields<ShownResponse>>([](auto get) { return in(&Si::motion, get); });
 
 inline constexpr auto wave_fields =
     std::tuple{Field{"excitation_rad_per_s",

@@ -150,12 +150,11 @@ template <>
 inline constexpr auto fields<design::PulseCheck> = [] {
   using Now = design::PulseCheck;
   using report::any_number;
-  using report::IfAny;
   return std::tuple{
       Field{"shortness", &Now::shortness, "p/lambda"},
       Field{"friction_ratio", &Now::friction_ratio, "f/k"},
-      Field{"equivalent_v0", IfAny{&Now::start, &EquivalentStart::speed}, "", any_number},
-      Field{"equivalent_start", IfAny{&Now::start, &EquivalentStart::tau}, "", any_number},
+      Field{"equivalent_v0", in(&Now::start, &EquivalentStart::speed), "", any_number},
+      Field{"equivalent_start", in(&Now::start, &EquivalentStart::tau), "", any_number},
       Field{"peak_error", &Now::peak_error, "", any_number},
       Field{"stop_time_error", &Now::stop_time_error, "", any_number},
       Field{"warnings", &Now::warnings}};
@@ -232,7 +231,7 @@ inline constexpr auto fields<design::Constraint> = [] {
             "", metres_alone},
       Field{"slack", if_known(&Now::slack), "", any_number},
       Field{"satisfied", &Now::satisfied},
-      Field{"motion", report::IfAny{&Now::motion, &Now::Motion::file},
+      Field{"motion", in(&Now::motion, &Now::Motion::file),
             "without a design, the record under which the value is largest", any_number}};
 }();
 
@@ -279,7 +278,7 @@ inline constexpr auto fields<design::CheckMethod> = [] {
   return std::tuple_cat(
       std::tuple{Field{"name", &Now::name, "", report::one_of(report::check_methods)},
                  Field{"tolerance", &Now::tolerance}},
-      report::fields_if_any(figures, fields<design::MotionFigures>),
+      report::fields_in(figures, fields<design::MotionFigures>),
       std::tuple{Field{"relative_error", &Now::relative_error},
                  Field{"wall_time_s", &Now::wall_time_s}, Field{"decided", &Now::decided},
                  Field{"passed", &Now::passed},

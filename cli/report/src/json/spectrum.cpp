@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -75,30 +76,27 @@ using nlohmann::ordered_json;
 constexpr auto spectrum_name = std::to_array<std::string_view>({"stillpoint/spectrum-report/1"});
 
 struct ShownRecord {
-  const design::SuiteRecord* record;
-  const std::vector<design::SpectrumPoint>* points;
+  const design::SuiteRecord& record;
+  std::vector<design::SpectrumPoint> points;
 
-  static constexpr auto of = [](auto member) { return in(&ShownRecord::record, member); };
+  [[nodiscard]] const design::SuiteRecord& of() const { return record; }
+
   using Record = design::SuiteRecord;
   static constexpr std::tuple field_table{
-      Field{"file", of(&Record::name), "", any_number},
-      Field{"scale", of(&Record::scale), "", any_number},
-      Field{"units", of(&Record::units), "of the values in the file"},
-      Field{"units_assumed", of(&Record::assumed_g),
+      Field{"file", in(&ShownRecord::of, &Record::name), "", any_number},
+      Field{"scale", in(&ShownRecord::of, &Record::scale), "", any_number},
+      Field{"units", in(&ShownRecord::of, &Record::units), "of the values in the file"},
+      Field{"units_assumed", in(&ShownRecord::of, &Record::assumed_g),
             "whether neither the file nor an option gives them"},
-      Field{"pga", [](const auto& now) { return design::peak_load(*now.record); },
+      Field{"pga", [](const auto& now) { return design::peak_load(now.record); },
             "the largest |W| in g, scaled"},
-      Field{"points", [](const auto& now) -> const auto& {return *now.points;
-}, "", at_least_one
-}  // namespace
-};  // namespace stillpoint::report
-}
-;
+      Field{"points", &ShownRecord::points, "", at_least_one}};
+};
 
 std::vector<ShownRecord> records_of(const SpectrumReport& report) {
   std::vector<ShownRecord> shown;
   for (std::size_t i = 0; i < report.result.records.size(); ++i) {
-    shown.push_back({&report.result.request.records[i], &report.result.records[i]});
+    shown.push_back({report.result.request.records[i], report.result.records[i]});
   }
   return shown;
 }
@@ -126,21 +124,7 @@ void for_each_column(const ordered_json& point, const Use& use, const std::strin
   }
 }
 
-/// Calls `write` with the values of each row, the number of its record first.
-template <class Write>
-void for_each_row(const SpectrumReport& report, const Write& write) {
-  double number = 0;
-  for (const std::vector<design::SpectrumPoint>& record : report.result.records) {
-    ++number;
-    for (const design::SpectrumPoint& point : record) {
-      std::vector<ordered_json> row{number};
-      for_each_column(object_json(point, &report.physical.scales),
-                      [&](const auto&, const auto& value) { row.push_back(value); });
-      write(row);
-    }
-  }
-}
-
+/// The number of the record, and the columns of a point.
 std::vector<std::string> columns(const SpectrumReport& report) {
   std::vector<std::string> names{"record"};
   for_each_column(object_json(report.result.combined.front()),
@@ -148,36 +132,46 @@ std::vector<std::string> columns(const SpectrumReport& report) {
   return names;
 }
 
+/// Row after row; NaN for what does not exist.
+std::vector<double> values(const SpectrumReport& report) {
+  std::vector<double> all;
+  for (std::size_t i = 0; i < report.result.records.size(); ++i) {
+    for (const design::SpectrumPoint& point : report.result.records[i]) {
+      all.push_back(static_cast<double>(i + 1));
+      for_each_column(object_json(point, &report.physical.scales),
+                      [&](const auto&, const auto& value) {
+                        all.push_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN()
+                                                      : value.template get<double>());
+                      });
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string spectrum_csv(const SpectrumReport& report) {
-  std::string text = fmt::format("{}\n", fmt::join(columns(report), ","));
-  for_each_row(report, [&](const std::vector<ordered_json>& row) {
-    for (const ordered_json& value : row) {
-      text += value.is_null() ? "," : fmt::format("{},", value.get<double>());
-    }
-    text.back() = '\n';
-  });
+  const std::vector<std::string> names = columns(report);
+  std::string text = fmt::format("{}\n", fmt::join(names, ","));
+  std::size_t cells = 0;
+  for (const double value : values(report)) {
+    text += std::isnan(value) ? "" : fmt::format("{}", value);
+    text += ++cells % names.size() == 0 ? '\n' : ',';
+  }
   return text;
 }
 
 std::string spectrum_npy(const SpectrumReport& report) {
+  const std::vector<std::string> names = columns(report);
   std::string npy_fields;
-  for (const std::string& column : columns(report)) {
-    npy_fields += sweep::npy_number(column);
+  for (const std::string& name : names) {
+    npy_fields += sweep::npy_number(name);
   }
-  const std::size_t rows = report.result.records.size() * report.result.request.p.size();
-  std::string bytes = sweep::npy_header(npy_fields, static_cast<std::int64_t>(rows));
-  for_each_row(report, [&](const std::vector<ordered_json>& row) {
-    for (const ordered_json& value : row) {
-      const double written =
-          value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
-      std::array<char, sizeof written> raw{};
-      std::memcpy(raw.data(), &written, sizeof written);
-      bytes.append(raw.data(), raw.size());
-    }
-  });
-  return bytes;
+  const std::vector<double> all = values(report);
+  std::string bytes(all.size() * sizeof(double), '\0');
+  std::memcpy(bytes.data(), all.data(), bytes.size());
+  return sweep::npy_header(npy_fields, static_cast<std::int64_t>(all.size() / names.size())) +
+         bytes;
 }
 
 nlohmann::ordered_json json(const SpectrumReport& report) {

@@ -17,7 +17,7 @@ namespace stillpoint::design {
 namespace {
 
 /// Six decades of any input are more than any design needs, and keep it valid.
-constexpr double far = 1e6;
+constexpr double far_factor = 1e6;
 
 /// A region is expensive: a change is the least to this part of it.
 constexpr double close = 1e-10;
@@ -209,7 +209,7 @@ void add_load(Searches& searches, const PulseProblem& problem) {
                   }});
     searches.add({"k_high", k, *k_low, set_k});
   } else {
-    searches.add({"k", k, k / far, set_k});
+    searches.add({"k", k, k / far_factor, set_k});
   }
   const double p = problem.p;
   const double lambda = angular_frequency(problem.pulse);
@@ -220,9 +220,10 @@ void add_load(Searches& searches, const PulseProblem& problem) {
                     now.profile.reset();
                   }});
   } else {
-    const double longest = std::max(lambda / far, problem.p_high.value_or(p) / slowest_examined);
+    const double longest =
+        std::max(lambda / far_factor, problem.p_high.value_or(p) / slowest_examined);
     searches.add_either_way("lambda", lambda, std::min(lambda, longest),
-                            std::min(lambda * far, p * fastest_pulse), set_lambda);
+                            std::min(lambda * far_factor, p * fastest_pulse), set_lambda);
   }
 }
 
@@ -237,9 +238,9 @@ void add_spring(Searches& searches, const PulseProblem& problem) {
                   }});
   } else {
     const double softest =
-        std::max(p / far, problem.ranges.lambda_high.value_or(lambda) / fastest_pulse);
-    searches.add_either_way("p", p, softest,
-                            std::max(p, std::min(p * far, lambda * slowest_examined)), set_p);
+        std::max(p / far_factor, problem.ranges.lambda_high.value_or(lambda) / fastest_pulse);
+    searches.add_either_way(
+        "p", p, softest, std::max(p, std::min(p * far_factor, lambda * slowest_examined)), set_p);
   }
 }
 
@@ -265,7 +266,7 @@ PulseMends mends(const PulseProblem& problem, const Limits& limits,
   Searches searches(base, budget);
   add_load(searches, problem);
   add_spring(searches, problem);
-  searches.add({"beta", problem.beta, problem.beta * far,
+  searches.add({"beta", problem.beta, problem.beta * far_factor,
                 [](PulseCase& now, double value) { now.problem.beta = value; }});
   for (const Input<PulseCase>& limit : limit_inputs<PulseCase>(limits)) {
     searches.add(limit);

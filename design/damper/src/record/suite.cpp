@@ -223,13 +223,8 @@ std::vector<SuiteFigures> Suite::under(const Excitation& load,
                       found.outcome[i] != Outcome::never_stops &&
                       rests_in_time(found.half_cycles[i]);
     if (list[k].settled) {
-      list[k] = {found.peak_amplitude[i],
-                 found.peak_absolute_acceleration[i],
-                 std::abs(found.stop_position[i]),
-                 found.decision_margin[i],
-                 found.jump[i],
-                 periods_after(load, found.stop_time[i], dampers[k].p),
-                 true};
+      list[k] = suite_figures(found.rest_of(i));
+      list[k].late = periods_after(load, found.stop_time[i], dampers[k].p);
     }
   }
   return list;

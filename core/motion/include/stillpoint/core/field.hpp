@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <tuple>
@@ -89,15 +90,34 @@ struct Field {
 template <class Get>
 Field(std::string_view, Get, std::string_view = {}, Measure = {}) -> Field<Get>;
 
-/// A member of a member, and so on: in(&Simulation::response, &Response::jump).
+template <class Value>
+inline constexpr bool is_optional = false;
+template <class Value>
+inline constexpr bool is_optional<std::optional<Value>> = true;
+/// Optional, by a pointer into the answer.
+template <class Value>
+inline constexpr bool is_reference =
+    std::is_pointer_v<Value>&& std::is_class_v<std::remove_pointer_t<Value>>;
+
+/// A member of a member, and so on: in(&Simulation::response, &Response::jump). Behind an optional
+/// or a pointer it is optional as well, and empty without that.
 template <class First, class... More>
 requires(!std::is_convertible_v<First, std::string_view>) constexpr auto in(First first,
                                                                             More... more) {
   if constexpr (sizeof...(More) == 0) {
     return first;
   } else {
-    return [ first, rest = in(more...) ](const auto& whole) -> const auto& {
-      return std::invoke(rest, std::invoke(first, whole));
+    return [first, rest = in(more...)](const auto& whole) -> decltype(auto) {
+      const auto& part = std::invoke(first, whole);
+      using Part = std::remove_cvref_t<decltype(part)>;
+      if constexpr (is_optional<Part> || is_reference<Part>) {
+        using Value = std::remove_cvref_t<decltype(std::invoke(rest, *part))>;
+        using Shown = std::conditional_t<is_optional<Value> || is_reference<Value>, Value,
+                                         std::optional<Value>>;
+        return part ? Shown(std::invoke(rest, *part)) : Shown();
+      } else {
+        return std::invoke(rest, part);
+      }
     };
   }
 }

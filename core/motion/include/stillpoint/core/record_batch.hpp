@@ -4,6 +4,7 @@
 #include <stillpoint/core/batch.hpp>
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/for_each_entry.hpp>
+#include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/state.hpp>
 #include <stillpoint/core/surface.hpp>
 
@@ -43,6 +44,8 @@ struct RecordBatchResult {
   Eigen::ArrayXd decision_margin;  ///< infinite where nothing was decided
 
   [[nodiscard]] Eigen::Index size() const { return outcome.size(); }
+  /// Of an entry that comes to rest: its peaks and jump, where and when it rests, and its margin.
+  [[nodiscard]] ForcedResponse rest_of(Eigen::Index entry) const;
 };
 
 /// The motions from x = 0 with v0 of many oscillators (p[i], f[i], delta[i]) under one record,
