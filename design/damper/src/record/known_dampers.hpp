@@ -15,14 +15,18 @@ namespace stillpoint::design {
 /// Those that one search sampled.
 class KnownDampers {
  public:
-  explicit KnownDampers(const SuiteSpace& space) : space_(space) {}
+  explicit KnownDampers(const SuiteSpace& space) : axes_(space.axes()) {}
 
   void add(std::span<const SuiteDamper> dampers, std::span<const SuiteFigures> figures);
+  /// Those of another search for dampers with the same variables.
+  void add(const KnownDampers& others);
   /// Of those in the box of a damper; no figure at all if none is known there.
   [[nodiscard]] SuiteFigures worst(const SuiteDamper& nominal) const;
+  /// Those that break a limit.
+  [[nodiscard]] KnownDampers breaking(const SuiteLimits& limits) const;
 
  private:
-  const SuiteSpace& space_;
+  std::vector<SuiteAxis> axes_;
   std::vector<SuitePlace> values_;
   std::vector<SuiteFigures> figures_;
 };

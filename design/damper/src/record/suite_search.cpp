@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -36,9 +37,10 @@ constexpr double beyond = 1.05;
 constexpr double unlikely = 1.02;
 /// Nor will one that is this much worse than the best candidate.
 constexpr double mediocre = 1.08;
-/// Where the surest candidates, polished, miss the limits by more than this, so do the others; and
-/// so does one of which a step mends less than this part.
+/// Where the surest candidates miss the limits by more than this, refined and then polished, so do
+/// the others; and so does one of which a step mends less than this part.
 constexpr double far_off = 0.02;
+constexpr double missed = 0.01;
 constexpr double least_mended = 0.0625;
 /// Candidates of the map may lie this part of a box apart: it is too coarse to choose between them.
 constexpr double spacing = 0.25;
@@ -203,6 +205,12 @@ BoxedDamper SuiteSearch::best_of(const std::vector<SuiteDamper>& dampers, const 
   return left.empty() ? bar : left.front();
 }
 
+BoxedDamper SuiteSearch::unbroken(const SuiteDamper& damper) {
+  BoxedDamper broken{damper, {}, {}};
+  broken.rank.off = std::numeric_limits<double>::min();
+  return best_of({damper}, broken);
+}
+
 /// Half of that of the finest map.
 double SuiteSearch::first_step() const {
   double step = 4 * last_step;
@@ -289,7 +297,7 @@ std::vector<BoxedDamper> SuiteSearch::shortlist(const std::vector<BoxedDamper>& 
   const BoxedDamper surest = std::ranges::min(list, {}, &BoxedDamper::rank);
   std::ranges::stable_sort(list, {}, merit);
   const double most = std::min(mediocre * merit(list.front()), beyond * bar);
-  const std::size_t count = brief_ ? 2 : candidate_counts.at(space_.size());
+  const std::size_t count = brief_ ? 1 : candidate_counts.at(space_.size());
   std::vector<BoxedDamper> chosen{surest};
   for (const BoxedDamper& each : list) {
     if (merit(each) <= most && chosen.size() < count &&
@@ -306,20 +314,31 @@ std::vector<BoxedDamper> SuiteSearch::all_refined(const std::vector<BoxedDamper>
                                                   const SuiteGrid& grid, double bar) {
   constexpr int first_levels = 2;
   constexpr int most_levels = 64;
+  const std::size_t sure = brief_ ? 1 : 2;
   SuiteGrid fine = grid;
   std::vector<BoxedDamper> list = shortlist(found, grid, bar);
-  for (BoxedDamper& each : list) {
+  double least_off = HUGE_VAL;
+  for (std::size_t i = 0; i < list.size(); ++i) {
     fine = grid;
-    each = refined(each, fine, first_levels);
+    list[i] = refined(list[i], fine, first_levels);
+    least_off = std::min(least_off, list[i].rank.off);
+    if (i + 1 >= sure && least_off > far_off) {
+      list.resize(i + 1);
+    }
   }
-  by_promise(list);
+  std::size_t most = brief_ ? 1 : most_refined.at(space_.size());
+  if (least_off > far_off) {
+    std::ranges::stable_sort(list, {}, &BoxedDamper::rank);
+    most = 1;
+  } else {
+    by_promise(list);
+  }
   std::erase_if(list, [&](const BoxedDamper& each) { return each.rank.value > unlikely * bar; });
-  const std::size_t most = brief_ ? 1 : most_refined.at(space_.size());
   std::size_t tried = 0;
   std::size_t admissible_ones = 0;
-  double least_off = HUGE_VAL;
+  least_off = HUGE_VAL;
   for (BoxedDamper& each : list) {
-    if (admissible_ones == most || tried == 2 * most || (tried == most && least_off > far_off)) {
+    if (admissible_ones == most || tried == 2 * most || (tried == most && least_off > missed)) {
       break;
     }
     ++tried;
@@ -336,17 +355,14 @@ std::vector<BoxedDamper> SuiteSearch::all_refined(const std::vector<BoxedDamper>
   return list;
 }
 
-std::optional<VerifiedBox> SuiteSearch::best(const BoxMap& map, const SuiteGrid& grid, double bar) {
+std::vector<BoxedDamper> SuiteSearch::likeliest(const BoxMap& map, const SuiteGrid& grid,
+                                                double bar) {
   std::vector<BoxedDamper> found = map.best(goal_, pool_sizes.at(space_.size()), spacing);
   std::erase_if(found, [&](const BoxedDamper& each) {
     return !each.worst.settled || each.rank.value > hopeless * bar ||
            each.rank.off > out_of_reach * first_step();
   });
-  const std::vector<BoxedDamper> list = all_refined(found, grid, bar);
-  if (!list.empty()) {
-    nearest_ = list.front();
-  }
-  return verified(list, bar);
+  return all_refined(found, grid, bar);
 }
 
 }  // namespace stillpoint::design

@@ -36,11 +36,10 @@ class SuiteSearch {
   SuiteSearch(const Suite& suite, const RecordDesignRequest& task, const SuiteSpace& space,
               const SuiteGoal& goal, SuiteWatch& watch, bool brief = false);
 
-  /// The best verified, if it is better than `bar`; starts from a map of the whole space.
-  [[nodiscard]] std::optional<VerifiedBox> best(const BoxMap& map, const SuiteGrid& grid,
-                                                double bar);
-  /// That of the last search, whether it is within the limits or not.
-  [[nodiscard]] const std::optional<BoxedDamper>& nearest() const { return nearest_; }
+  /// The likeliest of a map of the whole space to be better than `bar`, best first and polished;
+  /// the first is the nearest to the limits where none is within them.
+  [[nodiscard]] std::vector<BoxedDamper> likeliest(const BoxMap& map, const SuiteGrid& grid,
+                                                   double bar);
   /// The likeliest of a map with that grid on ever finer ones about them, best first.
   [[nodiscard]] std::vector<BoxedDamper> all_refined(const std::vector<BoxedDamper>& found,
                                                      const SuiteGrid& grid, double bar);
@@ -52,8 +51,15 @@ class SuiteSearch {
   /// other samples and smaller limits may mend one that fails.
   [[nodiscard]] std::optional<VerifiedBox> verified(const std::vector<BoxedDamper>& candidates,
                                                     double bar = HUGE_VAL);
-  /// As it is.
-  [[nodiscard]] VerifiedBox tried(const SuiteDamper& damper);
+  /// As it is; the whole box even where a limit is broken.
+  [[nodiscard]] VerifiedBox tried(const SuiteDamper& damper, bool whole = false);
+  /// By the samples, until one breaks a limit.
+  [[nodiscard]] BoxedDamper unbroken(const SuiteDamper& damper);
+  /// What another search of dampers with the same variables knows.
+  void learn(const KnownDampers& known) { known_.add(known); }
+  [[nodiscard]] const KnownDampers& known() const { return known_; }
+  /// As it is built: with few digits, and not beside a decision.
+  [[nodiscard]] BoxedDamper ready(const BoxedDamper& found) { return clear(rounded(found)); }
 
  private:
   [[nodiscard]] BoxedDamper boxed(const SuiteDamper& damper, const SuiteFigures& worst) const {
@@ -89,7 +95,6 @@ class SuiteSearch {
   bool brief_;
   KnownDampers known_;
   std::vector<SuitePlace> samples_;  ///< those that were worst last come first
-  std::optional<BoxedDamper> nearest_;
 };
 
 }  // namespace stillpoint::design

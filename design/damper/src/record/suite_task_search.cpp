@@ -75,11 +75,14 @@ class TaskSearch {
       const BoxMap map = here.scan.map();
       count(here, map, goal);
       SuiteSearch search(suite_, task_, here.space, goal, watch_);
-      if (auto now = search.best(map, here.scan.grid(), bar)) {
+      const std::vector<BoxedDamper> list = search.likeliest(map, here.scan.grid(), bar);
+      if (!list.empty()) {
+        here.nearest = list.front();
+      }
+      if (auto now = search.verified(list, bar)) {
         best = now;
         watch_.verified({best->box.damper, best->box.worst});
       }
-      here.nearest = search.nearest();
     }
     if (!best) {
       best = grown_to_tolerance(goal);
@@ -120,7 +123,7 @@ class TaskSearch {
         map.worst(), [&](const SuiteFigures& figures) { return admissible(figures, goal.limits); });
   }
 
-  /// No part is off by all of itself.
+  /// On the maps that there are, or looked for by itself. No part is off by all of itself.
   std::optional<LargestBox> largest() {
     constexpr double whole = 0.95;
     const SuiteTolerance& of = task_.tolerance;
@@ -134,7 +137,9 @@ class TaskSearch {
       if (!has_friction(task_, frictions) || watch_.stopped()) {
         continue;
       }
-      auto now = largest_box(suite_, task_, frictions, whole / below, watch_);
+      const auto here = std::ranges::find(maps_, frictions, &Mapped::frictions);
+      auto now = largest_box(suite_, task_, frictions, whole / below,
+                             here == maps_.end() ? nullptr : &here->scan, watch_);
       const double bar =
           !best ? 0 : best->scale * (best->verified.box.damper.delta == 0 ? 1 + least_gain : 1);
       if (now && now->scale > bar) {
@@ -189,9 +194,9 @@ class TaskSearch {
       const std::optional<SuiteDamper> damper =
           here.nearest ? here.nearest->damper : here.scan.nearest(goal);
       if (damper) {
-        VerifiedBox box = search.tried(*damper);
+        const VerifiedBox box = search.tried(*damper);
         if (!nearest || box.box.rank < nearest->box.rank) {
-          nearest = box;
+          nearest = search.tried(*damper, true);
         }
       }
     }
@@ -230,23 +235,40 @@ class TaskSearch {
     return {task_.records[worst].name, task_.records[worst].scale};
   }
 
+  /// The least limit of that kind with which there is a damper: the nearest, where it violates no
+  /// other. Each friction is to be better than those before, so the last is verified first.
   std::optional<double> relaxed(const SuiteFigureKind& kind) {
+    struct Likely {
+      SuiteSearch search;
+      std::vector<BoxedDamper> dampers;
+    };
     SuiteGoal goal{kind.value, task_.limits};
     goal.limits.*kind.limit = std::nullopt;
-    std::optional<double> least;
+    double bar = HUGE_VAL;
+    std::deque<Likely> all;
     for (Mapped& here : maps_) {
-      const double bar = least.value_or(HUGE_VAL);
-      here.scan.look(goal, bar);
       const bool brief = here.space.searched() > 2;
-      SuiteSearch search(suite_, task_, here.space, goal, watch_, brief);
-      if (auto found = search.best(here.scan.map(), here.scan.grid(), bar)) {
-        least = found->box.worst.*kind.value;
+      Likely now{{suite_, task_, here.space, goal, watch_, brief}, {}};
+      if (here.nearest && admissible(here.nearest->worst, goal.limits)) {
+        now.dampers = {
+            {here.nearest->damper, here.nearest->worst, rank(here.nearest->worst, goal)}};
+      } else {
+        here.scan.look(goal, bar);
+        now.dampers = now.search.likeliest(here.scan.map(), here.scan.grid(), bar);
+      }
+      if (!now.dampers.empty() && now.dampers.front().rank.off == 0) {
+        bar = std::min(bar, now.dampers.front().rank.value);
+        all.push_back(std::move(now));
       }
     }
-    if (watch_.stopped() || !least) {
-      return std::nullopt;
+    bar = HUGE_VAL;
+    for (auto each = all.rbegin(); each != all.rend(); ++each) {
+      if (const auto found = each->search.verified(each->dampers, bar)) {
+        bar = found->box.worst.*kind.value;
+      }
     }
-    return *least * (1 + relaxed_by);
+    return watch_.stopped() || bar == HUGE_VAL ? std::nullopt
+                                               : std::optional(bar * (1 + relaxed_by));
   }
 
   const Suite& suite_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 
-// The largest box within the limits: by bisection of its size on a map, then about candidates.
+// The largest box within the limits: on the map of a scan, on finer maps about the likeliest, and
+// then by samples, sizes in decreasing order, places without a damper that is known to break a
+// limit.
 
 #include "record/suite_tolerance.hpp"
 
@@ -9,8 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -19,17 +19,29 @@ namespace stillpoint::design {
 namespace {
 
 constexpr int halvings = 12;
-/// Of the scale of a box: what a search resolves, first and about the best.
-constexpr double first_resolved = 0.04;
-constexpr double resolved = 0.005;
-constexpr double first_growth = 1.15;
-constexpr std::size_t candidates_of_a_size = 2;
-constexpr std::size_t candidates_of_a_map = 8;
-/// Of the largest on the map: smaller boxes may grow more.
-constexpr std::array<double, 3> sizes_tried{1, 0.8, 0.5};
-constexpr int most_shrinkages = 10;
+/// Of the size of a box: from one that is tried to the next, at first and about the best.
 constexpr double shrinkage = 0.98;
-constexpr std::size_t most_grown = 2;
+constexpr double least_shrinkage = 0.998;
+constexpr int most_shrinkages = 40;
+/// Sizes on the map are too large, as its points are not all dampers; they are seldom too small.
+constexpr double larger = 1.04;
+/// The likeliest on the map, of the largest size there and of smaller ones, which may grow more.
+constexpr std::size_t candidates_of_a_size = 2;
+constexpr std::array<double, 3> sizes_tried{1, 0.8, 0.5};
+/// Of a map about a box: steps to the box, and to each side of it, by the number of axes.
+constexpr std::array<std::int64_t, most_axes + 1> near_windows{1, 64, 16, 8, 4};
+constexpr std::array<std::int64_t, most_axes + 1> near_reaches{1, 16, 6, 3, 1};
+constexpr int near_maps = 2;
+constexpr int most_challenges = 4;
+constexpr std::array growths{1.04, 1.02, 1.01, 1.005};
+constexpr double first_push = 0.04;  // of a value
+/// Where there is no box on the map, it is looked for with this size; of an exact value that is
+/// searched, the step.
+constexpr double least_size = 0.04;
+constexpr double exact_step = 0.01;
+/// Places of a map where a size is tried, and how far apart they are, in boxes.
+constexpr std::size_t places_of_a_size = 64;
+constexpr double places_apart = 0.05;
 
 class Growth {
  public:
@@ -40,57 +52,147 @@ class Growth {
         frictions_(frictions),
         most_(most),
         goal_{nullptr, task.limits},
-        watch_(watch) {}
+        watch_(watch),
+        exact_(task, frictions, 0),
+        breaking_(exact_) {}
 
-  std::optional<LargestBox> run() {
-    const SuiteSpace exact = space(0);
-    if (!exact.possible()) {
-      return std::nullopt;
-    }
-    SuiteScan scan(suite_, exact, points(exact), task_.threads, watch_);
-    scan.look(goal_, HUGE_VAL);
+  std::optional<LargestBox> on(const SuiteScan& scan, bool thorough) {
     grid_ = scan.grid();
     figures_ = scan.figures();
-    std::vector<std::pair<double, BoxedDamper>> ends;
-    for (const auto& [scale, candidate] : candidates()) {
-      if (!watch_.stopped()) {
-        ends.push_back(grown(0, scale, candidate, first_resolved));
+    std::vector<std::pair<double, SuiteDamper>> starts = candidates();
+    starts.resize(std::min(starts.size(), thorough ? starts.size() : 1));
+    for (const auto& [scale, damper] : starts) {
+      grow(scale, damper);
+    }
+    for (int i = 0; i < most_challenges && thorough && best_; ++i) {
+      const double before = best_->scale;
+      map_about(before, best_->verified.box.damper);
+      shrink(std::min(larger * before, most_), least_shrinkage);
+      if (best_->scale == before) {
+        break;
       }
     }
-    const auto size = [](const auto& end) { return end.first; };
-    std::ranges::stable_sort(ends, std::ranges::greater(), size);
-    ends.resize(std::min(ends.size(), most_grown));
-    for (auto& [scale, end] : ends) {
-      if (end.rank.off == 0) {
-        std::tie(scale, end) = grown(scale, scale * (1 + first_resolved / 2), end, resolved);
-      }
+    if (thorough) {
+      std::ranges::for_each(growths, [&](double by) { push(by); });
     }
-    std::ranges::stable_sort(ends, std::ranges::greater(), size);
-    if (!ends.empty() && ends.front().second.rank.off == 0) {
-      ends.insert(ends.begin(), challenged(ends.front()));
+    return best_;
+  }
+
+  std::optional<LargestBox> run() {
+    if (!exact_.possible()) {
+      return std::nullopt;
     }
-    std::optional<LargestBox> best;
-    for (const auto& [scale, end] : ends) {
-      if (end.rank.off == 0 && !(best && scale <= best->scale)) {
-        keep_verified(best, scale, end);
-      }
-    }
-    return best;
+    SuiteScan scan(suite_, exact_, points(), task_.threads, watch_);
+    scan.look(goal_, HUGE_VAL);
+    return on(scan, true);
   }
 
  private:
+  void grow(double scale, const SuiteDamper& damper) {
+    SuiteDamper about = damper;
+    if (scale == 0) {
+      const SuiteSpace boxes = space(least_size);
+      const BoxedDamper found = !boxes.possible()
+                                    ? BoxedDamper{}
+                                    : SuiteSearch(suite_, task_, boxes, goal_, watch_)
+                                          .polished({damper, {}, {}}, least_size, true);
+      if (!boxes.possible() || found.rank.off > 0) {
+        return;
+      }
+      scale = least_size;
+      about = found.damper;
+    }
+    for (int i = 0; i < near_maps && !watch_.stopped(); ++i) {
+      map_about(scale, about);
+      scale = std::max(scale / 2, largest_on_map());
+      const std::vector<BoxedDamper> found = on_map(scale, 1);
+      if (found.empty()) {
+        return;
+      }
+      about = found.front().damper;
+    }
+    shrink(scale, shrinkage);
+  }
+
+  /// Until a box holds, or is not larger than the best.
+  void shrink(double scale, double by) {
+    for (int i = 0; i < most_shrinkages && !watch_.stopped(); ++i, scale *= by) {
+      const SuiteSpace boxes = space(scale);
+      if (best_ && scale <= best_->scale / least_shrinkage) {
+        break;
+      }
+      SuiteSearch search(suite_, task_, boxes, goal_, watch_);
+      search.learn(breaking_);
+      bool holds = false;
+      for (const BoxedDamper& each : on_map(scale, places_of_a_size, places_apart)) {
+        const BoxedDamper box = search.unbroken(each.damper);
+        if (box.rank.off > 0) {
+          continue;
+        }
+        const VerifiedBox now = search.tried(search.ready(box).damper);
+        if (now.box.rank.off == 0) {
+          best_ = LargestBox{scale, now};
+          holds = true;
+          break;
+        }
+      }
+      breaking_ = search.known().breaking(task_.limits);
+      if (holds) {
+        break;
+      }
+    }
+  }
+
+  /// Larger by that factor, moved off the places of a map, as long as there is a box.
+  void push(double by) {
+    for (bool holds = best_.has_value(); holds && !watch_.stopped();) {
+      const double scale = std::min(by * best_->scale, most_);
+      const SuiteSpace boxes = space(scale);
+      if (!boxes.possible() || scale <= best_->scale) {
+        return;
+      }
+      SuiteSearch search(suite_, task_, boxes, goal_, watch_);
+      search.learn(breaking_);
+      const BoxedDamper box = search.polished(best_->verified.box, first_push, true);
+      holds = box.rank.off == 0;
+      if (holds) {
+        const VerifiedBox now = search.tried(search.ready(box).damper);
+        holds = now.box.rank.off == 0;
+        best_ = holds ? LargestBox{scale, now} : *best_;
+      }
+      breaking_ = search.known().breaking(task_.limits);
+    }
+  }
+
+  void map_about(double scale, const SuiteDamper& damper) {
+    const SuiteSpace boxes = space(scale);
+    SuiteGrid like{};
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      const SuiteAxis& axis = boxes.axes()[i];
+      GridSide& side = like.at(i);
+      const std::int64_t steps = axis.searched() ? near_windows.at(boxes.size()) : 2;
+      const double box = axis.down() + axis.up();
+      side.window = axis.toleranced() ? steps : 0;
+      side.step = axis.toleranced() ? box / static_cast<double>(steps) : exact_step;
+    }
+    grid_ = grid_about(boxes, like, damper, near_reaches.at(boxes.size()));
+    figures_ = grid_figures(suite_, boxes, grid_, task_.threads, watch_);
+  }
+
   [[nodiscard]] SuiteSpace space(double scale) const { return {task_, frictions_, scale}; }
 
-  [[nodiscard]] std::int64_t points(const SuiteSpace& of) const {
+  [[nodiscard]] std::int64_t points() const {
     constexpr std::int64_t of_a_line = 2000;
     constexpr std::int64_t times_of_three = 4;
-    return of.searched() <= 1   ? std::min(of_a_line, task_.scan_points)
-           : of.searched() == 2 ? task_.scan_points
-                                : times_of_three * task_.scan_points;
+    const std::size_t searched = exact_.searched();
+    return searched <= 1   ? std::min(of_a_line, task_.scan_points)
+           : searched == 2 ? task_.scan_points
+                           : times_of_three * task_.scan_points;
   }
 
   /// The boxes of that size, rounded down to whole steps, on the grid of exact dampers.
-  [[nodiscard]] std::vector<BoxedDamper> on_map(double scale, std::size_t most) const {
+  [[nodiscard]] std::vector<BoxedDamper> on_map(double scale, std::size_t most,
+                                                double apart = 1) const {
     const SuiteSpace boxes = space(scale);
     if (!boxes.possible()) {
       return {};
@@ -98,7 +200,7 @@ class Growth {
     SuiteGrid grid = grid_;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       GridSide& side = grid.at(i);
-      if (side.step > 0) {
+      if (side.step > 0 && boxes.axes()[i].searched()) {
         const auto below = std::floor(boxes.axes()[i].down() / side.step);
         const auto above = std::floor(boxes.axes()[i].up() / side.step);
         side.window = static_cast<std::int64_t>(below + above);
@@ -108,10 +210,10 @@ class Growth {
         }
       }
     }
-    return BoxMap(boxes, grid, figures_).best(goal_, most);
+    return BoxMap(boxes, grid, figures_).best(goal_, most, apart);
   }
 
-  [[nodiscard]] std::vector<std::pair<double, BoxedDamper>> candidates() const {
+  [[nodiscard]] double largest_on_map() const {
     double low = 0;
     double high = most_;
     for (int i = 0; i < halvings; ++i) {
@@ -119,85 +221,21 @@ class Growth {
       const std::vector<BoxedDamper> best = on_map(middle, 1);
       (!best.empty() && best.front().rank.off == 0 ? low : high) = middle;
     }
-    std::vector<std::pair<double, BoxedDamper>> list;
-    for (const double part : low > 0 ? std::span(sizes_tried) : std::span(sizes_tried).first(1)) {
-      for (const BoxedDamper& each : on_map(part * low, candidates_of_a_size)) {
-        list.emplace_back(part * low, each);
+    return low;
+  }
+
+  [[nodiscard]] std::vector<std::pair<double, SuiteDamper>> candidates() const {
+    const double low = largest_on_map();
+    std::vector<std::pair<double, SuiteDamper>> list;
+    for (const double part : sizes_tried) {
+      for (const BoxedDamper& each : on_map(part * low, low > 0 ? candidates_of_a_size : 1)) {
+        list.emplace_back(part * low, each.damper);
+      }
+      if (low == 0) {
+        break;
       }
     }
     return list;
-  }
-
-  /// Polishes the box of that size about `from`.
-  [[nodiscard]] BoxedDamper at_size(double scale, const BoxedDamper& from) {
-    const SuiteSpace boxes = space(scale);
-    if (!boxes.possible()) {
-      BoxedDamper none = from;
-      none.rank.off = 1;
-      return none;
-    }
-    constexpr double step = 0.04;
-    return SuiteSearch(suite_, task_, boxes, goal_, watch_).polished(from, step, true);
-  }
-
-  /// As large as it can be about there, from a size that it has, if it is not 0, and another.
-  [[nodiscard]] std::pair<double, BoxedDamper> grown(double low, double next,
-                                                     const BoxedDamper& candidate,
-                                                     double precision) {
-    double high = most_;
-    bool bounded = false;
-    BoxedDamper best = candidate;
-    best.rank.off = low > 0 ? 0 : 1;
-    next = std::min(std::max(next, first_resolved), most_);
-    while (high - low > precision * std::max(1.0, low) && !watch_.stopped()) {
-      BoxedDamper now = at_size(next, best);
-      if (now.rank.off == 0) {
-        low = next;
-        best = now;
-      } else {
-        high = next;
-        bounded = true;
-      }
-      next = !bounded && low > 0 ? std::min(most_, low * first_growth) : (low + high) / 2;
-    }
-    return {low, best};
-  }
-
-  /// The best of a map of slightly larger boxes, as long as it has one within the limits.
-  [[nodiscard]] std::pair<double, BoxedDamper> challenged(std::pair<double, BoxedDamper> best) {
-    constexpr int most_challenges = 3;
-    constexpr double larger = 1.02;
-    for (int i = 0; i < most_challenges && !watch_.stopped(); ++i) {
-      const double scale = std::min(most_, larger * best.first);
-      const SuiteSpace boxes = space(scale);
-      if (scale <= best.first || !boxes.possible()) {
-        break;
-      }
-      SuiteScan scan(suite_, boxes, points(boxes), task_.threads, watch_);
-      scan.look(goal_, HUGE_VAL);
-      SuiteSearch search(suite_, task_, boxes, goal_, watch_);
-      const std::vector<BoxedDamper> found =
-          search.all_refined(scan.map().best(goal_, candidates_of_a_map), scan.grid(), HUGE_VAL);
-      if (found.empty() || found.front().rank.off > 0) {
-        break;
-      }
-      best = grown(scale, scale * (1 + first_resolved), found.front(), resolved);
-    }
-    return best;
-  }
-
-  void keep_verified(std::optional<LargestBox>& best, double scale, BoxedDamper end) {
-    for (int i = 0; i < most_shrinkages && !watch_.stopped(); ++i, scale *= shrinkage) {
-      if (best && scale <= best->scale) {
-        return;
-      }
-      const SuiteSpace boxes = space(scale);
-      SuiteSearch search(suite_, task_, boxes, goal_, watch_);
-      if (auto now = search.verified({end})) {
-        best = LargestBox{scale, *now};
-        return;
-      }
-    }
   }
 
   const Suite& suite_;
@@ -206,6 +244,9 @@ class Growth {
   double most_;
   SuiteGoal goal_;
   SuiteWatch& watch_;
+  SuiteSpace exact_;
+  KnownDampers breaking_;
+  std::optional<LargestBox> best_;
   SuiteGrid grid_{};
   std::vector<SuiteFigures> figures_;
 };
@@ -213,8 +254,10 @@ class Growth {
 }  // namespace
 
 std::optional<LargestBox> largest_box(const Suite& suite, const RecordDesignRequest& task,
-                                      SuiteFrictions frictions, double most, SuiteWatch& watch) {
-  return Growth(suite, task, frictions, most, watch).run();
+                                      SuiteFrictions frictions, double most, const SuiteScan* scan,
+                                      SuiteWatch& watch) {
+  Growth growth(suite, task, frictions, most, watch);
+  return scan != nullptr ? growth.on(*scan, false) : growth.run();
 }
 
 }  // namespace stillpoint::design

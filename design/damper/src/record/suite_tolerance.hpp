@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "record/suite_scan.hpp"
 #include "record/suite_search.hpp"
 
 #include <optional>
@@ -13,10 +14,12 @@ struct LargestBox {
   VerifiedBox verified;
 };
 
-/// At most `most` times the tolerance of the request. Empty if not even an exact damper was found.
+/// At most `most` times the tolerance of the request. From a scan that a search of the whole
+/// tolerance has made, the likeliest alone is grown; without one there is a scan for it, and the
+/// box is as large as it can be. Empty if not even an exact damper was found.
 [[nodiscard]] std::optional<LargestBox> largest_box(const Suite& suite,
                                                     const RecordDesignRequest& task,
                                                     SuiteFrictions frictions, double most,
-                                                    SuiteWatch& watch);
+                                                    const SuiteScan* scan, SuiteWatch& watch);
 
 }  // namespace stillpoint::design

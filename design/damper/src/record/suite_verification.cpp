@@ -37,7 +37,7 @@ SuiteLimits tightened(SuiteLimits limits, double part) {
 
 }  // namespace
 
-VerifiedBox SuiteSearch::tried(const SuiteDamper& damper) {
+VerifiedBox SuiteSearch::tried(const SuiteDamper& damper, bool whole) {
   const std::vector<SuitePlace> places = box_samples(space_, verifying_samples);
   VerifiedBox result{boxed(damper, {}), {}, 0};
   result.of.fill(damper);
@@ -58,7 +58,7 @@ VerifiedBox SuiteSearch::tried(const SuiteDamper& damper) {
       result.box.worst = worse(result.box.worst, all[i]);
     }
     result.samples = static_cast<std::int64_t>(end);
-    if (!admissible(result.box.worst, goal_.limits)) {
+    if (!whole && !admissible(result.box.worst, goal_.limits)) {
       learn(std::span(places).subspan(begin, end - begin), all);
       break;
     }
@@ -161,7 +161,7 @@ std::optional<VerifiedBox> SuiteSearch::verified(const std::vector<BoxedDamper>&
       next->worse = false;
       continue;
     }
-    next->box = clear(rounded(next->box));
+    next->box = ready(next->box);
     const VerifiedBox box = tried(next->box.damper);
     if (watch_.stopped()) {
       break;
