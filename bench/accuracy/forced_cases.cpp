@@ -193,7 +193,7 @@ HardCase short_stick() {
     // A rest that the end cuts short counts, as in response_of_run.hpp.
     const bool rests = state.v == 0 && !state.fresh && !state.outcome;
     const Exact waited = rests ? state.now.minus(state.rest_begin) : Exact(0);
-    return Exact((state.stick_time.value() + waited) / in[0]);
+    return Exact((state.stuck.value() + waited) / in[0]);
   };
   now.neighbour = [](Dice& dice) {
     return Inputs<double>{1 + 1e-4 * dice.uniform(-1, 1), 0.05 * (1 + 1e-4 * dice.uniform(-1, 1))};
