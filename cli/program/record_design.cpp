@@ -5,7 +5,6 @@
 #include "progress.hpp"
 
 #include <stillpoint/report/record_design.hpp>
-#include <stillpoint/report/terminal.hpp>
 
 #include <algorithm>
 

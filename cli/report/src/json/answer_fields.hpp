@@ -310,7 +310,7 @@ struct HitsSi : design::Hits {
 };
 /// Of a damper and its task.
 struct AnswerSi : Si {
-  const ShownAnswer* answer;
+  const ShownAnswer* answer{nullptr};
 
   /// What would mend an empty region; empty if that input alone cannot.
   [[nodiscard]] IfReal mended(std::string_view field, bool by_stiffness) const;

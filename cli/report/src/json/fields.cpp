@@ -56,7 +56,7 @@ void put(ordered_json& object, std::string_view name, ordered_json value, const 
   const bool apart = measure.si == InSi::apart;
   ordered_json twin = apart ? nullptr : in_si(value, measure.dimension, scales);
   const bool beside = measure.si == InSi::beside;
-  object[std::string(name)] = apart || beside ? std::move(value) : std::move(twin);
+  object[std::string(name)] = apart || beside ? std::move(value) : twin;
   if (beside) {
     object[si_name(name, measure)] = std::move(twin);
   }
