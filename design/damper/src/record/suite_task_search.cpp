@@ -189,6 +189,7 @@ class TaskSearch {
   /// The box that violates the limits least, and each limit that would do.
   void tell_why(const SuiteGoal& goal) {
     std::optional<VerifiedBox> nearest;
+    const SuiteSpace* space = nullptr;
     for (const Mapped& here : maps_) {
       SuiteSearch search(suite_, task_, here.space, goal, watch_);
       const std::optional<SuiteDamper> damper =
@@ -196,7 +197,8 @@ class TaskSearch {
       if (damper) {
         const VerifiedBox box = search.tried(*damper);
         if (!nearest || box.box.rank < nearest->box.rank) {
-          nearest = search.tried(*damper, true);
+          nearest = box;
+          space = &here.space;
         }
       }
     }
@@ -204,6 +206,8 @@ class TaskSearch {
       result_.nearest.figures.settled = false;
       return;
     }
+    SuiteSearch whole(suite_, task_, *space, goal, watch_);
+    nearest = whole.tried(nearest->box.damper, true);
     result_.nearest = {nearest->box.damper, nearest->box.worst};
     result_.constraints = constraints_of(task_.limits, nearest->box.worst);
     auto constraint = result_.constraints.begin();
