@@ -32,7 +32,7 @@ struct VerifiedBox {
 /// Looks for one goal in one space.
 class SuiteSearch {
  public:
-  /// A brief one looks near the two likeliest alone.
+  /// A brief one looks near the likeliest alone.
   SuiteSearch(const Suite& suite, const RecordDesignRequest& task, const SuiteSpace& space,
               const SuiteGoal& goal, SuiteWatch& watch, bool brief = false);
 
