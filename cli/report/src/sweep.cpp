@@ -121,8 +121,8 @@ std::string progress_words(double rows, std::int64_t begun_with,
 }
 
 Document document(const ReductionReport& report) {
-  Document made = document_of("Sweep without rows", report.state,
-                              report.kind == sweep::SweepKind::design);
+  Document made =
+      document_of("Sweep without rows", report.state, report.kind == sweep::SweepKind::design);
   if (report.split) {
     made.answer.row("part", text(report.label.part));
   }

@@ -68,8 +68,8 @@ std::unique_ptr<answers::Answer> answer(Command command, const json& scene) {
 std::string said(Command command, const json& scene) {
   const auto found = answer(command, scene);
   const figures::HtmlPage page = found->page();
-  std::string all = found->json().dump() + "\n" + page.report + page.verdict + page.answer +
-                    page.body;
+  std::string all =
+      found->json().dump() + "\n" + page.report + page.verdict + page.answer + page.body;
   for (const figures::Figure& figure : page.figures) {
     all += svg(figure, figures::Frame::alone) + figure.caption();
   }
