@@ -249,7 +249,7 @@ class TaskSearch {
     SuiteGoal goal{kind.value, task_.limits};
     goal.limits.*kind.limit = std::nullopt;
     double bar = HUGE_VAL;
-    std::deque<Likely> all;
+    std::deque<Likely> all;  // the last first
     for (Mapped& here : maps_) {
       const bool brief = here.space.searched() > 2;
       Likely now{{suite_, task_, here.space, goal, watch_, brief}, {}};
@@ -262,12 +262,12 @@ class TaskSearch {
       }
       if (!now.dampers.empty() && now.dampers.front().rank.off == 0) {
         bar = std::min(bar, now.dampers.front().rank.value);
-        all.push_back(std::move(now));
+        all.push_front(std::move(now));
       }
     }
     bar = HUGE_VAL;
-    for (auto each = all.rbegin(); each != all.rend(); ++each) {
-      if (const auto found = each->search.verified(each->dampers, bar)) {
+    for (Likely& each : all) {
+      if (const auto found = each.search.verified(each.dampers, bar)) {
         bar = found->box.worst.*kind.value;
       }
     }
