@@ -8,8 +8,6 @@
 
 #include <cerrno>
 #include <sstream>
-#include <system_error>
-#include <vector>
 
 namespace stillpoint::browser_test {
 

@@ -3,8 +3,6 @@
 
 #include "run_program.hpp"
 
-#include <string>
-
 namespace stillpoint::browser_test {
 
 /// What a browser without a window left behind.

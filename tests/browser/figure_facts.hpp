@@ -3,11 +3,8 @@
 
 #include "pages.hpp"
 
-#include <boost/test/unit_test.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace stillpoint::browser_test {
 

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "figure_facts.hpp"
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <regex>
-
 // Rules for every page: no errors, nothing outside the window, no overlapping text, everything
 // legible in both colour schemes.
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "figure_facts.hpp"
 
-#include <algorithm>
-
 // What is drawn lies where its values are, and its values are those of the report.
 
 namespace {

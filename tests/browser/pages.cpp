@@ -4,12 +4,8 @@
 #include "browser.hpp"
 #include "sweep_table.hpp"
 
-#include <boost/test/unit_test.hpp>
-
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 namespace stillpoint::browser_test {

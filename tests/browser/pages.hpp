@@ -3,12 +3,6 @@
 
 #include "run_program.hpp"
 
-#include <nlohmann/json.hpp>
-
-#include <map>
-#include <string>
-#include <vector>
-
 namespace stillpoint::browser_test {
 
 /// The pages under test, written by the program, by name: design, infeasible, arrivals, free,

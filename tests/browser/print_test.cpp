@@ -3,9 +3,6 @@
 #include "pages.hpp"
 
 #include <zlib.h>
-#include <boost/test/unit_test.hpp>
-
-#include <regex>
 
 // The pages as the program wrote them, untouched, on paper.
 

@@ -4,8 +4,6 @@
 #include "figure_facts.hpp"
 
 #include <optional>
-#include <regex>
-#include <string>
 
 namespace stillpoint::browser_test {
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "readout.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 // Wheel, drag and double click. Axes are read off the ticks, as a reader does.
 
 namespace {

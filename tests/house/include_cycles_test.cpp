@@ -3,8 +3,6 @@
 // others.
 #include "sources.hpp"
 
-#include <regex>
-
 BOOST_AUTO_TEST_SUITE(include_cycles_test)
 
 namespace {

@@ -3,8 +3,6 @@
 // digits of the C library's functions differ. elementary.hpp and double_pair.hpp stand for them.
 #include "sources.hpp"
 
-#include <regex>
-
 BOOST_AUTO_TEST_SUITE(same_bits_everywhere_test)
 
 using namespace stillpoint::test;

@@ -6,12 +6,10 @@
 // error by the same number times the condition, sum over the inputs of |d metric / d ln input|.
 
 #include "testing/exact_run.hpp"
-#include "testing/scene.hpp"
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <sstream>
 #include <string>

@@ -4,7 +4,6 @@
 // Checks that several tests share.
 
 #include "testing/exact_run.hpp"
-#include "testing/scene.hpp"
 
 #include <boost/test/unit_test.hpp>
 

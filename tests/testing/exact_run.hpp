@@ -12,7 +12,6 @@
 
 #include <stillpoint/core/state.hpp>
 
-#include <array>
 #include <optional>
 
 namespace stillpoint::test {

@@ -10,15 +10,11 @@
 #include "kernel/widened.hpp"
 #include "testing/exact_run.hpp"
 #include "testing/random_scene.hpp"
-#include "testing/scene.hpp"
 
 #include <stillpoint/core/excitation.hpp>
-#include <stillpoint/core/state.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <limits>
-#include <ostream>
 #include <variant>
 #include <vector>
 

@@ -5,10 +5,6 @@
 
 #include "testing/exact_run.hpp"
 #include "testing/random_scene.hpp"
-#include "testing/scene.hpp"
-
-#include <cmath>
-#include <optional>
 
 namespace stillpoint::test {
 

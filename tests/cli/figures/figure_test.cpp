@@ -7,18 +7,13 @@
 
 #include <stillpoint/figures/figure.hpp>
 
-#include <boost/test/unit_test.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <random>
-#include <regex>
 #include <sstream>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(figure_test)
 

@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <locale>
 
 BOOST_AUTO_TEST_SUITE(comma_locale_test)

@@ -6,10 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <map>
-#include <regex>
-#include <string>
-
 BOOST_FIXTURE_TEST_SUITE(findings_test, stillpoint::cli_test::Sandbox)
 
 namespace {

@@ -8,8 +8,6 @@
 #include <stillpoint/design/motion_findings.hpp>
 #include <stillpoint/report/report.hpp>
 
-#include <chrono>
-
 BOOST_AUTO_TEST_SUITE(library_answer_test)
 
 namespace {

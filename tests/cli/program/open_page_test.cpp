@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli_test.hpp"
 
-#include <chrono>
 #include <thread>
 
 BOOST_AUTO_TEST_SUITE(open_page_test)

@@ -3,8 +3,6 @@
 // printed, each link leads somewhere.
 #include "cli_test.hpp"
 
-#include <regex>
-
 BOOST_AUTO_TEST_SUITE(pages_test)
 
 namespace {

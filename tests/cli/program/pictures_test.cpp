@@ -4,8 +4,6 @@
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
-#include <regex>
-
 BOOST_FIXTURE_TEST_SUITE(pictures_test, stillpoint::cli_test::Sandbox)
 
 namespace {

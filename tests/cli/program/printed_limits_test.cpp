@@ -3,8 +3,6 @@
 // and an input set to a printed mend has a design.
 #include "cli_test.hpp"
 
-#include <regex>
-
 BOOST_FIXTURE_TEST_SUITE(printed_limits_test, stillpoint::cli_test::Sandbox)
 
 namespace {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli_test.hpp"
 
-#include <regex>
-
 BOOST_FIXTURE_TEST_SUITE(pulse_command_test, stillpoint::cli_test::Sandbox)
 
 // design --pulse and region --pulse, from the flags to the report.

@@ -3,8 +3,6 @@
 
 #include <stillpoint/report/digits.hpp>
 
-#include <regex>
-
 BOOST_AUTO_TEST_SUITE(record_design_command_test)
 
 // design --record, from the flags to the report. The search itself is in record_design_test.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli_test.hpp"
 
-#include <regex>
-
 BOOST_AUTO_TEST_SUITE(reports_test)
 
 // The commands of commands/reports with what their reports have. Below a command stands

@@ -6,9 +6,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <csignal>
-#include <system_error>
-
 BOOST_AUTO_TEST_SUITE(sweep_resume_test)
 
 namespace {

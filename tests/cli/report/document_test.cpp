@@ -3,8 +3,6 @@
 
 #include <stillpoint/report/document.hpp>
 
-#include <regex>
-
 BOOST_AUTO_TEST_SUITE(document_test)
 
 using namespace stillpoint::report;

@@ -3,13 +3,13 @@
 
 // Pages of figures, and what is drawn on them.
 
+#include "testing/random_scene.hpp"
+#include "testing/test.hpp"
+#include <stillpoint/core/simulation.hpp>
+#include <stillpoint/report/record_design.hpp>
+
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/report/report.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <string>
 
 namespace stillpoint::test {
 

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "drawn_pages.hpp"
-#include "testing/test.hpp"
 
 #include <stillpoint/core/half_cycles.hpp>
-#include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/built_notch.hpp>
-#include <stillpoint/report/record_design.hpp>
-#include <stillpoint/report/report.hpp>
 
 #include <fmt/format.h>
-
-#include <cmath>
 
 // What a reader must see of a motion: over time, and in the phase plane.
 

@@ -1,17 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "drawn_pages.hpp"
-#include "testing/random_scene.hpp"
-#include "testing/test.hpp"
-
-#include <stillpoint/core/simulation.hpp>
-#include <stillpoint/design/design.hpp>
-#include <stillpoint/report/record_design.hpp>
-#include <stillpoint/report/report.hpp>
 
 #include <fmt/format.h>
-
-#include <regex>
-#include <set>
 
 // What a reader must see in the figures of a page.
 

@@ -1,21 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "drawn_pages.hpp"
-#include "testing/random_scene.hpp"
-
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/design/design.hpp>
-#include <stillpoint/report/report.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <map>
-#include <string>
-#include <vector>
 
 // Each point of the region's figure lies in one area, and what that says is what the motion does.
 

@@ -5,8 +5,6 @@
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/report.hpp>
 
-#include <regex>
-
 BOOST_AUTO_TEST_SUITE(report_page_test)
 
 using namespace stillpoint;

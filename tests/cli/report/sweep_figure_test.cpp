@@ -6,12 +6,6 @@
 #include <stillpoint/sweep/run.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <set>
-#include <string>
-
 BOOST_AUTO_TEST_SUITE(sweep_figure_test)
 
 using namespace stillpoint;

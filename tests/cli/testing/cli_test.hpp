@@ -5,7 +5,6 @@
 
 #include "refusal.hpp"
 #include "report_fields.hpp"
-#include "run_program.hpp"
 #include "sweep_table.hpp"
 #include "testing/test.hpp"
 

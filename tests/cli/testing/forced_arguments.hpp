@@ -4,8 +4,6 @@
 #include "run_program.hpp"
 
 #include <cmath>
-#include <string>
-#include <vector>
 
 namespace stillpoint::cli_test {
 

@@ -2,9 +2,6 @@
 #include "parts.hpp"
 
 #include <fmt/format.h>
-#include <boost/test/unit_test.hpp>
-
-#include <utility>
 
 namespace stillpoint::cli_test {
 

@@ -2,9 +2,6 @@
 #pragma once
 
 #include "refusal.hpp"
-#include "run_program.hpp"
-
-#include <string>
 
 namespace stillpoint::cli_test {
 

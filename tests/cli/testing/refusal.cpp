@@ -3,12 +3,7 @@
 #include "testing/printing.hpp"
 #include "testing/unescaped.hpp"
 
-#include <boost/test/unit_test.hpp>
-
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <ostream>
 
 namespace stillpoint::cli_test {
 

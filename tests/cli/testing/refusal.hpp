@@ -4,9 +4,6 @@
 #include "run_program.hpp"
 
 #include <iosfwd>
-#include <map>
-#include <string>
-#include <vector>
 
 namespace stillpoint::cli_test {
 

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "report_fields.hpp"
 
-#include <boost/test/unit_test.hpp>
-
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <regex>
 
 namespace stillpoint::cli_test {
 

@@ -3,11 +3,7 @@
 
 #include "run_program.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <initializer_list>
-#include <string_view>
-#include <utility>
 
 namespace stillpoint::cli_test {
 

@@ -14,15 +14,11 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <memory>
-#include <regex>
 #include <sstream>
 #include <stop_token>
-#include <system_error>
 #include <thread>
 
 namespace stillpoint::cli_test {

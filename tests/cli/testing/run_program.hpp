@@ -4,16 +4,13 @@
 #include "testing/contains.hpp"
 #include "testing/folder.hpp"
 
-#include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
 #include <csignal>
 #include <functional>
 #include <map>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace stillpoint::cli_test {
 

@@ -2,15 +2,11 @@
 #include "sweep_table.hpp"
 #include "testing/printing.hpp"
 
-#include <boost/test/unit_test.hpp>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstring>
-#include <regex>
 #include <sstream>
-#include <stdexcept>
 
 namespace stillpoint::cli_test {
 

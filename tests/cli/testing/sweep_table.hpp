@@ -3,12 +3,7 @@
 
 #include "run_program.hpp"
 
-#include <boost/test/unit_test.hpp>
-
 #include <cstdint>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace stillpoint::cli_test {
 

@@ -3,8 +3,6 @@
 
 #include "run_program.hpp"
 
-#include <string>
-
 /// Commands that would be correct without what is added to them.
 namespace stillpoint::cli_test::right {
 

@@ -3,8 +3,6 @@
 
 #include <atomic>
 
-#include <stillpoint/core/for_each_entry.hpp>
-
 #include <sys/resource.h>
 #include <unistd.h>
 

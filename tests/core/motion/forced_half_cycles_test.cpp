@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "motion.hpp"
 
-#include <variant>
-
 namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(forced_half_cycles_test)

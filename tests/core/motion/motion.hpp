@@ -6,8 +6,6 @@
 #include "testing/checks.hpp"
 #include "testing/forced_scene.hpp"
 #include "testing/near_tie.hpp"
-#include "testing/random_scene.hpp"
-#include "testing/scene.hpp"
 #include "testing/scene_count.hpp"
 #include "testing/scene_s5.hpp"
 #include "testing/simple_forced.hpp"

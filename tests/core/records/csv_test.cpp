@@ -7,8 +7,6 @@
 
 #include "testing/folder.hpp"
 
-#include <random>
-
 BOOST_AUTO_TEST_SUITE(csv_test)
 
 namespace {

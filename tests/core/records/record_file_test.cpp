@@ -2,9 +2,6 @@
 #include "record_texts.hpp"
 #include "testing/folder.hpp"
 
-#include <stillpoint/records/file_error.hpp>
-#include <stillpoint/records/record_file.hpp>
-
 #include <unistd.h>
 
 #include <bit>

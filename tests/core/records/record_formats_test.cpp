@@ -5,9 +5,6 @@
 
 #include "samples.hpp"
 
-#include <stillpoint/records/file_error.hpp>
-#include <stillpoint/records/record_file.hpp>
-
 BOOST_AUTO_TEST_SUITE(record_formats_test)
 
 namespace {

@@ -2,7 +2,6 @@
 #include "record_texts.hpp"
 #include "testing/folder.hpp"
 
-#include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/record_suite.hpp>
 
 BOOST_AUTO_TEST_SUITE(record_scaling_test)

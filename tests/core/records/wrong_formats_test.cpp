@@ -4,9 +4,6 @@
 
 #include "samples.hpp"
 
-#include <stillpoint/records/file_error.hpp>
-#include <stillpoint/records/record_file.hpp>
-
 BOOST_AUTO_TEST_SUITE(wrong_formats_test)
 
 namespace {

@@ -7,15 +7,6 @@
 #include "random_source.hpp"
 #include "task.hpp"
 
-#include <stillpoint/design.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <optional>
-
 namespace stillpoint::design_test {
 
 using namespace stillpoint::design;

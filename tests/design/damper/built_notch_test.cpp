@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "damper.hpp"
 
-#include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/design/built_notch.hpp>
-
 BOOST_AUTO_TEST_SUITE(built_notch_test)
 
 namespace {

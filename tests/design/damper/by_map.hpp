@@ -6,9 +6,6 @@
 
 #include "task.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace stillpoint::design_test::by_map {
 
 using Wide = long double;

@@ -6,10 +6,8 @@
 #include "random_source.hpp"
 #include "reference.hpp"
 #include "task.hpp"
-#include "testing/test.hpp"
 
 #include <stillpoint/core.hpp>
-#include <stillpoint/design.hpp>
 
 namespace stillpoint::design_test {
 

@@ -3,15 +3,9 @@
 
 // Random problems that repeat: the same numbers on every machine, from a seed that is printed.
 
+#include "testing/test.hpp"
+
 #include <stillpoint/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <cstdint>
-#include <numbers>
-#include <random>
-#include <vector>
 
 namespace stillpoint::design_test {
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "damper.hpp"
 #include "suites_of_records.hpp"
 #include "testing/dense_boxes.hpp"
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "damper.hpp"
 #include "record/suite.hpp"
 #include "suites_of_records.hpp"
 
 #include <iomanip>
-#include <sstream>
 
 BOOST_AUTO_TEST_SUITE(record_design_test)
 

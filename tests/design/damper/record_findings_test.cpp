@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a design under records must say beyond its figures.
-#include "damper.hpp"
 #include "suites_of_records.hpp"
-
-#include <stillpoint/design/record_findings.hpp>
-
-#include <algorithm>
 
 BOOST_AUTO_TEST_SUITE(record_findings_test)
 

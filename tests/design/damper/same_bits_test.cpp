@@ -12,7 +12,6 @@
 #include <nlopt.h>
 
 #include <bit>
-#include <cstdint>
 
 namespace {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "record/suite.hpp"
 #include "check/runge_kutta.hpp"
-#include "damper.hpp"
 #include "record/known_dampers.hpp"
 
 #include "suites_of_records.hpp"

@@ -3,12 +3,9 @@
 
 // Records to design for.
 
-#include <stillpoint/design/record_design.hpp>
-#include <stillpoint/records/record_file.hpp>
+#include "damper.hpp"
 
-#include <cmath>
-#include <numbers>
-#include <string>
+#include <stillpoint/records/record_file.hpp>
 
 namespace stillpoint::design_test {
 

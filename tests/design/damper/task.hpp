@@ -3,15 +3,9 @@
 
 // A problem with its limits, and each input by the name that a mend gives it.
 
+#include "testing/test.hpp"
+
 #include <stillpoint/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cstdint>
-#include <sstream>
-#include <string>
-#include <string_view>
 
 namespace stillpoint::design_test {
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "design/peers/reference_scenes.hpp"
-#include "testing/test.hpp"
 
 #include <stillpoint/peers/comparison.hpp>
 

@@ -4,10 +4,8 @@
 #include "dopri5.hpp"
 #include "testing/forced_scene.hpp"
 #include "testing/scene_count.hpp"
-#include "testing/test.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/peers/methods.hpp>
 
 namespace stillpoint::peers {
 

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "design/peers/reference_scenes.hpp"
 #include "testing/scene_s5.hpp"
-#include "testing/test.hpp"
 
 #include <stillpoint/peers/exact.hpp>
-#include <stillpoint/peers/methods.hpp>
-#include <stillpoint/peers/reference.hpp>
 
 #include <variant>
 

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "testing/test.hpp"
+
 #include <stillpoint/peers/methods.hpp>
 #include <stillpoint/peers/reference.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <string>
-#include <vector>
 
 namespace stillpoint::peers {
 

@@ -8,9 +8,6 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <filesystem>
-
 namespace {
 
 std::vector<std::string>* notes = nullptr;

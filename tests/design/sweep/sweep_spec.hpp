@@ -9,10 +9,6 @@
 #include <stillpoint/sweep/run.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace stillpoint::sweep_test {
 
 using namespace stillpoint;

@@ -8,18 +8,8 @@
 #include "../task.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/design.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <optional>
-#include <sstream>
-#include <string>
-#include <string_view>
 #include <variant>
-#include <vector>
 
 namespace stillpoint::design_test {
 

@@ -2,9 +2,6 @@
 #include "damper.hpp"
 #include "pulse_task.hpp"
 
-#include <stillpoint/design/hits.hpp>
-#include <stillpoint/design/works_for.hpp>
-
 BOOST_AUTO_TEST_SUITE(pulse_works_for_test)
 
 // The pulses and springs that a damper works for, compared with closed forms and with the motions
