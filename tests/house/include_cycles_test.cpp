@@ -5,8 +5,6 @@
 
 BOOST_AUTO_TEST_SUITE(include_cycles_test)
 
-namespace {
-
 using namespace stillpoint::test;
 
 /// core/motion of a file in it.
@@ -79,8 +77,6 @@ std::vector<fs::path> cycle(Uses left) {
   }
   return {};
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(no_component_uses_itself_by_way_of_others) {
   const Uses all = uses();

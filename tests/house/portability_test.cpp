@@ -6,8 +6,6 @@
 
 BOOST_AUTO_TEST_SUITE(portability_test)
 
-namespace {
-
 using namespace stillpoint::test;
 
 std::string text_of(const fs::path& file) {
@@ -15,8 +13,6 @@ std::string text_of(const fs::path& file) {
   BOOST_TEST_REQUIRE(stream.good(), file);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
-
-}  // namespace
 
 /// Since fmt 11 it is nowhere else.
 BOOST_AUTO_TEST_CASE(who_joins_includes_the_header_for_it) {

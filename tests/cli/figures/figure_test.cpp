@@ -17,8 +17,6 @@
 
 BOOST_AUTO_TEST_SUITE(figure_test)
 
-namespace {
-
 using namespace stillpoint::figures;
 
 /// On axes that make a unit 37 pixels wide and 27 high.
@@ -113,8 +111,6 @@ std::string golden(const std::string& name) {
 }
 
 using stillpoint::test::contains;
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(figure)
 

@@ -3,8 +3,6 @@
 
 BOOST_FIXTURE_TEST_SUITE(accuracy_command_test, stillpoint::cli_test::Sandbox)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 
 /// The first of a name: the kernel's, or the one with a setting.
@@ -17,8 +15,6 @@ json method(const json& report, const std::string& name, const std::string& sett
   BOOST_FAIL("no method " << name << ' ' << setting);
   return {};
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(pulse_and_record_are_compared_too) {
   write("w.txt", "0.3\n-0.2\n0.1\n");

@@ -6,15 +6,11 @@
 
 BOOST_AUTO_TEST_SUITE(answer_test)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 
 constexpr std::size_t columns = 80;
 constexpr std::size_t lines_at_most = 32;
 constexpr std::size_t lines_of_a_spectrum = 8;  ///< above that: a row for each period
-
-}  // namespace
 
 BOOST_FIXTURE_TEST_CASE(of_each_scene_fits_a_terminal, Sandbox) {
   for (const auto& entry : fs::directory_iterator(STILLPOINT_DATA_DIR "/scenes")) {

@@ -4,12 +4,8 @@
 
 BOOST_AUTO_TEST_SUITE(catalogue_command_test)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 using right::design;
-
-}  // namespace
 
 BOOST_FIXTURE_TEST_SUITE(catalogue, Sandbox)
 

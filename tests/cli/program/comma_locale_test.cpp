@@ -15,8 +15,6 @@
 
 BOOST_AUTO_TEST_SUITE(comma_locale_test)
 
-namespace {
-
 using namespace stillpoint;
 using namespace stillpoint::cli_test;
 using cli::Command;
@@ -101,8 +99,6 @@ std::vector<std::pair<Command, json>> tasks() {
   }
   return all;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(every_answer_is_the_same) {
   const auto all = tasks();

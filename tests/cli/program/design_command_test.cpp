@@ -9,12 +9,8 @@
 
 BOOST_FIXTURE_TEST_SUITE(design_command_test, stillpoint::cli_test::Sandbox)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 using right::design;
-
-}  // namespace
 
 /// The rows are those that `region` lists for the same point.
 BOOST_AUTO_TEST_CASE(given_limits_have_rows) {

@@ -8,8 +8,6 @@
 
 BOOST_FIXTURE_TEST_SUITE(findings_test, stillpoint::cli_test::Sandbox)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 using namespace stillpoint;
 
@@ -43,8 +41,6 @@ const std::vector<std::string> tasks{
     "region --v0 0:1 --p 1 --beta 0.9 --f 0.3 --delta 0.3 --residual 0.1",
     "region --pulse full-sine --k 0.1 --lambda 1 --p 1 --beta 0.2 --f 0 --delta 0",
 };
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(each_kind_is_listed_with_its_severity) {
   static const std::regex row(R"(\| `([a-z_]+)` \| (info|caution|fault) \| .+ \|)");

@@ -6,8 +6,6 @@ BOOST_FIXTURE_TEST_SUITE(forced_input_test, stillpoint::cli_test::Sandbox)
 
 // simulate with an excitation: the ways to say what shakes the base, and what is said of it.
 
-namespace {
-
 using namespace stillpoint::cli_test;
 using std::numbers::pi;
 
@@ -24,8 +22,6 @@ void check_same_motion(const json& response, const json& expected, double tolera
     }
   }
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(units_and_scale_of_a_record_are_converted) {
   const auto answer = [&](double file_scale, const Arguments& more) {

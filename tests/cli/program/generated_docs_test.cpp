@@ -9,8 +9,6 @@
 
 BOOST_AUTO_TEST_SUITE(generated_docs_test)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 namespace cli = stillpoint::cli;
 
@@ -58,8 +56,6 @@ std::set<std::string> offered(const Sandbox& sandbox, const std::string& line) {
                           "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _stillpoint; "
                           "printf \"%s\\n\" \"${COMPREPLY[@]}\"'"));
 }
-
-}  // namespace
 
 BOOST_FIXTURE_TEST_SUITE(bash, Sandbox)
 

@@ -6,8 +6,6 @@
 
 BOOST_FIXTURE_TEST_SUITE(help_test, stillpoint::cli_test::Sandbox)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 using stillpoint::cli::Command;
 
@@ -31,8 +29,6 @@ std::vector<std::string> words_of(const std::string& text) {
   }
   return words;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(of_the_program_lists_its_commands_with_examples) {
   for (const char* flag : {"--help", "-h"}) {

@@ -10,8 +10,6 @@
 
 BOOST_AUTO_TEST_SUITE(library_answer_test)
 
-namespace {
-
 using namespace stillpoint;
 using namespace stillpoint::cli_test;
 using Given = std::vector<std::pair<const char*, double>>;
@@ -113,8 +111,6 @@ Given given(const design::Problem& problem, const design::Limits& limits) {
 Arguments with_criterion(Arguments arguments, design::Criterion criterion) {
   return std::move(arguments) + Arguments{"--criterion", std::string(name(criterion))};
 }
-
-}  // namespace
 
 BOOST_FIXTURE_TEST_CASE(free_motions, Sandbox) {
   for (const Motion& motion : motions) {

@@ -10,8 +10,6 @@ BOOST_FIXTURE_TEST_SUITE(long_run_test, stillpoint::cli_test::Sandbox)
 
 using namespace stillpoint::cli_test;
 
-namespace {
-
 /// Some minutes.
 Arguments endless(const Arguments& more = {}, const std::string& t_end = "1e9") {
   return Arguments{"simulate", "--v0",     "0.5",  "--p",          "1",        "--f",
@@ -19,8 +17,6 @@ Arguments endless(const Arguments& more = {}, const std::string& t_end = "1e9") 
                    "0.2",      "--lambda", "1",    "--t-end",      t_end} +
          more;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(stops_at_an_interrupt_and_writes_nothing) {
   write("old.json", "an old report\n");
@@ -105,12 +101,8 @@ BOOST_AUTO_TEST_CASE(short_run_shows_none, *boost::unit_test::precondition(if_te
 
 // ---- sweeps
 
-namespace {
-
 /// Hours.
 const Arguments sweep("sweep --v0 1 --p 1 --f 1e-4:1:1000000 --delta 1e-4:1:1000000");
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(sweep_interrupted_on_standard_output_ends_with_a_whole_row) {
   const ProgramRun stopped = ending(130, sweep, {.interrupt = true});

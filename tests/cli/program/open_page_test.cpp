@@ -5,8 +5,6 @@
 
 BOOST_AUTO_TEST_SUITE(open_page_test)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 
 const Arguments region("region --v0 1 --p 1 --beta 0.9 --open");
@@ -33,8 +31,6 @@ std::string seen(const Sandbox& sandbox) {
   }
   return sandbox.read("seen.txt");
 }
-
-}  // namespace
 
 BOOST_FIXTURE_TEST_CASE(shows_the_page_that_is_written, Sandbox) {
   write_browser(*this);

@@ -6,8 +6,6 @@
 
 BOOST_AUTO_TEST_SUITE(output_test)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 using right::design;
 
@@ -43,8 +41,6 @@ Surroundings on_terminal() {
 Surroundings into_file(const fs::path& path) {
   return {.output = StandardOutput::file, .output_file = path.string()};
 }
-
-}  // namespace
 
 /// A title, a key and a name with CSI (U+009B), a mark from right to left (U+202E), an isolate
 /// (U+2066) and a blank without width (U+200B).
@@ -154,13 +150,9 @@ BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_FIXTURE_TEST_SUITE(colour, Sandbox, *boost::unit_test::precondition(if_terminals))
 
-namespace {
-
 const std::vector<Arguments> reports{design(), "design --v0 1 --p 1 --beta 0.6",
                                      "region --v0 1 --p 1 --beta 0.8 --f 0.3 --delta 0.01",
                                      "simulate --v0 1 --p 1 --f 0.02 --delta 0.02"};
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(only_on_a_terminal) {
   for (const Arguments& arguments : reports) {

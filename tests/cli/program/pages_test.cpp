@@ -5,8 +5,6 @@
 
 BOOST_AUTO_TEST_SUITE(pages_test)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 
 const fs::path root = fs::path(STILLPOINT_DATA_DIR).parent_path();
@@ -64,8 +62,6 @@ std::vector<Shown> shown_in(const fs::path& page) {
   }
   return found;
 }
-
-}  // namespace
 
 BOOST_FIXTURE_TEST_CASE(each_command_runs_and_prints_what_is_shown, Sandbox) {
   fs::create_directory_symlink(STILLPOINT_DATA_DIR, path("data"));

@@ -3,8 +3,6 @@
 
 BOOST_AUTO_TEST_SUITE(physical_design_test)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 
 double number(const json& report, const char* part, const char* field) {
@@ -20,8 +18,6 @@ constexpr double omega = 2.0943951023931953;
 constexpr double length = 0.19098593171027440;
 
 const Arguments isolator("design --velocity 0.4 --max-displacement 0.16");
-
-}  // namespace
 
 BOOST_FIXTURE_TEST_CASE(damper_is_the_dimensionless_one_in_units, Sandbox) {
   const json report = reported(isolator + "--period 3 --mass 2e5");

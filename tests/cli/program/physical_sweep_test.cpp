@@ -3,8 +3,6 @@
 
 BOOST_AUTO_TEST_SUITE(physical_sweep_test)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 
 /// A sweep has a different unit of length from a single motion, so the two round differently; a
@@ -53,8 +51,6 @@ struct Asked {
   Arguments fixed;
   Arguments axes;
 };
-
-}  // namespace
 
 BOOST_FIXTURE_TEST_CASE(motions_are_those_of_simulate, Sandbox) {
   write("record.csv", "0 0\n0.3 0.2\n0.9 -0.15\n1.4 0\n");

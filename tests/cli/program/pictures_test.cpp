@@ -6,8 +6,6 @@
 
 BOOST_FIXTURE_TEST_SUITE(pictures_test, stillpoint::cli_test::Sandbox)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 using boost::property_tree::ptree;
 
@@ -37,8 +35,6 @@ std::string checked(std::string page) {
   parsed(page);
   return page;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(of_a_design_are_all_there) {
   succeed(plain + "--html page.html --svg figures");

@@ -5,8 +5,6 @@
 
 BOOST_FIXTURE_TEST_SUITE(printed_limits_test, stillpoint::cli_test::Sandbox)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 constexpr unsigned seed = 20264;
 
@@ -35,8 +33,6 @@ std::array<std::string, 3> random_task(std::mt19937& random, double least, doubl
   const double p = std::pow(10, uniform(random, -0.5, 0.5));
   return {in_full(v0), in_full(p), in_full(v0 / p * uniform(random, least, most))};
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(ends_of_what_a_damper_serves_are_served) {
   std::mt19937 random(seed);

@@ -5,11 +5,7 @@ BOOST_FIXTURE_TEST_SUITE(pulse_command_test, stillpoint::cli_test::Sandbox)
 
 // design --pulse and region --pulse, from the flags to the report.
 
-namespace {
-
 using namespace stillpoint::cli_test;
-
-}  // namespace
 
 /// A pulse between the ends may leave it farther out than the strongest; the weakest may not move
 /// it.

@@ -7,8 +7,6 @@ BOOST_AUTO_TEST_SUITE(record_design_command_test)
 
 // design --record, from the flags to the report. The search itself is in record_design_test.
 
-namespace {
-
 using namespace stillpoint::cli_test;
 
 /// Of a figure worked out by hand, after its way through metres.
@@ -28,8 +26,6 @@ std::string long_record(int shaken = 18'900) {
   }
   return record;
 }
-
-}  // namespace
 
 BOOST_FIXTURE_TEST_CASE(the_report_matches_simulate, Recorded) {
   const json report = reported(

@@ -6,8 +6,6 @@ BOOST_AUTO_TEST_SUITE(record_scaling_command_test)
 // Records that are scaled to a peak or to a value of their spectrum, and folders of records. The
 // spectrum itself is in record_scaling_test.
 
-namespace {
-
 using namespace stillpoint::cli_test;
 
 /// 0.25 g for 5 s.
@@ -16,8 +14,6 @@ constexpr const char* long_load = "0 0.25\n1 0.25\n2 0.25\n3 0.25\n4 0.25\n5 0.2
 const Arguments moved("simulate --f 0.05 --delta-m 1mm --period 2.8s");
 /// A damper that does not move.
 const Arguments held("design --period 2.8s --search-f 100:100 --search-delta-m 0:0");
-
-}  // namespace
 
 BOOST_FIXTURE_TEST_CASE(a_motion_that_is_refused_says_what_is_doubtful_of_its_record, Recorded) {
   const ProgramRun refused = ending(2, moved + "--record a.txt --record-scale 1e13");

@@ -13,8 +13,6 @@ BOOST_AUTO_TEST_SUITE(reports_test)
 //   error
 // where a place is design/f, or mends/beta/value: parts of an array by their name, kind or input.
 
-namespace {
-
 using namespace stillpoint::cli_test;
 
 json at_place(const json& report, const std::string& place) {
@@ -100,8 +98,6 @@ class Reported {
   Arguments arguments_;
   ProgramRun run_;
 };
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(each_command_reports_what_is_told_of_it) {
   std::size_t count = 0;

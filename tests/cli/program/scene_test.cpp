@@ -4,14 +4,10 @@
 
 BOOST_FIXTURE_TEST_SUITE(scene_test, stillpoint::cli_test::Sandbox)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 using right::with_input;
 
 const std::string plain = R"({"v0": 1, "p": 1, "beta": 0.9, "tolerance": 0.1})";
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(may_begin_with_a_dash_behind_two_dashes) {
   write("--json", plain);

@@ -9,8 +9,6 @@
 
 BOOST_AUTO_TEST_SUITE(schema_test)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 namespace cli = stillpoint::cli;
 
@@ -40,8 +38,6 @@ std::vector<std::string> report_faults(const json& report,
                                        UnknownProperties unknown = UnknownProperties::pass) {
   return schema_faults(report_schema(report["schema"]), report, unknown);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(scene_schema)
 

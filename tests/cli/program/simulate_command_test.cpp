@@ -5,11 +5,7 @@
 
 BOOST_FIXTURE_TEST_SUITE(simulate_command_test, stillpoint::cli_test::Sandbox)
 
-namespace {
-
 using namespace stillpoint::cli_test;
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_design_is_simulated_with_the_notch_that_will_be_built) {
   const Arguments design("design --velocity 0.4 --period 2.8 --max-displacement 0.15");

@@ -5,8 +5,6 @@ BOOST_AUTO_TEST_SUITE(spectrum_command_test)
 
 // stillpoint spectrum, from the flags to the report. The figures are in spectrum_test.
 
-namespace {
-
 using namespace stillpoint::cli_test;
 
 /// Metres and seconds on the way there and back.
@@ -14,8 +12,6 @@ constexpr double units_tolerance = 1e-12;
 
 const Arguments asked(
     "spectrum --record a.txt --period 1s:3s:5 --f 0.02 --delta-m 20mm --hold 0.1");
-
-}  // namespace
 
 BOOST_FIXTURE_TEST_CASE(each_point_matches_simulate, Recorded) {
   const json report = reported(asked);

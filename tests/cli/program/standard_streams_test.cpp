@@ -6,8 +6,6 @@
 
 BOOST_FIXTURE_TEST_SUITE(standard_streams_test, stillpoint::cli_test::Sandbox)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 using right::design;
 
@@ -16,8 +14,6 @@ const Arguments sweep("sweep --v0 1 --p 1 --f 0.1 --delta 0:1:5 --output");
 const Arguments locks(
     "simulate --v0 0.1 --p 1 --f 0.05 --delta 0.3 --excitation harmonic --k 0.2 --lambda 0.35 "
     "--t-end 100 --output");
-
-}  // namespace
 
 /// Files get the lowest numbers that are free; what is written to the streams must not end there.
 BOOST_AUTO_TEST_CASE(that_are_closed_are_no_files) {

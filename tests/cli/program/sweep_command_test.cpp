@@ -4,8 +4,6 @@
 
 BOOST_FIXTURE_TEST_SUITE(sweep_command_test, stillpoint::cli_test::Sandbox)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 using right::sweep;
 
@@ -73,8 +71,6 @@ const std::string design_columns =
     "peak_absolute_acceleration";
 
 const Arguments free_columns("peak_amplitude half_cycles outcome stop_position stop_time");
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(matches_simulate_and_varies_its_last_axis_first) {
   const Arguments fs("0 0.02 0.4");

@@ -4,8 +4,6 @@
 
 BOOST_AUTO_TEST_SUITE(sweep_file_test)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 using right::sweep;
 using right::with_input;
@@ -23,8 +21,6 @@ double absent(const SweepTable& table, std::size_t row, const std::string& colum
 bool same(double a, double b) {
   return a == b || (std::isnan(a) && std::isnan(b));
 }
-
-}  // namespace
 
 BOOST_FIXTURE_TEST_SUITE(npy, Sandbox)
 

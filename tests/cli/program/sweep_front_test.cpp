@@ -5,8 +5,6 @@
 
 BOOST_AUTO_TEST_SUITE(sweep_front_test)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 
 constexpr std::size_t dampers = 4;
@@ -20,8 +18,6 @@ void check_damper(const SweepTable& table, std::size_t row, const json& damper) 
     BOOST_TEST(table.number(row, column) == damper.at(column).get<double>(), column);
   }
 }
-
-}  // namespace
 
 BOOST_FIXTURE_TEST_CASE(has_the_dampers_that_design_reports, Sandbox) {
   for (const Arguments& task :
@@ -57,12 +53,8 @@ BOOST_FIXTURE_TEST_CASE(has_the_dampers_that_design_reports, Sandbox) {
   }
 }
 
-namespace {
-
 const Arguments task("sweep --v0 1 --p 1 --tolerance 0.05 --trade-off 4");
 const std::string betas = "beta\n0.8\n0.5\n0.9\n0.95\n1.2\n";
-
-}  // namespace
 
 struct Listed : Parts {
   Listed() : Parts("csv") { write("list.csv", betas); }

@@ -4,8 +4,6 @@
 
 BOOST_FIXTURE_TEST_SUITE(sweep_list_test, stillpoint::cli_test::Sandbox)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 using right::with_input;
 
@@ -14,8 +12,6 @@ Arguments sweep(const Arguments& more = {}) {
 }
 
 const std::string plain = "f,delta\n0.1,0.2\n0.02,0.03\n0,0\n";
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(of_scenes_gives_each_its_own_start) {
   write("scenes.csv", "v0,p,f,delta\n1,2,0.1,0.1\n2,1,0.1,0.1\n");
@@ -63,8 +59,6 @@ BOOST_AUTO_TEST_CASE(without_entries_gives_no_rows) {
 
 // ---- wrong lists
 
-namespace {
-
 /// Whose first entry is right.
 struct WrongList {
   std::string text;
@@ -76,8 +70,6 @@ const std::vector<WrongList> wrong_lists{
     {"f,delta\n0.1,0.2\n\nabc,1\n", {"line 4", "f = \"abc\"", "must be a number"}},
     {"f,delta\n0.1,0.2\n0.1,-3\n", {"line 3", "delta = -3", "from 0"}},
 };
-
-}  // namespace
 
 /// The row in front of the wrong one is there, below its header, and nothing else is.
 BOOST_AUTO_TEST_CASE(wrong_list_keeps_what_came_before) {
@@ -98,8 +90,6 @@ BOOST_AUTO_TEST_CASE(wrong_list_keeps_what_came_before) {
 
 // ---- resumed after a wrong entry
 
-namespace {
-
 std::string rows(int count, const std::string& last) {
   std::string text = "f,delta\n";
   for (int i = 1; i < count; ++i) {
@@ -112,8 +102,6 @@ ProgramRun resume(const Sandbox& sandbox, const std::string& list, const Argumen
   return sandbox.run("sweep --v0 1 --p 1 --list - --output rows.npy --resume" + more,
                      {.input = list});
 }
-
-}  // namespace
 
 /// However many entries are computed at once, all before the wrong one are kept, and the rest
 /// of the list may be corrected.

@@ -8,13 +8,9 @@
 
 BOOST_AUTO_TEST_SUITE(sweep_part_test)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 
 const Arguments grid("sweep --v0 1 --p 1 --f 0.02:0.35:13 --delta 0:0.5:5");
-
-}  // namespace
 
 struct SweepParts : Parts {
   SweepParts() : Parts("csv") {}

@@ -5,8 +5,6 @@
 
 BOOST_AUTO_TEST_SUITE(sweep_reduce_test)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 
 /// Motions without friction that never stop, with little of it, and caught at the start.
@@ -103,8 +101,6 @@ void check_best(const json& best, const SweepTable& table) {
     check_row(rows[i], table);
   }
 }
-
-}  // namespace
 
 struct Reduced : Parts {
   Reduced() : Parts("json") {}

@@ -8,8 +8,6 @@
 
 BOOST_AUTO_TEST_SUITE(sweep_resume_test)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 
 /// A sweep of some tenths of a second.
@@ -32,8 +30,6 @@ Surroundings signalled(int signal, const fs::path& path, std::uintmax_t above) {
   surroundings.signal_when = [path, above] { return size_of(path) > above; };
   return surroundings;
 }
-
-}  // namespace
 
 /// A sandbox with rows of an interrupted sweep into rows.csv, and the text they are to become.
 struct Interrupted : Sandbox {

@@ -4,8 +4,6 @@
 
 BOOST_FIXTURE_TEST_SUITE(trajectory_file_test, stillpoint::cli_test::Sandbox)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 
 struct Simulation {
@@ -25,8 +23,6 @@ Simulation simulation(const Sandbox& sandbox, const Arguments& arguments) {
 }
 
 const Arguments eleven("simulate --v0 1 --p 1 --f 0.02 --delta 0.02");
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(ends_where_asked) {
   const auto shorter = simulation(*this, eleven + "--samples 10 --t-end 5");

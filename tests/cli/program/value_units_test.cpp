@@ -6,15 +6,11 @@
 
 BOOST_AUTO_TEST_SUITE(value_units_test)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 namespace cli = stillpoint::cli;
 
 /// A number converted once between hertz or seconds and tau, and back: some roundings.
 constexpr double conversion_tolerance = 1e-14;
-
-}  // namespace
 
 // The C library rounds the decimal 1.5e-1 correctly; so must 150e-3 and 150mm.
 BOOST_AUTO_TEST_CASE(scales_decimal_digits_not_doubles) {

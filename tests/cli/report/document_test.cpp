@@ -7,8 +7,6 @@ BOOST_AUTO_TEST_SUITE(document_test)
 
 using namespace stillpoint::report;
 
-namespace {
-
 using namespace stillpoint::test;
 
 Document sample() {
@@ -24,8 +22,6 @@ Document sample() {
   second.line("A note.");
   return document;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(as_text_is_aligned_columns) {
   BOOST_TEST(text(sample()) ==

@@ -15,8 +15,6 @@ using namespace stillpoint::report;
 using figures::Figure;
 using figures::HtmlPage;
 
-namespace {
-
 using namespace stillpoint::test;
 
 HtmlPage page_of(const SimulationRequest& request) {
@@ -39,8 +37,6 @@ HtmlPage motion(const Oscillator& oscillator, const Excitation& excitation = {},
   request.excitation = excitation;
   return page_of(request);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(the_motion_is_labelled_in_place_beside_one_without_friction) {
   const HtmlPage page = isolator();

@@ -12,8 +12,6 @@ using namespace stillpoint::report;
 using figures::Figure;
 using figures::HtmlPage;
 
-namespace {
-
 using namespace stillpoint::test;
 
 HtmlPage region(double beta, double f, double delta) {
@@ -65,8 +63,6 @@ void check_whole(const HtmlPage& page) {
         (one == of_arrival.end() || next == of_arrival.end() || one->second != next->second));
   }
 }
-
-}  // namespace
 
 /// Of hits, pulses, ranges and residuals, with one damper given and designed, and of motions.
 BOOST_AUTO_TEST_CASE(each_figure_is_whole_whatever_the_task) {

@@ -13,8 +13,6 @@ using figures::FigureArea;
 using figures::FigurePoint;
 using test::Dice;
 
-namespace {
-
 using design::Problem;
 
 Figure region_of(const Problem& problem, const design::Limits& limits = {}) {
@@ -108,8 +106,6 @@ bool is_said(const std::string& name, const std::string& expected, const Problem
 FigurePoint anywhere(Dice& dice, const Figure& figure) {
   return {figure.x.value(dice.uniform(0.01, 0.99)), figure.y.value(dice.uniform(0.01, 0.99))};
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(of_one_hit_are_what_the_motion_does) {
   constexpr std::uint64_t seed = 20261;

@@ -10,8 +10,6 @@ BOOST_AUTO_TEST_SUITE(report_page_test)
 using namespace stillpoint;
 using namespace stillpoint::report;
 
-namespace {
-
 using namespace stillpoint::test;
 
 DesignReport isolator() {
@@ -24,8 +22,6 @@ DesignReport isolator() {
   request.problem = {.v0 = p, .p = p, .beta = 0.84};
   return {design::design(request), physical};
 }
-
-}  // namespace
 
 /// The three formats agree: the numbers of the JSON are in the text and on the page.
 BOOST_AUTO_TEST_CASE(text_page_and_json_agree) {

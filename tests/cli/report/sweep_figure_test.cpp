@@ -13,8 +13,6 @@ using figures::Hatch;
 using sweep::Quantity;
 using test::contains;
 
-namespace {
-
 report::SweepReport report_of(const sweep::SweepSpec& spec) {
   report::SweepReport report{spec};
   report.map.emplace(spec);
@@ -44,8 +42,6 @@ report::SweepReport shaken(std::string_view f, std::string_view delta) {
   spec.columns = sweep::default_columns(spec);
   return report_of(spec);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(has_the_values_in_the_middle_of_their_cells) {
   report::SweepReport report = swept("0.1:0.4:4", "0.01:1:3:log");

@@ -9,8 +9,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(backward_error_test)
 
-namespace {
-
 // The sanitizers make 50 digits ten times slower: there they see a fifth of the scenes.
 #ifdef __SANITIZE_ADDRESS__
 constexpr int one_in = 5;
@@ -52,8 +50,6 @@ Scene<> extreme_scale_scene(Dice& dice) {
   return {scene.x0 * (speed / p), scene.v0 * speed, scene.p * p, scene.f * (speed * p),
           scene.delta * speed * speed};
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(moderate_motions_keep_the_promise) {
   check_scenes(101, 4000, moderate_scene);

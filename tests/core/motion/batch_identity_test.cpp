@@ -11,8 +11,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(batch_identity_test)
 
-namespace {
-
 struct Batch {
   Eigen::ArrayXd v0;
   Eigen::ArrayXd p;
@@ -117,8 +115,6 @@ Batch batch_of(Eigen::Index size, const Scenes& scenes) {
   }
   return batch;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(random_entries_are_those_of_the_scalar_kernel) {
   Dice dice(901);

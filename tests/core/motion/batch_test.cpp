@@ -10,8 +10,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(batch_test)
 
-namespace {
-
 template <class Action>
 bool too_many_half_cycles(const Action& action) {
   try {
@@ -21,8 +19,6 @@ bool too_many_half_cycles(const Action& action) {
   }
   return false;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(an_error_names_the_first_entry_at_fault) {
   // Whatever the number of threads: blocks of some thousand entries are run at once.
@@ -39,7 +35,6 @@ BOOST_AUTO_TEST_CASE(an_error_names_the_first_entry_at_fault) {
 }
 
 #ifndef __SANITIZE_ADDRESS__  // which reserves terabytes
-namespace {
 
 /// A precondition: an emulator takes a limit and ignores it.
 tt::assertion_result if_memory_can_be_limited(boost::unit_test::test_unit_id /*unit*/) {
@@ -52,8 +47,6 @@ tt::assertion_result if_memory_can_be_limited(boost::unit_test::test_unit_id /*u
   setrlimit(RLIMIT_AS, &before);
   return now.rlim_cur == wanted.rlim_cur;
 }
-
-}  // namespace
 
 // Each thread reserves 8 MB for its stack, as `ulimit -v` or a container may not allow.
 BOOST_AUTO_TEST_CASE(threads_that_cannot_start_are_an_error_of_their_number,

@@ -7,16 +7,12 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(cancellation_test)
 
-namespace {
-
 /// Some seconds: 1e9 half-cycles.
 Response long_motion() {
   FreeOptions options;
   options.half_cycle_limit = 1e10;
   return free_response({.p = 1, .f = 5e-10, .delta = 1e-13}, {.x0 = 0, .v0 = 1}, options);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_long_free_motion_ends_when_it_is_no_longer_wanted) {
   int asked = 0;

@@ -8,15 +8,11 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(closed_forms_test)
 
-namespace {
-
 constexpr auto at_zero = Outcome::stopped_at_zero;
 constexpr auto in_dead_zone = Outcome::stopped_in_dead_zone;
 
 constexpr double time_tolerance = 1e-15;   // relative
 constexpr double count_tolerance = 1e-15;  // relative, where counts exceed 2^53
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(point_friction_alone_counts_and_times_half_turns) {
   // v_k^2 = 1 - 0.2 (k - 1) is positive for k up to 5 (the double 0.1 is above the decimal).

@@ -6,8 +6,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(decision_margin_test)
 
-namespace {
-
 /// Every input changed by a relative `size` at most.
 Scene<> shaken(const Scene<>& scene, double size, Dice& dice) {
   Scene<> moved = scene;
@@ -53,8 +51,6 @@ std::optional<double> tipping_change(const Scene<>& scene, double Scene<>::*inpu
   }
   return least;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(the_margin_adds_up_what_each_input_alone_would_need) {
   // To first order g changes sign where input i alone changes by e_i = |g| / |input_i dg/dinput_i|,

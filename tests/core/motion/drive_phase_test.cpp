@@ -12,8 +12,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(drive_phase_test)
 
-namespace {
-
 double off(double value, const Exact& right) {
   return std::abs(static_cast<double>(value - right));
 }
@@ -22,8 +20,6 @@ double off(double value, const Exact& right) {
 HarmonicPoint<Exact> widened(const HarmonicPoint<double>& point) {
   return {point.y, point.v, point.a, point.w, point.q};
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_sum_of_a_million_times_loses_nothing) {
   ExactSum<double> sum;

@@ -9,8 +9,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(elementary_test)
 
-namespace {
-
 /// In units in the last place of the result.
 double error(double value, const Exact& right) {
   const double size = std::abs(static_cast<double>(right));
@@ -43,8 +41,6 @@ constexpr int cases = 20000;
 double of_any_size(Dice& dice, double low, double high) {
   return dice.sign() * dice.power_of_ten(low, high);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(sine_and_cosine) {
   Worst of_sine;

@@ -7,8 +7,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(excitation_test)
 
-namespace {
-
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -21,8 +19,6 @@ std::string refused(const Excitation& excitation, std::optional<double> t_end = 
   }
   return "";
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(valid_input_is_accepted) {
   BOOST_TEST(refused(Harmonic{0.2, 1, -3, 0}) == "");

@@ -10,8 +10,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(forced_condition_test)
 
-namespace {
-
 // Units of 2^-53 times the condition. The worst of 4000 scenes is 92: a slip grows as the fourth
 // power of an angle, and it may be the last of a hundred.
 constexpr double allowed_units = 128;
@@ -88,8 +86,6 @@ std::array<Exact, 6> conditions(const Inputs<Exact>& inputs, const ForcedRecord<
   }
   return sums;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(where_friction_nearly_holds_the_load_errors_are_those_of_rounded_inputs) {
   Dice dice(20281);

@@ -5,8 +5,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(forced_half_cycles_test)
 
-namespace {
-
 constexpr std::int64_t all = 1'000'000;
 
 struct Case {
@@ -35,8 +33,6 @@ std::vector<HalfCycle> list_of(const Case& run, std::int64_t most = all) {
 bool near(double a, double b, double tolerance) {
   return std::abs(a - b) <= tolerance * std::fmax(1, std::abs(b));
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(follow_one_another_and_lose_what_the_notch_takes) {
   for (const Case& run : runs()) {

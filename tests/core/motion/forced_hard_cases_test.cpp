@@ -8,8 +8,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(forced_hard_cases_test)
 
-namespace {
-
 constexpr double tolerance = 1e-13;  // of the largest of the motion
 
 double size(const ForcedState<double>& state) {
@@ -29,8 +27,6 @@ ForcedRecord<double> agreeing(const ForcedScene<>& scene, double allowed = toler
   }
   return got;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(every_detuning_from_resonance_has_the_same_error) {
   for (const double detuning : {1.0, 1e-3, 1e-6, 1e-9, 1e-12, 0.0}) {

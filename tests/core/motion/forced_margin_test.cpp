@@ -8,8 +8,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(forced_margin_test)
 
-namespace {
-
 /// The motion before a decision amplifies a change of the inputs, most at resonance. docs/forced.md
 /// section 9 has what more scenes show.
 constexpr double enlarged = 10;
@@ -122,8 +120,6 @@ ForcedScene<> turn_at_the_end(double lambda) {
           Rectangle{0.5386610473108896, lambda},
           0.9563953391389604};
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(of_random_scenes_are_honest) {
   // About one in 200 changes: with the sanitizers' few none may.

@@ -7,8 +7,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(forced_pulse_test)
 
-namespace {
-
 /// The amplitude without friction, long after the pulse.
 double free_amplitude(const Excitation& pulse) {
   const auto response = forced_response({1, 0, 0}, {0, 0}, pulse, {.t_end = 20});
@@ -44,8 +42,6 @@ struct Ramp {
   double k;
   double lambda;
 };
-
-}  // namespace
 
 // The table of excitations has no pulse with a slope: a new one is a struct like Ramp.
 BOOST_AUTO_TEST_CASE(a_straight_pulse_is_a_record_of_two_samples) {

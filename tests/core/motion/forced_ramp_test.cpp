@@ -5,8 +5,6 @@
 
 BOOST_AUTO_TEST_SUITE(forced_ramp_test)
 
-namespace {
-
 using namespace stillpoint;
 
 constexpr double position_tolerance = 1e-13;  // of the largest x
@@ -31,8 +29,6 @@ ForcedResponse within(int most, const Oscillator& oscillator, const Start& start
   BOOST_TEST(!response.cancelled);
   return response;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_mass_on_a_ramp_pauses_once_a_period_and_never_turns) {
   for (const double step : {0.1, 1.0, 7.0, 50.0, 343.0, 2 * std::numbers::pi}) {

@@ -11,8 +11,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(forced_random_test)
 
-namespace {
-
 // Below this margin rounding may decide; scenes that start from rest under a constant load come
 // back to x = 0 with v = 0 exactly and have margin 0.
 constexpr double decided_margin = 1e-9;
@@ -157,8 +155,6 @@ void double_agrees_with_50_digits(Dice dice, ForcedScene<> (*make)(Dice&)) {
   BOOST_TEST(amplified <= count / 1000 + 1);
 }
 
-}  // namespace
-
 BOOST_AUTO_TEST_CASE(double_and_50_digits_see_the_same_events_and_metrics) {
   double_agrees_with_50_digits(Dice(20260), random_forced_scene);
 }
@@ -166,8 +162,6 @@ BOOST_AUTO_TEST_CASE(double_and_50_digits_see_the_same_events_and_metrics) {
 BOOST_AUTO_TEST_CASE(double_and_50_digits_see_the_same_in_real_notches) {
   double_agrees_with_50_digits(Dice(20262), random_notched_scene);
 }
-
-namespace {
 
 using SeenMotion = SeenPiece<double>;
 
@@ -232,8 +226,6 @@ void hasten(Excitation& excitation, double by) {
       },
       excitation);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(no_piece_hides_a_turn) {
   Dice dice(20261);

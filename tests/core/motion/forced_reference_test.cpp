@@ -9,8 +9,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(forced_reference_test)
 
-namespace {
-
 // A few hundred events, each of which may add the rounding of a time: 1e-15 each.
 constexpr double position_tolerance = 1e-12;
 constexpr double time_tolerance = 1e-12;
@@ -39,8 +37,6 @@ void check(const ReferenceRow& row) {
     near("stick time", response.stick_time, row[16], time_tolerance);
   }
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(scene_s5_has_its_known_peak_end_and_count) {
   const auto response = until(59.98, {1, 0.05, 0}, {0, 0}, record_s5());

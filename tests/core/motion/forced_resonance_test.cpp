@@ -8,8 +8,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(forced_resonance_test)
 
-namespace {
-
 struct Resonance {
   double f;
   double delta;
@@ -43,8 +41,6 @@ double growth_threshold(double delta, double v0, double k) {
   }
   return low;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(point_friction_alone_does_restrain_resonance_for_many_starts) {
   int starts = 0;

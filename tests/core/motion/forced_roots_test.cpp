@@ -11,8 +11,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(forced_roots_test)
 
-namespace {
-
 constexpr double epsilon = 0x1p-52;
 
 // In units of epsilon times the scale of the residual: docs/forced.md section 4. The worst of 10^5
@@ -122,8 +120,6 @@ Residual residual(const Found<Real>& found, const Exact& r) {
   return {y + lever * (1 - cos(h)) + slow * sin(h) + c * (later_w - w),
           abs(y) + abs(v) * h + forces * h * std::min(longer, Exact(1 / r))};
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(turns_and_arrivals_are_found_to_rounding_at_every_frequency) {
   // Of k/lambda: a thousand ulp.

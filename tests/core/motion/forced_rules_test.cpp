@@ -8,8 +8,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(forced_rules_test)
 
-namespace {
-
 using std::acos;
 using std::cos;
 using std::sin;
@@ -194,8 +192,6 @@ const std::vector<Rule> rules{
     rule({1, 0.125, 0.2}, {0, 0}, Harmonic{1.1, 1}, 20,
          {.outcome = at_zero, .felt = 1.1, .locked_from = 0}, notch(0.2)),
 };
-
-}  // namespace
 
 BOOST_DATA_TEST_CASE(each_motion_is_the_one_by_hand, data::make(rules), rule) {
   const Known& known = rule.known;

@@ -8,8 +8,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(forced_steady_state_test)
 
-namespace {
-
 struct Forcing {
   double p;
   double lambda;
@@ -64,8 +62,6 @@ double largest_ratio_without_stops(const Forcing& forcing) {
 const std::vector<Forcing> grid{{1, 0.7, 0.3, 0.1},  {1, 0.6, 0.2, 0.05}, {1, 1.3, 0.3, 0.1},
                                 {1, 1.9, 0.5, 0.1},  {2, 1.6, 0.4, 0.2},  {0.5, 0.8, 1, 0.3},
                                 {3, 2.5, 0.1, 0.03}, {1, 0.9, 1, 0.6}};
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(without_stops_amplitude_and_phase_are_den_hartogs) {
   for (const Forcing& forcing : grid) {

@@ -7,8 +7,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(forced_trajectory_test)
 
-namespace {
-
 /// By differences over 2 h, in the middle of each piece that is long enough.
 int obeys_the_equation(const Oscillator& oscillator, const Excitation& load,
                        double (*load_of)(double)) {
@@ -32,8 +30,6 @@ int obeys_the_equation(const Oscillator& oscillator, const Excitation& load,
   }
   return looked_at;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(between_events_the_state_obeys_the_equation_of_motion) {
   const Oscillator oscillator{1.5, 0.05, 0.004};

@@ -7,8 +7,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(free_response_test)
 
-namespace {
-
 Scene<> any_scene(Dice& dice) {
   Scene<> scene = any_start_scene(dice);
   if (dice.once_in(4)) {
@@ -19,8 +17,6 @@ Scene<> any_scene(Dice& dice) {
   }
   return scene;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(only_what_was_asked_for_is_there_and_the_rest_is_the_same) {
   Dice dice(801);

@@ -8,8 +8,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(free_rules_test)
 
-namespace {
-
 using std::acos;
 using std::atan2;
 using std::sqrt;
@@ -69,8 +67,6 @@ const std::vector<Motion> motions{
     // f = 0, x0 = 3, v0 = -4: v-^2 = 25 after atan2(3, 4); Delta = 8: 25 - 16 = 9, then 9 < 16.
     {{3, -4, 1, 0, 8}, {at_zero, 2, 1, 1}, {3, 3, atan2(3.0, 4.0) + pi, 0}, 3},
 };
-
-}  // namespace
 
 BOOST_DATA_TEST_CASE(each_motion_is_the_one_by_hand, data::make(motions), motion) {
   const Response r = response(motion.scene);

@@ -5,8 +5,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(half_cycle_walk_test)
 
-namespace {
-
 constexpr double length_tolerance = 1e-14;  // relative
 constexpr double time_tolerance = 1e-14;    // relative
 constexpr double speed_tolerance = 1e-14;   // relative
@@ -78,8 +76,6 @@ void agrees_with_free_response(const Scene<>& scene, const std::vector<HalfCycle
     BOOST_TEST(std::abs(difference) <= energy_tolerance * energy);
   }
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(two_half_cycles_by_hand) {
   // f = 7, V0 = 24, Delta = 20 (p = 1): peak 18, v-^2 = 72, v+^2 = 32, peak 2.

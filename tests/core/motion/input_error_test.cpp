@@ -5,8 +5,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(input_error_test)
 
-namespace {
-
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double inf = std::numeric_limits<double>::infinity();
 
@@ -23,8 +21,6 @@ const std::array<Field, 5> fields{{
     {"f", &Scene<>::f, {nan, inf, -inf, -1e-9, 2e300, 2e150}},
     {"delta", &Scene<>::delta, {nan, inf, -inf, -1e-9, 2e300}},
 }};
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(every_wrong_input_is_named) {
   for (const Field& field : fields) {

@@ -8,8 +8,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(jump_test)
 
-namespace {
-
 /// The impulses of the listed half-cycles may be off by what rounding makes of a small departure
 /// speed: their v^2 is off by some ulp of the first.
 constexpr double rounding = 1e-7;
@@ -21,8 +19,6 @@ double largest_impulse(const std::vector<HalfCycle>& list) {
   }
   return most;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(free_motions_by_hand) {
   // Point friction alone: v^2 at the arrivals is 1, 1 - 2 delta, ..., and the last is a stop.

@@ -9,8 +9,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(linear_piece_test)
 
-namespace {
-
 using Wide = long double;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -35,8 +33,6 @@ struct Piece {
 double size(const Piece& piece, double h) {
   return std::abs(piece.v) + (std::abs(piece.a) + std::abs(piece.rate)) * h;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(terms_by_the_half_tangent_have_all_their_digits) {
   Dice dice(921);

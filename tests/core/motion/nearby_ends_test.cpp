@@ -7,13 +7,9 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(nearby_ends_test)
 
-namespace {
-
 NearbyEnds ends_of(const SimulationRequest& request) {
   return nearby_ends(request, simulate(request)).value();
 }
-
-}  // namespace
 
 /// Each half-cycle takes 2 f from the distance: from x = 1 it rests at 1 - 4 f.
 BOOST_AUTO_TEST_CASE(a_rest_moves_with_the_friction_of_its_zone) {

@@ -8,11 +8,7 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(notch_hold_test)
 
-namespace {
-
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_load_of_exactly_f_and_hold_is_held_and_an_ulp_more_is_not) {
   // 0.1 + 0.2 rounds up to 0.30000000000000004, 0.3 is below the exact sum, and that above it.

@@ -8,8 +8,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(notch_width_test)
 
-namespace {
-
 ForcedResponse run(const Oscillator& oscillator, const Surface& surface, const Start& start,
                    const Excitation& excitation = {}, std::optional<double> t_end = {}) {
   return forced_response(oscillator, start, excitation, {.t_end = t_end}, surface);
@@ -18,8 +16,6 @@ ForcedResponse run(const Oscillator& oscillator, const Surface& surface, const S
 Surface notch(double width) {
   return {width, {}};
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_motion_that_friction_hardly_slows_is_refused_at_once) {
   // Within |x| = 0.22 it takes at most 1e-20 of v^2 a half-cycle.

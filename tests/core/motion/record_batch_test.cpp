@@ -9,8 +9,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(record_batch_test)
 
-namespace {
-
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double half_cycles = 1000;  ///< more are not followed to the rest
 
@@ -146,8 +144,6 @@ void give_widths(Dampers& dampers, Dice& dice, double k) {
     dampers.options.notch_width[i] = dice.once_in(6) ? 0 : length * dice.power_of_ten(-4, 0.5);
   }
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(random_dampers_under_a_record_are_those_of_the_scalar_kernel) {
   const Record record = strong_motion();

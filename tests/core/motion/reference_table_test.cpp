@@ -11,8 +11,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(reference_table_test)
 
-namespace {
-
 // The table has 40 digits; 50 digits less the condition of the near ties must agree to:
 const Exact table_tolerance("1e-35");  // relative to condition and value
 // The table takes decisions closer than 1e-45 for ties, which 50 digits may round either way.
@@ -72,8 +70,6 @@ bool in_range(const Scene<>& scene) {
   const bool x0_fits = scene.x0 == 0 || (reach >= smallest_speed && reach <= largest_speed);
   return f_fits && x0_fits;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(the_table_is_there_and_has_every_outcome) {
   BOOST_TEST(table().size() >= 100U);

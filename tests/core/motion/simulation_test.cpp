@@ -5,16 +5,12 @@ BOOST_AUTO_TEST_SUITE(simulation_test)
 
 using namespace stillpoint;
 
-namespace {
-
 SimulationRequest forced() {
   SimulationRequest request;
   request.oscillator = {1, 0.1, 0.01};
   request.excitation = Harmonic{0.5, 0.7, 0, 20};
   return request;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_free_motion_is_traced_to_its_end) {
   SimulationRequest request;

@@ -7,8 +7,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(summary_test)
 
-namespace {
-
 template <class Enum>
 void names_lead_back(std::initializer_list<Enum> all) {
   for (const Enum value : all) {
@@ -19,8 +17,6 @@ void names_lead_back(std::initializer_list<Enum> all) {
   BOOST_TEST(!parse<Enum>("Start").has_value());
   BOOST_TEST(!parse<Enum>("").has_value());
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(each_name_leads_back_to_its_enumerator) {
   using enum Outcome;

@@ -5,8 +5,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(trajectory_test)
 
-namespace {
-
 constexpr double length_tolerance = 1e-13;  // of the peak amplitude
 constexpr double slope_tolerance = 1e-7;    // central differences, of the largest slope
 
@@ -81,8 +79,6 @@ void is_a_motion(const Scene<>& scene) {
   BOOST_TEST(rest.v == 0);
   BOOST_TEST(std::abs(rest.x - *r.stop_position) <= 1e-11 * r.peak_amplitude);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(the_events_of_a_motion_come_in_order) {
   // f = 7, V0 = 24, Delta = 20: up to 18, back with 72, on with 32, rests at -2.

@@ -8,8 +8,6 @@ namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(transmitted_test)
 
-namespace {
-
 /// The largest load on a mass that the notch catches at the start: v0^2 = 0.01 < 2 delta.
 void check_caught(const Excitation& excitation, std::optional<double> t_end, double load) {
   const ForcedResponse response = run({1, 0.02, 0.1}, {0, 0.1}, excitation, t_end);
@@ -25,8 +23,6 @@ void check_not_locked(const ForcedResponse& response) {
   BOOST_TEST(!response.locked_from);
   BOOST_TEST(!response.largest_load_while_locked);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_mass_that_never_starts_feels_the_load_itself) {
   check_caught(Rectangle{-0.3, 0.5}, 1, 0.3);
@@ -63,8 +59,6 @@ BOOST_AUTO_TEST_CASE(without_a_load_it_is_the_relative_acceleration) {
   }
   BOOST_TEST(free_response({1, 0.3, 0}, {0.2, 0}).peak_absolute_acceleration == 0);
 }
-
-namespace {
 
 double load(const auto& kind, double tau) {
   if constexpr (requires { load_at(kind, tau); }) {
@@ -222,8 +216,6 @@ ForcedScene<> scene_to_feel(Dice& dice) {
   }
   return scene;
 }
-
-}  // namespace
 
 /// Every second scene has real notches and zones.
 BOOST_AUTO_TEST_CASE(random_motions_feel_what_the_law_of_motion_says_at_many_instants) {

@@ -72,8 +72,6 @@ BOOST_AUTO_TEST_CASE(decimal_times_from_below_zero_are_a_step) {
 
 // ---- a step in place of times
 
-namespace {
-
 /// The step that is read from these times.
 double step_of(const Samples& times) {
   std::string text;
@@ -84,8 +82,6 @@ double step_of(const Samples& times) {
   BOOST_TEST((record.step == 0 ? record.times == times : record.times.empty()));
   return record.step;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(decimal_times_are_a_step) {
   for (const double rate : {50.0, 100.0, 128.0, 200.0, 1000.0, 1024.0}) {

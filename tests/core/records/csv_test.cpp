@@ -9,8 +9,6 @@
 
 BOOST_AUTO_TEST_SUITE(csv_test)
 
-namespace {
-
 using namespace stillpoint::records;
 using Fields = std::vector<std::string>;
 
@@ -29,8 +27,6 @@ Fields fields_of(const Fields& lines) {
   BOOST_TEST(read_from(row, lines) == "");
   return {row.fields().begin(), row.fields().end()};
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(quotes_hold_commas_line_ends_and_doubled_quotes) {
   const std::vector<std::pair<Fields, Fields>> rows{

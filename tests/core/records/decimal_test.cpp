@@ -6,15 +6,11 @@
 
 BOOST_AUTO_TEST_SUITE(decimal_test)
 
-namespace {
-
 using namespace stillpoint::records;
 using stillpoint::test::Exact;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double largest = std::numeric_limits<double>::max();
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_third_in_six_digits) {
   BOOST_TEST(decimal(1.0 / 3, 6) == 0.333333);

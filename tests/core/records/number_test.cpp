@@ -5,8 +5,6 @@
 
 BOOST_AUTO_TEST_SUITE(number_test)
 
-namespace {
-
 using namespace stillpoint::records;
 using stillpoint::InputError;
 
@@ -14,8 +12,6 @@ using stillpoint::InputError;
 std::string refusal(const auto& parse, const char* text) {
   return stillpoint::test::refusal_of<InputError>([&] { return parse("f", text); });
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(both_forms_read_what_c_writes) {
   for (const auto& [text, value] :

@@ -101,13 +101,9 @@ BOOST_AUTO_TEST_CASE(units_have_names) {
 
 // ---- the records of the repository
 
-namespace {
-
 std::string kept(const char* name) {
   return std::string(STILLPOINT_DATA_DIR "/records/") + name;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(near_fault_pulse_is_the_derivative_of_its_velocity) {
   const Record record = records::read_record(kept("near_fault_pulse.txt")).record;

@@ -7,8 +7,6 @@
 
 BOOST_AUTO_TEST_SUITE(record_formats_test)
 
-namespace {
-
 using namespace stillpoint::test;
 
 constexpr double cm_per_s2 = 980.665;  // in one g
@@ -64,8 +62,6 @@ const std::vector<Sample> samples{
     {"asa#2", 0.5e-3 + 0.5e-6 + 1e-9, "NONE, N90E;T", -0.5},
 };
 
-}  // namespace
-
 BOOST_DATA_TEST_CASE(sample_holds_the_pulse, data::make(samples), sample) {
   const RecordFile file = records::read_record(path_of(sample.name));
   BOOST_TEST(file.units == sample.units);
@@ -91,8 +87,6 @@ BOOST_AUTO_TEST_CASE(channels_are_told_by_number) {
 }
 
 // ---- other forms that are right
-
-namespace {
 
 struct Variant {
   const char* name;
@@ -139,8 +133,6 @@ const std::vector<Variant> right{
 std::string cosmos_with_steps(const std::string& ms, const std::string& s) {
   return replaced(replaced(text_of("V2c"), "    20.000000", ms), "     0.010000", s);
 }
-
-}  // namespace
 
 BOOST_DATA_TEST_CASE(other_forms_are_read, data::make(right), variant) {
   const std::string text = replaced(text_of(variant.sample), variant.old, variant.now);
@@ -251,16 +243,12 @@ BOOST_AUTO_TEST_CASE(a_long_line_of_values_that_touch_is_read_once) {
   BOOST_TEST(std::ranges::count(values, -1) == static_cast<std::ptrdiff_t>(count));
 }
 
-namespace {
-
 /// 50 Hz for this many seconds.
 std::string knet_heading(const std::string& duration) {
   const std::string text = text_of("EW");
   return replaced(text.substr(0, text.find("    8000     8073")), "Time(s)  2",
                   "Time(s)  " + duration);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(mean_of_counts_is_subtracted) {
   const std::string text = knet_heading("0.06");

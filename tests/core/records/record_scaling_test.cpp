@@ -6,8 +6,6 @@
 
 BOOST_AUTO_TEST_SUITE(record_scaling_test)
 
-namespace {
-
 using namespace stillpoint::test;
 using records::spectral_acceleration;
 
@@ -21,8 +19,6 @@ constexpr double tolerance = 1e-13;
 double off(double value, double expected) {
   return std::abs(value / expected - 1);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(peak_has_no_sign) {
   BOOST_TEST(records::peak_acceleration({{0.1, -0.4, 0.3}, 0.01, {}}) == 0.4);
@@ -240,8 +236,6 @@ BOOST_AUTO_TEST_CASE(files_that_are_read_may_be_doubtful) {
   check_says(found[0], {"notes.txt: is left out because it begins with text"});
 }
 
-namespace {
-
 /// w = 0.3 sin(1.6 pi t) exp(-((t-8)/4)^2) + offset, as times and values, for `count` values.
 std::string wave(int count, double offset = 0) {
   std::string text;
@@ -254,8 +248,6 @@ std::string wave(int count, double offset = 0) {
   }
   return text;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(shapes_that_are_no_ground_motion_are_doubtful) {
   const Folder folder;

@@ -5,8 +5,6 @@
 
 BOOST_AUTO_TEST_SUITE(text_test)
 
-namespace {
-
 using namespace stillpoint::records;
 
 /// In UTF-8; code < 0x10000.
@@ -22,8 +20,6 @@ std::string encoded(unsigned code) {
 bool is_within(unsigned code, unsigned first, unsigned last) {
   return first <= code && code <= last;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(controls_and_marks_of_direction_are_replaced_and_nothing_else_is) {
   for (unsigned code = 0; code < 0xD800U; ++code) {

@@ -6,14 +6,10 @@
 
 BOOST_AUTO_TEST_SUITE(wrong_formats_test)
 
-namespace {
-
 using namespace stillpoint::test;
 
 const std::vector<std::string> samples{"ASC", "EW",       "V2",      "V2c", "smc",
                                        "V2A", "afad.txt", "cwa.txt", "asa"};
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(wrong_files_are_refused) {
   for (const Row& row : rows_of("formats_wrong.txt")) {
@@ -61,8 +57,6 @@ BOOST_AUTO_TEST_CASE(other_formats_are_refused_by_name) {
 
 // ---- any damage
 
-namespace {
-
 /// Reading may succeed or throw these; anything else fails the test.
 void read_or_refuse(std::string_view text) {
   try {
@@ -98,8 +92,6 @@ std::string essence(const std::string& sample) {
   }
   return text;
 }
-
-}  // namespace
 
 BOOST_DATA_TEST_CASE(damaged_files_are_read_or_refused, data::make(samples), sample) {
   const std::string text = essence(sample);

@@ -3,8 +3,6 @@
 
 BOOST_AUTO_TEST_SUITE(acceleration_limit_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// Of S, relative: f4 is rounded inwards once, from inputs that are taken as decimals where they
@@ -17,8 +15,6 @@ Limits at_most(double acceleration, double tolerance = 0) {
   limits.tolerance = tolerance;
   return limits;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(f4_is_where_s_meets_the_limit) {
   RandomSource random(2501);

@@ -7,14 +7,10 @@ BOOST_AUTO_TEST_SUITE(arrivals_test)
 // Dampers that stop the mass at a later arrival, docs/theory.md section 12. The truth is the table
 // there and the simulation; the library follows it backwards.
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// Relative; nearer to a tie than that, the rounding of the simulation decides.
 constexpr double undecided_within = 1e-12;
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(the_tolerances_of_the_strips_are_those_of_the_table) {
   struct Known {

@@ -5,8 +5,6 @@ BOOST_AUTO_TEST_SUITE(boundary_test)
 
 // The region's edges to the last bit, in the formulas and in the simulation.
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// The simulation of one half-cycle decides rightly beyond this margin (free_motion.hpp).
@@ -52,8 +50,6 @@ constexpr std::array<Triple, 8> triples{{{7, 24, 25},
 
 /// Of edges in long double, relative: some roundings of 64 bits.
 const Precise wide_rounding = Precise(0x1p-61);
-
-}  // namespace
 
 // At f3 and next to it, where 1 - 8 a^2 cancels and Delta1 is a rounding of V0^2.
 BOOST_AUTO_TEST_CASE(delta_1_at_f3_is_right_to_the_last_bit) {

@@ -3,8 +3,6 @@
 
 BOOST_AUTO_TEST_SUITE(built_notch_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// Every hit up to v0.
@@ -30,8 +28,6 @@ ForcedResponse motion_after(const DesignPoint& damper, double width, double v0, 
       caught ? Surface{{}, {{width / 2, f + delta / width}}} : Surface{width, {}};
   return forced_response({p, f, caught ? 0 : delta}, {0, v0}, NoExcitation(), {}, surface);
 }
-
-}  // namespace
 
 /// Nor goes farther, or is felt more.
 BOOST_AUTO_TEST_CASE(no_hit_up_to_the_strongest_rests_farther_than_is_said) {

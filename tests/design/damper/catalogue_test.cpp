@@ -6,8 +6,6 @@ BOOST_AUTO_TEST_SUITE(catalogue_test)
 
 // The truth about a part is its own simulation, and the order of the values that the parts have.
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// Relative; nearer to an edge than that, the rounding of the simulation decides.
@@ -171,8 +169,6 @@ void check_order(const DesignRequest& request, const std::vector<RatedPart>& par
     }
   }
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(every_part_is_judged_as_it_moves) {
   for (const bool pulsed : {false, true}) {

@@ -4,8 +4,6 @@
 
 BOOST_AUTO_TEST_SUITE(cross_check_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 constexpr double map_tolerance = 1e-12;
@@ -31,8 +29,6 @@ void check_fires(const std::function<void(Prediction&)>& change) {
     BOOST_TEST(!method.passed, method.name << " passes with an error of " << method.relative_error);
   }
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_correct_prediction_passes_both_ways) {
   const CrossCheck check = check_changed([](Prediction&) {});

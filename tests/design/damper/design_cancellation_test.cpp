@@ -3,8 +3,6 @@
 
 BOOST_AUTO_TEST_SUITE(design_cancellation_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// How often `work` asks, if nobody cancels it.
@@ -47,8 +45,6 @@ std::vector<Part> some_parts(int count) {
   }
   return parts;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_design_asks_at_each_strip) {
   constexpr int some = 50;  // not every strip is looked at

@@ -3,8 +3,6 @@
 
 BOOST_AUTO_TEST_SUITE(hits_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// Of an edge, relative: this far inside it the motion itself ends as the segment says. A few
@@ -74,8 +72,6 @@ int severity(HitEnd end) {
          : end == HitEnd::off_centre      ? 3
                                           : 4;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(every_motion_ends_as_its_segment_says_up_to_both_edges) {
   RandomSource random(2401);

@@ -5,8 +5,6 @@
 
 BOOST_AUTO_TEST_SUITE(limit_kinds_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// No damper of either task keeps it.
@@ -34,8 +32,6 @@ bool has(const std::vector<Constraint>& list, const LimitKind& kind, bool satisf
     return now.name == kind.constraint && now.satisfied == satisfied;
   });
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(each_makes_a_region_empty_and_is_mended) {
   const Problem problem{1, 1, 0.8};

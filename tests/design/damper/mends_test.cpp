@@ -4,8 +4,6 @@
 
 BOOST_AUTO_TEST_SUITE(mends_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// Of closed forms in V0, p and beta, relative: their own three roundings and the mend's last bit.
@@ -52,8 +50,6 @@ std::vector<std::string> fields_of(const Task& now) {
   }
   return list;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(condition_10_is_mended_in_closed_form) {
   RandomSource random(1101);

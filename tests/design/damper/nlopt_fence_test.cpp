@@ -6,8 +6,6 @@
 
 BOOST_AUTO_TEST_SUITE(nlopt_fence_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 using Eigen::VectorXd;
 
@@ -42,8 +40,6 @@ NloptProblem cut_bowl() {
   });
   return problem;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(every_algorithm_finds_the_bottom_of_a_bowl) {
   for (const NloptAlgorithm& algorithm : nlopt_algorithms()) {
@@ -161,8 +157,6 @@ BOOST_AUTO_TEST_CASE(evaluations_are_those_of_the_objective) {
   BOOST_TEST(minimise(problem, "LD_SLSQP", plenty).evaluations == calls);
 }
 
-namespace {
-
 /// A way of a task with or without ranges and a residual.
 Way random_way(RandomSource& random) {
   const auto criterion = random.pick(2) == 0 ? Criterion::published : Criterion::exact;
@@ -185,8 +179,6 @@ Way random_way(RandomSource& random) {
   const int last = kind == 2 ? 1 : static_cast<int>(problem.arrivals);
   return {problem, limits, 1 + random.pick(last)};
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(every_gradient_of_the_search_is_the_slope_of_its_function) {
   constexpr double step = 1e-6;

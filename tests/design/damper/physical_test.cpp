@@ -3,8 +3,6 @@
 
 BOOST_AUTO_TEST_SUITE(physical_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// Relative, of scales and of what is computed from them: a few roundings.
@@ -33,8 +31,6 @@ PhysicalIsolator with_stiffness(double stiffness, double mass) {
 void check_refused(const char* field, const PhysicalIsolator& isolator, double velocity) {
   test::check_refused(field, [&] { return physical_scales(isolator, velocity); });
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(an_isolator_of_three_seconds_by_hand) {
   // omega = 2 pi/3, H = 0.4/omega, sqrt(H/g), sqrt(H g), p = omega sqrt(H/g); in 40 digits by hand.

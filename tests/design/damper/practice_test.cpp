@@ -3,8 +3,6 @@
 
 BOOST_AUTO_TEST_SUITE(practice_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// A few roundings, and those of the motion's arrival speed.
@@ -20,8 +18,6 @@ std::optional<Practice> of(const Oscillator& oscillator, double v0,
                            const std::optional<double>& limit = {}) {
   return practice(oscillator, free_response(oscillator, {0, v0}), limit);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(by_hand) {
   // f = 0.5, p = 1, V0 = sqrt(6): S = 2.5, A = 2, w^2 = (S - f)(S - 3f) = 2. Delta = 2.5 holds it.

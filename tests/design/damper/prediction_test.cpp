@@ -5,8 +5,6 @@
 
 BOOST_AUTO_TEST_SUITE(prediction_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// Relative, of peak and acceleration: a few roundings.
@@ -27,8 +25,6 @@ double steepness(const Problem& problem, double f, const Precise& arrival) {
   const double phi = f / problem.p;
   return 1 + phi / std::max(static_cast<double>(arrival), grazing * phi);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(predictions_are_the_closed_forms_in_50_digits) {
   RandomSource random(801);

@@ -7,16 +7,12 @@
 
 BOOST_AUTO_TEST_SUITE(published_formulas_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// The paper's N for f = 0, in units with H = 1.
 double published_cycles(double v0, double delta) {
   return std::floor(v0 * v0 / (2 * delta)) + 1;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(the_published_number_of_cycles_is_one_too_many_where_the_quotient_is_whole) {
   // V0^2 / (2 Delta) = 4: after the fourth arrival nothing is left, a fifth cycle has no amplitude.

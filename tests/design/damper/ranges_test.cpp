@@ -7,8 +7,6 @@ BOOST_AUTO_TEST_SUITE(ranges_test)
 // Ranges of hits and springs, a residual and boxes of any shape, docs/theory.md section 13: what
 // they cost, and that a design serves all of them.
 
-namespace {
-
 using namespace stillpoint::design_test;
 using namespace stillpoint::design_test;
 
@@ -16,8 +14,6 @@ double percent(const Problem& problem, const Limits& limits = {}) {
   const auto found = search(problem, limits);
   return found ? 100 * found->point.tolerance : 0;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(ranges_cost_the_known_part_of_the_tolerance) {
   BOOST_TEST(std::abs(percent(ranged(0.9, 1.1, 0.95, 1.05, 1)) - 21.7164) < two_decimals);

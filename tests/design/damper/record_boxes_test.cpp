@@ -6,8 +6,6 @@ BOOST_AUTO_TEST_SUITE(record_boxes_test)
 
 // The boxes that a design under records promises, against fresh dampers and against dense scans.
 
-namespace {
-
 using namespace stillpoint::design_test;
 using test::DenseBoxes;
 
@@ -105,8 +103,6 @@ double worst_excess(const DenseBoxes& truth, const RecordDesign& design, std::si
   }
   return most;
 }
-
-}  // namespace
 
 // Of 50 random tasks, at 2000 fresh dampers each, at most 1 in 500 of a box breaks a limit by more
 // than 0.2 %, and at least 45 boxes have none; with constant friction alone, whose motions vary

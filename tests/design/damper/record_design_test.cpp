@@ -6,8 +6,6 @@
 
 BOOST_AUTO_TEST_SUITE(record_design_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// Of an optimum, relative: what the docs promise of a box.
@@ -46,8 +44,6 @@ Record rectangle(double k) {
   constexpr double pi = std::numbers::pi;
   return {{k, k, 0, 0}, 0, {0, pi, pi + edge, 2 * pi}};
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing) {
   RecordDesignRequest request = with_capacity();

@@ -4,8 +4,6 @@
 
 BOOST_AUTO_TEST_SUITE(record_findings_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 std::vector<FindingKind> kinds(const std::vector<Finding>& findings) {
@@ -39,8 +37,6 @@ RecordDesignRequest judged(double f, double delta) {
   request.limits.jump = 9;
   return request;
 }
-
-}  // namespace
 
 // Friction of 0.5 g holds it against 0.4 g.
 BOOST_AUTO_TEST_CASE(a_mass_that_never_moves_is_not_isolated) {

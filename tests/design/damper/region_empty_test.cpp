@@ -3,8 +3,6 @@
 
 BOOST_AUTO_TEST_SUITE(region_empty_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -32,8 +30,6 @@ void check_explained(const Problem& problem, const Limits& limits, Conflict conf
   BOOST_TEST((!region.f_lower && !region.f_upper));
   check_contains(reason(region, problem, limits).value(), words);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(the_region_is_not_empty_exactly_from_beta_min_on) {
   RandomSource random(201);

@@ -6,8 +6,6 @@ BOOST_AUTO_TEST_SUITE(region_simulation_test)
 // The region as the simulation sees it: points of (V0, p, beta, f, Delta) over nine decades, most
 // of them close to an edge, each judged by the formulas and by the half-cycle map.
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 constexpr std::uint64_t seed = 20'260'301;
@@ -150,8 +148,6 @@ std::optional<bool> ask_simulation(const Sample& sample) {
          *response.half_cycles == 1 && *response.zero_passages == 0 &&
          response.peak_amplitude <= beta * (1 + peak_tolerance) && dead_zone < beta;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(the_simulation_shows_the_region_on_a_million_points) {
   RandomSource random(seed);

@@ -3,8 +3,6 @@
 
 BOOST_AUTO_TEST_SUITE(region_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// Of f1, f3, Delta2: a few roundings to nearest.
@@ -30,8 +28,6 @@ Constraint named(const Problem& problem, double f, double delta, std::string_vie
   }
   throw std::logic_error("no such constraint");
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(the_edges_are_those_of_the_paper_over_nine_decades) {
   RandomSource random(101);

@@ -7,8 +7,6 @@ BOOST_AUTO_TEST_SUITE(residual_test)
 // A residual, docs/theory.md section 13: what is admissible, and what each row says, against the
 // motions of single hits.
 
-namespace {
-
 using namespace stillpoint::design_test;
 using namespace stillpoint::design_test;
 
@@ -48,8 +46,6 @@ std::optional<bool> serves_a_grid(const Problem& problem, double f, double delta
   }
   return all;
 }
-
-}  // namespace
 
 // What a row says is true of the motion, whatever the other rows say: also where the peak is too
 // large or friction could hold the mass at the limit of the stroke.

@@ -4,8 +4,6 @@
 
 BOOST_AUTO_TEST_SUITE(runge_kutta_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 constexpr double tight = 1e-12;  ///< the integrator's
@@ -25,8 +23,6 @@ void check_refused(const std::string& field, const Oscillator& oscillator, doubl
                    double tolerance) {
   test::check_refused(field, [&] { return integrate_free_motion(oscillator, v0, tolerance); });
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(motions_of_many_half_cycles_are_those_of_the_map) {
   RandomSource random(1001);

@@ -45,8 +45,6 @@ extern "C" nlopt_result nlopt_optimize(nlopt_opt solver, double* x, double* leas
 
 BOOST_AUTO_TEST_SUITE(same_bits_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// The last design, as its bits.
@@ -75,8 +73,6 @@ std::optional<DesignPoint> searched(const Problem& problem, const Limits& limits
   const auto found = search(problem, limits, {.objective = objective});
   return found ? std::optional(found->point) : std::nullopt;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(of_a_design_for_a_hit) {
   RandomSource random(1301);

@@ -3,8 +3,6 @@
 
 BOOST_AUTO_TEST_SUITE(search_algorithms_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// How close every algorithm comes to the default one: of R absolute, of the others relative.
@@ -37,8 +35,6 @@ double by_nlopt(const SearchResult& result, Objective objective) {
 double unit(double cost, Objective objective) {
   return objective == Objective::robust ? 1 : cost;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(every_algorithm_comes_near_the_default_one) {
   for (const Case& now : cases()) {

@@ -5,8 +5,6 @@
 
 BOOST_AUTO_TEST_SUITE(search_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// Of a cost, relative (of R, absolute): the design stays a relative 1e-9 inside open edges.
@@ -94,8 +92,6 @@ void check_delta(const Task& task, const DesignPoint& point) {
     BOOST_TEST(by_map::tolerance(task, point.f, most * i / steps, least) < 0);
   }
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(no_point_of_a_dense_scan_is_better) {
   RandomSource random(501);

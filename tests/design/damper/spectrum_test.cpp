@@ -4,8 +4,6 @@
 
 BOOST_AUTO_TEST_SUITE(spectrum_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// Of closed forms: some roundings of sines.
@@ -38,8 +36,6 @@ bool same(const Figures& one, const Figures& other) {
   return one.peak == other.peak && one.acceleration == other.acceleration &&
          one.jump == other.jump && one.residual == other.residual;
 }
-
-}  // namespace
 
 // Without friction a load of w0 for the time L moves the mass to 2 w0/p^2, or, where it ends before
 // half a period, to 2 w0/p^2 sin(p L/2); docs/forced.md section 8.

@@ -7,8 +7,6 @@
 
 BOOST_AUTO_TEST_SUITE(suite_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// That of the check of a design: what narrow decisions make of Runge-Kutta's 5e-16 a radian.
@@ -17,8 +15,6 @@ constexpr double integrator_tolerance = 1e-6;
 constexpr double narrow_tolerance = 1e-9;
 /// Of a figure worked out by hand.
 constexpr double hand_tolerance = 1e-14;
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(many_dampers_at_once_have_the_figures_of_each_alone) {
   RecordDesignRequest request = two_records();

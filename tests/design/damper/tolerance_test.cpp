@@ -7,14 +7,10 @@
 
 BOOST_AUTO_TEST_SUITE(tolerance_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// Of R: f and Delta themselves are rounded.
 constexpr double rounding = 4e-15;
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(the_largest_tolerance_of_any_point_is_that_of_the_map) {
   RandomSource random(401);

@@ -8,8 +8,6 @@ BOOST_AUTO_TEST_SUITE(trade_off_test)
 // docs/theory.md, "The front". The truth is the closed form of the peak and of S, a bisection in
 // long double, and brute force.
 
-namespace {
-
 using namespace stillpoint::design_test;
 using Wide = long double;
 
@@ -49,8 +47,6 @@ Merits merits_of(const Problem& problem, double f, double tolerance) {
 
 constexpr std::int64_t count = 7;
 constexpr int delta_steps = 200;
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(goes_from_the_largest_stroke_to_the_least_by_closed_forms) {
   RandomSource random(11);

@@ -4,8 +4,6 @@
 
 BOOST_AUTO_TEST_SUITE(works_for_test)
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 struct Point {
@@ -48,8 +46,6 @@ std::string binding(const Point& beyond) {
   }
   return names;
 }
-
-}  // namespace
 
 /// Of one hit, of ranges and with a residual.
 BOOST_AUTO_TEST_CASE(both_ends_are_included_and_nothing_beyond_them) {

@@ -7,8 +7,6 @@ namespace stillpoint::peers {
 
 BOOST_AUTO_TEST_SUITE(comparison_test)
 
-namespace {
-
 void every_peer_is(Run run, const Comparison& comparison) {
   for (std::size_t i = 1; i < comparison.rows.size(); ++i) {
     BOOST_TEST(comparison.rows[i].run == run, comparison.rows[i].name);
@@ -16,8 +14,6 @@ void every_peer_is(Run run, const Comparison& comparison) {
   BOOST_TEST(comparison.rows.front().run == Run::done);
   BOOST_TEST(comparison.rows.front().counts_right);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(where_nothing_moves_no_peer_is_run) {
   const auto nothing_moves = [](const Scene& s) { every_peer_is(Run::nothing_moves, compare(s)); };

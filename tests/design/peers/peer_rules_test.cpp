@@ -46,8 +46,6 @@ BOOST_AUTO_TEST_CASE(other_excitations_follow_the_same_rules) {
   }
 }
 
-namespace {
-
 /// dopri5 as the peer has it, each step shown in 32 parts and a rest looked at 64 times as often,
 /// so that no short excursion is missed.
 class CloseDopri5 : Dopri5 {
@@ -142,8 +140,6 @@ void dopri5_agrees(test::Dice dice, test::ForcedScene<> (*make)(test::Dice&)) {
   BOOST_TEST_MESSAGE(count << " scenes, " << undecided << " undecided, worst difference " << worst);
   BOOST_TEST(undecided <= count / 10);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(random_scenes_follow_the_same_rules) {
   dopri5_agrees(test::Dice(40401), test::random_forced_scene);

@@ -13,8 +13,6 @@ namespace stillpoint::peers {
 
 BOOST_AUTO_TEST_SUITE(peers_test)
 
-namespace {
-
 /// Counts, and every other metric within `tolerance`.
 void finds(const ReferenceScene& scene, const Result& result, double tolerance) {
   BOOST_TEST_CONTEXT(scene.name) {
@@ -31,8 +29,6 @@ void finds(const ReferenceScene& scene, const Result& result, double tolerance) 
     }
   }
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(dopri5_finds_the_references) {
   // 1e-12 per step; resonance amplifies the errors, and 424 half-cycles add theirs up.

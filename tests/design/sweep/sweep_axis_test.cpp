@@ -5,8 +5,6 @@
 
 BOOST_AUTO_TEST_SUITE(sweep_axis_test)
 
-namespace {
-
 using namespace stillpoint::sweep_test;
 
 std::vector<double> values_of(const std::string& text) {
@@ -17,8 +15,6 @@ std::vector<double> values_of(const std::string& text) {
   }
   return values;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(has_the_numbers_of_its_text) {
   BOOST_TEST((values_of("3") == std::vector<double>{3}));

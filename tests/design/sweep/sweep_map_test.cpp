@@ -7,8 +7,6 @@
 
 BOOST_AUTO_TEST_SUITE(sweep_map_test)
 
-namespace {
-
 using namespace stillpoint::sweep_test;
 
 SweepSpec spec_of(const std::string& f, const std::string& delta) {
@@ -30,8 +28,6 @@ std::uint8_t class_of(double f, double delta) {
                                           FreeOptions{.times = false, .margin = false});
   return SweepClass::of(response.outcome, response.half_cycles.value_or(0));
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(says_of_each_cell_what_one_motion_says) {
   for (const auto& [f, delta] :

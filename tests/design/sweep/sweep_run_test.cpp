@@ -9,8 +9,6 @@
 
 BOOST_AUTO_TEST_SUITE(sweep_run_test)
 
-namespace {
-
 using namespace stillpoint::sweep_test;
 using enum Quantity;
 
@@ -41,8 +39,6 @@ void check_response(const std::vector<std::string>& row, std::size_t first,
   check_same(row.at(first + 3), response.stop_position);
   check_same(row.at(first + 4), response.stop_time);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(in_real_notches_has_the_rows_of_one_motion) {
   SweepSpec spec = free_spec(Axis({0.02, 0.26}), Axis({0.02, 0.37}));

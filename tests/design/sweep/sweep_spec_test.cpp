@@ -3,8 +3,6 @@
 
 BOOST_AUTO_TEST_SUITE(sweep_spec_test)
 
-namespace {
-
 using namespace stillpoint::sweep_test;
 using enum Quantity;
 
@@ -15,8 +13,6 @@ void check_refused(const SweepSpec& spec, const char* field) {
 SweepSpec small() {
   return free_spec(Axis({0.1, 0.2}), Axis({0, 0.3, 0.4}));
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(of_a_grid_counts_its_entries) {
   require_valid(small());

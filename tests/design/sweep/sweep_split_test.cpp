@@ -6,11 +6,7 @@
 
 BOOST_AUTO_TEST_SUITE(sweep_split_test)
 
-namespace {
-
 using namespace stillpoint::sweep_test;
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(parts_cover_each_entry_once_and_are_equal_to_within_one) {
   constexpr std::int64_t most_entries = 1'000'000'000'000'000;

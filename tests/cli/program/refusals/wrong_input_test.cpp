@@ -6,17 +6,11 @@
 
 BOOST_AUTO_TEST_SUITE(wrong_input_test)
 
-namespace {
-
 using namespace stillpoint::cli_test;
 using namespace stillpoint::cli_test::right;
 namespace cli = stillpoint::cli;
 
-}  // namespace
-
 // ---- values
-
-namespace {
 
 void check_no_number(const Sandbox& sandbox, std::string_view command, std::string_view option,
                      const std::string& text) {
@@ -26,8 +20,6 @@ void check_no_number(const Sandbox& sandbox, std::string_view command, std::stri
                   {name + " = ", text, "must "});
   }
 }
-
-}  // namespace
 
 BOOST_FIXTURE_TEST_CASE(no_text_is_taken_for_a_number, Sandbox) {
   const Texts texts{"",    "abc", "nan", "NAN", "inf",  "-inf", "infinity", "1,5",

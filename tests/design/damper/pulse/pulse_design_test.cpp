@@ -7,8 +7,6 @@ BOOST_AUTO_TEST_SUITE(pulse_design_test)
 // Designs for a pulse, compared with scans of f by simulation, one run each with a notch that holds
 // every arrival, and against simulations of the (f, Delta) of their boxes.
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// A design stays a relative 1e-9 inside its edges, and an objective may lose as much on either.
@@ -98,8 +96,6 @@ void check_mends(const PulseRequest& request, const std::vector<Mend>& mends) {
     }
   }
 }
-
-}  // namespace
 
 // Known by hand: while the rectangle lasts the mass swings about k - f, so the peak is 2 (k - f) at
 // tau = pi = its end; from there it swings about f and reaches 4 f - 2 k, so it returns for

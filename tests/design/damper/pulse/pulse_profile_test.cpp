@@ -11,8 +11,6 @@ BOOST_AUTO_TEST_SUITE(pulse_profile_test)
 // What the samples of f know of the motions between them: whether the mass returns, the largest
 // peak, and each local maximum of the need. They are no proof, so this counts.
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// A need that rises above what a box knows that ends on either side of it, as a part of that.
@@ -71,8 +69,6 @@ struct Seen {
 };
 
 constexpr double slowest = 5.6;  // p/lambda
-
-}  // namespace
 
 // The numbers are those of docs/theory.md section 8.
 BOOST_AUTO_TEST_CASE(samples_know_every_local_maximum_between_them) {

@@ -7,8 +7,6 @@ BOOST_AUTO_TEST_SUITE(pulse_ranges_test)
 
 // Designs for ranges of k, lambda and p under a pulse, compared with simulations of single pulses.
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// A design stays a relative 1e-9 inside its edges.
@@ -118,8 +116,6 @@ int outside(const PulseRequest& request, const DesignPoint& point, int points,
   }
   return bad;
 }
-
-}  // namespace
 
 // Near lambda = 0.1607 p the largest f that returns has a dip, between two of the lengths that the
 // search looks at first.

@@ -7,8 +7,6 @@ BOOST_AUTO_TEST_SUITE(pulse_region_test)
 // The region of a pulse without a design, and dampers compared with it: the region is that of the
 // design, and the dampers stand as their own motions say.
 
-namespace {
-
 using namespace stillpoint::design_test;
 using Names = std::set<std::string_view>;
 
@@ -86,8 +84,6 @@ bool near_an_edge(const PulseRequest& request, double f, double delta) {
   }
   return false;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(of_a_rectangle_of_half_a_natural_period_is_known) {
   const auto close = tt::tolerance(1e-9);

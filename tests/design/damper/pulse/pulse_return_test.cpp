@@ -8,8 +8,6 @@ BOOST_AUTO_TEST_SUITE(pulse_return_test)
 
 // The first return in closed form, compared with the forced motion, which looks for every event.
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// About ten roundings of the pieces, and those of the time of a slow return: lambda times the
@@ -19,8 +17,6 @@ constexpr double rounding = 1e-12;
 constexpr double undecided = 1e-10;
 /// Shorter full sines are left to the forced motion.
 constexpr double shortest = 1e3;
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(random_motions_are_those_of_the_forced_run) {
   RandomSource random(20261122);

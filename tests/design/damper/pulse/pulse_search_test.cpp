@@ -7,14 +7,10 @@ BOOST_AUTO_TEST_SUITE(pulse_search_test)
 
 // NLopt's optimum under a pulse compared with the one along f, found without it.
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// LD_CCSAQ creeps along a constraint; the others agree to 1e-7.
 constexpr double creeping = 1e-3;
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(every_algorithm_finds_the_optimum_that_brackets_find) {
   for (const std::string_view algorithm : algorithm_names()) {

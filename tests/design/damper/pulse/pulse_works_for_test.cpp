@@ -7,8 +7,6 @@ BOOST_AUTO_TEST_SUITE(pulse_works_for_test)
 // The pulses and springs that a damper works for, compared with closed forms and with the motions
 // of single pulses.
 
-namespace {
-
 using namespace stillpoint::design_test;
 
 /// The program keeps this from an edge, several times over.
@@ -96,8 +94,6 @@ HitEnd end_by_motion(const Point& now, const PulseProblem& one) {
          : w * w / 2 <= now.delta                               ? HitEnd::centred
                                                                 : HitEnd::passes;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(of_a_rectangle_of_half_a_natural_period_the_ends_are_known) {
   const auto close = tt::tolerance(edge_tolerance);
