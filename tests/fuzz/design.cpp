@@ -4,8 +4,6 @@
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/design/design.hpp>
 
-#include <array>
-
 // What holds for every design: its cross-check passes, and at the corners of its tolerance box,
 // under the weakest and the strongest hit and on the softest and the stiffest spring, the simulated
 // mass does what was asked for.

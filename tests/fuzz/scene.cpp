@@ -15,7 +15,6 @@
 #include <stillpoint/sweep/run.hpp>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 // Scenes: the first line is the command, the rest is the scene. It is read as the program reads it,

@@ -14,7 +14,6 @@
 #include <stillpoint/core/excitation.hpp>
 
 #include <cstddef>
-#include <limits>
 #include <variant>
 #include <vector>
 

@@ -9,8 +9,7 @@ namespace stillpoint::test {
 
 /// Scene S5: two wave packets, 3000 samples every 0.02.
 inline Record record_s5() {
-  Record record;
-  record.step = 0.02;
+  Record record{{}, 0.02, {}};
   for (int i = 0; i < 3000; ++i) {
     const double t = i * 0.02;
     const double first = (t - 20) / 10;

@@ -131,9 +131,7 @@ BOOST_AUTO_TEST_CASE(matches_the_golden_file) {
 
 /// Random lines, areas, bands and points. A peak is named off them, or on a ground.
 BOOST_AUTO_TEST_CASE(words_have_room_of_their_own) {
-  constexpr std::uint64_t seed = 20'261'127;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random(20'261'127);
   const auto place = [&random] { return std::uniform_real_distribution<double>(0, 10)(random); };
   const auto point = [&place] { return FigurePoint{place(), place()}; };
   int led = 0;

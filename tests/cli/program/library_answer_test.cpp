@@ -2,9 +2,9 @@
 // What the program reports is what the library answers, to the last byte. The tests of core and
 // design state why those numbers are right.
 #include "cli_test.hpp"
+#include "testing/simulation_of.hpp"
 
 #include <stillpoint/answers/hit.hpp>
-#include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/motion_findings.hpp>
 #include <stillpoint/report/report.hpp>
 
@@ -114,20 +114,15 @@ Arguments with_criterion(Arguments arguments, design::Criterion criterion) {
 
 BOOST_FIXTURE_TEST_CASE(free_motions, Sandbox) {
   for (const Motion& motion : motions) {
-    SimulationRequest request;
-    request.oscillator = motion.oscillator;
-    request.start = motion.start;
-    check_motion(*this, simulated(motion), request, motion.traced);
+    check_motion(*this, simulated(motion), test::simulation_of(motion.oscillator, motion.start),
+                 motion.traced);
   }
 }
 
 BOOST_FIXTURE_TEST_CASE(forced_motions, Sandbox) {
   for (const auto& [motion, excitation, options] : forced) {
-    SimulationRequest request;
-    request.oscillator = motion.oscillator;
-    request.start = motion.start;
-    request.excitation = excitation;
-    request.t_end = 200;
+    const SimulationRequest request =
+        test::simulation_of(motion.oscillator, motion.start, excitation, 200);
     check_motion(*this, simulated(motion) + "--t-end 200 --excitation" + options, request, true);
   }
 }

@@ -6,7 +6,6 @@
 BOOST_AUTO_TEST_SUITE(document_test)
 
 using namespace stillpoint::report;
-
 using namespace stillpoint::test;
 
 Document sample() {

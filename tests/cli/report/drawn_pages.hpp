@@ -4,11 +4,11 @@
 // Pages of figures, and what is drawn on them.
 
 #include "testing/random_scene.hpp"
+#include "testing/simulation_of.hpp"
 #include "testing/test.hpp"
-#include <stillpoint/core/simulation.hpp>
-#include <stillpoint/report/record_design.hpp>
 
 #include <stillpoint/design/design.hpp>
+#include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/report.hpp>
 
 namespace stillpoint::test {
@@ -40,16 +40,24 @@ inline bool has_note(const Figure& figure, const std::string& text) {
   return std::ranges::count(figure.notes, text, &figures::FigureNote::text) == 1;
 }
 
-/// 2.8 s, 0.4 m/s, 100 t.
-inline HtmlPage isolator(double room_m = 0.15) {
+/// Of 2.8 s, 0.4 m/s, 100 t.
+inline report::DesignReport isolator_report() {
   design::PhysicalIsolator isolator;
   isolator.period_s = 2.8;
   isolator.mass_kg = 1e5;
   design::PhysicalInput physical = design::physical_input(isolator, 0.4, 0);
-  design::DesignRequest request;
   const double p = physical.scales.p;
-  request.problem = {.v0 = p, .p = p, .beta = room_m / physical.scales.length_m};
-  return page(report::DesignReport{design::design(request), physical});
+  const design::DesignRequest request{
+      .problem = {.v0 = p, .p = p, .beta = 0.15 / physical.scales.length_m}};
+  return {design::design(request), physical};
+}
+
+inline HtmlPage page_of(const SimulationRequest& request) {
+  return page(report::MotionReport{request, simulate(request)});
+}
+
+inline HtmlPage isolator() {
+  return page(isolator_report());
 }
 
 }  // namespace stillpoint::test

@@ -4,22 +4,13 @@
 #include <stillpoint/core/half_cycles.hpp>
 #include <stillpoint/design/built_notch.hpp>
 
-#include <fmt/format.h>
-
 // What a reader must see of a motion: over time, and in the phase plane.
 
 BOOST_AUTO_TEST_SUITE(motion_figures_test)
 
 using namespace stillpoint;
 using namespace stillpoint::report;
-using figures::Figure;
-using figures::HtmlPage;
-
 using namespace stillpoint::test;
-
-HtmlPage page_of(const SimulationRequest& request) {
-  return page(MotionReport{request, simulate(request)});
-}
 
 /// The motion without friction; without strokes if it is left out.
 figures::FigureCurve ghost_of(const Figure& drawn) {
@@ -31,11 +22,7 @@ figures::FigureCurve ghost_of(const Figure& drawn) {
 
 HtmlPage motion(const Oscillator& oscillator, const Excitation& excitation = {},
                 const Start& start = {0, 1}) {
-  SimulationRequest request;
-  request.oscillator = oscillator;
-  request.start = start;
-  request.excitation = excitation;
-  return page_of(request);
+  return page_of(simulation_of(oscillator, start, excitation));
 }
 
 BOOST_AUTO_TEST_CASE(the_motion_is_labelled_in_place_beside_one_without_friction) {
@@ -84,10 +71,8 @@ BOOST_AUTO_TEST_CASE(the_envelope_goes_through_the_peaks) {
 
 /// In resonance A grows by pi k/2 a half-cycle: a motion that goes on ends as wide as it was.
 BOOST_AUTO_TEST_CASE(the_envelope_of_a_motion_that_goes_on_does_not_end) {
-  SimulationRequest request;
-  request.oscillator = {1, 0.05, 0};
-  request.start = {0, 1};
-  request.excitation = Harmonic{.k = 0.2, .lambda = 0.7};
+  SimulationRequest request =
+      simulation_of({1, 0.05, 0}, {0, 1}, Harmonic{.k = 0.2, .lambda = 0.7});
   for (const double end : {250.0, 251.0, 252.0, 253.0, 254.0, 255.0, 256.0}) {
     request.t_end = end;
     const Figure drawn = figure(page_of(request), "motion");
@@ -103,9 +88,7 @@ BOOST_AUTO_TEST_CASE(the_envelope_of_a_motion_that_goes_on_does_not_end) {
 /// From x = 0 freely to the peak A and back to the rest x: the zones take theirs over every path,
 /// a notch with a width takes delta/w for the way into it.
 BOOST_AUTO_TEST_CASE(zones_and_a_notch_with_a_width_take_their_part_of_the_energy) {
-  SimulationRequest request;
-  request.oscillator = {1, 0.26, 0.37};
-  request.start = {0, 1};
+  SimulationRequest request = simulation_of({1, 0.26, 0.37}, {0, 1});
   request.surface = {0.05, {{0.2, 0.1}}};
   const Simulation answer = simulate(request);
   BOOST_TEST_REQUIRE(answer.response.zero_passages == 0);
@@ -121,9 +104,7 @@ BOOST_AUTO_TEST_CASE(zones_and_a_notch_with_a_width_take_their_part_of_the_energ
 
 /// Where the friction changes there is a state, a mark and a kink, out and in again.
 BOOST_AUTO_TEST_CASE(the_edges_of_a_notch_with_a_width_are_drawn) {
-  SimulationRequest request;
-  request.oscillator = {1, 0.26, 0.37};
-  request.start = {0, 1};
+  SimulationRequest request = simulation_of({1, 0.26, 0.37}, {0, 1});
   request.surface = {0.05, {}};
   const Simulation answer = simulate(request);
   const HtmlPage drawn = page(MotionReport{request, answer});
@@ -158,8 +139,7 @@ BOOST_AUTO_TEST_CASE(a_design_is_drawn_with_the_notch_that_will_be_built) {
     report.built_notch = built_notch(report.result, shape);
     return page(report);
   };
-  design::DesignRequest hit;
-  hit.problem = {.v0 = 1, .p = 1, .beta = 0.9};
+  const design::DesignRequest hit{.problem = {.v0 = 1, .p = 1, .beta = 0.9}};
   const HtmlPage wide = drawn({.width = 0.1}, hit);
   const Figure& motion = figure(wide, "motion");
   BOOST_TEST(named(motion.marks, "rest").points.front().y > 0.01);
@@ -201,9 +181,7 @@ BOOST_AUTO_TEST_CASE(the_stop_of_a_forced_motion_is_a_jump) {
   const auto& jumps = named(drawn.curves, "jump at x = 0");
   BOOST_TEST(jumps.strokes.back().front().y < -0.1);
   BOOST_TEST(jumps.strokes.back().back().y == 0);
-  SimulationRequest zones;
-  zones.oscillator = {1, 0.1, 0};
-  zones.start = {0, 1};
+  SimulationRequest zones = simulation_of({1, 0.1, 0}, {0, 1});
   zones.surface.zones = {{0.2, 0.3}, {0.5, 0.15}};
   const HtmlPage without = page_of(zones);
   BOOST_TEST(!has(figure(without, "phase").curves, "jump at x = 0"));

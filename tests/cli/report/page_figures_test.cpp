@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "drawn_pages.hpp"
 
-#include <fmt/format.h>
-
 // What a reader must see in the figures of a page.
 
 BOOST_AUTO_TEST_SUITE(page_figures_test)
 
 using namespace stillpoint;
 using namespace stillpoint::report;
-using figures::Figure;
-using figures::HtmlPage;
-
 using namespace stillpoint::test;
 
 HtmlPage region(double beta, double f, double delta) {
   const design::RegionRequest request{
       .problem = {.v0 = 1, .p = 1, .beta = beta}, .f = f, .delta = delta};
   return page(RegionReport{request, design::answer(request)});
+}
+
+/// Under a record of three values.
+design::RecordDesignRequest under_three(const Interval& f, const Interval& delta) {
+  return {.records = {{"three", Record{{0.4, -0.2, 0}, 1, {}}, 1}}, .f = f, .delta = delta};
 }
 
 /// Each has a name of its own and a caption of one sentence, and lies within the numbers that it
@@ -66,8 +66,7 @@ void check_whole(const HtmlPage& page) {
 
 /// Of hits, pulses, ranges and residuals, with one damper given and designed, and of motions.
 BOOST_AUTO_TEST_CASE(each_figure_is_whole_whatever_the_task) {
-  constexpr std::uint64_t seed = 20'261'127;
-  Dice dice(seed);
+  Dice dice(20'261'127);
   for (int i = 0; i < 60; ++i) {
     design::Problem problem{.v0 = dice.power_of_ten(-1, 1), .p = dice.power_of_ten(-1, 1)};
     const double scale = problem.v0 / problem.p;
@@ -90,23 +89,22 @@ BOOST_AUTO_TEST_CASE(each_figure_is_whole_whatever_the_task) {
       pulse = HalfSine{dice.uniform(0.1, 2), dice.power_of_ten(0, 1.5)};
       problem = {.p = 1, .beta = dice.power_of_ten(-2, 0)};  // of a pulse
     }
-    BOOST_TEST_CONTEXT("task " << i << " of seed " << seed) {
+    BOOST_TEST_CONTEXT("task " << i) {
       design::RegionRequest region{.problem = problem, .limits = limits};
       region.pulse = pulse;
       check_whole(page(RegionReport{region, design::answer(region)}));
       region.f = dice.power_of_ten(-3, 0);
       region.delta = dice.power_of_ten(-3, 0);
       check_whole(page(RegionReport{region, design::answer(region)}));
-      SimulationRequest motion;
-      motion.oscillator = {1, dice.power_of_ten(-3, 0), dice.power_of_ten(-4, -1)};
-      motion.start = {0, 1};
+      SimulationRequest motion =
+          simulation_of({1, dice.power_of_ten(-3, 0), dice.power_of_ten(-4, -1)}, {0, 1});
       if (dice.once_in(2)) {
         motion.excitation = Harmonic{.k = 0.3, .lambda = dice.power_of_ten(-1, 1), .duration = 40};
       }
       if (dice.once_in(3)) {
         motion.surface = {dice.power_of_ten(-4, 0), {{dice.uniform(0, 1), dice.uniform(0, 0.2)}}};
       }
-      check_whole(page(MotionReport{motion, simulate(motion)}));
+      check_whole(page_of(motion));
       if (i < 10) {
         design::DesignRequest design{problem, limits, {}};
         design.pulse = pulse;
@@ -204,9 +202,8 @@ BOOST_AUTO_TEST_CASE(of_records_that_are_felt_alike_the_worst_has_the_largest_st
 /// beta = 0.9 is exceeded from V0 = 1.136 on, and sqrt(f^2 + V0^2) = 1.08 from there to V0 =
 /// sqrt(1.08^2 - f^2).
 BOOST_AUTO_TEST_CASE(hits_above_the_limit_of_the_acceleration_are_shown) {
-  design::DesignRequest request;
-  request.problem = {.v0 = 1, .p = 1, .beta = 0.9};
-  request.limits.acceleration_max = 1.08;
+  const design::DesignRequest request{.problem = {.v0 = 1, .p = 1, .beta = 0.9},
+                                      .limits = {.acceleration_max = 1.08}};
   const DesignReport report{design::design(request), {}};
   const double f = report.result.finding->point.f;
   const Figure drawn = figure(page(report), "hits");
@@ -221,8 +218,7 @@ BOOST_AUTO_TEST_CASE(hits_above_the_limit_of_the_acceleration_are_shown) {
 
 /// Of 2 V0 the hits that it works for are 1e-4 wide, or 0.11 m/s of 0.8.
 BOOST_AUTO_TEST_CASE(hits_too_few_to_see_are_enlarged) {
-  design::DesignRequest request;
-  request.problem = {.v0 = 1, .p = 1, .beta = 0.7072};
+  const design::DesignRequest request{.problem = {.v0 = 1, .p = 1, .beta = 0.7072}};
   const Figure drawn = figure(page(DesignReport{design::design(request), {}}), "hits");
   BOOST_TEST_REQUIRE(drawn.inset.has_value());
   BOOST_TEST(drawn.inset->x.least < 0.9999);
@@ -233,11 +229,8 @@ BOOST_AUTO_TEST_CASE(hits_too_few_to_see_are_enlarged) {
 
 /// f from 0.9 to 1.2 and Delta from 0.95 to 1.05 times the design's, or some multiple of that.
 BOOST_AUTO_TEST_CASE(a_tolerance_of_each_side_is_drawn_as_it_is) {
-  design::DesignRequest hit;
-  hit.problem = {.v0 = 1, .p = 1, .beta = 1};
-  design::DesignRequest pulsed;
-  pulsed.problem = {.p = 1, .beta = 0.05};
-  pulsed.pulse = HalfSine{0.5, 20};
+  const design::DesignRequest hit{.problem = {.v0 = 1, .p = 1, .beta = 1}};
+  const design::DesignRequest pulsed{.problem = {.p = 1, .beta = 0.05}, .pulse = HalfSine{0.5, 20}};
   for (design::DesignRequest request : {hit, pulsed}) {
     request.limits.delta_max = 0.5;
     request.limits.tolerance = 0.2;
@@ -274,10 +267,7 @@ BOOST_AUTO_TEST_CASE(a_rest_within_the_residual_is_not_off_centre) {
 
 /// What is felt is friction at least, and 0.4 where friction holds the mass.
 BOOST_AUTO_TEST_CASE(maps_show_where_a_damper_is_good_and_what_is_about_it) {
-  design::RecordDesignRequest request;
-  request.records = {{"three", Record{{0.4, -0.2, 0}, 1, {}}, 1}};
-  request.f = Interval{0, 0.4};
-  request.delta = Interval{0, 1};
+  design::RecordDesignRequest request = under_three({0, 0.4}, {0, 1});
   request.limits.jump = 9;
   RecordDesignReport report{design::design(request), {}};
   constexpr double f = 0.1;
@@ -312,10 +302,7 @@ BOOST_AUTO_TEST_CASE(maps_show_where_a_damper_is_good_and_what_is_about_it) {
 
 /// Also the jump at a notch, whose lilac has more blue than red.
 BOOST_AUTO_TEST_CASE(all_that_violates_a_limit_is_hatched_whatever_its_colour) {
-  design::RecordDesignRequest request;
-  request.records = {{"three", Record{{0.4, -0.2, 0}, 1, {}}, 1}};
-  request.f = Interval{0, 0.3};
-  request.delta = Interval{0, 0.2};
+  design::RecordDesignRequest request = under_three({0, 0.3}, {0, 0.2});
   request.limits.jump = 1e-3;
   const figures::FigureMap map =
       figure(page(RecordDesignReport{design::design(request), {}}), "map").map;
@@ -332,11 +319,8 @@ BOOST_AUTO_TEST_CASE(all_that_violates_a_limit_is_hatched_whatever_its_colour) {
 
 /// Under the one record, as far as the worst stroke of the box, beyond that of the design.
 BOOST_AUTO_TEST_CASE(the_worst_damper_of_the_box_is_drawn_beside_the_design) {
-  design::RecordDesignRequest request;
-  request.records = {{"three", Record{{0.4, -0.2, 0}, 1, {}}, 1}};
+  design::RecordDesignRequest request = under_three({0.1, 0.1}, {0, 0});
   request.objective = design::SuiteObjective::amplitude;
-  request.f = Interval{0.1, 0.1};
-  request.delta = Interval{0, 0};
   const auto farthest = [&](const char* name) {
     const RecordDesignReport report{design::design(request), {}};
     const Figure drawn = figure(page(report), "record-1");

@@ -7,13 +7,12 @@ BOOST_AUTO_TEST_SUITE(region_sides_test)
 
 using namespace stillpoint;
 using namespace stillpoint::report;
+using design::Problem;
 using figures::AreaLook;
 using figures::Figure;
 using figures::FigureArea;
 using figures::FigurePoint;
 using test::Dice;
-
-using design::Problem;
 
 Figure region_of(const Problem& problem, const design::Limits& limits = {}) {
   const design::RegionRequest request{.problem = problem, .limits = limits};
@@ -108,9 +107,7 @@ FigurePoint anywhere(Dice& dice, const Figure& figure) {
 }
 
 BOOST_AUTO_TEST_CASE(of_one_hit_are_what_the_motion_does) {
-  constexpr std::uint64_t seed = 20261;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  Dice dice(seed);
+  Dice dice(20261);
   std::map<std::string, int> met;
   for (int i = 0; i < 40; ++i) {
     Problem problem{.v0 = dice.power_of_ten(-1, 1), .p = dice.power_of_ten(-1, 1)};
@@ -159,8 +156,7 @@ BOOST_AUTO_TEST_CASE(the_line_of_a_tolerance_surrounds_the_dampers_that_keep_it)
     const Figure figure = region_of(problem, limits);
     const auto& line =
         test::named(figure.curves, "tolerance: f -10 to +5 %, Δ -8 to +10 % asked for");
-    constexpr std::uint64_t seed = 20263;
-    Dice dice(seed);
+    Dice dice(20263);
     int inside = 0;
     for (int k = 0; k < 1000; ++k) {
       const FigurePoint at = anywhere(dice, figure);
@@ -185,9 +181,7 @@ BOOST_AUTO_TEST_CASE(the_line_of_a_tolerance_surrounds_the_dampers_that_keep_it)
 
 /// Of ranges: a hit and a spring that do what the area says, or none that does otherwise.
 BOOST_AUTO_TEST_CASE(of_ranges_are_what_some_motion_does) {
-  constexpr std::uint64_t seed = 20262;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  Dice dice(seed);
+  Dice dice(20262);
   std::map<std::string, int> met;
   for (int i = 0; i < 30; ++i) {
     Problem problem{.v0 = 1, .p = 1, .beta = dice.uniform(0.9, 1.3)};

@@ -1,31 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "testing/test.hpp"
+#include "drawn_pages.hpp"
 
 #include <stillpoint/figures/figure.hpp>
 #include <stillpoint/report/digits.hpp>
-#include <stillpoint/report/report.hpp>
 
 BOOST_AUTO_TEST_SUITE(report_page_test)
 
 using namespace stillpoint;
 using namespace stillpoint::report;
-
 using namespace stillpoint::test;
-
-DesignReport isolator() {
-  design::PhysicalIsolator isolator;
-  isolator.period_s = 2.8;
-  isolator.mass_kg = 1e5;
-  const design::PhysicalInput physical = design::physical_input(isolator, 0.4, 0);
-  design::DesignRequest request;
-  const double p = physical.scales.p;
-  request.problem = {.v0 = p, .p = p, .beta = 0.84};
-  return {design::design(request), physical};
-}
 
 /// The three formats agree: the numbers of the JSON are in the text and on the page.
 BOOST_AUTO_TEST_CASE(text_page_and_json_agree) {
-  const DesignReport report = isolator();
+  const DesignReport report = isolator_report();
   const auto data = json(report);
   const std::string plain = text(document(report));
   const figures::HtmlPage made = page(report);
@@ -45,7 +32,7 @@ BOOST_AUTO_TEST_CASE(text_page_and_json_agree) {
 
 /// A browser applies a policy only to what stands behind it.
 BOOST_AUTO_TEST_CASE(a_page_may_load_nothing) {
-  const std::string file = figures::html(page(isolator()));
+  const std::string file = figures::html(isolator());
   const std::size_t policy = file.find(
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src "
       "'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; ");
@@ -57,10 +44,7 @@ BOOST_AUTO_TEST_CASE(a_page_may_load_nothing) {
 }
 
 BOOST_AUTO_TEST_CASE(a_mass_at_rest_has_no_figures) {
-  SimulationRequest request;
-  request.oscillator = {1, 0.1, 1};
-  request.start = {0, 0.1};  // v0^2 < 2 delta
-  const figures::HtmlPage made = page(MotionReport{request, simulate(request)});
+  const HtmlPage made = page_of(simulation_of({1, 0.1, 1}, {0, 0.1}));  // v0^2 < 2 delta
   BOOST_TEST(made.figures.empty());
   BOOST_TEST(contains(made.verdict, "Nothing moves"), made.verdict);
 }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "testing/test.hpp"
+#include "design/sweep/sweep_spec.hpp"
 
 #include <stillpoint/report/sweep.hpp>
 #include <stillpoint/sweep/open_rows.hpp>
-#include <stillpoint/sweep/run.hpp>
-#include <stillpoint/sweep/spec.hpp>
 
 BOOST_AUTO_TEST_SUITE(sweep_figure_test)
 
@@ -22,12 +20,8 @@ report::SweepReport report_of(const sweep::SweepSpec& spec) {
 
 /// Of a hit with V0 = p = 1 from x = 0.
 report::SweepReport swept(std::string_view f, std::string_view delta) {
-  sweep::SweepSpec spec;
-  spec.axes = {{Quantity::v0, sweep::Axis({1})},
-               {Quantity::p, sweep::Axis({1})},
-               {Quantity::x0, sweep::Axis({0})},
-               {Quantity::f, sweep::parse_axis("f", f)},
-               {Quantity::delta, sweep::parse_axis("delta", delta)}};
+  sweep::SweepSpec spec =
+      sweep_test::free_spec(sweep::parse_axis("f", f), sweep::parse_axis("delta", delta));
   spec.columns = sweep::default_columns(spec);
   spec.output = "/dev/null";
   return report_of(spec);

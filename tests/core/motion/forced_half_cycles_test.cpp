@@ -65,9 +65,7 @@ BOOST_AUTO_TEST_CASE(follow_one_another_and_lose_what_the_notch_takes) {
 // Without friction the mass comes back with the speed 1 at pi. The notch takes the energy 0.5,
 // which stops it, and lets it go when the load exceeds 1.5: the structure felt the whole stop.
 BOOST_AUTO_TEST_CASE(a_stop_in_a_notch_that_lets_go_is_felt_whole) {
-  Record late;
-  late.values = {0, 0, 2, 2};
-  late.times = {0, 4, 5, 20};
+  Record late{{0, 0, 2, 2}, 0, {0, 4, 5, 20}};
   const auto list = forced_half_cycles({1, 0, 0.5, 1.5}, {0, 1}, late, 20, all);
   BOOST_TEST_REQUIRE(list.size() > 1U);
   BOOST_TEST(near(*list[0].arrival_speed, 1, 1e-14));

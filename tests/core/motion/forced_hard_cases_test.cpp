@@ -54,8 +54,7 @@ BOOST_AUTO_TEST_CASE(very_slow_forcing_moves_the_place_of_rest) {
 BOOST_AUTO_TEST_CASE(on_a_ramp_v_only_touches_0_once_a_period) {
   for (const double step : {0.5, 7.0, 64.0}) {
     for (const double f : {0.0, 0.125}) {
-      Record record;
-      record.step = step;
+      Record record{{}, step, {}};
       for (int i = 0; (i - 1) * step <= 64; ++i) {
         record.values.push_back(0.5 * (i * step));
       }
@@ -252,8 +251,7 @@ BOOST_AUTO_TEST_CASE(records_that_stand_at_f_have_the_events_of_50_digits) {
   for (int i = 0; i < 100; ++i) {
     const double f = dice.power_of_ten(-1, 1);
     const std::array levels{0.0, f, -f, f / 2, 3 * f, -2.5 * f};
-    Record record;
-    record.step = dice.uniform(0.05, 1);
+    Record record{{}, dice.uniform(0.05, 1), {}};
     for (unsigned sample = 0; sample < 60; ++sample) {
       const bool repeat = sample > 0 && dice.once_in(3);
       const unsigned most = sample < 20 ? 4 : 6;  // first a while at rest

@@ -50,8 +50,7 @@ ForcedScene<> shifted(ForcedScene<> scene, Dice& dice, double by) {
 /// A record that stays on a few levels, those of the friction among them.
 Record record_of_levels(Dice& dice, double p, double k, double f) {
   const std::array levels{0.0, 0.0, f, -f, k, -k, k / 2};
-  Record record;
-  record.step = dice.once_in(2) ? pi / p / 4 : dice.power_of_ten(-1.5, 0.5) / p;
+  Record record{{}, dice.once_in(2) ? pi / p / 4 : dice.power_of_ten(-1.5, 0.5) / p, {}};
   const unsigned count = 3 + dice.below(40);
   for (unsigned i = 0; i < count; ++i) {
     const bool repeat = i > 0 && dice.once_in(3);

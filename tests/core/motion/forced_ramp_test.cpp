@@ -12,8 +12,7 @@ constexpr double t_end = 343;                 // about 54 periods of p = 1
 
 /// W = jump + slope tau, until t_end at least.
 Record ramp(double jump, double slope, double step) {
-  Record record;
-  record.step = step;
+  Record record{{}, step, {}};
   for (std::size_t i = 0; i < 2 || static_cast<double>(i - 1) * step < t_end; ++i) {
     record.values.push_back(jump + slope * (static_cast<double>(i) * step));
   }
@@ -74,9 +73,7 @@ BOOST_AUTO_TEST_CASE(after_a_touch_on_a_sample_the_next_load_decides) {
   // W sets the mass off at f, at a rate of 0.5 for a period, and then falls by less than 2 f.
   const double period = 2 * std::numbers::pi;
   const double top = 0.1 + 0.5 * period;
-  Record record;
-  record.values = {0.1, top, top - 0.15, top - 0.15};
-  record.step = period;
+  Record record{{0.1, top, top - 0.15, top - 0.15}, period, {}};
   const auto run = within(100, {1, 0.1, 0.1}, {0, 0}, record, 2.5 * period);
   BOOST_TEST(run.turning_points.value() == 1);
   BOOST_TEST(run.sticks == 1);
@@ -94,9 +91,7 @@ BOOST_AUTO_TEST_CASE(a_turn_where_the_load_hardly_exceeds_friction_and_falls_com
                                    0.52889924608138494, 0.12020427351594103},
                              Scene{1.4418152495245318, 0.4210040011248668, 0.034626287053206244,
                                    0.42601690284111138, 0.15825278097918394}}) {
-    Record record;
-    record.step = 10;
-    record.values = {scene.w, scene.w - scene.fall * 10};
+    Record record{{scene.w, scene.w - scene.fall * 10}, 10, {}};
     const auto run = within(100, {scene.p, scene.f, 0}, {0, scene.v0}, record, 9.9);
     BOOST_TEST(run.turning_points.value() <= 4);
     BOOST_TEST(run.decision_margin.value() < 1e-15);

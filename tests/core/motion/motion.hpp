@@ -9,6 +9,7 @@
 #include "testing/scene_count.hpp"
 #include "testing/scene_s5.hpp"
 #include "testing/simple_forced.hpp"
+#include "testing/simulation_of.hpp"
 #include "testing/test.hpp"
 
 #include <stillpoint/core.hpp>

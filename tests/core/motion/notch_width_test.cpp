@@ -177,10 +177,8 @@ BOOST_AUTO_TEST_CASE(a_mass_that_turns_at_the_end_of_its_dead_zone_rests_there) 
 }
 
 BOOST_AUTO_TEST_CASE(simulate_gives_all_of_a_motion_with_a_notch) {
-  SimulationRequest request;
-  request.oscillator = {1, 0.05, 0.1};
+  SimulationRequest request = simulation_of({1, 0.05, 0.1}, {0, 1});
   request.surface = notch(0.05);
-  request.start = {0, 1};
   request.samples = 100;
   const Simulation answer = simulate(request);
   BOOST_TEST(!answer.forced);

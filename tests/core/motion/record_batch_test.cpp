@@ -111,8 +111,7 @@ Record strong_motion() {
   for (int line = 0; line < 4; ++line) {
     std::getline(file, heading);
   }
-  Record record;
-  record.step = 0.01;
+  Record record{{}, 0.01, {}};
   for (double value = 0; file >> value;) {
     record.values.push_back(value);
   }
@@ -288,8 +287,7 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_named_with_its_entry) {
 BOOST_AUTO_TEST_CASE(where_v_only_touches_0) {
   // Once a period while W rises, docs/forced.md (F33): within an interval, or where it ends.
   for (const double step : {0.1, 1.0}) {
-    Record record;
-    record.step = step;
+    Record record{{}, step, {}};
     for (int i = 0; i * step <= 40; ++i) {
       record.values.push_back(0.05 * (i * step));
     }

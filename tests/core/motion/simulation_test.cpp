@@ -6,16 +6,11 @@ BOOST_AUTO_TEST_SUITE(simulation_test)
 using namespace stillpoint;
 
 SimulationRequest forced() {
-  SimulationRequest request;
-  request.oscillator = {1, 0.1, 0.01};
-  request.excitation = Harmonic{0.5, 0.7, 0, 20};
-  return request;
+  return test::simulation_of({1, 0.1, 0.01}, {}, Harmonic{0.5, 0.7, 0, 20});
 }
 
 BOOST_AUTO_TEST_CASE(a_free_motion_is_traced_to_its_end) {
-  SimulationRequest request;
-  request.oscillator = {1, 0.1, 0.1};
-  request.start = {0, 1};
+  SimulationRequest request = test::simulation_of({1, 0.1, 0.1}, {0, 1});
   request.samples = 50;
   const Simulation motion = simulate(request);
   BOOST_TEST(!motion.forced.has_value());
@@ -26,9 +21,7 @@ BOOST_AUTO_TEST_CASE(a_free_motion_is_traced_to_its_end) {
 }
 
 BOOST_AUTO_TEST_CASE(without_friction_ten_periods_are_traced) {
-  SimulationRequest request;
-  request.oscillator = {2, 0, 0};
-  request.start = {1, 0};
+  SimulationRequest request = test::simulation_of({2, 0, 0}, {1, 0});
   request.samples = 2;
   const double ten_periods = 10 * 3.14159265358979323846;  // pi each
   test::near("end", simulate(request).trajectory.back().tau, ten_periods, 1e-15);

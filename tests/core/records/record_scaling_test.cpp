@@ -193,8 +193,7 @@ BOOST_AUTO_TEST_CASE(files_that_are_read_may_be_doubtful) {
              {"a.txt: the largest value is 341.7 g if", "--record-units cm/s2?"});
   check_only(doubts("0 0\n1 6\n"), {"6 g if its values are in g", "--record-units m/s2?"});
   BOOST_TEST(doubts("0 0\n1 2\n").empty());
-  RecordOptions in_cm;
-  in_cm.units = records::RecordUnits::cm_per_s2;
+  const RecordOptions in_cm{.units = records::RecordUnits::cm_per_s2};
   BOOST_TEST(doubts("0 0\n1 2900\n", in_cm).empty());
   check_only(doubts("0 0\n1 -3000\n", in_cm),
              {"a.txt: has a peak of 3.059 g; more than 3 g is doubtful"});

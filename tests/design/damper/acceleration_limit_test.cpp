@@ -10,10 +10,7 @@ using namespace stillpoint::design_test;
 constexpr double s_tolerance = 1e-15;
 
 Limits at_most(double acceleration, double tolerance = 0) {
-  Limits limits;
-  limits.acceleration_max = acceleration;
-  limits.tolerance = tolerance;
-  return limits;
+  return {.tolerance = tolerance, .acceleration_max = acceleration};
 }
 
 BOOST_AUTO_TEST_CASE(f4_is_where_s_meets_the_limit) {

@@ -238,10 +238,8 @@ BOOST_AUTO_TEST_CASE(equals_keep_their_order_and_the_nearest_miss_is_first_of_th
 // Known by hand, docs/theory.md section 8: a rectangle of k = 1/2 and lambda = p = 1 returns for
 // f <= 1/4 with the peak 2 (k - f) and half the square of the speed 2 (k - f) (k - 2 f).
 BOOST_AUTO_TEST_CASE(parts_under_a_known_pulse_fail_as_they_must) {
-  DesignRequest request;
-  request.problem.beta = 0.8;
-  request.problem.criterion = Criterion::exact;
-  request.pulse = Rectangle{0.5, 1};
+  DesignRequest request{.problem = {.beta = 0.8, .criterion = Criterion::exact},
+                        .pulse = Rectangle{0.5, 1}};
   const std::vector<Part> parts{{"held", 0.6, 1},
                                 {"off centre", 0.3, 1},
                                 {"too far", 0.05, 1},
@@ -272,11 +270,9 @@ BOOST_AUTO_TEST_CASE(parts_under_a_known_pulse_fail_as_they_must) {
 
 // One that returns under every pulse of the range; the weakest is k = 0.35.
 BOOST_AUTO_TEST_CASE(parts_hold_for_a_range_of_pulses) {
-  DesignRequest request;
-  request.problem.beta = 0.8;
-  request.problem.criterion = Criterion::exact;
-  request.pulse = Rectangle{0.5, 1};
-  request.pulse_ranges.k_low = 0.35;
+  const DesignRequest request{.problem = {.beta = 0.8, .criterion = Criterion::exact},
+                              .pulse = Rectangle{0.5, 1},
+                              .pulse_ranges = {.k_low = 0.35}};
   const std::vector<Part> parts{{"too strong", 0.2, 0.3}, {"fits", 0.17, 0.3}};
   const Choice choice = choose(request, parts);
   BOOST_TEST(choice.parts.at(0).part.name == "fits");

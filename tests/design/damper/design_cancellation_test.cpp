@@ -30,10 +30,7 @@ void check_cancellable(const std::function<void()>& work, int at_least) {
 
 /// Without an upper bound of f the strips are endless.
 Problem many_arrivals() {
-  Problem problem;
-  problem.beta = 2;
-  problem.arrivals = 100;
-  return problem;
+  return {.beta = 2, .arrivals = 100};
 }
 
 std::vector<Part> some_parts(int count) {
@@ -48,40 +45,33 @@ std::vector<Part> some_parts(int count) {
 
 BOOST_AUTO_TEST_CASE(a_design_asks_at_each_strip) {
   constexpr int some = 50;  // not every strip is looked at
-  DesignRequest request;
-  request.problem = many_arrivals();
+  DesignRequest request{.problem = many_arrivals()};
   check_cancellable([&] { static_cast<void>(design::design(request)); }, some);
   request.problem.residual = 0.01;
   check_cancellable([&] { static_cast<void>(design::design(request)); }, some);
 }
 
 BOOST_AUTO_TEST_CASE(a_task_without_a_design_asks_while_it_is_mended) {
-  DesignRequest request;
-  request.problem = many_arrivals();
-  request.limits.tolerance = 0.9;
+  const DesignRequest request{.problem = many_arrivals(), .limits = {.tolerance = 0.9}};
   check_cancellable([&] { static_cast<void>(design::design(request)); }, 10);
 }
 
 BOOST_AUTO_TEST_CASE(a_catalogue_asks_at_each_part) {
   const std::vector<Part> parts = some_parts(1000);
-  DesignRequest request;
-  request.problem.beta = 0.9;
+  DesignRequest request{.problem = {.beta = 0.9}};
   check_cancellable([&] { static_cast<void>(choose(request, parts)); }, 1000);
   request.limits.tolerance = 0.9;  // none is admissible
   check_cancellable([&] { static_cast<void>(choose(request, parts)); }, 2000);
 }
 
 BOOST_AUTO_TEST_CASE(a_front_asks_at_each_damper) {
-  Problem problem;
-  problem.beta = 0.9;
+  const Problem problem{.beta = 0.9};
   check_cancellable([&] { static_cast<void>(trade_off(problem, {}, 50)); }, 50);
 }
 
 BOOST_AUTO_TEST_CASE(a_design_for_a_pulse_asks_at_each_motion) {
-  DesignRequest request;
-  request.problem.beta = 3;
-  request.pulse = HalfSine{0.5, 0.5};
-  request.pulse_ranges.lambda_high = 5;
+  DesignRequest request{
+      .problem = {.beta = 3}, .pulse = HalfSine{0.5, 0.5}, .pulse_ranges = {.lambda_high = 5}};
   check_cancellable([&] { static_cast<void>(design::design(request)); }, 1000);
 }
 

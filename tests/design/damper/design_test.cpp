@@ -7,8 +7,7 @@ using namespace stillpoint::design_test;
 
 BOOST_AUTO_TEST_CASE(a_design_in_one_line) {
   // Where amplitude does not bind, the best tolerance by the published criterion is 0.36336.
-  DesignRequest request;
-  request.problem = {1, 1, 0.9, Criterion::published};
+  DesignRequest request{.problem = {1, 1, 0.9, Criterion::published}};
   DesignResult result = design::design(request);
   const std::string line = summary(result);
   BOOST_TEST(line.starts_with("f = 0."), line);

@@ -224,9 +224,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_listed_cannot_mend_alone) {
 BOOST_AUTO_TEST_CASE(a_limit_of_the_acceleration_below_p_v0_is_mended_for_several_arrivals) {
   const Problem problem{58.025323666135705, 16.336770498866795, 7.4187136861399212,
                         Criterion::exact, 5};
-  Limits limits;
-  limits.acceleration_max = 938.363;
-  limits.tolerance = 0.01;
+  const Limits limits{.tolerance = 0.01, .acceleration_max = 938.363};
   BOOST_TEST((admissible_region(problem, limits).conflict == Conflict::limit_alone));
   const auto list = mends(problem, limits);
   const auto mend = std::ranges::find(list, "acceleration_max", &Mend::field);

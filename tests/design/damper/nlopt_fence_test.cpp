@@ -174,8 +174,7 @@ Way random_way(RandomSource& random) {
   if (kind == 3) {
     problem.residual = random.uniform(0.01, 0.1) * problem.v0 / problem.p;
   }
-  Limits limits;
-  limits.tolerance = random.uniform(0, 0.2);
+  const Limits limits{.tolerance = random.uniform(0, 0.2)};
   const int last = kind == 2 ? 1 : static_cast<int>(problem.arrivals);
   return {problem, limits, 1 + random.pick(last)};
 }

@@ -109,9 +109,9 @@ BOOST_AUTO_TEST_CASE(a_design_in_metres_does_not_depend_on_the_unit_of_length) {
   constexpr double velocity = 0.4;
   constexpr double displacement = 0.16;
   for (const Objective objective : objectives) {
-    DesignRequest request;
-    request.search.objective = objective;
-    request.limits.tolerance = objective == Objective::robust ? 0 : 0.1;
+    DesignRequest request{.problem = {},
+                          .limits = {.tolerance = objective == Objective::robust ? 0 : 0.1},
+                          .search = {.objective = objective}};
     const auto design_with = [&](double reference_velocity) {
       const Scales scales = physical_scales(with_period(3), reference_velocity);
       request.problem = {velocity / scales.velocity_m_per_s, scales.p,

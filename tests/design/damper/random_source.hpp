@@ -63,9 +63,7 @@ inline design::Objective random_objective(RandomSource& random) {
 /// V0 and p over nine decades each, and with them beta over eighteen; p beta / V0 from `least` to
 /// `most`.
 inline design::Problem random_problem(RandomSource& random, double least, double most) {
-  design::Problem problem;
-  problem.v0 = random.log_uniform(3e-5, 3e4);
-  problem.p = random.log_uniform(3e-5, 3e4);
+  design::Problem problem{.v0 = random.log_uniform(3e-5, 3e4), .p = random.log_uniform(3e-5, 3e4)};
   problem.beta = random.log_uniform(least, most) * problem.v0 / problem.p;
   problem.criterion = random.pick(2) == 0 ? design::Criterion::published : design::Criterion::exact;
   return problem;

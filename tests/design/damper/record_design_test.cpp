@@ -13,6 +13,21 @@ constexpr double boxes_tolerance = 5e-3;
 /// Of a figure worked out by hand.
 constexpr double hand_tolerance = 1e-14;
 
+/// The three samples with dampers without a notch.
+RecordDesignRequest with_friction(const Interval& f) {
+  RecordDesignRequest request = three_samples();
+  request.f = f;
+  request.delta = Interval{0, 0};
+  return request;
+}
+
+/// The first of the short records.
+RecordDesignRequest short_record() {
+  RecordDesignRequest request = short_records();
+  request.records.resize(1, request.records.front());
+  return request;
+}
+
 RecordDesignRequest with_capacity() {
   RecordDesignRequest request = short_records();
   request.hold = 0.05;
@@ -109,9 +124,7 @@ BOOST_AUTO_TEST_CASE(a_stopped_search_suggests_no_relaxed_limit) {
 }
 
 BOOST_AUTO_TEST_CASE(a_damper_that_does_not_move_passes_the_load_on) {
-  RecordDesignRequest request = three_samples();
-  request.f = Interval{2, 2};
-  request.delta = Interval{0, 0};
+  RecordDesignRequest request = with_friction({2, 2});
   request.records.push_back(request.records.front());
   request.records.back().scale = -3;  // its largest load is 1.2
   const RecordDesign worst = design::design(request);
@@ -128,9 +141,7 @@ BOOST_AUTO_TEST_CASE(a_damper_that_does_not_move_passes_the_load_on) {
 }
 
 BOOST_AUTO_TEST_CASE(a_damper_without_friction_never_rests) {
-  RecordDesignRequest request = three_samples();
-  request.f = Interval{0, 0};
-  request.delta = Interval{0, 0};
+  RecordDesignRequest request = with_friction({0, 0});
   const RecordDesign result = design::design(request);
   BOOST_TEST(!result.finding.has_value());
   BOOST_TEST(!result.nearest.figures.settled);
@@ -140,8 +151,7 @@ BOOST_AUTO_TEST_CASE(a_damper_without_friction_never_rests) {
 
 /// However far off they are.
 BOOST_AUTO_TEST_CASE(the_nearest_is_as_near_to_the_limits_as_any_friction_alone) {
-  RecordDesignRequest request = short_records();
-  request.records.resize(1, request.records.front());
+  RecordDesignRequest request = short_record();
   request.delta = Interval{0, 0};
   request.tolerance.f = {0.01, 0.01};
   for (const double most : {0.08, 0.04, 0.01}) {
@@ -160,8 +170,7 @@ BOOST_AUTO_TEST_CASE(the_nearest_is_as_near_to_the_limits_as_any_friction_alone)
 }
 
 BOOST_AUTO_TEST_CASE(each_suggested_limit_suffices) {
-  RecordDesignRequest request = short_records();
-  request.records.resize(1, request.records.front());
+  RecordDesignRequest request = short_record();
   request.limits = {0.4, 0.15, 0.02, {}, {}};
   const RecordDesign none = design::design(request);
   BOOST_TEST(!none.finding.has_value());
@@ -183,9 +192,7 @@ BOOST_AUTO_TEST_CASE(each_suggested_limit_suffices) {
 
 BOOST_AUTO_TEST_CASE(only_the_limit_in_the_way_is_suggested) {
   // It does not move, so that it feels 0.4 g whatever the stroke.
-  RecordDesignRequest request = three_samples();
-  request.f = Interval{2, 2};
-  request.delta = Interval{0, 0};
+  RecordDesignRequest request = with_friction({2, 2});
   request.limits = {1, 0.1, 0, {}, {}};
   const RecordDesign none = design::design(request);
   BOOST_TEST(!none.finding.has_value());
@@ -196,8 +203,7 @@ BOOST_AUTO_TEST_CASE(only_the_limit_in_the_way_is_suggested) {
 }
 
 BOOST_AUTO_TEST_CASE(a_free_period_is_at_least_as_good_as_any_single_one) {
-  RecordDesignRequest request = short_records();
-  request.records.resize(1, request.records.front());
+  RecordDesignRequest request = short_record();
   request.delta = Interval{0, 0};
   request.p = {0.8, 1.6};
   const RecordDesign free = design::design(request);
@@ -221,10 +227,8 @@ BOOST_AUTO_TEST_CASE(a_free_period_is_at_least_as_good_as_any_single_one) {
 // be up to 0.8: R = 1 - 0.4/0.8. Where the load exceeds f by d, it does so for some 5 d, and the
 // mass moves by some 4 d^3: the limit admits d = 3e-7.
 BOOST_AUTO_TEST_CASE(the_largest_tolerance_of_a_mass_that_is_held_is_known) {
-  RecordDesignRequest request = three_samples();
+  RecordDesignRequest request = with_friction({0.1, 0.8});
   request.objective = SuiteObjective::robust;
-  request.f = Interval{0.1, 0.8};
-  request.delta = Interval{0, 0};
   request.limits = {1e-19, {}, {}, {}, {}};
   const RecordDesign held = design::design(request);
   BOOST_REQUIRE(held.finding.has_value());
@@ -239,17 +243,14 @@ BOOST_AUTO_TEST_CASE(the_largest_tolerance_of_a_mass_that_is_held_is_known) {
 // ones have smaller boxes here. docs/theory.md has 41.6 %.
 BOOST_AUTO_TEST_CASE(one_pulse_as_a_record_has_the_box_of_the_design_for_the_pulse) {
   constexpr double beta = 0.8;
-  DesignRequest pulse;
-  pulse.problem.p = 1;
-  pulse.problem.beta = beta;
-  pulse.pulse = Rectangle{0.5, 1};
-  pulse.search.objective = Objective::robust;
+  const DesignRequest pulse{.problem = {.p = 1, .beta = beta},
+                            .search = {.objective = Objective::robust},
+                            .pulse = Rectangle{0.5, 1}};
   const DesignResult known = design::design(pulse);
   BOOST_REQUIRE(known.finding.has_value());
-  RecordDesignRequest request;
-  request.records = {{"pulse", rectangle(0.5), 1}};
-  request.objective = SuiteObjective::robust;
-  request.limits = {beta, {}, 0, {}, {}};
+  const RecordDesignRequest request{.records = {{"pulse", rectangle(0.5), 1}},
+                                    .objective = SuiteObjective::robust,
+                                    .limits = {beta, {}, 0, {}, {}}};
   const RecordDesign found = design::design(request);
   BOOST_REQUIRE(found.finding.has_value());
   constexpr double of_tolerance = 0.005;
@@ -260,10 +261,8 @@ BOOST_AUTO_TEST_CASE(one_pulse_as_a_record_has_the_box_of_the_design_for_the_pul
 
 // Half of what the weak record asks for is enough, and it is the strong one that moves the mass.
 BOOST_AUTO_TEST_CASE(the_record_that_binds_a_limit_is_named) {
-  RecordDesignRequest request = three_samples();
+  RecordDesignRequest request = with_friction({0.25, 0.25});
   request.records.push_back({"weak", request.records.front().record, 0.5});
-  request.f = Interval{0.25, 0.25};
-  request.delta = Interval{0, 0};
   request.limits.peak = 1e-3;
   const RecordDesign none = design::design(request);
   BOOST_TEST(!none.finding.has_value());

@@ -21,12 +21,9 @@ inline design::SuiteRecord recorded(const std::string& file, double scale = 1) {
 }
 
 inline design::RecordDesignRequest two_records() {
-  design::RecordDesignRequest request;
-  request.records = {recorded("near_fault_pulse.txt"), recorded("strong_motion.AT2")};
-  request.limits.peak = 0.25 * metre;
-  request.limits.residual = 0.005 * metre;
-  request.scan_points = 2500;
-  return request;
+  return {.records = {recorded("near_fault_pulse.txt"), recorded("strong_motion.AT2")},
+          .limits = {.peak = 0.25 * metre, .residual = 0.005 * metre},
+          .scan_points = 2500};
 }
 
 /// Seven radians of shaking, so that a whole search takes a quarter of a second.
@@ -37,20 +34,14 @@ inline design::RecordDesignRequest short_records() {
     one.values.push_back(0.3 * std::sin(0.7 * i) + 0.2 * std::sin(0.23 * i));
     other.values.push_back(0.4 * std::sin(0.11 * i * i));
   }
-  design::RecordDesignRequest request;
-  request.records = {{"one", one, 1}, {"other", other, -0.8}};
-  request.limits.peak = 0.4;
-  request.limits.residual = 0.02;
-  request.scan_points = 2500;
-  return request;
+  return {.records = {{"one", one, 1}, {"other", other, -0.8}},
+          .limits = {.peak = 0.4, .residual = 0.02},
+          .scan_points = 2500};
 }
 
 /// W = 0.4 at 0, -0.2 at 1, 0 at 2.
 inline design::RecordDesignRequest three_samples() {
-  design::RecordDesignRequest request;
-  request.records = {{"three", Record{{0.4, -0.2, 0}, 1, {}}, 1}};
-  request.scan_points = 100;
-  return request;
+  return {.records = {{"three", Record{{0.4, -0.2, 0}, 1, {}}, 1}}, .scan_points = 100};
 }
 
 }  // namespace stillpoint::design_test

@@ -14,9 +14,7 @@ BOOST_AUTO_TEST_SUITE(peer_rules_test)
 // Pulses, an excitation that ends, a start at x0, an uneven record: the rules beyond the scenes,
 // against the exact kernel.
 BOOST_AUTO_TEST_CASE(other_excitations_follow_the_same_rules) {
-  Record uneven;
-  uneven.values = {0.3, -0.2, 0.25, 0.1, -0.3};
-  uneven.times = {0.5, 2, 3.25, 6, 8};
+  Record uneven{{0.3, -0.2, 0.25, 0.1, -0.3}, 0, {0.5, 2, 3.25, 6, 8}};
   const std::vector<Scene> all{
       with(HalfSine{0.5, 2}, {1, 0.05, 0.01}, {0, 0}, 20),
       with(FullSine{0.5, 1.5}, {1.3, 0.04, 0}, {0, 0.3}, 20),

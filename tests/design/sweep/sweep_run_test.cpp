@@ -11,7 +11,6 @@ BOOST_AUTO_TEST_SUITE(sweep_run_test)
 
 using namespace stillpoint::sweep_test;
 using enum Quantity;
-
 using Fields = std::vector<std::vector<std::string>>;
 
 Fields rows_of(const SweepSpec& spec) {

@@ -12,10 +12,7 @@ using Names = std::set<std::string_view>;
 
 /// Known by hand: f from 0.1 to 0.25 with beta = 0.8, peak A = 1 - 2 f, w^2 = A (A - 2 f).
 RegionRequest half_period(double beta = 0.8) {
-  RegionRequest request;
-  request.problem = {0, 1, beta, Criterion::exact};
-  request.pulse = Rectangle{0.5, 1};
-  return request;
+  return {.problem = {0, 1, beta, Criterion::exact}, .pulse = Rectangle{0.5, 1}};
 }
 
 RegionAnswer at(RegionRequest request, double f, double delta) {

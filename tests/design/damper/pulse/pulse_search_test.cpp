@@ -33,11 +33,10 @@ BOOST_AUTO_TEST_CASE(every_algorithm_finds_the_optimum_that_brackets_find) {
 // The f whose need is delta_max itself is the best that fits. After four rests two runs of it
 // differ by more than a last digit, and a design that left them no room would fail its own check.
 BOOST_AUTO_TEST_CASE(a_design_at_the_edge_of_delta_max_leaves_room_for_rounding) {
-  PulseRequest request;
-  request.problem = {FullSine{0.062063979677861654, 0.15618816201005284}, 0.67668106563338437,
-                     0.15814880463153116, Criterion::exact};
-  request.limits.f_max = 0.029968416646649516;
-  request.limits.delta_max = 0.0007687369087384583;
+  PulseRequest request{
+      .problem = {FullSine{0.062063979677861654, 0.15618816201005284}, 0.67668106563338437,
+                  0.15814880463153116, Criterion::exact},
+      .limits = {.f_max = 0.029968416646649516, .delta_max = 0.0007687369087384583}};
   for (const Objective objective : {Objective::amplitude, Objective::acceleration}) {
     request.search.objective = objective;
     const DesignResult result = design::design(request);
@@ -112,9 +111,9 @@ BOOST_AUTO_TEST_CASE(parts_within_delta_max_are_those_of_a_scan) {
 // The least acceleration is between the last sample, which is the end of the interval, and the one
 // before it.
 BOOST_AUTO_TEST_CASE(an_optimum_next_to_the_end_of_an_interval_is_found) {
-  PulseRequest request;
-  request.problem = {FullSine{2.04517, 1.3573529}, 4.74295, 0.11563612, Criterion::published};
-  request.search.objective = Objective::acceleration;
+  PulseRequest request{
+      .problem = {FullSine{2.04517, 1.3573529}, 4.74295, 0.11563612, Criterion::published},
+      .search = {.objective = Objective::acceleration}};
   const SearchRecord found = design::design(request).finding.value().search.value();
   double least = HUGE_VAL;
   for (double f = 1.9; f < 2.045; f += 1e-4) {
@@ -129,9 +128,9 @@ BOOST_AUTO_TEST_CASE(an_optimum_next_to_the_end_of_an_interval_is_found) {
 
 // Nothing moves at f = k, and what hardly moves cannot be checked.
 BOOST_AUTO_TEST_CASE(a_design_stays_far_enough_from_k_for_its_motion_to_be_known) {
-  PulseRequest request;
-  request.problem = {FullSine{0.350972, 1034.6095}, 5.0931, 1.1144844e-06, Criterion::published};
-  request.search.objective = Objective::time;
+  PulseRequest request{
+      .problem = {FullSine{0.350972, 1034.6095}, 5.0931, 1.1144844e-06, Criterion::published},
+      .search = {.objective = Objective::time}};
   const DesignResult result = design::design(request);
   BOOST_TEST(result.finding.value().cross_check.passed);
   BOOST_TEST(result.finding->point.f == 0.9999 * 0.350972, tt::tolerance(1e-8));

@@ -16,10 +16,8 @@ namespace stillpoint::design_test {
 /// With p = 1, by the exact criterion and without limits.
 inline design::PulseRequest request_of(const design::Pulse& pulse, double beta,
                                        design::Objective objective = design::Objective::robust) {
-  design::PulseRequest request;
-  request.problem = {pulse, 1, beta, design::Criterion::exact};
-  request.search.objective = objective;
-  return request;
+  return {.problem = {pulse, 1, beta, design::Criterion::exact},
+          .search = {.objective = objective}};
 }
 
 /// With what a mend says.
@@ -160,9 +158,9 @@ inline design::Pulse random_pulse(RandomSource& random, double k, double lambda)
 inline design::PulseRequest random_request(RandomSource& random) {
   const double p = random.log_uniform(1e-2, 1e2);
   const double k = random.log_uniform(1e-2, 1e2);
-  design::PulseRequest request;
-  request.problem = {random_pulse(random, k, p / random.log_uniform(0.02, 5)), p, 1,
-                     random.pick(2) == 0 ? design::Criterion::published : design::Criterion::exact};
+  design::PulseRequest request{
+      .problem = {random_pulse(random, k, p / random.log_uniform(0.02, 5)), p, 1,
+                  random.pick(2) == 0 ? design::Criterion::published : design::Criterion::exact}};
   const ForcedResponse free = simulated(request.problem, 1e-3 * k, 1e200);
   request.problem.beta = random.uniform(0.35, 1.2) * free.peak_amplitude;
   random.one_in(2, request.limits.tolerance, [&] { return random.uniform(0, 0.3); });
