@@ -23,6 +23,7 @@ constexpr int halvings = 12;
 constexpr double shrinkage = 0.98;
 constexpr double least_shrinkage = 0.998;
 constexpr int most_shrinkages = 40;
+constexpr int most_shrinkages_of_one = 4000;  // damper, without a map, by the least
 /// Sizes on the map are too large, as its points are not all dampers; they are seldom too small.
 constexpr double larger = 1.04;
 /// The likeliest on the map, of the largest size there and of smaller ones, which may grow more.
@@ -102,7 +103,7 @@ class Growth {
       scale = least_size;
       about = found.damper;
     }
-    for (int i = 0; i < near_maps && !watch_.stopped(); ++i) {
+    for (int i = 0; i < near_maps && exact_.searched() > 0 && !watch_.stopped(); ++i) {
       map_about(scale, about);
       scale = std::max(scale / 2, largest_on_map());
       const std::vector<BoxedDamper> found = on_map(scale, 1);
@@ -111,12 +112,13 @@ class Growth {
       }
       about = found.front().damper;
     }
-    shrink(scale, shrinkage);
+    shrink(scale, exact_.searched() > 0 ? shrinkage : least_shrinkage);
   }
 
   /// Until a box holds, or is not larger than the best.
   void shrink(double scale, double by) {
-    for (int i = 0; i < most_shrinkages && !watch_.stopped(); ++i, scale *= by) {
+    const int most = exact_.searched() > 0 ? most_shrinkages : most_shrinkages_of_one;
+    for (int i = 0; i < most && !watch_.stopped(); ++i, scale *= by) {
       const SuiteSpace boxes = space(scale);
       if (best_ && scale <= best_->scale / least_shrinkage) {
         break;
