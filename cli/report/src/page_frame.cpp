@@ -30,8 +30,7 @@ std::vector<std::string> figure_ids(std::string_view command) {
   const auto words = records::words_of(
       command == "design"
           ? "region trade-off trade-off-tolerance hits pulses motion phase energy pulse excitation "
-            "map "
-            "map-near worst worst-load spectrum-acceleration spectrum-peak spectrum-residual"
+            "map map-near worst worst-load spectrum-acceleration spectrum-peak spectrum-residual"
       : command == "region"   ? "region hits pulses"
       : command == "simulate" ? "motion phase energy excitation"
       : command == "spectrum" ? "spectrum-acceleration spectrum-peak spectrum-residual"

@@ -21,9 +21,7 @@ void KnownDampers::add(const KnownDampers& others) {
 }
 
 KnownDampers KnownDampers::breaking(const SuiteLimits& limits) const {
-  KnownDampers some(*this);
-  some.values_.clear();
-  some.figures_.clear();
+  KnownDampers some(axes_);
   for (std::size_t k = 0; k < values_.size(); ++k) {
     if (!admissible(figures_[k], limits)) {
       some.values_.push_back(values_[k]);

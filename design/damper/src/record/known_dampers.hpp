@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::design {
@@ -26,6 +27,8 @@ class KnownDampers {
   [[nodiscard]] KnownDampers breaking(const SuiteLimits& limits) const;
 
  private:
+  explicit KnownDampers(std::vector<SuiteAxis> axes) : axes_(std::move(axes)) {}
+
   std::vector<SuiteAxis> axes_;
   std::vector<SuitePlace> values_;
   std::vector<SuiteFigures> figures_;

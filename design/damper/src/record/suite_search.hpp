@@ -40,9 +40,6 @@ class SuiteSearch {
   /// the first is the nearest to the limits where none is within them.
   [[nodiscard]] std::vector<BoxedDamper> likeliest(const BoxMap& map, const SuiteGrid& grid,
                                                    double bar);
-  /// The likeliest of a map with that grid on ever finer ones about them, best first.
-  [[nodiscard]] std::vector<BoxedDamper> all_refined(const std::vector<BoxedDamper>& found,
-                                                     const SuiteGrid& grid, double bar);
   /// Moves a box of samples by ever smaller steps; with `enough` until it meets the limits, and
   /// only as long as it may become better than `bar`.
   [[nodiscard]] BoxedDamper polished(const BoxedDamper& from, double step, bool enough = false,
@@ -80,6 +77,9 @@ class SuiteSearch {
   [[nodiscard]] BoxedDamper best_of(const std::vector<SuiteDamper>& dampers,
                                     const BoxedDamper& bar);
   [[nodiscard]] double first_step() const;
+  /// The likeliest of a map with that grid on ever finer ones about them, best first.
+  [[nodiscard]] std::vector<BoxedDamper> all_refined(const std::vector<BoxedDamper>& found,
+                                                     const SuiteGrid& grid, double bar);
   /// At most that many times half the step, which it leaves in `grid`.
   [[nodiscard]] BoxedDamper refined(BoxedDamper candidate, SuiteGrid& grid, int levels);
   void learn(std::span<const SuitePlace> places, const std::vector<SuiteFigures>& all);

@@ -60,12 +60,13 @@ class Growth {
   std::optional<LargestBox> on(const SuiteScan& scan, bool thorough) {
     grid_ = scan.grid();
     figures_ = scan.figures();
-    std::vector<std::pair<double, SuiteDamper>> starts = candidates();
-    starts.resize(std::min(starts.size(), thorough ? starts.size() : 1));
-    for (const auto& [scale, damper] : starts) {
+    for (const auto& [scale, damper] : candidates()) {
       grow(scale, damper);
+      if (!thorough) {
+        return best_;
+      }
     }
-    for (int i = 0; i < most_challenges && thorough && best_; ++i) {
+    for (int i = 0; i < most_challenges && best_; ++i) {
       const double before = best_->scale;
       map_about(before, best_->verified.box.damper);
       shrink(std::min(larger * before, most_), least_shrinkage);
@@ -73,8 +74,8 @@ class Growth {
         break;
       }
     }
-    if (thorough) {
-      std::ranges::for_each(growths, [&](double by) { push(by); });
+    for (const double by : growths) {
+      push(by);
     }
     return best_;
   }
@@ -92,15 +93,16 @@ class Growth {
   void grow(double scale, const SuiteDamper& damper) {
     SuiteDamper about = damper;
     if (scale == 0) {
-      const SuiteSpace boxes = space(least_size);
-      const BoxedDamper found = !boxes.possible()
-                                    ? BoxedDamper{}
-                                    : SuiteSearch(suite_, task_, boxes, goal_, watch_)
-                                          .polished({damper, {}, {}}, least_size, true);
-      if (!boxes.possible() || found.rank.off > 0) {
+      scale = least_size;
+      const SuiteSpace boxes = space(scale);
+      if (!boxes.possible()) {
         return;
       }
-      scale = least_size;
+      SuiteSearch search(suite_, task_, boxes, goal_, watch_);
+      const BoxedDamper found = search.polished({damper, {}, {}}, least_size, true);
+      if (found.rank.off > 0) {
+        return;
+      }
       about = found.damper;
     }
     for (int i = 0; i < near_maps && exact_.searched() > 0 && !watch_.stopped(); ++i) {
@@ -125,29 +127,33 @@ class Growth {
       }
       SuiteSearch search(suite_, task_, boxes, goal_, watch_);
       search.learn(breaking_);
-      bool holds = false;
-      for (const BoxedDamper& each : on_map(scale, places_of_a_size, places_apart)) {
-        const BoxedDamper box = search.unbroken(each.damper);
-        if (box.rank.off > 0) {
-          continue;
-        }
-        const VerifiedBox now = search.tried(search.ready(box).damper);
-        if (now.box.rank.off == 0) {
-          best_ = LargestBox{scale, now};
-          holds = true;
-          break;
-        }
-      }
+      const bool found = std::ranges::any_of(
+          on_map(scale, places_of_a_size, places_apart), [&](const BoxedDamper& each) {
+            return holds(search, search.unbroken(each.damper), scale);
+          });
       breaking_ = search.known().breaking(task_.limits);
-      if (holds) {
+      if (found) {
         break;
       }
     }
   }
 
+  /// Whether the box of that size does as it is built: then it is the best.
+  bool holds(SuiteSearch& search, const BoxedDamper& box, double scale) {
+    if (box.rank.off > 0) {
+      return false;
+    }
+    const VerifiedBox now = search.tried(search.ready(box).damper);
+    if (now.box.rank.off > 0) {
+      return false;
+    }
+    best_ = LargestBox{scale, now};
+    return true;
+  }
+
   /// Larger by that factor, moved off the places of a map, as long as there is a box.
   void push(double by) {
-    for (bool holds = best_.has_value(); holds && !watch_.stopped();) {
+    for (bool larger_holds = best_.has_value(); larger_holds && !watch_.stopped();) {
       const double scale = std::min(by * best_->scale, most_);
       const SuiteSpace boxes = space(scale);
       if (!boxes.possible() || scale <= best_->scale) {
@@ -155,13 +161,7 @@ class Growth {
       }
       SuiteSearch search(suite_, task_, boxes, goal_, watch_);
       search.learn(breaking_);
-      const BoxedDamper box = search.polished(best_->verified.box, first_push, true);
-      holds = box.rank.off == 0;
-      if (holds) {
-        const VerifiedBox now = search.tried(search.ready(box).damper);
-        holds = now.box.rank.off == 0;
-        best_ = holds ? LargestBox{scale, now} : *best_;
-      }
+      larger_holds = holds(search, search.polished(best_->verified.box, first_push, true), scale);
       breaking_ = search.known().breaking(task_.limits);
     }
   }
