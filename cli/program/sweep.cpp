@@ -118,7 +118,7 @@ ExitCode run_merge(const MergeFiles& files, Output& output) {
   sweep::require_apart({"output", files.output}, files.parts);
   if (report::is_reduction(files.parts.front())) {
     output.write_file("output", files.output,
-                      report::json_text(report::json(report::merged(files.parts))));
+                      report::json_text(report::merged(files.parts)));
     return exit_done;
   }
   Progress progress([](double bytes, double seconds) {

@@ -7,9 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,29 +16,25 @@ namespace stillpoint::report {
 
 namespace {
 
-using sweep::BestRows;
-using sweep::Form;
-using sweep::ReducedColumn;
-using sweep::ReducedRow;
-using sweep::Reduction;
+using nlohmann::ordered_json;
 
-std::string short_number(double value) {
-  return std::isfinite(value) ? fmt::format("{:.6g}", value) : "-";
+/// With few digits; a text as it is.
+std::string cell(const ordered_json& value) {
+  return value.is_null()      ? "-"
+         : value.is_boolean() ? fmt::format("{:d}", value.get<bool>())
+         : value.is_number()  ? fmt::format("{:.6g}", value.get<double>())
+                              : value.get<std::string>();
 }
 
-/// Its value and its entry.
-void add_extreme(std::vector<std::string>& cells, const BestRows& extreme) {
-  const std::vector<ReducedRow> rows = extreme.rows();
-  cells.push_back(rows.empty() ? "-" : short_number(rows.front().values[extreme.column()]));
-  cells.push_back(rows.empty() ? "-" : fmt::format("{}", rows.front().entry + 1));
-}
-
-void add_columns(Document& made, const Reduction& reduction) {
+void add_columns(Document& made, const ordered_json& columns) {
   Table table{{"column", "least", "entry", "largest", "entry"}, {}};
-  for (const ReducedColumn& column : reduction.columns) {
-    std::vector<std::string> cells{reduction.row[column.column].name};
-    add_extreme(cells, column.least);
-    add_extreme(cells, column.largest);
+  for (const ordered_json& column : columns) {
+    const std::string name = column.at("column");
+    std::vector<std::string> cells{name};
+    for (const ordered_json& row : {column.at("least"), column.at("largest")}) {
+      cells.push_back(cell(row.is_null() ? row : row.at(name)));
+      cells.push_back(cell(row.is_null() ? row : row.at("entry")));
+    }
     table.rows.push_back({std::move(cells)});
   }
   made.section("Columns", std::move(table))
@@ -48,40 +42,33 @@ void add_columns(Document& made, const Reduction& reduction) {
 }
 
 /// The inputs, how the motion ends and what the rows are chosen by: a line has 80 columns.
-std::vector<std::size_t> shown_columns(const BestRows& best, const Reduction& reduction) {
-  std::vector<std::size_t> shown;
-  for (std::size_t i = 0; i < reduction.row.size(); ++i) {
-    if (i == best.column() || std::ranges::find(reduction.columns, i, &ReducedColumn::column) ==
-                                  reduction.columns.end()) {
-      shown.push_back(i);
+std::vector<std::string> shown_columns(const ordered_json& found, const ordered_json& chosen_by) {
+  std::vector<std::string> shown{"entry"};
+  for (const ordered_json& name : found.at("row")) {
+    const auto is_name = [&](const ordered_json& column) { return column.at("column") == name; };
+    if (name == chosen_by || std::ranges::none_of(found.at("columns"), is_name)) {
+      shown.push_back(name);
     }
   }
   return shown;
 }
 
-void add_best(Document& made, const BestRows& best, const Reduction& reduction) {
+void add_best(Document& made, const ordered_json& best, const ordered_json& found) {
   constexpr std::size_t most_shown = 10;
-  const std::vector<std::size_t> shown = shown_columns(best, reduction);
-  Table table{{"entry"}, {}};
-  for (const std::size_t i : shown) {
-    table.head.push_back(reduction.row[i].name);
-  }
-  const std::vector<ReducedRow> rows = best.rows();
-  for (const ReducedRow& row : std::span(rows).first(std::min(rows.size(), most_shown))) {
-    TableRow cells{{fmt::format("{}", row.entry + 1)}};
-    for (const std::size_t i : shown) {
-      const double value = row.values[i];
-      const bool is_outcome = reduction.row[i].form == Form::outcome && std::isfinite(value);
-      cells.cells.push_back(
-          is_outcome ? std::string(sweep::sweep_outcome_name(static_cast<std::size_t>(value)))
-                     : short_number(value));
+  const ordered_json& rows = best.at("rows");
+  const std::vector<std::string> shown = shown_columns(found, best.at("column"));
+  Table table{shown, {}};
+  for (std::size_t i = 0; i < std::min(rows.size(), most_shown); ++i) {
+    TableRow& row = table.rows.emplace_back();
+    for (const std::string& name : shown) {
+      row.cells.push_back(cell(rows[i].at(name)));
     }
-    table.rows.push_back(std::move(cells));
   }
-  Section& section = made.section(fmt::format("{} {}", best.largest() ? "Largest" : "Smallest",
-                                              reduction.row[best.column()].name),
-                                  std::move(table));
-  if (rows.size() > most_shown || shown.size() < reduction.row.size()) {
+  Section& section =
+      made.section(fmt::format("{} {}", best.at("order") == "largest" ? "Largest" : "Smallest",
+                               best.at("column").get<std::string>()),
+                   std::move(table));
+  if (rows.size() > most_shown || shown.size() <= found.at("row").size()) {
     section.line("--json lists all rows and columns.", Tone::faint);
   }
 }
@@ -123,12 +110,13 @@ std::string progress_words(double rows, std::int64_t begun_with,
 Document document(const ReductionReport& report) {
   Document made =
       document_of("Sweep without rows", report.state, report.kind == sweep::SweepKind::design);
-  if (report.split) {
+  const ordered_json& found = report.found;
+  if (!found.at("part").is_null()) {
     made.answer.row("part", text(report.label.part));
   }
-  add_columns(made, report.reduction);
-  for (const BestRows& best : report.reduction.best) {
-    add_best(made, best, report.reduction);
+  add_columns(made, found.at("columns"));
+  for (const ordered_json& best : found.at("best")) {
+    add_best(made, best, found);
   }
   return made;
 }

@@ -129,32 +129,31 @@ ordered_json own_schema(const Task* /*task*/) {
   return {{"type", "object"}};
 }
 
+struct Reduced : ReductionReport {
+  std::optional<sweep::SweepPart> part;  ///< of a sweep in parts
+  const Reduction& reduction;
+};
 /// A field with those of the reduction.
 template <class Shown, class Part>
 constexpr auto of_columns(std::vector<Part> Reduction::*parts) {
-  return [parts](const ReductionReport& report) {
+  return [parts](const Reduced& now) {
     std::vector<Shown> shown;
-    for (const Part& part : report.reduction.*parts) {
-      shown.push_back({part, report.reduction.row});
+    for (const Part& part : now.reduction.*parts) {
+      shown.push_back({part, now.reduction.row});
     }
     return shown;
   };
 }
 
 constexpr auto reduction_table = [] {
-  using Now = ReductionReport;
+  using Now = Reduced;
   using sweep::PartLabel;
   using sweep::SweepState;
   constexpr auto of_motions = [](auto get) { return only_of(false, &Now::kind, &Now::state, get); };
   return std::tuple_cat(
       head_fields<Now, reduction_names>,
       std::tuple{
-          Field{"kind", &Now::kind},
-          Field{"part",
-                [](const ReductionReport& report) {
-                  return report.split ? std::optional(report.label.part) : std::nullopt;
-                },
-                "null for a whole sweep"},
+          Field{"kind", &Now::kind}, Field{"part", &Now::part, "null for a whole sweep"},
           Field{"entries", in(&Now::label, &PartLabel::whole, &sweep::ListExtent::entries),
                 "of the whole sweep"},
           Field{"rows", in(&Now::state, &SweepState::rows), "the entries in this report"},
@@ -168,9 +167,9 @@ constexpr auto reduction_table = [] {
           Field{"feasible", only_of(true, &Now::kind, &Now::state, &SweepState::feasible),
                 "how many designs there are; null for motions"},
           Field{"row",
-                [](const ReductionReport& report) {
+                [](const Now& now) {
                   std::vector<std::string> names;
-                  for (const sweep::RowColumn& column : report.reduction.row) {
+                  for (const sweep::RowColumn& column : now.reduction.row) {
                     names.push_back(column.name);
                   }
                   return names;
@@ -182,30 +181,32 @@ constexpr auto reduction_table = [] {
           Field{"best", of_columns<ShownBest>(&Reduction::best)},
           Field{"list_digest", in(&Now::label, &PartLabel::whole, &sweep::ListExtent::digest),
                 "of the entries of a list"},
-          Field{"task", [](const ReductionReport& report) { return Task{report.label.task}; },
+          Field{"task", [](const Now& now) { return Task{now.label.task}; },
                 "the options that decide the numbers"}});
 }();
 
 }  // namespace
 
 ReductionReport reduction_report(const sweep::SweepSpec& spec, const sweep::SweepSummary& summary,
-                                 Reduction reduction) {
-  sweep::PartLabel label = label_of(spec);
+                                 const Reduction& reduction) {
+  Reduced reduced{{label_of(spec), spec.kind, summary.state, {}}, spec.part, reduction};
+  ReductionReport& report = reduced;
   if (!spec.part) {
-    label.whole.entries = summary.state.rows;
-    label.whole.digest = summary.state.digest;
+    report.label.whole = {summary.state.rows, summary.state.digest};
   }
-  return {spec.kind, spec.part.has_value(), std::move(label), summary.state, std::move(reduction)};
+  report.found = object_by<reduction_table>(reduced);
+  return std::move(report);
 }
 
 ordered_json json(const ReductionReport& report) {
-  ordered_json result = object_by<reduction_table>(report);
-  result["digest"] = report.split ? ordered_json(digest_of(result)) : ordered_json(nullptr);
+  ordered_json result = report.found;
+  result["digest"] =
+      result.at("part").is_null() ? ordered_json(nullptr) : ordered_json(digest_of(result));
   return result;
 }
 
 ordered_json reduction_report_schema() {
-  ordered_json properties = properties_of<ReductionReport>(reduction_table);
+  ordered_json properties = properties_of<Reduced>(reduction_table);
   properties["digest"] = value_schema<std::optional<std::uint64_t>>();
   properties["digest"]["description"] = "for a part: of everything else in the report";
   return document_schema(reduction_schema, "sweep --reduce --json",

@@ -23,97 +23,6 @@ namespace stillpoint::report {
 namespace {
 
 using nlohmann::ordered_json;
-using sweep::BestRows;
-using sweep::Form;
-using sweep::Histogram;
-using sweep::ReducedColumn;
-using sweep::ReducedRow;
-using sweep::Reduction;
-using sweep::RowColumn;
-
-double value_from(const ordered_json& value) {
-  if (value.is_boolean()) {
-    return value.get<bool>() ? 1 : 0;
-  }
-  if (value.is_string()) {
-    for (std::size_t i = 0; i < sweep::sweep_outcome_count; ++i) {
-      if (value == sweep::sweep_outcome_name(i)) {
-        return static_cast<double>(i);
-      }
-    }
-    throw std::runtime_error("not an outcome");
-  }
-  return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
-}
-
-ReducedRow row_from(const ordered_json& row, const std::vector<RowColumn>& columns) {
-  ReducedRow result;
-  sweep::read_integers(row.at("entry"), result.entry);
-  if (result.entry < 1) {
-    throw std::runtime_error("an entry below 1");
-  }
-  --result.entry;
-  result.values.reserve(columns.size());
-  for (const RowColumn& column : columns) {
-    result.values.push_back(value_from(row.at(column.name)));
-  }
-  return result;
-}
-
-std::size_t place_of(const std::vector<RowColumn>& columns, const ordered_json& name) {
-  const auto found = std::ranges::find(columns, name.get<std::string>(), &RowColumn::name);
-  if (found == columns.end()) {
-    throw std::runtime_error("not a column");
-  }
-  return static_cast<std::size_t>(found - columns.begin());
-}
-
-ReducedColumn column_from(const ordered_json& column, const std::vector<RowColumn>& columns) {
-  ReducedColumn result(place_of(columns, column.at("column")));
-  sweep::read_integers(column.at("count"), result.count);
-  sweep::read_integers(column.at("absent"), result.absent);
-  sweep::read_integers(column.at("infinite"), result.infinite);
-  for (const auto& [key, extreme] :
-       {std::pair{"least", &result.least}, {"largest", &result.largest}}) {
-    if (const ordered_json& row = column.at(key); !row.is_null()) {
-      extreme->add(row_from(row, columns));
-    }
-  }
-  return result;
-}
-
-Histogram histogram_from(const ordered_json& histogram, const std::vector<RowColumn>& columns) {
-  Histogram result{.column = place_of(columns, histogram.at("column")), .edges = {}, .counts = {}};
-  histogram.at("edges").get_to(result.edges);
-  sweep::read_integers(histogram.at("counts"), result.counts);
-  sweep::read_integers(histogram.at("below"), result.below);
-  sweep::read_integers(histogram.at("above"), result.above);
-  return result;
-}
-
-BestRows best_from(const ordered_json& best, const std::vector<RowColumn>& columns) {
-  std::size_t most = 0;
-  sweep::read_integers(best.at("most"), most);
-  BestRows result(place_of(columns, best.at("column")), most, best.at("order") == "largest");
-  for (const ordered_json& row : best.at("rows")) {
-    result.add(row_from(row, columns));
-  }
-  return result;
-}
-
-std::vector<RowColumn> columns_from(const ordered_json& columns) {
-  std::vector<RowColumn> result;
-  result.reserve(columns.size());
-  for (const ordered_json& name : columns) {
-    result.push_back({name.get<std::string>(), Form::number});
-    for (const sweep::QuantityForm& known : sweep::quantity_forms) {
-      if (result.back().name == known.name) {
-        result.back().form = known.form;
-      }
-    }
-  }
-  return result;
-}
 
 [[noreturn]] void refuse_part(const std::string& path) {
   throw records::FileError({.kind = "part", .path = path},
@@ -121,44 +30,77 @@ std::vector<RowColumn> columns_from(const ordered_json& columns) {
                            "was cut short, or has changed");
 }
 
-ReductionReport report_from(const ordered_json& document) {
+void read(const ordered_json& counts, sweep::SweepState::Counts& to) {
+  sweep::read_integers(std::vector<ordered_json>(counts.begin(), counts.end()), to);
+}
+
+ReductionReport report_from(ordered_json document) {
   ReductionReport report;
-  report.label.task = document.at("task").dump();
-  sweep::read_integers(document.at("part").at("number"), report.label.part.number);
-  sweep::read_integers(document.at("part").at("count"), report.label.part.count);
-  report.kind = parse<sweep::SweepKind>(document.at("kind").get<std::string>()).value();
-  report.split = true;
-  sweep::read_integers(document.at("entries"), report.label.whole.entries);
-  sweep::read_integers(document.at("list_digest"), report.label.whole.digest);
-  sweep::read_integers(document.at("rows"), report.state.rows);
-  if (document.at("outcomes").is_null()) {
-    sweep::read_integers(document.at("feasible"), report.state.feasible);
+  auto& [label, kind, state, found] = report;
+  found = std::move(document);
+  label.task = found.at("task").dump();
+  sweep::read_integers(found.at("part").at("number"), label.part.number);
+  sweep::read_integers(found.at("part").at("count"), label.part.count);
+  sweep::read_integers(found.at("entries"), label.whole.entries);
+  sweep::read_integers(found.at("list_digest"), label.whole.digest);
+  kind = parse<sweep::SweepKind>(found.at("kind").get<std::string>()).value();
+  sweep::read_integers(found.at("rows"), state.rows);
+  if (kind == sweep::SweepKind::design) {
+    sweep::read_integers(found.at("feasible"), state.feasible);
   } else {
-    outcomes_from_json(document.at("outcomes"), report.state.outcomes);
-    outcomes_from_json(document.at("locked_outcomes"), report.state.locked_outcomes);
-  }
-  Reduction& reduction = report.reduction;
-  reduction.row = columns_from(document.at("row"));
-  for (const ordered_json& column : document.at("columns")) {
-    reduction.columns.push_back(column_from(column, reduction.row));
-  }
-  for (const ordered_json& histogram : document.at("histograms")) {
-    reduction.histograms.push_back(histogram_from(histogram, reduction.row));
-  }
-  for (const ordered_json& best : document.at("best")) {
-    reduction.best.push_back(best_from(best, reduction.row));
+    read(found.at("outcomes"), state.outcomes);
+    read(found.at("locked_outcomes"), state.locked_outcomes);
   }
   return report;
 }
 
-void append(ReductionReport& total, const ReductionReport& more) {
-  total.state.rows += more.state.rows;
-  total.state.feasible += more.state.feasible;
-  for (std::size_t i = 0; i < sweep::sweep_outcome_count; ++i) {
-    total.state.outcomes[i] += more.state.outcomes[i];
-    total.state.locked_outcomes[i] += more.state.locked_outcomes[i];
+/// All numbers that further entries change are counts, but for those of rows.
+void add_counts(ordered_json& total, const ordered_json& more) {
+  constexpr auto others = std::to_array<std::string_view>(
+      {"part", "entries", "least", "largest", "edges", "best", "list_digest", "task"});
+  if (total.is_number()) {
+    total = total.get<std::int64_t>() + more.get<std::int64_t>();
+  } else if (total.is_structured()) {
+    auto other = more.begin();
+    for (auto now = total.begin(); now != total.end(); ++now, ++other) {
+      if (total.is_array() || std::ranges::find(others, now.key()) == others.end()) {
+        add_counts(*now, *other);
+      }
+    }
   }
-  add(total.reduction, more.reduction);
+}
+
+/// Joins two lists of rows with the best by that column in front; of equals the first of the sweep,
+/// and what is no row behind all.
+void join(ordered_json::array_t& rows, const ordered_json::array_t& more, const std::string& column,
+          bool largest) {
+  const auto place = [&](const ordered_json& row) {
+    const double value = row.is_null() ? std::numeric_limits<double>::infinity()
+                                       : row.at(column).get<double>() * (largest ? -1 : 1);
+    return std::pair(value, row.is_null() ? 0 : row.at("entry").get<std::int64_t>());
+  };
+  const auto middle = static_cast<std::ptrdiff_t>(rows.size());
+  rows.insert(rows.end(), more.begin(), more.end());
+  std::ranges::inplace_merge(rows, rows.begin() + middle, {}, place);
+}
+
+void add(ordered_json& total, const ordered_json& more) {
+  add_counts(total, more);
+  for (std::size_t i = 0; i < total.at("columns").size(); ++i) {
+    ordered_json& column = total.at("columns")[i];
+    for (const char* const which : {"least", "largest"}) {
+      ordered_json::array_t rows{column.at(which)};
+      join(rows, {more.at("columns")[i].at(which)}, column.at("column"),
+           which == std::string_view("largest"));
+      column[which] = rows.front();
+    }
+  }
+  for (std::size_t i = 0; i < total.at("best").size(); ++i) {
+    ordered_json& best = total.at("best")[i];
+    auto& rows = best.at("rows").get_ref<ordered_json::array_t&>();
+    join(rows, more.at("best")[i].at("rows"), best.at("column"), best.at("order") == "largest");
+    rows.resize(std::min(rows.size(), best.at("most").get<std::size_t>()));
+  }
 }
 
 }  // namespace
@@ -166,7 +108,7 @@ void append(ReductionReport& total, const ReductionReport& more) {
 std::uint64_t digest_of(const ordered_json& report) {
   sweep::Digest digest;
   for (const char byte : report.dump()) {
-    digest.add(static_cast<std::uint64_t>(static_cast<unsigned char>(byte)));
+    digest.add(std::uint64_t{static_cast<unsigned char>(byte)});
   }
   return digest.value();
 }
@@ -191,7 +133,7 @@ ReductionReport read_reduction(const std::string& path) {
     if (document.at("schema") != reduction_schema || digest != digest_of(document)) {
       throw std::runtime_error("not a part");
     }
-    ReductionReport report = report_from(document);
+    ReductionReport report = report_from(std::move(document));
     report.label.path = path;
     if (report.label.rows() != report.state.rows) {
       throw std::runtime_error("not that part");
@@ -213,21 +155,22 @@ std::optional<ReductionReport> find_reduction(const sweep::SweepSpec& spec) {
   return spec.resume ? std::move(found) : std::nullopt;
 }
 
-ReductionReport merged(const std::vector<std::string>& parts) {
+ordered_json merged(const std::vector<std::string>& parts) {
   sweep::PartOrder order;
-  std::optional<ReductionReport> total;
+  ordered_json total;
   for (const std::string& path : parts) {
     ReductionReport part = read_reduction(path);
-    order.add(part.label);
-    if (total) {
-      append(*total, part);
+    order.add(std::move(part.label));
+    if (total.is_null()) {
+      total = std::move(part.found);
     } else {
-      total = std::move(part);
+      add(total, part.found);
     }
   }
   static_cast<void>(order.places());
-  total->split = false;
-  return *std::move(total);
+  total["part"] = nullptr;
+  total["digest"] = nullptr;
+  return total;
 }
 
 }  // namespace stillpoint::report

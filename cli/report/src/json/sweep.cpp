@@ -6,8 +6,6 @@
 #include "json/head_fields.hpp"
 #include "json/sweep_parts.hpp"
 
-#include <stillpoint/sweep/json_text.hpp>
-
 #include <algorithm>
 #include <array>
 #include <string>
@@ -35,12 +33,6 @@ ordered_json own_schema(const Outcomes* /*outcomes*/) {
     counts[std::string(sweep_outcome_name(i))] = number_schema(true, Numbers::counts);
   }
   return object_schema(std::move(counts));
-}
-
-void outcomes_from_json(const ordered_json& counts, sweep::SweepState::Counts& outcomes) {
-  for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
-    sweep::read_integers(counts.at(std::string(sweep_outcome_name(i))), outcomes[i]);
-  }
 }
 
 namespace {

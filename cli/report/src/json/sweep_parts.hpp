@@ -28,8 +28,6 @@ struct Outcomes {
 [[nodiscard]] inline Outcomes outcomes_of(const sweep::SweepState& state) {
   return {state.outcomes};
 }
-/// Throws nlohmann's exceptions where one is missing.
-void outcomes_from_json(const nlohmann::ordered_json& counts, sweep::SweepState::Counts& outcomes);
 
 /// What `get` gives of the state of a sweep of motions, or of designs; empty of the other.
 constexpr auto only_of(bool designs, auto kind, auto state, auto get) {

@@ -16,16 +16,15 @@ namespace stillpoint::report {
 /// What a sweep without rows found. Nothing in it depends on how it was computed, so the reports of
 /// the parts suffice to make that of the whole, to the last byte.
 struct ReductionReport {
-  sweep::SweepKind kind{};
-  bool split{false};  ///< into parts, of which this is one
   sweep::PartLabel label;
-  sweep::SweepState state;  ///< rows, outcomes, locked motions, feasible designs
-  sweep::Reduction reduction;
+  sweep::SweepKind kind{};
+  sweep::SweepState state;       ///< rows, outcomes, locked motions, feasible designs
+  nlohmann::ordered_json found;  ///< all that the report says, but for the digest of a part
 };
 
 [[nodiscard]] ReductionReport reduction_report(const sweep::SweepSpec& spec,
                                                const sweep::SweepSummary& summary,
-                                               sweep::Reduction reduction);
+                                               const sweep::Reduction& reduction);
 
 [[nodiscard]] Document document(const ReductionReport& report);
 [[nodiscard]] nlohmann::ordered_json json(const ReductionReport& report);
@@ -41,7 +40,7 @@ struct ReductionReport {
 /// sweep.
 [[nodiscard]] std::optional<ReductionReport> find_reduction(const sweep::SweepSpec& spec);
 
-/// The report of the whole sweep, from those of all its parts. Throws as sweep::merge does.
-[[nodiscard]] ReductionReport merged(const std::vector<std::string>& parts);
+/// The JSON of the whole sweep, from that of all its parts. Throws as sweep::merge does.
+[[nodiscard]] nlohmann::ordered_json merged(const std::vector<std::string>& parts);
 
 }  // namespace stillpoint::report
