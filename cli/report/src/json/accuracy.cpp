@@ -5,11 +5,6 @@
 
 #include <stillpoint/peers/comparison.hpp>
 
-#include <array>
-#include <optional>
-#include <string_view>
-#include <tuple>
-
 namespace stillpoint::report {
 
 namespace {

@@ -12,14 +12,6 @@
 
 #include <stillpoint/report/record_design.hpp>
 
-#include <cstddef>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <tuple>
-#include <vector>
-
 namespace stillpoint::report {
 
 inline constexpr auto load_types =

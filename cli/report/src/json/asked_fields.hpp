@@ -5,15 +5,6 @@
 
 #include "json/fields.hpp"
 
-#include <stillpoint/core/interval.hpp>
-#include <stillpoint/design/pulse.hpp>
-
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <string_view>
-#include <tuple>
-
 namespace stillpoint::report {
 
 using IfReal = std::optional<double>;

@@ -1,27 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A result with a table of its fields as a JSON object.
+// A result with a table of its fields as a JSON object. The headers that this one brings are not
+// listed again in this folder.
 
 #include "units.hpp"
 
 #include <stillpoint/core/field.hpp>
-#include <stillpoint/core/names.hpp>
 #include <stillpoint/report/report.hpp>
 
 #include <nlohmann/json.hpp>
 
-#include <cstddef>
-#include <functional>
 #include <numbers>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <tuple>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 /// Null where it does not exist.
 template <class Value>

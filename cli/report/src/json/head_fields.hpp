@@ -9,12 +9,6 @@
 #include <stillpoint/report/schemas.hpp>
 #include <stillpoint/report/version.hpp>
 
-#include <array>
-#include <span>
-#include <string>
-#include <string_view>
-#include <tuple>
-
 namespace stillpoint::report {
 
 inline constexpr auto program_names = std::to_array<std::string_view>({"stillpoint"});

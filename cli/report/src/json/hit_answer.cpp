@@ -4,9 +4,6 @@
 #include "json/answer_fields.hpp"
 
 #include <algorithm>
-#include <optional>
-#include <tuple>
-#include <utility>
 
 namespace stillpoint::report {
 

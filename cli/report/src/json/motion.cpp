@@ -6,8 +6,6 @@
 
 #include <stillpoint/records/record_scaling.hpp>
 
-#include <tuple>
-
 namespace stillpoint::report {
 
 using nlohmann::ordered_json;

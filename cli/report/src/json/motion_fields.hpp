@@ -6,15 +6,7 @@
 #include "json/fields.hpp"
 
 #include <stillpoint/core/response_fields.hpp>
-#include <stillpoint/core/simulation.hpp>
-#include <stillpoint/design/practice.hpp>
 #include <stillpoint/records/record_file.hpp>
-
-#include <array>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <tuple>
 
 namespace stillpoint {
 

@@ -6,15 +6,7 @@
 
 #include "json/motion_fields.hpp"
 
-#include <stillpoint/design/physical.hpp>
-
 #include <cmath>
-#include <cstddef>
-#include <numbers>
-#include <optional>
-#include <tuple>
-#include <type_traits>
-#include <utility>
 
 namespace stillpoint::report {
 

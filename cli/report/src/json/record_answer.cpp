@@ -2,8 +2,6 @@
 #include "json/answer_fields.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <utility>
 
 namespace stillpoint::report {
 

@@ -6,15 +6,7 @@
 
 #include <stillpoint/report/reduction.hpp>
 
-#include <array>
 #include <cmath>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 namespace stillpoint::report {
 

@@ -7,16 +7,7 @@
 
 #include <stillpoint/design/hits.hpp>
 #include <stillpoint/design/record_design_result.hpp>
-#include <stillpoint/design/region.hpp>
-#include <stillpoint/design/trade_off.hpp>
 #include <stillpoint/report/version.hpp>
-
-#include <array>
-#include <optional>
-#include <string_view>
-#include <tuple>
-#include <type_traits>
-#include <vector>
 
 namespace stillpoint::report {
 

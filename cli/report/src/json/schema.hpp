@@ -5,12 +5,6 @@
 
 #include "json/fields.hpp"
 
-#include <concepts>
-#include <functional>
-#include <span>
-#include <string_view>
-#include <type_traits>
-
 namespace stillpoint::report {
 
 inline constexpr std::string_view dimensionless_numbers =

@@ -5,19 +5,9 @@
 #include <stillpoint/sweep/npy.hpp>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
+#include <bit>
 #include <limits>
-#include <string>
-#include <string_view>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 namespace stillpoint {
 
@@ -111,67 +101,56 @@ constexpr auto spectrum_table = [] {
                                    Field{"records", &records_of, "", at_least_one}});
 }();
 
-/// Calls `use` with the name and the value of each column of a row: those of a motion within have
-/// its name behind theirs.
-template <class Use>
-void for_each_column(const ordered_json& point, const Use& use, const std::string& of = {}) {
-  for (const auto& [name, value] : point.items()) {
-    if (value.is_object()) {
-      for_each_column(value, use, "_" + name);
-    } else {
-      use(name + of, value);
-    }
-  }
-}
-
-/// The number of the record, and the columns of a point.
-std::vector<std::string> columns(const SpectrumReport& report) {
-  std::vector<std::string> names{"record"};
-  for_each_column(object_json(report.result.combined.front()),
-                  [&](std::string name, const auto&) { names.push_back(std::move(name)); });
-  return names;
-}
-
-/// Row after row; NaN for what does not exist.
-std::vector<double> values(const SpectrumReport& report) {
-  std::vector<double> all;
+/// The number of the record and the columns of a point: those of a motion within have its name
+/// behind theirs.
+std::vector<ordered_json> rows_of(const SpectrumReport& report) {
+  std::vector<ordered_json> rows;
   for (std::size_t i = 0; i < report.result.records.size(); ++i) {
     for (const design::SpectrumPoint& point : report.result.records[i]) {
-      all.push_back(static_cast<double>(i + 1));
-      for_each_column(object_json(point, &report.physical.scales),
-                      [&](const auto&, const auto& value) {
-                        all.push_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN()
-                                                      : value.template get<double>());
-                      });
+      ordered_json row{{"record", i + 1}};
+      row.update(object_json(point, &report.physical.scales));
+      const ordered_json without = row.at("without_notch");
+      row.erase("without_notch");
+      for (const auto& [name, value] : without.items()) {
+        row[name + "_without_notch"] = value;
+      }
+      rows.push_back(std::move(row));
     }
   }
-  return all;
+  return rows;
 }
 
 }  // namespace
 
 std::string spectrum_csv(const SpectrumReport& report) {
-  const std::vector<std::string> names = columns(report);
-  std::string text = fmt::format("{}\n", fmt::join(names, ","));
-  std::size_t cells = 0;
-  for (const double value : values(report)) {
-    text += std::isnan(value) ? "" : fmt::format("{}", value);
-    text += ++cells % names.size() == 0 ? '\n' : ',';
+  std::string names;
+  std::string text;
+  for (const ordered_json& row : rows_of(report)) {
+    names.clear();
+    for (const auto& [name, value] : row.items()) {
+      names += name + ",";
+      text += value.is_null() ? "," : fmt::format("{},", value.get<double>());
+    }
+    names.back() = text.back() = '\n';
   }
-  return text;
+  return names + text;
 }
 
 std::string spectrum_npy(const SpectrumReport& report) {
-  const std::vector<std::string> names = columns(report);
-  std::string npy_fields;
-  for (const std::string& name : names) {
-    npy_fields += sweep::npy_number(name);
+  const std::vector<ordered_json> rows = rows_of(report);
+  std::string names;
+  std::string bytes;
+  for (const ordered_json& row : rows) {
+    names.clear();
+    for (const auto& [name, value] : row.items()) {
+      constexpr double none = std::numeric_limits<double>::quiet_NaN();
+      const auto number = std::bit_cast<std::array<char, sizeof(double)>>(
+          value.is_null() ? none : value.get<double>());
+      names += sweep::npy_number(name);
+      bytes.append(number.data(), number.size());
+    }
   }
-  const std::vector<double> all = values(report);
-  std::string bytes(all.size() * sizeof(double), '\0');
-  std::memcpy(bytes.data(), all.data(), bytes.size());
-  return sweep::npy_header(npy_fields, static_cast<std::int64_t>(all.size() / names.size())) +
-         bytes;
+  return sweep::npy_header(names, std::ssize(rows)) + bytes;
 }
 
 nlohmann::ordered_json json(const SpectrumReport& report) {

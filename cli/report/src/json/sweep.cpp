@@ -7,11 +7,6 @@
 #include "json/sweep_parts.hpp"
 
 #include <algorithm>
-#include <array>
-#include <string>
-#include <string_view>
-#include <tuple>
-#include <vector>
 
 namespace stillpoint::report {
 

@@ -8,10 +8,6 @@
 #include <stillpoint/sweep/spec.hpp>
 #include <stillpoint/sweep/state.hpp>
 
-#include <cstdint>
-#include <string_view>
-#include <tuple>
-
 namespace stillpoint::report {
 
 inline constexpr std::string_view reduction_schema = "stillpoint/sweep-reduction/1";
