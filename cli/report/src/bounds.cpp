@@ -107,9 +107,7 @@ void add_constraints(Document& document, std::span<const design::Constraint> con
   }
   Section& section = document.section("Constraints", without_empty_columns(std::move(table)));
   section.detail = std::ranges::all_of(constraints, &design::Constraint::satisfied);
-  if (!of_what.empty()) {
-    section.line(std::string(of_what));
-  }
+  section.line(std::string(of_what));
 }
 
 }  // namespace stillpoint::report

@@ -21,72 +21,57 @@ constexpr std::size_t most_rows = 12;  // with the answer, a screen
 std::string consequence(const design::Constraint& violated, const ShownTask& task) {
   const std::string_view name = violated.name;
   const std::string stroke = length_shown(task.physical, task.problem.beta);
-  const bool residual = task.problem.residual.has_value();
-  if (name == "stop") {
-    return violated.by_criterion_alone
-               ? format("stops{}, but not by the published criterion", residual ? "" : " at x = 0")
-           : residual ? "passes x = 0 more often than --arrivals allows"
-                      : "passes x = 0";
-  }
-  if (name == "return" || name == "residual") {
-    return format("{}{}", residual ? "rests too far off" : "rests off centre",
-                  violated.variable == "v0" && task.problem.v0_low
-                      ? " after the weaker hits of the range"
-                      : "");
-  }
-  return name == "amplitude" ? "swings beyond " + stroke
+  return name == "stop" ? violated.by_criterion_alone ? "stops, but not by the published criterion"
+                                                      : "passes x = 0"
+         : name == "return" || name == "residual"
+             ? task.problem.residual ? "rests too far off centre" : "rests off centre"
+         : name == "amplitude" ? "swings beyond " + stroke
          : name == "acceleration"
              ? "transmits more than " + acceleration_shown(task.limits.acceleration_max.value_or(0))
-         : name == "start"
-             ? violated.variable == "f" ? "is held by friction" : "is held by the notch"
+         : name == "start"     ? "is held from the start"
          : name == "dead_zone" ? "could be held at " + stroke + " by friction"
                                : "exceeds the " + in_words(name);
 }
 
 /// "f must be 12 % larger", "f is 12 % too large", "delta is far too large".
 std::string by_how_much(const design::Constraint& violated) {
-  const std::string_view measured = violated.variable;
-  const std::string variable = (measured == "peak" || measured == "acceleration")
-                                   ? format("the {} of the first swing", measured)
-                                   : std::string(measured);
   const bool too_large = violated.relation.front() == '<';
+  const std::string what =
+      (violated.variable == "peak" || violated.variable == "acceleration" ? "the " : "") +
+      std::string(violated.variable);
   if (too_large && violated.limit < 0) {
-    return format("no {} is small enough", variable);
+    return format("no {} is small enough", violated.variable);
   }
-  const std::string_view how = too_large ? "large" : "small";
   const double off = 100 * std::abs(violated.slack) / (too_large ? violated.limit : violated.value);
   constexpr double far = 1e3;  // per cent
   constexpr double next_to_all = 99;
   if (!(off > 0 && off < far)) {
-    return format("{} is {} too {}", variable, off == 0 ? "just" : "far", how);
+    return format("{} is {} too {}", what, off == 0 ? "just" : "far",
+                  too_large ? "large" : "small");
   }
   const std::string part = limit_digits(off * (1 - 1e-12), true, off < next_to_all ? 2 : 3);
-  return too_large ? format("{} is {} % too large", variable, part)
-                   : format("{} must be {} % larger", variable, part);
-}
-
-/// "7 of 40 parts fit"
-std::string how_many_fit(const std::vector<design::RatedPart>& parts) {
-  const auto fit = std::ranges::count(parts, true, &design::RatedPart::admissible);
-  return format("{} of {} part{} fit{}", fit, parts.size(), parts.size() == 1 ? "" : "s",
-                fit == 1 ? "s" : "");
+  return too_large ? format("{} is {} % too large", what, part)
+                   : format("{} must be {} % larger", what, part);
 }
 
 }  // namespace
 
-std::string violation(const design::Constraint& violated, const ShownTask& task) {
-  return format("{}: {}", consequence(violated, task), by_how_much(violated));
+std::string violations(std::span<const design::Constraint> all, const ShownTask& task) {
+  std::string text;
+  for (const design::Constraint& now : all) {
+    if (!now.satisfied && (returns(all) || now.name != "stop")) {
+      text +=
+          format("{}{}: {}", text.empty() ? "" : "; ", consequence(now, task), by_how_much(now));
+    }
+  }
+  return text;
 }
 
 std::string judgement(const design::RatedPart& rated, const ShownTask& task) {
-  std::string text = rated.admissible         ? "fits"
-                     : rated.tolerance        ? "tolerates too little"
-                     : rated.violated.empty() ? "is not admissible"
-                                              : "";
-  for (const design::Constraint& violated : rated.violated) {
-    text += (text.empty() ? "" : "; ") + violation(violated, task);
-  }
-  return text;
+  return rated.admissible         ? "fits"
+         : rated.tolerance        ? "tolerates too little"
+         : rated.violated.empty() ? "is not admissible"
+                                  : violations(rated.violated, task);
 }
 
 void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& task) {
@@ -100,15 +85,17 @@ void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& 
                            tolerance_cell(task.limits, rated.tolerance), judgement(rated, task)},
                           rated.admissible ? Tone::good : Tone::bad});
   }
-  Section& section =
-      document.section(format("Parts, best first: {}", how_many_fit(parts)), std::move(table));
-  if (parts.size() > shown) {
-    section.line(format("{} more; --json lists them all.", parts.size() - shown), Tone::faint);
-  }
+  const auto fit = std::ranges::count(parts, true, &design::RatedPart::admissible);
+  Section& section = document.section(format("Parts, best first: {} of {} fit", fit, parts.size()),
+                                      std::move(table));
+  section.line(parts.size() > shown ? "--json lists them all." : "", Tone::faint);
 }
 
 void add_trade_off(Document& document, const std::vector<design::TradeOff>& front,
                    const ShownTask& task) {
+  if (front.empty()) {
+    return;
+  }
   const FigureUnits units = units_of(task.physical);
   Table table{{in("stroke", units.length), "acceleration, g", tolerance_head(task.limits),
                in("stop time", units.time), "f", in("delta", units.length)},
@@ -124,13 +111,10 @@ void add_trade_off(Document& document, const std::vector<design::TradeOff>& fron
           aligned(damper.f), aligned(damper.delta * units.length)}});
   }
   const std::size_t shown = table.rows.size();
-  Section& section =
-      document.section("Trade-off of stroke, acceleration and tolerance", std::move(table));
-  section.line(
-      format("{}Accelerations are those outside the notch.",
-             step == 1 ? ""
-                       : format("{} of {} dampers; --json lists them all. ", shown, front.size())),
-      Tone::faint);
+  document.section("Trade-off of stroke, acceleration and tolerance", std::move(table))
+      .line(format("{} of {} dampers; accelerations are those outside the notch.", shown,
+                   front.size()),
+            Tone::faint);
 }
 
 }  // namespace stillpoint::report

@@ -16,8 +16,10 @@
 
 namespace stillpoint::report {
 
-/// "exceeds 150 mm: f 12 % too small".
-[[nodiscard]] std::string violation(const design::Constraint& violated, const ShownTask& task);
+/// "swings beyond 150 mm: f must be 12 % larger; ..." of those that are not met; of a motion that
+/// does not return none says where it would stop.
+[[nodiscard]] std::string violations(std::span<const design::Constraint> all,
+                                     const ShownTask& task);
 /// The violations of a part, or "fits".
 [[nodiscard]] std::string judgement(const design::RatedPart& rated, const ShownTask& task);
 

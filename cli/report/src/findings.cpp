@@ -267,10 +267,14 @@ ordered_json findings_json(std::span<const design::Finding> findings, const Phys
   return list;
 }
 
-bool is_useless(std::span<const design::Finding> findings) {
-  return std::ranges::any_of(findings, [](const design::Finding& now) {
-    return now.severity == Severity::fault || now.kind == FindingKind::too_exact;
-  });
+std::string_view advice(std::span<const design::Finding> findings, std::string_view usual) {
+  return std::ranges::any_of(findings,
+                             [](const design::Finding& now) {
+                               return now.severity == Severity::fault ||
+                                      now.kind == FindingKind::too_exact;
+                             })
+             ? "The damper found has"
+             : usual;
 }
 
 void add_findings(Document& document, std::span<const design::Finding> findings,

@@ -8,12 +8,9 @@
 #include <stillpoint/report/findings.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace stillpoint::report {
 
@@ -35,155 +32,65 @@ std::string figures_words(const design::SuiteFigures& figures, const Physical& p
                                      figure_shown(physical, Dimension::length, figures.residual)));
 }
 
-/// Whose figures the verdict has: "Worst of 7 records within the tolerance".
-std::string whose_words(const design::RecordDesign& result) {
-  const std::size_t count = result.request.records.size();
-  const bool mean = is_mean(result.request);
-  const std::string records =
-      count == 1 ? "Under the record" : format("{} of {} records", mean ? "Mean" : "Worst", count);
-  return records + (result.finding->box.samples == 1 ? ""
-                    : count == 1 || mean             ? ", worst within the tolerance"
-                                                     : " within the tolerance");
+/// With the digits with which the figures of a design come true.
+std::string exact_words(const Physical& physical, const design::SuiteDamper& damper,
+                        std::optional<int> digits) {
+  return format(
+      "f = {:.{}g}, delta = {}{}", damper.f, digits.value_or(6),
+      length_shown(physical, damper.delta, digits),
+      damper.width > 0 ? format(", {} wide", length_shown(physical, damper.width, digits)) : "");
 }
 
-/// With the digits with which its figures come true.
-std::string exact_words(const Physical& physical, const design::SuiteDamper& damper) {
-  return format("f = {:.{}g}, delta = {}{}", damper.f, printed_digits,
-                length_shown(physical, damper.delta, printed_digits),
-                damper.width > 0
-                    ? format(", {} wide", length_shown(physical, damper.width, printed_digits))
-                    : "");
-}
-
-/// "f 0.0588 to 0.0719, delta 1 mm to 1.2 mm": the sides of a box, without those that are exact.
-std::string sides_words(const design::SuiteBox& box, const Physical& physical) {
-  std::string text;
-  const auto add = [&](std::string_view name, const Interval& range, const auto& words) {
-    if (range.low < range.high) {
-      text += format("{}{} {} to {}", text.empty() ? "" : ", ", name, words(range.low),
-                     words(range.high));
-    }
-  };
-  const auto number = [](double value) { return format("{:.4g}", value); };
-  const auto length = [&](double value) { return length_shown(physical, value, 4); };
-  const auto seconds = [&](double turn) { return time_shown(physical, turn); };
-  add("f", box.f, number);
-  add("delta", box.delta, length);
-  add("width", box.width, length);
-  if (physical) {
-    add("period", {2 * std::numbers::pi / box.p.high, 2 * std::numbers::pi / box.p.low}, seconds);
-  } else {
-    add("p", box.p, number);
-  }
-  return text;
-}
-
-/// What was tried about the damper, and what it does itself.
-void add_box(Section& answer, const design::RecordDesign& result, const Physical& physical) {
-  const design::SuiteBox& box = result.finding->box;
-  const std::string sides = sides_words(box, physical);
-  if (sides.empty()) {
-    return;
+void add_answer(Section& answer, const RecordDesignReport& report) {
+  const auto& [result, physical] = report;
+  const design::SuitePoint& point = result.finding->point;
+  answer.row("damper", exact_words(physical, point.damper, printed_digits), Tone::heading);
+  if (const auto digits = period_digits(result.request)) {
+    answer.row("spring", spring_words(physical, point.damper.p, digits));
   }
   if (result.largest_tolerance) {
     answer.row("tolerance",
                format("{:.3g} %, the largest that was found", 100 * *result.largest_tolerance));
   }
-  answer.row("tried", format("{}: no failure in {} dampers, corners and boundary included", sides,
-                             box.samples));
-  answer.row("exact", format("without any error: {}",
-                             figures_words(result.finding->point.figures, physical)));
-}
-
-void add_answer(Section& answer, const RecordDesignReport& report) {
-  const auto& [result, physical] = report;
-  const design::SuiteDamper& damper = result.finding->point.damper;
-  const Interval& searched = result.request.p;
-  answer.row("damper", exact_words(physical, damper), Tone::heading);
-  if (searched.low < searched.high) {
-    constexpr double apart = 1e-6;
-    const bool at_end =
-        damper.p <= searched.low * (1 + apart) || damper.p >= searched.high * (1 - apart);
-    answer.row("spring", spring_words(physical, damper.p, printed_digits) +
-                             (at_end ? ", an end of what was searched" : ""));
+  if (const std::int64_t samples = result.finding->box.samples; samples > 1) {
+    answer.row("tried", format("no failure in {} dampers within the tolerance, corners and "
+                               "boundary included",
+                               samples));
+    answer.row("exact", "without any error: " + figures_words(point.figures, physical));
   }
-  add_box(answer, result, physical);
   add_check(answer, result.finding->cross_check);
-}
-
-/// From when on the load is 0.
-double load_end(Record record) {
-  auto& [values, step, times] = record;
-  while (values.size() > 1 && values.back() == 0 && values[values.size() - 2] == 0) {
-    values.pop_back();
-  }
-  times.resize(times.empty() ? 0 : values.size());
-  return duration(Excitation(record)).value();
-}
-
-/// In the unit of the figures.
-std::string displacement_cell(const Physical& physical, double length) {
-  const FigureUnits units = units_of(physical);
-  constexpr double least_m = 1e-6;
-  return physical && length > 0 && length * physical->scales.length_m < least_m
-             ? format("<{:g}", least_m / physical->scales.length_m * units.length)
-             : format("{:.5g}", length * units.length);
 }
 
 void add_records(Document& document, const design::RecordDesign& result, const Physical& physical) {
   const FigureUnits units = units_of(physical);
+  const auto number = [](double value) { return format("{:.5g}", value); };
   Table table{{"record", "PGA, g", in("peak", units.length), in("residual", units.length),
-               "transmitted, g", in("rests from", units.time), "at rest"},
+               "transmitted, g", in("rests from", units.time), ""},
               {}};
   for (std::size_t i = 0; i < result.finding->responses.size(); ++i) {
     const ForcedResponse& response = result.finding->responses[i];
-    const design::SuiteFigures figures = design::suite_figures(response);
+    const auto figures = design::suite_figures(response);
+    const bool rests_at_0 = begins_at_nothing(figures.residual, figures.peak);
     const design::SuiteRecord& record = result.request.records[i];
     table.rows.push_back(
-        {{record_label(record), format("{:.4g}", design::peak_load(record)),
-          displacement_cell(physical, figures.peak), displacement_cell(physical, figures.residual),
-          format("{:.4g}", figures.acceleration),
-          format("{:.5g}", *response.stop_time * units.time),
-          response.locks()                                        ? "by notch"
-          : response.stop_time.value() <= load_end(record.record) ? "by friction"
-                                                                  : "after load"}});
+        {{record_label(record), number(design::peak_load(record)),
+          number(figures.peak * units.length),
+          number(rests_at_0 ? 0 : figures.residual * units.length), number(figures.acceleration),
+          number(*response.stop_time * units.time), response.locks() ? "locked" : ""}});
   }
-  document.section("Records", std::move(table));
+  document.section("Records", without_empty_columns(std::move(table)));
 }
 
-/// How far the nearest damper is from the limit that it exceeds most.
-std::string shortfall_words(const RecordDesignReport& report) {
-  const auto excess = [](const design::Constraint& now) {
-    return now.value <= now.limit ? 0 : now.limit > 0 ? now.value / now.limit : HUGE_VAL;
-  };
-  const auto& all = report.result.constraints;
-  const auto most = std::ranges::max_element(all, {}, excess);
-  if (most == all.end() || excess(*most) == 0) {
-    return {};
-  }
-  const auto* const kind = std::ranges::find(design::suite_figure_kinds, most->name,
-                                             &design::SuiteFigureKind::constraint);
-  return format("; the nearest has a {} of {}{}", kind->words,
-                beyond(report.physical, kind->dimension, most->value, most->limit),
-                report.result.request.records.size() == 1
-                    ? ""
-                    : ", most under " + scaled_name(most->motion->file, most->motion->scale));
-}
-
-std::string no_damper(const RecordDesignReport& report) {
-  const design::RecordDesign& result = report.result;
-  if (result.search.interrupted) {
-    return "No damper was verified before the search was interrupted.";
-  }
-  if (!result.nearest.figures.settled) {
-    return "No damper was found: none of those tried comes to rest.";
-  }
+std::string no_damper(const design::RecordDesign& result) {
   const auto& largest = result.largest_tolerance;
-  return format(
-      "No damper was found that meets the limits{}{}.{}",
-      result.request.tolerance.exact() ? "" : " within its tolerance", shortfall_words(report),
-      largest ? format(" The largest tolerance within the limits is {:.2g} %.", 100 * *largest)
-              : "");
+  return result.search.interrupted ? "No damper was verified before the search was interrupted."
+         : !result.nearest.figures.settled
+             ? "No damper was found: none of those tried comes to rest."
+             : format("No damper was found that meets the limits{}.{}",
+                      result.request.tolerance.exact() ? "" : " within its tolerance",
+                      largest ? format(" The largest tolerance within the limits is {:.2g} %.",
+                                       100 * *largest)
+                              : "");
 }
 
 }  // namespace
@@ -220,17 +127,17 @@ std::string progress_words(const design::RecordProgress& progress, const Physica
 std::string verdict(const RecordDesignReport& report) {
   const auto& [result, physical] = report;
   if (!result.finding) {
-    return no_damper(report);
+    return no_damper(result);
   }
   const design::SuiteDamper& damper = result.finding->point.damper;
-  return format("{} {}, with {}. {}: {}.",
-                result.search.interrupted     ? "The best damper so far has"
-                : is_useless(result.findings) ? "The damper found has"
-                                              : "Build",
+  return format("{} {}, with {}. {}{}: {}.",
+                result.search.interrupted ? "The best damper so far has" : advice(result.findings),
                 damper_words(physical, damper.f, damper.delta,
                              {damper.notch_width(), result.request.hold}, printed_digits),
                 period_words(physical, damper.p, period_digits(result.request)),
-                whose_words(result), figures_words(result.finding->box.worst, physical));
+                design::suite_words(*result.request.combine, result.request.records.size()),
+                result.finding->box.samples > 1 ? ", worst within the tolerance" : "",
+                figures_words(result.finding->box.worst, physical));
 }
 
 Document document(const RecordDesignReport& report) {
@@ -241,9 +148,8 @@ Document document(const RecordDesignReport& report) {
     add_records(document, result, physical);
   } else if (result.nearest.figures.settled) {
     const design::SuiteDamper& damper = result.nearest.damper;
-    document.answer.row("nearest",
-                        format("{}, {}", exact_words(physical, damper),
-                               spring_words(physical, damper.p, period_digits(result.request))));
+    document.answer.row("nearest", format("{}, {}", exact_words(physical, damper, {}),
+                                          spring_words(physical, damper.p)));
     if (!result.mends.empty()) {
       add_mends(document, result.mends, physical);
     }

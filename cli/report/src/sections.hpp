@@ -102,9 +102,6 @@ Section& add_mends(Document& document, std::span<const design::Mend> mends,
                    const Physical& physical, const design::Limits& limits = {},
                    const std::optional<design::Pulse>& pulse = {});
 void add_mends(Document& document, const design::RegionVerdict& empty, const ShownTask& task);
-/// "No damper with a max displacement below 168.8 mm", the title of the region's figure.
-[[nodiscard]] std::string mend_title(const design::RegionVerdict& empty, const ShownTask& task,
-                                     std::string_view what = "damper");
 /// A name of the interface as people read it: "dead zone", "largest f".
 [[nodiscard]] std::string in_words(std::string_view name);
 /// How independent methods agree: "half-cycle map to 5.6e-17, Runge-Kutta to 1.3e-12".

@@ -226,7 +226,9 @@ void Section::row(std::string label, std::string text, Tone tone) {
 }
 
 void Section::line(std::string text, Tone tone) {
-  parts.emplace_back(Line{std::move(text), tone});
+  if (!text.empty()) {
+    parts.emplace_back(Line{std::move(text), tone});
+  }
 }
 
 Section& Document::section(std::string heading) {

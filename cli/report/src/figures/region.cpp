@@ -228,7 +228,8 @@ Figure region_figure(const ShownTask& task, const design::RegionVerdict& verdict
       units_of(task.physical),
       {"region",
        verdict.region.feasible ? "Admissible region"
-                               : mend_title(verdict, task, catalogue ? "part" : "damper"),
+       : catalogue             ? "No part is admissible"
+                               : "No damper is admissible",
        "The plane of f and Δ: which dampers are admissible, and what forbids others. "}};
   Figure& figure = drawn.figure;
   if (task.pulse) {

@@ -48,7 +48,7 @@ struct Section {
   bool folded{false};  ///< on a page, until it is opened
 
   void row(std::string label, std::string text, Tone tone = Tone::plain);
-  void line(std::string text, Tone tone = Tone::plain);
+  void line(std::string text, Tone tone = Tone::plain);  ///< nothing without a text
 };
 
 struct Document {

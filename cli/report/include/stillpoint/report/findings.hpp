@@ -23,8 +23,9 @@ namespace stillpoint::report {
     std::span<const design::Finding> findings,
     const std::optional<design::PhysicalInput>& physical);
 
-/// Whether nobody should build what they are about: a fault, or too exact.
-[[nodiscard]] bool is_useless(std::span<const design::Finding> findings);
+/// What a verdict begins with: "Build", unless a fault or too little tolerance forbids that.
+[[nodiscard]] std::string_view advice(std::span<const design::Finding> findings,
+                                      std::string_view usual = "Build");
 
 /// A line for each of them, around what the answer has already: faults and cautions before it,
 /// notes behind it; and the tone of the verdict.
