@@ -77,7 +77,7 @@ std::string judgement(const design::RatedPart& rated, const ShownTask& task) {
 void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& task) {
   const FigureUnits units = units_of(task.physical);
   const auto& parts = catalogue.parts;
-  Table table{{"part", "f", in("delta", units.length), tolerance_head(task.limits), ""}, {}};
+  Table table{{"part", "f", in("delta", units.length), "tolerance", ""}, {}};
   const std::size_t shown = std::min(parts.size(), most_rows);
   for (const design::RatedPart& rated : std::span(parts).first(shown)) {
     const auto& [name, f, delta] = rated.part;
@@ -97,7 +97,7 @@ void add_trade_off(Document& document, const std::vector<design::TradeOff>& fron
     return;
   }
   const FigureUnits units = units_of(task.physical);
-  Table table{{in("stroke", units.length), "acceleration, g", tolerance_head(task.limits),
+  Table table{{in("stroke", units.length), "acceleration, g", "tolerance",
                in("stop time", units.time), "f", in("delta", units.length)},
               {}};
   const auto aligned = [](double value) { return format("{:#.6g}", value); };  // zeros too

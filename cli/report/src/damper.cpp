@@ -18,38 +18,41 @@ double peak_of(const ShownDamper& shown) {
   return (shown.tried() != nullptr ? shown.tried()->peak.response : shown.response).peak_amplitude;
 }
 
-/// " (strongest hit, softest spring)", which of the ranges has the largest of a figure.
-std::string whose(const ShownDamper& shown, std::string_view worst_spring) {
-  const std::string words = shown.tried() != nullptr ? "worst of the ranges"
-                            : shown.pulse            ? ""
-                                                     : extreme_words(shown.problem, worst_spring);
-  return words.empty() ? "" : format(" ({})", words);
+/// Of a figure of several motions; under pulses, whose ranges have one, empty.
+std::string_view of_ranges(const ShownDamper& shown) {
+  const design::Problem& problem = shown.problem;
+  return shown.tried() != nullptr || (!shown.pulse && (problem.v0_low || problem.p_high))
+             ? " (worst case)"
+             : "";
 }
 
-/// Of the paper's notch, what one with a width adds.
+/// Of the paper's notch, what one with a width adds: the friction there and, at its edge, the
+/// spring. The example is one with which it keeps a limit, or 20 mm wide.
 std::string inside_words(const ShownDamper& shown, const Physical& physical) {
-  const auto& [f, delta, tolerance] = shown.point;
   if (shown.pulse) {
     return format("{} if the notch holds the mass",
                   acceleration_shown(design::peak_load(*shown.pulse)));
   }
-  if (const auto& most = shown.limits.acceleration_max; most && shown.judged.practice) {
-    const auto& width = shown.judged.notch_width_min;
-    return width
-               ? format("{} inside one {} wide", acceleration_shown(*most),
-                        length_limit(physical, *width, true))
-               : format("no width is known to keep it within {} inside", acceleration_shown(*most));
-  }
-  return inside_example(physical, {shown.problem.stiffest_p(), f, delta},
-                        shown.response.peak_amplitude);
+  constexpr double usual_m = 0.02;
+  constexpr int digits = 3;
+  const auto& [f, delta, tolerance] = shown.point;
+  const double part = shown.response.peak_amplitude / 5;
+  const double width = shown.limits.acceleration_max && shown.judged.notch_width_min
+                           ? *shown.judged.notch_width_min
+                           : std::min(part, physical ? usual_m / physical->scales.length_m : part);
+  return format(
+      "at most {} g inside one {} wide",
+      limit_digits(design::notch_acceleration(f, delta, width, shown.problem.stiffest_p()), true,
+                   digits),
+      length_shown(physical, width, digits));
 }
 
-/// "0.0947 g outside the notch (strongest hit), at most 0.325 g inside one 20 mm wide"
+/// "0.0947 g outside the notch, at most 0.325 g inside one 20 mm wide"
 std::string felt_words(const ShownDamper& shown, const Physical& physical) {
   const std::string felt = acceleration_shown(shown.felt());
-  const std::string of = whose(shown, "stiffest");
+  const std::string_view of = of_ranges(shown);
   if (shown.point.delta == 0) {
-    return felt + of;
+    return format("{}{}", felt, of);
   }
   if (shown.built == nullptr) {
     return format("{} outside the notch{}; {}", felt, of, inside_words(shown, physical));
@@ -77,19 +80,20 @@ std::string rest_words(const ShownDamper& shown, const Physical& physical) {
   const auto rest_shown = [&](double x) {
     return length_shown(physical, begins_at_nothing(std::abs(x), response.peak_amplitude) ? 0 : x);
   };
-  const std::string of = whose(shown, "softest");
   if (shown.tried() != nullptr) {
-    const std::string rest = rest_shown(std::abs(shown.tried()->farthest.rest()));
-    return (rest == "0" ? "at x = 0" : format("within {} of x = 0", rest)) + of;
+    return format("within {} of x = 0{}", rest_shown(std::abs(shown.tried()->farthest.rest())),
+                  of_ranges(shown));
   }
-  const double residual = std::min(problem.residual.value_or(0), problem.beta);
   const auto arrival = shown.built == nullptr ? shown.judged.arrival : std::nullopt;
-  return format(
-      "at x = {} {}{}{}{}", rest_shown(*response.stop_position), stop_words(shown, physical),
-      arrival && problem.arrivals > 1 ? format(", at arrival {}", *arrival) : "", of,
-      of.empty() || residual == 0 || !shown.admissible
-          ? ""
-          : format("; within {} of x = 0 for any other", length_shown(physical, residual)));
+  const double residual = std::min(problem.residual.value_or(0), problem.beta);
+  const bool several = !of_ranges(shown).empty();
+  return format("at x = {} {}{}{}{}", rest_shown(*response.stop_position),
+                stop_words(shown, physical),
+                arrival && problem.arrivals > 1 ? format(", at arrival {}", *arrival) : "",
+                several ? " (with that peak)" : "",
+                several && residual > 0 && shown.admissible
+                    ? format("; within {} of x = 0 for any other", length_shown(physical, residual))
+                    : "");
 }
 
 }  // namespace
@@ -108,11 +112,11 @@ void add_motion(Section& answer, const ShownDamper& shown, const Physical& physi
   const Response& response = shown.response;
   const double beta = shown.problem.beta;
   const double peak = peak_of(shown);
-  const auto [now, allowed] = told_apart(physical, Dimension::length, peak, beta);
   const bool swings_on = shown.pulse && response.zero_passages.value_or(0) > 0;
   answer.row("peak",
-             format("{}, {:.4g} % of the {} allowed{}{}", now, 100 * peak / beta, allowed,
-                    whose(shown, "softest"), swings_on ? ", later swings included" : ""),
+             format("{}, {:.4g} % of the {} allowed{}{}", length_shown(physical, peak),
+                    100 * peak / beta, length_shown(physical, beta), of_ranges(shown),
+                    swings_on ? ", later swings included" : ""),
              design::exceeds(peak, beta) ? Tone::bad : Tone::plain);
   answer.row("rest", rest_words(shown, physical), response.stop_time ? Tone::plain : Tone::bad);
   answer.row("acceleration", felt_words(shown, physical));
@@ -126,25 +130,13 @@ void add_motion(Section& answer, const ShownDamper& shown, const Physical& physi
 std::string shown_motion(const ShownDamper& shown, const Physical& physical) {
   const design::Problem& problem = shown.problem;
   const auto& pulse = shown.pulse;
-  std::string words;
-  if (pulse && !design::pulse_problem(problem, *pulse, shown.ranges).has_ranges()) {
-    return words;
-  }
-  if (pulse) {
-    words = format("k = {:.6g} g", design::peak_load(shown.under_pulse->pulse));
-    if (shown.ranges.lambda_high) {
-      words += ", a pulse of " +
-               time_shown(physical, duration(design::excitation(shown.under_pulse->pulse)).value());
-    }
-  } else if (problem.v0_low) {
-    words = format("the strongest hit, {}{}",
-                   physical ? "" : "v0 = ", units_of(physical).velocity.words(problem.v0));
-  }
-  if (problem.p_high) {
-    words += format("{}{}{}", words.empty() ? "" : ", and ", pulse ? "" : "the softest spring, ",
-                    period_words(physical, shown.p()));
-  }
-  return words;
+  return (pulse ? !design::pulse_problem(problem, *pulse, shown.ranges).has_ranges()
+                : !problem.v0_low && !problem.p_high)
+             ? ""
+             : format("{} and {}",
+                      pulse ? format("k = {:.6g} g", design::peak_load(shown.under_pulse->pulse))
+                            : "a hit of " + units_of(physical).velocity.words(problem.v0),
+                      period_words(physical, shown.p()));
 }
 
 std::string_view ideal_words(const ShownDamper& shown) {

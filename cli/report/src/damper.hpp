@@ -16,8 +16,8 @@ namespace stillpoint::report {
 [[nodiscard]] std::string does_words(const design::ShownDamper& shown, const Physical& physical);
 /// Peak, rest and acceleration, and how wide its notch must be so that a pulse moves the mass.
 void add_motion(Section& answer, const design::ShownDamper& shown, const Physical& physical);
-/// "the strongest hit, 0.44 m/s, and the softest spring, 2.94 s" or "k = 0.5 g": which motion of a
-/// task with ranges is shown; empty without.
+/// "a hit of 0.44 m/s and a period of 2.94 s", "k = 0.5 g and p = 1": which motion of a task with
+/// ranges is shown; empty without.
 [[nodiscard]] std::string shown_motion(const design::ShownDamper& shown, const Physical& physical);
 /// What a notch as built is compared with: "has no width", "holds any load", "acts only after the
 /// start".

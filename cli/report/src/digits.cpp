@@ -59,12 +59,6 @@ std::string limit_digits(double value, bool upwards, int shown) {
                      shown);
 }
 
-double end_or_asked(double end, double asked) {
-  const auto alike = [asked](double value) { return std::abs(value - asked) <= 1e-12 * asked; };
-  const double typed = decimal(asked, 9);
-  return !alike(end) ? end : alike(typed) ? typed : asked;
-}
-
 double decimal_within(double low, double high) {
   const auto rounded = [high](int digits) { return decimal(high, digits, Rounding::down); };
   return rounded(digits_until(6, [&](int digits) { return rounded(digits) >= low; }));

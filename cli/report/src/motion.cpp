@@ -18,28 +18,16 @@ namespace stillpoint::report {
 
 namespace {
 
-/// Where the largest transmitted acceleration is felt, if there is a notch. While the mass slides
-/// it is at most that of the peak: docs/theory.md section 11.
-std::string felt_where(const MotionReport& report) {
-  const auto& [p, f, delta, hold] = report.request.oscillator;
+/// Where the largest transmitted acceleration is felt, if there is a notch.
+std::string_view felt_where(const MotionReport& report, double felt) {
+  const Oscillator& damper = report.request.oscillator;
   const Response& response = report.answer.response;
   const auto& forced = report.answer.forced;
-  const auto& [notch_width, zones] = report.request.surface;
-  const double felt = design::figures_of(response).acceleration;
-  if (forced && forced->largest_load_while_locked == felt) {
-    return " while it is locked";
-  }
-  if (delta == 0 || response.peak_amplitude == 0) {
-    return "";
-  }
-  const auto outside = zones.empty() && report.request.start.x0 == 0 && (hold || notch_width)
-                           ? design::felt_outside(report.request.oscillator, felt,
-                                                  response.peak_amplitude, notch_width)
-                           : std::nullopt;
-  return outside       ? format(" inside the notch, {} outside it", acceleration_shown(*outside))
-         : notch_width ? ", the notch included"
-         : forced && response.jump > 0 ? " between the jumps"
-                                       : ", outside the notch";
+  return forced && forced->largest_load_while_locked == felt ? " while it is locked"
+         : damper.delta == 0 || response.peak_amplitude == 0 ? ""
+         : forced && response.jump > 0                       ? " between the jumps"
+         : damper.hold || report.request.surface.notch_width ? ", the notch included"
+                                                             : ", outside the notch";
 }
 
 void add_answer(Section& answer, const MotionReport& report) {
@@ -68,9 +56,9 @@ void add_answer(Section& answer, const MotionReport& report) {
     answer.row("peak", length_shown(physical, response.peak_amplitude), Tone::heading);
   }
   if (report.answer.forced || moves(response)) {
-    answer.row("acceleration", format("{} transmitted{}",
-                                      acceleration_shown(design::figures_of(response).acceleration),
-                                      felt_where(report)));
+    const double felt = design::figures_of(response).acceleration;
+    answer.row("acceleration",
+               format("{} transmitted{}", acceleration_shown(felt), felt_where(report, felt)));
   }
   if (report.answer.forced && report.answer.forced->left_notch_from_rest) {
     const double load = design::largest_load(report.request.excitation);
@@ -94,15 +82,12 @@ void add_half_cycles(Section& section, std::span<const HalfCycle> half_cycles,
               {}};
   const std::size_t listed = std::min(most_half_cycles, half_cycles.size());
   for (const HalfCycle& now : half_cycles.first(listed)) {
-    const auto speed = [&](const std::optional<double>& value, std::string_view none) {
-      return value ? digits(*value * units.velocity) : std::string(none);
-    };
     table.rows.push_back(
         {{format("{}", now.index), digits(now.start_time * units.time),
           digits(now.departure_speed * units.velocity), digits(now.peak_time * units.time),
           digits(now.side * now.peak * units.length), digits(now.end_time * units.time),
-          speed(now.arrival_speed, "none"),
-          speed(now.impulse.value_or(0) > 0 ? now.impulse : std::nullopt, "")}});
+          now.arrival_speed ? digits(*now.arrival_speed * units.velocity) : "none",
+          now.impulse.value_or(0) > 0 ? digits(*now.impulse * units.velocity) : ""}});
   }
   section.parts.emplace_back(without_empty_columns(std::move(table)));
   if (count.value_or(HUGE_VAL) > static_cast<double>(listed)) {

@@ -16,28 +16,22 @@ namespace stillpoint::report {
 
 std::string damper_words(const Physical& physical, const std::optional<double>& f, double delta,
                          const design::NotchShape& shape, std::optional<int> digits) {
-  const auto scales = physical ? std::optional(physical->scales) : std::nullopt;
-  const auto force = scales ? scales->friction_force_n(f.value_or(0)) : std::nullopt;
-  const auto energy = scales ? scales->energy_per_passage_j(delta) : std::nullopt;
+  const auto force = physical ? physical->scales.friction_force_n(f.value_or(0)) : std::nullopt;
+  const auto energy = physical ? physical->scales.energy_per_passage_j(delta) : std::nullopt;
   const bool weighed = force && energy && std::isfinite(*energy);
-  const std::string which =
-      shape.width ? format("a notch {} wide", length_shown(physical, *shape.width))
-      : shape.hold
-          ? format("a notch that lets go at {} above the friction", acceleration_shown(*shape.hold))
-          : "a notch";
-  const std::string notch =
-      weighed ? format("{} {} takes {} at a passage", which, shape.hold ? "and" : "that",
-                       with_unit(*energy, "J"))
-              : format("delta = {}{}", length_shown(physical, delta, digits),
-                       delta > 0 && (shape.width || shape.hold) ? " in " + which : "");
-  const std::string friction = !f        ? ""
+  const std::string which = shape.width  ? format(" {} wide", length_shown(physical, *shape.width))
+                            : shape.hold ? format(" that lets go at {} above the friction",
+                                                  acceleration_shown(*shape.hold))
+                                         : "";
+  const std::string friction = !f        ? "as little constant friction as you can"
                                : weighed ? "a friction force of " + with_unit(*force, "N")
                                : digits  ? format("f = {:.{}g}", *f, *digits)
                                          : format("f = {}", *f);
-  return !f           ? notch + " and as little constant friction as you can"
-         : delta == 0 ? *f == 0 ? "neither friction nor a notch" : friction + " without a notch"
-         : weighed && *f == 0 ? notch + ", without constant friction"
-                              : friction + " and " + notch;
+  return delta == 0 ? friction + " without a notch"
+         : weighed  ? format("{} and a notch{}{} takes {} at a passage", friction, which,
+                            shape.hold ? " and" : " that", with_unit(*energy, "J"))
+                    : format("{} and delta = {}{}", friction, length_shown(physical, delta, digits),
+                            which.empty() ? "" : " in a notch" + which);
 }
 
 std::string period_words(const Physical& physical, double p, std::optional<int> digits) {
@@ -59,12 +53,6 @@ std::string spring_words(const Physical& physical, double p, std::optional<int> 
 
 std::string_view jumps_words(double delta, const std::optional<double>& width) {
   return delta > 0 && !width ? " between the velocity jumps at the notch" : "";
-}
-
-std::string extreme_words(const design::Problem& problem, std::string_view spring) {
-  return format("{}{}{}", problem.v0_low ? "strongest hit" : "",
-                problem.v0_low && problem.p_high ? ", " : "",
-                problem.p_high ? format("{} spring", spring) : "");
 }
 
 }  // namespace stillpoint::report

@@ -52,13 +52,8 @@ struct ShownTask {
 /// The same with the stiffness, if the mass is known.
 [[nodiscard]] std::string spring_words(const Physical& physical, double p,
                                        std::optional<int> digits = {});
-/// "0.340 to 0.429", "up to 0.463", "at least 0.5" or "any size", about what was asked for; with
-/// its low end where that is only how far a search went.
-[[nodiscard]] std::string interval_text(const design::ServedInterval& interval,
-                                        const Interval& asked, bool searched = false);
-/// "at most 0.325 g inside one 20 mm wide": the friction there and, at its edge, the spring.
-[[nodiscard]] std::string inside_example(const Physical& physical, const Oscillator& damper,
-                                         double peak);
+/// "0.340 to 0.429", "up to 0.463", "at least 0.5" or "any size".
+[[nodiscard]] std::string interval_text(const design::ServedInterval& interval);
 /// "480 kN s" for a speed; "0.4 N s per kg" if the mass is not known.
 [[nodiscard]] std::string impulse_shown(const Physical& physical, double impulse);
 
@@ -78,19 +73,16 @@ inline constexpr int usual_digits = 4;
 [[nodiscard]] std::string percent_digits(double tolerance, int shown = usual_digits);
 /// Whether more than rounding is left.
 [[nodiscard]] bool leaves_any(double tolerance);
-/// "34.18 %", or "+-8.63 % of f and -10 to +20 % of delta" of a box of another shape.
+/// "34.18 %", or "f +-8.63 %, delta -10 % to +20 %" of a box of another shape.
 [[nodiscard]] std::string tolerance_text(const design::Limits& limits, double tolerance,
                                          int shown = usual_digits);
-/// The head and a cell of a table for the tolerance: "+-34.18 %", or that of f and that of delta.
-[[nodiscard]] std::string tolerance_head(const design::Limits& limits);
+/// In a table: "+-34.18 %", or that of f and that of delta.
 [[nodiscard]] std::string tolerance_cell(const design::Limits& limits,
                                          const std::optional<double>& tolerance);
 /// "f and delta may both be off by +-34.18 %", likewise; without a notch f alone.
 [[nodiscard]] std::string tolerance_words(const design::Limits& limits, double tolerance,
                                           double delta);
 
-/// "strongest hit, softest spring", or stiffest: an end of the ranges; empty without ranges.
-[[nodiscard]] std::string extreme_words(const design::Problem& problem, std::string_view spring);
 /// The hits or pulses, and the periods, for which it works, if known.
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
                    const ShownTask& task);
@@ -104,7 +96,7 @@ Section& add_mends(Document& document, std::span<const design::Mend> mends,
 void add_mends(Document& document, const design::RegionVerdict& empty, const ShownTask& task);
 /// A name of the interface as people read it: "dead zone", "largest f".
 [[nodiscard]] std::string in_words(std::string_view name);
-/// How independent methods agree: "half-cycle map to 5.6e-17, Runge-Kutta to 1.3e-12".
+/// How independent methods agree: "2 independent methods agree to within 1.3e-12".
 void add_check(Section& answer, const design::CrossCheck& check);
 /// How wide a notch must be for the load to move the mass, unless none is.
 void add_start(Section& answer, double least_width, const Response& response,

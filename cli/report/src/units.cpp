@@ -4,8 +4,6 @@
 
 #include <stillpoint/report/digits.hpp>
 
-#include <utility>
-
 namespace stillpoint::report {
 
 std::string with_blank(const std::string& unit) {
@@ -28,18 +26,9 @@ std::string acceleration_shown(double acceleration) {
 
 std::string length_limit(const Physical& physical, double length, bool upwards,
                          std::optional<int> digits) {
-  constexpr int with_a_unit = 5;
-  constexpr int plain = 6;
-  constexpr double all_its_digits = 1e5;  // mm; beyond, metres
-  if (!physical) {
-    return limit_digits(length, upwards, digits.value_or(plain));
-  }
   const Unit unit = units_of(physical).length;
-  const double shown = length * unit;
-  const double metres = length * physical->scales.length_m;
-  return shown < all_its_digits
-             ? limit_digits(shown, upwards, digits.value_or(with_a_unit)) + " " + unit.name
-             : limit_digits(metres, upwards, digits.value_or(with_a_unit)) + " m";
+  return limit_digits(length * unit, upwards, digits.value_or(physical ? 5 : 6)) +
+         with_blank(unit.name);
 }
 
 std::string figure_shown(const Physical& physical, Dimension dimension, double value) {
@@ -60,24 +49,15 @@ std::string figure_shown(const Physical& physical, Dimension dimension, double v
   }
 }
 
-std::pair<std::string, std::string> told_apart(const Physical& physical, Dimension dimension,
-                                               double value, double limit) {
-  const auto shown = [unit = units_of(physical).of(dimension)](double of, int digits) {
-    return format("{:.{}g}{}", of * unit, digits, with_blank(unit.name));
-  };
-  std::pair usual{figure_shown(physical, dimension, value),
-                  figure_shown(physical, dimension, limit)};
-  if (value <= limit || usual.first != usual.second) {
-    return usual;
-  }
-  const int digits =
-      digits_until(6, [&](int now) { return shown(value, now) != shown(limit, now); });
-  return {shown(value, digits), shown(limit, digits)};
-}
-
 std::string beyond(const Physical& physical, Dimension dimension, double value, double limit) {
-  const auto [one, other] = told_apart(physical, dimension, value, limit);
-  return format("{} where {} is allowed", one, other);
+  std::string now = figure_shown(physical, dimension, value);
+  std::string allowed = figure_shown(physical, dimension, limit);
+  const Unit unit = units_of(physical).of(dimension);
+  for (int digits = 6; now == allowed && digits < digits_of_double; ++digits) {
+    now = format("{:.{}g}{}", value * unit, digits, with_blank(unit.name));
+    allowed = format("{:.{}g}{}", limit * unit, digits, with_blank(unit.name));
+  }
+  return format("{} where {} is allowed", now, allowed);
 }
 
 std::string Unit::words(double value) const {

@@ -9,7 +9,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 
 namespace stillpoint::report {
 
@@ -28,11 +27,7 @@ using Physical = std::optional<design::PhysicalInput>;
 /// A figure by its dimension, with its unit: "412 mm", "0.1991 g", "0.891 m/s"; "less than 0.001
 /// mm" of what nobody can measure.
 [[nodiscard]] std::string figure_shown(const Physical& physical, Dimension dimension, double value);
-/// Two of them, in enough digits to be told apart if the first is larger; and "412 mm where 400 mm
-/// is allowed".
-[[nodiscard]] std::pair<std::string, std::string> told_apart(const Physical& physical,
-                                                             Dimension dimension, double value,
-                                                             double limit);
+/// "412 mm where 400 mm is allowed", in enough digits to be told apart.
 [[nodiscard]] std::string beyond(const Physical& physical, Dimension dimension, double value,
                                  double limit);
 /// " mm" behind a number; nothing without a unit.

@@ -143,9 +143,7 @@ void add_asked(Figure& figure, const DrawnEnds& drawn) {
 void add_works(Figure& figure, const DrawnEnds& drawn, const design::ServedInterval& works) {
   const Unit& unit = drawn.unit;
   const Interval shown{works.low * unit, *works.high * unit};
-  const std::string range =
-      interval_text({shown.low, shown.high}, {drawn.asked.low * unit, drawn.asked.high * unit}) +
-      with_blank(drawn.unit.name);
+  const std::string range = interval_text({shown.low, shown.high}) + with_blank(drawn.unit.name);
   auto box = rectangle(shown.low, shown.high, 0.05, 0.3);
   add_box_inset(figure, box);
   figure.areas.push_back({"works for " + range, std::move(box), Ink::blue, AreaLook::box});

@@ -33,9 +33,6 @@ template <class Enough>
   }
   return fewest;
 }
-/// The end of a range, or the value asked for, as it was typed, if only the conversion of units is
-/// between them.
-[[nodiscard]] double end_or_asked(double end, double asked);
 /// A number of the range that six digits write, or as many as it takes.
 [[nodiscard]] double decimal_within(double low, double high);
 /// "1 turning point", "2 turning points", with every digit up to 2^53, six of larger counts; or
