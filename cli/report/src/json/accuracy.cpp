@@ -30,37 +30,35 @@ struct Truth : peers::Result {
       Field{"sticks", &Truth::sticks}};
 };
 struct TruthSi : Truth {
-  design::Scales scales;
-
-  static constexpr auto field_table = std::tuple_cat(
-      std::tuple{Field{"length_unit_m", in(&TruthSi::scales, &design::Scales::length_m)},
-                 Field{"time_unit_s", in(&TruthSi::scales, &design::Scales::time_s)}},
-      twins<fields<Truth>>([](auto get) { return get; }));
+  static constexpr auto one = [](const Truth& /*now*/) { return 1.0; };
+  static constexpr auto field_table =
+      std::tuple_cat(std::tuple{Field{"length_unit_m", one, "", si_always(Dimension::length)},
+                                Field{"time_unit_s", one, "", si_always(Dimension::time)}},
+                     twins<fields<Truth>>([](auto get) { return get; }));
 };
 
 /// A method, and whether it is what simulate uses.
-struct ShownMethod {
-  const peers::MethodRow* row;
+struct ShownMethod : peers::MethodRow {
   bool used;
 
-  [[nodiscard]] const peers::MethodRow* run() const {
-    return row->run == peers::Run::done ? row : nullptr;
-  }
-  [[nodiscard]] std::optional<std::string_view> not_run() const {
-    return run() != nullptr
-               ? std::nullopt
-               : std::optional(reasons_not_run.at(row->run == peers::Run::nothing_moves ? 0 : 1));
-  }
   using Now = ShownMethod;
   using Row = peers::MethodRow;
   using Result = peers::Result;
+  static constexpr auto if_run = [](const Row& now) {
+    return now.run == peers::Run::done ? &now : nullptr;
+  };
+  static constexpr auto why_not = [](const Row& now) {
+    return now.run == peers::Run::done
+               ? std::nullopt
+               : std::optional(reasons_not_run.at(now.run == peers::Run::nothing_moves ? 0 : 1));
+  };
   static constexpr auto field_table = std::tuple_cat(
       std::tuple{
-          Field{"name", [](const auto& now) { return now.row->name; }},
-          Field{"setting", [](const auto& now) { return setting(*now.row); }, "", any_number},
+          Field{"name", &Now::name},
+          Field{"setting", [](const Row& now) { return report::setting(now); }, "", any_number},
           Field{"used_by_simulate", &Now::used}},
       fields_in(
-          &Now::run,
+          if_run,
           std::tuple{
               Field{"wall_time_s", [](const Row& timed) { return timed.time.median; },
                     "the median of repeated runs; null, like all that follows, for a method that "
@@ -74,13 +72,13 @@ struct ShownMethod {
               Field{"turning_points", in(&Row::result, &Result::turns)},
               Field{"sticks", in(&Row::result, &Result::sticks)},
               Field{"counts_right", &Row::counts_right}}),
-      std::tuple{Field{"not_run", &Now::not_run, "null if it was run", one_of(reasons_not_run)}});
+      std::tuple{Field{"not_run", why_not, "null if it was run", one_of(reasons_not_run)}});
 };
 
 std::vector<ShownMethod> shown_methods(const AccuracyReport& report) {
   std::vector<ShownMethod> methods;
   for (const peers::MethodRow& now : report.comparison.rows) {
-    methods.push_back({&now, methods.empty()});
+    methods.push_back({now, methods.empty()});
   }
   return methods;
 }
@@ -89,23 +87,19 @@ Truth truth_of(const AccuracyReport& report) {
   return {report.comparison.exact.rounded};
 }
 
-std::optional<TruthSi> truth_in_si(const AccuracyReport& report) {
-  return report.physical ? std::optional(TruthSi{truth_of(report), report.physical->scales})
-                         : std::nullopt;
-}
-
 constexpr auto accuracy_table = std::tuple_cat(
     head_fields<AccuracyReport, accuracy_name>,
-    std::tuple{Field{"input",
-                     [](const AccuracyReport& report) {
-                       return ShownMotion{{report.request}, report.record};
-                     }},
-               Field{"reference", &truth_of},
-               Field{"methods", &shown_methods, "", {Numbers::from_one}},
-               Field{"why", [](const AccuracyReport& report) { return reason(report.request); },
-                     "why simulate uses its method"},
-               Field{"physical", &truth_in_si,
-                     "the reference in metres and seconds; null with dimensionless input"}});
+    std::tuple{
+        Field{"input",
+              [](const AccuracyReport& report) {
+                return ShownMotion{{report.request}, report.record};
+              }},
+        Field{"reference", &truth_of}, Field{"methods", &shown_methods, "", {Numbers::from_one}},
+        Field{"why", [](const AccuracyReport& report) { return reason(report.request); },
+              "why simulate uses its method"},
+        Field{"physical", [](const AccuracyReport& report) { return TruthSi{truth_of(report)}; },
+              "the reference in metres and seconds; null with dimensionless input",
+              si_alone(Dimension::none)}});
 
 }  // namespace
 

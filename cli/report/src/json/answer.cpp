@@ -8,28 +8,20 @@
 namespace stillpoint::report {
 
 std::optional<std::vector<std::string_view>> conflict_of(const design::Region& region) {
-  using Names = std::vector<std::string_view>;
-  switch (region.conflict) {
-    case design::Conflict::none:
-      break;
-    case design::Conflict::amplitude_against_return:
-      return Names{"amplitude", "return"};
-    case design::Conflict::amplitude_against_dead_zone:
-      return Names{"amplitude", "dead_zone"};
-    case design::Conflict::amplitude_against_limit:
-      return Names{"amplitude", region.limit->constraint};
-    case design::Conflict::limit_alone:
-      return Names{region.limit->constraint};
-    case design::Conflict::stop_against_start:
-      return Names{"stop", "start"};
-    case design::Conflict::stop_against_limit:
-      return Names{"stop", region.limit->constraint};
-    case design::Conflict::no_arrival:
-      return Names{"stop", "arrivals"};
-    case design::Conflict::narrower_than_rounding:
-      return Names{"rounding"};
-  }
-  return std::nullopt;
+  constexpr std::string_view limit;
+  // In the order of Conflict.
+  static const std::array<std::vector<std::string_view>, 9> all{{{},
+                                                                 {"amplitude", "return"},
+                                                                 {"amplitude", "dead_zone"},
+                                                                 {"amplitude", limit},
+                                                                 {limit},
+                                                                 {"stop", "start"},
+                                                                 {"stop", limit},
+                                                                 {"stop", "arrivals"},
+                                                                 {"rounding"}}};
+  std::vector<std::string_view> names = all.at(static_cast<std::size_t>(region.conflict));
+  std::ranges::replace(names, limit, region.limit != nullptr ? region.limit->constraint : limit);
+  return names.empty() ? std::nullopt : std::optional(names);
 }
 
 Worst worst_of(const design::Figures& figures) {
@@ -53,17 +45,6 @@ IfReal AnswerSi::mended(std::string_view field, bool by_stiffness) const {
   given.by_frequency = false;
   given.by_stiffness = by_stiffness;
   return times(physical_mend(given, *found)->value, 1);
-}
-
-std::optional<std::vector<HitsSi>> AnswerSi::hits() const {
-  if (!answer->hits || answer->input.pulse) {
-    return std::nullopt;
-  }
-  std::vector<HitsSi> rows;
-  for (const design::Hits& row : *answer->hits) {
-    rows.push_back({row});
-  }
-  return rows;
 }
 
 std::optional<AnswerSi> ShownAnswer::in_si() const {

@@ -74,27 +74,25 @@ struct WorstInBox : Worst {
                                       "for each figure the damper of the box and the motion"}});
 };
 
-/// Of a motion alone.
-struct ResponseSi {
-  std::optional<ShownResponse> motion;
-
-  static constexpr auto field_table =
-      twins<fields<ShownResponse>>([](auto get) { return in(&ResponseSi::motion, get); });
+/// Any of it may be beyond a double.
+struct ResponseSi : ShownResponse {
+  static constexpr auto field_table = twins<fields<ShownResponse>>(
+      [](auto get) { return in([](const ShownResponse& now) { return &now; }, get); });
 };
 /// A motion under a hit, a pulse or a record.
 struct ShownLoaded {
-  const Physical& units;
   IfReal v0, p;
   std::optional<design::Pulse> pulse;
   ShownResponse response;
   const design::SuiteRecord* record{nullptr};
   std::optional<bool> from_inside{};
 
+  /// The same load, but another response.
+  [[nodiscard]] ShownLoaded with(const ForcedResponse& other) const {
+    return {v0, p, pulse, ShownResponse(other), record, from_inside};
+  }
   [[nodiscard]] std::string what() const {
     return record != nullptr ? record->name : std::string(pulse ? design::name(*pulse) : "hit");
-  }
-  [[nodiscard]] std::optional<ResponseSi> in_si() const {
-    return units ? std::optional(ResponseSi{response}) : std::nullopt;
   }
   using Now = ShownLoaded;
   using Record = design::SuiteRecord;
@@ -111,7 +109,8 @@ struct ShownLoaded {
       Field{"from_inside", &Now::from_inside,
             "of a notch as built: whether it acts from the start; else null"},
       Field{"response", &Now::response},
-      Field{"physical", &Now::in_si, "the response in SI units"}};
+      Field{"physical", [](const auto& now) { return ResponseSi{now.response}; },
+            "the response in SI units", si_alone(Dimension::none)}};
 };
 
 struct ShownLoad {
@@ -172,43 +171,35 @@ struct ShownPart : design::RatedPart {
       Field{"violates", [](const auto& now) { return now.violated; }}};
 };
 
+/// A motion that was tried with a notch as built.
+[[nodiscard]] inline ShownLoaded tried(const design::TriedMotion& of) {
+  return {of.v0, of.p, of.pulse, ShownResponse(of.response), nullptr, of.from_inside};
+}
 struct ShownNotch {
-  const design::BuiltNotch& built;
+  const design::BuiltNotch* built;
   ShownLoaded motion;
 
-  [[nodiscard]] std::optional<ShownLoaded> from_start() const {
-    std::optional<ShownLoaded> shown;
-    if (built.from_start) {
-      shown.emplace(motion).response = ShownResponse(*built.from_start);
-    }
-    return shown;
-  }
-  static constexpr auto tried = [](design::TriedMotion design::WorstMotions::*most) {
-    return [most](const auto& now) {
-      std::optional<ShownLoaded> shown;
-      if (now.built.worst) {
-        const design::TriedMotion& of = (*now.built.worst).*most;
-        shown.emplace(ShownLoaded{now.motion.units, of.v0, of.p, of.pulse,
-                                  ShownResponse(of.response), nullptr, of.from_inside});
-      }
-      return shown;
-    };
-  };
   using Now = ShownNotch;
+  using Built = design::BuiltNotch;
   using Worst = design::WorstMotions;
+  static constexpr auto worst = [](auto which) {
+    return in(&Now::built, &Built::worst, which, &tried);
+  };
   static constexpr std::tuple field_table{
-      Field{"friction", [](const auto& now) { return now.built.friction; },
+      Field{"friction", in(&Now::built, &Built::friction),
             "inside, f + delta/width; null with a hold"},
-      Field{"changes_nothing", [](const auto& now) { return now.built.changes_nothing; },
+      Field{"changes_nothing", [](const auto& now) { return now.built->changes_nothing; },
             "compared with the same motion with the paper's notch"},
       Field{"motion", &Now::motion},
-      Field{"from_start", &Now::from_start,
+      Field{"from_start",
+            only_if([](const auto& now) { return now.built->from_start.has_value(); },
+                    [](const auto& now) { return now.motion.with(*now.built->from_start); }),
             "if the notch acts on the way out too; null with a pulse or a hold"},
-      Field{"farthest_rest", tried(&Worst::farthest),
+      Field{"farthest_rest", worst(&Worst::farthest),
             "of a grid of the ranges the motion that rests farthest from x = 0; null without "
             "any"},
-      Field{"largest_peak", tried(&Worst::peak)},
-      Field{"largest_acceleration", tried(&Worst::felt), "the notch included"}};
+      Field{"largest_peak", worst(&Worst::peak)},
+      Field{"largest_acceleration", worst(&Worst::felt), "the notch included"}};
 };
 
 struct AnswerSi;
@@ -251,9 +242,7 @@ struct ShownAnswer {
   static constexpr std::tuple field_table{
       Field{"verdict", &Now::verdict, "the answer, in a sentence or two"},
       Field{"findings",
-            [](const auto& now) {
-              return ShownFindings{now.findings, now.units};
-            }},
+            [](const auto& now) { return ShownFindings{findings_json(now.findings, now.units)}; }},
       Field{"input", &Now::input},
       Field{"design", &Now::design, "or the given damper; null without one"},
       Field{"cases", &Now::cases},
@@ -296,7 +285,6 @@ struct ShownAnswer {
             "in the units at the ends of the names; null with dimensionless input"}};
 };
 
-/// A row of the hits.
 struct HitsSi : design::Hits {
   static constexpr auto field_table = twins<fields<design::Hits>>([](auto get) { return get; });
 };
@@ -314,7 +302,10 @@ struct AnswerSi : Si {
     const auto served = works_for();
     return served && !answer->input.pulse ? std::optional(served->velocity_m_per_s) : std::nullopt;
   }
-  [[nodiscard]] std::optional<std::vector<HitsSi>> hits() const;
+  [[nodiscard]] std::optional<std::vector<HitsSi>> hits() const {
+    const bool any = answer->hits && !answer->input.pulse;
+    return any ? std::optional(each<HitsSi>(*answer->hits)) : std::nullopt;
+  }
 
   static constexpr auto mend = [](std::string_view field, bool by_stiffness = false) {
     return [=](const auto& now) { return now.mended(field, by_stiffness); };

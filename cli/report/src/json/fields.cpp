@@ -21,11 +21,14 @@ namespace {
                               : !json.is_number_float() || std::isfinite(json.get<double>());
 }
 
-/// Null of what does not exist or is beyond a double, without scales, and of a force whose mass is
-/// not known.
+/// An object is one of such values. Null of what does not exist or is beyond a double, without
+/// scales, and of a force whose mass is not known.
 ordered_json in_si(const ordered_json& value, Dimension dimension, Scales scales) {
   if (scales == nullptr || value.is_null()) {
     return nullptr;
+  }
+  if (value.is_object()) {
+    return value;
   }
   if (value.is_array()) {
     return ordered_json::array(

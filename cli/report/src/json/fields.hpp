@@ -55,16 +55,33 @@ template <class Value>
 inline constexpr bool is_list<std::span<Value>> = true;
 
 /// A table of part of a result: each field is taken from what `whole` gives; empty without it.
-template <class Make, class... Gets>
-constexpr auto fields_of(const std::tuple<Field<Gets>...>& part, Make make) {
+constexpr auto fields_in(auto whole, const auto& part) {
   return std::apply(
-      [make](const auto&... field) {
-        return std::tuple{Field{field.name, make(field.get), field.words, field.measure}...};
+      [whole](const auto&... field) {
+        return std::tuple{Field{field.name, in(whole, field.get), field.words, field.measure}...};
       },
       part);
 }
-constexpr auto fields_in(auto whole, const auto& part) {
-  return fields_of(part, [whole](auto get) { return in(whole, get); });
+
+/// A value that no table prints, with its schema.
+template <nlohmann::ordered_json (*make_schema)()>
+struct Printed {
+  static constexpr auto schema = make_schema;
+  nlohmann::ordered_json json;
+};
+
+/// What `get` gives, where `holds`; else empty.
+constexpr auto only_if(auto holds, auto get) {
+  return in([holds](const auto& now) { return std::invoke(holds, now) ? &now : nullptr; }, get);
+}
+/// Each item of a list, with what else it is shown with.
+template <class Shown>
+[[nodiscard]] std::vector<Shown> each(const auto& list, const auto&... with) {
+  std::vector<Shown> shown;
+  for (const auto& item : list) {
+    shown.push_back({item, with...});
+  }
+  return shown;
 }
 
 /// An integer where the field has counts, if a double holds it exactly.
@@ -96,8 +113,8 @@ template <class Value>
     return name(value);
   } else if constexpr (HasFields<Value>) {
     return object_json(value, scales);
-  } else if constexpr (requires { own_json(value); }) {
-    return own_json(value);
+  } else if constexpr (requires { value.json; }) {
+    return value.json;
   } else if constexpr (requires { value.low, value.high; }) {
     return nlohmann::ordered_json::array({value.low, value.high});
   } else if constexpr (is_list<Value>) {

@@ -13,32 +13,17 @@ namespace stillpoint::report {
 
 inline constexpr auto program_names = std::to_array<std::string_view>({"stillpoint"});
 
-struct Version {
-  std::string text;
-};
-[[nodiscard]] inline nlohmann::ordered_json own_json(const Version& version) {
-  return version.text;
-}
-[[nodiscard]] inline nlohmann::ordered_json own_schema(const Version* /*version*/) {
+[[nodiscard]] inline nlohmann::ordered_json version_schema() {
   return {{"type", "string"}, {"pattern", "^[0-9]+\\.[0-9]+\\.[0-9]+$"}};
 }
 struct Program {
   static constexpr std::tuple field_table{
       Field{"name", [](const Program&) { return program_names.front(); }, "",
             one_of(program_names)},
-      Field{"version", [](const Program&) { return Version{program_version()}; }}};
+      Field{"version", [](const Program&) { return Printed<version_schema>{program_version()}; }}};
 };
 
-struct ShownFindings {
-  std::span<const design::Finding> all;
-  Physical physical;
-};
-
-[[nodiscard]] inline nlohmann::ordered_json own_json(const ShownFindings& findings) {
-  return findings_json(findings.all, findings.physical);
-}
-
-[[nodiscard]] inline nlohmann::ordered_json own_schema(const ShownFindings* /*of*/) {
+[[nodiscard]] inline nlohmann::ordered_json findings_schema() {
   using nlohmann::ordered_json;
   const ordered_json text{{"type", "string"}};
   return {
@@ -51,6 +36,7 @@ struct ShownFindings {
          {{"kind", text}, {"severity", {{"enum", {"info", "caution", "fault"}}}}, {"text", text}}},
         {"additionalProperties", {{"type", {"number", "string"}}}}}}};
 }
+using ShownFindings = Printed<findings_schema>;
 
 /// `names` holds the name of the schema.
 template <class Report, const auto& names>
@@ -64,7 +50,7 @@ inline constexpr auto told_fields =
     std::tuple{Field{"verdict", [](const Report& report) { return verdict(report); },
                      "the answer, in a sentence or two"},
                Field{"findings", [](const Report& report) {
-                       return ShownFindings{findings(report), report.physical};
+                       return ShownFindings{findings_json(findings(report), report.physical)};
                      }}};
 
 }  // namespace stillpoint::report

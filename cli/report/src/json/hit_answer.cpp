@@ -19,12 +19,12 @@ bool has_ranges(const ShownTask& task) {
 
 /// The factors of f and delta in a tolerance box; empty if it has the usual shape.
 std::pair<IfRange, IfRange> sides_of(const design::BoxShape& shape, double tolerance) {
-  const auto side = [&](double below, double above) {
-    return shape == design::BoxShape{}
-               ? std::nullopt
-               : std::optional(Interval{1 - tolerance * below, 1 + tolerance * above});
-  };
-  return {side(shape.f_low, shape.f_high), side(shape.delta_low, shape.delta_high)};
+  const auto& [f_low, f_high, delta_low, delta_high] = shape;
+  if (shape == design::BoxShape()) {
+    return {};
+  }
+  return {Interval{1 - tolerance * f_low, 1 + tolerance * f_high},
+          Interval{1 - tolerance * delta_low, 1 + tolerance * delta_high}};
 }
 
 AskedTask asked_task(const ShownTask& task) {
@@ -121,11 +121,9 @@ void add_damper(ShownAnswer& now, const ShownTask& task, const IfReal& f, const 
                 const Response* response, const design::PulseMotion* under) {
   ShownCase& only = now.cases.front();
   if (under != nullptr) {
-    only.motions.push_back(
-        {task.physical, {}, under->p, under->pulse, ShownResponse(under->response)});
+    only.motions.push_back({{}, under->p, under->pulse, ShownResponse(under->response)});
   } else if (response != nullptr) {
-    only.motions.push_back(
-        {task.physical, task.problem.v0, task.problem.p, task.pulse, ShownResponse(*response)});
+    only.motions.push_back({task.problem.v0, task.problem.p, task.pulse, ShownResponse(*response)});
   }
   if (f && delta) {
     now.design = boxed_damper(task, *f, *delta);
@@ -150,9 +148,7 @@ void add_found(ShownAnswer& now, const DesignReport& report, const design::Found
   now.search = found.search ? &*found.search : nullptr;
   now.cross_check = &found.cross_check;
   if (const auto& built = report.built_notch) {
-    ShownLoaded motion = now.cases.front().motions.front();
-    motion.response = ShownResponse(built->response);
-    now.built_notch.emplace(ShownNotch{*built, motion});
+    now.built_notch = {&*built, now.cases.front().motions.front().with(built->response)};
     damper.width = built->shape.width.value_or(0);
     now.input.hold = built->shape.hold;
     now.input.notch_width = built->shape.width;

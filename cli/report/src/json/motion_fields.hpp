@@ -117,10 +117,8 @@ struct ShownMotion : SimulationRequest {
       Field{"notch_width", in(&Now::surface, &Surface::notch_width),
             "null: none, the notch acts only at x = 0"},
       Field{"friction_zones",
-            [](const auto& now) {
-              const auto& zones = now.surface.zones;
-              return zones.empty() ? std::nullopt : std::optional(zones);
-            },
+            only_if([](const auto& now) { return !now.surface.zones.empty(); },
+                    in(&Now::surface, &Surface::zones)),
             "friction f for |x| < to, from the zone before it on; beyond the last the motion's own "
             "f",
             at_least_one}};

@@ -56,11 +56,10 @@ WorstInBox shown_worst(const design::SuiteBox& box, const Name& motion) {
   return {worst_of(box.worst), {at(0), at(1), at(2), {}, at(3)}};
 }
 
-std::vector<ShownLoaded> motions_of(const design::RecordDesign& result, const Physical& physical) {
+std::vector<ShownLoaded> motions_of(const design::RecordDesign& result) {
   std::vector<ShownLoaded> motions;
   for (std::size_t i = 0; i < result.finding->responses.size(); ++i) {
-    motions.push_back({physical,
-                       {},
+    motions.push_back({{},
                        result.finding->point.damper.p,
                        {},
                        ShownResponse(result.finding->responses[i]),
@@ -88,7 +87,7 @@ ShownAnswer shown(const RecordDesignReport& report) {
     only.worst = shown_worst(finding->box, request.records.size() == 1
                                                ? std::optional(request.records.front().name)
                                                : std::nullopt);
-    only.motions = motions_of(result, report.physical);
+    only.motions = motions_of(result);
     now.outlook = &finding->outlook;
     now.cross_check = &finding->cross_check;
   } else {

@@ -23,48 +23,43 @@ using sweep::RowColumn;
 
 /// Null for what does not exist or never happens.
 ordered_json cell_json(double value, Form form) {
-  if (!std::isfinite(value)) {
-    return nullptr;
-  }
-  switch (form) {
-    case Form::number:
-      break;
-    case Form::outcome:
-      return sweep::sweep_outcome_name(static_cast<std::size_t>(value));
-    case Form::truth:
-      return value != 0;
-  }
-  return value;
+  return !std::isfinite(value) ? ordered_json(nullptr)
+         : form == Form::outcome
+             ? ordered_json(sweep::sweep_outcome_name(static_cast<std::size_t>(value)))
+         : form == Form::truth ? ordered_json(value != 0)
+                               : ordered_json(value);
 }
 
 constexpr auto reduction_names = std::to_array<std::string_view>({reduction_schema});
 constexpr auto orders = std::to_array<std::string_view>({"largest", "smallest"});
 
-/// A row, and the columns of all.
-struct ShownRow {
-  ReducedRow row;
-  const std::vector<RowColumn>& columns;
-};
-
-/// Entries are counted from 1, as in messages.
-ordered_json own_json(const ShownRow& now) {
-  ordered_json result{{"entry", now.row.entry + 1}};
-  for (std::size_t i = 0; i < now.columns.size(); ++i) {
-    result[now.columns[i].name] = cell_json(now.row.values[i], now.columns[i].form);
-  }
-  return result;
-}
-
-ordered_json own_schema(const ShownRow* /*row*/) {
+ordered_json row_schema() {
   return {{"type", "object"}, {"required", {"entry"}}};
 }
-
+using ShownRow = Printed<row_schema>;
 using Columns = const std::vector<RowColumn>&;
+
+/// Entries are counted from 1, as in messages.
+ShownRow shown(const ReducedRow& row, Columns columns) {
+  ordered_json result{{"entry", row.entry + 1}};
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    result[columns[i].name] = cell_json(row.values[i], columns[i].form);
+  }
+  return {std::move(result)};
+}
+std::vector<ShownRow> shown(const BestRows& best, Columns columns) {
+  std::vector<ShownRow> rows;
+  for (const ReducedRow& row : best.rows()) {
+    rows.push_back(shown(row, columns));
+  }
+  return rows;
+}
+
 /// The best of one.
 constexpr auto extreme(BestRows ReducedColumn::*best) {
   return [best](const auto& now) {
-    const std::vector<ReducedRow> found = (now.*best).rows();
-    return found.empty() ? std::nullopt : std::optional(ShownRow{found.front(), now.columns});
+    const std::vector<ShownRow> found = shown(now.*best, now.columns);
+    return found.empty() ? std::nullopt : std::optional(found.front());
   };
 }
 /// What is said of a column, and the columns of all.
@@ -93,31 +88,17 @@ struct ShownHistogram : Histogram {
 struct ShownBest : BestRows {
   Columns columns;
 
-  [[nodiscard]] std::vector<ShownRow> shown() const {
-    std::vector<ShownRow> all;
-    for (const ReducedRow& row : rows()) {
-      all.push_back({row, columns});
-    }
-    return all;
-  }
   using Now = ShownBest;
   static constexpr std::tuple field_table{
       Field{"column", [](const auto& now) { return now.columns[now.column()].name; }},
       Field{"order", [](const auto& now) { return orders.at(now.largest() ? 0 : 1); }, "",
             one_of(orders)},
       Field{"most", &Now::most, "", at_least_one},
-      Field{"rows", &Now::shown,
+      Field{"rows", [](const auto& now) { return shown(now, now.columns); },
             "best first; rows with the same value are in the order of the sweep"}};
 };
 
-/// The options that decide the numbers.
-struct Task {
-  std::string text;
-};
-ordered_json own_json(const Task& task) {
-  return ordered_json::parse(task.text);
-}
-ordered_json own_schema(const Task* /*task*/) {
+ordered_json task_schema() {
   return {{"type", "object"}};
 }
 
@@ -126,15 +107,10 @@ struct Reduced : ReductionReport {
   const Reduction& reduction;
 };
 /// A field with those of the reduction.
-template <class Shown, class Part>
-constexpr auto of_columns(std::vector<Part> Reduction::*parts) {
-  return [parts](const Reduced& now) {
-    std::vector<Shown> shown;
-    for (const Part& part : now.reduction.*parts) {
-      shown.push_back({part, now.reduction.row});
-    }
-    return shown;
-  };
+template <class Shown>
+constexpr auto of_columns(auto parts) {
+  return
+      [parts](const Reduced& now) { return each<Shown>(now.reduction.*parts, now.reduction.row); };
 }
 
 constexpr auto reduction_table = [] {
@@ -149,12 +125,11 @@ constexpr auto reduction_table = [] {
           Field{"entries", in(&Now::label, &PartLabel::whole, &sweep::ListExtent::entries),
                 "of the whole sweep"},
           Field{"rows", in(&Now::state, &SweepState::rows), "the entries in this report"},
-          Field{"outcomes", of_motions(&outcomes_of),
+          Field{"outcomes", of_motions(in(&SweepState::outcomes, &outcomes_of)),
                 "how many entries have each; null for designs, like the next two"},
           Field{"locked", of_motions(&SweepState::locked),
                 "motions that the notch holds while the load goes on"},
-          Field{"locked_outcomes",
-                of_motions([](const SweepState& state) { return Outcomes{state.locked_outcomes}; }),
+          Field{"locked_outcomes", of_motions(in(&SweepState::locked_outcomes, &outcomes_of)),
                 "how many of them have each outcome"},
           Field{"feasible", only_of(true, &Now::kind, &Now::state, &SweepState::feasible),
                 "how many designs there are; null for motions"},
@@ -173,7 +148,9 @@ constexpr auto reduction_table = [] {
           Field{"best", of_columns<ShownBest>(&Reduction::best)},
           Field{"list_digest", in(&Now::label, &PartLabel::whole, &sweep::ListExtent::digest),
                 "of the entries of a list"},
-          Field{"task", [](const Now& now) { return Task{now.label.task}; },
+          Field{"task",
+                [](const Now&
+                       now) { return Printed<task_schema>{ordered_json::parse(now.label.task)}; },
                 "the options that decide the numbers"}});
 }();
 
@@ -198,12 +175,13 @@ ordered_json json(const ReductionReport& report) {
 }
 
 ordered_json reduction_report_schema() {
-  ordered_json properties = properties_of<Reduced>(reduction_table);
-  properties["digest"] = value_schema<std::optional<std::uint64_t>>();
+  ordered_json none;
+  ordered_json properties = properties_of<Reduced>(reduction_table, none);
+  properties["digest"] = value_schema<std::optional<std::uint64_t>>({}, none);
   properties["digest"]["description"] = "for a part: of everything else in the report";
   return document_schema(reduction_schema, "sweep --reduce --json",
                          "Numbers are dimensionless unless the name of a column ends in a unit",
-                         object_schema(std::move(properties)));
+                         std::move(properties), {});
 }
 
 }  // namespace stillpoint::report

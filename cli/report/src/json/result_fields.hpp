@@ -66,11 +66,8 @@ inline constexpr auto fields<design::SuiteDamper> =
                Field{"p", &design::SuiteDamper::p, "of a range the softest spring"},
                Field{"period_s", [](const design::SuiteDamper& now) { return report::turn(now.p); },
                      "without friction", report::si_alone(Dimension::time)},
-               Field{"notch_width",
-                     [](const design::SuiteDamper& now) {
-                       return now.width > 0 ? std::optional(now.width) : std::nullopt;
-                     },
-                     "null without a width", report::in_metres}};
+               Field{"notch_width", &design::SuiteDamper::notch_width, "null without a width",
+                     report::in_metres}};
 
 template <>
 inline constexpr auto fields<design::DesignPoint> =
@@ -97,7 +94,7 @@ inline constexpr auto fields<design::RegionVerdict> = [] {
       Field{"feasible", in(&Now::region, &Region::feasible)},
       Field{"reason", &Now::reason, "why it is empty; else null"},
       Field{"conflict",
-            [](const Now& now) { return report::conflict_of(now.region); },
+            in(&Now::region, &report::conflict_of),
             "the requirements that conflict; null if the region is not empty",
             {.numbers = Numbers::from_one, .texts = report::conflict_names}},
       Field{"f1", in(&Now::region, &Region::f1), "", any_number},
@@ -112,9 +109,8 @@ inline constexpr auto fields<design::RegionVerdict> = [] {
             "null with a pulse: the mass starts from rest, and nothing bounds delta", any_number},
       Field{"beta_min", in(&Now::region, &Region::beta_min), "", any_number},
       Field{"by",
-            [](const Now& now) {
-              return now.intervals ? std::optional(report::region_origins.back()) : std::nullopt;
-            },
+            report::only_if(&Now::intervals,
+                            [](const Now&) { return report::region_origins.back(); }),
             "how the region of a pulse was found; null without a pulse",
             report::one_of(report::region_origins)},
       Field{"intervals", &Now::intervals,
@@ -198,29 +194,19 @@ inline constexpr auto fields<design::Constraint> = [] {
   using report::any_number;
   using Now = design::Constraint;
   constexpr Measure metres_alone = report::si_alone(Dimension::length, Numbers::all);
-  const auto if_known = [](double Now::*of) {
-    return [of](const Now& now) { return now.known ? std::optional(now.*of) : std::nullopt; };
-  };
+  constexpr auto is_length = [](const Now& now) { return now.dimension() == Dimension::length; };
   return std::tuple{
       Field{"case", [](const Now&) { return report::Name(); }},
       Field{"name", &Now::name, "", report::one_of(report::constraint_names)},
       Field{"variable", &Now::variable, "what is bounded", report::one_of(report::constrained)},
       Field{"relation", &Now::relation, "", report::one_of(report::relations)},
-      Field{"value", if_known(&Now::value), "null where a motion never rests, like slack",
-            any_number},
-      Field{"value_m",
-            [](const Now& now) {
-              return now.dimension() == Dimension::length && now.known ? std::optional(now.value)
-                                                                       : std::nullopt;
-            },
+      Field{"value", report::only_if(&Now::known, &Now::value),
+            "null where a motion never rests, like slack", any_number},
+      Field{"value_m", report::only_if(&Now::known, report::only_if(is_length, &Now::value)),
             "of a length", metres_alone},
       Field{"limit", &Now::limit, "", any_number},
-      Field{"limit_m",
-            [](const Now& now) {
-              return now.dimension() == Dimension::length ? std::optional(now.limit) : std::nullopt;
-            },
-            "", metres_alone},
-      Field{"slack", if_known(&Now::slack), "", any_number},
+      Field{"limit_m", report::only_if(is_length, &Now::limit), "", metres_alone},
+      Field{"slack", report::only_if(&Now::known, &Now::slack), "", any_number},
       Field{"satisfied", &Now::satisfied},
       Field{"motion", in(&Now::motion, &Now::Motion::file),
             "without a design, the record under which the value is largest", any_number}};
@@ -263,7 +249,8 @@ inline constexpr auto fields<design::SearchRecord> = [] {
 template <>
 inline constexpr auto fields<design::CheckMethod> = [] {
   using Now = design::CheckMethod;
-  const auto figures = [](const Now& now) {
+  constexpr auto has_motions = [](const Now& now) { return !now.motions.empty(); };
+  constexpr auto figures = [](const Now& now) {
     return now.motions.empty() ? static_cast<const design::MotionFigures*>(&now) : nullptr;
   };
   return std::tuple_cat(
@@ -273,10 +260,7 @@ inline constexpr auto fields<design::CheckMethod> = [] {
       std::tuple{Field{"relative_error", &Now::relative_error},
                  Field{"wall_time_s", &Now::wall_time_s}, Field{"decided", &Now::decided},
                  Field{"passed", &Now::passed},
-                 Field{"motions",
-                       [](const Now& now) {
-                         return now.motions.empty() ? std::nullopt : std::optional(now.motions);
-                       },
+                 Field{"motions", report::only_if(has_motions, &Now::motions),
                        "under each record, in place of the figures; else null"}});
 }();
 

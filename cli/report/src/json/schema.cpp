@@ -10,12 +10,6 @@ namespace stillpoint::report {
 
 using nlohmann::ordered_json;
 
-namespace {
-
-constexpr const char* mark = "$def";
-
-}  // namespace
-
 ordered_json number_schema(bool whole, Numbers numbers) {
   ordered_json schema{{"type", whole ? "integer" : "number"}};
   if (numbers != Numbers::all) {
@@ -41,7 +35,7 @@ ordered_json list_schema(ordered_json item, int least) {
 }
 
 ordered_json or_null_schema(ordered_json schema) {
-  if (schema.contains(mark)) {
+  if (schema.contains("$ref")) {
     return {{"anyOf", {std::move(schema), {{"type", "null"}}}}};
   }
   if (schema.contains("enum")) {
@@ -80,34 +74,9 @@ ordered_json object_schema(ordered_json properties) {
       {"type", "object"}, {"required", std::move(required)}, {"properties", std::move(properties)}};
 }
 
-namespace {
-
-/// Moves the marked schemas into `definitions`.
-void share(ordered_json& schema, ordered_json& definitions) {
-  for (ordered_json& part : schema) {
-    if (part.is_structured()) {
-      share(part, definitions);
-    }
-  }
-  if (schema.is_object() && schema.contains(mark)) {
-    const std::string name = schema[mark];
-    schema.erase(mark);
-    definitions[name] = std::move(schema);
-    schema = {{"$ref", "#/$defs/" + name}};
-  }
-}
-
-}  // namespace
-
-ordered_json shared_schema(ordered_json schema, std::string_view name) {
-  if (!name.empty()) {
-    schema[mark] = name;
-  }
-  return schema;
-}
-
 ordered_json document_schema(std::string_view name, std::string_view command,
-                             std::string_view description, ordered_json object) {
+                             std::string_view description, ordered_json properties,
+                             ordered_json definitions) {
   ordered_json schema{
       {"$schema", "https://json-schema.org/draft/2020-12/schema"},
       {"$id", fmt::format("urn:{}", fmt::join(records::split(name, '/'), ":"))},
@@ -115,9 +84,7 @@ ordered_json document_schema(std::string_view name, std::string_view command,
       {"description",
        fmt::format("{}; what does not exist is null. docs/reports.md says what each field holds.",
                    description)}};
-  ordered_json definitions;
-  share(object, definitions);
-  schema.update(object);
+  schema.update(object_schema(std::move(properties)));
   if (!definitions.is_null()) {
     schema["$defs"] = std::move(definitions);
   }

@@ -25,26 +25,27 @@ void add_property(nlohmann::ordered_json& properties, std::string_view name, std
 /// For a result that a report has in many places, the name of its schema among the $defs.
 template <class Result>
 inline constexpr std::string_view shared_name{};
-/// The mark of such a schema, of which document_schema makes references to one.
-[[nodiscard]] nlohmann::ordered_json shared_schema(nlohmann::ordered_json schema,
-                                                   std::string_view name);
 /// The whole of a report: "stillpoint/design-report/2" of what "design --json" prints.
 [[nodiscard]] nlohmann::ordered_json document_schema(std::string_view name,
                                                      std::string_view command,
                                                      std::string_view description,
-                                                     nlohmann::ordered_json object);
+                                                     nlohmann::ordered_json properties,
+                                                     nlohmann::ordered_json definitions);
 
+/// These add to the $defs.
 template <class Result>
-[[nodiscard]] nlohmann::ordered_json schema_of();
+[[nodiscard]] nlohmann::ordered_json schema_of(nlohmann::ordered_json& definitions);
 
 template <class Value>
-[[nodiscard]] nlohmann::ordered_json value_schema(const Measure& measure = {}) {
-  if constexpr (requires(const Value* none) { own_schema(none); }) {
-    return own_schema(static_cast<const Value*>(nullptr));
+[[nodiscard]] nlohmann::ordered_json value_schema(const Measure& measure,
+                                                  nlohmann::ordered_json& definitions) {
+  if constexpr (requires { Value::schema; }) {
+    return Value::schema();
   } else if constexpr (is_optional<Value>) {
-    return or_null_schema(value_schema<typename Value::value_type>(measure));
+    return or_null_schema(value_schema<typename Value::value_type>(measure, definitions));
   } else if constexpr (is_reference<Value>) {
-    return or_null_schema(value_schema<std::remove_cvref_t<std::remove_pointer_t<Value>>>(measure));
+    return or_null_schema(
+        value_schema<std::remove_cvref_t<std::remove_pointer_t<Value>>>(measure, definitions));
   } else if constexpr (std::is_same_v<Value, bool>) {
     return {{"type", "boolean"}};
   } else if constexpr (std::is_arithmetic_v<Value>) {
@@ -55,14 +56,15 @@ template <class Value>
   } else if constexpr (std::is_convertible_v<Value, std::string_view>) {
     return text_schema(measure.texts, measure.numbers == Numbers::all);
   } else if constexpr (HasFields<Value>) {
-    return schema_of<Value>();
+    return schema_of<Value>(definitions);
   } else if constexpr (requires(const Value& value) { value.low, value.high; }) {
-    return list_schema(value_schema<decltype(Value::high)>(measure), 2);
+    return list_schema(value_schema<decltype(Value::high)>(measure, definitions), 2);
   } else if constexpr (requires { typename Value::value_type; }) {
     const bool filled = measure.numbers == Numbers::from_one;
     Measure of_item = measure;
     of_item.numbers = filled ? Numbers() : measure.numbers;
-    return list_schema(value_schema<typename Value::value_type>(of_item), filled ? 1 : 0);
+    return list_schema(value_schema<typename Value::value_type>(of_item, definitions),
+                       filled ? 1 : 0);
   } else {
     static_assert(std::is_same_v<Value, nlohmann::ordered_json>, "a value without a schema");
     return {};
@@ -71,19 +73,26 @@ template <class Value>
 
 /// The properties of the fields of such a result.
 template <class Result, class Fields>
-[[nodiscard]] nlohmann::ordered_json properties_of(const Fields& all) {
+[[nodiscard]] nlohmann::ordered_json properties_of(const Fields& all,
+                                                   nlohmann::ordered_json& definitions) {
   auto properties = nlohmann::ordered_json::object();
   for_each_field(all, [&]<class Get>(const Field<Get>& field) {
     using Value = std::remove_cvref_t<std::invoke_result_t<Get, const Result&>>;
-    add_property(properties, field.name, field.words, value_schema<Value>(field.measure),
-                 field.measure);
+    add_property(properties, field.name, field.words,
+                 value_schema<Value>(field.measure, definitions), field.measure);
   });
   return properties;
 }
 
 template <class Result>
-nlohmann::ordered_json schema_of() {
-  return shared_schema(object_schema(properties_of<Result>(fields<Result>)), shared_name<Result>);
+nlohmann::ordered_json schema_of(nlohmann::ordered_json& definitions) {
+  constexpr std::string_view name = shared_name<Result>;
+  auto schema = object_schema(properties_of<Result>(fields<Result>, definitions));
+  if (name.empty()) {
+    return schema;
+  }
+  definitions[std::string(name)] = std::move(schema);
+  return {{"$ref", "#/$defs/" + std::string(name)}};
 }
 
 /// Of a report by its table.
@@ -91,7 +100,9 @@ template <class Report, class Fields>
 [[nodiscard]] nlohmann::ordered_json report_schema(
     const Fields& all, std::string_view name, std::string_view command,
     std::string_view description = dimensionless_numbers) {
-  return document_schema(name, command, description, object_schema(properties_of<Report>(all)));
+  nlohmann::ordered_json definitions;
+  auto properties = properties_of<Report>(all, definitions);
+  return document_schema(name, command, description, std::move(properties), std::move(definitions));
 }
 
 }  // namespace stillpoint::report

@@ -11,23 +11,27 @@
 namespace stillpoint::report {
 
 using nlohmann::ordered_json;
-using sweep::sweep_outcome_count;
-using sweep::sweep_outcome_name;
 
-ordered_json own_json(const Outcomes& outcomes) {
+namespace {
+
+/// What `of` gives of each.
+ordered_json outcome_object(const auto& of) {
   ordered_json counts;
-  for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
-    counts[std::string(sweep_outcome_name(i))] = outcomes.counts[i];
+  for (std::size_t i = 0; i < sweep::sweep_outcome_count; ++i) {
+    counts[std::string(sweep::sweep_outcome_name(i))] = of(i);
   }
   return counts;
 }
 
-ordered_json own_schema(const Outcomes* /*outcomes*/) {
-  ordered_json counts;
-  for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
-    counts[std::string(sweep_outcome_name(i))] = number_schema(true, Numbers::counts);
-  }
-  return object_schema(std::move(counts));
+}  // namespace
+
+ordered_json outcomes_schema() {
+  return object_schema(
+      outcome_object([](std::size_t /*i*/) { return number_schema(true, Numbers::counts); }));
+}
+
+Printed<outcomes_schema> outcomes_of(const sweep::SweepState::Counts& counts) {
+  return {outcome_object([&](std::size_t i) { return counts[i]; })};
 }
 
 namespace {
@@ -68,25 +72,26 @@ constexpr auto sweep_table = [] {
   constexpr auto state = in(&Now::summary, &SweepSummary::state);
   return std::tuple_cat(
       head_fields<Now, sweep_name>,
-      std::tuple{Field{"kind", kind},
-                 Field{"output", [](const Now& report) { return ShownOutput{report.spec}; }},
-                 Field{"record", &Now::record, "the file of the load; null of any other"},
-                 Field{"part", in(&Now::spec, &SweepSpec::part), "null for a whole sweep"},
-                 Field{"rows", in(&Now::summary, &SweepSummary::state, &SweepState::rows),
-                       "all rows in the file"},
-                 Field{"outcomes", only_of(false, kind, state, &outcomes_of),
-                       "how many rows have each outcome; null for designs"},
-                 Field{"locked", only_of(false, kind, state, &SweepState::locked),
-                       "motions that the notch holds while the load goes on"},
-                 Field{"feasible", only_of(true, kind, state, &SweepState::feasible),
-                       "how many designs there are; null for motions"},
-                 Field{"resumed_at", in(&Now::summary, &SweepSummary::resumed_at),
-                       "how many rows existed when this run began"},
-                 Field{"threads", [](const Now& report) { return int{report.spec.threads}; }, "",
-                       at_least_one},
-                 Field{"wall_time_s", in(&Now::summary, &SweepSummary::wall_time_s),
-                       "of this run only, like rows_per_s"},
-                 Field{"rows_per_s", [](const Now& report) { return rate(report.summary); }}});
+      std::tuple{
+          Field{"kind", kind},
+          Field{"output", [](const Now& report) { return ShownOutput{report.spec}; }},
+          Field{"record", &Now::record, "the file of the load; null of any other"},
+          Field{"part", in(&Now::spec, &SweepSpec::part), "null for a whole sweep"},
+          Field{"rows", in(&Now::summary, &SweepSummary::state, &SweepState::rows),
+                "all rows in the file"},
+          Field{"outcomes", only_of(false, kind, state, in(&SweepState::outcomes, &outcomes_of)),
+                "how many rows have each outcome; null for designs"},
+          Field{"locked", only_of(false, kind, state, &SweepState::locked),
+                "motions that the notch holds while the load goes on"},
+          Field{"feasible", only_of(true, kind, state, &SweepState::feasible),
+                "how many designs there are; null for motions"},
+          Field{"resumed_at", in(&Now::summary, &SweepSummary::resumed_at),
+                "how many rows existed when this run began"},
+          Field{"threads", [](const Now& report) { return int{report.spec.threads}; }, "",
+                at_least_one},
+          Field{"wall_time_s", in(&Now::summary, &SweepSummary::wall_time_s),
+                "of this run only, like rows_per_s"},
+          Field{"rows_per_s", [](const Now& report) { return rate(report.summary); }}});
 }();
 
 }  // namespace

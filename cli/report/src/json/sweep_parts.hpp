@@ -16,22 +16,15 @@ inline constexpr std::string_view reduction_schema = "stillpoint/sweep-reduction
 [[nodiscard]] std::uint64_t digest_of(const nlohmann::ordered_json& report);
 
 /// How many entries have each outcome.
-struct Outcomes {
-  const sweep::SweepState::Counts& counts;
-};
-[[nodiscard]] nlohmann::ordered_json own_json(const Outcomes& outcomes);
-[[nodiscard]] nlohmann::ordered_json own_schema(const Outcomes* outcomes);
-[[nodiscard]] inline Outcomes outcomes_of(const sweep::SweepState& state) {
-  return {state.outcomes};
-}
+[[nodiscard]] nlohmann::ordered_json outcomes_schema();
+[[nodiscard]] Printed<outcomes_schema> outcomes_of(const sweep::SweepState::Counts& counts);
 
 /// What `get` gives of the state of a sweep of motions, or of designs; empty of the other.
 constexpr auto only_of(bool designs, auto kind, auto state, auto get) {
-  return [=](const auto& report) {
-    return (std::invoke(kind, report) == sweep::SweepKind::design) == designs
-               ? std::optional(std::invoke(get, std::invoke(state, report)))
-               : std::nullopt;
+  const auto holds = [=](const auto& report) {
+    return (std::invoke(kind, report) == sweep::SweepKind::design) == designs;
   };
+  return only_if(holds, in(state, get));
 }
 
 }  // namespace stillpoint::report
