@@ -4,18 +4,13 @@
 #include "held_arrays.hpp"
 #include "input/warnings.hpp"
 #include "options/scene.hpp"
-#include "values.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/report/document.hpp>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <string>
-#include <vector>
 
 namespace stillpoint::python {
 
@@ -77,19 +72,15 @@ Settings from_scene(Command command, const py::object& scene, HeldArrays& arrays
 }
 
 std::string type_of(const Option& option, Command command) {
-  switch (option.kind_in(command)) {
-    case cli::OptionKind::axis:
-      return "Axis";
-    case cli::OptionKind::number:
-      return option.takes_range_in(command)                        ? "Range"
-             : option.traits.dimension != records::Dimension::none ? "Number"
-                                                                   : "float";
-    case cli::OptionKind::integer:
-      return "int";
-    case cli::OptionKind::flag:
-      return "bool";
-    case cli::OptionKind::text:
-      break;
+  using cli::OptionKind;
+  const OptionKind kind = option.kind_in(command);
+  if (kind != OptionKind::text) {
+    return kind == OptionKind::axis                              ? "Axis"
+           : kind == OptionKind::integer                         ? "int"
+           : kind == OptionKind::flag                            ? "bool"
+           : option.takes_range_in(command)                      ? "Range"
+           : option.traits.dimension != records::Dimension::none ? "Number"
+                                                                 : "float";
   }
   return option.name == "record"
              ? option.repeats_in(command) ? "Record | Sequence[Record]" : "Record"

@@ -7,16 +7,10 @@
 #include "interruptible.hpp"
 #include "parts.hpp"
 #include "result.hpp"
-#include "values.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/report/report.hpp>
 
 #include <algorithm>
-#include <array>
-#include <functional>
-#include <memory>
-#include <utility>
 
 namespace stillpoint::python {
 
@@ -26,8 +20,7 @@ using cli::Command;
 namespace {
 
 /// With a trajectory, if samples or an end were asked for.
-class Motion final : public Result {
- public:
+struct Motion final : Result {
   using Result::Result;
 };
 

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "errors.hpp"
-
 #include "messages.hpp"
 #include "options/settings.hpp"
+#include "parts.hpp"
 #include "values.hpp"
 
 #include <stillpoint/core/for_each_entry.hpp>
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/report/document.hpp>
 
-#include <exception>
 #include <system_error>
-#include <utility>
 
 namespace stillpoint::python {
 
@@ -22,16 +18,8 @@ namespace {
 
 PyObject* input_error = nullptr;
 
-/// Such an error is an InputError in Python.
-template <class Error>
-void refuse() {
-  py::register_exception_translator([](std::exception_ptr thrown) {
-    try {
-      std::rethrow_exception(std::move(thrown));
-    } catch (const Error& error) {
-      PyErr_SetObject(input_error, to_str(report::spelled_out(error.what())).ptr());
-    }
-  });
+void refuse(const std::exception& error) {
+  PyErr_SetObject(input_error, to_str(report::spelled_out(error.what())).ptr());
 }
 
 }  // namespace
@@ -42,15 +30,19 @@ void add_errors(py::module_& module) {
       "The input is wrong. The text names the field, the value and the bound, as the program does.",
       PyExc_ValueError, nullptr);
   module.add_object("InputError", input_error);
-  refuse<InputError>();
-  refuse<ArgumentError>();
-  refuse<EntryError>();
-  refuse<TooManyHalfCycles>();
-  refuse<cli::UsageError>();
-  refuse<records::FileError>();
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       std::rethrow_exception(std::move(thrown));
+    } catch (const InputError& error) {
+      refuse(error);
+    } catch (const EntryError& error) {
+      refuse(error);
+    } catch (const TooManyHalfCycles& error) {
+      refuse(error);
+    } catch (const cli::UsageError& error) {
+      refuse(error);
+    } catch (const records::FileError& error) {
+      refuse(error);
     } catch (const std::system_error& error) {
       PyErr_SetString(PyExc_RuntimeError, cli::words_of(error).c_str());
     }

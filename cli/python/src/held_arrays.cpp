@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "held_arrays.hpp"
 
-#include "numbers.hpp"
-#include "values.hpp"
-
-#include <stillpoint/core/input_error.hpp>
-
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <iterator>
-#include <optional>
-#include <utility>
-#include <vector>
 
 namespace stillpoint::python {
 
@@ -20,6 +12,40 @@ namespace py = pybind11;
 using nlohmann::json;
 
 namespace {
+
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// Among the entries of a list: NumPy makes numbers of them.
+bool has_booleans(const py::object& entries) {
+  const py::object boolean = py::module_::import("numpy").attr("bool_");
+  return std::any_of(entries.begin(), entries.end(), [&](py::handle entry) {
+    return PyBool_Check(entry.ptr()) || py::isinstance(entry, boolean);
+  });
+}
+
+/// An array, or what NumPy makes one of; float64 arrays in the order of C are not copied. Empty
+/// unless all of it are real numbers: booleans are none. Throws InputError that names `field` for
+/// masked entries.
+std::optional<Doubles> doubles(const std::string& field, py::handle value) {
+  refuse_masked(field, value);
+  constexpr std::string_view kinds = "iufO";  // integers, floats, Python's own
+  const py::array given = py::array::ensure(value);
+  if (!given || kinds.find(given.dtype().kind()) == std::string_view::npos) {
+    return std::nullopt;
+  }
+  const bool is_array = py::isinstance<py::array>(value) && given.dtype().kind() != 'O';
+  if (!is_array && has_booleans(py::module_::import("numpy")
+                                    .attr("array")(value, py::arg("dtype") = "O")
+                                    .attr("ravel")())) {
+    return std::nullopt;
+  }
+  auto array = Doubles::ensure(given);
+  if (!array) {
+    PyErr_Clear();
+    return std::nullopt;
+  }
+  return array;
+}
 
 bool is_name(py::handle value) {
   return py::isinstance<py::str>(value) || py::isinstance<py::bytes>(value) ||
@@ -33,27 +59,20 @@ std::optional<Doubles> column(py::handle value, const std::string& field = "reco
 
 /// As a file with one or two columns has it, every digit; empty for anything else.
 std::string text_of(py::handle value) {
-  std::string text;
-  if (const auto values = column(value)) {
-    for (py::ssize_t i = 0; i < values->size(); ++i) {
-      fmt::format_to(std::back_inserter(text), "{}\n", values->at(i));
-    }
-    return text;
+  std::optional<Doubles> times;
+  std::optional<Doubles> values = column(value);
+  if (!values && !is_name(value) && PySequence_Check(value.ptr()) != 0 && py::len(value) == 2) {
+    times = column(value[py::int_(0)]);
+    values = times ? column(value[py::int_(1)]) : std::nullopt;
   }
-  if (is_name(value) || PySequence_Check(value.ptr()) == 0 || py::len(value) != 2) {
-    return text;
-  }
-  const auto times = column(value[py::int_(0)]);
-  const auto values = column(value[py::int_(1)]);
-  if (!times || !values) {
-    return text;
-  }
-  if (times->size() != values->size()) {
+  if (times && values && times->size() != values->size()) {
     throw InputError("record", fmt::format("({} times, {} values)", times->size(), values->size()),
                      "must have a time for each value");
   }
-  for (py::ssize_t i = 0; i < values->size(); ++i) {
-    fmt::format_to(std::back_inserter(text), "{} {}\n", times->at(i), values->at(i));
+  std::string text;
+  for (py::ssize_t i = 0; values && i < values->size(); ++i) {
+    text += times ? fmt::format("{} ", times->at(i)) : "";
+    text += fmt::format("{}\n", values->at(i));
   }
   return text;
 }

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "values.hpp"
+
 #include <stillpoint/records/record_file.hpp>
 #include <stillpoint/sweep/list.hpp>
-
-#include <pybind11/pybind11.h>
-#include <nlohmann/json.hpp>
-
-#include <memory>
 
 namespace stillpoint::python {
 

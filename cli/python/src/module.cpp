@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "errors.hpp"
 #include "parts.hpp"
-#include "result.hpp"
 #include "standard_streams.hpp"
 
 #include <stillpoint/report/version.hpp>

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "held_arrays.hpp"
 #include "parts.hpp"
-#include "values.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/record_file.hpp>
 #include <stillpoint/records/text.hpp>
 
 #include <pybind11/stl.h>
-
-#include <optional>
-#include <string>
 
 namespace stillpoint::python {
 

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "result.hpp"
 
-#include "values.hpp"
-
 #include <fmt/format.h>
-
-#include <utility>
 
 namespace stillpoint::python {
 

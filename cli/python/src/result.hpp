@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "values.hpp"
+
 #include <stillpoint/answers/answer.hpp>
-
-#include <pybind11/numpy.h>
-
-#include <memory>
-#include <optional>
-#include <string>
 
 namespace stillpoint::python {
 
@@ -57,7 +53,5 @@ pybind11::class_<Kind, Base...> result_class(pybind11::module_& module, const ch
           [](Kind& result) { return result.state(); },
           [](const pybind11::tuple& state) { return std::make_unique<Kind>(state); }));
 }
-
-void add_result(pybind11::module_& module);
 
 }  // namespace stillpoint::python

@@ -8,10 +8,8 @@
 #include "output.hpp"
 #include "parts.hpp"
 #include "result.hpp"
-#include "values.hpp"
 #include "written_files.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/report/reduction.hpp>
 #include <stillpoint/report/sweep.hpp>
 #include <stillpoint/sweep/open_rows.hpp>
@@ -19,10 +17,7 @@
 
 #include <fmt/format.h>
 
-#include <cstddef>
-#include <memory>
 #include <new>
-#include <optional>
 
 namespace stillpoint::python {
 
@@ -34,8 +29,7 @@ using sweep::SweepSpec;
 namespace {
 
 /// What sweep found, with its rows if they are in memory.
-class Sweep final : public Result {
- public:
+struct Sweep final : Result {
   using Result::Result;
 };
 

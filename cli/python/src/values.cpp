@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "values.hpp"
 
-#include "numbers.hpp"
-
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/number.hpp>
 
 #include <cmath>
@@ -69,10 +66,12 @@ bool is_list(py::handle value) {
          !PyByteArray_Check(value.ptr());
 }
 
-json list(const std::string& field, py::handle values) {
+/// Each of them by `to`.
+json list(const std::string& field, py::handle values,
+          json (*to)(const std::string& field, py::handle value)) {
   json all = json::array();
   for (const py::handle value : values) {
-    all.push_back(to_json(field, value));
+    all.push_back(to(field, value));
   }
   return all;
 }
@@ -101,54 +100,37 @@ class Depth {
 
 }  // namespace
 
+void refuse_masked(const std::string& field, py::handle value) {
+  if (py::hasattr(value, "mask") &&
+      py::module_::import("numpy.ma").attr("is_masked")(value).cast<bool>()) {
+    throw InputError(field, py::str(value).cast<std::string>(),
+                     "must have no masked entries: fill them or leave them out");
+  }
+}
+
 json to_json(const std::string& field, py::handle value) {
   const Depth depth;
-  if (value.is_none()) {
-    return nullptr;
-  }
-  if (PyBool_Check(value.ptr())) {
-    return value.ptr() == Py_True;
-  }
-  if (PyFloat_Check(value.ptr())) {
-    return number(field, value);
-  }
-  if (PyLong_Check(value.ptr())) {
-    return integer(field, value);
-  }
-  if (py::isinstance<py::str>(value)) {
-    return text(field, value);
-  }
-  if (py::isinstance<py::dict>(value)) {
-    return object(value);
-  }
-  if (py::hasattr(value, "__fspath__")) {
-    return to_paths(field, value.attr("__fspath__")());
-  }
-  if (py::hasattr(value, "tolist")) {
-    return array(field, value);
-  }
-  if (py::hasattr(value, "keys")) {  // a mapping; a series of pandas, which has them too, is above
-    return object(value);
-  }
-  if (is_list(value)) {
-    return list(field, value);
-  }
-  throw InputError(field, py::repr(value).cast<std::string>(),
-                   "must be a number, a string or a list of them");
+  const auto has = [value](const char* name) { return py::hasattr(value, name); };
+  // A series of pandas has keys as well, but is a list.
+  return value.is_none()                   ? json(nullptr)
+         : PyBool_Check(value.ptr())       ? json(value.ptr() == Py_True)
+         : PyFloat_Check(value.ptr())      ? number(field, value)
+         : PyLong_Check(value.ptr())       ? integer(field, value)
+         : py::isinstance<py::str>(value)  ? text(field, value)
+         : py::isinstance<py::dict>(value) ? object(value)
+         : has("__fspath__")               ? to_paths(field, value.attr("__fspath__")())
+         : has("tolist")                   ? array(field, value)
+         : has("keys")                     ? object(value)
+         : is_list(value)                  ? list(field, value, to_json)
+                          : throw InputError(field, py::repr(value).cast<std::string>(),
+                                             "must be a number, a string or a list of them");
 }
 
 json to_paths(const std::string& field, py::handle value) {
-  if (py::isinstance<py::bytes>(value)) {
-    return text(field, value);
-  }
-  if (!py::isinstance<py::list>(value) && !py::isinstance<py::tuple>(value)) {
-    return to_json(field, value);
-  }
-  json all = json::array();
-  for (const py::handle one : value) {
-    all.push_back(to_paths(field, one));
-  }
-  return all;
+  const bool several = py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value);
+  return py::isinstance<py::bytes>(value) ? text(field, value)
+         : several                        ? list(field, value, to_paths)
+                                          : to_json(field, value);
 }
 
 std::string to_path(const std::string& field, py::handle value, std::string_view must_be) {

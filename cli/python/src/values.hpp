@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// The files of the module do not list again the headers that this one brings.
+
+#include <stillpoint/core/input_error.hpp>
+
 #include <pybind11/numpy.h>
 #include <nlohmann/json.hpp>
 
 #include <memory>
-#include <string>
-#include <utility>
-#include <vector>
+#include <optional>
 
 namespace stillpoint::python {
 
@@ -15,6 +17,9 @@ namespace stillpoint::python {
 /// NumPy's versions of these. The bytes of names that are not UTF-8 stay as they are. Throws
 /// InputError that names `field` for anything else, and for masked entries.
 [[nodiscard]] nlohmann::json to_json(const std::string& field, pybind11::handle value);
+
+/// Throws that InputError for a value with masked entries: what is behind a mask is not meant.
+void refuse_masked(const std::string& field, pybind11::handle value);
 
 /// The same of an option that names files: bytes are paths as well.
 [[nodiscard]] nlohmann::json to_paths(const std::string& field, pybind11::handle value);

@@ -47,9 +47,9 @@ def test_a_number_that_differs_is_shown(edited):
 
 
 def test_words_that_differ_are_shown(edited):
-    answer = compared(edited("s/agree: half-cycle/agree: half cycle/"), "--only", "design data/scenes/isolator.json")
+    answer = compared(edited("s/independent methods/independent ways/"), "--only", "design data/scenes/isolator.json")
     assert answer.returncode == 1
-    assert "+  checks            agree: half cycle map" in answer.stdout
+    assert "+  checks            2 independent ways agree" in answer.stdout
 
 
 def test_renamed_fields_are_compared(monkeypatch):
