@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/report/version.hpp>
+#include <stillpoint/report/page_frame.hpp>
 #include <stillpoint/texts/embedded.hpp>
 #include "generated_docs.hpp"
 #include "option_facts.hpp"

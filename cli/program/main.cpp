@@ -11,7 +11,6 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/report/browser.hpp>
-#include <stillpoint/report/explorer.hpp>
 #include <stillpoint/texts/embedded.hpp>
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #include "input/request.hpp"
 #include "messages.hpp"
 
-#include <stillpoint/report/explorer.hpp>
+#include <stillpoint/report/browser.hpp>
 #include <stillpoint/report/findings.hpp>
 #include <stillpoint/report/page_frame.hpp>
 #include <stillpoint/report/report.hpp>

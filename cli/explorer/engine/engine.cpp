@@ -15,7 +15,7 @@
 #include <stillpoint/core/state.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/records/text.hpp>
-#include <stillpoint/report/version.hpp>
+#include <stillpoint/report/page_frame.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

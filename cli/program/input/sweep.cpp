@@ -6,7 +6,7 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/excitation_kinds.hpp>
 #include <stillpoint/records/units.hpp>
-#include <stillpoint/report/version.hpp>
+#include <stillpoint/report/page_frame.hpp>
 #include <stillpoint/sweep/part_label.hpp>
 #include <stillpoint/sweep/spec.hpp>
 

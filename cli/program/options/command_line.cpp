@@ -4,8 +4,8 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/records/units.hpp>
+#include <stillpoint/report/page_frame.hpp>
 #include <stillpoint/report/terminal.hpp>
-#include <stillpoint/report/version.hpp>
 #include <stillpoint/report/wrapped.hpp>
 #include <stillpoint/texts/embedded.hpp>
 

@@ -2,7 +2,7 @@
 #include "parts.hpp"
 #include "standard_streams.hpp"
 
-#include <stillpoint/report/version.hpp>
+#include <stillpoint/report/page_frame.hpp>
 
 PYBIND11_MODULE(_stillpoint, module) {
   stillpoint::cli::open_closed_streams();

@@ -5,8 +5,6 @@
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/report.hpp>
 
-#include <variant>
-
 namespace stillpoint::report {
 
 /// "tolerance 1e-09"; "" if it has none.
@@ -16,22 +14,11 @@ std::string setting(const peers::MethodRow& now) {
 
 /// Why simulate uses the first method.
 std::string_view reason(const SimulationRequest& request) {
-  const auto& [p, f, delta, hold] = request.oscillator;
-  if (!is_forced(request) && !request.surface.plain()) {
-    return "between edges and turns the motion is a closed form, and so are its times";
-  }
-  if (!is_forced(request)) {
-    return f > 0 && delta > 0
-               ? "the half-cycle map is exact from peak to peak, one square root each, and has no "
-                 "step or tolerance to choose"
-               : "with only one friction the end is a closed form, an exact remainder, for any "
-                 "number of half-cycles";
-  }
-  return std::holds_alternative<Record>(request.excitation)
-             ? "between samples the motion is a closed form with constant coefficients, and each "
-               "interval is proved to contain no event or searched for one"
-             : "between events the motion is a closed form, and the first event is found by a "
-               "bound that cannot step over it";
+  return is_forced(request)
+             ? "between events the motion is a closed form, and the first event is found by a "
+               "bound that cannot step over it"
+             : "between edges and turns the motion is a closed form, exact without a step or a "
+               "tolerance to choose";
 }
 
 namespace {
@@ -82,7 +69,7 @@ Document document(const AccuracyReport& report) {
   for (const peers::MethodRow& now : report.comparison.rows) {
     table.rows.push_back(method_row(now));
   }
-  Section& methods = document.section("Methods", std::move(table));
+  Section& methods = document.section("Methods", {std::move(table)});
   methods.line(
       stops ? "Errors of the peak and of the place of rest are relative to the peak, of the "
               "stop time to itself."

@@ -2,12 +2,9 @@
 #include "format.hpp"
 #include "sections.hpp"
 
-#include <stillpoint/records/decimal.hpp>
 #include <stillpoint/report/digits.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 #include <vector>
 
 namespace stillpoint::report {
@@ -43,28 +40,9 @@ bool nothing_meets(const design::Constraint& now) {
   return now.relation.front() == '<' && now.limit < 0;
 }
 
-using records::decimal;
-using records::Rounding;
-
-/// With which f >= f2 and f <= f3, so rounded, can both be met where the region is not empty.
-int digits_between(std::span<const design::Constraint> constraints) {
-  double f2 = 0;
-  double f3 = HUGE_VAL;
-  for (const design::Constraint& now : constraints) {
-    if (now.variable == "f") {
-      const bool upwards = now.relation.front() == '>';
-      (upwards ? f2 : f3) = upwards ? std::max(f2, now.limit) : std::min(f3, now.limit);
-    }
-  }
-  constexpr int fewest = 6;
-  return digits_until(fewest, [&](int digits) {
-    return !(f2 > 0 && f2 <= f3) ||
-           decimal(f2, digits, Rounding::up) <= decimal(f3, digits, Rounding::down);
-  });
-}
-
 /// "delta <= 8.1577 mm", rounded so that what is as printed meets it.
-std::string requirement(const design::Constraint& now, const FigureUnits& units, int shown) {
+std::string requirement(const design::Constraint& now, const FigureUnits& units) {
+  constexpr int shown = 6;
   constexpr double conversion = 1e-12;  // the rounding of 150 mm to dimensionless and back
   const auto [unit, unit_name] = units.of(now.dimension());
   const bool upwards = now.relation.front() == '>';
@@ -89,7 +67,6 @@ void add_constraints(Document& document, std::span<const design::Constraint> con
   }
   const FigureUnits units = units_of(physical);
   const bool back = returns(constraints);
-  const int shown = digits_between(constraints);
   Table table{{"", "requirement", "slack", "under", ""}, {}};
   for (const design::Constraint& now : constraints) {
     if (!back && now.name == "stop") {
@@ -97,7 +74,7 @@ void add_constraints(Document& document, std::span<const design::Constraint> con
       continue;
     }
     const auto [unit, unit_name] = units.of(now.dimension());
-    table.rows.push_back({{in_words(now.name), requirement(now, units, shown),
+    table.rows.push_back({{in_words(now.name), requirement(now, units),
                            bounds_nothing(now) || nothing_meets(now) || !now.known
                                ? "-"
                                : few_digits(now.slack * unit) + with_blank(unit_name),
@@ -105,7 +82,7 @@ void add_constraints(Document& document, std::span<const design::Constraint> con
                            now.satisfied ? "met" : "violated"},
                           now.satisfied ? Tone::good : Tone::bad});
   }
-  Section& section = document.section("Constraints", without_empty_columns(std::move(table)));
+  Section& section = document.section("Constraints", {without_empty_columns(std::move(table))});
   section.detail = std::ranges::all_of(constraints, &design::Constraint::satisfied);
   section.line(std::string(of_what));
 }

@@ -4,6 +4,7 @@
 #include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -29,37 +30,51 @@ std::string variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-bool is_program(const std::string& path) {
-  std::error_code unreachable;
-  return fs::is_regular_file(path, unreachable) && ::access(path.c_str(), X_OK) == 0;
-}
-
 /// By its path, or by its name in $PATH.
 bool can_be_run(const std::string& program) {
-  if (program.find('/') != std::string::npos) {
-    return is_program(program);
-  }
-  const std::string path = variable("PATH");
+  const std::string folders = program.find('/') == std::string::npos ? variable("PATH") : ".";
   return !program.empty() &&
-         std::ranges::any_of(records::split(path, ':'), [&program](std::string_view folder) {
-           return is_program(fmt::format("{}/{}", folder, program));
+         std::ranges::any_of(records::split(folders, ':'), [&program](std::string_view folder) {
+           std::error_code unreachable;
+           const fs::path path = fs::path(folder) / program;
+           return fs::is_regular_file(path, unreachable) && ::access(path.c_str(), X_OK) == 0;
          });
+}
+
+/// A file by its path from the folder of this program.
+std::optional<std::string> beside_the_program(const char* path) {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const fs::path page = (program.parent_path() / path).lexically_normal();
+  return !error && fs::is_regular_file(page, error) ? std::optional(page.string()) : std::nullopt;
+}
+
+/// A text for a URL: everything but letters, digits and `plain` as %XX.
+std::string encoded(std::string_view text, std::string_view plain) {
+  std::string result;
+  for (const char c : text) {
+    const bool stays = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       plain.find(c) != std::string_view::npos;
+    result += stays ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return result;
+}
+
+/// As on the command line: a range as LOW:HIGH.
+std::string text(const nlohmann::ordered_json& value) {
+  return value.is_string()  ? value.get<std::string>()
+         : value.is_array() ? value.front().dump() + ":" + value.back().dump()
+                            : value.dump();
 }
 
 }  // namespace
 
 std::vector<std::string> browser() {
-  const std::string chosen = variable("BROWSER");
-  for (const std::string_view command : records::split(chosen, ':')) {
+  const std::string commands = variable("BROWSER") + ":xdg-open:open";
+  for (const std::string_view command : records::split(commands, ':')) {
     const auto words = records::words_of(command, " ");
-    std::vector<std::string> asked(words.begin(), words.end());
-    if (!asked.empty() && can_be_run(asked.front())) {
-      return asked;
-    }
-  }
-  for (const char* const usual : {"xdg-open", "open"}) {
-    if (can_be_run(usual)) {
-      return {usual};
+    if (!words.empty() && can_be_run(std::string(words.front()))) {
+      return {words.begin(), words.end()};
     }
   }
   throw BrowserError(
@@ -118,6 +133,30 @@ void open_page(std::vector<std::string> browser, const std::string& path) {
     throw BrowserError(
         fmt::format("open: {} cannot be started: {}", arguments.front(), std::strerror(error)));
   }
+}
+
+std::optional<std::string> installed_explorer() {
+  return beside_the_program("../share/stillpoint/stillpoint.html");
+}
+
+std::string explorer() {
+  const auto installed = installed_explorer();
+  const auto page = installed ? installed : beside_the_program("../../explorer/stillpoint.html");
+  if (!page) {
+    throw BrowserError(
+        "explore: the page is not installed: ./dev explorer in the source directory makes it");
+  }
+  return *page;
+}
+
+std::string explorer_link(const std::string& page, const nlohmann::ordered_json& scene) {
+  std::string link = "file://" + encoded(page, "/-_.~");
+  char separator = '#';
+  for (const auto& [name, value] : scene.items()) {
+    link += separator + encoded(name, "-") + '=' + encoded(text(value), "-_.~:+");
+    separator = '&';
+  }
+  return link;
 }
 
 }  // namespace stillpoint::report

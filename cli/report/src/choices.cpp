@@ -44,14 +44,10 @@ std::string by_how_much(const design::Constraint& violated) {
   }
   const double off = 100 * std::abs(violated.slack) / (too_large ? violated.limit : violated.value);
   constexpr double far = 1e3;  // per cent
-  constexpr double next_to_all = 99;
-  if (!(off > 0 && off < far)) {
-    return format("{} is {} too {}", what, off == 0 ? "just" : "far",
-                  too_large ? "large" : "small");
-  }
-  const std::string part = limit_digits(off * (1 - 1e-12), true, off < next_to_all ? 2 : 3);
-  return too_large ? format("{} is {} % too large", what, part)
-                   : format("{} must be {} % larger", what, part);
+  const std::string part = off > 0 && off < far ? limit_digits(off * (1 - 1e-12), true, 3) : "";
+  return part.empty() ? format("{} is far too {}", what, too_large ? "large" : "small")
+         : too_large  ? format("{} is {} % too large", what, part)
+                      : format("{} must be {} % larger", what, part);
 }
 
 }  // namespace
@@ -87,7 +83,7 @@ void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& 
   }
   const auto fit = std::ranges::count(parts, true, &design::RatedPart::admissible);
   Section& section = document.section(format("Parts, best first: {} of {} fit", fit, parts.size()),
-                                      std::move(table));
+                                      {std::move(table)});
   section.line(parts.size() > shown ? "--json lists them all." : "", Tone::faint);
 }
 
@@ -111,7 +107,7 @@ void add_trade_off(Document& document, const std::vector<design::TradeOff>& fron
           aligned(damper.f), aligned(damper.delta * units.length)}});
   }
   const std::size_t shown = table.rows.size();
-  document.section("Trade-off of stroke, acceleration and tolerance", std::move(table))
+  document.section("Trade-off of stroke, acceleration and tolerance", {std::move(table)})
       .line(format("{} of {} dampers; accelerations are those outside the notch.", shown,
                    front.size()),
             Tone::faint);

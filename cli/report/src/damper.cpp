@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "damper.hpp"
 #include "format.hpp"
+#include "sections.hpp"
 
 #include <stillpoint/design/motion_findings.hpp>
 #include <stillpoint/report/digits.hpp>

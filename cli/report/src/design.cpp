@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
-#include "damper.hpp"
 #include "format.hpp"
 
 #include <stillpoint/design/damper_findings.hpp>

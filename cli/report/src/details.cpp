@@ -122,7 +122,6 @@ void add_details(Document& document, const ordered_json& report) {
   const auto add = [&](std::string heading, const ordered_json& object) {
     heading.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(heading.front())));
     Section& section = document.detail(std::move(heading));
-    section.folded = true;
     add_fields(section, object, "");
   };
   for (const auto& [name, value] : report.items()) {

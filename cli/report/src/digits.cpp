@@ -25,28 +25,26 @@ std::string few_digits(double value) {
 }
 
 std::string with_unit(double value, std::string_view unit, int digits) {
-  struct Prefix {
-    double factor;
-    std::string_view sign;
-  };
-  static constexpr std::array prefixes{Prefix{1e9, "G"}, Prefix{1e6, "M"},  Prefix{1e3, "k"},
-                                       Prefix{1, ""},    Prefix{1e-3, "m"}, Prefix{1e-6, "u"},
-                                       Prefix{1e-9, "n"}};
+  constexpr std::array factors{1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6, 1e9};
+  constexpr std::string_view signs = "num kMG";
+  constexpr int milli = 2;
+  constexpr int one = 3;
   // As it will be displayed: 0.99999999 mm is 1 mm, not 1000 um.
   const double magnitude = decimal(std::abs(value), digits);
   // For lengths neither kilometres nor micrometres, for times seconds down to a thousandth, as in
   // tables: those of one report compare at a glance.
   const bool length = unit == "m";
   const bool time = unit == "s";
-  const auto* const fitting = std::ranges::find_if(prefixes, [&](const Prefix& now) {
-    const bool least =
-        (length && now.factor == 1e-3) || (time && now.factor == 1 && magnitude >= 1e-3);
-    const bool unusual = (length || time) && now.factor > 1;
-    return (magnitude >= now.factor || least) && !unusual;
-  });
-  const bool in_range = magnitude >= 1e-9 && magnitude < 1e12 && fitting != prefixes.end();
-  const auto [factor, sign] = in_range ? *fitting : Prefix{1, ""};
-  return fmt::format("{:.{}g} {}{}", value / factor, digits, sign, unit);
+  const auto fitting =
+      static_cast<int>(std::ranges::upper_bound(factors, magnitude) - factors.begin()) - 1;
+  const int at = fitting < 0 || magnitude >= 1e12 ? one
+                                                  : std::clamp(fitting,
+                                                               length                      ? milli
+                                                               : time && magnitude >= 1e-3 ? one
+                                                                                           : 0,
+                                                               length || time ? one : one + one);
+  return fmt::format("{:.{}g} {}{}", value / factors.at(static_cast<std::size_t>(at)), digits,
+                     at == one ? "" : signs.substr(static_cast<std::size_t>(at), 1), unit);
 }
 
 bool begins_at_nothing(double low, double high) {

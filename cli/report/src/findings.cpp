@@ -3,11 +3,11 @@
 #include "format.hpp"
 #include "sections.hpp"
 
-#include <stillpoint/records/decimal.hpp>
 #include <stillpoint/report/digits.hpp>
 
 #include <algorithm>
 #include <array>
+#include <ranges>
 #include <string_view>
 #include <utility>
 
@@ -36,18 +36,18 @@ constexpr auto wordings = [] {
        "shows what a real one does."},
       {catches_hit,
        "The notch catches the hit, as it does any below {least_velocity}: the structure feels it "
-       "in full, {caught_impulse:impulse}."},
+       "in full, {caught_impulse} times the mass."},
       {catches_weak_hits,
        "The notch catches [every hit below {least_velocity}|all hits of the range], which the "
-       "structure feels in full: up to {caught_impulse:impulse}."},
+       "structure feels in full: up to {caught_impulse} times the mass."},
       {check_failed,
        "The independent check disagrees by {relative_error:.1e} where {tolerance:.0e} is allowed: "
        "do not rely on this design."},
       {close_call,
        "[If all inputs shift by {decision_margin:%}, that|Rounding] could change {changes}."},
       {delta_unbounded,
-       "Nothing bounds delta: anything above {least_delta:length} stops the mass, and more only "
-       "adds tolerance. --delta-max[{physical?}-m] {proposed:option} gives a smaller notch."},
+       "Nothing bounds delta: anything above {least_delta} stops the mass, and more only adds "
+       "tolerance. --delta-max[{physical?}-m] gives a smaller notch, of {proposed} say."},
       {does_not_isolate,
        "The structure feels {peak_absolute_acceleration}, more than 95 % of the load of "
        "{largest_load}: this damper isolates nothing."},
@@ -67,16 +67,15 @@ constexpr auto wordings = [] {
        "The less constant friction, the better[: with any f up to {f:most}, delta may be off by "
        "{tolerance:%}]."},
       {locks,
-       "The notch locks the mass [to the end of {records}|to the end of [{of_records=1?}the|a] "
-       "record[{of_periods=1?}|{periods=of_periods?} at every period| at {periods} of {of_periods} "
-       "periods]{periods?}|at x = {final_position} [{locked_from=0?}throughout the load|from "
-       "{locked_from} to the end at {load_end}]][, after it moves for {moved} in all]; the "
-       "structure then feels up to {largest_load_while_locked}."},
+       "The notch locks the mass to the end of [{records}|the load at {periods} of {of_periods} "
+       "periods|the load, at x "
+       "= {final_position} from {locked_from} to {load_end}][, after it moves for "
+       "{moved} in all]; the structure then feels up to {largest_load_while_locked}."},
       {never_moves,
-       "The mass never moves: [it is held through {records}, and the structure feels up to "
-       "{largest_load}|[{by=notch?}the ]{by} holds it throughout the load, and the structure feels "
-       "up to {largest_load}|{stop_position=0?}it starts at rest at x = 0, and nothing acts on "
-       "it|[{by=notch?}the ]{by} holds it at x = {stop_position}]."},
+       "The mass never moves: [it is held through {records}|{stop_position=0?}nothing acts on "
+       "it|[{by=notch?}the ]{by} holds it[ at x = {stop_position}]][, and the structure feels up "
+       "to "
+       "{largest_load}]."},
       {no_notch_works,
        "No notch works: only one wider than {least_width:least} would let the load move the mass, "
        "but the peak is {peak_amplitude}."},
@@ -107,14 +106,20 @@ constexpr auto wordings = [] {
       {search_cut_short,
        "The search for changes was cut short after a second: another may help as well."},
       {sensitive,
-       "[With {varied} 1 % off either way it rests between x = {rest_low:few} and "
-       "{rest_high:few}[, and that may change {changes}]|If {varied} [{varied=f?}is|are] 1 % off, "
+       "[With {varied} 1 % off either way it rests between x = {rest_low} and {rest_high}[, "
+       "and that may change {changes}]|If {varied} [{varied=f?}is|are] 1 % off, "
        "that may change {changes}]."},
       {too_exact,
-       "Too exact to be built: [the tolerance is only {tolerance:left}|{tolerance?}it has no "
-       "tolerance|f is on the edge of the region]."},
+       "Too exact to be built: [the tolerance is only {tolerance:%}|f is on the edge of the "
+       "region]."},
   });
 }();
+static_assert(std::ranges::equal(wordings, std::views::iota(std::size_t{0}, wordings.size()), {},
+                                 [](const Wording& now) {
+                                   return static_cast<std::size_t>(now.kind);
+                                 }) &&
+                  wordings.size() == static_cast<std::size_t>(FindingKind::too_exact) + 1,
+              "each kind has a pattern, in their order");
 
 /// What "changes" says.
 std::string changed_words(std::string_view what) {
@@ -122,14 +127,6 @@ std::string changed_words(std::string_view what) {
          : what == "stop" ? "the number of half-cycles or whether it stops at x = 0"
          : what == "rest" ? "whether it comes to rest"
                           : "whether it locks";
-}
-
-/// As an option takes it: "29mm".
-std::string option_text(const Physical& physical, double length) {
-  const double unit = physical ? physical->scales.length_m : 1;
-  std::string text = length_shown(physical, records::decimal(length * unit, 2) / unit);
-  std::erase(text, ' ');
-  return text;
 }
 
 /// A finding and the units to tell it in.
@@ -214,22 +211,15 @@ class Told {
   }
 
   /// In that of its dimension if none is given.
-  [[nodiscard]] std::optional<std::string> in_form(const FindingValue& of,
-                                                   std::string_view form) const {
+  [[nodiscard]] std::string in_form(const FindingValue& of, std::string_view form) const {
     constexpr int few = 3;
     const double value = number(of);
-    return form.empty()        ? figure_shown(physical_, of.dimension, value)
-           : form == "%"       ? format("{:.2g} %", 100 * value)
-           : form == "impulse" ? impulse_shown(physical_, value)
-           : form == "length"  ? length_shown(physical_, value)
-           : form == "few"     ? length_shown(physical_, value, few)
-           : form == "least"   ? length_limit(physical_, value, true)
-           : form == "most"    ? limit_digits(value, false, few)
-           : form == "option"  ? option_text(physical_, value)
-           : form == "spring"  ? period_words(physical_, value)
-           : form != "left"    ? fmt::format(fmt::runtime(format("{{:{}}}", form)), value)
-           : leaves_any(value) ? std::optional(percent_digits(value))
-                               : std::nullopt;
+    return form.empty()       ? figure_shown(physical_, of.dimension, value)
+           : form == "%"      ? format("{:.2g} %", 100 * value)
+           : form == "least"  ? length_limit(physical_, value, true)
+           : form == "most"   ? limit_digits(value, false, few)
+           : form == "spring" ? period_words(physical_, value)
+                              : fmt::format(fmt::runtime(format("{{:{}}}", form)), value);
   }
 
   static double number(const FindingValue& of) { return std::get<double>(of.value); }
@@ -245,7 +235,7 @@ class Told {
 }  // namespace
 
 std::string words(const Finding& finding, const Physical& physical) {
-  std::string_view pattern = std::ranges::find(wordings, finding.kind, &Wording::kind)->pattern;
+  std::string_view pattern = wordings.at(static_cast<std::size_t>(finding.kind)).pattern;
   return Told(finding, physical).choice(pattern);
 }
 

@@ -32,25 +32,18 @@ std::string_view felt_where(const MotionReport& report, double felt) {
 
 void add_answer(Section& answer, const MotionReport& report) {
   const auto& [p, f, delta, hold] = report.request.oscillator;
+  const auto& [notch_width, zones] = report.request.surface;
   const Response& response = report.answer.response;
   const Physical& physical = report.physical;
-  const auto& zones = report.request.surface.zones;
-  answer.row("damper",
-             format("f = {}{}, delta = {}", digits(f),
-                    zones.empty() ? "" : " beyond " + length_shown(physical, zones.back().to),
-                    length_shown(physical, delta)));
+  constexpr int digits = 6;
+  answer.row("damper", damper_words(physical, f, delta, {notch_width, hold}, digits) +
+                           (zones.empty() ? ""
+                                          : ", with other friction up to x = " +
+                                                length_shown(physical, zones.back().to)));
   if (report.record) {
     answer.row("record", record_words(report.record->file, report.record->factor,
                                       report.record->units_read, report.record->assumed,
                                       design::largest_load(report.request.excitation)));
-  }
-  const double centre = design::friction_at_centre(report.request);
-  if (hold) {
-    answer.row("notch", format("holds a load of up to {:.6g} g", centre + *hold));
-  }
-  if (const auto& width = report.request.surface.notch_width) {
-    answer.row("notch", format("friction {:.6g} for |x| < {}", centre + delta / *width,
-                               length_shown(physical, *width / 2)));
   }
   if (moves(response)) {
     answer.row("peak", length_shown(physical, response.peak_amplitude), Tone::heading);
@@ -62,7 +55,8 @@ void add_answer(Section& answer, const MotionReport& report) {
   }
   if (report.answer.forced && report.answer.forced->left_notch_from_rest) {
     const double load = design::largest_load(report.request.excitation);
-    add_start(answer, design::least_width(centre, delta, load), response, physical);
+    add_start(answer, design::least_width(design::friction_at_centre(report.request), delta, load),
+              response, physical);
   }
   if (report.answer.forced && response.outcome == Outcome::running) {
     const ForcedResponse& forced = *report.answer.forced;

@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/report/page_frame.hpp>
 
+#include <stillpoint/design/search.hpp>
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/report/record_design.hpp>
-#include <stillpoint/report/version.hpp>
 
 #include <fmt/format.h>
 
 namespace stillpoint::report {
+
+std::string program_version() {
+  return STILLPOINT_VERSION;
+}
+
+std::string version_line() {
+  return fmt::format("stillpoint {} (NLopt {}, {} build, {})", program_version(),
+                     design::nlopt_version(), STILLPOINT_BUILD_TYPE, STILLPOINT_COMPILER);
+}
 
 void add_frame(figures::HtmlPage& page, const PageFrame& frame) {
   constexpr std::size_t longest_title = 400;

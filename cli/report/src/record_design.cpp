@@ -78,7 +78,7 @@ void add_records(Document& document, const design::RecordDesign& result, const P
           number(rests_at_0 ? 0 : figures.residual * units.length), number(figures.acceleration),
           number(*response.stop_time * units.time), response.locks() ? "locked" : ""}});
   }
-  document.section("Records", without_empty_columns(std::move(table)));
+  document.section("Records", {without_empty_columns(std::move(table))});
 }
 
 std::string no_damper(const design::RecordDesign& result) {

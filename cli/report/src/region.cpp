@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
-#include "damper.hpp"
 #include "format.hpp"
 
 #include <stillpoint/report/digits.hpp>
@@ -44,24 +43,21 @@ std::string judgement(const RegionReport& report) {
                 why);
 }
 
-/// "2.1 mm to 8.2 mm or in 2 lower ranges"
+/// "2.1 mm to 8.2 mm or 9 mm to 10 mm"; of many the largest.
 std::string delta_words(const std::vector<Interval>& all, const Physical& physical) {
   constexpr std::size_t most_listed = 3;
   constexpr double conversion = 1 + 1e-12;  // the rounding of 3 mm to dimensionless and back
-  const std::size_t lower = all.size() - std::min(all.size(), most_listed);
+  const std::size_t left_out = all.size() - std::min(all.size(), most_listed);
   std::string text;
-  for (const auto& [low, high] : std::span(all).subspan(lower)) {
+  for (const auto& [low, high] : std::span(all).subspan(left_out)) {
     const std::string least = length_limit(physical, low, true);
-    text += format(
-        "{}{}", text.empty() ? "" : " or ",
-        std::isinf(high) ? format("at least {}", least)
-        : low > 0   ? format("{} to {}", least, length_limit(physical, high * conversion, false))
-        : high == 0 ? "0"
-                    : format("up to {}", length_limit(physical, high * conversion, false)));
+    const std::string most = length_limit(physical, high * conversion, false);
+    text += format("{}{}", text.empty() ? "" : " or ",
+                   std::isinf(high) ? "at least " + least
+                   : low > 0        ? format("{} to {}", least, most)
+                                    : "up to " + most);
   }
-  return text + (lower == 0   ? ""
-                 : lower == 1 ? " or in a lower range"
-                              : format(" or in {} lower ranges", lower));
+  return text + (left_out > 0 ? " or in lower ranges" : "");
 }
 
 /// Of several arrivals.
@@ -79,7 +75,7 @@ void add_strips(Document& document, const design::Problem& problem,
                         : "none with the tolerance asked for",
           "+-" + percent_digits(strip.tolerance)}});
   }
-  document.section("Dampers that stop at each arrival", std::move(table))
+  document.section("Dampers that stop at each arrival", {std::move(table)})
       .line(strips.size() > most_listed ? "--json lists the later ones." : "", Tone::faint);
 }
 

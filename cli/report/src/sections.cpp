@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
+// What several reports say of a damper, its motion and its check.
 #include "sections.hpp"
 #include "format.hpp"
 
-#include <stillpoint/records/record_scaling.hpp>
 #include <stillpoint/report/digits.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
-#include <utility>
-#include <variant>
 
 namespace stillpoint::report {
 
@@ -53,6 +50,69 @@ std::string spring_words(const Physical& physical, double p, std::optional<int> 
 
 std::string_view jumps_words(double delta, const std::optional<double>& width) {
   return delta > 0 && !width ? " between the velocity jumps at the notch" : "";
+}
+
+std::string interval_text(const design::ServedInterval& interval) {
+  constexpr int shown = 3;
+  constexpr double conversion = 1e-12;  // the rounding of 0.44 m/s to dimensionless and back
+  constexpr double beyond_all = 1e30;   // an end that is the program's own limit, not the damper's
+  constexpr double apart = 1e-6;
+  const double low = interval.low < 1 / beyond_all ? 0 : interval.low * (1 - conversion);
+  const double high = interval.high.value_or(HUGE_VAL) * (1 + conversion);
+  return high < beyond_all ? high - low <= apart * high
+                                 ? format("exactly {}", decimal_within(low, high))
+                                 : interval_digits(low, high)
+         : low == 0 ? "any size"
+                           : format("at least {}", limit_digits(low, true, shown));
+}
+
+void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
+                   const ShownTask& task) {
+  if (!served) {
+    return;
+  }
+  const auto& physical = task.physical;
+  const auto works = physical ? physical_works_for(physical->scales, *served)
+                              : design::PhysicalWorksFor{served->hit, served->p};
+  section.row("works for",
+              task.pulse ? format("k of {} g", interval_text(served->hit))
+                         : format("{} of {}{}", physical ? "hits" : "v0",
+                                  interval_text(works.velocity_m_per_s), physical ? " m/s" : ""));
+  section.row("", format("{} of {}{}, each with the other as given", physical ? "periods" : "p",
+                         interval_text(works.period_s), physical ? " s" : ""));
+}
+
+void add_check(Section& answer, const design::CrossCheck& check) {
+  const double most =
+      std::ranges::max(check.methods, {}, &design::CheckMethod::relative_error).relative_error;
+  answer.row(
+      "checks",
+      format("{} independent method{} {} to within {:.1e}", check.methods.size(),
+             check.methods.size() == 1 ? "" : "s", check.passed ? "agree" : "DISAGREE", most),
+      check.passed ? Tone::good : Tone::bad);
+}
+
+void add_start(Section& answer, double least_width, const Response& response,
+               const Physical& physical) {
+  if (least_width < 2 * response.peak_amplitude) {
+    answer.row("start", "needs a notch wider than " + length_limit(physical, least_width, true));
+  }
+}
+
+std::string outcome_phrase(Outcome outcome) {
+  return outcome == Outcome::stopped_at_zero        ? "stops at x = 0"
+         : outcome == Outcome::stopped_in_dead_zone ? "stops off x = 0, in the dead zone"
+         : outcome == Outcome::stopped_in_notch     ? "stops off x = 0, in the notch"
+         : outcome == Outcome::never_stops ? "never stops: there is no friction where it moves"
+         : outcome == Outcome::caught_at_start
+             ? "never starts: the hit is too weak to leave the notch"
+             : "is still moving at the end of the run";
+}
+
+std::string outcome_phrase(const ForcedResponse& response) {
+  return response.outcome != Outcome::running || response.final_velocity != 0
+             ? outcome_phrase(response.outcome)
+             : "is at rest at the end of the run";
 }
 
 }  // namespace stillpoint::report

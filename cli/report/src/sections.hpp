@@ -11,6 +11,7 @@
 #include <stillpoint/design/motion_findings.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/region.hpp>
+#include <stillpoint/design/shown_damper.hpp>
 #include <stillpoint/design/suite_task.hpp>
 #include <stillpoint/report/document.hpp>
 #include <stillpoint/report/report.hpp>
@@ -54,8 +55,16 @@ struct ShownTask {
                                        std::optional<int> digits = {});
 /// "0.340 to 0.429", "up to 0.463", "at least 0.5" or "any size".
 [[nodiscard]] std::string interval_text(const design::ServedInterval& interval);
-/// "480 kN s" for a speed; "0.4 N s per kg" if the mass is not known.
-[[nodiscard]] std::string impulse_shown(const Physical& physical, double impulse);
+/// "peak 137.37 mm, at rest after 1.5287 s, 0.09465 g transmitted outside the notch"
+[[nodiscard]] std::string does_words(const design::ShownDamper& shown, const Physical& physical);
+/// Peak, rest and acceleration, and how wide its notch must be so that a pulse moves the mass.
+void add_motion(Section& answer, const design::ShownDamper& shown, const Physical& physical);
+/// "a hit of 0.44 m/s and a period of 2.94 s", "k = 0.5 g and p = 1": which motion of a task with
+/// ranges is shown; empty without.
+[[nodiscard]] std::string shown_motion(const design::ShownDamper& shown, const Physical& physical);
+/// What a notch as built is compared with: "has no width", "holds any load", "acts only after the
+/// start".
+[[nodiscard]] std::string_view ideal_words(const design::ShownDamper& shown);
 
 /// "2 x a.AT2": the factor and the file of a record of a suite.
 [[nodiscard]] std::string record_label(const design::SuiteRecord& record);
@@ -111,11 +120,7 @@ void add_constraints(Document& document, std::span<const design::Constraint> con
                      const Physical& physical, std::string_view of_what = {});
 /// What those under a pulse are of; empty after a hit.
 [[nodiscard]] inline std::string_view of_first_swing(const ShownTask& task) {
-  return !task.pulse ? ""
-         : task.limits.acceleration_max
-             ? "Each refers to the motion up to the first return; accelerations are those outside "
-               "the notch."
-             : "Each refers to the motion up to the first return.";
+  return task.pulse ? "Each refers to the motion up to the first return, outside the notch." : "";
 }
 
 using design::moves;  // not if friction or the notch holds the mass from the start

@@ -95,7 +95,6 @@ Document document(const SpectrumReport& report) {
              report, result.combined);
   for (std::size_t i = 0; i < count && count > 1; ++i) {
     Section& record = document.detail(record_label(task.records[i]));
-    record.folded = true;
     add_points(record, report, result.records[i]);
   }
   return document;

@@ -37,7 +37,7 @@ void add_columns(Document& made, const ordered_json& columns) {
     }
     table.rows.push_back({std::move(cells)});
   }
-  made.section("Columns", std::move(table))
+  made.section("Columns", {std::move(table)})
       .line("The entries are where the least and the largest are.");
 }
 
@@ -67,7 +67,7 @@ void add_best(Document& made, const ordered_json& best, const ordered_json& foun
   Section& section =
       made.section(fmt::format("{} {}", best.at("order") == "largest" ? "Largest" : "Smallest",
                                best.at("column").get<std::string>()),
-                   std::move(table));
+                   {std::move(table)});
   if (rows.size() > most_shown || shown.size() <= found.at("row").size()) {
     section.line("--json lists all rows and columns.", Tone::faint);
   }

@@ -57,9 +57,8 @@ class Text {
     constexpr std::size_t least_gap = 2;
     label_width_ = label_width;
     for (const auto& part : section.parts) {
-      if (const Row* const row = std::get_if<Row>(&part)) {
-        label_width_ = std::max(label_width_, row->label.size() + least_gap);
-      }
+      const Row* const row = std::get_if<Row>(&part);
+      label_width_ = std::max(label_width_, row != nullptr ? row->label.size() + least_gap : 0);
     }
     std::string text;
     for (const auto& part : section.parts) {
@@ -70,37 +69,26 @@ class Text {
 
   /// Columns as wide as their widest cell, to the right; to the left the first and, unless it has
   /// only numbers, the last one, whose words continue below. A table that is too wide gets its
-  /// heads in two lines and smaller gaps, and where even that is not enough, long names above their
-  /// rows.
-  std::string operator()(Table table) {
+  /// heads in two lines and smaller gaps.
+  std::string operator()(const Table& table) {
     ends_in_numbers_ = std::ranges::all_of(table.rows, [](const TableRow& row) {
       return row.cells.back() == "none" ||
              row.cells.back().find_first_not_of("0123456789.e+-") == std::string::npos;
     });
-    std::vector<std::vector<std::string>> heads{table.head};
-    std::size_t gap = usual_gap;
-    std::vector<std::size_t> widths = widths_of(heads, table);
-    if (width(widths, gap) > page_width) {
-      heads = in_two_lines(table.head);
-      widths = widths_of(heads, table);
+    std::vector<TableRow> rows{{table.head}};
+    gap_ = usual_gap;
+    if (width_of(set_widths(rows, table)) > page_width) {
+      rows = in_two_lines(table.head);
+      set_widths(rows, table);
     }
-    while (gap > 1 && width(widths, gap) > page_width) {
-      --gap;
+    while (gap_ > 1 && width_of(widths_) > page_width) {
+      --gap_;
     }
-    if (width(widths, gap) > page_width) {
-      gap = 2;
-      widths[0] = std::max(heads.front()[0].size(), heads.back()[0].size());
-    }
+    rows.insert(rows.end(), table.rows.begin(), table.rows.end());
     std::string text;
-    for (const std::vector<std::string>& head : heads) {
-      const std::string line = aligned({head}, widths, gap);
+    for (const TableRow& row : rows) {
+      const std::string line = aligned(row);
       text += line == "\n" ? "" : line;
-    }
-    for (TableRow& row : table.rows) {
-      if (row.cells[0].size() > widths[0]) {
-        text += fmt::format("  {}\n", std::exchange(row.cells[0], ""));
-      }
-      text += aligned(row, widths, gap);
     }
     return text;
   }
@@ -122,61 +110,61 @@ class Text {
     return text;
   }
 
-  static std::size_t width(const std::vector<std::size_t>& columns, std::size_t gap) {
-    return std::accumulate(columns.begin(), columns.end(), 2 + (columns.size() - 1) * gap);
+  [[nodiscard]] std::size_t width_of(const std::vector<std::size_t>& widths) const {
+    return std::accumulate(widths.begin(), widths.end(), indent + (widths.size() - 1) * gap_);
   }
 
-  /// Of the columns; words of the last one have the room that is left, but at least 30.
-  [[nodiscard]] std::vector<std::size_t> widths_of(
-      const std::vector<std::vector<std::string>>& heads, const Table& table) const {
-    std::vector<std::size_t> widths(table.head.size());
-    const auto widen = [&widths](const std::vector<std::string>& cells) {
-      for (std::size_t i = 0; i < cells.size(); ++i) {
-        widths[i] = std::max(widths[i], cells[i].size());
+  /// Words of the last column have the room that is left, but at least 30.
+  const std::vector<std::size_t>& set_widths(const std::vector<TableRow>& heads,
+                                             const Table& table) {
+    constexpr std::size_t least = 30;
+    widths_.assign(table.head.size(), 0);
+    for (const auto* const rows : {&heads, &table.rows}) {
+      for (const TableRow& row : *rows) {
+        for (std::size_t i = 0; i < row.cells.size(); ++i) {
+          widths_[i] = std::max(widths_[i], row.cells[i].size());
+        }
       }
-    };
-    std::ranges::for_each(heads, widen);
-    std::ranges::for_each(table.rows, widen, &TableRow::cells);
-    if (!ends_in_numbers_) {
-      constexpr std::size_t least = 30;
-      const std::size_t others = std::min(width(widths, usual_gap) - widths.back(), page_width);
-      widths.back() = std::min(widths.back(), std::max(least, page_width - others));
     }
-    return widths;
+    if (!ends_in_numbers_) {
+      const std::size_t others = std::min(width_of(widths_) - widths_.back(), page_width);
+      widths_.back() = std::min(widths_.back(), std::max(least, page_width - others));
+    }
+    return widths_;
   }
 
   /// "peak, mm" in two lines; the second is empty where all heads are single words.
-  static std::vector<std::vector<std::string>> in_two_lines(const std::vector<std::string>& heads) {
-    std::vector<std::vector<std::string>> lines(2);
+  static std::vector<TableRow> in_two_lines(const std::vector<std::string>& heads) {
+    std::vector<TableRow> rows(2);
     for (const std::string& head : heads) {
       constexpr std::size_t room = 10;
       const std::size_t unit = head.find(", ");
-      const std::size_t end =
-          unit <= room ? unit : std::min(head.find_first_of(", -"), head.size());
-      lines[0].push_back(head.substr(0, end) + (head[end] == '-' ? "-" : ""));
-      lines[1].push_back(head.substr(std::min(head.find_first_not_of(", -", end), head.size())));
+      const std::size_t end = unit <= room ? unit : std::min(head.find_first_of(", "), head.size());
+      rows[0].cells.push_back(head.substr(0, end));
+      rows[1].cells.push_back(
+          head.substr(std::min(head.find_first_not_of(", ", end), head.size())));
     }
-    return lines;
+    return rows;
   }
 
-  [[nodiscard]] std::string aligned(const TableRow& row, const std::vector<std::size_t>& widths,
-                                    std::size_t gap) const {
-    std::string text;
+  [[nodiscard]] std::string aligned(const TableRow& row) const {
+    std::string text(indent, ' ');
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const std::string& cell = row.cells[i];
       const bool last = i + 1 == row.cells.size();
-      text += std::string(i == 0 ? 2 : gap, ' ');
       if (last && !ends_in_numbers_) {
-        return lines(row.tone, text, cell, widths[i]);
+        return lines(row.tone, text, cell, widths_[i]);
       }
-      const std::string placed =
-          i == 0 ? fmt::format("{:<{}}", cell, widths[i]) : fmt::format("{:>{}}", cell, widths[i]);
-      text += last ? styled(row.tone, placed) : placed;
+      const std::string room(widths_[i] - cell.size(), ' ');
+      const std::string placed = i == 0 ? cell + room : room + cell;
+      text += last ? styled(row.tone, placed) : placed + std::string(gap_, ' ');
     }
     text.erase(text.find_last_not_of(' ') + 1);
     return text + "\n";
   }
 
+  std::size_t gap_{usual_gap};
+  std::vector<std::size_t> widths_;  ///< of the table at hand
   bool coloured_;
   std::size_t label_width_{label_width};
   bool ends_in_numbers_{false};  ///< the table at hand
@@ -210,12 +198,12 @@ std::string text(const Document& document, const TextOptions& options) {
 
 Table without_empty_columns(Table table) {
   for (std::size_t i = table.head.size(); i-- > 0;) {
-    const auto at = static_cast<std::ptrdiff_t>(i);
-    if (std::ranges::all_of(table.rows,
-                            [i](const TableRow& row) { return row.cells[i].empty(); })) {
+    if (std::ranges::all_of(table.rows, [i](const auto& row) { return row.cells[i].empty(); })) {
+      const auto at = static_cast<std::ptrdiff_t>(i);
       table.head.erase(table.head.begin() + at);
-      std::ranges::for_each(table.rows,
-                            [at](TableRow& row) { row.cells.erase(row.cells.begin() + at); });
+      for (TableRow& row : table.rows) {
+        row.cells.erase(row.cells.begin() + at);
+      }
     }
   }
   return table;
@@ -231,16 +219,12 @@ void Section::line(std::string text, Tone tone) {
   }
 }
 
-Section& Document::section(std::string heading) {
-  return sections.emplace_back(Section{std::move(heading), {}});
-}
-
-Section& Document::section(std::string heading, Table table) {
-  return sections.emplace_back(Section{std::move(heading), {std::move(table)}});
+Section& Document::section(std::string heading, std::vector<Section::Part> parts) {
+  return sections.emplace_back(Section{std::move(heading), std::move(parts)});
 }
 
 Section& Document::detail(std::string heading) {
-  return sections.emplace_back(Section{std::move(heading), {}, true});
+  return sections.emplace_back(Section{std::move(heading), {}, true, true});
 }
 
 std::string spelled_out(std::string_view text) {

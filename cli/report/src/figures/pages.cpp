@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
-#include "damper.hpp"
+#include "sections.hpp"
 #include "figures/motion_figures.hpp"
 #include "figures/region_figures.hpp"
 

@@ -6,8 +6,8 @@
 #include "json/schema.hpp"
 
 #include <stillpoint/report/findings.hpp>
+#include <stillpoint/report/page_frame.hpp>
 #include <stillpoint/report/schemas.hpp>
-#include <stillpoint/report/version.hpp>
 
 namespace stillpoint::report {
 

@@ -7,7 +7,7 @@
 
 #include <stillpoint/design/hits.hpp>
 #include <stillpoint/design/record_design_result.hpp>
-#include <stillpoint/report/version.hpp>
+#include <stillpoint/report/page_frame.hpp>
 
 namespace stillpoint::report {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "json/head_fields.hpp"
 
+#include <stillpoint/core/response_fields.hpp>
 #include <stillpoint/report/spectrum.hpp>
 #include <stillpoint/sweep/npy.hpp>
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -36,5 +39,16 @@ class TemporaryPage {
 
 /// Starts the browser with a page and does not wait for it. Throws BrowserError if that fails.
 void open_page(std::vector<std::string> browser, const std::string& path);
+
+/// The file of the page with the program in it, if it is installed with this program.
+[[nodiscard]] std::optional<std::string> installed_explorer();
+
+/// That, or the one that ./dev explorer made in the folder where this program was built. Throws
+/// BrowserError if there is neither.
+[[nodiscard]] std::string explorer();
+
+/// A link to the page that shows a scene.
+[[nodiscard]] std::string explorer_link(const std::string& page,
+                                        const nlohmann::ordered_json& scene);
 
 }  // namespace stillpoint::report

@@ -42,8 +42,10 @@ struct Table {
 [[nodiscard]] Table without_empty_columns(Table table);
 
 struct Section {
+  using Part = std::variant<Row, Line, Table>;
+
   std::string heading;
-  std::vector<std::variant<Row, Line, Table>> parts;
+  std::vector<Part> parts;
   bool detail{false};  ///< for those who want to know more than the answer
   bool folded{false};  ///< on a page, until it is opened
 
@@ -60,9 +62,7 @@ struct Document {
   bool brief{false};  ///< without the details of its report
 
   /// A new section at the end; the reference is good until the next one.
-  Section& section(std::string heading);
-  /// One that begins with a table.
-  Section& section(std::string heading, Table table);
+  Section& section(std::string heading, std::vector<Section::Part> parts = {});
   Section& detail(std::string heading);
 };
 

@@ -9,6 +9,9 @@
 
 namespace stillpoint::report {
 
+[[nodiscard]] std::string program_version();  ///< "0.1.0"
+[[nodiscard]] std::string version_line();     ///< program, NLopt, build type, compiler
+
 /// What a page has besides the answer.
 struct PageFrame {
   std::string title;         ///< the user's own, may be empty
