@@ -24,14 +24,6 @@ std::optional<std::vector<std::string_view>> conflict_of(const design::Region& r
   return names.empty() ? std::nullopt : std::optional(names);
 }
 
-Worst worst_of(const design::Figures& figures) {
-  return {figures.peak, figures.acceleration, figures.residual, figures.stop_time, figures.jump};
-}
-
-Worst worst_of(const design::SuiteFigures& figures) {
-  return {figures.peak, figures.acceleration, figures.residual, {}, figures.jump};
-}
-
 std::optional<Worst> settled(const design::SuiteFigures& figures) {
   return figures.settled ? std::optional(worst_of(figures)) : std::nullopt;
 }

@@ -143,16 +143,13 @@ struct ShownCase {
 };
 
 /// The intervals of v0, or of the k of a pulse.
-constexpr auto served_hits(bool of_pulse) {
-  return [of_pulse](const auto& now) {
-    return now.of_pulse == of_pulse ? std::optional(now.hit) : std::nullopt;
-  };
-}
 struct ShownServed : design::WorksFor {
   bool of_pulse{false};
 
+  using Now = ShownServed;
   static constexpr std::tuple field_table{
-      Field{"v0", served_hits(false)}, Field{"k", served_hits(true)}, Field{"p", &ShownServed::p}};
+      Field{"v0", only_if([](const auto& now) { return !now.of_pulse; }, &Now::hit)},
+      Field{"k", only_if(&Now::of_pulse, &Now::hit)}, Field{"p", &Now::p}};
 };
 
 struct ShownPart : design::RatedPart {
@@ -298,14 +295,6 @@ struct AnswerSi : Si {
     const auto served = answer->works_for();
     return served ? std::optional(physical_works_for(scales(), *served)) : std::nullopt;
   }
-  [[nodiscard]] std::optional<design::ServedInterval> velocity() const {
-    const auto served = works_for();
-    return served && !answer->input.pulse ? std::optional(served->velocity_m_per_s) : std::nullopt;
-  }
-  [[nodiscard]] std::optional<std::vector<HitsSi>> hits() const {
-    const bool any = answer->hits && !answer->input.pulse;
-    return any ? std::optional(each<HitsSi>(*answer->hits)) : std::nullopt;
-  }
 
   static constexpr auto mend = [](std::string_view field, bool by_stiffness = false) {
     return [=](const auto& now) { return now.mended(field, by_stiffness); };
@@ -316,7 +305,12 @@ struct AnswerSi : Si {
   static constexpr auto of_judged = [](auto design::Judged::*value) {
     return in(&AnswerSi::answer, &ShownAnswer::judged, value);
   };
+  static constexpr auto of_hit = [](const auto& now) { return !now.answer->input.pulse; };
+  static constexpr auto rows = [](const std::vector<design::Hits>& hits) {
+    return mapped(hits, [](const design::Hits& row) { return HitsSi{row}; });
+  };
   using Now = AnswerSi;
+  using Served = design::PhysicalWorksFor;
   using Judged = design::Judged;
   static constexpr Measure length = si_always(Dimension::length);
   static constexpr auto field_table = std::tuple_cat(
@@ -331,10 +325,11 @@ struct AnswerSi : Si {
           Field{"max_displacement_mend_m", mend("beta")},
           Field{"delta_max_mend_m", mend("delta_max")}},
       damper_fields,
-      std::tuple{
-          Field{"works_for_velocity_m_per_s", &Now::velocity},
-          Field{"works_for_period_s", in(&Now::works_for, &design::PhysicalWorksFor::period_s)},
-          Field{"hits", &Now::hits, "in the order of those of the report"}},
+      std::tuple{Field{"works_for_velocity_m_per_s",
+                       only_if(of_hit, in(&Now::works_for, &Served::velocity_m_per_s))},
+                 Field{"works_for_period_s", in(&Now::works_for, &Served::period_s)},
+                 Field{"hits", only_if(of_hit, in(&Now::answer, &ShownAnswer::hits, rows)),
+                       "in the order of those of the report"}},
       practice_fields_si,
       std::tuple{Field{"delta1_published_m", of_judged(&Judged::delta1_published), "", length},
                  Field{"delta1_exact_m", of_judged(&Judged::delta1_exact), "", length}},

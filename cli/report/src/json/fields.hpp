@@ -13,14 +13,6 @@
 
 #include <numbers>
 
-/// Null where it does not exist.
-template <class Value>
-struct nlohmann::adl_serializer<std::optional<Value>> {
-  static void to_json(nlohmann::ordered_json& json, const std::optional<Value>& value) {
-    json = value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
-  }
-};
-
 namespace stillpoint::report {
 
 using stillpoint::in;
@@ -47,13 +39,6 @@ constexpr Measure si_always(Dimension dimension, Numbers numbers = {}) {
 }
 inline constexpr Measure in_metres = with_si(Dimension::length);
 
-template <class Value>
-inline constexpr bool is_list = false;
-template <class Value>
-inline constexpr bool is_list<std::vector<Value>> = true;
-template <class Value>
-inline constexpr bool is_list<std::span<Value>> = true;
-
 /// A table of part of a result: each field is taken from what `whole` gives; empty without it.
 constexpr auto fields_in(auto whole, const auto& part) {
   return std::apply(
@@ -74,14 +59,13 @@ struct Printed {
 constexpr auto only_if(auto holds, auto get) {
   return in([holds](const auto& now) { return std::invoke(holds, now) ? &now : nullptr; }, get);
 }
-/// Each item of a list, with what else it is shown with.
-template <class Shown>
-[[nodiscard]] std::vector<Shown> each(const auto& list, const auto&... with) {
-  std::vector<Shown> shown;
+/// What `get` gives of each item.
+[[nodiscard]] auto mapped(const auto& list, const auto& get) {
+  std::vector<std::remove_cvref_t<decltype(std::invoke(get, list.front()))>> all;
   for (const auto& item : list) {
-    shown.push_back({item, with...});
+    all.push_back(std::invoke(get, item));
   }
-  return shown;
+  return all;
 }
 
 /// An integer where the field has counts, if a double holds it exactly.
@@ -116,15 +100,16 @@ template <class Value>
   } else if constexpr (requires { value.json; }) {
     return value.json;
   } else if constexpr (requires { value.low, value.high; }) {
-    return nlohmann::ordered_json::array({value.low, value.high});
-  } else if constexpr (is_list<Value>) {
+    return nlohmann::ordered_json::array({value_json(value.low), value_json(value.high)});
+  } else if constexpr (std::is_arithmetic_v<Value> ||
+                       std::is_convertible_v<Value, std::string_view>) {
+    return value;
+  } else {
     auto list = nlohmann::ordered_json::array();
     for (const auto& item : value) {
       list.push_back(value_json(item, numbers, scales));
     }
     return list;
-  } else {
-    return value;
   }
 }
 

@@ -66,11 +66,9 @@ ShownAnswer answer_of(const Report& report, const ShownTask& task,
   now.cases.push_back({.load = {task.pulse ? design::name(*task.pulse) : "hit"}});
   if (const auto& catalogue = report.catalogue) {
     now.input.catalogue = spelled_out(catalogue->file);
-    now.catalogue.emplace();
-    for (const design::RatedPart& rated : catalogue->parts) {
-      now.catalogue->push_back(
-          {rated, rated.admissible ? std::nullopt : std::optional(judgement(rated, task))});
-    }
+    now.catalogue = mapped(catalogue->parts, [&](const design::RatedPart& rated) {
+      return ShownPart{rated, rated.admissible ? Name() : judgement(rated, task)};
+    });
   }
   return now;
 }

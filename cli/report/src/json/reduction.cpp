@@ -48,11 +48,7 @@ ShownRow shown(const ReducedRow& row, Columns columns) {
   return {std::move(result)};
 }
 std::vector<ShownRow> shown(const BestRows& best, Columns columns) {
-  std::vector<ShownRow> rows;
-  for (const ReducedRow& row : best.rows()) {
-    rows.push_back(shown(row, columns));
-  }
-  return rows;
+  return mapped(best.rows(), [&](const ReducedRow& row) { return shown(row, columns); });
 }
 
 /// The best of one.
@@ -109,8 +105,10 @@ struct Reduced : ReductionReport {
 /// A field with those of the reduction.
 template <class Shown>
 constexpr auto of_columns(auto parts) {
-  return
-      [parts](const Reduced& now) { return each<Shown>(now.reduction.*parts, now.reduction.row); };
+  return [parts](const Reduced& now) {
+    const auto with_row = [&now](const auto& part) { return Shown{part, now.reduction.row}; };
+    return mapped(now.reduction.*parts, with_row);
+  };
 }
 
 constexpr auto reduction_table = [] {
@@ -133,14 +131,7 @@ constexpr auto reduction_table = [] {
                 "how many of them have each outcome"},
           Field{"feasible", only_of(true, &Now::kind, &Now::state, &SweepState::feasible),
                 "how many designs there are; null for motions"},
-          Field{"row",
-                [](const Now& now) {
-                  std::vector<std::string> names;
-                  for (const sweep::RowColumn& column : now.reduction.row) {
-                    names.push_back(column.name);
-                  }
-                  return names;
-                },
+          Field{"row", [](const Now& now) { return mapped(now.reduction.row, &RowColumn::name); },
                 "the columns of each row below", at_least_one},
           Field{"columns", of_columns<ShownColumn>(&Reduction::columns),
                 "of each result that is a number"},

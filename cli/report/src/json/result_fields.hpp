@@ -50,8 +50,14 @@ struct OfFigures {
             in_si<Value>(Dimension::velocity)}};
 };
 using Worst = OfFigures<double>;
-[[nodiscard]] Worst worst_of(const design::SuiteFigures& figures);
-[[nodiscard]] Worst worst_of(const design::Figures& figures);
+/// Of a motion or of a suite.
+[[nodiscard]] Worst worst_of(const auto& of) {
+  Worst worst{of.peak, of.acceleration, of.residual, {}, of.jump};
+  if constexpr (requires { of.stop_time; }) {
+    worst.stop_time = of.stop_time;
+  }
+  return worst;
+}
 /// Empty where a motion never rests.
 [[nodiscard]] std::optional<Worst> settled(const design::SuiteFigures& figures);
 

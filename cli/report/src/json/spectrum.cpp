@@ -66,22 +66,18 @@ using nlohmann::ordered_json;
 
 constexpr auto spectrum_name = std::to_array<std::string_view>({"stillpoint/spectrum-report/1"});
 
-struct ShownRecord {
-  const design::SuiteRecord& record;
+struct ShownRecord : design::SuiteRecord {
   std::vector<design::SpectrumPoint> points;
 
-  [[nodiscard]] const design::SuiteRecord& of() const { return record; }
-
-  using Record = design::SuiteRecord;
+  using Now = ShownRecord;
   static constexpr std::tuple field_table{
-      Field{"file", in(&ShownRecord::of, &Record::name), "", any_number},
-      Field{"scale", in(&ShownRecord::of, &Record::scale), "", any_number},
-      Field{"units", in(&ShownRecord::of, &Record::units), "of the values in the file"},
-      Field{"units_assumed", in(&ShownRecord::of, &Record::assumed_g),
-            "whether neither the file nor an option gives them"},
-      Field{"pga", [](const auto& now) { return design::peak_load(now.record); },
+      Field{"file", &Now::name, "", any_number},
+      Field{"scale", &Now::scale, "", any_number},
+      Field{"units", &Now::units, "of the values in the file"},
+      Field{"units_assumed", &Now::assumed_g, "whether neither the file nor an option gives them"},
+      Field{"pga", [](const auto& now) { return design::peak_load(now); },
             "the largest |W| in g, scaled"},
-      Field{"points", &ShownRecord::points, "", at_least_one}};
+      Field{"points", &Now::points, "", at_least_one}};
 };
 
 std::vector<ShownRecord> records_of(const SpectrumReport& report) {

@@ -56,11 +56,9 @@ struct ShownOutput {
       Field{"format", [](const auto& now) { return now.spec.format; }},
       Field{"columns",
             [](const auto& now) {
-              std::vector<std::string> names;
-              for (const sweep::Quantity column : now.spec.columns) {
-                names.emplace_back(sweep::name(column, now.spec.units));
-              }
-              return names;
+              return mapped(now.spec.columns, [&](auto column) {
+                return std::string(sweep::name(column, now.spec.units));
+              });
             },
             "", at_least_one}};
 };
