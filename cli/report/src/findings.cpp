@@ -67,15 +67,15 @@ constexpr auto wordings = [] {
        "The less constant friction, the better[: with any f up to {f:most}, delta may be off by "
        "{tolerance:%}]."},
       {locks,
-       "The notch locks the mass to the end of [{records}|the load at {periods} of {of_periods} "
-       "periods|the load, at x "
-       "= {final_position} from {locked_from} to {load_end}][, after it moves for "
-       "{moved} in all]; the structure then feels up to {largest_load_while_locked}."},
+       "The notch locks the mass to the end of [{of_records=1?}{records?}the "
+       "record|{records=of_records?}every record|{records} of {of_records} records|the load at "
+       "{periods} of {of_periods} periods|the load, at x = {final_position} from {locked_from} to "
+       "{load_end}][, after it moves for {moved} in all]; the structure then feels up to "
+       "{largest_load_while_locked}."},
       {never_moves,
-       "The mass never moves: [it is held through {records}|{stop_position=0?}nothing acts on "
-       "it|[{by=notch?}the ]{by} holds it[ at x = {stop_position}]][, and the structure feels up "
-       "to "
-       "{largest_load}]."},
+       "The mass never moves: [{records=1?}it is held through the record|{records?}it is held "
+       "through every record|{stop_position=0?}nothing acts on it|[{by=notch?}the ]{by} holds it[ "
+       "at x = {stop_position}]][, and the structure feels up to {largest_load}]."},
       {no_notch_works,
        "No notch works: only one wider than {least_width:least} would let the load move the mass, "
        "but the peak is {peak_amplitude}."},
@@ -101,8 +101,8 @@ constexpr auto wordings = [] {
        "Re-centring is weak without the notch: E_s/E_h is {energy_ratio:.2g}, where EN 15129 asks "
        "for {limit:.2g}."},
       {records_exceed_limit,
-       "{records} exceed[{records=1?}s] a limit that the mean meets: under {record} the {figure} "
-       "is {beyond}."},
+       "In {records} of {of_records} records the {figure} exceeds a limit that the mean meets: "
+       "under {record} it is {beyond}."},
       {search_cut_short,
        "The search for changes was cut short after a second: another may help as well."},
       {sensitive,
@@ -194,12 +194,8 @@ class Told {
     if (value == nullptr || (name == "beyond" && limit == nullptr)) {
       return std::nullopt;
     }
-    if (const auto* const count = std::get_if<std::int64_t>(&value->value)) {
-      const FindingValue* const all = find("of_records");
-      return name != "records"
-                 ? format("{}", *count)
-                 : of_records(*count,
-                              std::get<std::int64_t>((all == nullptr ? value : all)->value));
+    if (std::holds_alternative<std::int64_t>(value->value)) {
+      return plain(*value);
     }
     if (const auto* const word = std::get_if<std::string>(&value->value)) {
       return name == "changes"  ? changed_words(*word)

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -129,6 +130,26 @@ Document document(const MotionReport& report) {
                     report.answer.response.half_cycles, report.physical);
   }
   return document;
+}
+
+PhysicalState physical_state(const State& state, const design::Scales& scales) {
+  const auto& [tau, x, v] = state;
+  return {tau, x, v, tau * scales.time_s, x * scales.length_m, v * scales.velocity_m_per_s};
+}
+
+std::string trajectory_csv(const std::vector<State>& states,
+                           const std::optional<design::PhysicalInput>& physical) {
+  std::string text = physical ? "tau,x,v,t_s,x_m,v_m_per_s\n" : "tau,x,v\n";
+  auto end = std::back_inserter(text);
+  for (const State& state : states) {
+    fmt::format_to(end, "{},{},{}", state.tau, state.x, state.v);
+    if (physical) {
+      const PhysicalState now = physical_state(state, physical->scales);
+      fmt::format_to(end, ",{},{},{}", now.t_s, now.x_m, now.v_m_per_s);
+    }
+    text += '\n';
+  }
+  return text;
 }
 
 }  // namespace stillpoint::report

@@ -95,12 +95,6 @@ std::string no_damper(const design::RecordDesign& result) {
 
 }  // namespace
 
-std::string of_records(std::int64_t count, std::int64_t all) {
-  return all == 1       ? "the record"
-         : count == all ? "every record"
-                        : format("{} of {} records", count, all);
-}
-
 std::string scaled_name(std::string_view file, double scale) {
   return (scale == 1 ? "" : format("{:.4g} x ", scale)) +
          spelled_out(file.substr(file.rfind('/') + 1));

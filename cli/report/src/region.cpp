@@ -112,9 +112,6 @@ Document document(const RegionReport& report) {
              format("f = {:.9g}{}", *f, delta ? ", delta = " + length_shown(physical, *delta) : ""),
              Tone::heading);
   }
-  if (f && physical && physical->scales.mass_kg) {
-    rows.row("", damper_words(physical, f, delta.value_or(0)));
-  }
   if (delta && region.feasible) {
     rows.row("feasible f", feasible_words(report) + std::string(asked));
   }

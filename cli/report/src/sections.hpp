@@ -69,8 +69,6 @@ void add_motion(Section& answer, const design::ShownDamper& shown, const Physica
 /// "2 x a.AT2": the factor and the file of a record of a suite.
 [[nodiscard]] std::string record_label(const design::SuiteRecord& record);
 [[nodiscard]] std::string scaled_name(std::string_view file, double scale);
-/// "the record", "every record", "1 of 2 records"
-[[nodiscard]] std::string of_records(std::int64_t count, std::int64_t all);
 /// "2 x a.AT2, in g (assumed), peak 0.3 g".
 [[nodiscard]] std::string record_words(std::string_view file, double scale, std::string_view units,
                                        bool assumed, double peak);

@@ -7,24 +7,23 @@ namespace stillpoint::report {
 
 namespace {
 
-/// How the continuation of a line begins and how the line itself ends.
+/// How a line is folded: what begins it stays whole, what continues it is indented.
 struct Fold {
+  std::size_t whole{0};
   std::size_t indent{0};
-  std::string_view end;
+  std::string_view end;  ///< of the line itself
 };
 
 Fold fold_of(std::string_view line) {
   const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
-  const std::string_view words = line.substr(begin);
-  if (begin > 0 && words.starts_with("stillpoint ")) {
-    return {begin + 4, " \\"};
+  if (begin > 0 && line.substr(begin).starts_with("stillpoint ")) {
+    return {begin, begin + 4, " \\"};
   }
   // "  --name VALUE     what it is for"
-  const std::size_t gap = words.find("  ");
-  if (begin > 0 && gap != std::string_view::npos) {
-    return {begin + std::min(words.find_first_not_of(' ', gap), words.size()), ""};
-  }
-  return {begin, ""};
+  const std::size_t gap = begin > 0 ? line.find("  ", begin) : std::string_view::npos;
+  const std::size_t column =
+      gap < line.size() ? std::min(line.find_first_not_of(' ', gap), line.size()) : begin;
+  return {column, column, ""};
 }
 
 /// A number from its unit, "f = 0.02", or an option from its value.
@@ -41,44 +40,33 @@ bool parts(std::string_view text, std::size_t space) {
          (!behind.empty() && relations.find(behind.front()) != std::string_view::npos);
 }
 
-/// The last blank up to `room` that parts nothing; any without one.
-std::size_t last_blank(std::string_view text, std::size_t room, std::size_t least) {
+/// The last blank up to `room` that parts nothing; else the last or, beyond it, the next one.
+std::size_t last_blank(std::string_view text, std::size_t room) {
   const std::size_t last = text.rfind(' ', room);
-  for (std::size_t space = last; space != std::string_view::npos && space > least;
-       space = text.rfind(' ', space - 1)) {
-    if (!parts(text, space)) {
-      return space;
-    }
+  std::size_t space = last;
+  while (space != std::string_view::npos && parts(text, space)) {
+    space = space == 0 ? std::string_view::npos : text.rfind(' ', space - 1);
   }
-  return last;
+  return space != std::string_view::npos  ? space
+         : last != std::string_view::npos ? last
+                                          : text.find(' ', room);
 }
 
 void add_line(std::string& text, std::string_view line, std::size_t width) {
   const Fold fold = fold_of(line);
-  std::string now;
-  std::string_view rest = line;
+  std::string now(line.substr(0, fold.whole));
+  std::string_view rest = line.substr(fold.whole);
   while (now.size() + rest.size() > width) {
-    const std::size_t room = width - std::min(width, now.size() + fold.end.size());
-    const std::size_t first = std::min(rest.find_first_not_of(' '), rest.size());
-    // A line must not break before the fold's column.
-    const std::size_t least =
-        now.empty() ? std::max(first, fold.end.empty() ? fold.indent : first) : first;
-    std::size_t space = last_blank(rest, room, least);
-    if (space == std::string_view::npos || space < least) {
-      space = rest.find(' ', std::max(least, room));
-    }
+    const std::size_t space =
+        last_blank(rest, width - std::min(width, now.size() + fold.end.size()));
     if (space == std::string_view::npos) {
       break;
     }
-    text += now;
-    text += rest.substr(0, space);
-    text += fold.end;
-    text += '\n';
-    now = std::string(fold.indent, ' ');
+    text += now.append(rest.substr(0, space)).append(fold.end) + '\n';
+    now.assign(fold.indent, ' ');
     rest.remove_prefix(space + 1);
   }
-  text += now;
-  text += rest;
+  text += now.append(rest);
 }
 
 }  // namespace
