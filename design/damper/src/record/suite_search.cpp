@@ -37,10 +37,12 @@ constexpr double beyond = 1.05;
 constexpr double unlikely = 1.02;
 /// Nor will one that is this much worse than the best candidate.
 constexpr double mediocre = 1.08;
-/// Where the surest candidates miss the limits by more than this, refined and then polished, so do
-/// the others; and so does one of which a step mends less than this part.
-constexpr double far_off = 0.02;
+/// Where the surest candidates miss the limits by more than this, refined or polished, so do the
+/// others.
 constexpr double missed = 0.01;
+/// One that is off by more stays so if a step mends less than this part; and of several, the surest
+/// alone is polished.
+constexpr double far_off = 0.02;
 constexpr double least_mended = 0.0625;
 /// Candidates of the map may lie this part of a box apart: it is too coarse to choose between them.
 constexpr double spacing = 0.25;
@@ -322,7 +324,7 @@ std::vector<BoxedDamper> SuiteSearch::all_refined(const std::vector<BoxedDamper>
     fine = grid;
     list[i] = refined(list[i], fine, first_levels);
     least_off = std::min(least_off, list[i].rank.off);
-    if (i + 1 >= sure && least_off > far_off) {
+    if (i + 1 >= sure && least_off > missed) {
       list.resize(i + 1);
     }
   }

@@ -16,8 +16,9 @@
 
 namespace stillpoint::design {
 
-/// Dampers of a box that verify a design.
+/// Dampers of a box that verify a design, and a box that is told of, but not given.
 inline constexpr std::size_t verifying_samples = 4000;
+inline constexpr std::size_t brief_samples = 1000;
 
 /// A damper whose whole box was tried.
 struct VerifiedBox {
@@ -32,7 +33,7 @@ struct VerifiedBox {
 /// Looks for one goal in one space.
 class SuiteSearch {
  public:
-  /// A brief one looks near the likeliest alone.
+  /// A brief one looks near the likeliest alone, and does not verify a design.
   SuiteSearch(const Suite& suite, const RecordDesignRequest& task, const SuiteSpace& space,
               const SuiteGoal& goal, SuiteWatch& watch, bool brief = false);
 

@@ -23,8 +23,13 @@ constexpr std::int64_t line_points = 1000;
 constexpr std::int64_t more_points = 4;
 /// Part of a value by which a box that grew is moved at first.
 constexpr double grown_step = 0.0125;
+/// Than the required size, of a box that grew beyond it and fails with it.
+constexpr double hardly_smaller = 0.99;
 constexpr std::array every_friction{SuiteFrictions::constant, SuiteFrictions::point,
                                     SuiteFrictions::both};
+/// The largest box of these first: it rules the others out.
+constexpr std::array most_tolerant_first{SuiteFrictions::both, SuiteFrictions::point,
+                                         SuiteFrictions::constant};
 
 bool has_friction(const RecordDesignRequest& task, SuiteFrictions frictions) {
   return (frictions == SuiteFrictions::constant || task.delta->high > 0) &&
@@ -96,7 +101,7 @@ class TaskSearch {
 
   std::optional<ChosenBox> most_tolerant() {
     expect();
-    std::optional<LargestBox> best = largest();
+    std::optional<LargestBox> best = largest(HUGE_VAL);
     if (!best) {
       return std::nullopt;
     }
@@ -124,7 +129,7 @@ class TaskSearch {
   }
 
   /// On the maps that there are, or looked for by itself. No part is off by all of itself.
-  std::optional<LargestBox> largest() {
+  std::optional<LargestBox> largest(double most) {
     constexpr double whole = 0.95;
     const SuiteTolerance& of = task_.tolerance;
     const double below =
@@ -133,16 +138,16 @@ class TaskSearch {
     if (below == 0) {
       return best;
     }
-    for (const SuiteFrictions frictions : every_friction) {
+    for (const SuiteFrictions frictions : most_tolerant_first) {
       if (!has_friction(task_, frictions) || watch_.stopped()) {
         continue;
       }
-      const auto here = std::ranges::find(maps_, frictions, &Mapped::frictions);
-      auto now = largest_box(suite_, task_, frictions, whole / below,
-                             here == maps_.end() ? nullptr : &here->scan, watch_);
       const double bar =
-          !best ? 0 : best->scale * (best->verified.box.damper.delta == 0 ? 1 + least_gain : 1);
-      if (now && now->scale > bar) {
+          !best ? 0 : best->scale / (frictions == SuiteFrictions::constant ? 1 + least_gain : 1);
+      const auto here = std::ranges::find(maps_, frictions, &Mapped::frictions);
+      auto now = largest_box(suite_, task_, frictions, {bar, std::min(most, whole / below)},
+                             here == maps_.end() ? nullptr : &here->scan, watch_);
+      if (now) {
         best = now;
         watch_.verified({best->verified.box.damper, best->verified.box.worst});
       }
@@ -167,7 +172,7 @@ class TaskSearch {
   /// tolerance in the result if there is none.
   std::optional<VerifiedBox> grown_to_tolerance(const SuiteGoal& goal) {
     const std::optional<LargestBox> found =
-        watch_.stopped() || is_hopeless(goal) ? std::nullopt : largest();
+        watch_.stopped() || is_hopeless(goal) ? std::nullopt : largest(HUGE_VAL);
     if (!found || found->scale < 1) {
       return std::nullopt;
     }
@@ -181,7 +186,8 @@ class TaskSearch {
     if (box) {
       result_.largest_tolerance.reset();
     } else {
-      *result_.largest_tolerance /= found->scale;
+      result_.largest_tolerance.reset();
+      largest(hardly_smaller);
     }
     return box;
   }

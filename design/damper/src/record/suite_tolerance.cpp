@@ -46,23 +46,25 @@ constexpr double places_apart = 0.05;
 
 class Growth {
  public:
-  Growth(const Suite& suite, const RecordDesignRequest& task, SuiteFrictions frictions, double most,
-         SuiteWatch& watch)
+  Growth(const Suite& suite, const RecordDesignRequest& task, SuiteFrictions frictions, Interval scales,
+         bool thorough, SuiteWatch& watch)
       : suite_(suite),
         task_(task),
         frictions_(frictions),
-        most_(most),
+        least_(scales.low),
+        most_(scales.high),
+        thorough_(thorough),
         goal_{nullptr, task.limits},
         watch_(watch),
         exact_(task, frictions, 0),
         breaking_(exact_) {}
 
-  std::optional<LargestBox> on(const SuiteScan& scan, bool thorough) {
+  std::optional<LargestBox> on(const SuiteScan& scan) {
     grid_ = scan.grid();
     figures_ = scan.figures();
     for (const auto& [scale, damper] : candidates()) {
       grow(scale, damper);
-      if (!thorough) {
+      if (!thorough_) {
         return best_;
       }
     }
@@ -86,7 +88,7 @@ class Growth {
     }
     SuiteScan scan(suite_, exact_, points(), task_.threads, watch_);
     scan.look(goal_, HUGE_VAL);
-    return on(scan, true);
+    return on(scan);
   }
 
  private:
@@ -122,10 +124,10 @@ class Growth {
     const int most = exact_.searched() > 0 ? most_shrinkages : most_shrinkages_of_one;
     for (int i = 0; i < most && !watch_.stopped(); ++i, scale *= by) {
       const SuiteSpace boxes = space(scale);
-      if (best_ && scale <= best_->scale / least_shrinkage) {
+      if (scale <= (best_ ? best_->scale / least_shrinkage : least_)) {
         break;
       }
-      SuiteSearch search(suite_, task_, boxes, goal_, watch_);
+      SuiteSearch search(suite_, task_, boxes, goal_, watch_, !thorough_);
       search.learn(breaking_);
       const bool found = std::ranges::any_of(
           on_map(scale, places_of_a_size, places_apart), [&](const BoxedDamper& each) {
@@ -243,7 +245,9 @@ class Growth {
   const Suite& suite_;
   const RecordDesignRequest& task_;
   SuiteFrictions frictions_;
+  double least_;
   double most_;
+  bool thorough_;
   SuiteGoal goal_;
   SuiteWatch& watch_;
   SuiteSpace exact_;
@@ -256,10 +260,10 @@ class Growth {
 }  // namespace
 
 std::optional<LargestBox> largest_box(const Suite& suite, const RecordDesignRequest& task,
-                                      SuiteFrictions frictions, double most, const SuiteScan* scan,
+                                      SuiteFrictions frictions, Interval scales, const SuiteScan* scan,
                                       SuiteWatch& watch) {
-  Growth growth(suite, task, frictions, most, watch);
-  return scan != nullptr ? growth.on(*scan, false) : growth.run();
+  Growth growth(suite, task, frictions, scales, scan == nullptr, watch);
+  return scan != nullptr ? growth.on(*scan) : growth.run();
 }
 
 }  // namespace stillpoint::design

@@ -38,7 +38,8 @@ SuiteLimits tightened(SuiteLimits limits, double part) {
 }  // namespace
 
 VerifiedBox SuiteSearch::tried(const SuiteDamper& damper, bool whole) {
-  const std::vector<SuitePlace> places = box_samples(space_, verifying_samples);
+  const std::vector<SuitePlace> places = 
+      box_samples(space_, brief_ ? brief_samples : verifying_samples);
   VerifiedBox result{boxed(damper, {}), {}, 0};
   result.of.fill(damper);
   for (std::size_t begin = 0; begin < places.size();) {
