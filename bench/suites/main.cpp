@@ -44,7 +44,7 @@ std::optional<test::DenseBox> best_box(const RecordDesignRequest& task, bool con
   constexpr double most_values = 5e9;
   const test::DenseBoxes truth(task);
   double values = 0;
-  for (const design::SuiteRecord& each : task.records) {
+  for (const design::SuiteRecord& each : task.cases.front().records) {
     values += static_cast<double>(each.record.values.size());
   }
   int steps = constant ? 32 : 6;
@@ -71,10 +71,12 @@ Comparison against_best(const RecordDesign& design) {
       best = with_notch;
     }
   }
-  const double found = design.finding ? design.nearest.figures.*minimised(task).value : HUGE_VAL;
+  const double found =
+      design.finding ? design.nearest.figures.front().*minimised(task).value : HUGE_VAL;
   if (best) {
     const bool of_limit = task.objective == design::SuiteObjective::residual;
-    result.excess = (found - best->value) / (of_limit ? *task.limits.residual : best->value);
+    result.excess =
+        (found - best->value) / (of_limit ? *task.cases.front().limits.residual : best->value);
   }
   result.allowed = task.tolerance.f.above > 0 ? largest_excess : largest_excess_of_one;
   return result;
@@ -117,7 +119,7 @@ bool compare(const NamedSuite& suite, double tolerance) {
   const bool good = scan.excess <= scan.allowed;
   const design::SuiteDamper& damper = design.nearest.damper;
   const double objective = robust ? design.largest_tolerance.value_or(0)
-                                  : design.nearest.figures.*minimised(request).value;
+                                  : design.nearest.figures.front().*minimised(request).value;
   fmt::print(
       "| {} | {} | {} | {} | {:.5f} | {:.2f} mm | {:.1f} mm | {:.3f} s | {} | {} | {:.1f} s "
       "| {:.1f} s |\n",

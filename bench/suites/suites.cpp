@@ -59,16 +59,17 @@ constexpr double any_jump = 1e3;
 NamedSuite suite(const std::string& name, std::vector<SuiteRecord> records, const Task& task) {
   constexpr double mm = 1e-3 * metre;
   RecordDesignRequest request;
-  request.records = std::move(records);
+  request.cases.front().records = std::move(records);
   request.objective = task.objective;
   request.p = {2.8 / task.periods_s.high, 2.8 / task.periods_s.low};
-  request.limits = {task.stroke_mm * mm, task.acceleration, task.residual_mm * mm, {}, {}};
+  request.cases.front().limits = {
+      task.stroke_mm * mm, task.acceleration, task.residual_mm * mm, {}, {}};
   request.hold = task.hold;
   request.f = task.f;
   if (task.width_mm) {
     request.width = Interval{task.width_mm->low * mm, task.width_mm->high * mm};
   } else {
-    request.limits.jump = any_jump;
+    request.cases.front().limits.jump = any_jump;
   }
   const bool has_size = task.objective == SuiteObjective::robust;
   return {

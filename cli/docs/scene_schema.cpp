@@ -32,6 +32,22 @@ bool sweeps(const Option& option) {
   return option.traits.axis.has(Command::sweep);
 }
 
+/// The load of a case and its own limits, each as outside of the cases.
+ordered_json type_of_case() {
+  ordered_json properties{{"name", {{"type", "string"}, {"minLength", 1}}}};
+  for (const Option& option : options()) {
+    if (option.is_of_case()) {
+      for (const std::string& key : {records::underscored(option.name), std::string(option.name)}) {
+        properties[key] = {{"$ref", "#/properties/" + key}};
+      }
+    }
+  }
+  return {{"type", "object"},
+          {"required", {"name"}},
+          {"properties", properties},
+          {"additionalProperties", false}};
+}
+
 ordered_json type_of(const Option& option) {
   const bool ranges = option.traits.range != RangeEnd::none;
   if (ranges && !sweeps(option)) {
@@ -59,6 +75,9 @@ ordered_json type_of(const Option& option) {
             {"properties", {{"to", number_type(Dimension::length)}, {"f", {{"type", "number"}}}}},
             {"additionalProperties", false}};
         return {{"type", {"string", "array"}}, {"minItems", 1}, {"items", zone}};
+      }
+      if (option.traits.in_scene == InScene::cases) {
+        return {{"type", {"string", "array"}}, {"minItems", 1}, {"items", type_of_case()}};
       }
       if (option.traits.repeats) {
         return {{"type", {"string", "array"}}, {"minItems", 1}, {"items", {{"type", "string"}}}};

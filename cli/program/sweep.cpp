@@ -117,8 +117,7 @@ ExitCode run_sweep(const Settings& settings, Output& output) {
 ExitCode run_merge(const MergeFiles& files, Output& output) {
   sweep::require_apart({"output", files.output}, files.parts);
   if (report::is_reduction(files.parts.front())) {
-    output.write_file("output", files.output,
-                      report::json_text(report::merged(files.parts)));
+    output.write_file("output", files.output, report::json_text(report::merged(files.parts)));
     return exit_done;
   }
   Progress progress([](double bytes, double seconds) {

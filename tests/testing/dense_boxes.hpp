@@ -35,7 +35,7 @@ class DenseBoxes {
  public:
   /// Of the request of a RecordDesign.
   explicit DenseBoxes(const design::RecordDesignRequest& task) : task_(task) {
-    for (const design::SuiteRecord& record : task.records) {
+    for (const design::SuiteRecord& record : task.cases.front().records) {
       loads_.push_back(design::scaled(record));
     }
     const design::SuiteTolerance& of = task.tolerance;
@@ -61,7 +61,7 @@ class DenseBoxes {
     options.half_cycle_limit = 10'000;
     options.threads = task_.threads;
     options.notch_width = column(3);
-    const bool mean = *task_.combine == design::Combine::mean;
+    const bool mean = *task_.cases.front().combine == design::Combine::mean;
     const double share = mean ? 1 / static_cast<double>(loads_.size()) : 1;
     std::vector<Figures> all(dampers.size(), Figures{});
     for (const Record& load : loads_) {
@@ -90,7 +90,7 @@ class DenseBoxes {
   /// By how much a limit is exceeded, as a part of it; 0 or less: all are met.
   [[nodiscard]] double excess(const Figures& figures) const {
     double most = -1;
-    const design::SuiteLimits& of = task_.limits;
+    const design::SuiteLimits& of = task_.cases.front().limits;
     const std::array limits{of.peak, of.acceleration, of.residual, of.jump, of.late};
     for (std::size_t n = 0; n < limits.size(); ++n) {
       if (const std::optional<double>& limit = limits.at(n)) {

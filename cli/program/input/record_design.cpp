@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "input/request.hpp"
 
+#include "input/cases.hpp"
 #include "input/motion.hpp"
 #include "input/record.hpp"
 
@@ -27,9 +28,17 @@ std::optional<Interval> search_range(const Settings& settings, const char* name)
   return Interval{low, *high};
 }
 
-/// With the longest period if only the range of the search is given.
-MotionInput suite_motion(const Settings& settings, const std::optional<Interval>& periods) {
+/// With the longest period if only the range of the search is given, and in the units of the first
+/// hit.
+MotionInput suite_motion(const Settings& settings, const std::vector<GivenCase>& cases,
+                         const std::optional<Interval>& periods) {
   Settings whole = settings;
+  for (const GivenCase& each : cases) {
+    if (const auto velocity = each.settings.number("velocity");
+        velocity && !whole.has("velocity")) {
+      whole.set("velocity", *velocity);
+    }
+  }
   const Option* const spring = settings.given(Rivals::stiffness);
   if (periods && spring == nullptr) {
     whole.set("period", periods->high);
@@ -55,15 +64,12 @@ design::SuiteTolerance tolerances(const Settings& settings) {
   return of;
 }
 
-std::optional<double> jump_limit(const Settings& settings, const Physical& physical) {
-  const auto limit = settings.number("jump-max");
-  return limit ? std::optional(*limit / physical->scales.velocity_m_per_s)
-               : settings.number("jump-max-v");
-}
-
 }  // namespace
 
 bool designs_under_records(const Settings& settings) {
+  if (settings.has("cases")) {
+    return true;
+  }
   const bool records = asks_for_records(settings);
   if (const Option* const hit = settings.given(Rivals::hit); records && hit != nullptr) {
     throw UsageError(fmt::format("{} and records cannot be combined: give one of them", hit->name));
@@ -72,8 +78,10 @@ bool designs_under_records(const Settings& settings) {
 }
 
 void require_options_for(const Settings& settings, DesignFor design) {
+  const bool has_cases = settings.has("cases");
   const Option* const wrong = settings.first([&](const Option& option) {
-    return option.design_for() != DesignFor::both && option.design_for() != design;
+    return option.design_for() != DesignFor::both && option.design_for() != design &&
+           !(has_cases && option.is_of_case());
   });
   if (wrong != nullptr) {
     throw UsageError(fmt::format("{} {}", wrong->name,
@@ -86,18 +94,20 @@ void require_options_for(const Settings& settings, DesignFor design) {
 report::RecordDesignInput record_design_input(const Settings& settings) {
   require_options_for(settings, DesignFor::records);
   const auto periods = search_range(settings, "search-period");
-  const MotionInput start = suite_motion(settings, periods);
+  const std::vector<GivenCase> cases = cases_of(settings);
+  const MotionInput start = suite_motion(settings, cases, periods);
   report::RecordDesignInput input;
   input.physical = start.physical;
   design::RecordDesignRequest& request = input.request;
   const double length = start.physical ? start.physical->scales.length_m : 1;
-  request.records = read_suite(settings, record_clock(start.physical, start.p),
-                               periods ? std::nullopt : std::optional(start.p));
   request.p = {start.p, start.p};
   if (periods) {
     records::require_physical("search-period", Dimension::time, periods->low);
     const design::Scales& scales = start.physical->scales;
     request.p = {scales.p_of(periods->high), scales.p_of(periods->low)};
+  }
+  for (const GivenCase& each : cases) {
+    request.cases.push_back(load_case(each, start, !periods));
   }
   request.f = search_range(settings, "search-f");
   request.f_max = settings.number("f-max");
@@ -105,13 +115,8 @@ report::RecordDesignInput record_design_input(const Settings& settings) {
     request.delta = Interval{range->low / length, range->high / length};
   }
   request.delta_max = point_friction(settings, "delta-max", start.physical);
-  request.objective = objective_of(settings, request.objective, " under records");
-  request.combine = settings.named<design::Combine>("combine");
-  request.limits = {in_either(settings, "beta", length, smallest_physical),
-                    settings.number("acceleration-max"),
-                    in_either(settings, "residual", length, 0),
-                    jump_limit(settings, start.physical),
-                    {}};
+  request.objective = objective_of(settings, usual_objective(request.cases), " under records");
+  request.objective_case = objective_case(settings, request.cases);
   request.hold = settings.number("hold");
   if (const auto width = notch_width(settings, start.physical)) {
     request.width = Interval{*width, *width};

@@ -101,6 +101,11 @@ OptionTraits under_records(OptionTraits traits = {}) {
   traits.design = DesignFor::records;
   return traits;
 }
+/// Each case of a design may have its own.
+OptionTraits limit(OptionTraits traits) {
+  traits.limits_case = true;
+  return traits;
+}
 OptionTraits of(Load load, OptionTraits traits = {}) {
   traits.load = load;
   return traits;
@@ -124,7 +129,7 @@ std::vector<Option> rows() {
       row("p", number, "P", motion, "square root of the stiffness", every,
           plain_axis(Rivals::stiffness, RangeEnd::low)),
       row("beta", number, "B", motion, "largest admissible displacement", of_designs,
-          plain_axis(Rivals::stroke)),
+          limit(plain_axis(Rivals::stroke))),
       row("pulse", text, "TYPE", motion,
           "a pulse instead of a velocity: {}; needs --k, and --pulse-duration, "
           "--excitation-frequency or --lambda",
@@ -143,7 +148,7 @@ std::vector<Option> rows() {
           also({"pgv", "speed"}, axis_in_si(Rivals::hit, Dimension::velocity, RangeEnd::high))),
       row("max-displacement", number, "M", physical, "largest admissible displacement in m",
           of_designs,
-          also({"stroke", "displacement"}, axis_in_si(Rivals::stroke, Dimension::length))),
+          also({"stroke", "displacement"}, limit(axis_in_si(Rivals::stroke, Dimension::length)))),
       row("period", number, "S", physical, "natural period without friction in s",
           in_metres | spectrum,
           {.axis = sweep | spectrum,
@@ -191,11 +196,11 @@ std::vector<Option> rows() {
           for_hits({.values = names<design::Criterion>(), .first_is_default = true})),
       row("arrivals", integer, "N", damper,
           "stop at x = 0 by the N-th arrival, from 1 to 1000; default 1", of_designs,
-          for_hits({.axis = sweep, .bounds = {1, design::most_arrivals}})),
+          limit(for_hits({.axis = sweep, .bounds = {1, design::most_arrivals}}))),
       row("residual", number, "R", damper, "also allow a rest with |x| up to R", of_designs,
-          plain_axis(Rivals::residual)),
+          limit(plain_axis(Rivals::residual))),
       row("residual-m", number, "M", damper, "the same in m, with physical input", of_designs,
-          axis_in_si(Rivals::residual, Dimension::length)),
+          limit(axis_in_si(Rivals::residual, Dimension::length))),
       row("tolerance", number, "R", damper,
           "the design must stay admissible if its parts are off by up to R, or between the factors "
           "LOW:HIGH: f, delta, and under records the width of a notch; 0.1 is 10 %, 0.8:1.2 from "
@@ -218,14 +223,14 @@ std::vector<Option> rows() {
           in_si(Dimension::length, Rivals::point_friction_limit)),
       row("acceleration-max", number, "A", damper,
           "largest acceleration in g that the mass may feel outside the notch", of_designs,
-          {.dimension = Dimension::gravities}),
+          limit({.dimension = Dimension::gravities})),
 
       row("jump-max", number, "M/S", damper,
           "under records: largest jump of the velocity at a notch without a width, in m/s; with it "
           "such a notch is searched where an acceleration is asked for",
-          design, under_records(in_si(Dimension::velocity, Rivals::jump_limit))),
+          design, limit(under_records(in_si(Dimension::velocity, Rivals::jump_limit)))),
       row("jump-max-v", number, "V", damper, "the same, dimensionless", design,
-          under_records({.rivals = Rivals::jump_limit, .units = Units::dimensionless})),
+          limit(under_records({.rivals = Rivals::jump_limit, .units = Units::dimensionless}))),
 
       row("catalogue", text, "FILE", searching,
           "choose among these parts: CSV with the columns name, f, and delta or delta_m; - for "
@@ -249,7 +254,15 @@ std::vector<Option> rows() {
       row("combine", text, "NAME", searching,
           "how to combine the figures of all records: {}; default: max for fewer than seven "
           "records",
-          of_suites, under_records({.values = names<design::Combine>()})),
+          of_suites, limit(under_records({.values = names<design::Combine>()}))),
+      row("cases", text, "JSON", searching,
+          "several load cases, in a scene a list of objects: each has a name, a load (a velocity, "
+          "a "
+          "pulse or records) and limits of its own; what stands outside is common to all",
+          design, under_records({.in_scene = InScene::cases, .explored = false})),
+      row("objective-case", text, "NAME", searching,
+          "the case whose figure is minimised; default: the largest of all", design,
+          under_records({.needs = {design, {"cases"}, "several cases"}})),
       row("search-f", number, "LOW:HIGH", searching,
           "under records: f, or the range LOW:HIGH to search; default: from 0 to the largest load",
           design, under_records({.range = RangeEnd::high})),

@@ -88,9 +88,9 @@ using sweep::RangeEnd;
 
 enum class FileUse { none, read, written, directory };
 
-/// Besides the value of the command line a scene may have a list of zones, or an object that
-/// groups the options under the same heading.
-enum class InScene { plain, zones, group };
+/// Besides the value of the command line a scene may have a list of zones or of cases, or an object
+/// that groups the options under the same heading.
+enum class InScene { plain, zones, cases, group };
 
 /// Which loads, or pulses, an option shapes; a wave is a harmonic or a pulse.
 enum class Load { none, harmonic, pulse, wave, record };
@@ -131,6 +131,7 @@ struct OptionTraits {
   bool repeats{false};  ///< may be given several times; a file, to commands that take a suite
   RangeEnd range{RangeEnd::none};  ///< for designs LOW:HIGH is a value as well
   DesignFor design{DesignFor::both};
+  bool limits_case{false};  ///< each case of a design may have its own
   Load load{Load::none};
   Bounds bounds{};  ///< of an integer
   InScene in_scene{InScene::plain};
@@ -182,6 +183,11 @@ struct Option {
     return traits.load == Load::record ? DesignFor::records
            : shapes(Load::pulse)       ? DesignFor::hit
                                        : traits.design;
+  }
+  /// Whether it may stand in one of the cases of a design: its load, and what is required under it.
+  [[nodiscard]] bool is_of_case() const {
+    return traits.limits_case || traits.load == Load::record || shapes(Load::pulse) ||
+           (traits.rivals == Rivals::hit && serves(Command::design));
   }
   /// In Python files that show a report do not exist.
   [[nodiscard]] bool serves_in_python(Command command) const {

@@ -104,8 +104,12 @@ std::string text_of(const Option& option, const nlohmann::json& value, Command c
   if (option.traits.in_scene == InScene::zones && value.is_array()) {
     return zones_text(value);
   }
+  if (option.traits.in_scene == InScene::cases && value.is_array()) {
+    return value.dump();
+  }
   const bool is_one = option.traits.repeats && !option.repeats_in(command);
-  const char* const wanted = option.traits.in_scene == InScene::group
+  const char* const wanted = option.traits.in_scene == InScene::cases ? "must be a list of objects"
+                             : option.traits.in_scene == InScene::group
                                  ? R"(must be a string, or an object with a "type")"
                              : option.traits.file == FileUse::none ? "must be a string"
                              : is_one                              ? "must be one path"
@@ -186,6 +190,25 @@ void add_keys(Settings& settings, const nlohmann::json& object, Command command,
   }
 }
 
+/// Those that one of its cases names.
+void find_files_of(nlohmann::json& load_case, const std::string& scene) {
+  const auto find = [&](nlohmann::json& name) {
+    if (name.is_string()) {
+      name = records::beside(scene, name.get<std::string>());
+    }
+  };
+  for (const auto& [key, value] : load_case.items()) {
+    const Option* const option = find_option(records::hyphened(key));
+    if (option != nullptr && option->traits.file == FileUse::read) {
+      if (value.is_array()) {
+        std::ranges::for_each(value, find);
+      } else {
+        find(value);
+      }
+    }
+  }
+}
+
 /// The files that a scene names are looked for beside it first.
 void find_files(Settings& settings, const std::string& scene) {
   for (const Option& option : options()) {
@@ -197,6 +220,13 @@ void find_files(Settings& settings, const std::string& scene) {
       found += (found.empty() ? "" : "\n") + (name == "-" ? name : records::beside(scene, name));
     }
     settings.set(option, found);
+  }
+  if (const auto text = settings.text("cases")) {
+    auto cases = nlohmann::json::parse(*text);
+    for (nlohmann::json& each : cases) {
+      find_files_of(each, scene);
+    }
+    settings.set("cases", cases.dump());
   }
 }
 

@@ -40,7 +40,8 @@ bool nothing_meets(const design::Constraint& now) {
   return now.relation.front() == '<' && now.limit < 0;
 }
 
-/// "delta <= 8.1577 mm", rounded so that what is as printed meets it.
+}  // namespace
+
 std::string requirement(const design::Constraint& now, const FigureUnits& units) {
   constexpr int shown = 6;
   constexpr double conversion = 1e-12;  // the rounding of 150 mm to dimensionless and back
@@ -58,8 +59,6 @@ std::string requirement(const design::Constraint& now, const FigureUnits& units)
                 with_blank(unit_name));
 }
 
-}  // namespace
-
 void add_constraints(Document& document, std::span<const design::Constraint> constraints,
                      const Physical& physical, std::string_view of_what) {
   if (constraints.empty()) {
@@ -67,20 +66,21 @@ void add_constraints(Document& document, std::span<const design::Constraint> con
   }
   const FigureUnits units = units_of(physical);
   const bool back = returns(constraints);
-  Table table{{"", "requirement", "slack", "under", ""}, {}};
+  Table table{{"case", "", "requirement", "slack", "under", ""}, {}};
   for (const design::Constraint& now : constraints) {
     if (!back && now.name == "stop") {
-      table.rows.push_back({{"stop", "-", "-", "", "not reached"}});
+      table.rows.push_back({{"", "stop", "-", "-", "", "not reached"}});
       continue;
     }
     const auto [unit, unit_name] = units.of(now.dimension());
-    table.rows.push_back({{in_words(now.name), requirement(now, units),
-                           bounds_nothing(now) || nothing_meets(now) || !now.known
-                               ? "-"
-                               : few_digits(now.slack * unit) + with_blank(unit_name),
-                           now.motion ? scaled_name(now.motion->file, now.motion->scale) : "",
-                           now.satisfied ? "met" : "violated"},
-                          now.satisfied ? Tone::good : Tone::bad});
+    table.rows.push_back(
+        {{now.in_case, in_words(now.name), requirement(now, units),
+          bounds_nothing(now) || nothing_meets(now) || !now.known
+              ? "-"
+              : few_digits(now.slack * unit) + with_blank(unit_name),
+          now.motion && now.in_case.empty() ? scaled_name(now.motion->file, now.motion->scale) : "",
+          now.satisfied ? "met" : "violated"},
+         now.satisfied ? Tone::good : Tone::bad});
   }
   Section& section = document.section("Constraints", {without_empty_columns(std::move(table))});
   section.detail = std::ranges::all_of(constraints, &design::Constraint::satisfied);

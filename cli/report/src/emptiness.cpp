@@ -104,7 +104,8 @@ Section& add_mends(Document& document, std::span<const design::Mend> mends,
   Section& section = document.section("What would make it feasible, each alone");
   for (const design::Mend& mend : mends) {
     auto [name, values] = way_of(mend, physical, limits, pulse);
-    section.row(std::move(name), std::move(values));
+    section.row(mend.in_case.empty() ? std::move(name) : format("{}: {}", mend.in_case, name),
+                std::move(values));
   }
   return section;
 }

@@ -232,7 +232,9 @@ class Told {
 
 std::string words(const Finding& finding, const Physical& physical) {
   std::string_view pattern = wordings.at(static_cast<std::size_t>(finding.kind)).pattern;
-  return Told(finding, physical).choice(pattern);
+  const Told told(finding, physical);
+  std::string_view of_case = "{case}: ";
+  return told.choice(of_case) + told.choice(pattern);
 }
 
 ordered_json findings_json(std::span<const design::Finding> findings, const Physical& physical) {

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace stillpoint::report {
 
@@ -30,6 +31,14 @@ std::string figures_words(const design::SuiteFigures& figures, const Physical& p
                             : format(", stroke {}, residual {}",
                                      figure_shown(physical, Dimension::length, figures.peak),
                                      figure_shown(physical, Dimension::length, figures.residual)));
+}
+
+/// "Largest of 3 cases"
+std::string whose_words(const std::vector<design::LoadCase>& cases) {
+  const design::LoadCase& first = cases.front();
+  return cases.size() > 1     ? format("Largest of {} cases", cases.size())
+         : first.of_records() ? design::suite_words(*first.combine, first.records.size())
+                              : format("Under the {}", first.v0 ? "hit" : "pulse");
 }
 
 /// With the digits with which the figures of a design come true.
@@ -56,35 +65,63 @@ void add_answer(Section& answer, const RecordDesignReport& report) {
     answer.row("tried", format("no failure in {} dampers within the tolerance, corners and "
                                "boundary included",
                                samples));
-    answer.row("exact", "without any error: " + figures_words(point.figures, physical));
+    answer.row("exact", "without any error: " + figures_words(largest(point.figures), physical));
   }
   add_check(answer, result.finding->cross_check);
 }
 
-void add_records(Document& document, const design::RecordDesign& result, const Physical& physical) {
+/// What governs each case, and under which motion and damper of the box.
+void add_cases(Document& document, const design::RecordDesign& result, const Physical& physical) {
+  const std::vector<design::LoadCase>& cases = result.request.cases;
+  const FigureUnits units = units_of(physical);
+  Table table{{"case", "governed by", "slack", "under", "f", in("delta", units.length)}, {}};
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const auto now = design::governing(result, i);
+    if (!now) {
+      table.rows.push_back({{cases[i].name, "no limit", "", "", "", ""}});
+      continue;
+    }
+    const design::Constraint& limit = now->constraint;
+    table.rows.push_back(
+        {{cases[i].name, requirement(limit, units), format("{:.2g} %", 100 * now->part_left),
+          scaled_name(limit.motion->file, limit.motion->scale), format("{:.4g}", now->damper.f),
+          format("{:.4g}", now->damper.delta * units.length)},
+         limit.satisfied ? Tone::good : Tone::bad});
+  }
+  document.section("Cases", {std::move(table)});
+}
+
+void add_motions(Document& document, const design::RecordDesign& result, const Physical& physical) {
   const FigureUnits units = units_of(physical);
   const auto number = [](double value) { return format("{:.5g}", value); };
-  Table table{{"record", "PGA, g", in("peak", units.length), in("residual", units.length),
-               "transmitted, g", in("rests from", units.time), ""},
+  const std::vector<design::LoadCase>& cases = result.request.cases;
+  const bool alone = cases.size() == 1;
+  Table table{{"case", alone ? "record" : "motion", "PGA, g", in("peak", units.length),
+               in("residual", units.length), "transmitted, g", in("rests from", units.time), ""},
               {}};
-  for (std::size_t i = 0; i < result.finding->responses.size(); ++i) {
-    const ForcedResponse& response = result.finding->responses[i];
-    const auto figures = design::suite_figures(response);
-    const bool rests_at_0 = begins_at_nothing(figures.residual, figures.peak);
-    const design::SuiteRecord& record = result.request.records[i];
-    table.rows.push_back(
-        {{record_label(record), number(design::peak_load(record)),
-          number(figures.peak * units.length),
-          number(rests_at_0 ? 0 : figures.residual * units.length), number(figures.acceleration),
-          number(*response.stop_time * units.time), response.locks() ? "locked" : ""}});
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    const std::vector<design::CaseMotion> motions = design::motions_of(cases[c]);
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      const ForcedResponse& response = result.finding->responses[c][i];
+      const auto figures = design::suite_figures(response);
+      const bool rests_at_0 = begins_at_nothing(figures.residual, figures.peak);
+      table.rows.push_back(
+          {{i == 0 ? cases[c].name : "", scaled_name(motions[i].name, motions[i].scale),
+            cases[c].v0 ? "" : number(design::peak_load(motions[i].load)),
+            number(figures.peak * units.length),
+            number(rests_at_0 ? 0 : figures.residual * units.length), number(figures.acceleration),
+            alone ? number(*response.stop_time * units.time) : "",
+            response.locks() && alone ? "locked" : ""}});
+    }
   }
-  document.section("Records", {without_empty_columns(std::move(table))});
+  document.section(alone ? "Records" : "Motions", {without_empty_columns(std::move(table))})
+      .detail = !alone;
 }
 
 std::string no_damper(const design::RecordDesign& result) {
   const auto& largest = result.largest_tolerance;
   return result.search.interrupted ? "No damper was verified before the search was interrupted."
-         : !result.nearest.figures.settled
+         : !settled(result.nearest.figures)
              ? "No damper was found: none of those tried comes to rest."
              : format("No damper was found that meets the limits{}.{}",
                       result.request.tolerance.exact() ? "" : " within its tolerance",
@@ -114,7 +151,7 @@ std::string progress_words(const design::RecordProgress& progress, const Physica
   const std::string words = format("{} of about {} dampers", progress.evaluations,
                                    std::max(progress.expected, progress.evaluations));
   return progress.best ? format("{}, best verified {}", words,
-                                figures_words(progress.best->figures, physical))
+                                figures_words(largest(progress.best->figures), physical))
                        : words;
 }
 
@@ -129,9 +166,9 @@ std::string verdict(const RecordDesignReport& report) {
                 damper_words(physical, damper.f, damper.delta,
                              {damper.notch_width(), result.request.hold}, printed_digits),
                 period_words(physical, damper.p, period_digits(result.request)),
-                design::suite_words(*result.request.combine, result.request.records.size()),
+                whose_words(result.request.cases),
                 result.finding->box.samples > 1 ? ", worst within the tolerance" : "",
-                figures_words(result.finding->box.worst, physical));
+                figures_words(largest(result.finding->box.worst), physical));
 }
 
 Document document(const RecordDesignReport& report) {
@@ -139,8 +176,11 @@ Document document(const RecordDesignReport& report) {
   Document document = answered("Damper design", report, result.finding ? Tone::good : Tone::bad);
   if (result.finding) {
     add_answer(document.answer, report);
-    add_records(document, result, physical);
-  } else if (result.nearest.figures.settled) {
+    if (result.request.cases.size() > 1) {
+      add_cases(document, result, physical);
+    }
+    add_motions(document, result, physical);
+  } else if (settled(result.nearest.figures)) {
     const design::SuiteDamper& damper = result.nearest.damper;
     document.answer.row("nearest", format("{}, {}", exact_words(physical, damper, {}),
                                           spring_words(physical, damper.p)));

@@ -113,6 +113,8 @@ void add_start(Section& answer, double least_width, const Response& response,
 [[nodiscard]] bool stops_by_delta1(std::span<const design::Constraint> constraints);
 /// Else whether it stops there does not matter.
 [[nodiscard]] bool returns(std::span<const design::Constraint> constraints);
+/// "delta <= 8.1577 mm", rounded so that what is as printed meets it.
+[[nodiscard]] std::string requirement(const design::Constraint& now, const FigureUnits& units);
 /// Each with its slack: by how much a damper meets or misses it.
 void add_constraints(Document& document, std::span<const design::Constraint> constraints,
                      const Physical& physical, std::string_view of_what = {});

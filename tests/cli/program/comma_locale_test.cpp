@@ -93,7 +93,8 @@ std::vector<std::pair<Command, json>> tasks() {
   for (const auto& entry : fs::directory_iterator(STILLPOINT_DATA_DIR "/scenes")) {
     std::ifstream file(entry.path());
     const json scene = entry.path().extension() == ".json" ? json::parse(file) : json();
-    if (scene.is_object() && !scene.contains("record") && !scene.contains("catalogue")) {
+    if (scene.is_object() && !scene.contains("record") && !scene.contains("cases") &&
+        !scene.contains("catalogue")) {
       all.emplace_back(Command::design, scene);
     }
   }

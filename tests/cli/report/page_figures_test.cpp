@@ -17,7 +17,9 @@ HtmlPage region(double beta, double f, double delta) {
 
 /// Under a record of three values.
 design::RecordDesignRequest under_three(const Interval& f, const Interval& delta) {
-  return {.records = {{"three", Record{{0.4, -0.2, 0}, 1, {}}, 1}}, .f = f, .delta = delta};
+  return {.cases = {{.records = {{"three", Record{{0.4, -0.2, 0}, 1, {}}, 1}}}},
+          .f = f,
+          .delta = delta};
 }
 
 /// Each has a name of its own and a caption of one sentence, and lies within the numbers that it
@@ -195,8 +197,9 @@ BOOST_AUTO_TEST_CASE(of_records_that_are_felt_alike_the_worst_has_the_largest_st
   ForcedResponse larger = response;
   larger.peak_absolute_acceleration *= 1 - 1e-15;
   larger.peak_amplitude = 2;
-  result.finding.emplace().responses = {response, larger, response};
-  BOOST_TEST(worst_record(result) == 1U);
+  result.request.cases.emplace_back();
+  result.finding.emplace().responses = {{response, larger, response}};
+  BOOST_TEST(worst_motion(result, 0) == 1U);
 }
 
 /// beta = 0.9 is exceeded from V0 = 1.136 on, and sqrt(f^2 + V0^2) = 1.08 from there to V0 =
@@ -268,7 +271,7 @@ BOOST_AUTO_TEST_CASE(a_rest_within_the_residual_is_not_off_centre) {
 /// What is felt is friction at least, and 0.4 where friction holds the mass.
 BOOST_AUTO_TEST_CASE(maps_show_where_a_damper_is_good_and_what_is_about_it) {
   design::RecordDesignRequest request = under_three({0, 0.4}, {0, 1});
-  request.limits.jump = 9;
+  request.cases.front().limits.jump = 9;
   RecordDesignReport report{design::design(request), {}};
   constexpr double f = 0.1;
   constexpr double delta = 0.5;
@@ -303,7 +306,7 @@ BOOST_AUTO_TEST_CASE(maps_show_where_a_damper_is_good_and_what_is_about_it) {
 /// Also the jump at a notch, whose lilac has more blue than red.
 BOOST_AUTO_TEST_CASE(all_that_violates_a_limit_is_hatched_whatever_its_colour) {
   design::RecordDesignRequest request = under_three({0, 0.3}, {0, 0.2});
-  request.limits.jump = 1e-3;
+  request.cases.front().limits.jump = 1e-3;
   const figures::FigureMap map =
       figure(page(RecordDesignReport{design::design(request), {}}), "map").map;
   std::set<std::string> violated;
@@ -331,8 +334,8 @@ BOOST_AUTO_TEST_CASE(the_worst_damper_of_the_box_is_drawn_beside_the_design) {
     return far;
   };
   const design::RecordDesign result = design::design(request);
-  const double worst = result.finding->box.worst.peak;
-  const double own = result.finding->point.figures.peak;
+  const double worst = result.finding->box.worst.front().peak;
+  const double own = result.finding->point.figures.front().peak;
   constexpr double of_the_drawing = 1e-3;  // the peak may lie between two samples
   BOOST_TEST(worst > own * 1.01);
   BOOST_TEST(std::abs(farthest("worst within the tolerance") / worst - 1) <= of_the_drawing);

@@ -44,24 +44,24 @@ SuiteRecord half_sine(double seconds) {
 
 /// Records, limits, a notch, a tolerance and an objective at random; many of them have no damper.
 RecordDesignRequest random_record_task(RandomSource& random) {
-  RecordDesignRequest request;
+  RecordDesignRequest request{.cases = {LoadCase()}};
   const auto of = [&](std::initializer_list<double> list) {
     return *(list.begin() +
              static_cast<std::ptrdiff_t>(random.uniform(0, static_cast<double>(list.size()))));
   };
   const int records = static_cast<int>(of({1, 2, 3}));
   for (int i = 0; i < records; ++i) {
-    request.records.push_back({"random", random_record(random), of({1, -1, 0.7})});
+    request.cases.front().records.push_back({"random", random_record(random), of({1, -1, 0.7})});
   }
-  const double load = peak_load(request.records);
-  request.limits.peak = load * random.uniform(0.3, 1.5);
-  request.limits.residual = load * random.log_uniform(0.01, 0.2);
-  request.combine = random.uniform(0, 1) < 0.7 ? Combine::max : Combine::mean;
+  const double load = peak_load(request.cases.front().records);
+  request.cases.front().limits.peak = load * random.uniform(0.3, 1.5);
+  request.cases.front().limits.residual = load * random.log_uniform(0.01, 0.2);
+  request.cases.front().combine = random.uniform(0, 1) < 0.7 ? Combine::max : Combine::mean;
   const double notch = random.uniform(0, 4);
   if (notch < 1) {
     request.delta = Interval{0, 0};
   } else if (notch < 2) {
-    request.limits.jump = load * random.uniform(0.3, 1);
+    request.cases.front().limits.jump = load * random.uniform(0.3, 1);
     request.hold = random.uniform(0, 0.2) * load;
   } else if (notch < 3) {
     request.width = Interval{};
@@ -83,7 +83,7 @@ RecordDesignRequest random_record_task(RandomSource& random) {
     request.f = Interval{0.02 * load, load};  // or most of the time goes to free swinging
   }
   if (request.objective != SuiteObjective::acceleration) {
-    request.limits.acceleration = load * random.uniform(0.5, 0.9);
+    request.cases.front().limits.acceleration = load * random.uniform(0.5, 0.9);
   }
   request.threads = 1;
   return request;
@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(promised_boxes_hold_at_dampers_that_were_not_tried) {
   for (int i = 0; tasks < 50; ++i) {
     BOOST_TEST_REQUIRE(i < 300);
     const RecordDesign design = design::design(random_record_task(random));
-    if (!design.finding || design.finding->point.figures.peak == 0) {
+    if (!design.finding || design.finding->point.figures.front().peak == 0) {
       continue;
     }
     ++tasks;
@@ -165,9 +165,9 @@ BOOST_AUTO_TEST_CASE(no_box_of_a_dense_scan_is_better) {
       const double value =
           best->value / (!constant && design.nearest.damper.delta == 0 ? 1 - 0.01 : 1);
       const double found =
-          design.finding ? design.nearest.figures.*minimised(request).value : HUGE_VAL;
+          design.finding ? design.nearest.figures.front().*minimised(request).value : HUGE_VAL;
       const double slack = request.objective == SuiteObjective::residual
-                               ? promised_quality * *request.limits.residual
+                               ? promised_quality * *request.cases.front().limits.residual
                                : promised_quality * value;
       BOOST_TEST_CONTEXT("task " << i << ": the scan has f = " << best->design[0] << ", delta = "
                                  << best->design[1] << ", width = " << best->design[3]
@@ -184,15 +184,15 @@ BOOST_AUTO_TEST_CASE(no_box_of_a_dense_scan_is_better) {
 BOOST_AUTO_TEST_CASE(no_known_box_is_better_than_one_with_a_searched_width) {
   constexpr double mm = 1e-3 * metre;
   RecordDesignRequest both = two_records();
-  both.limits = {.peak = 400 * mm, .residual = 30 * mm};
+  both.cases.front().limits = {.peak = 400 * mm, .residual = 30 * mm};
   both.width = Interval{20 * mm, 200 * mm};
   both.scan_points = RecordDesignRequest().scan_points;
   RecordDesignRequest sines = both;
-  sines.records = {half_sine(0.3), half_sine(0.6), half_sine(1)};
-  sines.limits.residual = 100 * mm;
+  sines.cases.front().records = {half_sine(0.3), half_sine(0.6), half_sine(1)};
+  sines.cases.front().limits.residual = 100 * mm;
   RecordDesignRequest residual = sines;
   residual.objective = SuiteObjective::residual;
-  residual.limits.acceleration = 0.37;
+  residual.cases.front().limits.acceleration = 0.37;
   residual.f = Interval{0.03, 0.3};
   struct Known {
     RecordDesignRequest task;
@@ -223,10 +223,10 @@ BOOST_AUTO_TEST_CASE(no_known_box_is_better_than_one_with_a_searched_width) {
       BOOST_TEST_REQUIRE(truth.excess(each) <= 0);
       value = std::max(value, truth.objective(each));
     }
-    const double found = design.nearest.figures.*minimised(request).value;
-    const double slack =
-        promised_quality *
-        (request.objective == SuiteObjective::residual ? *request.limits.residual : value);
+    const double found = design.nearest.figures.front().*minimised(request).value;
+    const double slack = promised_quality * (request.objective == SuiteObjective::residual
+                                                 ? *request.cases.front().limits.residual
+                                                 : value);
     BOOST_TEST(found <= value + slack, "within " << tolerance << ": " << found
                                                  << " where f = " << damper.f << " has " << value);
   }

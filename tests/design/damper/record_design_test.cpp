@@ -24,14 +24,14 @@ RecordDesignRequest with_friction(const Interval& f) {
 /// The first of the short records.
 RecordDesignRequest short_record() {
   RecordDesignRequest request = short_records();
-  request.records.resize(1, request.records.front());
+  request.cases.front().records.resize(1, request.cases.front().records.front());
   return request;
 }
 
 RecordDesignRequest with_capacity() {
   RecordDesignRequest request = short_records();
   request.hold = 0.05;
-  request.limits.jump = 1;
+  request.cases.front().limits.jump = 1;
   request.scan_points = 400;
   request.threads = 1;
   return request;
@@ -50,7 +50,7 @@ void check_same(const RecordDesign& one, const RecordDesign& other) {
   BOOST_TEST(one.finding->point.damper.delta == other.finding->point.damper.delta);
   BOOST_TEST(one.search.evaluations == other.search.evaluations);
   BOOST_TEST(one.search.scan.value().feasible == other.search.scan.value().feasible);
-  BOOST_TEST(one.finding->box.worst.residual == other.finding->box.worst.residual);
+  BOOST_TEST(one.finding->box.worst.front().residual == other.finding->box.worst.front().residual);
 }
 
 /// Of length pi.
@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(a_watched_search_finds_the_same) {
   BOOST_TEST(!watched.search.interrupted);
   BOOST_TEST(evaluations > watched.search.scan.value().points);
   BOOST_TEST((evaluations > expected / 2 && evaluations < expected * 2));
-  BOOST_TEST(best.figures.acceleration >= watched.nearest.figures.acceleration);
+  BOOST_TEST(best.figures.front().acceleration >= watched.nearest.figures.front().acceleration);
 }
 
 // A damper that is shown or returned has been tried as a whole, wherever the search was stopped.
@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(a_stopped_search_has_the_best_verified_so_far) {
         BOOST_TEST(stopped.nearest.damper.f == best->damper.f);
         BOOST_TEST(stopped.nearest.damper.delta == best->damper.delta);
         BOOST_TEST(stopped.finding->box.samples >= 4000);
-        BOOST_TEST(admissible(stopped.finding->box.worst, stopped.request.limits));
+        BOOST_TEST(admissible(stopped.finding->box.worst, limits_of(stopped.request)));
       }
     }
   }
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(a_stopped_search_has_the_best_verified_so_far) {
 
 BOOST_AUTO_TEST_CASE(a_stopped_search_suggests_no_relaxed_limit) {
   RecordDesignRequest request = two_records();
-  request.limits = {0.5 * metre, 0.1, 0.001 * metre, {}, {}};
+  request.cases.front().limits = {0.5 * metre, 0.1, 0.001 * metre, {}, {}};
   const RecordDesign stopped = design::design(request, [](const RecordProgress&) { return false; });
   BOOST_TEST(!stopped.finding.has_value());
   BOOST_TEST(stopped.mends.empty());
@@ -125,26 +125,26 @@ BOOST_AUTO_TEST_CASE(a_stopped_search_suggests_no_relaxed_limit) {
 
 BOOST_AUTO_TEST_CASE(a_damper_that_does_not_move_passes_the_load_on) {
   RecordDesignRequest request = with_friction({2, 2});
-  request.records.push_back(request.records.front());
-  request.records.back().scale = -3;  // its largest load is 1.2
+  request.cases.front().records.push_back(request.cases.front().records.front());
+  request.cases.front().records.back().scale = -3;  // its largest load is 1.2
   const RecordDesign worst = design::design(request);
   BOOST_REQUIRE(worst.finding.has_value());
-  BOOST_TEST((worst.request.combine == Combine::max));
-  BOOST_TEST(std::abs(worst.finding->point.figures.acceleration - 1.2) <= hand_tolerance);
-  BOOST_TEST(worst.finding->point.figures.peak == 0);
+  BOOST_TEST((worst.request.cases.front().combine == Combine::max));
+  BOOST_TEST(std::abs(worst.finding->point.figures.front().acceleration - 1.2) <= hand_tolerance);
+  BOOST_TEST(worst.finding->point.figures.front().peak == 0);
   BOOST_TEST(worst.finding->cross_check.passed);
   BOOST_TEST(!isolates(worst));
-  request.combine = Combine::mean;  // of 0.4 and 1.2
+  request.cases.front().combine = Combine::mean;  // of 0.4 and 1.2
   const RecordDesign mean = design::design(request);
   BOOST_REQUIRE(mean.finding.has_value());
-  BOOST_TEST(std::abs(mean.finding->point.figures.acceleration - 0.8) <= hand_tolerance);
+  BOOST_TEST(std::abs(mean.finding->point.figures.front().acceleration - 0.8) <= hand_tolerance);
 }
 
 BOOST_AUTO_TEST_CASE(a_damper_without_friction_never_rests) {
   RecordDesignRequest request = with_friction({0, 0});
   const RecordDesign result = design::design(request);
   BOOST_TEST(!result.finding.has_value());
-  BOOST_TEST(!result.nearest.figures.settled);
+  BOOST_TEST(!result.nearest.figures.front().settled);
   BOOST_TEST(summary(result) ==
              "no damper: the nearest, p = 1, f = 0, delta = 0, does not come to rest");
 }
@@ -155,14 +155,14 @@ BOOST_AUTO_TEST_CASE(the_nearest_is_as_near_to_the_limits_as_any_friction_alone)
   request.delta = Interval{0, 0};
   request.tolerance.f = {0.01, 0.01};
   for (const double most : {0.08, 0.04, 0.01}) {
-    request.limits = {0.2, most, {}, {}, {}};
+    request.cases.front().limits = {0.2, most, {}, {}, {}};
     const RecordDesign none = design::design(request);
     BOOST_REQUIRE(!none.finding.has_value());
-    const SuiteLimits& limits = none.request.limits;
-    const Suite suite(none.request);
+    const std::vector<SuiteLimits> limits = limits_of(none.request);
+    const Suites suite(none.request);
     double least = HUGE_VAL;
     for (double f = 1e-3; f < 1; f *= 1.05) {
-      least = std::min(least, excess(suite.figures({none.request.p.low, f, 0}), limits));
+      least = std::min(least, excess(suite.figures(SuiteDamper{none.request.p.low, f, 0}), limits));
     }
     constexpr double steps_apart = 1.15;  // of this scan, and of the box
     BOOST_TEST(excess(none.nearest.figures, limits) <= steps_apart * least);
@@ -171,21 +171,21 @@ BOOST_AUTO_TEST_CASE(the_nearest_is_as_near_to_the_limits_as_any_friction_alone)
 
 BOOST_AUTO_TEST_CASE(each_suggested_limit_suffices) {
   RecordDesignRequest request = short_record();
-  request.limits = {0.4, 0.15, 0.02, {}, {}};
+  request.cases.front().limits = {0.4, 0.15, 0.02, {}, {}};
   const RecordDesign none = design::design(request);
   BOOST_TEST(!none.finding.has_value());
   BOOST_REQUIRE(none.constraints.size() == 3);
   BOOST_TEST(!none.mends.empty());
   for (std::size_t k = 0; k < none.constraints.size(); ++k) {
     const SuiteFigureKind& kind = suite_figure_kinds.at(k);
-    BOOST_TEST(none.constraints[k].value == none.nearest.figures.*kind.value);
+    BOOST_TEST(none.constraints[k].value == none.nearest.figures.front().*kind.value);
     const auto mend = std::ranges::find(none.mends, kind.field, &Mend::field);
     if (mend == none.mends.end()) {
       continue;
     }
     BOOST_TEST(mend->value > none.constraints[k].limit);
     RecordDesignRequest mended = request;
-    mended.limits.*kind.limit = mend->value;
+    mended.cases.front().limits.*kind.limit = mend->value;
     BOOST_TEST(design::design(mended).finding.has_value());
   }
 }
@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(each_suggested_limit_suffices) {
 BOOST_AUTO_TEST_CASE(only_the_limit_in_the_way_is_suggested) {
   // It does not move, so that it feels 0.4 g whatever the stroke.
   RecordDesignRequest request = with_friction({2, 2});
-  request.limits = {1, 0.1, 0, {}, {}};
+  request.cases.front().limits = {1, 0.1, 0, {}, {}};
   const RecordDesign none = design::design(request);
   BOOST_TEST(!none.finding.has_value());
   BOOST_TEST(none.constraints.size() == 3U);
@@ -216,8 +216,8 @@ BOOST_AUTO_TEST_CASE(a_free_period_is_at_least_as_good_as_any_single_one) {
     const RecordDesign single = design::design(request);
     if (single.finding) {
       ++compared;
-      BOOST_TEST(free.nearest.figures.acceleration <=
-                 single.nearest.figures.acceleration * (1 + boxes_tolerance));
+      BOOST_TEST(free.nearest.figures.front().acceleration <=
+                 single.nearest.figures.front().acceleration * (1 + boxes_tolerance));
     }
   }
   BOOST_TEST(compared > 0);
@@ -229,7 +229,7 @@ BOOST_AUTO_TEST_CASE(a_free_period_is_at_least_as_good_as_any_single_one) {
 BOOST_AUTO_TEST_CASE(the_largest_tolerance_of_a_mass_that_is_held_is_known) {
   RecordDesignRequest request = with_friction({0.1, 0.8});
   request.objective = SuiteObjective::robust;
-  request.limits = {1e-19, {}, {}, {}, {}};
+  request.cases.front().limits = {1e-19, {}, {}, {}, {}};
   const RecordDesign held = design::design(request);
   BOOST_REQUIRE(held.finding.has_value());
   constexpr double of_tolerance = 0.005;
@@ -248,9 +248,9 @@ BOOST_AUTO_TEST_CASE(one_pulse_as_a_record_has_the_box_of_the_design_for_the_pul
                             .pulse = Rectangle{0.5, 1}};
   const DesignResult known = design::design(pulse);
   BOOST_REQUIRE(known.finding.has_value());
-  const RecordDesignRequest request{.records = {{"pulse", rectangle(0.5), 1}},
-                                    .objective = SuiteObjective::robust,
-                                    .limits = {beta, {}, 0, {}, {}}};
+  const RecordDesignRequest request{
+      .cases = {{.records = {{"pulse", rectangle(0.5), 1}}, .limits = {beta, {}, 0, {}, {}}}},
+      .objective = SuiteObjective::robust};
   const RecordDesign found = design::design(request);
   BOOST_REQUIRE(found.finding.has_value());
   constexpr double of_tolerance = 0.005;
@@ -262,12 +262,13 @@ BOOST_AUTO_TEST_CASE(one_pulse_as_a_record_has_the_box_of_the_design_for_the_pul
 // Half of what the weak record asks for is enough, and it is the strong one that moves the mass.
 BOOST_AUTO_TEST_CASE(the_record_that_binds_a_limit_is_named) {
   RecordDesignRequest request = with_friction({0.25, 0.25});
-  request.records.push_back({"weak", request.records.front().record, 0.5});
-  request.limits.peak = 1e-3;
+  request.cases.front().records.push_back(
+      {"weak", request.cases.front().records.front().record, 0.5});
+  request.cases.front().limits.peak = 1e-3;
   const RecordDesign none = design::design(request);
   BOOST_TEST(!none.finding.has_value());
   BOOST_REQUIRE(none.constraints.size() == 1U);
-  BOOST_TEST(none.constraints[0].motion.value().file == request.records.front().name);
+  BOOST_TEST(none.constraints[0].motion.value().file == request.cases.front().records.front().name);
 }
 
 // 1e-4 of friction gives the least residual, after hundreds of periods; within 20 it is larger.
@@ -276,9 +277,9 @@ BOOST_AUTO_TEST_CASE(the_least_residual_is_that_of_a_mass_that_rests_soon) {
   request.objective = SuiteObjective::residual;
   const RecordDesign result = design::design(request);
   BOOST_REQUIRE(result.finding.has_value());
-  BOOST_TEST(result.finding->box.worst.late <= 20);
+  BOOST_TEST(result.finding->box.worst.front().late <= 20);
   const double end = 2;
-  for (const ForcedResponse& response : result.finding->responses) {
+  for (const ForcedResponse& response : result.finding->responses.front()) {
     BOOST_TEST(response.stop_time.value() <= end + 20 * 2 * std::numbers::pi);
   }
 }
@@ -303,12 +304,13 @@ BOOST_AUTO_TEST_CASE(a_printed_design_has_the_digits_that_its_tolerance_deserves
   BOOST_TEST(has_few_digits(damper.delta * centimetres, few));
   BOOST_TEST(design.nearest.damper.f == damper.f);
   BOOST_TEST(damper.p == 1);
-  BOOST_TEST(design.nearest.figures.acceleration <=
-             exact.nearest.figures.acceleration * (1 + boxes_tolerance));
-  BOOST_TEST(figures.peak == figures_of(design.request, damper).peak);
-  BOOST_TEST(figures.peak == std::ranges::max(design.finding->responses, {}, [](const auto& one) {
-                               return one.peak_amplitude;
-                             }).peak_amplitude);
+  BOOST_TEST(design.nearest.figures.front().acceleration <=
+             exact.nearest.figures.front().acceleration * (1 + boxes_tolerance));
+  BOOST_TEST(figures.front().peak == figures_of(design.request, damper).front().peak);
+  BOOST_TEST(figures.front().peak ==
+             std::ranges::max(design.finding->responses.front(), {}, [](const auto& one) {
+               return one.peak_amplitude;
+             }).peak_amplitude);
 }
 
 // Twice the limit of the stroke, and half as much again as that of the residual.
@@ -327,15 +329,15 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused) {
     spoil(request);
     test::check_refused(field, [&] { return design::design(request); });
   };
-  refused("records", [](auto& request) { request.records.clear(); });
-  refused("scale", [](auto& request) { request.records[0].scale = 0; });
+  refused("records", [](auto& request) { request.cases.front().records.clear(); });
+  refused("scale", [](auto& request) { request.cases.front().records[0].scale = 0; });
   refused("p", [](auto& request) { request.p = {2, 1}; });
   refused("p", [](auto& request) { request.p = {0, 1}; });
   refused("f", [](auto& request) { request.f = Interval{-1, 1}; });
   refused("delta", [](auto& request) { request.delta = Interval{1, 0}; });
-  refused("beta", [](auto& request) { request.limits.peak = 0; });
-  refused("residual", [](auto& request) { request.limits.residual = -1; });
-  refused("acceleration-max", [](auto& request) { request.limits.acceleration = 0; });
+  refused("beta", [](auto& request) { request.cases.front().limits.peak = 0; });
+  refused("residual", [](auto& request) { request.cases.front().limits.residual = -1; });
+  refused("acceleration-max", [](auto& request) { request.cases.front().limits.acceleration = 0; });
   refused("tolerance-f", [](auto& request) { request.tolerance.f = {1, 0}; });
   refused("tolerance-period", [](auto& request) { request.tolerance.period = {0, -1}; });
   refused("tolerance", [](auto& request) {
@@ -343,7 +345,7 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused) {
     request.tolerance = {{}, {}, {}, {}};
   });
   refused("max-displacement", [](auto& request) { request.objective = SuiteObjective::robust; });
-  refused("jump-max", [](auto& request) { request.limits.jump = -1; });
+  refused("jump-max", [](auto& request) { request.cases.front().limits.jump = -1; });
   refused("hold", [](auto& request) { request.hold = -1; });
   refused("notch-width", [](auto& request) { request.width = Interval{0, 0}; });
   refused("scan_points", [](auto& request) { request.scan_points = 0; });

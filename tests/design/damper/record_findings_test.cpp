@@ -34,7 +34,7 @@ RecordDesignRequest judged(double f, double delta) {
   RecordDesignRequest request = three_samples();
   request.f = Interval{f, f};
   request.delta = Interval{delta, delta};
-  request.limits.jump = 9;
+  request.cases.front().limits.jump = 9;
   return request;
 }
 
@@ -53,11 +53,12 @@ BOOST_AUTO_TEST_CASE(a_mass_that_never_moves_is_not_isolated) {
 // The notch stops the mass that it has let go, and holds it while a small load goes on.
 BOOST_AUTO_TEST_CASE(a_notch_jolts_and_locks) {
   RecordDesignRequest request = judged(0.05, 0.2);
-  request.records = {{"tail", Record{{0.4, -0.2, 0, 0.01, 0.01}, 0, {0, 1, 2, 3, 40}}, 1}};
+  request.cases.front().records = {
+      {"tail", Record{{0.4, -0.2, 0, 0.01, 0.01}, 0, {0, 1, 2, 3, 40}}, 1}};
   request.tolerance = {{}, {}, {}, {}};
   const RecordDesign caught = design::design(request);
   BOOST_REQUIRE(caught.finding.has_value());
-  const ForcedResponse& response = caught.finding->responses.front();
+  const ForcedResponse& response = caught.finding->responses.front().front();
   BOOST_TEST(response.jump > 0);
   BOOST_REQUIRE(response.locked_from.has_value());
   BOOST_TEST(value(finding(caught, FindingKind::jolts), "jump") == response.jump);
@@ -72,9 +73,10 @@ BOOST_AUTO_TEST_CASE(a_notch_jolts_and_locks) {
 // Of loads of 0.4 and 0.2 g friction of 0.5 g holds both: the mean is 0.3 g.
 BOOST_AUTO_TEST_CASE(a_record_beyond_the_limit_of_a_mean_is_named) {
   RecordDesignRequest request = judged(0.5, 0);
-  request.records.push_back({"weak", request.records.front().record, 0.5});
-  request.combine = Combine::mean;
-  request.limits.acceleration = 0.35;
+  request.cases.front().records.push_back(
+      {"weak", request.cases.front().records.front().record, 0.5});
+  request.cases.front().combine = Combine::mean;
+  request.cases.front().limits.acceleration = 0.35;
   const RecordDesign hidden = design::design(request);
   const Finding& beyond = finding(hidden, FindingKind::records_exceed_limit);
   BOOST_TEST(value<std::string>(beyond, "record") == "three");
@@ -82,7 +84,7 @@ BOOST_AUTO_TEST_CASE(a_record_beyond_the_limit_of_a_mean_is_named) {
   BOOST_TEST(value(beyond, "limit") == 0.35);
   BOOST_TEST(value<std::int64_t>(beyond, "records") == 1);
   BOOST_TEST(value<std::int64_t>(beyond, "of_records") == 2);
-  request.limits.acceleration = 0.4;
+  request.cases.front().limits.acceleration = 0.4;
   BOOST_TEST(!says(design::design(request), FindingKind::records_exceed_limit));
 }
 
@@ -91,16 +93,16 @@ BOOST_AUTO_TEST_CASE(a_record_beyond_the_limit_of_a_mean_is_named) {
 BOOST_AUTO_TEST_CASE(what_a_scale_that_is_off_breaks_is_said) {
   RecordDesignRequest request = judged(0.41, 0);
   request.tolerance = {{}, {}, {}, {}};
-  request.limits.residual = 0;
+  request.cases.front().limits.residual = 0;
   const RecordDesign held = design::design(request);
   const Finding& broken = finding(held, FindingKind::fails_if_off);
   BOOST_TEST(value<std::string>(broken, "input") == "scale");
   BOOST_TEST(value<std::string>(broken, "figure") == "residual");
   BOOST_TEST(value(broken, "value") > 0);
-  request.limits.residual = 1;
+  request.cases.front().limits.residual = 1;
   BOOST_TEST(!says(design::design(request), FindingKind::fails_if_off));
   RecordDesign restless = held;
-  restless.finding->outlook.period.settled = false;
+  restless.finding->outlook.period.front().settled = false;
   restless.findings = findings_of(restless, request);
   BOOST_TEST(value<std::string>(finding(restless, FindingKind::fails_if_off), "figure") == "rest");
 }
@@ -127,7 +129,7 @@ BOOST_AUTO_TEST_CASE(a_check_that_fails_is_a_fault) {
 // stopped then does not know what a notch would gain.
 BOOST_AUTO_TEST_CASE(a_notch_that_is_left_out_gains_little_only_if_it_was_tried) {
   RecordDesignRequest request = short_records();
-  request.limits.jump = 1;
+  request.cases.front().limits.jump = 1;
   request.hold = 0.05;
   request.threads = 1;
   request.delta = Interval{0, 1e-9};
@@ -157,16 +159,16 @@ BOOST_AUTO_TEST_CASE(a_notch_needs_a_width_or_a_limit_of_its_jumps_where_acceler
   BOOST_TEST(!needs_width());
   request.delta = Interval{0.001, 0.01};
   check_refused("search-delta-m", [&] { return design::design(request); });
-  request.limits.jump = 1;
+  request.cases.front().limits.jump = 1;
   BOOST_TEST(!needs_width());
-  request.limits.jump.reset();
+  request.cases.front().limits.jump.reset();
   request.width = Interval{0.05, 0.05};
   BOOST_TEST(!needs_width());
   request.width.reset();
   request.delta.reset();
   request.objective = SuiteObjective::amplitude;
   BOOST_TEST(design::design(request).request.delta->high > 0);
-  request.limits.acceleration = 0.3;
+  request.cases.front().limits.acceleration = 0.3;
   BOOST_TEST(design::design(request).request.delta->high == 0);
 }
 

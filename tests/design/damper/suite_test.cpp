@@ -19,8 +19,8 @@ constexpr double hand_tolerance = 1e-14;
 BOOST_AUTO_TEST_CASE(many_dampers_at_once_have_the_figures_of_each_alone) {
   RecordDesignRequest request = two_records();
   for (const Combine combine : {Combine::max, Combine::mean}) {
-    request.combine = combine;
-    const Suite suite(request);
+    request.cases.front().combine = combine;
+    const Suite suite(request.cases.front(), {});
     std::vector<SuiteDamper> dampers{
         {1, 0, 0}, {1, 1e-7, 0}, {1, 1e-9, 1e-9}};  // never or hardly rest
     for (int i = 0; i < 60; ++i) {
@@ -43,14 +43,14 @@ BOOST_AUTO_TEST_CASE(many_dampers_at_once_have_the_figures_of_each_alone) {
 
 BOOST_AUTO_TEST_CASE(a_mean_is_that_of_the_records_alone) {
   RecordDesignRequest request = two_records();
-  request.combine = Combine::mean;
+  request.cases.front().combine = Combine::mean;
   const SuiteDamper damper{1, 0.05, 0};
-  const SuiteFigures mean = Suite(request).figures(damper);
+  const SuiteFigures mean = Suite(request.cases.front(), {}).figures(damper);
   SuiteFigures sum;
   const RecordDesignRequest both = request;
-  for (const SuiteRecord& record : both.records) {
-    request.records = {record};
-    const SuiteFigures alone = Suite(request).figures(damper);
+  for (const SuiteRecord& record : both.cases.front().records) {
+    request.cases.front().records = {record};
+    const SuiteFigures alone = Suite(request.cases.front(), {}).figures(damper);
     sum.peak += alone.peak;
     sum.acceleration += alone.acceleration;
     sum.residual += alone.residual;
@@ -63,12 +63,12 @@ BOOST_AUTO_TEST_CASE(a_mean_is_that_of_the_records_alone) {
 
 // After the record a single friction has a closed form, which the kernel computes for any length.
 BOOST_AUTO_TEST_CASE(a_rest_after_more_than_ten_thousand_half_cycles_does_not_count) {
-  const Suite suite(design::design(three_samples()).request);
+  const Suite suite(design::design(three_samples()).request.cases.front(), {});
   const std::vector<SuiteDamper> dampers{{1, 1e-6, 0}, {1, 1e-4, 0}, {1, 0, 1e-7}, {1, 0, 1e-5}};
   const std::vector<SuiteFigures> together = suite.figures(dampers, 1);
   for (std::size_t i = 0; i < dampers.size(); ++i) {
     const auto& [p, f, delta, width] = dampers[i];
-    const ForcedResponse motion = forced_response({p, f, delta}, {}, suite.loads()[0]);
+    const ForcedResponse motion = forced_response({p, f, delta}, {}, suite.motions()[0].load);
     const bool in_time = i % 2 == 1;
     BOOST_TEST((motion.half_cycles.value() <= 10'000) == in_time);
     BOOST_TEST(suite.figures(dampers[i]).settled == in_time);
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(a_rest_after_more_than_ten_thousand_half_cycles_does_not_co
 
 BOOST_AUTO_TEST_CASE(the_check_sees_the_same_motions_of_random_dampers) {
   RandomSource random(1301);
-  const RecordDesignRequest suite = two_records();
+  const LoadCase suite = two_records().cases.front();
   int decided = 0;
   for (int i = 0; i < 120; ++i) {
     Oscillator oscillator{random.uniform(0.7, 1.5), random.uniform(0.001, 0.2),
@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(the_check_sees_the_same_motions_of_random_dampers) {
       continue;
     }
     ++decided;
-    const SuiteFigures other = integrate_record_motion(oscillator, surface, record);
+    const SuiteFigures other = integrate_to_rest(oscillator, surface, record);
     BOOST_TEST_CONTEXT("damper " << i << ": p = " << oscillator.p << ", f = " << oscillator.f
                                  << ", delta = " << oscillator.delta
                                  << ", hold = " << oscillator.hold.value_or(-1)
@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(the_check_finds_the_turn_of_a_slip_that_is_faster_first) {
   constexpr double g = 1e-5;
   const double c = 1 + std::sqrt(2.0);
   const double peak = g * g * g / (1 + g) / (1 + g) * (1.0 / 6 + c / 2 + c * c / 2 - c * c * c / 6);
-  const SuiteFigures found = integrate_record_motion({1, 1, 0}, {}, Record{{0, 1 + g, 0}, 1, {}});
+  const SuiteFigures found = integrate_to_rest({1, 1, 0}, {}, Record{{0, 1 + g, 0}, 1, {}});
   BOOST_TEST(found.peak == peak, tt::tolerance(narrow_tolerance));
 }
 
@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(the_check_has_digits_left_where_the_motion_enlarges_errors)
   const Oscillator oscillator{0.99400696, 0, 0.037056, 0.1};
   const Record record = recorded("strong_motion.AT2").record;
   const ForcedResponse kernel = forced_response(oscillator, {}, record);
-  const SuiteFigures other = integrate_record_motion(oscillator, {}, record);
+  const SuiteFigures other = integrate_to_rest(oscillator, {}, record);
   BOOST_TEST(kernel.decision_margin.value() >= 1e-3);
   BOOST_TEST(std::abs(other.peak - kernel.peak_amplitude) <=
              narrow_tolerance * kernel.peak_amplitude);
@@ -142,19 +142,19 @@ BOOST_AUTO_TEST_CASE(a_delta_beyond_the_default_range_makes_no_difference) {
   for (int i = 0; i < 200; ++i) {
     RecordDesignRequest request = two_records();
     const double p = random.uniform(0.7, 1.5);
-    request.records.erase(request.records.begin() + i % 2);
+    request.cases.front().records.erase(request.cases.front().records.begin() + i % 2);
     request.p = {p, p};
     request.hold = i % 4 < 2 ? std::optional(random.uniform(0, 0.2)) : std::nullopt;
-    request.limits.jump = 9;
+    request.cases.front().limits.jump = 9;
     request.f = Interval{0.2, 0.2};
     RecordDesignRequest probe = request;
     probe.delta.reset();
     const double most =
         suite_map(probe, {p, 0.2, 0, 0}, false, 1).delta.front() * 2;  // the middle of the one cell
     const double f = random.uniform(0.01, 0.15);
-    const Record& load = request.records.front().record;
+    const Record& load = request.cases.front().records.front().record;
     const ForcedResponse at_most = forced_response({p, f, most, request.hold}, {}, load);
-    if (at_most.peak_amplitude > *request.limits.peak) {
+    if (at_most.peak_amplitude > *request.cases.front().limits.peak) {
       continue;
     }
     ++compared;
@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(a_delta_beyond_the_default_range_makes_no_difference) {
 BOOST_AUTO_TEST_CASE(the_map_has_the_figures_of_its_places) {
   RecordDesignRequest request = design::design(three_samples()).request;
   request.delta = Interval{0, 0.1};
-  request.limits.jump = 1;
+  request.cases.front().limits.jump = 1;
   const SuiteMap map = suite_map(request, {1, 0, 0, 0}, false, 10);
   BOOST_REQUIRE(map.f.size() == 10);
   // The middle of the fourth of ten cells from 0 to the largest load, 0.4.
@@ -177,9 +177,9 @@ BOOST_AUTO_TEST_CASE(the_map_has_the_figures_of_its_places) {
   BOOST_REQUIRE(map.figures.size() == map.f.size() * map.delta.size());
   const std::size_t i = 3;
   const std::size_t j = 7;
-  const ForcedResponse there =
-      forced_response({1, map.f[i], map.delta[j]}, {}, request.records.front().record);
-  BOOST_TEST(map.figures[i * map.delta.size() + j].peak == there.peak_amplitude);
+  const ForcedResponse there = forced_response({1, map.f[i], map.delta[j]}, {},
+                                               request.cases.front().records.front().record);
+  BOOST_TEST(map.figures[i * map.delta.size() + j].front().peak == there.peak_amplitude);
 }
 
 // From f = 0.2 to 0.4 in ten cells: about 0.29, the fifth, the middles from 0.29 x 0.9 = 0.261 to
@@ -189,14 +189,14 @@ BOOST_AUTO_TEST_CASE(a_map_of_boxes_has_the_worst_about_each_place) {
   request.f = Interval{0.2, 0.4};
   request.delta = Interval{0, 0};
   const SuiteMap map = suite_map(request, {1, 0, 0, 0}, true, 10);
-  const Suite suite(request);
+  const Suite suite(request.cases.front(), {});
   SuiteFigures worst;
   for (const double f : {0.27, 0.29, 0.31}) {
     worst = worse(worst, suite.figures({1, f, 0, 0}));
   }
   BOOST_REQUIRE(map.figures.size() == 100);
-  BOOST_TEST(std::abs(map.figures[40].peak - worst.peak) <= hand_tolerance);
-  BOOST_TEST(std::abs(map.figures[40].acceleration - worst.acceleration) <= hand_tolerance);
+  BOOST_TEST(std::abs(map.figures[40].front().peak - worst.peak) <= hand_tolerance);
+  BOOST_TEST(std::abs(map.figures[40].front().acceleration - worst.acceleration) <= hand_tolerance);
 }
 
 /// Whatever the rounding of 1/p, from which a period is read back.
@@ -217,8 +217,8 @@ BOOST_AUTO_TEST_CASE(a_box_knows_its_own_corners) {
       SuiteFigures figures;
       figures.peak = 1;
       KnownDampers known(space);
-      known.add(std::array{space.off(nominal, corner)}, std::array{figures});
-      BOOST_TEST(known.worst(nominal).peak == 1, "p = " << p << ", f = " << nominal.f);
+      known.add(std::array{space.off(nominal, corner)}, std::array{TaskFigures(1, figures)});
+      BOOST_TEST(known.worst(nominal).front().peak == 1, "p = " << p << ", f = " << nominal.f);
     }
   }
 }

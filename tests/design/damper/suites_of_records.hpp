@@ -21,8 +21,8 @@ inline design::SuiteRecord recorded(const std::string& file, double scale = 1) {
 }
 
 inline design::RecordDesignRequest two_records() {
-  return {.records = {recorded("near_fault_pulse.txt"), recorded("strong_motion.AT2")},
-          .limits = {.peak = 0.25 * metre, .residual = 0.005 * metre},
+  return {.cases = {{.records = {recorded("near_fault_pulse.txt"), recorded("strong_motion.AT2")},
+                     .limits = {.peak = 0.25 * metre, .residual = 0.005 * metre}}},
           .scan_points = 2500};
 }
 
@@ -34,14 +34,15 @@ inline design::RecordDesignRequest short_records() {
     one.values.push_back(0.3 * std::sin(0.7 * i) + 0.2 * std::sin(0.23 * i));
     other.values.push_back(0.4 * std::sin(0.11 * i * i));
   }
-  return {.records = {{"one", one, 1}, {"other", other, -0.8}},
-          .limits = {.peak = 0.4, .residual = 0.02},
+  return {.cases = {{.records = {{"one", one, 1}, {"other", other, -0.8}},
+                     .limits = {.peak = 0.4, .residual = 0.02}}},
           .scan_points = 2500};
 }
 
 /// W = 0.4 at 0, -0.2 at 1, 0 at 2.
 inline design::RecordDesignRequest three_samples() {
-  return {.records = {{"three", Record{{0.4, -0.2, 0}, 1, {}}, 1}}, .scan_points = 100};
+  return {.cases = {{.records = {{"three", Record{{0.4, -0.2, 0}, 1, {}}, 1}}}},
+          .scan_points = 100};
 }
 
 }  // namespace stillpoint::design_test

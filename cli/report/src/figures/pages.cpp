@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
-#include "sections.hpp"
 #include "figures/motion_figures.hpp"
 #include "figures/region_figures.hpp"
+#include "sections.hpp"
 
 #include <iterator>
 

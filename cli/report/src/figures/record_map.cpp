@@ -26,6 +26,7 @@ constexpr auto faults =
                           {"transmits too much", "#f6d3d6#e8a5ad#d37583#a94459"},
                           {"residual too large", "#eee0c2#d9bd8a#b9935a#8a6636"},
                           {"jump too large", "#ddd3ea#bda9d6#9a80bf#6f529b"},
+                          {"passes x = 0 too often", "#d5e3d0#a9c69f#7ba36d#51793f"},
                           {"never rests, or rests too late", "#8a7a68#8a7a68#8a7a68#8a7a68"}});
 static_assert(faults.size() == design::suite_figure_kinds.size() + 1);
 constexpr std::size_t never = faults.size() - 1;
@@ -124,10 +125,10 @@ Figure drawn_map(const design::RecordDesign& result, const SuiteView& view, bool
     outline.push_back(outline.front());
     figure.add_line("the tolerance", {std::move(outline)}, Ink::orange);
   }
-  figure.description = format(
-      "The plane of f and Δ: the {} of the records combined{}, and where a limit is "
-      "violated.",
-      kind.words, boxes ? ", the worst over the tolerance" : "");
+  figure.description =
+      format("The plane of f and Δ: the {} of the {}{}, and where a limit is violated.", kind.words,
+             result.request.cases.size() == 1 ? "records combined" : "worst case",
+             boxes ? ", the worst over the tolerance" : "");
   const bool any_fails = figure.map.key.size() > of_good;
   figure.clauses = {
       !view.any_good() ? "Each area is named after the limit exceeded most there"
@@ -152,8 +153,9 @@ std::string shortfall_title(const design::RecordDesign& result, const FigureUnit
   const design::Mend& mend = result.mends.front();
   const auto& kind =
       *std::ranges::find(design::suite_figure_kinds, mend.field, &design::SuiteFigureKind::field);
-  return format("No damper: allow a {} of {}", kind.words,
-                units.of(kind.dimension).words(mend.value));
+  return format("No damper: allow a {} of {}{}", kind.words,
+                units.of(kind.dimension).words(mend.value),
+                mend.in_case.empty() ? "" : " in " + mend.in_case);
 }
 
 /// Where the search went beyond the map; "" if nowhere.

@@ -24,8 +24,8 @@ std::optional<std::vector<std::string_view>> conflict_of(const design::Region& r
   return names.empty() ? std::nullopt : std::optional(names);
 }
 
-std::optional<Worst> settled(const design::SuiteFigures& figures) {
-  return figures.settled ? std::optional(worst_of(figures)) : std::nullopt;
+std::optional<Worst> settled(const design::TaskFigures& figures) {
+  return design::settled(figures) ? std::optional(worst_of(largest(figures))) : std::nullopt;
 }
 
 IfReal AnswerSi::mended(std::string_view field, bool by_stiffness) const {

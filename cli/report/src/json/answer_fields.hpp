@@ -63,7 +63,7 @@ struct WorstAt : design::SuiteDamper {
   Name motion{};
 
   static constexpr auto field_table = std::tuple_cat(
-      std::tuple{Field{"motion", &WorstAt::motion, "null of several records", any_number}},
+      std::tuple{Field{"motion", &WorstAt::motion, "of several the one with the most", any_number}},
       fields<design::SuiteDamper>);
 };
 struct WorstInBox : Worst {

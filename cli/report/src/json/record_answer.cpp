@@ -17,9 +17,12 @@ IfRange unless_exact(const Interval& side) {
 
 AskedTask asked_task(const design::RecordDesignRequest& task) {
   const auto& [f, delta, width, period] = task.tolerance;
-  AskedTask asked{.beta = task.limits.peak,
-                  .residual = task.limits.residual,
-                  .jump_max = task.limits.jump,
+  // Of several each has its own, which the constraints tell.
+  const design::SuiteLimits limits =
+      task.cases.size() == 1 ? task.cases.front().limits : design::SuiteLimits();
+  AskedTask asked{.beta = limits.peak,
+                  .residual = limits.residual,
+                  .jump_max = limits.jump,
                   .hold = task.hold,
                   .p_range = task.p,
                   .tolerance_f = factors(f),
@@ -33,7 +36,7 @@ AskedTask asked_task(const design::RecordDesignRequest& task) {
                   .objective = name(task.objective)};
   asked.limits.f_max = task.f_max;
   asked.limits.delta_max = task.delta_max;
-  asked.limits.acceleration_max = task.limits.acceleration;
+  asked.limits.acceleration_max = limits.acceleration;
   if (task.width && task.width->low == task.width->high) {
     asked.notch_width = task.width->low;
   }
@@ -49,23 +52,41 @@ BoxedDamper boxed_damper(const design::RecordFinding& finding, const IfReal& tol
           tolerance};
 }
 
-/// In the order of design::suite_figure_kinds. The motion that has the worst is known of one record
-/// alone.
-WorstInBox shown_worst(const design::SuiteBox& box, const Name& motion) {
-  const auto at = [&](std::size_t kind) { return WorstAt{box.of.at(kind), motion}; };
-  return {worst_of(box.worst), {at(0), at(1), at(2), {}, at(3)}};
+/// In the order of design::suite_figure_kinds.
+WorstInBox shown_worst(const design::SuiteBox& box, std::size_t in_case,
+                       const std::vector<design::CaseMotion>& motions) {
+  const auto at = [&](std::size_t kind) {
+    return WorstAt{box.of[in_case].at(kind), motions[box.in[in_case].at(kind)].name};
+  };
+  return {worst_of(box.worst[in_case]), {at(0), at(1), at(2), {}, at(3)}};
 }
 
-std::vector<ShownLoaded> motions_of(const design::RecordDesign& result) {
-  std::vector<ShownLoaded> motions;
-  for (std::size_t i = 0; i < result.finding->responses.size(); ++i) {
-    motions.push_back({{},
-                       result.finding->point.damper.p,
-                       {},
-                       ShownResponse(result.finding->responses[i]),
-                       &result.request.records[i]});
+std::string_view load_type(const design::LoadCase& load_case) {
+  return load_case.v0 ? "hit" : load_case.pulse ? design::name(load_case.pulse->pulse) : "records";
+}
+
+ShownCase shown_case(const design::RecordDesign& result, std::size_t index) {
+  const design::LoadCase& load_case = result.request.cases[index];
+  ShownCase shown{.name = case_name(load_case.name), .load = {load_type(load_case)}};
+  if (load_case.of_records()) {
+    shown.load.records = load_case.records.size();
+    shown.combine = load_case.combine;
   }
-  return motions;
+  const auto& finding = result.finding;
+  if (!finding) {
+    return shown;
+  }
+  const std::vector<design::CaseMotion> motions = design::motions_of(load_case);
+  shown.nominal = worst_of(finding->point.figures[index]);
+  shown.worst = shown_worst(finding->box, index, motions);
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const design::CaseMotion& motion = motions[i];
+    shown.motions.push_back({load_case.v0 ? std::optional(motion.start.v0) : std::nullopt,
+                             finding->point.damper.p, motion.pulse,
+                             ShownResponse(finding->responses[index][i]),
+                             load_case.of_records() ? &load_case.records[i] : nullptr});
+  }
+  return shown;
 }
 
 }  // namespace
@@ -73,7 +94,6 @@ std::vector<ShownLoaded> motions_of(const design::RecordDesign& result) {
 ShownAnswer shown(const RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;
   const design::RecordDesignRequest& request = result.request;
-  ShownCase only{.load = {"records", request.records.size()}, .combine = request.combine};
   ShownAnswer now{.units = report.physical,
                   .findings = findings(report),
                   .verdict = verdict(report),
@@ -83,18 +103,15 @@ ShownAnswer shown(const RecordDesignReport& report) {
                   .search = &result.search};
   if (const auto& finding = result.finding) {
     now.design = boxed_damper(*finding, result.largest_tolerance);
-    only.nominal = worst_of(finding->point.figures);
-    only.worst = shown_worst(finding->box, request.records.size() == 1
-                                               ? std::optional(request.records.front().name)
-                                               : std::nullopt);
-    only.motions = motions_of(result);
     now.outlook = &finding->outlook;
     now.cross_check = &finding->cross_check;
   } else {
     now.largest_tolerance = result.largest_tolerance;
     now.nearest = &result.nearest;
   }
-  now.cases.push_back(std::move(only));
+  for (std::size_t i = 0; i < request.cases.size(); ++i) {
+    now.cases.push_back(shown_case(result, i));
+  }
   return now;
 }
 

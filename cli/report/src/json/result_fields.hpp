@@ -13,7 +13,7 @@ namespace stillpoint::report {
 
 inline constexpr auto relations = std::to_array<std::string_view>({"<", "<=", ">=", ">"});
 inline constexpr auto constrained = std::to_array<std::string_view>(
-    {"f", "delta", "v0", "peak", "acceleration", "residual", "jump"});
+    {"f", "delta", "v0", "peak", "acceleration", "residual", "jump", "passages"});
 inline constexpr auto constraint_names =
     std::to_array<std::string_view>({"dead_zone", "start", "amplitude", "return", "residual",
                                      "stop", "f_max", "delta_max", "acceleration", "jump"});
@@ -29,6 +29,11 @@ inline constexpr auto check_methods =
 /// The constraints and limits that conflict, by name; empty where none do.
 [[nodiscard]] std::optional<std::vector<std::string_view>> conflict_of(
     const design::Region& region);
+
+/// Null of the only case.
+[[nodiscard]] inline Name case_name(const std::string& load_case) {
+  return load_case.empty() ? Name() : Name(load_case);
+}
 
 /// Of numbers; what else there is of a figure has no unit.
 template <class Value>
@@ -59,7 +64,7 @@ using Worst = OfFigures<double>;
   return worst;
 }
 /// Empty where a motion never rests.
-[[nodiscard]] std::optional<Worst> settled(const design::SuiteFigures& figures);
+[[nodiscard]] std::optional<Worst> settled(const design::TaskFigures& figures);
 
 }  // namespace stillpoint::report
 
@@ -171,7 +176,7 @@ template <>
 inline constexpr auto fields<design::SuitePoint> = std::tuple{
     Field{"design", &design::SuitePoint::damper},
     Field{"worst", [](const design::SuitePoint& now) { return report::settled(now.figures); },
-          "null where a motion never rests"}};
+          "of all cases; null where a motion never rests"}};
 
 template <>
 inline constexpr auto fields<design::SuiteOutlook> = std::tuple{
@@ -202,7 +207,7 @@ inline constexpr auto fields<design::Constraint> = [] {
   constexpr Measure metres_alone = report::si_alone(Dimension::length, Numbers::all);
   constexpr auto is_length = [](const Now& now) { return now.dimension() == Dimension::length; };
   return std::tuple{
-      Field{"case", [](const Now&) { return report::Name(); }},
+      Field{"case", [](const Now& now) { return report::case_name(now.in_case); }},
       Field{"name", &Now::name, "", report::one_of(report::constraint_names)},
       Field{"variable", &Now::variable, "what is bounded", report::one_of(report::constrained)},
       Field{"relation", &Now::relation, "", report::one_of(report::relations)},
@@ -219,10 +224,10 @@ inline constexpr auto fields<design::Constraint> = [] {
 }();
 
 template <>
-inline constexpr auto fields<design::Mend> =
-    std::tuple{Field{"case", [](const design::Mend&) { return report::Name(); }},
-               Field{"input", &design::Mend::field},
-               Field{"value", &design::Mend::value, "", report::any_number}};
+inline constexpr auto fields<design::Mend> = std::tuple{
+    Field{"case", [](const design::Mend& now) { return report::case_name(now.in_case); }},
+    Field{"input", &design::Mend::field},
+    Field{"value", &design::Mend::value, "", report::any_number}};
 
 template <>
 inline constexpr auto fields<design::SearchRecord::Scan> =

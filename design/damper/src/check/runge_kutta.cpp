@@ -25,14 +25,18 @@ using std::numbers::pi;
 constexpr double phase_step = 1.0 / 2000;
 
 /// The largest |W| after tau = `from`, which a mass held for ever feels.
-double largest_load_after(const Record& record, double from) {
-  double most = 0;
-  for (peers::RecordLoad load(record); load.stretch_end() < peers::for_ever; load.next_stretch()) {
-    if (const double end = load.stretch_end(); end > from) {
-      most = std::max(most, std::abs(load(end)));
+double largest_load_after(const Excitation& excitation, double from) {
+  return peers::with_load(excitation, [from](auto load) {
+    double most = 0;
+    for (; load.stretch_end() < peers::for_ever; load.next_stretch()) {
+      const double end = load.stretch_end();
+      for (double t = load.next_look(from); t < end; t = load.next_look(t)) {
+        most = std::max(most, std::abs(load(t)));
+      }
+      most = end > from ? std::max(most, std::abs(load(end))) : most;
     }
-  }
-  return most;
+    return most;
+  });
 }
 
 }  // namespace
@@ -94,17 +98,16 @@ IntegratedMotion integrate_under_pulse(const Oscillator& oscillator, const Pulse
   return motion;
 }
 
-SuiteFigures integrate_record_motion(const Oscillator& oscillator, const Surface& surface,
-                                     const Record& record) {
+SuiteFigures integrate_to_rest(const Oscillator& oscillator, const Surface& surface,
+                               const Excitation& load, const Start& start) {
   const double p = oscillator.p;
-  const double t_end = duration(record).value() + most_suite_half_cycles * pi / p;
-  const peers::Result result = peers::runge_kutta4({oscillator, {}, record, t_end, surface},
+  const double t_end = duration(load).value_or(0) + most_suite_half_cycles * pi / p;
+  const peers::Result result = peers::runge_kutta4({oscillator, start, load, t_end, surface},
                                                    phase_step / p, peers::any_effort);
-  return {
-      .peak = result.peak,
-      .acceleration = std::max(result.acceleration, largest_load_after(record, result.end_time)),
-      .residual = std::abs(result.x),
-      .settled = result.outcome != Outcome::running};
+  return {.peak = result.peak,
+          .acceleration = std::max(result.acceleration, largest_load_after(load, result.end_time)),
+          .residual = std::abs(result.x),
+          .settled = result.outcome != Outcome::running};
 }
 
 }  // namespace stillpoint::design

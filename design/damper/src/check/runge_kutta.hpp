@@ -34,9 +34,9 @@ struct IntegratedMotion : MotionFigures {
                                                      const Pulse& pulse, double size,
                                                      double tolerance);
 
-/// By the classical Runge-Kutta method, whose steps are 1/2000 of 1/p and end at the samples. From
-/// rest at x = 0 to the rest, unless that takes too many half-cycles; the margin is not known.
-[[nodiscard]] SuiteFigures integrate_record_motion(const Oscillator& oscillator,
-                                                   const Surface& surface, const Record& record);
+/// By the classical Runge-Kutta method, whose steps are 1/2000 of 1/p and end at the samples. To
+/// the rest, unless that takes too many half-cycles; the margin is not known.
+[[nodiscard]] SuiteFigures integrate_to_rest(const Oscillator& oscillator, const Surface& surface,
+                                             const Excitation& load, const Start& start = {});
 
 }  // namespace stillpoint::design

@@ -3,8 +3,7 @@
 
 namespace stillpoint::design {
 
-void KnownDampers::add(std::span<const SuiteDamper> dampers,
-                       std::span<const SuiteFigures> figures) {
+void KnownDampers::add(std::span<const SuiteDamper> dampers, std::span<const TaskFigures> figures) {
   for (const SuiteDamper& damper : dampers) {
     SuitePlace values{};
     for (std::size_t i = 0; i < axes_.size(); ++i) {
@@ -20,7 +19,7 @@ void KnownDampers::add(const KnownDampers& others) {
   figures_.insert(figures_.end(), others.figures_.begin(), others.figures_.end());
 }
 
-KnownDampers KnownDampers::breaking(const SuiteLimits& limits) const {
+KnownDampers KnownDampers::breaking(const std::vector<SuiteLimits>& limits) const {
   KnownDampers some(axes_);
   for (std::size_t k = 0; k < values_.size(); ++k) {
     if (!admissible(figures_[k], limits)) {
@@ -31,7 +30,7 @@ KnownDampers KnownDampers::breaking(const SuiteLimits& limits) const {
   return some;
 }
 
-SuiteFigures KnownDampers::worst(const SuiteDamper& nominal) const {
+TaskFigures KnownDampers::worst(const SuiteDamper& nominal) const {
   constexpr double rounding = 1e-12;  // of a period, which a damper has as 1/p
   SuitePlace low{};
   SuitePlace high{};
@@ -41,7 +40,7 @@ SuiteFigures KnownDampers::worst(const SuiteDamper& nominal) const {
     low.at(i) = value * (1 - axis.spread().below) * (1 - rounding);
     high.at(i) = value * (1 + axis.spread().above) * (1 + rounding);
   }
-  SuiteFigures all;
+  TaskFigures all;
   for (std::size_t k = 0; k < values_.size(); ++k) {
     bool inside = true;
     for (std::size_t i = 0; i < most_axes && inside; ++i) {

@@ -42,7 +42,32 @@ SuiteBox promised(const RecordDesignRequest& task, const ChosenBox& chosen) {
           interval_about(damper.width, times(of.width, chosen.scale)),
           chosen.verified.samples,
           worst,
-          chosen.verified.of};
+          chosen.verified.of,
+          {}};
+}
+
+/// With the motion that has the most of each figure that is limited.
+void add_motions(RecordDesign& result, const Suites& suites) {
+  SuiteBox& box = result.finding->box;
+  auto constraint = result.constraints.begin();
+  for (std::size_t c = 0; c < suites.cases().size(); ++c) {
+    const Suite& suite = suites.cases()[c];
+    const bool tells_motions = suites.cases().size() > 1 ||
+                               (suite.motions().size() > 1 && !is_mean(result.request.cases[c]));
+    box.in.emplace_back();
+    for (std::size_t k = 0; k < suite_figure_kinds.size(); ++k) {
+      const SuiteFigureKind& kind = suite_figure_kinds.at(k);
+      const std::size_t motion = suite.worst_motion(box.of[c].at(k), kind);
+      box.in.back().at(k) = motion;
+      if (result.request.cases[c].limits.*kind.limit) {
+        const CaseMotion& worst = suite.motions()[motion];
+        if (tells_motions) {
+          constraint->motion = {worst.name, worst.scale};
+        }
+        ++constraint;
+      }
+    }
+  }
 }
 
 /// The middles of even cells over a range, and as many of the same size beyond it as boxes reach.
@@ -84,8 +109,8 @@ struct Cells {
 
 }  // namespace
 
-std::size_t worst_record(const RecordDesign& result) {
-  const std::vector<ForcedResponse>& all = result.finding->responses;
+std::size_t worst_motion(const RecordDesign& result, std::size_t in_case) {
+  const std::vector<ForcedResponse>& all = result.finding->responses[in_case];
   const auto value = [&](const ForcedResponse& response) {
     return suite_figures(response).*minimised(result.request).value;
   };
@@ -103,33 +128,51 @@ RecordDesign design(const RecordDesignRequest& request, const RecordWatch& go_on
   RecordDesign result;
   result.request = completed(request);
   const RecordDesignRequest& task = result.request;
-  const Suite suite(task);
+  const Suites suites(task);
   SuiteWatch watch(go_on);
   std::optional<ChosenBox> chosen = task.objective == SuiteObjective::robust
-                                        ? most_tolerant(suite, result, watch)
-                                        : within_tolerance(suite, result, watch);
+                                        ? most_tolerant(suites, result, watch)
+                                        : within_tolerance(suites, result, watch);
   result.search.evaluations = watch.evaluations();
   result.search.interrupted = watch.stopped();
   result.search.status = watch.stopped() ? "INTERRUPTED" : "SUCCESS";
   if (chosen) {
     const SuiteDamper& damper = chosen->verified.box.damper;
     RecordFinding finding;
-    finding.point = {damper, suite.figures(damper)};
-    finding.responses = suite.responses(damper);
+    finding.point = {damper, suites.figures(damper)};
+    for (const Suite& each : suites.cases()) {
+      finding.responses.push_back(each.responses(damper));
+    }
     finding.box = promised(task, *chosen);
     finding.outlook = outlook(task, damper, chosen->scale);
-    finding.cross_check = check(suite, damper, finding.responses);
+    finding.cross_check = check(suites, damper, finding.responses);
     result.nearest = {damper, chosen->verified.box.worst};
-    result.constraints = constraints_of(task.limits, finding.box.worst);
+    result.constraints = constraints_of(task, finding.box.worst);
     result.finding = std::move(finding);
+    add_motions(result, suites);
   }
   result.findings = findings_of(result, request);
   result.search.wall_time_s = seconds_now() - begun;
   return result;
 }
 
-SuiteFigures figures_of(const RecordDesignRequest& request, const SuiteDamper& damper) {
-  return Suite(request).figures(damper);
+std::optional<Governing> governing(const RecordDesign& result, std::size_t in_case) {
+  std::optional<Governing> least;
+  for (const Constraint& now : result.constraints) {
+    const double left = now.limit > 0 ? now.slack / now.limit : now.slack;
+    if (now.in_case == result.request.cases[in_case].name && (!least || left < least->part_left)) {
+      const auto* const kind =
+          std::ranges::find(suite_figure_kinds, now.name, &SuiteFigureKind::constraint);
+      least.emplace(now, left,
+                    result.finding->box.of[in_case].at(
+                        static_cast<std::size_t>(kind - suite_figure_kinds.begin())));
+    }
+  }
+  return least;
+}
+
+TaskFigures figures_of(const RecordDesignRequest& request, const SuiteDamper& damper) {
+  return Suites(request).figures(damper);
 }
 
 SuiteMap suite_map(const RecordDesignRequest& request, const SuiteDamper& damper, bool boxes,
@@ -153,19 +196,20 @@ SuiteMap suite_map(const RecordDesignRequest& request, const SuiteDamper& damper
       }
     }
   }
-  const std::vector<SuiteFigures> figures = Suite(task).figures(dampers, task.threads);
+  const std::vector<TaskFigures> figures = Suites(task).figures(dampers, task.threads);
   SuiteMap map{f.shown(), delta.shown(), {}};
   for (const double of_f : map.f) {
     const auto [first, end] = f.within(of_f);
     for (const double of_delta : map.delta) {
       const auto [low, high] = delta.within(of_delta);
-      SuiteFigures worst;
+      TaskFigures worst;
       for (std::size_t i = first; i < end; ++i) {
         const auto row =
             figures.begin() + static_cast<std::ptrdiff_t>(i * delta.all.size() * widths.size());
         worst =
             std::accumulate(row + static_cast<std::ptrdiff_t>(low * widths.size()),
-                            row + static_cast<std::ptrdiff_t>(high * widths.size()), worst, worse);
+                            row + static_cast<std::ptrdiff_t>(high * widths.size()), worst,
+                            [](const TaskFigures& a, const TaskFigures& b) { return worse(a, b); });
       }
       map.figures.push_back(worst);
     }
@@ -175,18 +219,20 @@ SuiteMap suite_map(const RecordDesignRequest& request, const SuiteDamper& damper
 
 std::string summary(const RecordDesign& result) {
   const auto& [damper, figures] = result.nearest;
-  const std::string point =
-      fmt::format("p = {:.6g}, f = {:.6g}, delta = {:.6g}", damper.p, damper.f, damper.delta);
-  const std::string does =
-      figures.settled
-          ? fmt::format("transmits {:.4g} g, moves up to |x| = {:.4g} and rests within {:.4g}",
-                        figures.acceleration, figures.peak, figures.residual)
-          : "does not come to rest";
+  std::string text = fmt::format("{}p = {:.6g}, f = {:.6g}, delta = {:.6g}",
+                                 result.finding ? "" : "no damper: the nearest, ", damper.p,
+                                 damper.f, damper.delta);
+  for (const SuiteFigures& each : figures) {
+    text +=
+        each.settled
+            ? fmt::format(", transmits {:.4g} g, moves up to |x| = {:.4g} and rests within {:.4g}",
+                          each.acceleration, each.peak, each.residual)
+            : ", does not come to rest";
+  }
   return result.finding
-             ? fmt::format("{} {} at the worst of {} dampers{}", point, does,
-                           result.finding->box.samples,
+             ? fmt::format("{} at the worst of {} dampers{}", text, result.finding->box.samples,
                            result.finding->cross_check.passed ? "" : "; the check failed")
-             : fmt::format("no damper: the nearest, {}, {}", point, does);
+             : text;
 }
 
 }  // namespace stillpoint::design

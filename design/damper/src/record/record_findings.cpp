@@ -23,25 +23,47 @@ void add_count(Finding& finding, std::string_view name, std::size_t count) {
 }
 
 /// The load that the damper is compared with: combined as its figures.
-double load_of(const RecordDesignRequest& task) {
+double load_of(const LoadCase& load_case, double p) {
   double sum = 0;
-  for (const SuiteRecord& record : task.records) {
+  for (const SuiteRecord& record : load_case.records) {
     sum += peak_load(record);
   }
-  return is_mean(task) ? sum / static_cast<double>(task.records.size()) : peak_load(task.records);
+  return is_mean(load_case) ? sum / static_cast<double>(load_case.records.size())
+                            : peak_load(load_case, p);
 }
 
-void add_motions(std::vector<Finding>& all, const RecordDesign& result) {
-  const std::vector<ForcedResponse>& responses = result.finding->responses;
-  if (result.finding->point.figures.peak == 0) {
-    Finding& still = all.emplace_back(never_moves);
-    still.add("largest_load", peak_load(result.request.records), Dimension::gravities);
+bool isolates(const RecordDesign& result, std::size_t in_case) {
+  constexpr double hardly = 0.95;
+  const auto& [damper, figures] = result.nearest;
+  const LoadCase& load_case = result.request.cases[in_case];
+  return load_case.v0 || figures.empty() ||
+         figures[in_case].acceleration <= hardly * load_of(load_case, damper.p);
+}
+
+/// Of one case, which is named if there are several.
+Finding& add(std::vector<Finding>& all, FindingKind kind, const LoadCase& load_case) {
+  Finding& finding = all.emplace_back(kind);
+  if (!load_case.name.empty()) {
+    finding.values.push_back({"case", load_case.name});
+  }
+  return finding;
+}
+
+void add_motions(std::vector<Finding>& all, const RecordDesign& result, std::size_t in_case) {
+  const LoadCase& load_case = result.request.cases[in_case];
+  const std::vector<ForcedResponse>& responses = result.finding->responses[in_case];
+  const double p = result.nearest.damper.p;
+  const bool moves = result.finding->point.figures[in_case].peak > 0;
+  if (!moves) {
+    Finding& still = add(all, never_moves, load_case);
+    still.add("largest_load", peak_load(load_case, p), Dimension::gravities);
     add_count(still, "records", responses.size());
   }
   if (!isolates(result)) {
-    Finding& useless = all.emplace_back(does_not_isolate);
-    useless.add(transmitted_name, result.nearest.figures.acceleration, Dimension::gravities);
-    useless.add("largest_load", load_of(result.request), Dimension::gravities);
+    Finding& useless = add(all, does_not_isolate, load_case);
+    useless.add(transmitted_name, result.nearest.figures[in_case].acceleration,
+                Dimension::gravities);
+    useless.add("largest_load", load_of(load_case, p), Dimension::gravities);
   }
   std::size_t count = 0;
   double most = 0;
@@ -49,23 +71,24 @@ void add_motions(std::vector<Finding>& all, const RecordDesign& result) {
     count += response.locks() ? 1U : 0U;
     most = std::max(most, response.largest_load_while_locked.value_or(0));
   }
-  if (count > 0 && result.finding->point.figures.peak > 0) {
-    Finding& lock = all.emplace_back(locks);
+  if (count > 0 && moves) {
+    Finding& lock = add(all, locks, load_case);
     lock.add("largest_load_while_locked", most, Dimension::gravities);
     add_count(lock, "records", count);
     add_count(lock, "of_records", responses.size());
   }
-  if (const double jump = result.finding->box.worst.jump; jump > 0) {
-    all.emplace_back(jolts).add("jump", jump, Dimension::velocity);
+  if (const double jump = result.finding->box.worst[in_case].jump; jump > 0) {
+    add(all, jolts, load_case).add("jump", jump, Dimension::velocity);
   }
 }
 
 /// For each limit that a mean meets, the records that exceed it.
-void add_hidden(std::vector<Finding>& all, const RecordDesign& result) {
-  const std::vector<ForcedResponse>& responses = result.finding->responses;
+void add_hidden(std::vector<Finding>& all, const RecordDesign& result, std::size_t in_case) {
+  const LoadCase& load_case = result.request.cases[in_case];
+  const std::vector<ForcedResponse>& responses = result.finding->responses[in_case];
   for (const SuiteFigureKind& kind : suite_figure_kinds) {
-    const std::optional<double>& limit = result.request.limits.*kind.limit;
-    if (!limit || !is_mean(result.request)) {
+    const std::optional<double>& limit = load_case.limits.*kind.limit;
+    if (!limit || !is_mean(load_case)) {
       continue;
     }
     const auto value = [&](const ForcedResponse& of) { return suite_figures(of).*kind.value; };
@@ -76,10 +99,10 @@ void add_hidden(std::vector<Finding>& all, const RecordDesign& result) {
     }
     const auto worst = std::ranges::max_element(responses, {}, value);
     const SuiteRecord& record =
-        result.request.records[static_cast<std::size_t>(worst - responses.begin())];
-    Finding& finding = all.emplace_back(
-        records_exceed_limit,
-        std::vector<FindingValue>{{"figure", std::string(kind.words)}, {"record", record.name}});
+        load_case.records[static_cast<std::size_t>(worst - responses.begin())];
+    Finding& finding = add(all, records_exceed_limit, load_case);
+    finding.values.push_back({"figure", std::string(kind.words)});
+    finding.values.push_back({"record", record.name});
     finding.add("scale", record.scale);
     finding.add("value", value(*worst), kind.dimension);
     finding.add("limit", limit, kind.dimension);
@@ -89,23 +112,23 @@ void add_hidden(std::vector<Finding>& all, const RecordDesign& result) {
 }
 
 /// What a period, or a scale of the records, that is off breaks.
-void add_outlook(std::vector<Finding>& all, const RecordDesign& result, std::string_view input,
+void add_outlook(std::vector<Finding>& all, const LoadCase& load_case, std::string_view input,
                  const SuiteFigures& worst) {
-  const auto add = [&](std::string_view figure) -> Finding& {
-    Finding& finding = all.emplace_back(fails_if_off);
+  const auto fails = [&](std::string_view figure) -> Finding& {
+    Finding& finding = add(all, fails_if_off, load_case);
     finding.values.push_back({"input", std::string(input)});
     finding.add("off", SuiteOutlook::off);
     finding.values.push_back({"figure", std::string(figure)});
     return finding;
   };
   if (!worst.settled) {
-    add("rest");
+    fails("rest");
     return;
   }
   for (const SuiteFigureKind& kind : suite_figure_kinds) {
-    const std::optional<double>& limit = result.request.limits.*kind.limit;
+    const std::optional<double>& limit = load_case.limits.*kind.limit;
     if (limit && worst.*kind.value > *limit) {
-      Finding& finding = add(kind.words);
+      Finding& finding = fails(kind.words);
       finding.add("value", worst.*kind.value, kind.dimension);
       finding.add("limit", limit, kind.dimension);
     }
@@ -127,12 +150,15 @@ void add_notch(std::vector<Finding>& all, const RecordDesign& result,
 }  // namespace
 
 bool isolates(const RecordDesign& result) {
-  constexpr double hardly = 0.95;
-  return result.nearest.figures.acceleration <= hardly * load_of(result.request);
+  bool any = false;
+  for (std::size_t i = 0; i < result.request.cases.size(); ++i) {
+    any = any || isolates(result, i);
+  }
+  return any;
 }
 
-bool is_mean(const RecordDesignRequest& task) {
-  return task.combine.value() == Combine::mean && task.records.size() > 1;
+bool is_mean(const LoadCase& load_case) {
+  return load_case.combine.value() == Combine::mean && load_case.records.size() > 1;
 }
 
 std::vector<Finding> findings_of(const RecordDesign& result, const RecordDesignRequest& asked) {
@@ -146,8 +172,11 @@ std::vector<Finding> findings_of(const RecordDesign& result, const RecordDesignR
   }
   const auto& [point, responses, box, outlook, check] = *result.finding;
   add_failed(all, check);
-  add_motions(all, result);
-  add_hidden(all, result);
+  const std::vector<LoadCase>& cases = result.request.cases;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    add_motions(all, result, i);
+    add_hidden(all, result, i);
+  }
   const auto& printed = result.request.printed;
   if (printed && printed->time && point.damper.f > 1) {  // without units f has no weight
     all.emplace_back(friction_above_weight).add("f", point.damper.f);
@@ -156,8 +185,10 @@ std::vector<Finding> findings_of(const RecordDesign& result, const RecordDesignR
     all.emplace_back(exact_only);
   }
   add_notch(all, result, asked);
-  add_outlook(all, result, "period", outlook.period);
-  add_outlook(all, result, "scale", outlook.scale);
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    add_outlook(all, cases[i], "period", outlook.period[i]);
+    add_outlook(all, cases[i], "scale", outlook.scale[i]);
+  }
   return all;
 }
 

@@ -76,14 +76,62 @@ Record scaled(const SuiteRecord& record) {
   return load;
 }
 
+std::vector<CaseMotion> motions_of(const LoadCase& load_case) {
+  constexpr int of_a_range = 9;
+  std::vector<CaseMotion> list;
+  for (const SuiteRecord& record : load_case.records) {
+    list.push_back({record.name, record.scale, {}, {}, scaled(record)});
+  }
+  const auto add_range = [&](double low, double high, const auto& motion) {
+    for (int i = 0; i < (low < high ? of_a_range : 1); ++i) {
+      list.push_back(motion(std::lerp(high, low, i / (of_a_range - 1.0))));
+    }
+  };
+  if (load_case.pulse) {
+    const auto& [pulse, k_low] = *load_case.pulse;
+    const double most = peak_load(pulse);
+    add_range(k_low.value_or(most), most, [&, &pulse = pulse](double k) {
+      Pulse now = pulse;
+      std::visit([&](auto& wave) { wave.k = k; }, now);
+      return CaseMotion{std::string(name(pulse)), k / most, {}, now, excitation(now)};
+    });
+  } else if (load_case.v0) {
+    const auto& [low, high] = *load_case.v0;
+    add_range(low, high, [&](double v0) {
+      return CaseMotion{"hit", v0 / load_case.v0->high, {0, v0}, {}, NoExcitation{}};
+    });
+  }
+  return list;
+}
+
+double peak_load(const Excitation& load) {
+  return std::visit(
+      []<class Kind>(const Kind& kind) {
+        if constexpr (std::is_same_v<Kind, Record>) {
+          return records::peak_acceleration(kind);
+        } else if constexpr (std::is_same_v<Kind, NoExcitation>) {
+          return 0.0;
+        } else {
+          return std::abs(kind.k);
+        }
+      },
+      load);
+}
+
+double peak_load(const LoadCase& load_case, double p) {
+  return load_case.pulse ? peak_load(load_case.pulse->pulse)
+         : load_case.v0  ? p * load_case.v0->high
+                         : peak_load(load_case.records);
+}
+
 SimulationRequest motion_of(const RecordDesignRequest& request, const SuiteDamper& damper,
-                            std::size_t record) {
-  SimulationRequest motion;
-  motion.oscillator = {damper.p, damper.f, damper.delta, request.hold};
-  motion.start = {0, 0};
-  motion.surface.notch_width = damper.delta > 0 ? damper.notch_width() : std::nullopt;
-  motion.excitation = scaled(request.records[record]);
-  return motion;
+                            const CaseMotion& motion) {
+  SimulationRequest simulation;
+  simulation.oscillator = {damper.p, damper.f, damper.delta, request.hold};
+  simulation.start = motion.start;
+  simulation.surface.notch_width = damper.delta > 0 ? damper.notch_width() : std::nullopt;
+  simulation.excitation = motion.load;
+  return simulation;
 }
 
 SuiteFigures suite_figures(const ForcedResponse& response) {
@@ -94,25 +142,44 @@ SuiteFigures suite_figures(const ForcedResponse& response) {
           response.decision_margin.value_or(1),
           figures.jump,
           0,
+          response.zero_passages.value_or(0),
           true};
 }
 
 const SuiteFigureKind& minimised(const RecordDesignRequest& request) {
   const auto* const found = std::ranges::find_if(suite_figure_kinds, [&](const auto& kind) {
-    return request.objective == SuiteObjective::robust ? (request.limits.*kind.limit).has_value()
-                                                       : kind.objective == request.objective;
+    return request.objective == SuiteObjective::robust
+               ? std::ranges::any_of(
+                     request.cases,
+                     [&](const LoadCase& each) { return (each.limits.*kind.limit).has_value(); })
+               : kind.objective == request.objective;
   });
   return *found;
 }
 
 SuiteFigures worse(const SuiteFigures& one, const SuiteFigures& other) {
-  return {std::max(one.peak, other.peak),
-          std::max(one.acceleration, other.acceleration),
-          std::max(one.residual, other.residual),
-          std::min(one.margin, other.margin),
-          std::max(one.jump, other.jump),
-          std::max(one.late, other.late),
-          one.settled && other.settled};
+  return {std::max(one.peak, other.peak),         std::max(one.acceleration, other.acceleration),
+          std::max(one.residual, other.residual), std::min(one.margin, other.margin),
+          std::max(one.jump, other.jump),         std::max(one.late, other.late),
+          std::max(one.passages, other.passages), one.settled && other.settled};
+}
+
+TaskFigures worse(const TaskFigures& one, const TaskFigures& other) {
+  const bool longer = one.size() >= other.size();
+  TaskFigures all = longer ? one : other;
+  for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i) {
+    all[i] = worse(one[i], other[i]);
+  }
+  return all;
+}
+
+SuiteFigures largest(const TaskFigures& figures) {
+  return std::accumulate(figures.begin(), figures.end(), SuiteFigures(),
+                         [](const SuiteFigures& a, const SuiteFigures& b) { return worse(a, b); });
+}
+
+bool settled(const TaskFigures& figures) {
+  return !figures.empty() && std::ranges::all_of(figures, &SuiteFigures::settled);
 }
 
 void require_valid(const std::vector<SuiteRecord>& records) {
@@ -134,21 +201,19 @@ std::vector<Excitation> scaled_loads(const std::vector<SuiteRecord>& records) {
   return loads;
 }
 
-Suite::Suite(const RecordDesignRequest& request)
-    : loads_(scaled_loads(request.records)),
-      combine_(request.combine.value()),
-      hold_(request.hold) {}
+Suite::Suite(const LoadCase& load_case, const std::optional<double>& hold)
+    : motions_(motions_of(load_case)), combine_(load_case.combine.value()), hold_(hold) {}
 
-ForcedResponse Suite::response(const SuiteDamper& damper, const Excitation& load) const {
-  return forced_response(oscillator(damper), {}, load, {.half_cycle_limit = most_suite_half_cycles},
-                         surface(damper));
+ForcedResponse Suite::response(const SuiteDamper& damper, const CaseMotion& motion) const {
+  return forced_response(oscillator(damper), motion.start, motion.load,
+                         {.half_cycle_limit = most_suite_half_cycles}, surface(damper));
 }
 
 std::vector<ForcedResponse> Suite::responses(const SuiteDamper& damper) const {
   std::vector<ForcedResponse> list;
-  list.reserve(loads_.size());
-  for (const Excitation& load : loads_) {
-    list.push_back(response(damper, load));
+  list.reserve(motions_.size());
+  for (const CaseMotion& motion : motions_) {
+    list.push_back(response(damper, motion));
   }
   return list;
 }
@@ -161,13 +226,14 @@ void Suite::add(SuiteFigures& all, const SuiteFigures& one) const {
   add(all.acceleration, one.acceleration);
   add(all.residual, one.residual);
   add(all.jump, one.jump);
+  all.passages = std::max(all.passages, one.passages);
   all.margin = std::min(all.margin, one.margin);
   all.late = std::max(all.late, one.late);
   all.settled = all.settled && one.settled;
 }
 
 double periods_after(const Excitation& load, double stop_time, double p) {
-  const double after = std::max(0.0, stop_time - duration(load).value());
+  const double after = std::max(0.0, stop_time - duration(load).value_or(0));
   return after * p / (2 * std::numbers::pi);
 }
 
@@ -176,7 +242,7 @@ void Suite::combine(SuiteFigures& all) const {
     all = SuiteFigures();
     all.settled = false;
   } else if (combine_ == Combine::mean) {
-    const auto count = static_cast<double>(loads_.size());
+    const auto count = static_cast<double>(motions_.size());
     all.peak /= count;
     all.acceleration /= count;
     all.residual /= count;
@@ -184,30 +250,46 @@ void Suite::combine(SuiteFigures& all) const {
   }
 }
 
+SuiteFigures Suite::under(const CaseMotion& motion, const SuiteDamper& damper) const {
+  SuiteFigures figures;
+  figures.settled = false;
+  try {
+    const ForcedResponse one = response(damper, motion);
+    if (one.stop_position && rests_in_time(one.half_cycles.value())) {
+      figures = suite_figures(one);
+      figures.late = periods_after(motion.load, one.stop_time.value(), damper.p);
+    }
+  } catch (const TooManyHalfCycles&) {  // it does not settle
+  }
+  return figures;
+}
+
+std::size_t Suite::worst_motion(const SuiteDamper& damper, const SuiteFigureKind& kind) const {
+  std::vector<double> values;
+  for (const CaseMotion& motion : motions_) {
+    values.push_back(under(motion, damper).*kind.value);
+  }
+  return static_cast<std::size_t>(std::ranges::max_element(values) - values.begin());
+}
+
 SuiteFigures Suite::figures(const SuiteDamper& damper) const {
   SuiteFigures all;
-  for (const Excitation& load : loads_) {
-    try {
-      const ForcedResponse one = response(damper, load);
-      all.settled = one.stop_position && rests_in_time(one.half_cycles.value());
-      if (all.settled) {
-        SuiteFigures figures = suite_figures(one);
-        figures.late = periods_after(load, one.stop_time.value(), damper.p);
-        add(all, figures);
-      }
-    } catch (const TooManyHalfCycles&) {
-      all.settled = false;
-    }
-    if (!all.settled) {
-      break;
-    }
+  for (std::size_t i = 0; i < motions_.size() && all.settled; ++i) {
+    add(all, under(motions_[i], damper));
   }
   combine(all);
   return all;
 }
 
-std::vector<SuiteFigures> Suite::under(const Excitation& load,
+std::vector<SuiteFigures> Suite::under(const CaseMotion& motion,
                                        std::span<const SuiteDamper> dampers) const {
+  std::vector<SuiteFigures> list(dampers.size());
+  const Record* const record = std::get_if<Record>(&motion.load);
+  if (record == nullptr) {
+    std::ranges::transform(dampers, list.begin(),
+                           [&](const SuiteDamper& damper) { return under(motion, damper); });
+    return list;
+  }
   RecordBatchOptions options;
   options.hold = hold_;
   options.half_cycle_limit = most_suite_half_cycles;
@@ -215,8 +297,7 @@ std::vector<SuiteFigures> Suite::under(const Excitation& load,
   options.notch_width = column(dampers, &SuiteDamper::width);
   RecordBatchResult found;
   record_batch(0, column(dampers, &SuiteDamper::p), column(dampers, &SuiteDamper::f),
-               column(dampers, &SuiteDamper::delta), std::get<Record>(load), options, found);
-  std::vector<SuiteFigures> list(dampers.size());
+               column(dampers, &SuiteDamper::delta), *record, options, found);
   for (std::size_t k = 0; k < list.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
     list[k].settled = found.outcome[i] != Outcome::running &&
@@ -224,19 +305,19 @@ std::vector<SuiteFigures> Suite::under(const Excitation& load,
                       rests_in_time(found.half_cycles[i]);
     if (list[k].settled) {
       list[k] = suite_figures(found.rest_of(i));
-      list[k].late = periods_after(load, found.stop_time[i], dampers[k].p);
+      list[k].late = periods_after(motion.load, found.stop_time[i], dampers[k].p);
     }
   }
   return list;
 }
 
-/// One record after the other, each with the dampers that are left.
+/// One motion after the other, each with the dampers that are left.
 void Suite::run(std::span<const SuiteDamper> dampers, std::span<SuiteFigures> list) const {
   std::vector<SuiteDamper> left(dampers.begin(), dampers.end());
   std::vector<std::size_t> rows(dampers.size());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
-  for (std::size_t i = 0; i < loads_.size() && !left.empty(); ++i) {
-    const std::vector<SuiteFigures> found = under(loads_[i], left);
+  for (std::size_t i = 0; i < motions_.size() && !left.empty(); ++i) {
+    const std::vector<SuiteFigures> found = under(motions_[i], left);
     std::size_t kept = 0;
     for (std::size_t k = 0; k < left.size(); ++k) {
       add(list[rows[k]], found[k]);
@@ -249,13 +330,13 @@ void Suite::run(std::span<const SuiteDamper> dampers, std::span<SuiteFigures> li
   }
 }
 
-/// All records at once, so that few dampers busy all threads.
+/// All motions at once, so that few dampers busy all threads.
 void Suite::run_at_once(std::span<const SuiteDamper> dampers, std::span<SuiteFigures> list,
                         const Threads& threads) const {
-  std::vector<std::vector<SuiteFigures>> found(loads_.size());
-  for_each_entry(std::ssize(loads_), threads, {}, [&](std::ptrdiff_t i) {
-    const auto load = static_cast<std::size_t>(i);
-    found[load] = under(loads_[load], dampers);
+  std::vector<std::vector<SuiteFigures>> found(motions_.size());
+  for_each_entry(std::ssize(motions_), threads, {}, [&](std::ptrdiff_t i) {
+    const auto motion = static_cast<std::size_t>(i);
+    found[motion] = under(motions_[motion], dampers);
   });
   for (const std::vector<SuiteFigures>& of_one : found) {
     for (std::size_t k = 0; k < list.size(); ++k) {
@@ -287,6 +368,40 @@ std::vector<SuiteFigures> Suite::figures(std::span<const SuiteDamper> dampers,
   return list;
 }
 
+Suites::Suites(const RecordDesignRequest& request) {
+  for (const LoadCase& each : request.cases) {
+    cases_.emplace_back(each, request.hold);
+  }
+}
+
+TaskFigures Suites::figures(const SuiteDamper& damper) const {
+  TaskFigures all;
+  for (const Suite& each : cases_) {
+    all.push_back(each.figures(damper));
+  }
+  return all;
+}
+
+std::vector<TaskFigures> Suites::figures(std::span<const SuiteDamper> dampers,
+                                         const Threads& threads) const {
+  std::vector<TaskFigures> list(dampers.size());
+  for (const Suite& each : cases_) {
+    const std::vector<SuiteFigures> of_case = each.figures(dampers, threads);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      list[i].push_back(of_case[i]);
+    }
+  }
+  return list;
+}
+
+std::vector<SuiteLimits> limits_of(const RecordDesignRequest& request) {
+  std::vector<SuiteLimits> list;
+  for (const LoadCase& each : request.cases) {
+    list.push_back(each.limits);
+  }
+  return list;
+}
+
 double excess(const SuiteFigures& figures, const SuiteLimits& limits) {
   if (!figures.settled) {
     return never_rests;
@@ -296,7 +411,9 @@ double excess(const SuiteFigures& figures, const SuiteLimits& limits) {
     const std::optional<double>& limit = limits.*kind.limit;
     const double value = figures.*kind.value;
     if (limit && value > *limit) {
-      off += (value - *limit) / (*limit > 0 ? *limit : figures.peak);
+      off += (value - *limit) / (*limit > 0                             ? *limit
+                                 : kind.limit == &SuiteLimits::passages ? 1
+                                                                        : figures.peak);
     }
   }
   if (limits.late && figures.late > *limits.late) {
@@ -305,26 +422,58 @@ double excess(const SuiteFigures& figures, const SuiteLimits& limits) {
   return std::min(off, never_rests);
 }
 
-double use(const SuiteFigures& figures, const SuiteLimits& limits) {
+double excess(const TaskFigures& figures, const std::vector<SuiteLimits>& limits) {
+  double off = 0;
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    off += excess(figures[i], limits[i]);
+  }
+  return std::min(off, never_rests);
+}
+
+double margin(const TaskFigures& figures) {
+  double least = 1;
+  for (const SuiteFigures& each : figures) {
+    least = std::min(least, each.margin);
+  }
+  return least;
+}
+
+double use(const TaskFigures& figures, const std::vector<SuiteLimits>& limits) {
   double most = 0;
-  for (const SuiteFigureKind& kind : suite_figure_kinds) {
-    const std::optional<double>& limit = limits.*kind.limit;
-    if (limit && *limit > 0) {
-      most = std::max(most, figures.*kind.value / *limit);
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    for (const SuiteFigureKind& kind : suite_figure_kinds) {
+      const std::optional<double>& limit = limits[i].*kind.limit;
+      if (limit && *limit > 0) {
+        most = std::max(most, figures[i].*kind.value / *limit);
+      }
     }
   }
   return most;
 }
 
-SuiteRank rank(const SuiteFigures& figures, const SuiteGoal& goal) {
-  return figures.settled
-             ? SuiteRank{excess(figures, goal.limits),
-                         goal.figure != nullptr ? figures.*goal.figure : use(figures, goal.limits),
-                         figures.peak}
-             : SuiteRank{never_rests, 0, 0};
+double SuiteGoal::value(const TaskFigures& figures) const {
+  if (figure == nullptr) {
+    return use(figures, limits);
+  }
+  double most = 0;
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    most = in_case.value_or(i) == i ? std::max(most, figures[i].*figure) : most;
+  }
+  return most;
 }
 
-bool admissible(const SuiteFigures& figures, const SuiteLimits& limits) {
+SuiteRank rank(const TaskFigures& figures, const SuiteGoal& goal) {
+  if (!figures.empty() && !settled(figures)) {
+    return {never_rests, 0, 0};
+  }
+  double peak = 0;
+  for (const SuiteFigures& each : figures) {
+    peak = std::max(peak, each.peak);
+  }
+  return {excess(figures, goal.limits), goal.value(figures), peak};
+}
+
+bool admissible(const TaskFigures& figures, const std::vector<SuiteLimits>& limits) {
   return excess(figures, limits) == 0;
 }
 

@@ -33,11 +33,11 @@ void require_valid(const std::vector<SuiteRecord>& records);
 /// Of valid records.
 [[nodiscard]] std::vector<Excitation> scaled_loads(const std::vector<SuiteRecord>& records);
 
-/// The records of a request as loads, and the figures of a damper under them.
+/// The motions of one case, and the figures of a damper in them.
 class Suite {
  public:
-  /// For a request with its combination. Throws InputError for a wrong record.
-  explicit Suite(const RecordDesignRequest& request);
+  /// Of a valid case with its combination; `hold` as that of Oscillator.
+  Suite(const LoadCase& load_case, const std::optional<double>& hold);
 
   /// Throws InputError for a wrong damper, but not for one that never rests.
   [[nodiscard]] SuiteFigures figures(const SuiteDamper& damper) const;
@@ -47,7 +47,11 @@ class Suite {
   /// For one damper, with each motion.
   [[nodiscard]] std::vector<ForcedResponse> responses(const SuiteDamper& damper) const;
 
-  [[nodiscard]] const std::vector<Excitation>& loads() const { return loads_; }
+  /// The one with the largest of a figure.
+  [[nodiscard]] std::size_t worst_motion(const SuiteDamper& damper,
+                                         const SuiteFigureKind& kind) const;
+
+  [[nodiscard]] const std::vector<CaseMotion>& motions() const { return motions_; }
   [[nodiscard]] Oscillator oscillator(const SuiteDamper& damper) const {
     return {damper.p, damper.f, damper.delta, hold_};
   }
@@ -56,29 +60,62 @@ class Suite {
   }
 
  private:
-  /// The figures of one record.
+  /// The figures of one motion.
   void add(SuiteFigures& all, const SuiteFigures& one) const;
-  /// For all records; empty if one of them does not settle.
+  /// For all motions; empty if one of them does not settle.
   void combine(SuiteFigures& all) const;
-  /// Under one record, which need not be settled.
-  [[nodiscard]] std::vector<SuiteFigures> under(const Excitation& load,
+  [[nodiscard]] SuiteFigures under(const CaseMotion& motion, const SuiteDamper& damper) const;
+  /// In one motion, which need not be settled.
+  [[nodiscard]] std::vector<SuiteFigures> under(const CaseMotion& motion,
                                                 std::span<const SuiteDamper> dampers) const;
   void run(std::span<const SuiteDamper> dampers, std::span<SuiteFigures> list) const;
   void run_at_once(std::span<const SuiteDamper> dampers, std::span<SuiteFigures> list,
                    const Threads& threads) const;
-  [[nodiscard]] ForcedResponse response(const SuiteDamper& damper, const Excitation& load) const;
+  [[nodiscard]] ForcedResponse response(const SuiteDamper& damper, const CaseMotion& motion) const;
 
-  std::vector<Excitation> loads_;
+  std::vector<CaseMotion> motions_;
   Combine combine_;
   std::optional<double> hold_;
+};
+
+/// Those of all cases of a request with its combinations.
+class Suites {
+ public:
+  explicit Suites(const RecordDesignRequest& request);
+
+  [[nodiscard]] TaskFigures figures(const SuiteDamper& damper) const;
+  [[nodiscard]] std::vector<TaskFigures> figures(std::span<const SuiteDamper> dampers,
+                                                 const Threads& threads) const;
+  [[nodiscard]] const std::vector<Suite>& cases() const { return cases_; }
+
+ private:
+  std::vector<Suite> cases_;
 };
 
 /// What a search minimises within the limits; without a figure the largest part of a limit that is
 /// used.
 struct SuiteGoal {
   double SuiteFigures::*figure{nullptr};
-  SuiteLimits limits;
+  std::optional<std::size_t> in_case{};  ///< empty: the largest of all
+  std::vector<SuiteLimits> limits{};     ///< of each case
+
+  /// Of what settles.
+  [[nodiscard]] double value(const TaskFigures& figures) const;
 };
+
+/// The limits of each case.
+[[nodiscard]] std::vector<SuiteLimits> limits_of(const RecordDesignRequest& request);
+
+/// Of what is not known, or never rests.
+inline constexpr SuiteFigures unsettled{.settled = false};
+
+/// The least margin of all decisions; 1 of none.
+[[nodiscard]] double margin(const TaskFigures& figures);
+
+/// The sum over all cases; 1e9 if a motion never rests. Nothing is known against no figures.
+[[nodiscard]] double excess(const TaskFigures& figures, const std::vector<SuiteLimits>& limits);
+/// Whether it is 0: the damper rests and meets the limits.
+[[nodiscard]] bool admissible(const TaskFigures& figures, const std::vector<SuiteLimits>& limits);
 
 /// The rank of a damper or of its box: the less, the better. Any admissible one is better than any
 /// other.
@@ -90,7 +127,7 @@ struct SuiteRank {
   [[nodiscard]] auto operator<=>(const SuiteRank&) const = default;
 };
 /// The largest part of a limit that is used.
-[[nodiscard]] double use(const SuiteFigures& figures, const SuiteLimits& limits);
-[[nodiscard]] SuiteRank rank(const SuiteFigures& figures, const SuiteGoal& goal);
+[[nodiscard]] double use(const TaskFigures& figures, const std::vector<SuiteLimits>& limits);
+[[nodiscard]] SuiteRank rank(const TaskFigures& figures, const SuiteGoal& goal);
 
 }  // namespace stillpoint::design

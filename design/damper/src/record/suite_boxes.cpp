@@ -67,25 +67,25 @@ double points_of(const SuiteGrid& grid) {
 }
 
 /// Along one axis of an array with these numbers of points, the worst of each window.
-std::vector<SuiteFigures> slide(const std::vector<SuiteFigures>& figures, std::size_t inner,
-                                std::size_t points, std::size_t window) {
+std::vector<TaskFigures> slide(const std::vector<TaskFigures>& figures, std::size_t inner,
+                               std::size_t points, std::size_t window) {
   if (window == 0) {
     return figures;
   }
   const std::size_t boxes = points - window;
   const std::size_t outer = figures.size() / (inner * points);
-  std::vector<SuiteFigures> list(outer * boxes * inner);
+  std::vector<TaskFigures> list(outer * boxes * inner);
   for (std::size_t o = 0; o < outer; ++o) {
     for (std::size_t i = 0; i < inner; ++i) {
       const auto at = [&](std::size_t k) { return figures[(o * points + k) * inner + i]; };
       // The worst from each point to the end of its stretch of window + 1, and from its beginning.
       const std::size_t stretch = window + 1;
-      std::vector<SuiteFigures> to_end(points);
+      std::vector<TaskFigures> to_end(points);
       for (std::size_t k = points; k-- > 0;) {
         const bool last = (k + 1) % stretch == 0 || k + 1 == points;
         to_end[k] = last ? at(k) : worse(at(k), to_end[k + 1]);
       }
-      SuiteFigures from_begin;
+      TaskFigures from_begin;
       for (std::size_t k = 0; k < points; ++k) {
         from_begin = k % stretch == 0 ? at(k) : worse(from_begin, at(k));
         if (k >= window) {
@@ -158,11 +158,11 @@ SuiteGrid finer(const SuiteSpace& space, const SuiteGrid& grid, std::int64_t mos
   return fine;
 }
 
-std::vector<SuiteFigures> grid_figures(const Suite& suite, const SuiteSpace& space,
-                                       const SuiteGrid& grid, const Threads& threads,
-                                       SuiteWatch& watch) {
+std::vector<TaskFigures> grid_figures(const Suites& suite, const SuiteSpace& space,
+                                      const SuiteGrid& grid, const Threads& threads,
+                                      SuiteWatch& watch) {
   const auto count = static_cast<std::int64_t>(points_of(grid));
-  std::vector<SuiteFigures> all;
+  std::vector<TaskFigures> all;
   all.reserve(static_cast<std::size_t>(count));
   std::vector<SuiteDamper> block;
   for (std::int64_t begin = 0; begin < count && !watch.stopped(); begin += grid_block) {
@@ -177,7 +177,7 @@ std::vector<SuiteFigures> grid_figures(const Suite& suite, const SuiteSpace& spa
       }
       block.push_back(space.at(logs));
     }
-    const std::vector<SuiteFigures> figures = suite.figures(block, threads);
+    const std::vector<TaskFigures> figures = suite.figures(block, threads);
     all.insert(all.end(), figures.begin(), figures.end());
     watch.evaluated(std::ssize(block));
   }
@@ -195,11 +195,9 @@ bool are_near(const SuitePlace& one, const SuitePlace& other, const SuiteGrid& g
   return true;
 }
 
-BoxMap::BoxMap(const SuiteSpace& space, const SuiteGrid& grid, std::vector<SuiteFigures> figures)
+BoxMap::BoxMap(const SuiteSpace& space, const SuiteGrid& grid, std::vector<TaskFigures> figures)
     : space_(space), grid_(grid), worst_(std::move(figures)) {
-  SuiteFigures unknown;
-  unknown.settled = false;
-  worst_.resize(static_cast<std::size_t>(points_of(grid)), unknown);
+  worst_.resize(static_cast<std::size_t>(points_of(grid)), TaskFigures(1, unsettled));
   std::size_t inner = 1;
   for (std::size_t i = space.size(); i > 0; --i) {
     const GridSide& side = grid.at(i - 1);
@@ -223,7 +221,7 @@ SuitePlace BoxMap::logs(std::size_t box) const {
 std::vector<BoxedDamper> BoxMap::best(const SuiteGoal& goal, std::size_t most, double part) const {
   std::vector<SuiteRank> ranks;
   ranks.reserve(worst_.size());
-  for (const SuiteFigures& figures : worst_) {
+  for (const TaskFigures& figures : worst_) {
     ranks.push_back(rank(figures, goal));
   }
   std::vector<std::size_t> order(worst_.size());

@@ -17,7 +17,7 @@ namespace stillpoint::design {
 /// A damper with the worst of its box.
 struct BoxedDamper {
   SuiteDamper damper;
-  SuiteFigures worst;
+  TaskFigures worst;
   SuiteRank rank{};
 };
 
@@ -49,9 +49,9 @@ using SuiteGrid = std::array<GridSide, most_axes>;
 [[nodiscard]] SuiteGrid finer(const SuiteSpace& space, const SuiteGrid& grid, std::int64_t most);
 
 /// Of the whole grid, the last axis running fastest; fewer after a stop.
-[[nodiscard]] std::vector<SuiteFigures> grid_figures(const Suite& suite, const SuiteSpace& space,
-                                                     const SuiteGrid& grid, const Threads& threads,
-                                                     SuiteWatch& watch);
+[[nodiscard]] std::vector<TaskFigures> grid_figures(const Suites& suite, const SuiteSpace& space,
+                                                    const SuiteGrid& grid, const Threads& threads,
+                                                    SuiteWatch& watch);
 
 /// Whether two designs are closer than that part of a box along every axis.
 [[nodiscard]] bool are_near(const SuitePlace& one, const SuitePlace& other, const SuiteGrid& grid,
@@ -60,19 +60,19 @@ using SuiteGrid = std::array<GridSide, most_axes>;
 /// The boxes of a grid whose points have been computed.
 class BoxMap {
  public:
-  BoxMap(const SuiteSpace& space, const SuiteGrid& grid, std::vector<SuiteFigures> figures);
+  BoxMap(const SuiteSpace& space, const SuiteGrid& grid, std::vector<TaskFigures> figures);
 
   /// The best that are apart from each other by more than that part of a box, best first.
   [[nodiscard]] std::vector<BoxedDamper> best(const SuiteGoal& goal, std::size_t most,
                                               double part = 1) const;
-  [[nodiscard]] const std::vector<SuiteFigures>& worst() const { return worst_; }
+  [[nodiscard]] const std::vector<TaskFigures>& worst() const { return worst_; }
 
  private:
   [[nodiscard]] SuitePlace logs(std::size_t box) const;
 
   const SuiteSpace& space_;
   SuiteGrid grid_;
-  std::vector<SuiteFigures> worst_;
+  std::vector<TaskFigures> worst_;
 };
 
 }  // namespace stillpoint::design

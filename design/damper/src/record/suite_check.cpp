@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 namespace stillpoint::design {
 
@@ -19,24 +18,28 @@ double relative(double error, double size) {
 
 }  // namespace
 
-CrossCheck check(const Suite& suite, const SuiteDamper& damper,
-                 const std::vector<ForcedResponse>& responses) {
+CrossCheck check(const Suites& suites, const SuiteDamper& damper,
+                 const std::vector<std::vector<ForcedResponse>>& responses) {
   const double begun = seconds_now();
   CheckMethod method;
   method.name = "runge_kutta";
   method.tolerance = 1e-6;
   method.passed = true;
-  for (std::size_t i = 0; i < responses.size(); ++i) {
-    const SuiteFigures kernel = suite_figures(responses[i]);
-    const SuiteFigures other = integrate_record_motion(
-        suite.oscillator(damper), Suite::surface(damper), std::get<Record>(suite.loads()[i]));
-    const double error =
-        std::max({relative(other.peak - kernel.peak, kernel.peak),
-                  relative(other.acceleration - kernel.acceleration, kernel.acceleration),
-                  relative(other.residual - kernel.residual, kernel.peak)});
-    method.motions.push_back({other.peak, other.acceleration, other.residual, error});
-    method.relative_error = std::max(method.relative_error, error);
-    method.passed = method.passed && other.settled && error <= method.tolerance;
+  for (std::size_t c = 0; c < responses.size(); ++c) {
+    const Suite& suite = suites.cases()[c];
+    for (std::size_t i = 0; i < responses[c].size(); ++i) {
+      const CaseMotion& motion = suite.motions()[i];
+      const SuiteFigures kernel = suite_figures(responses[c][i]);
+      const SuiteFigures other = integrate_to_rest(suite.oscillator(damper), Suite::surface(damper),
+                                                   motion.load, motion.start);
+      const double error =
+          std::max({relative(other.peak - kernel.peak, kernel.peak),
+                    relative(other.acceleration - kernel.acceleration, kernel.acceleration),
+                    relative(other.residual - kernel.residual, kernel.peak)});
+      method.motions.push_back({other.peak, other.acceleration, other.residual, error});
+      method.relative_error = std::max(method.relative_error, error);
+      method.passed = method.passed && other.settled && error <= method.tolerance;
+    }
   }
   method.wall_time_s = seconds_now() - begun;
   return {method.passed, {method}};

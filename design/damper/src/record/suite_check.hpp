@@ -9,8 +9,8 @@
 
 namespace stillpoint::design {
 
-/// The motions of a damper under each record by another integrator.
-[[nodiscard]] CrossCheck check(const Suite& suite, const SuiteDamper& damper,
-                               const std::vector<ForcedResponse>& responses);
+/// The motions of a damper in each case by another integrator.
+[[nodiscard]] CrossCheck check(const Suites& suites, const SuiteDamper& damper,
+                               const std::vector<std::vector<ForcedResponse>>& responses);
 
 }  // namespace stillpoint::design

@@ -4,9 +4,30 @@
 #include "record/suite.hpp"
 #include "record/suite_samples.hpp"
 
+#include <optional>
+#include <variant>
 #include <vector>
 
 namespace stillpoint::design {
+
+namespace {
+
+void enlarge(LoadCase& load_case, double factor) {
+  for (SuiteRecord& record : load_case.records) {
+    record.scale *= factor;
+  }
+  if (load_case.pulse) {
+    std::visit([&](auto& wave) { wave.k *= factor; }, load_case.pulse->pulse);
+    if (std::optional<double>& low = load_case.pulse->k_low) {
+      *low *= factor;
+    }
+  }
+  if (load_case.v0) {
+    load_case.v0 = Interval{load_case.v0->low * factor, load_case.v0->high * factor};
+  }
+}
+
+}  // namespace
 
 SuiteOutlook outlook(const RecordDesignRequest& task, const SuiteDamper& damper, double scale) {
   constexpr std::size_t samples = 48;
@@ -17,8 +38,8 @@ SuiteOutlook outlook(const RecordDesignRequest& task, const SuiteDamper& damper,
     box.push_back(space.off(damper, place));
   }
   const auto worst_of = [&](const RecordDesignRequest& request,
-                            const std::vector<SuiteDamper>& dampers, SuiteFigures& worst) {
-    for (const SuiteFigures& figures : Suite(request).figures(dampers, task.threads)) {
+                            const std::vector<SuiteDamper>& dampers, TaskFigures& worst) {
+    for (const TaskFigures& figures : Suites(request).figures(dampers, task.threads)) {
       worst = worse(worst, figures);
     }
   };
@@ -30,8 +51,8 @@ SuiteOutlook outlook(const RecordDesignRequest& task, const SuiteDamper& damper,
     }
     worst_of(task, of_spring, result.period);
     RecordDesignRequest scaled = task;
-    for (SuiteRecord& record : scaled.records) {
-      record.scale *= factor;
+    for (LoadCase& each : scaled.cases) {
+      enlarge(each, factor);
     }
     worst_of(scaled, box, result.scale);
   }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace stillpoint::design {
 
@@ -48,6 +49,20 @@ void keep_below(std::optional<Interval>& range, const std::optional<double>& mos
 /// one that hardly loses energy rests anywhere.
 constexpr double latest_rest = 20;
 
+/// The largest |x| without a damper.
+double free_peak(const LoadCase& load_case, double p) {
+  double peak = 0;
+  for (const CaseMotion& motion : motions_of(load_case)) {
+    const double t_end = load_case.of_records()
+                             ? duration(motion.load).value()
+                             : duration(motion.load).value_or(0) + std::numbers::pi / p;
+    peak = std::max(
+        peak,
+        forced_response({p, 0, 0}, motion.start, motion.load, {.t_end = t_end}).peak_amplitude);
+  }
+  return peak;
+}
+
 void require_spread(const char* field, const Spread& spread) {
   require_within(field, spread.below, 0, 1 - 1e-9);
   require_within(field, spread.above, 0, 1);
@@ -60,8 +75,10 @@ void require_growth(const RecordDesignRequest& request) {
     throw InputError("tolerance", 0.0,
                      "must be above 0 with the objective robust, which enlarges it");
   }
-  if (std::ranges::none_of(suite_figure_kinds, [&](const SuiteFigureKind& kind) {
-        return (request.limits.*kind.limit).has_value();
+  if (std::ranges::none_of(request.cases, [](const LoadCase& each) {
+        return std::ranges::any_of(suite_figure_kinds, [&](const SuiteFigureKind& kind) {
+          return (each.limits.*kind.limit).has_value();
+        });
       })) {
     throw InputError::missing("max-displacement",
                               "give a limit, of stroke, residual or acceleration, that bounds the "
@@ -71,22 +88,54 @@ void require_growth(const RecordDesignRequest& request) {
 
 /// Whether a friction at a passage counts in what is asked.
 bool asks_for_acceleration(const RecordDesignRequest& request) {
-  return request.objective == SuiteObjective::acceleration || request.limits.acceleration;
+  return request.objective == SuiteObjective::acceleration ||
+         std::ranges::any_of(request.cases, [](const LoadCase& each) {
+           return each.limits.acceleration.has_value();
+         });
+}
+
+bool limits_jumps(const RecordDesignRequest& request) {
+  return std::ranges::any_of(request.cases,
+                             [](const LoadCase& each) { return each.limits.jump.has_value(); });
+}
+
+void require_valid(const LoadCase& load_case, const RecordDesignRequest& request) {
+  if (load_case.v0) {
+    require_range("v0", *load_case.v0, smallest_speed, largest_speed);
+  } else if (load_case.pulse) {
+    const auto& [pulse, k_low] = *load_case.pulse;
+    require_range("k", {k_low.value_or(peak_load(pulse)), peak_load(pulse)}, smallest_speed,
+                  largest_speed);
+    require_valid(excitation(pulse));
+  } else {
+    design::require_valid(load_case.records);
+  }
+  const SuiteLimits& limits = load_case.limits;
+  require_limit("beta", limits.peak, smallest_speed);
+  require_limit("acceleration-max", limits.acceleration, smallest_speed);
+  require_limit("residual", limits.residual, 0);
+  require_limit("jump-max", limits.jump, 0);
+  require_limit("arrivals", limits.passages, 0);
+  if (request.width && limits.jump) {
+    throw InputError("jump-max", *limits.jump,
+                     "is for a notch without a width, which has no jumps");
+  }
 }
 
 }  // namespace
 
 bool counts_the_notch(const RecordDesignRequest& request) {
-  return !asks_for_acceleration(request) || request.width || request.limits.jump;
+  return !asks_for_acceleration(request) || request.width || limits_jumps(request);
 }
 
 void require_valid(const RecordDesignRequest& request) {
-  design::require_valid(request.records);
+  if (request.cases.empty()) {
+    throw InputError::missing("cases", "give at least one");
+  }
   require_range("p", request.p, smallest_speed, largest_speed);
-  require_limit("beta", request.limits.peak, smallest_speed);
-  require_limit("acceleration-max", request.limits.acceleration, smallest_speed);
-  require_limit("residual", request.limits.residual, 0);
-  require_limit("jump-max", request.limits.jump, 0);
+  for (const LoadCase& each : request.cases) {
+    require_valid(each, request);
+  }
   require_spread("tolerance-f", request.tolerance.f);
   require_spread("tolerance-delta", request.tolerance.delta);
   require_spread("tolerance-width", request.tolerance.width);
@@ -96,32 +145,33 @@ void require_valid(const RecordDesignRequest& request) {
   }
   if (request.width) {
     require_range("notch-width", *request.width, 1e-150, 1e150);
-    if (request.limits.jump) {
-      throw InputError("jump-max", *request.limits.jump,
-                       "is for a notch without a width, which has no jumps");
-    }
   }
   require_within("scan_points", static_cast<double>(request.scan_points), 1, 1e8);
 }
 
 RecordDesignRequest completed(RecordDesignRequest request) {
-  request.combine = request.combine.value_or(default_combine(request.records.size()));
+  for (LoadCase& each : request.cases) {
+    each.combine = each.combine.value_or(default_combine(each.records.size()));
+    if (request.objective == SuiteObjective::residual && each.of_records()) {
+      each.limits.late = latest_rest;
+    }
+  }
   keep_below(request.f, request.f_max, "f-max");
   keep_below(request.delta, request.delta_max, "delta-max");
-  request.f = request.f.value_or(Interval{0, peak_load(request.records)});
+  double load = 0;
+  for (const LoadCase& each : request.cases) {
+    load = std::max(load, peak_load(each, request.p.high));
+  }
+  request.f = request.f.value_or(Interval{0, load});
   require_range("f", *request.f, 0, largest_speed);
   if (!request.delta) {
-    double peak = request.limits.peak.value_or(0);
-    for (const SuiteRecord& record : request.records) {
-      if (!request.limits.peak) {
-        const Excitation load = record.record;
-        const ForcedResponse free =
-            forced_response({request.p.low, 0, 0}, {}, load, {.t_end = duration(load)});
-        peak = std::max(peak, std::abs(record.scale) * free.peak_amplitude);
-      }
+    double most = 0;
+    for (const LoadCase& each : request.cases) {
+      const double peak = each.limits.peak ? *each.limits.peak : free_peak(each, request.p.low);
+      const double speed = request.p.high * peak;
+      most = std::max(most, speed * speed / 2 + peak_load(each, request.p.high) * peak);
     }
-    const double speed = request.p.high * peak;
-    request.delta = Interval{0, speed * speed / 2 + peak_load(request.records) * peak};
+    request.delta = Interval{0, most};
   }
   require_range("delta", *request.delta, 0, largest_square);
   if (!counts_the_notch(request)) {
@@ -133,9 +183,6 @@ RecordDesignRequest completed(RecordDesignRequest request) {
           "acceleration in the notch is not known");
     }
     request.delta = Interval{0, 0};
-  }
-  if (request.objective == SuiteObjective::residual) {
-    request.limits.late = latest_rest;
   }
   for (const double p : {request.p.low, request.p.high}) {
     for (const double f : {request.f->low, request.f->high}) {

@@ -14,26 +14,28 @@ constexpr double first_step = 0.21;
 
 /// Whether a design as far off as `part` of each value may be within the limits and better than
 /// `bar`: a figure other than a residual or a jump changes by hardly more than its damper does.
-bool promising(const SuiteFigures& figures, const SuiteGoal& goal, double bar, double part) {
+bool promising(const TaskFigures& figures, const SuiteGoal& goal, double bar, double part) {
   const auto is_smooth = [](double SuiteFigures::*figure) {
     return figure == &SuiteFigures::peak || figure == &SuiteFigures::acceleration;
   };
-  if (!figures.settled) {
+  if (!settled(figures)) {
     return false;
   }
-  for (const SuiteFigureKind& kind : suite_figure_kinds) {
-    const std::optional<double>& limit = goal.limits.*kind.limit;
-    if (is_smooth(kind.value) && limit && figures.*kind.value > *limit * (1 + part)) {
-      return false;
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    for (const SuiteFigureKind& kind : suite_figure_kinds) {
+      const std::optional<double>& limit = goal.limits[i].*kind.limit;
+      if (is_smooth(kind.value) && limit && figures[i].*kind.value > *limit * (1 + part)) {
+        return false;
+      }
     }
   }
   return goal.figure == nullptr || !is_smooth(goal.figure) ||
-         figures.*goal.figure < bar * (1 + part);
+         goal.value(figures) < bar * (1 + part);
 }
 
 }  // namespace
 
-SuiteScan::SuiteScan(const Suite& suite, const SuiteSpace& space, std::int64_t points,
+SuiteScan::SuiteScan(const Suites& suite, const SuiteSpace& space, std::int64_t points,
                      const Threads& threads, SuiteWatch& watch)
     : suite_(suite),
       space_(space),
@@ -138,7 +140,7 @@ void SuiteScan::compute(const std::vector<Index>& list) {
     for (std::size_t k = begin; k < end; ++k) {
       dampers.push_back(space_.at(place(list[k])));
     }
-    const std::vector<SuiteFigures> figures = suite_.figures(dampers, threads_);
+    const std::vector<TaskFigures> figures = suite_.figures(dampers, threads_);
     for (std::size_t k = begin; k < end; ++k) {
       const std::size_t at = flat(list[k]);
       figures_[at] = figures[k - begin];
@@ -206,10 +208,9 @@ SuiteGrid SuiteScan::grid() const {
   return grid;
 }
 
-std::vector<SuiteFigures> SuiteScan::figures() const {
-  std::vector<SuiteFigures> list;
-  SuiteFigures unknown;
-  unknown.settled = false;
+std::vector<TaskFigures> SuiteScan::figures() const {
+  std::vector<TaskFigures> list;
+  const TaskFigures unknown(1, unsettled);
   for (const Index& index : of_stride(stride_)) {
     if (std::ranges::all_of(index, [&](std::int64_t k) { return k % stride_ == 0; })) {
       const std::size_t at = flat(index);

@@ -16,7 +16,7 @@ namespace stillpoint::design {
 /// many, where a neighbour allows a design between.
 class SuiteScan {
  public:
-  SuiteScan(const Suite& suite, const SuiteSpace& space, std::int64_t points,
+  SuiteScan(const Suites& suite, const SuiteSpace& space, std::int64_t points,
             const Threads& threads, SuiteWatch& watch);
 
   /// Looks for designs within the limits that are better than `bar`. A step that would compute more
@@ -33,7 +33,7 @@ class SuiteScan {
   /// The grid of the last look, its points, where those that were not computed count as unsettled,
   /// and its boxes.
   [[nodiscard]] SuiteGrid grid() const;
-  [[nodiscard]] std::vector<SuiteFigures> figures() const;
+  [[nodiscard]] std::vector<TaskFigures> figures() const;
   [[nodiscard]] BoxMap map() const { return {space_, grid(), figures()}; }
   [[nodiscard]] std::int64_t computed() const { return computed_; }
 
@@ -49,7 +49,7 @@ class SuiteScan {
   [[nodiscard]] SuitePlace place(const Index& index) const;
   void compute(const std::vector<Index>& list);
 
-  const Suite& suite_;
+  const Suites& suite_;
   const SuiteSpace& space_;
   std::int64_t points_;
   const Threads& threads_;
@@ -58,7 +58,7 @@ class SuiteScan {
   std::int64_t first_stride_{1};
   std::int64_t stride_{1};
   std::int64_t computed_{0};
-  std::vector<SuiteFigures> figures_;
+  std::vector<TaskFigures> figures_;
   std::vector<bool> known_;
 };
 

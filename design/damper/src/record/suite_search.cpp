@@ -68,10 +68,10 @@ void by_promise(std::vector<BoxedDamper>& list) {
 
 double merit(const BoxedDamper& box) {
   constexpr double price = 2;
-  return box.worst.settled ? box.rank.value * (1 + price * box.rank.off) : HUGE_VAL;
+  return settled(box.worst) ? box.rank.value * (1 + price * box.rank.off) : HUGE_VAL;
 }
 
-SuiteSearch::SuiteSearch(const Suite& suite, const RecordDesignRequest& task,
+SuiteSearch::SuiteSearch(const Suites& suite, const RecordDesignRequest& task,
                          const SuiteSpace& space, const SuiteGoal& goal, SuiteWatch& watch,
                          bool brief)
     : suite_(suite),
@@ -83,11 +83,11 @@ SuiteSearch::SuiteSearch(const Suite& suite, const RecordDesignRequest& task,
       known_(space),
       samples_(box_samples(space, sample_counts.at(space.searched()))) {}
 
-std::vector<SuiteFigures> SuiteSearch::figures(const std::vector<SuiteDamper>& dampers) {
+std::vector<TaskFigures> SuiteSearch::figures(const std::vector<SuiteDamper>& dampers) {
   if (dampers.empty()) {
     return {};
   }
-  std::vector<SuiteFigures> list = suite_.figures(dampers, task_.threads);
+  std::vector<TaskFigures> list = suite_.figures(dampers, task_.threads);
   watch_.evaluated(std::ssize(dampers));
   known_.add(dampers, list);
   return list;
@@ -101,15 +101,17 @@ BoxedDamper SuiteSearch::sampled(const SuiteDamper& damper) {
   for (const SuitePlace& unit : samples_) {
     dampers.push_back(space_.off(damper, unit));
   }
-  const std::vector<SuiteFigures> all = figures(dampers);
-  const SuiteFigures worst = std::accumulate(all.begin(), all.end(), SuiteFigures(), worse);
+  const std::vector<TaskFigures> all = figures(dampers);
+  const TaskFigures worst =
+      std::accumulate(all.begin(), all.end(), TaskFigures(),
+                      [](const TaskFigures& a, const TaskFigures& b) { return worse(a, b); });
   std::vector<std::size_t> order(all.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, std::ranges::greater(), [&](std::size_t i) {
-    return !all[i].settled ? HUGE_VAL
+    return !settled(all[i]) ? HUGE_VAL
            : goal_.figure == nullptr
                ? use(all[i], goal_.limits)
-               : std::max(use(all[i], goal_.limits), all[i].*goal_.figure / worst.*goal_.figure);
+               : std::max(use(all[i], goal_.limits), goal_.value(all[i]) / goal_.value(worst));
   });
   std::vector<SuitePlace> sorted;
   sorted.reserve(order.size());
@@ -128,10 +130,10 @@ std::vector<BoxedDamper> SuiteSearch::roughly(const std::vector<BoxedDamper>& fo
       dampers.push_back(space_.off(each.damper, unit));
     }
   }
-  const std::vector<SuiteFigures> all = figures(dampers);
+  const std::vector<TaskFigures> all = figures(dampers);
   std::vector<BoxedDamper> list;
   for (std::size_t k = 0; k < found.size(); ++k) {
-    SuiteFigures worst;
+    TaskFigures worst;
     for (std::size_t i = 0; i < places.size(); ++i) {
       worst = worse(worst, all[k * places.size() + i]);
     }
@@ -193,7 +195,7 @@ BoxedDamper SuiteSearch::best_of(const std::vector<SuiteDamper>& dampers, const 
         tries.push_back(space_.off(each.damper, samples_[i]));
       }
     }
-    const std::vector<SuiteFigures> all = figures(tries);
+    const std::vector<TaskFigures> all = figures(tries);
     std::size_t next = 0;
     for (BoxedDamper& each : left) {
       for (std::size_t i = begin; i < end; ++i) {
@@ -361,7 +363,7 @@ std::vector<BoxedDamper> SuiteSearch::likeliest(const BoxMap& map, const SuiteGr
                                                 double bar) {
   std::vector<BoxedDamper> found = map.best(goal_, pool_sizes.at(space_.size()), spacing);
   std::erase_if(found, [&](const BoxedDamper& each) {
-    return !each.worst.settled || each.rank.value > hopeless * bar ||
+    return !settled(each.worst) || each.rank.value > hopeless * bar ||
            each.rank.off > out_of_reach * first_step();
   });
   return all_refined(found, grid, bar);

@@ -23,7 +23,7 @@ inline constexpr std::size_t brief_samples = 1000;
 /// A damper whose whole box was tried.
 struct VerifiedBox {
   BoxedDamper box;
-  std::array<SuiteDamper, suite_figure_kinds.size()> of{};  ///< where each figure is the largest
+  std::vector<WorstDampers> of{};  ///< of each case
   std::int64_t samples{0};
 };
 
@@ -34,7 +34,7 @@ struct VerifiedBox {
 class SuiteSearch {
  public:
   /// A brief one looks near the likeliest alone, and does not verify a design.
-  SuiteSearch(const Suite& suite, const RecordDesignRequest& task, const SuiteSpace& space,
+  SuiteSearch(const Suites& suite, const RecordDesignRequest& task, const SuiteSpace& space,
               const SuiteGoal& goal, SuiteWatch& watch, bool brief = false);
 
   /// The likeliest of a map of the whole space to be better than `bar`, best first and polished;
@@ -60,14 +60,14 @@ class SuiteSearch {
   [[nodiscard]] BoxedDamper ready(const BoxedDamper& found) { return clear(rounded(found)); }
 
  private:
-  [[nodiscard]] BoxedDamper boxed(const SuiteDamper& damper, const SuiteFigures& worst) const {
+  [[nodiscard]] BoxedDamper boxed(const SuiteDamper& damper, const TaskFigures& worst) const {
     return {damper, worst, rank(worst, goal_)};
   }
   /// By what is known of it.
   [[nodiscard]] BoxedDamper known(const SuiteDamper& damper) const {
     return boxed(damper, known_.worst(damper));
   }
-  [[nodiscard]] std::vector<SuiteFigures> figures(const std::vector<SuiteDamper>& dampers);
+  [[nodiscard]] std::vector<TaskFigures> figures(const std::vector<SuiteDamper>& dampers);
   [[nodiscard]] BoxedDamper sampled(const SuiteDamper& damper);
   [[nodiscard]] std::vector<BoxedDamper> shortlist(const std::vector<BoxedDamper>& found,
                                                    const SuiteGrid& grid, double bar);
@@ -83,12 +83,12 @@ class SuiteSearch {
                                                      const SuiteGrid& grid, double bar);
   /// At most that many times half the step, which it leaves in `grid`.
   [[nodiscard]] BoxedDamper refined(BoxedDamper candidate, SuiteGrid& grid, int levels);
-  void learn(std::span<const SuitePlace> places, const std::vector<SuiteFigures>& all);
+  void learn(std::span<const SuitePlace> places, const std::vector<TaskFigures>& all);
   /// With few digits, if that costs next to nothing.
   [[nodiscard]] BoxedDamper rounded(const BoxedDamper& found);
   [[nodiscard]] BoxedDamper clear(const BoxedDamper& found) const;
 
-  const Suite& suite_;
+  const Suites& suite_;
   const RecordDesignRequest& task_;
   const SuiteSpace& space_;
   SuiteGoal goal_;

@@ -39,7 +39,7 @@ bool has_friction(const RecordDesignRequest& task, SuiteFrictions frictions) {
 
 /// A space with the map of its boxes.
 struct Mapped {
-  Mapped(const Suite& suite, const RecordDesignRequest& task, SuiteFrictions which,
+  Mapped(const Suites& suite, const RecordDesignRequest& task, SuiteFrictions which,
          SuiteWatch& watch)
       : frictions(which),
         space(task, which),
@@ -60,11 +60,11 @@ struct Mapped {
 
 class TaskSearch {
  public:
-  TaskSearch(const Suite& suite, RecordDesign& result, SuiteWatch& watch)
+  TaskSearch(const Suites& suite, RecordDesign& result, SuiteWatch& watch)
       : suite_(suite), result_(result), task_(result.request), watch_(watch) {}
 
   std::optional<ChosenBox> within_tolerance() {
-    const SuiteGoal goal{minimised(task_).value, task_.limits};
+    const SuiteGoal goal{minimised(task_).value, task_.objective_case, limits_of(task_)};
     std::optional<VerifiedBox> best;
     expect();
     for (const SuiteFrictions frictions : every_friction) {
@@ -125,7 +125,7 @@ class TaskSearch {
   void count(const Mapped& here, const BoxMap& map, const SuiteGoal& goal) {
     result_.search.scan->points += here.scan.computed();
     result_.search.scan->feasible += std::ranges::count_if(
-        map.worst(), [&](const SuiteFigures& figures) { return admissible(figures, goal.limits); });
+        map.worst(), [&](const TaskFigures& figures) { return admissible(figures, goal.limits); });
   }
 
   /// On the maps that there are, or looked for by itself. No part is off by all of itself.
@@ -209,51 +209,39 @@ class TaskSearch {
       }
     }
     if (!nearest) {
-      result_.nearest.figures.settled = false;
+      result_.nearest.figures.assign(task_.cases.size(), unsettled);
       return;
     }
     SuiteSearch whole(suite_, task_, *space, goal, watch_);
     nearest = whole.tried(nearest->box.damper, true);
     result_.nearest = {nearest->box.damper, nearest->box.worst};
-    result_.constraints = constraints_of(task_.limits, nearest->box.worst);
+    result_.constraints = constraints_of(task_, nearest->box.worst);
     auto constraint = result_.constraints.begin();
-    for (std::size_t k = 0; k < suite_figure_kinds.size(); ++k) {
-      const SuiteFigureKind& kind = suite_figure_kinds.at(k);
-      if (task_.limits.*kind.limit) {
-        constraint++->motion = record_of(kind, nearest->of.at(k));
-        if (const auto enough = relaxed(kind)) {
-          result_.mends.push_back({kind.field, *enough, true});
+    for (std::size_t c = 0; c < task_.cases.size(); ++c) {
+      for (std::size_t k = 0; k < suite_figure_kinds.size(); ++k) {
+        const SuiteFigureKind& kind = suite_figure_kinds.at(k);
+        if (task_.cases[c].limits.*kind.limit) {
+          const Suite& of_case = suite_.cases()[c];
+          const CaseMotion& motion =
+              of_case.motions()[of_case.worst_motion(nearest->of[c].at(k), kind)];
+          constraint++->motion = {motion.name, motion.scale};
+          if (const auto enough = relaxed(c, kind)) {
+            result_.mends.push_back({kind.field, *enough, true, task_.cases[c].name});
+          }
         }
       }
     }
   }
 
-  /// Under which record the damper has the largest figure.
-  [[nodiscard]] Constraint::Motion record_of(const SuiteFigureKind& kind,
-                                             const SuiteDamper& damper) const {
-    std::size_t worst = 0;
-    double most = -1;
-    for (std::size_t i = 0; i < task_.records.size(); ++i) {
-      RecordDesignRequest alone = task_;
-      alone.records = {task_.records[i]};
-      const double value = Suite(alone).figures(damper).*kind.value;
-      if (value > most) {
-        most = value;
-        worst = i;
-      }
-    }
-    return {task_.records[worst].name, task_.records[worst].scale};
-  }
-
   /// The least limit of that kind with which there is a damper: the nearest, where it violates no
   /// other. Each friction is to be better than those before, so the last is verified first.
-  std::optional<double> relaxed(const SuiteFigureKind& kind) {
+  std::optional<double> relaxed(std::size_t in_case, const SuiteFigureKind& kind) {
     struct Likely {
       SuiteSearch search;
       std::vector<BoxedDamper> dampers;
     };
-    SuiteGoal goal{kind.value, task_.limits};
-    goal.limits.*kind.limit = std::nullopt;
+    SuiteGoal goal{kind.value, in_case, limits_of(task_)};
+    goal.limits[in_case].*kind.limit = std::nullopt;
     double bar = HUGE_VAL;
     std::deque<Likely> all;  // the last first
     for (Mapped& here : maps_) {
@@ -274,14 +262,16 @@ class TaskSearch {
     bar = HUGE_VAL;
     for (Likely& each : all) {
       if (const auto found = each.search.verified(each.dampers, bar)) {
-        bar = found->box.worst.*kind.value;
+        bar = found->box.worst[in_case].*kind.value;
       }
     }
     return watch_.stopped() || bar == HUGE_VAL ? std::nullopt
-                                               : std::optional(bar * (1 + relaxed_by));
+           : kind.limit == &SuiteLimits::passages
+               ? std::optional(bar + 1)  // the last arrival rests
+               : std::optional(bar * (1 + relaxed_by));
   }
 
-  const Suite& suite_;
+  const Suites& suite_;
   RecordDesign& result_;
   const RecordDesignRequest& task_;
   SuiteWatch& watch_;
@@ -290,25 +280,28 @@ class TaskSearch {
 
 }  // namespace
 
-std::vector<Constraint> constraints_of(const SuiteLimits& limits, const SuiteFigures& worst) {
+std::vector<Constraint> constraints_of(const RecordDesignRequest& task, const TaskFigures& worst) {
   std::vector<Constraint> list;
-  for (const SuiteFigureKind& kind : suite_figure_kinds) {
-    if (const std::optional<double>& limit = limits.*kind.limit) {
-      Constraint& now = list.emplace_back(
-          Constraint::compared(kind.constraint, kind.variable, "<=", worst.*kind.value, *limit));
-      now.known = worst.settled;
-      now.satisfied = now.satisfied && worst.settled;
+  for (std::size_t c = 0; c < task.cases.size(); ++c) {
+    for (const SuiteFigureKind& kind : suite_figure_kinds) {
+      if (const std::optional<double>& limit = task.cases[c].limits.*kind.limit) {
+        Constraint& now = list.emplace_back(Constraint::compared(
+            kind.constraint, kind.variable, "<=", worst[c].*kind.value, *limit));
+        now.in_case = task.cases[c].name;
+        now.known = worst[c].settled;
+        now.satisfied = now.satisfied && worst[c].settled;
+      }
     }
   }
   return list;
 }
 
-std::optional<ChosenBox> within_tolerance(const Suite& suite, RecordDesign& result,
+std::optional<ChosenBox> within_tolerance(const Suites& suite, RecordDesign& result,
                                           SuiteWatch& watch) {
   return TaskSearch(suite, result, watch).within_tolerance();
 }
 
-std::optional<ChosenBox> most_tolerant(const Suite& suite, RecordDesign& result,
+std::optional<ChosenBox> most_tolerant(const Suites& suite, RecordDesign& result,
                                        SuiteWatch& watch) {
   return TaskSearch(suite, result, watch).most_tolerant();
 }

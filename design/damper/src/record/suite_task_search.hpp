@@ -18,14 +18,14 @@ struct ChosenBox {
 };
 
 /// For the completed request of `result`, which gets what there is to say if no damper has the box.
-[[nodiscard]] std::optional<ChosenBox> within_tolerance(const Suite& suite, RecordDesign& result,
+[[nodiscard]] std::optional<ChosenBox> within_tolerance(const Suites& suite, RecordDesign& result,
                                                         SuiteWatch& watch);
 /// The same with the objective `robust`.
-[[nodiscard]] std::optional<ChosenBox> most_tolerant(const Suite& suite, RecordDesign& result,
+[[nodiscard]] std::optional<ChosenBox> most_tolerant(const Suites& suite, RecordDesign& result,
                                                      SuiteWatch& watch);
 
 /// The limits that are given, as conditions on the worst of a box.
-[[nodiscard]] std::vector<Constraint> constraints_of(const SuiteLimits& limits,
-                                                     const SuiteFigures& worst);
+[[nodiscard]] std::vector<Constraint> constraints_of(const RecordDesignRequest& task,
+                                                     const TaskFigures& worst);
 
 }  // namespace stillpoint::design

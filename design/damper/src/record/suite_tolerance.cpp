@@ -46,15 +46,15 @@ constexpr double places_apart = 0.05;
 
 class Growth {
  public:
-  Growth(const Suite& suite, const RecordDesignRequest& task, SuiteFrictions frictions, Interval scales,
-         bool thorough, SuiteWatch& watch)
+  Growth(const Suites& suite, const RecordDesignRequest& task, SuiteFrictions frictions,
+         Interval scales, bool thorough, SuiteWatch& watch)
       : suite_(suite),
         task_(task),
         frictions_(frictions),
         least_(scales.low),
         most_(scales.high),
         thorough_(thorough),
-        goal_{nullptr, task.limits},
+        goal_{nullptr, {}, limits_of(task)},
         watch_(watch),
         exact_(task, frictions, 0),
         breaking_(exact_) {}
@@ -133,7 +133,7 @@ class Growth {
           on_map(scale, places_of_a_size, places_apart), [&](const BoxedDamper& each) {
             return holds(search, search.unbroken(each.damper), scale);
           });
-      breaking_ = search.known().breaking(task_.limits);
+      breaking_ = search.known().breaking(goal_.limits);
       if (found) {
         break;
       }
@@ -164,7 +164,7 @@ class Growth {
       SuiteSearch search(suite_, task_, boxes, goal_, watch_);
       search.learn(breaking_);
       larger_holds = holds(search, search.polished(best_->verified.box, first_push, true), scale);
-      breaking_ = search.known().breaking(task_.limits);
+      breaking_ = search.known().breaking(goal_.limits);
     }
   }
 
@@ -242,7 +242,7 @@ class Growth {
     return list;
   }
 
-  const Suite& suite_;
+  const Suites& suite_;
   const RecordDesignRequest& task_;
   SuiteFrictions frictions_;
   double least_;
@@ -254,14 +254,14 @@ class Growth {
   KnownDampers breaking_;
   std::optional<LargestBox> best_;
   SuiteGrid grid_{};
-  std::vector<SuiteFigures> figures_;
+  std::vector<TaskFigures> figures_;
 };
 
 }  // namespace
 
-std::optional<LargestBox> largest_box(const Suite& suite, const RecordDesignRequest& task,
-                                      SuiteFrictions frictions, Interval scales, const SuiteScan* scan,
-                                      SuiteWatch& watch) {
+std::optional<LargestBox> largest_box(const Suites& suite, const RecordDesignRequest& task,
+                                      SuiteFrictions frictions, Interval scales,
+                                      const SuiteScan* scan, SuiteWatch& watch) {
   Growth growth(suite, task, frictions, scales, scan == nullptr, watch);
   return scan != nullptr ? growth.on(*scan) : growth.run();
 }

@@ -17,7 +17,7 @@ struct LargestBox {
 /// Of a scale above the lower end and up to the upper one. From a scan that a search of the whole
 /// tolerance has made, the likeliest alone is grown; without one there is a scan for it, and the
 /// box is as large as it can be. Empty if not even an exact damper was found.
-[[nodiscard]] std::optional<LargestBox> largest_box(const Suite& suite,
+[[nodiscard]] std::optional<LargestBox> largest_box(const Suites& suite,
                                                     const RecordDesignRequest& task,
                                                     SuiteFrictions frictions, Interval scales,
                                                     const SuiteScan* scan, SuiteWatch& watch);

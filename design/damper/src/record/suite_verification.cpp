@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::design {
@@ -26,10 +27,12 @@ constexpr double reserve = 5e-4;
 /// A box that is not better by this part than one that holds is not tried.
 constexpr double worth_verifying = 1e-3;
 
-SuiteLimits tightened(SuiteLimits limits, double part) {
-  for (const SuiteFigureKind& kind : suite_figure_kinds) {
-    if (std::optional<double>& limit = limits.*kind.limit) {
-      *limit *= 1 - part;
+std::vector<SuiteLimits> tightened(std::vector<SuiteLimits> limits, double part) {
+  for (SuiteLimits& of_case : limits) {
+    for (const SuiteFigureKind& kind : suite_figure_kinds) {
+      if (std::optional<double>& limit = of_case.*kind.limit) {
+        *limit *= 1 - part;
+      }
     }
   }
   return limits;
@@ -38,25 +41,30 @@ SuiteLimits tightened(SuiteLimits limits, double part) {
 }  // namespace
 
 VerifiedBox SuiteSearch::tried(const SuiteDamper& damper, bool whole) {
-  const std::vector<SuitePlace> places = 
+  const std::vector<SuitePlace> places =
       box_samples(space_, brief_ ? brief_samples : verifying_samples);
   VerifiedBox result{boxed(damper, {}), {}, 0};
-  result.of.fill(damper);
+  result.of.resize(goal_.limits.size());
+  for (WorstDampers& of_case : result.of) {
+    of_case.fill(damper);
+  }
   for (std::size_t begin = 0; begin < places.size();) {
     const std::size_t end = std::min(std::max(first_verified, 2 * begin), places.size());
     std::vector<SuiteDamper> dampers;
     for (std::size_t i = begin; i < end; ++i) {
       dampers.push_back(space_.off(damper, places[i]));
     }
-    const std::vector<SuiteFigures> all = figures(dampers);
+    const std::vector<TaskFigures> all = figures(dampers);
     for (std::size_t i = 0; i < all.size(); ++i) {
-      for (std::size_t k = 0; k < suite_figure_kinds.size(); ++k) {
-        const auto member = suite_figure_kinds.at(k).value;
-        if (all[i].*member > result.box.worst.*member) {
-          result.of.at(k) = dampers[i];
+      const TaskFigures before = std::exchange(result.box.worst, worse(result.box.worst, all[i]));
+      for (std::size_t c = 0; c < result.of.size(); ++c) {
+        for (std::size_t k = 0; k < suite_figure_kinds.size(); ++k) {
+          const auto member = suite_figure_kinds.at(k).value;
+          if (all[i][c].*member > (before.empty() ? 0 : before[c].*member)) {
+            result.of[c].at(k) = dampers[i];
+          }
         }
       }
-      result.box.worst = worse(result.box.worst, all[i]);
     }
     result.samples = static_cast<std::int64_t>(end);
     if (!whole && !admissible(result.box.worst, goal_.limits)) {
@@ -66,14 +74,14 @@ VerifiedBox SuiteSearch::tried(const SuiteDamper& damper, bool whole) {
     begin = end;
   }
   result.box.rank = rank(result.box.worst, goal_);
-  if (suite_.figures(damper).margin < least_suite_margin) {
+  if (margin(suite_.figures(damper)) < least_suite_margin) {
     result.box.rank.off += least_suite_margin;
   }
   return result;
 }
 
 /// The places that are worst come first in every further box.
-void SuiteSearch::learn(std::span<const SuitePlace> places, const std::vector<SuiteFigures>& all) {
+void SuiteSearch::learn(std::span<const SuitePlace> places, const std::vector<TaskFigures>& all) {
   std::vector<std::size_t> order(all.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto off = [&](std::size_t i) { return excess(all[i], goal_.limits); };
@@ -119,7 +127,7 @@ BoxedDamper SuiteSearch::clear(const BoxedDamper& found) const {
       place.at(i) += space_.axes()[i].searched() ? part : 0;
     }
     const SuiteDamper damper = part == 0 ? found.damper : space_.at(place);
-    if (space_.includes(place) && suite_.figures(damper).margin >= least_suite_margin) {
+    if (space_.includes(place) && margin(suite_.figures(damper)) >= least_suite_margin) {
       return {damper, found.worst, found.rank};
     }
   }
@@ -154,7 +162,7 @@ std::optional<VerifiedBox> SuiteSearch::verified(const std::vector<BoxedDamper>&
       break;
     }
     if (next->worse) {
-      const SuiteLimits given = goal_.limits;
+      const std::vector<SuiteLimits> given = goal_.limits;
       goal_.limits = tightened(given, next->failures * reserve);
       next->box = polished(next->box, first_step(), false, bar);
       goal_.limits = given;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/design/suite_view.hpp>
 
+#include "record/suite.hpp"
+
 #include <stillpoint/design/record_design.hpp>
 
 #include <algorithm>
@@ -11,17 +13,20 @@ namespace stillpoint::design {
 
 namespace {
 
-SuiteCell cell_of(const SuiteFigures& figures, const RecordDesignRequest& task) {
-  SuiteCell cell{figures.*minimised(task).value, excess(figures, task.limits),
-                 suite_figure_kinds.size()};
+SuiteCell cell_of(const TaskFigures& figures, const RecordDesignRequest& task) {
+  const std::vector<SuiteLimits> limits = limits_of(task);
+  const SuiteGoal goal{minimised(task).value, task.objective_case, limits};
+  SuiteCell cell{goal.value(figures), excess(figures, limits), suite_figure_kinds.size()};
   double most = 0;
-  for (std::size_t i = 0; figures.settled && i < suite_figure_kinds.size(); ++i) {
-    const auto limit = suite_figure_kinds.at(i).limit;
-    SuiteLimits one;
-    one.*limit = task.limits.*limit;
-    if (const double over = excess(figures, one); over > most) {
-      most = over;
-      cell.fault = i;
+  for (std::size_t c = 0; c < figures.size() && settled(figures); ++c) {
+    for (std::size_t i = 0; i < suite_figure_kinds.size(); ++i) {
+      const auto limit = suite_figure_kinds.at(i).limit;
+      SuiteLimits one;
+      one.*limit = limits[c].*limit;
+      if (const double over = excess(figures[c], one); over > most) {
+        most = over;
+        cell.fault = i;
+      }
     }
   }
   return cell;
@@ -140,14 +145,15 @@ std::optional<SuiteView> close_up(const RecordDesign& result) {
              : std::nullopt;
 }
 
-Spectrum spectrum_about(const RecordDesign& result) {
+Spectrum spectrum_about(const RecordDesign& result, std::size_t in_case) {
   constexpr int points = 141;
   constexpr double shortest = 0.25;
   constexpr double longest = 2;
   const RecordDesignRequest& task = result.request;
   const SuiteDamper& damper = result.finding->point.damper;
-  SpectrumRequest request{task.records, {},        damper.f, damper.delta,
-                          task.combine, task.hold, {},       task.threads};
+  const LoadCase& load_case = task.cases[in_case];
+  SpectrumRequest request{load_case.records, {},        damper.f, damper.delta,
+                          load_case.combine, task.hold, {},       task.threads};
   if (damper.delta > 0) {
     request.notch_width = damper.notch_width();
   }

@@ -44,6 +44,7 @@ struct Constraint {
     std::string file;
     double scale{1};
   };
+  std::string in_case{};           ///< its name; empty of a single one
   std::optional<Motion> motion{};  ///< without a design, that of the record with the largest value
 
   /// With the slack of a relation <, <=, > or >=.

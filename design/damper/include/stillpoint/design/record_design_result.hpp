@@ -18,6 +18,9 @@
 
 namespace stillpoint::design {
 
+/// In which motion of its case each figure is the largest there, as suite_figure_kinds.
+using MotionsOfWorst = std::array<std::size_t, suite_figure_kinds.size()>;
+
 /// The dampers that were tried around a design: a sample, not a proof.
 struct SuiteBox {
   Interval f;
@@ -25,13 +28,14 @@ struct SuiteBox {
   Interval p;
   Interval width;
   std::int64_t samples{0};
-  SuiteFigures worst;                                       ///< the largest of each figure
-  std::array<SuiteDamper, suite_figure_kinds.size()> of{};  ///< where, as suite_figure_kinds
+  TaskFigures worst;  ///< the largest of each figure
+  std::vector<WorstDampers> of{};
+  std::vector<MotionsOfWorst> in{};
 };
 
 struct RecordFinding {
-  SuitePoint point;                       ///< the damper itself with its own figures
-  std::vector<ForcedResponse> responses;  ///< of each record
+  SuitePoint point;                                    ///< the damper itself with its own figures
+  std::vector<std::vector<ForcedResponse>> responses;  ///< of each motion of each case
   SuiteBox box;
   SuiteOutlook outlook;
   CrossCheck cross_check;

@@ -18,6 +18,6 @@ namespace stillpoint::design {
 [[nodiscard]] bool isolates(const RecordDesign& result);
 
 /// Whether its figures are means of several records.
-[[nodiscard]] bool is_mean(const RecordDesignRequest& task);
+[[nodiscard]] bool is_mean(const LoadCase& load_case);
 
 }  // namespace stillpoint::design

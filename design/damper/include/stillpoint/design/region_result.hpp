@@ -25,7 +25,8 @@ struct Mend {
   /// arrivals.
   std::string_view field;
   double value{0};
-  bool upwards{false};  ///< it must increase, not decrease
+  bool upwards{false};    ///< it must increase, not decrease
+  std::string in_case{};  ///< as that of a Constraint
 };
 
 /// A region. If it is empty, `reason` says why, `most_tolerant` how much tolerance there is, and

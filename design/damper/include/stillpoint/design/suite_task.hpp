@@ -8,8 +8,11 @@
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/box_shape.hpp>
 #include <stillpoint/design/figures.hpp>
+#include <stillpoint/design/pulse.hpp>
 #include <stillpoint/records/record_suite.hpp>
 #include <stillpoint/records/units.hpp>
+
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -46,14 +49,50 @@ using records::SuiteRecord;
 /// "Largest of 2 records", "Under the record".
 [[nodiscard]] std::string suite_words(Combine combine, std::size_t count);
 
-/// On the combined figures; empty: no limit.
+/// On the combined figures of a case; empty: no limit.
 struct SuiteLimits {
   std::optional<double> peak{};          ///< > 0
   std::optional<double> acceleration{};  ///< transmitted, in g; > 0
   std::optional<double> residual{};      ///< >= 0
   std::optional<double> jump{};          ///< of the velocity at a notch without width; >= 0
-  std::optional<double> late{};          ///< periods from the end of a record to the rest under it
+  std::optional<double> passages{};      ///< of x = 0, after which the motion goes on
+  std::optional<double> late{};          ///< periods from the end of a load to the rest under it
 };
+
+/// A pulse that moves the mass from rest, of any strength from `k_low` on.
+struct PulseLoad {
+  Pulse pulse;
+  std::optional<double> k_low{};
+};
+
+/// What moves the mass in one case of a task, records, a pulse or a hit, and what is required
+/// under it.
+struct LoadCase {
+  std::string name{};  ///< may be empty of a single one
+  std::vector<SuiteRecord> records{};
+  std::optional<PulseLoad> pulse{};
+  std::optional<Interval> v0{};      ///< of a hit: any velocity from low to high, low > 0
+  std::optional<Combine> combine{};  ///< default: max for fewer than seven records, else mean
+  SuiteLimits limits{};
+
+  [[nodiscard]] bool of_records() const { return !pulse && !v0; }
+};
+
+/// One of the motions of a case.
+struct CaseMotion {
+  std::string name;  ///< of the record or the pulse, or "hit"
+  double scale{1};   ///< of the record, or of the largest pulse or hit
+  Start start{};
+  std::optional<Pulse> pulse{};
+  Excitation load{};
+};
+
+/// Each record, or the hits or pulses of a range in even steps, the strongest first.
+[[nodiscard]] std::vector<CaseMotion> motions_of(const LoadCase& load_case);
+
+[[nodiscard]] double peak_load(const Excitation& load);  ///< the largest |W|
+/// The largest |W|, or of hits p v0, what the spring exerts without a damper.
+[[nodiscard]] double peak_load(const LoadCase& load_case, double p);
 
 /// How far a built damper may be off: each of its values lies between 1 - below and 1 + above times
 /// that of the design, in any combination.
@@ -79,7 +118,7 @@ struct PrintedUnits {
 };
 
 struct RecordDesignRequest {
-  std::vector<SuiteRecord> records;
+  std::vector<LoadCase> cases;
   // Intervals of what is searched: low >= 0; low = high fixes the variable.
   Interval p{1, 1};  ///< low > 0
   /// Default: up to the largest load, beyond which nothing moves.
@@ -91,9 +130,8 @@ struct RecordDesignRequest {
   std::optional<double> f_max{};      ///< what can be manufactured: the search goes no farther
   std::optional<double> delta_max{};  ///< the same
   SuiteObjective objective{SuiteObjective::acceleration};
-  std::optional<Combine> combine{};  ///< default: max for fewer than seven records, else mean
-  SuiteLimits limits{};
-  std::optional<double> hold{};  ///< as that of Oscillator
+  std::optional<std::size_t> objective_case{};  ///< empty: the largest of all cases is minimised
+  std::optional<double> hold{};                 ///< as that of Oscillator
   /// Of the notch; low = high fixes it. Not beside a hold. Empty: a notch without a width.
   std::optional<Interval> width{};
   /// Every damper of this box must meet the limits. With the objective `robust`, the shape of the
@@ -117,22 +155,31 @@ struct SuiteDamper {
   }
 };
 
-/// The figures of all records, combined.
+/// The figures of the motions of a case, combined.
 struct SuiteFigures {
   double peak{0};          ///< largest |x|
   double acceleration{0};  ///< largest transmitted one, in g
   double residual{0};      ///< |x| at the final rest
   double margin{1};        ///< the smallest decision margin of all motions
   double jump{0};          ///< largest of the velocity at a notch without width
-  double late{0};          ///< periods from the end of a record to its rest; always the most
+  double late{0};          ///< periods from the end of a load to its rest; always the most
+  double passages{0};      ///< of x = 0, after which the motion goes on
   /// False: a motion never rests, or not within 10 000 half-cycles. Then the figures have no
   /// meaning.
   bool settled{true};
 };
 
-/// The motion of a damper under one of the records.
+/// Those of each case; none: not known.
+using TaskFigures = boost::container::small_vector<SuiteFigures, 1>;
+
+/// Whether they are known and all motions come to rest.
+[[nodiscard]] bool settled(const TaskFigures& figures);
+/// The largest of all cases.
+[[nodiscard]] SuiteFigures largest(const TaskFigures& figures);
+
+/// The motion of a damper.
 [[nodiscard]] SimulationRequest motion_of(const RecordDesignRequest& request,
-                                          const SuiteDamper& damper, std::size_t record);
+                                          const SuiteDamper& damper, const CaseMotion& motion);
 
 /// Of one motion that comes to rest.
 [[nodiscard]] SuiteFigures suite_figures(const ForcedResponse& response);
@@ -158,9 +205,14 @@ inline constexpr auto suite_figure_kinds = std::to_array<SuiteFigureKind>(
      {SuiteObjective::residual, &SuiteFigures::residual, &SuiteLimits::residual, "residual",
       "residual", "residual", "residual", records::Dimension::length},
      {std::nullopt, &SuiteFigures::jump, &SuiteLimits::jump, "jump_max", "jump", "jump",
-      "jump of velocity", records::Dimension::velocity}});
+      "jump of velocity", records::Dimension::velocity},
+     {std::nullopt, &SuiteFigures::passages, &SuiteLimits::passages, "arrivals", "stop", "passages",
+      "number of passages", records::Dimension::none}});
 
-/// The figure that is minimised; with `robust`, the first that has a limit.
+/// Where each figure of a case is the largest, as suite_figure_kinds.
+using WorstDampers = std::array<SuiteDamper, suite_figure_kinds.size()>;
+
+/// The figure that is minimised; with `robust`, the first that has a limit in some case.
 [[nodiscard]] const SuiteFigureKind& minimised(const RecordDesignRequest& request);
 
 /// A damper is rejected if a decision of a motion is closer than this to the other outcome: neither
@@ -170,24 +222,22 @@ inline constexpr double least_suite_margin = 1e-6;
 /// The sum of what the figures exceed, relative to each limit (if no residual is allowed, to the
 /// peak); 1e9 if it never rests.
 [[nodiscard]] double excess(const SuiteFigures& figures, const SuiteLimits& limits);
-/// Whether it is 0: the damper rests and meets the limits.
-[[nodiscard]] bool admissible(const SuiteFigures& figures, const SuiteLimits& limits);
 /// The larger of each.
 [[nodiscard]] SuiteFigures worse(const SuiteFigures& one, const SuiteFigures& other);
+[[nodiscard]] TaskFigures worse(const TaskFigures& one, const TaskFigures& other);
 
-/// All motions start from rest at x = 0. The figures are those of the damper or the worst over its
-/// box.
+/// The figures are those of the damper or the worst over its box.
 struct SuitePoint {
   SuiteDamper damper;
-  SuiteFigures figures;
+  TaskFigures figures;
 };
 
-/// What is not required: the worst over samples of the box where all periods, or all records, are
+/// What is not required: the worst over samples of the box where all periods, or all loads, are
 /// off by this part to either side.
 struct SuiteOutlook {
   static constexpr double off{0.05};
-  SuiteFigures period;
-  SuiteFigures scale;
+  TaskFigures period;
+  TaskFigures scale;
 };
 
 /// The progress of a search.

@@ -42,7 +42,7 @@ struct SuiteView {
 /// The box of the design and as much again about it, each damper by itself; empty without one.
 [[nodiscard]] std::optional<SuiteView> close_up(const RecordDesign& result);
 
-/// Of the damper found, from a quarter of its period to twice that.
-[[nodiscard]] Spectrum spectrum_about(const RecordDesign& result);
+/// Of the damper found under the records of a case, from a quarter of its period to twice that.
+[[nodiscard]] Spectrum spectrum_about(const RecordDesign& result, std::size_t in_case);
 
 }  // namespace stillpoint::design
