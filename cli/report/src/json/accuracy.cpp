@@ -90,11 +90,8 @@ Truth truth_of(const AccuracyReport& report) {
 constexpr auto accuracy_table = std::tuple_cat(
     head_fields<AccuracyReport, accuracy_name>,
     std::tuple{
-        Field{"input",
-              [](const AccuracyReport& report) {
-                return ShownMotion{{report.request}, report.record};
-              }},
-        Field{"reference", &truth_of}, Field{"methods", &shown_methods, "", {Numbers::from_one}},
+        Field{"input", motion_input}, Field{"reference", &truth_of},
+        Field{"methods", &shown_methods, "", {Numbers::from_one}},
         Field{"why", [](const AccuracyReport& report) { return reason(report.request); },
               "why simulate uses its method"},
         Field{"physical", [](const AccuracyReport& report) { return TruthSi{truth_of(report)}; },

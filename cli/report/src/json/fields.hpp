@@ -62,6 +62,7 @@ constexpr auto only_if(auto holds, auto get) {
 /// What `get` gives of each item.
 [[nodiscard]] auto mapped(const auto& list, const auto& get) {
   std::vector<std::remove_cvref_t<decltype(std::invoke(get, list.front()))>> all;
+  all.reserve(list.size());
   for (const auto& item : list) {
     all.push_back(std::invoke(get, item));
   }

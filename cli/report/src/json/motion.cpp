@@ -77,11 +77,7 @@ std::optional<MotionSi> physical_of(const MotionReport& report) {
 constexpr auto motion_table = std::tuple_cat(
     head_fields<MotionReport, schema_name>, told_fields<MotionReport>,
     std::tuple{
-        Field{"input",
-              [](const MotionReport& report) {
-                return ShownMotion{{report.request}, report.record};
-              }},
-        Field{"response", &response_of},
+        Field{"input", motion_input}, Field{"response", &response_of},
         Field{"caught_impulse", &caught,
               "per mass, for a hit that the notch catches at the start; null if it does not"},
         Field{"practice",

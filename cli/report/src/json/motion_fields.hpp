@@ -124,6 +124,10 @@ struct ShownMotion : SimulationRequest {
             at_least_one}};
 };
 
+inline constexpr auto motion_input = [](const auto& report) {
+  return ShownMotion{{report.request}, report.record};
+};
+
 /// A motion; without a load it has no ForcedResponse.
 struct ShownResponse {
   const Response* response;

@@ -142,7 +142,9 @@ constexpr auto reduction_table = [] {
           Field{"task",
                 [](const Now&
                        now) { return Printed<task_schema>{ordered_json::parse(now.label.task)}; },
-                "the options that decide the numbers"}});
+                "the options that decide the numbers"},
+          Field{"digest", [](const Now&) { return std::optional<std::uint64_t>(); },
+                "for a part: of everything else in the report"}});
 }();
 
 }  // namespace
@@ -160,19 +162,16 @@ ReductionReport reduction_report(const sweep::SweepSpec& spec, const sweep::Swee
 
 ordered_json json(const ReductionReport& report) {
   ordered_json result = report.found;
-  result["digest"] =
-      result.at("part").is_null() ? ordered_json(nullptr) : ordered_json(digest_of(result));
+  result.erase("digest");
+  const bool part = !result.at("part").is_null();
+  result["digest"] = part ? ordered_json(digest_of(result)) : ordered_json(nullptr);
   return result;
 }
 
 ordered_json reduction_report_schema() {
-  ordered_json none;
-  ordered_json properties = properties_of<Reduced>(reduction_table, none);
-  properties["digest"] = value_schema<std::optional<std::uint64_t>>({}, none);
-  properties["digest"]["description"] = "for a part: of everything else in the report";
-  return document_schema(reduction_schema, "sweep --reduce --json",
-                         "Numbers are dimensionless unless the name of a column ends in a unit",
-                         std::move(properties), {});
+  return report_schema<Reduced>(
+      reduction_table, reduction_schema, "sweep --reduce --json",
+      "Numbers are dimensionless unless the name of a column ends in a unit");
 }
 
 }  // namespace stillpoint::report

@@ -23,19 +23,6 @@ ordered_json outcome_object(const auto& of) {
   return counts;
 }
 
-}  // namespace
-
-ordered_json outcomes_schema() {
-  return object_schema(
-      outcome_object([](std::size_t /*i*/) { return number_schema(true, Numbers::counts); }));
-}
-
-Printed<outcomes_schema> outcomes_of(const sweep::SweepState::Counts& counts) {
-  return {outcome_object([&](std::size_t i) { return counts[i]; })};
-}
-
-namespace {
-
 using sweep::SweepState;
 using sweep::SweepSummary;
 
@@ -93,6 +80,15 @@ constexpr auto sweep_table = [] {
 }();
 
 }  // namespace
+
+ordered_json outcomes_schema() {
+  return object_schema(
+      outcome_object([](std::size_t /*i*/) { return number_schema(true, Numbers::counts); }));
+}
+
+Printed<outcomes_schema> outcomes_of(const sweep::SweepState::Counts& counts) {
+  return {outcome_object([&](std::size_t i) { return counts[i]; })};
+}
 
 ordered_json json(const SweepReport& report) {
   return object_by<sweep_table>(report);

@@ -15,6 +15,7 @@ namespace stillpoint::report {
 
 /// What a sweep without rows found. Nothing in it depends on how it was computed, so the reports of
 /// the parts suffice to make that of the whole, to the last byte.
+// Moving JSON throws nothing. NOLINTNEXTLINE(bugprone-exception-escape)
 struct ReductionReport {
   sweep::PartLabel label;
   sweep::SweepKind kind{};
