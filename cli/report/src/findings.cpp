@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <ranges>
 #include <string_view>
 #include <utility>
 
@@ -114,12 +113,15 @@ constexpr auto wordings = [] {
        "region]."},
   });
 }();
-static_assert(std::ranges::equal(wordings, std::views::iota(std::size_t{0}, wordings.size()), {},
-                                 [](const Wording& now) {
-                                   return static_cast<std::size_t>(now.kind);
-                                 }) &&
-                  wordings.size() == static_cast<std::size_t>(FindingKind::too_exact) + 1,
-              "each kind has a pattern, in their order");
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < wordings.size(); ++i) {
+    if (wordings.at(i).kind != static_cast<FindingKind>(i)) {
+      return false;
+    }
+  }
+  return wordings.size() == static_cast<std::size_t>(FindingKind::too_exact) + 1;
+}
+static_assert(in_order(), "each kind has a pattern, in their order");
 
 /// What "changes" says.
 std::string changed_words(std::string_view what) {
