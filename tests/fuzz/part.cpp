@@ -2,6 +2,7 @@
 #include "fuzz.hpp"
 
 #include <stillpoint/report/reduction.hpp>
+#include <stillpoint/report/report.hpp>
 #include <stillpoint/sweep/merge.hpp>
 #include <stillpoint/sweep/sink.hpp>
 
