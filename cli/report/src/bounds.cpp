@@ -5,7 +5,6 @@
 #include <stillpoint/report/digits.hpp>
 
 #include <algorithm>
-#include <vector>
 
 namespace stillpoint::report {
 

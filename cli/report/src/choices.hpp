@@ -10,7 +10,6 @@
 #include <stillpoint/figures/figure.hpp>
 #include <stillpoint/report/report.hpp>
 
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -3,7 +3,6 @@
 #include "format.hpp"
 #include "sections.hpp"
 
-#include <stillpoint/design/record_findings.hpp>
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/findings.hpp>
 

@@ -16,12 +16,10 @@
 #include <stillpoint/report/document.hpp>
 #include <stillpoint/report/report.hpp>
 
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace stillpoint::report {
 
