@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "record/suite.hpp"
+#include "suites_of_records.hpp"
+
+BOOST_AUTO_TEST_SUITE(load_cases_test)
+
+// A design with several load cases: against each load by itself, and against the engines that know
+// hits and pulses exactly.
+
+using namespace stillpoint::design_test;
+
+/// Of the largest tolerance, absolute: what the docs promise of a box.
+constexpr double of_tolerance = 5e-3;
+/// Of the strength of a load, which a range computes in another way.
+constexpr double rounding = 1e-12;
+
+LoadCase under_hit(const Interval& v0, const SuiteLimits& limits) {
+  return {.name = "hit", .v0 = v0, .combine = Combine::max, .limits = limits};
+}
+
+/// Stops at x = 0 on the first return.
+SuiteLimits stopped_within(double beta) {
+  return {.peak = beta, .residual = 0, .passages = 0};
+}
+
+/// The records in a case with the limit of the stroke, and again in one with that of the residual.
+RecordDesignRequest split(const RecordDesignRequest& one) {
+  RecordDesignRequest two = one;
+  two.cases.push_back(two.cases.front());
+  two.cases[0].name = "stroke";
+  two.cases[0].limits.residual.reset();
+  two.cases[1].name = "residual";
+  two.cases[1].limits.peak.reset();
+  return two;
+}
+
+BOOST_AUTO_TEST_CASE(limits_of_one_case_may_stand_in_two) {
+  RecordDesignRequest request = short_records();
+  request.scan_points = 400;
+  request.delta = Interval{0, 0};
+  const RecordDesign one = design::design(request);
+  const RecordDesign two = design::design(split(request));
+  BOOST_REQUIRE(one.finding.has_value());
+  BOOST_REQUIRE(two.finding.has_value());
+  BOOST_TEST(two.nearest.damper.f == one.nearest.damper.f);
+  BOOST_REQUIRE(two.constraints.size() == 2U);
+  BOOST_TEST(two.constraints[0].in_case == "stroke");
+  BOOST_TEST(two.constraints[1].in_case == "residual");
+  BOOST_TEST(two.constraints[0].value == one.constraints[0].value);
+  BOOST_TEST(two.constraints[1].value == one.constraints[1].value);
+  const auto of_stroke = governing(two, 0);
+  BOOST_REQUIRE(of_stroke.has_value());
+  BOOST_TEST(of_stroke->constraint.name == "amplitude");
+  BOOST_TEST(of_stroke->part_left == two.constraints[0].slack / two.constraints[0].limit);
+  // The damper of the box and the record with that stroke.
+  const SimulationRequest motion =
+      motion_of(two.request, of_stroke->damper,
+                motions_of(two.request.cases[0])[two.finding->box.in[0].front()]);
+  BOOST_TEST(simulate(motion).response.peak_amplitude == two.constraints[0].value);
+}
+
+BOOST_AUTO_TEST_CASE(a_limit_that_no_damper_meets_is_mended_in_its_case) {
+  RecordDesignRequest request = split(short_records());
+  request.scan_points = 400;
+  request.delta = Interval{0, 0};
+  request.f = Interval{0.01, 0.2};
+  request.cases[0].limits.peak = 0.02;
+  const RecordDesign none = design::design(request);
+  BOOST_TEST(!none.finding.has_value());
+  BOOST_TEST(!none.constraints[0].satisfied);
+  BOOST_TEST(none.constraints[0].motion.has_value());
+  BOOST_REQUIRE(none.mends.size() >= 1U);
+  for (const Mend& mend : none.mends) {
+    RecordDesignRequest mended = request;
+    const std::size_t at = mend.in_case == "stroke" ? 0 : 1;
+    (at == 0 ? mended.cases[0].limits.peak : mended.cases[1].limits.residual) = mend.value;
+    BOOST_TEST(design::design(mended).finding.has_value(), mend.in_case << ": " << mend.value);
+  }
+}
+
+// The engine of hits knows the largest box by its corners.
+BOOST_AUTO_TEST_CASE(a_hit_as_a_case_has_the_box_of_the_design_for_the_hit) {
+  constexpr double beta = 0.9;
+  const DesignResult known = design::design(
+      DesignRequest{.problem = {.v0 = 1, .p = 1, .beta = beta, .criterion = Criterion::exact},
+                    .limits = {.delta_max = 0.5},
+                    .search = {.objective = Objective::robust}});
+  BOOST_REQUIRE(known.finding.has_value());
+  const RecordDesign found =
+      design::design(RecordDesignRequest{.cases = {under_hit({1, 1}, stopped_within(beta))},
+                                         .delta_max = 0.5,
+                                         .objective = SuiteObjective::robust});
+  BOOST_REQUIRE(found.finding.has_value());
+  const double most = known.finding->point.tolerance;
+  BOOST_TEST(std::abs(found.largest_tolerance.value() - most) <= of_tolerance,
+             *found.largest_tolerance << ", the hit has " << most);
+  BOOST_TEST(found.finding->cross_check.passed);
+}
+
+BOOST_AUTO_TEST_CASE(a_pulse_as_a_case_has_the_box_of_the_design_for_the_pulse) {
+  constexpr double beta = 0.8;
+  const DesignResult known =
+      design::design(DesignRequest{.problem = {.p = 1, .beta = beta},
+                                   .search = {.objective = Objective::robust},
+                                   .pulse = Rectangle{0.5, 1.3}});
+  BOOST_REQUIRE(known.finding.has_value());
+  const LoadCase pulse{
+      .name = "pulse", .pulse = PulseLoad{Rectangle{0.5, 1.3}}, .limits = stopped_within(beta)};
+  const RecordDesign found =
+      design::design(RecordDesignRequest{.cases = {pulse}, .objective = SuiteObjective::robust});
+  BOOST_REQUIRE(found.finding.has_value());
+  const double most = known.finding->point.tolerance;
+  BOOST_TEST(std::abs(found.largest_tolerance.value() - most) <= of_tolerance,
+             *found.largest_tolerance << ", the pulse has " << most);
+  BOOST_TEST(found.finding->cross_check.passed);
+}
+
+BOOST_AUTO_TEST_CASE(figures_are_those_of_each_motion_by_itself) {
+  RandomSource random(3901);
+  for (int i = 0; i < 200; ++i) {
+    const double p = random.uniform(0.5, 2);
+    const SuiteDamper damper{p, random.log_uniform(1e-3, 0.3), random.log_uniform(1e-3, 0.3),
+                             i % 3 == 0 ? random.uniform(0.01, 0.3) : 0};
+    const double v0 = random.uniform(0.3, 2);
+    const HalfSine pulse{random.uniform(0.4, 2), random.uniform(0.5, 5)};
+    const RecordDesignRequest request{
+        .cases = {{.name = "hit", .v0 = Interval{v0 / 2, v0}, .combine = Combine::max},
+                  {.name = "pulse",
+                   .pulse = PulseLoad{pulse, pulse.k / 3},
+                   .combine = Combine::max}},
+        .p = {p, p}};
+    const TaskFigures figures = Suites(request).figures(damper);
+    BOOST_TEST_CONTEXT("damper " << i << ": p = " << p << ", f = " << damper.f
+                                 << ", delta = " << damper.delta << ", width = " << damper.width) {
+      const auto covers = [&](std::size_t in_case, const Start& start, const Excitation& load) {
+        const ForcedResponse one = forced_response({p, damper.f, damper.delta}, start, load, {},
+                                                   Surface{damper.notch_width(), {}});
+        BOOST_TEST(figures[in_case].peak >= (1 - rounding) * one.peak_amplitude);
+        BOOST_TEST(figures[in_case].acceleration >=
+                   (1 - rounding) * one.peak_absolute_acceleration);
+        BOOST_TEST(figures[in_case].residual >=
+                   std::abs(one.stop_position.value()) - rounding * one.peak_amplitude);
+        BOOST_TEST(figures[in_case].passages >= one.zero_passages.value());
+      };
+      for (const double part : {0.5, 0.75, 1.0}) {  // which are among those of the range
+        covers(0, {0, part * v0}, NoExcitation{});
+      }
+      for (const double part : {1.0 / 3, 2.0 / 3, 1.0}) {
+        covers(1, {}, HalfSine{part * pulse.k, pulse.lambda});
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_objective_is_the_largest_of_all_cases_or_that_of_one) {
+  const TaskFigures figures{{.acceleration = 0.3}, {.acceleration = 0.2}};
+  SuiteGoal goal{&SuiteFigures::acceleration, {}, {{}, {}}};
+  BOOST_TEST(goal.value(figures) == 0.3);
+  goal.in_case = 1;
+  BOOST_TEST(goal.value(figures) == 0.2);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_cases_are_refused) {
+  const auto refused = [](const std::string& field, const auto& spoil) {
+    RecordDesignRequest request{.cases = {under_hit({0.5, 1}, stopped_within(1))},
+                                .objective = SuiteObjective::robust};
+    spoil(request);
+    check_refused(field, [&] { (void)design::design(request); });
+  };
+  refused("cases", [](auto& request) { request.cases.clear(); });
+  refused("v0", [](auto& request) { request.cases[0].v0 = Interval{1, 0.5}; });
+  refused("v0", [](auto& request) { request.cases[0].v0 = Interval{0, 1}; });
+  refused("arrivals", [](auto& request) { request.cases[0].limits.passages = -1; });
+  refused("k", [](auto& request) {
+    request.cases[0].v0.reset();
+    request.cases[0].pulse = PulseLoad{HalfSine{1, 1}, 2};
+  });
+  refused("records", [](auto& request) { request.cases.emplace_back(); });
+}
+
+BOOST_AUTO_TEST_SUITE_END()
