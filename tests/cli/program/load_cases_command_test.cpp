@@ -86,17 +86,20 @@ BOOST_FIXTURE_TEST_CASE(wrong_cases_are_refused, Cases) {
     base.update(more);
     return base;
   };
+  const auto list = [](const std::vector<json>& cases) { return json(cases); };
   refused(json::array(), {"cases", "at least one object"});
-  refused({{{"velocity", "1m/s"}}}, {"cases", "must have a name"});
+  refused(list({{{"velocity", "1m/s"}}}), {"cases", "must have a name"});
   refused({service, service}, {"cases", "service", "is the name of two cases"});
-  refused({{{"name", "idle"}}}, {"case idle", "has no load", "velocity, a pulse or a record"});
-  refused({with(service, {{"record", "a.txt"}})}, {"case service", "velocity", "record"});
-  refused({with(service, {{"f-max", 0.1}})}, {"f-max", "belongs to the damper", "outside"});
-  refused({with(service, {{"velocty", 1}})}, {"velocty", "did you mean", "velocity"});
-  refused({with(service, {{"residual_m", "-1mm"}})}, {"residual-m in case service", "must be"});
-  refused({with(pulse, {{"pulse_duration", "0.2s:0.3s"}})},
+  refused(list({{{"name", "idle"}}}),
+          {"case idle", "has no load", "velocity, a pulse or a record"});
+  refused(list({with(service, {{"record", "a.txt"}})}), {"case service", "velocity", "record"});
+  refused(list({with(service, {{"f-max", 0.1}})}), {"f-max", "belongs to the damper", "outside"});
+  refused(list({with(service, {{"velocty", 1}})}), {"velocty", "did you mean", "velocity"});
+  refused(list({with(service, {{"residual_m", "-1mm"}})}),
+          {"residual-m in case service", "must be"});
+  refused(list({with(pulse, {{"pulse_duration", "0.2s:0.3s"}})}),
           {"pulse-duration in case pulse", "a case for each length"});
-  refused({with(shaken, {{"record", "none.txt"}})}, {"none.txt", "cannot be read"});
+  refused(list({with(shaken, {{"record", "none.txt"}})}), {"none.txt", "cannot be read"});
   refused({service, shaken}, {"objective-case", "must be", "service", "shaken"},
           {{"objective-case", "other"}});
   scene({service, shaken});
