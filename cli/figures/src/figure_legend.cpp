@@ -40,7 +40,7 @@ bool is_enlarged(const Figure& figure, const FigureArea& area) {
 }
 
 /// Over the sample of an entry.
-std::string hatching(const MapKey& key) {
+std::string hatching(const MapShade& key) {
   return key.hatch == Hatch::none
              ? ""
              : fmt::format(
@@ -88,7 +88,7 @@ void FigureLegend::add(const Figure& figure, const std::set<std::string>& named)
     entries_.push_back({name, sample, next_x_, last_line_});
     next_x_ += wide;
   };
-  for (const MapKey& key : figure.map.key) {
+  for (const MapShade& key : figure.map.key) {
     enter(key.name, fmt::format(R"(<path class="cell" fill="{}" d="{}"/>{})", key.colour, swatch,
                                 hatching(key)));
   }

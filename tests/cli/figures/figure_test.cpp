@@ -61,10 +61,10 @@ Figure map_of_kinds() {
                  {"#4488aa", "c", "3"},
                  {"#c04a00", "too large, 1 %", "too large", Hatch::one_way},
                  {"#222222", "alone", "alone", Hatch::crossed}},
-                {{"a", "#ffffff"},
-                 {"b", "#88ccee"},
-                 {"too large", "#c04a00", Hatch::one_way},
-                 {"alone", "#222222", Hatch::crossed}}};
+                {{"#ffffff", "a"},
+                 {"#88ccee", "b"},
+                 {"#c04a00", "too large", "", Hatch::one_way},
+                 {"#222222", "alone", "", Hatch::crossed}}};
   for (const auto& [from, to, entry] :
        {std::array{4, 8, 1}, {8, 12, 2}, {20, 30, 3}, {42, 43, 4}}) {
     std::fill(figure.map.cells.begin() + from, figure.map.cells.begin() + to, entry);
@@ -306,15 +306,6 @@ PlacedName placed(const Figure& figure, const std::string& text) {
   const auto found = std::ranges::find(words, text, &PlacedName::text);
   BOOST_TEST_REQUIRE((found != words.end()), text);
   return *found;
-}
-
-/// Of 22 rows, of which none is the second entry yet.
-FigureMap striped(std::vector<MapKey> key) {
-  return {1,
-          22,
-          std::vector<std::uint8_t>(22, 0),
-          {{"#000000", "a"}, {"#ffffff", "b", "3"}},
-          std::move(key)};
 }
 
 BOOST_AUTO_TEST_CASE(draws_an_inset_outside_the_plot_that_zooms) {

@@ -90,11 +90,11 @@ BOOST_AUTO_TEST_CASE(has_no_swatch_twice_in_its_key_and_no_shade_of_a_few_cells)
 
 BOOST_AUTO_TEST_CASE(has_an_entry_of_its_own_where_the_notch_locks) {
   const figures::Figure figure = page(shaken("0.02:0.4:20", "0:0.3:10")).figures.at(0);
-  const auto lock = std::ranges::find(figure.map.key, "locked at x = 0", &figures::MapKey::name);
+  const auto lock = std::ranges::find(figure.map.key, "locked at x = 0", &figures::MapShade::name);
   BOOST_TEST_REQUIRE((lock != figure.map.key.end()));
   BOOST_TEST((lock->hatch == Hatch::crossed));
   BOOST_TEST(contains(svg(figure, figures::Frame::in_page), ">locked at x = 0</text>"));
-  BOOST_TEST(std::ranges::count(figure.map.key, Hatch::crossed, &figures::MapKey::hatch) == 3);
+  BOOST_TEST(std::ranges::count(figure.map.key, Hatch::crossed, &figures::MapShade::hatch) == 3);
 }
 
 /// Under a load that locks most of them; each shade has peaks above those of the one before.
@@ -115,11 +115,11 @@ BOOST_AUTO_TEST_CASE(shades_motions_that_lock_by_their_peaks) {
   BOOST_TEST((std::ranges::adjacent_find(peaks, [](const auto& one, const auto& next) {
                 return one.second.high > next.second.low;
               }) == peaks.end()));
-  BOOST_TEST(std::ranges::any_of(figure.map.key, [](const figures::MapKey& key) {
+  BOOST_TEST(std::ranges::any_of(figure.map.key, [](const figures::MapShade& key) {
     return key.hatch == Hatch::crossed && key.name.starts_with("locked, peak from ");
   }));
   // Not 0, which is the peak of what never moves.
-  BOOST_TEST(std::ranges::none_of(figure.map.key, [](const figures::MapKey& key) {
+  BOOST_TEST(std::ranges::none_of(figure.map.key, [](const figures::MapShade& key) {
     return key.name.ends_with("peak from 0");
   }));
 }

@@ -58,10 +58,10 @@ void add_shades(FigureMap& drawn, const Interval& values, const design::SuiteFig
                                        : MapShade{shades.at(i)});
   }
   if (least < most) {
-    drawn.key.push_back({"from " + unit.words(least), shades.front()});
-    drawn.key.push_back({"to " + unit.words(most), shades.back()});
+    drawn.key.push_back({shades.front(), "from " + unit.words(least)});
+    drawn.key.push_back({shades.back(), "to " + unit.words(most)});
   } else if (least == most) {
-    drawn.key.push_back({unit.words(least), shades.front()});
+    drawn.key.push_back({shades.front(), unit.words(least)});
   }
 }
 
@@ -85,7 +85,7 @@ void add_faults(FigureMap& drawn, const std::vector<double>& bounds) {
     if (std::ranges::any_of(drawn.cells, [first](std::uint8_t cell) {
           return first <= cell && cell < first + excesses;
         })) {
-      drawn.key.push_back({name, shade_of(colours, 1), Hatch::one_way});
+      drawn.key.push_back({shade_of(colours, 1), name, "", Hatch::one_way});
     }
   }
 }

@@ -69,16 +69,16 @@ FigureMap drawn(const sweep::SweepMap& map, const sweep::ClassCounts& counts, bo
   const auto few = static_cast<std::int64_t>(map.cells().size() / 50);
   FigureMap drawn{map.f().cells(), map.delta().cells(), map.cells(), palette(from_rest), {}};
   if (counts.centred()) {
-    drawn.key.push_back({"stops " + place, "#4c96cf"});
+    drawn.key.push_back({"#4c96cf", "stops " + place});
   }
   if (counts.off_centre()) {
-    drawn.key.push_back({"stops off centre", "#dc7515", Hatch::one_way});
+    drawn.key.push_back({"#dc7515", "stops off centre", "", Hatch::one_way});
   }
   for (std::size_t i = 0; i < SweepClass::count; ++i) {
     const auto& [colour, name, label, hatch] = drawn.palette[i];
     if (counts.of.at(i) > (i < rests ? few : 0)) {
       const bool locked = i == SweepClass::locked;  // in the key even if a label says so
-      drawn.key.push_back({locked ? format("{} {}", name, place) : name, colour, hatch});
+      drawn.key.push_back({colour, locked ? format("{} {}", name, place) : name, "", hatch});
     }
   }
   return drawn;
@@ -110,9 +110,9 @@ void shade_peaks(FigureMap& drawn, const sweep::SweepMap& map, const ShadedClass
     }
   }
   drawn.key.push_back(
-      {format("{}, peak from {}", name, words(bounds.front())), shade_of(by.shades, 0), hatch});
-  drawn.key.push_back({format("{}, peak to {}", name, words(bounds.back())),
-                       shade_of(by.shades, peak_shades - 1), hatch});
+      {shade_of(by.shades, 0), format("{}, peak from {}", name, words(bounds.front())), "", hatch});
+  drawn.key.push_back({shade_of(by.shades, peak_shades - 1),
+                       format("{}, peak to {}", name, words(bounds.back())), "", hatch});
 }
 
 /// From the edge of the first cell to that of the last, times a unit.

@@ -78,19 +78,11 @@ struct FigureNote {
 /// Lines over the cells of a map, so that kinds differ on paper without colours too.
 enum class Hatch { none, one_way, crossed };
 
-/// An entry of the palette of a map.
+/// An entry of the palette of a map, or of its legend.
 struct MapShade {
   std::string colour;  ///< "#rrggbb"
-  std::string name{};  ///< under the pointer
-  std::string
-      label{};  ///< written in its largest areas; those that follow one another are one area
-  Hatch hatch{Hatch::none};
-};
-
-/// An entry of the legend of a map, unless an area that is labelled has that name.
-struct MapKey {
-  std::string name;
-  std::string colour;
+  std::string name{};  ///< under the pointer, or in the legend
+  std::string label{};  ///< in its largest areas; those that follow one another are one area
   Hatch hatch{Hatch::none};
 };
 
@@ -101,7 +93,7 @@ struct FigureMap {
   std::int64_t rows{0};
   std::vector<std::uint8_t> cells;  ///< rows * columns entries of the palette
   std::vector<MapShade> palette;
-  std::vector<MapKey> key;
+  std::vector<MapShade> key;  ///< without those named as an area that is labelled
 };
 
 enum class Scale { linear, logarithmic };
