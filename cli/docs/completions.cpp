@@ -28,10 +28,9 @@ std::string in_zsh(std::string_view text) {
 }
 
 std::string zsh_argument(const Option& option) {
-  const std::string action = !option.traits.values.empty()
-                                 ? fmt::format("({})", value_names(option))
-                             : option.takes_file() ? "_files"
-                                                   : "";
+  const std::string action = !option.values().empty() ? fmt::format("({})", value_names(option))
+                             : option.takes_file()    ? "_files"
+                                                      : "";
   return option.kind == OptionKind::flag
              ? fmt::format("        '--{}[{}]' \\\n", option.name, in_zsh(option.help))
              : fmt::format("        '--{}=[{}]:{}:{}' \\\n", option.name, in_zsh(option.help),
@@ -70,7 +69,7 @@ std::string fish_subcommand(const CommandHelp& help) {
 
 std::string fish_option(const Option& option) {
   const std::string value = option.kind == OptionKind::flag ? ""
-                            : !option.traits.values.empty()
+                            : !option.values().empty()
                                 ? fmt::format(" -x -a {}", in_fish(value_names(option)))
                             : option.takes_file() ? " -r -F"
                                                   : " -x";
@@ -82,7 +81,7 @@ std::string fish_option(const Option& option) {
 
 std::string bash_completion() {
   const auto values = [](const Option& option) {
-    return option.traits.values.empty()
+    return option.values().empty()
                ? ""
                : fmt::format(
                      "    --{}) mapfile -t COMPREPLY < <(compgen -W '{}' -- \"$cur\"); return ;;\n",
@@ -102,7 +101,7 @@ std::string bash_completion() {
        {"with_value", flags(" | ",
                             [](const Option& option) {
                               return option.kind != OptionKind::flag && !option.takes_file() &&
-                                     option.traits.values.empty();
+                                     option.values().empty();
                             })},
        {"option_cases", for_commands(words)}});
 }

@@ -60,7 +60,8 @@ std::string entry(const Option& option) {
   const std::string value =
       option.kind == OptionKind::flag ? "" : fmt::format(" \\fI{}\\fR", roff(option.placeholder));
   return fmt::format(".TP\n\\fB{}\\fR{}\n{} ({}{})\n", roff(fmt::format("--{}", option.name)),
-                     value, roff(option.help + more_values(option)), command_names(&option, ", "),
+                     value, roff(std::string(option.help) + more_values(option)),
+                     command_names(&option, ", "),
                      option.traits.axis.has(Command::sweep) ? "*" : "");
 }
 

@@ -45,7 +45,7 @@ template <class TextOf>
 
 /// The possible values of the option, separated by blanks; "" if any value is allowed.
 [[nodiscard]] inline std::string value_names(const Option& option) {
-  return fmt::format("{}", fmt::join(option.traits.values, " "));
+  return fmt::format("{}", fmt::join(option.values(), " "));
 }
 
 /// `text` with `prefix` before every character of `special`.

@@ -82,9 +82,8 @@ ordered_json type_of(const Option& option) {
       if (option.traits.repeats) {
         return {{"type", {"string", "array"}}, {"minItems", 1}, {"items", {{"type", "string"}}}};
       }
-      return option.traits.values.empty()
-                 ? ordered_json{{"type", "string"}}
-                 : ordered_json{{"type", "string"}, {"enum", option.traits.values}};
+      return option.values().empty() ? ordered_json{{"type", "string"}}
+                                     : ordered_json{{"type", "string"}, {"enum", option.values()}};
     case OptionKind::flag:
       return {{"type", "boolean"}};
     case OptionKind::axis:

@@ -35,9 +35,9 @@ void refuse_others(const Settings& settings, const design::ExcitationKind* kind)
   if (wrong != nullptr) {
     throw UsageError(
         kind != nullptr
-            ? fmt::format(
-                  "{} and excitation {} cannot be combined: {}", wrong->name, kind->name,
-                  wrong->traits.instead.empty() ? "give one of them" : wrong->traits.instead)
+            ? fmt::format("{} and excitation {} cannot be combined: {}", wrong->name, kind->name,
+                          wrong->traits.instead.words.empty() ? "give one of them"
+                                                              : wrong->traits.instead.words)
         : wrong->traits.load == Load::record
             ? fmt::format("{} needs a record: give --record as well", wrong->name)
             : fmt::format("{} needs an excitation: give --excitation as well", wrong->name));

@@ -74,9 +74,8 @@ void add_options(CLI::App& app, const CommandHelp& help, Collected& collected) {
     const std::string flag = fmt::format("--{}", option.name);
     CLI::Option* added =
         option.kind == OptionKind::flag
-            ? app.add_flag(flag, collected.flags[option.name], option.help)
-            : app.add_option(flag, collected.texts[option.name],
-                             option.help + option.more_values_in(help.command))
+            ? app.add_flag(flag, collected.flags[option.name], std::string(option.help))
+            : app.add_option(flag, collected.texts[option.name], option.help_in(help.command))
                   ->type_name(std::string(option.kind_in(help.command) == OptionKind::axis
                                               ? "AXIS"
                                               : option.placeholder))
@@ -152,9 +151,9 @@ void refuse_extras(const CLI::App& app, Command command) {
       takers.push_back(name(help.command));
     }
   }
-  throw UsageError(fmt::format("{}: is not an option of {}, only of {}{}{}", first, app.get_name(),
-                               fmt::join(takers, ", "), known->traits.instead.empty() ? "" : "; ",
-                               known->traits.instead));
+  throw UsageError(fmt::format(
+      "{}: is not an option of {}, only of {}{}{}", first, app.get_name(), fmt::join(takers, ", "),
+      known->traits.instead.words.empty() ? "" : "; ", known->traits.instead.words));
 }
 
 Settings from_flags(const CLI::App& app, const Collected& collected, Command command) {

@@ -27,7 +27,8 @@ std::vector<const Option*> physical_rivals(const Option& option) {
 std::string suggestion(std::string_view wrong, std::optional<Command> command,
                        std::string_view prefix) {
   for (const Option& option : options()) {
-    if (std::ranges::find(option.traits.also, wrong) != option.traits.also.end()) {
+    const auto words = records::split(option.traits.also.words, ' ');
+    if (!wrong.empty() && std::ranges::find(words, wrong) != words.end()) {
       return fmt::format("; did you mean {}{}?", prefix, option.name);
     }
   }

@@ -6,11 +6,13 @@
 #include <stillpoint/records/units.hpp>
 #include <stillpoint/sweep/axis.hpp>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 namespace stillpoint::cli {
@@ -104,12 +106,14 @@ struct Bounds {
   std::int64_t most{0};
 };
 
-/// In some commands other options, of which an option needs one to mean anything, or beside none of
-/// which it can be given; and what they stand for, "a trajectory", or why.
-struct Beside {
+/// In some commands other options, of which an option needs one to mean anything; and what they
+/// stand for, "a trajectory".
+struct Needs {
   CommandSet commands{};
-  std::vector<std::string_view> options{};
+  std::string_view options{};  ///< with blanks between them
   std::string_view words{};
+
+  [[nodiscard]] std::vector<std::string_view> names() const { return records::split(options, ' '); }
 };
 
 /// The commands that take an option in Python, where results are objects, and what it is there.
@@ -118,29 +122,74 @@ struct InPython {
   std::string_view help{};  ///< empty: as elsewhere
 };
 
-/// Traits that most options leave at their defaults.
+/// The commands in which a number is an axis.
+struct Swept : CommandSet {};
+/// A physical option of that dimension.
+struct InSi {
+  Dimension dimension;
+};
+struct Values {
+  std::vector<std::string_view> (*all)(){nullptr};
+  bool first_is_default{false};
+};
+/// Beside none of which it can be given; and why.
+struct Excludes : Needs {};
+/// Other words for it, with blanks between them.
+struct Also {
+  std::string_view words{};
+};
+/// What to give where it is refused: "a design takes --pulse".
+struct Instead {
+  std::string_view words{};
+};
+enum class Trait { repeats, limits_case, not_explored };
+
+/// What an option is besides its name and help: any of these facts, each of a type of its own.
 struct OptionTraits {
-  CommandSet axis{};  ///< where a number is an axis
+  Swept axis{};
   Rivals rivals{Rivals::none};
   Units units{Units::any};
   Dimension dimension{Dimension::none};
   Role role{Role::input};
   FileUse file{FileUse::none};
-  std::vector<std::string_view> values{};  ///< all values that a text may have; empty: any text
-  bool first_is_default{false};            ///< of the values
-  bool repeats{false};  ///< may be given several times; a file, to commands that take a suite
-  RangeEnd range{RangeEnd::none};  ///< for designs LOW:HIGH is a value as well
+  Values values{};                    ///< all that a text may have; none: any text
+  std::string (*in_help)(){nullptr};  ///< where the help does not have the values
+  RangeEnd range{RangeEnd::none};     ///< for designs LOW:HIGH is a value as well
   DesignFor design{DesignFor::both};
   bool limits_case{false};  ///< each case of a design may have its own
   Load load{Load::none};
   Bounds bounds{};  ///< of an integer
   InScene in_scene{InScene::plain};
-  Beside needs{};
-  std::vector<Beside> excludes{};
-  std::vector<std::string_view> also{};  ///< other words for it
-  std::string_view instead{};        ///< what to give where it is refused: "a design takes --pulse"
+  Needs needs{};
+  std::array<Excludes, 2> excludes{};
+  Also also{};
+  Instead instead{};
   std::optional<InPython> python{};  ///< empty: what its role says
-  bool explored{true};               ///< if the page with the program in it can take it
+  bool repeats{false};  ///< may be given several times; a file, to commands that take a suite
+  bool explored{true};  ///< if the page with the program in it can take it
+
+  template <class... Facts>
+  explicit constexpr OptionTraits(const Facts&... facts) {
+    (set(facts), ...);
+  }
+
+ private:
+  template <class Fact>
+  constexpr void set(const Fact& fact) {
+    std::get<Fact&>(std::tie(axis, rivals, units, dimension, role, file, values, in_help, range,
+                             design, load, bounds, in_scene, needs, also, instead)) = fact;
+  }
+  constexpr void set(const InSi& fact) {
+    units = Units::physical;
+    dimension = fact.dimension;
+  }
+  constexpr void set(const Excludes& fact) { excludes[excludes[0].options.empty() ? 0 : 1] = fact; }
+  constexpr void set(const InPython& fact) { python = fact; }
+  constexpr void set(Trait fact) {
+    repeats = repeats || fact == Trait::repeats;
+    limits_case = limits_case || fact == Trait::limits_case;
+    explored = explored && fact != Trait::not_explored;
+  }
 };
 
 /// One option of the program: a flag --name on the command line and a key of a scene file, where
@@ -149,11 +198,15 @@ struct Option {
   std::string_view name;
   OptionKind kind;
   std::string_view placeholder;  ///< in --help
-  std::string_view group;        ///< heading in --help
-  std::string help;
+  std::string_view help;
   CommandSet commands;
   OptionTraits traits{};
+  std::string_view group{};  ///< heading in --help
 
+  /// All that a text may have; empty: any text.
+  [[nodiscard]] std::vector<std::string_view> values() const {
+    return traits.values.all == nullptr ? std::vector<std::string_view>() : traits.values.all();
+  }
   [[nodiscard]] bool serves(Command command) const { return commands.has(command); }
   [[nodiscard]] OptionKind kind_in(Command command) const {
     return traits.axis.has(command) ? OptionKind::axis : kind;
@@ -170,9 +223,12 @@ struct Option {
   [[nodiscard]] std::string more_values_in(Command command) const {
     return command == Command::spectrum && traits.axis.has(command) ? "; first:last:count"
            : command == Command::sweep || !takes_range_in(command) ||
-                   help.find("LOW:HIGH") != std::string::npos
+                   help.find("LOW:HIGH") != std::string_view::npos
                ? ""
                : "; LOW:HIGH for a range";
+  }
+  [[nodiscard]] std::string help_in(Command command) const {
+    return std::string(help) + more_values_in(command);
   }
   [[nodiscard]] bool shapes(Load load) const {
     return traits.load != Load::none &&

@@ -33,22 +33,24 @@ void require_no_rivals(const Settings& settings, Command command) {
 }
 
 void require_needs(const Settings& settings, Command command, const Option& option) {
-  const auto& [commands, others, what] = option.traits.needs;
-  if (commands.has(command) && std::ranges::none_of(others, [&](std::string_view other) {
+  const Needs& needs = option.traits.needs;
+  const auto others = needs.names();
+  if (needs.commands.has(command) && std::ranges::none_of(others, [&](std::string_view other) {
         return gives(settings, *find_option(other));
       })) {
     const Option& needed = *find_option(others.front());
-    throw UsageError(fmt::format("{} needs {}: give --{}{}{} as well", option.name, what,
+    throw UsageError(fmt::format("{} needs {}: give --{}{}{} as well", option.name, needs.words,
                                  needed.name, needed.placeholder.empty() ? "" : " ",
                                  needed.placeholder));
   }
 }
 
 void refuse_excluded(const Settings& settings, Command command, const Option& option) {
-  for (const auto& [commands, others, why] : option.traits.excludes) {
-    for (const std::string_view other : others) {
-      if (commands.has(command) && gives(settings, *find_option(other))) {
-        throw UsageError(fmt::format("{} and {} cannot be combined: {}", option.name, other, why));
+  for (const Excludes& excludes : option.traits.excludes) {
+    for (const std::string_view other : excludes.names()) {
+      if (excludes.commands.has(command) && gives(settings, *find_option(other))) {
+        throw UsageError(
+            fmt::format("{} and {} cannot be combined: {}", option.name, other, excludes.words));
       }
     }
   }

@@ -83,7 +83,7 @@ std::vector<std::string> Settings::texts(std::string_view name) const {
 
 std::optional<std::string> Settings::known(std::string_view name) const {
   auto wanted = text(name);
-  const auto& values = find_option(name)->traits.values;
+  const auto values = find_option(name)->values();
   if (wanted && std::ranges::find(values, *wanted) == values.end()) {
     throw InputError(std::string(name), *wanted, must_be(*wanted, values));
   }

@@ -95,7 +95,7 @@ std::string type_of(const Option& option, Command command) {
 
 std::string help_of(const Option& option) {
   const auto& here = option.traits.python;
-  return here && !here->help.empty() ? std::string(here->help) : option.help;
+  return std::string(here && !here->help.empty() ? here->help : option.help);
 }
 
 }  // namespace

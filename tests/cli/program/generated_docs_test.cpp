@@ -127,12 +127,14 @@ BOOST_AUTO_TEST_CASE(name_options_of_the_same_command) {
   };
   for (const cli::Option& option : cli::options()) {
     // What is needed may be one of several; the first, which a message names, is in each command.
-    if (const auto& [commands, others, what] = option.traits.needs; !others.empty()) {
-      check(option, commands, others.front());
+    if (const cli::Needs& needs = option.traits.needs; !needs.options.empty()) {
+      check(option, needs.commands, needs.names().front());
     }
-    for (const auto& [commands, others, why] : option.traits.excludes) {
-      for (const std::string_view other : others) {
-        check(option, commands, other);
+    for (const cli::Excludes& excludes : option.traits.excludes) {
+      for (const std::string_view other : excludes.names()) {
+        if (!other.empty()) {
+          check(option, excludes.commands, other);
+        }
       }
     }
   }
