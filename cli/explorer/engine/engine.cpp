@@ -3,7 +3,6 @@
 
 #include "input/motion.hpp"
 #include "input/request.hpp"
-#include "input/warnings.hpp"
 #include "options/scene.hpp"
 
 #include <stillpoint/answers/exit_code.hpp>
@@ -15,6 +14,7 @@
 #include <stillpoint/core/state.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/records/text.hpp>
+#include <stillpoint/report/document.hpp>
 #include <stillpoint/report/page_frame.hpp>
 
 #include <fmt/format.h>
@@ -83,7 +83,14 @@ ordered_json said_of(const Report& report, const json& request) {
       }
     }
   }
-  return {{"exit", static_cast<int>(answers::exit_code(report))}, {"figures", drawn}};
+  ordered_json answer{{"exit", static_cast<int>(answers::exit_code(report))}, {"figures", drawn}};
+  if constexpr (!std::is_same_v<Report, report::MotionReport>) {
+    if (request.at("document").get<bool>()) {
+      const report::Document shown = document(report, report::Verbosity::full);
+      answer["document"] = report::html(shown.answer) + report::html(shown);
+    }
+  }
+  return answer;
 }
 
 // A page waits for its answer: both take less than a second.
@@ -208,9 +215,9 @@ extern "C" {
 
 /// {version, style, outcomes, options}.
 const char* stillpoint_about();
-/// Of {command, options, figures, report}, the ids of the figures to draw and whether a report is
-/// wanted: {exit, figures, doubts}, the report and the drawings, each after a separator; or
-/// {error}.
+/// Of {command, options, figures, report, document}, the ids of the figures to draw and whether a
+/// report and its sections as HTML are wanted: {exit, figures, doubts, document}, the report and
+/// the drawings, each after a separator; or {error}.
 const char* stillpoint_run(const char* request);
 /// "{}" or {error}; then the columns tau, x and v are in stillpoint_numbers().
 const char* stillpoint_motion(const char* options, int points);

@@ -40,16 +40,12 @@ async function createEngine() {
           }
           written.push(name);
         }
-        const request = {
-          command,
-          options,
-          figures: ask.figures ?? [],
-          report: ask.report ?? true,
-        };
+        const request = { command, options, figures: [], report: true, document: false, ...ask };
         const { answer, behind } = withText(JSON.stringify(request), module._stillpoint_run);
         if (answer.error !== undefined) return answer;
         const [json, ...drawn] = behind;
-        const report = json ? JSON.parse(json) : null;
+        // Its sentences as a page writes them; no number has these signs together.
+        const report = json ? JSON.parse(json.replaceAll("+-", "\u00b1")) : null;
         const figures = drawn.map((svg, i) => ({ ...answer.figures[i], svg }));
         return { ...answer, json, report, figures };
       } finally {

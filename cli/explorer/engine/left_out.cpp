@@ -10,12 +10,17 @@
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/works_for.hpp>
 #include <stillpoint/figures/figure.hpp>
+#include <stillpoint/report/report.hpp>
 
 #include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
+
+namespace stillpoint::report {
+struct FigureUnits;
+}
 
 namespace stillpoint::figures {
 
@@ -25,6 +30,14 @@ std::string map_base64(const FigureMap& /*map*/) {
 }
 
 }  // namespace stillpoint::figures
+
+namespace stillpoint::report {
+
+void add_parts(figures::Figure& figure, const Catalogue& catalogue, const FigureUnits& units);
+void add_parts(figures::Figure& /*figure*/, const Catalogue& /*catalogue*/,
+               const FigureUnits& /*units*/) {}
+
+}  // namespace stillpoint::report
 
 namespace stillpoint::design {
 

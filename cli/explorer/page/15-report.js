@@ -55,10 +55,20 @@ function limit_of({ input, physical }) {
   return input.beta * (physical?.length_unit_m ?? 1);
 }
 
+/** The largest rest allowed off x = 0. @param {any} report */
+function residual_of({ input, physical }) {
+  return (input.residual ?? 0) * (physical?.length_unit_m ?? 1);
+}
+
 /** The weakest and the strongest hit of the task. @param {any} report @param {number} unit */
 function ends(report, unit = 1) {
   const [low, high] = report.input.v0_range ?? [report.input.v0, report.input.v0];
   return [low * unit, high * unit];
+}
+
+/** The same in the unit of the task. @param {any} report */
+function velocities_of(report) {
+  return ends(report, report.physical?.velocity_unit_m_per_s);
 }
 
 /** How hits of each strength end. @param {any} report */

@@ -16,128 +16,47 @@
  * @property {(report: any) => Array<number | null | undefined>} read its value, or both ends
  */
 
-/** @type {Field} */
-const arrivals = {
-  name: "arrivals",
-  label: "returns allowed",
-  least: 1,
-  most: 6,
-  unit: "",
-  read: (report) => [report.input.arrivals],
-};
+/**
+ * @param {string} name @param {string} label @param {number[]} range @param {string} unit
+ * @param {(report: any) => Array<number | null | undefined>} read
+ * @param {Partial<Field>} more
+ * @returns {Field}
+ */
+function field(name, label, [least, most], unit, read, more = {}) {
+  return { name, label, least, most, unit, read, ...more };
+}
 
-/** @type {Field[]} */
+const log = { log: true };
+const stroke = { log: true, stroke: true };
+const two = { two: true };
+const absent = { absent_at_least: true };
+const arrivals = field("arrivals", "returns allowed", [1, 6], "", (of) => [of.input.arrivals]);
+
 const physical_fields = [
-  {
-    name: "period",
-    label: "natural period",
-    least: 0.1,
-    most: 10,
-    log: true,
-    unit: "s",
-    read: (report) => [report.physical?.period_s],
-  },
-  {
-    name: "mass",
-    label: "mass",
-    least: 1,
-    most: 1e7,
-    log: true,
-    unit: "kg",
-    read: (report) => [report.physical?.mass_kg],
-  },
-  {
-    name: "velocity",
-    label: "hit velocity",
-    least: 0,
-    most: 2,
-    two: true,
-    unit: "m/s",
-    read: (report) => ends(report, report.physical?.velocity_unit_m_per_s),
-  },
-  {
-    name: "max-displacement",
-    label: "stroke limit",
-    least: 0.001,
-    most: 1,
-    log: true,
-    unit: "m",
-    stroke: true,
-    read: (report) => [limit_of(report)],
-  },
+  field("period", "natural period", [0.1, 10], "s", (of) => [of.physical?.period_s], log),
+  field("mass", "mass", [1, 1e7], "kg", (of) => [of.physical?.mass_kg], log),
+  field("velocity", "hit velocity", [0, 2], "m/s", velocities_of, two),
+  field("max-displacement", "stroke limit", [0.001, 1], "m", (of) => [limit_of(of)], stroke),
   arrivals,
-  {
-    name: "residual-m",
-    label: "residual allowed",
-    least: 0,
-    most: 0.1,
-    absent_at_least: true,
-    unit: "m",
-    read: (report) => [(report.input.residual ?? 0) * report.physical?.length_unit_m],
-  },
+  field("residual-m", "residual allowed", [0, 0.1], "m", (of) => [residual_of(of)], absent),
 ];
 
-/** @type {Field[]} */
 const dimensionless_fields = [
-  {
-    name: "p",
-    label: "square root of the stiffness p",
-    least: 0.05,
-    most: 20,
-    log: true,
-    unit: "",
-    read: (report) => [report.input.p],
-  },
-  {
-    name: "v0",
-    label: "velocity of the hit V₀",
-    least: 0,
-    most: 5,
-    two: true,
-    unit: "",
-    read: (report) => ends(report),
-  },
-  {
-    name: "beta",
-    label: "stroke limit β",
-    least: 0.01,
-    most: 10,
-    log: true,
-    unit: "",
-    stroke: true,
-    read: (report) => [report.input.beta],
-  },
+  field("p", "square root of the stiffness p", [0.05, 20], "", (of) => [of.input.p], log),
+  field("v0", "velocity of the hit V₀", [0, 5], "", velocities_of, two),
+  field("beta", "stroke limit β", [0.01, 10], "", (of) => [limit_of(of)], stroke),
   arrivals,
-  {
-    name: "residual",
-    label: "residual allowed",
-    least: 0,
-    most: 1,
-    absent_at_least: true,
-    unit: "",
-    read: (report) => [report.input.residual ?? 0],
-  },
+  field("residual", "residual allowed", [0, 1], "", (of) => [residual_of(of)], absent),
 ];
 
 /** The kinds of notch, each with its own slider. @type {Record<string, (physical: boolean) => Field | null>} */
 const notch_fields = {
   "ideal, at x = 0": () => null,
-  "with a width": (physical) => ({
-    name: physical ? "notch-width-m" : "notch-width",
-    label: "width of the notch",
-    least: 0,
-    most: physical ? 0.1 : 0.5,
-    unit: physical ? "m" : "",
-    read: () => [],
-  }),
-  "that lets go": () => ({
-    name: "hold",
-    label: "hold of the notch",
-    least: 0,
-    most: 0.5,
-    unit: "g",
-    read: () => [],
-  }),
+  "with a width": (physical) =>
+    physical
+      ? field("notch-width-m", "width of the notch", [0, 0.1], "m", () => [])
+      : field("notch-width", "width of the notch", [0, 0.5], "", () => []),
+  "that lets go": () => field("hold", "hold of the notch", [0, 0.5], "g", () => []),
 };
 const notch_options = [...rivals("hold"), "hold"];
 const slider_steps = 1000;

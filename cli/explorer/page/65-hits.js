@@ -48,7 +48,7 @@ class HitsView {
         return part;
       }),
     );
-    const designed = ends(report, physical?.velocity_unit_m_per_s);
+    const designed = velocities_of(report);
     for (const hit of new Set(designed)) {
       const mark = make("div", { class: "designed" });
       mark.style.left = percent(hit);

@@ -380,14 +380,21 @@ class Bench {
       fill(el("sheet"), make("h1", {}, "No damper"), make("p", {}, words));
       return;
     }
+    const { engine, options, damper } = this;
+    const command = has_damper(options) ? "region" : "design";
+    const ask = { report: false, document: true };
+    const said = engine.run(command, options_of(command, options), ask);
+    const f_delta = { f: String(damper.f), delta: String(damper.delta) };
+    const task = { ...without(options_of("region", options), damper_options), ...f_delta };
+    const others = engine.run("region", task, { report: false, figures: ["hits"] });
     draw_sheet({
-      options: this.options,
-      report: this.judged,
-      motion: this.motion,
-      tolerance: this.tolerance,
+      options,
+      verdict: this.judged.verdict,
+      document: ("document" in said && said.document) || "",
+      hits: "figures" in others ? others.figures : [],
       command: this.commands().trim(),
-      link: to_fragment(this.options),
-      version: this.engine.version,
+      link: to_fragment(options),
+      version: engine.version,
     });
   }
 }

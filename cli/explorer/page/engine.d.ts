@@ -28,6 +28,8 @@ interface Answer {
   /** Values that are absurd together, each with what may have been meant. */
   doubts: string[];
   figures: Figure[];
+  /** The sections of the report as HTML, of a design or a region if they are asked for. */
+  document?: string;
 }
 
 /** Wrong input: the program's one line. */
@@ -57,7 +59,7 @@ interface Engine {
   run(
     command: string,
     options: Options,
-    ask?: { figures?: string[]; report?: boolean },
+    ask?: { figures?: string[]; report?: boolean; document?: boolean },
     files?: Record<string, Uint8Array>,
   ): Answer | Refusal;
   motion(options: Options, points: number): Motion | Refusal;

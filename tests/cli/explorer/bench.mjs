@@ -190,10 +190,10 @@ export function program(words) {
   return run.stdout ? JSON.parse(run.stdout) : { refused: run.stderr };
 }
 
-/** The report for people, in one line. @param {string} command @param {string} fragment */
+/** The report for people, in one line and with the signs of the page. @param {string} command @param {string} fragment */
 export function told(command, fragment) {
   const run = spawnSync(program_file, [command, ...words_of(fragment)], { encoding: "utf8" });
-  return run.stdout.replace(/\s+/g, " ");
+  return run.stdout.replace(/\s+/g, " ").replaceAll("+-", "\u00b1");
 }
 
 /**
