@@ -7,6 +7,7 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/motion_findings.hpp>
+#include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/report.hpp>
 #include <stillpoint/report/spectrum.hpp>
 #include <stillpoint/report/terminal.hpp>
@@ -80,9 +81,22 @@ design::Spectrum watched(const design::SpectrumRequest& request) {
   return result;
 }
 
+/// Ends with what was found where it is interrupted.
+report::RecordDesignReport watched(const report::RecordDesignInput& input) {
+  design::RecordProgress last;
+  Progress progress([&](double, double) { return report::progress_words(last, input.physical); },
+                    1);
+  const auto show = [&](const design::RecordProgress& now) {
+    last = now;
+    return progress.goes_on(
+        std::min(1.0, static_cast<double>(now.evaluations) / static_cast<double>(now.expected)));
+  };
+  return {design::design(input.request, show), input.physical};
+}
+
 ExitCode run_design(const Settings& settings, Output& output) {
   if (designs_under_records(settings)) {
-    return run_record_design(settings, output);
+    return finish(watched(record_design_input(settings)), Command::design, settings, output);
   }
   return finish(answers::answer(design_input(settings)), Command::design, settings, output);
 }

@@ -18,10 +18,9 @@ using enum answers::ExitCode;
 ExitCode run(Command command, const Settings& settings, Output& output);
 
 /// Those with their own file.
-ExitCode run_record_design(const Settings& settings, Output& output);
 ExitCode run_sweep(const Settings& settings, Output& output);
+ExitCode run_accuracy(const Settings& settings, Output& output);
 /// Joins the parts of a sweep.
 ExitCode run_merge(const MergeFiles& files, Output& output);
-ExitCode run_accuracy(const Settings& settings, Output& output);
 
 }  // namespace stillpoint::cli

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 #include "input/request.hpp"
-#include "input/warnings.hpp"
 #include "messages.hpp"
 #include "options/command_line.hpp"
 #include "options/scene.hpp"

@@ -82,6 +82,10 @@ template <class Objective>
   return *objective;
 }
 
+/// A sentence for each doubt about the values, and for each file in a folder of records that is
+/// skipped. Throws FileError.
+[[nodiscard]] std::vector<std::string> warnings(const Settings& settings, Command command);
+
 /// The options of those names, or their defaults. Throw InputError.
 [[nodiscard]] design::Criterion criterion(const Settings& settings);
 [[nodiscard]] design::Objective objective(const Settings& settings);

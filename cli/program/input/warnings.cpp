@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "input/warnings.hpp"
-
 #include "input/excitation.hpp"
 #include "input/record.hpp"
+#include "input/request.hpp"
 
 #include <optional>
 

@@ -2,7 +2,7 @@
 #include "arguments.hpp"
 
 #include "held_arrays.hpp"
-#include "input/warnings.hpp"
+#include "input/request.hpp"
 #include "options/scene.hpp"
 
 #include <stillpoint/records/text.hpp>
