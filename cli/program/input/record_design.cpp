@@ -115,7 +115,8 @@ report::RecordDesignInput record_design_input(const Settings& settings) {
     request.delta = Interval{range->low / length, range->high / length};
   }
   request.delta_max = point_friction(settings, "delta-max", start.physical);
-  request.objective = objective_of(settings, usual_objective(request.cases), " under records");
+  request.objective = objective_of(settings, usual_objective(request.cases),
+                                   settings.has("cases") ? " with cases" : " under records");
   request.objective_case = objective_case(settings, request.cases);
   request.hold = settings.number("hold");
   if (const auto width = notch_width(settings, start.physical)) {

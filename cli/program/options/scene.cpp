@@ -222,11 +222,11 @@ void find_files(Settings& settings, const std::string& scene) {
     settings.set(option, found);
   }
   if (const auto text = settings.text("cases")) {
-    auto cases = nlohmann::json::parse(*text);
-    for (nlohmann::json& each : cases) {
-      find_files_of(each, scene);
+    auto cases = nlohmann::json::parse(*text, nullptr, false);
+    if (cases.is_array()) {
+      std::ranges::for_each(cases, [&](nlohmann::json& each) { find_files_of(each, scene); });
+      settings.set("cases", cases.dump());
     }
-    settings.set("cases", cases.dump());
   }
 }
 

@@ -40,11 +40,11 @@ void drop_excitation(const Settings& flags, Settings& scene) {
 }
 
 /// A design is for a hit or under records. A flag for one sets aside the other in the scene; if a
-/// scene has both, for several commands, a design takes the hit.
+/// scene has both, for several commands, a design takes the hit, unless they are of several cases.
 void keep_one_design(const Settings& flags, Settings& settings) {
   const bool for_a_hit = flags.given(Rivals::hit) != nullptr ||
                          (settings.given(Rivals::hit) != nullptr && !asks_for_records(flags));
-  if (!for_a_hit && !asks_for_records(settings)) {
+  if ((!for_a_hit && !asks_for_records(settings)) || settings.has("cases")) {
     return;
   }
   for (const Option& option : options()) {

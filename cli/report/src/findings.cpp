@@ -54,8 +54,8 @@ constexpr auto wordings = [] {
       {exact_only, "No other damper was tried: one that is not exactly this one may do anything."},
       {exceeds_later, "After the first swing, which meets its limit, the {figure} is {beyond}."},
       {fails_if_off,
-       "If [{input=period?}the period is|the scale of all records is] off by {off:%} as well, the "
-       "[{figure} may be {beyond}|mass may never come to rest]."},
+       "If [{input=period?}the period|{input=load?}the load|the scale of all records] is off by "
+       "{off:%} as well, the [{figure} may be {beyond}|mass may never come to rest]."},
       {friction_above_weight,
        "The friction is more than the weight: that takes a brake, not a bearing."},
       {interrupted, "The search was interrupted: a complete one may find a better damper."},
@@ -67,8 +67,9 @@ constexpr auto wordings = [] {
        "{tolerance:%}]."},
       {locks,
        "The notch locks the mass to the end of [{of_records=1?}{records?}the "
-       "record|{records=of_records?}every record|{records} of {of_records} records|the load at "
-       "{periods} of {of_periods} periods|the load, at x = {final_position} from {locked_from} to "
+       "record|{records=of_records?}every record|{records} of {of_records} records|{pulses?}the "
+       "load|the load at {periods} of {of_periods} periods|the load, at x = {final_position} from "
+       "{locked_from} to "
        "{load_end}][, after it moves for {moved} in all]; the structure then feels up to "
        "{largest_load_while_locked}."},
       {never_moves,

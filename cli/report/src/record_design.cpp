@@ -95,7 +95,8 @@ void add_motions(Document& document, const design::RecordDesign& result, const P
   const auto number = [](double value) { return format("{:.5g}", value); };
   const std::vector<design::LoadCase>& cases = result.request.cases;
   const bool alone = cases.size() == 1;
-  Table table{{"case", alone ? "record" : "motion", "PGA, g", in("peak", units.length),
+  const bool shaken = alone && cases.front().of_records();
+  Table table{{"case", shaken ? "record" : "motion", "PGA, g", in("peak", units.length),
                in("residual", units.length), "transmitted, g", in("rests from", units.time), ""},
               {}};
   for (std::size_t c = 0; c < cases.size(); ++c) {
@@ -113,14 +114,14 @@ void add_motions(Document& document, const design::RecordDesign& result, const P
             response.locks() && alone ? "locked" : ""}});
     }
   }
-  document.section(alone ? "Records" : "Motions", {without_empty_columns(std::move(table))})
+  document.section(shaken ? "Records" : "Motions", {without_empty_columns(std::move(table))})
       .detail = !alone;
 }
 
 std::string no_damper(const design::RecordDesign& result) {
   const auto& largest = result.largest_tolerance;
   return result.search.interrupted ? "No damper was verified before the search was interrupted."
-         : !settled(result.nearest.figures)
+         : !result.nearest.figures.empty() && !settled(result.nearest.figures)
              ? "No damper was found: none of those tried comes to rest."
              : format("No damper was found that meets the limits{}.{}",
                       result.request.tolerance.exact() ? "" : " within its tolerance",

@@ -85,11 +85,13 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
 void add_check(Section& answer, const design::CrossCheck& check) {
   const double most =
       std::ranges::max(check.methods, {}, &design::CheckMethod::relative_error).relative_error;
-  answer.row(
-      "checks",
-      format("{} independent method{} {} to within {:.1e}", check.methods.size(),
-             check.methods.size() == 1 ? "" : "s", check.passed ? "agree" : "DISAGREE", most),
-      check.passed ? Tone::good : Tone::bad);
+  answer.row("checks",
+             format("{} independent method{} to within {:.1e}", check.methods.size(),
+                    check.methods.size() == 1 ? (check.passed ? " agrees" : " DISAGREES")
+                    : check.passed            ? "s agree"
+                                              : "s DISAGREE",
+                    most),
+             check.passed ? Tone::good : Tone::bad);
 }
 
 void add_start(Section& answer, double least_width, const Response& response,

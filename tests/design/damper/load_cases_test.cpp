@@ -152,6 +152,17 @@ BOOST_AUTO_TEST_CASE(figures_are_those_of_each_motion_by_itself) {
   }
 }
 
+// A notch without a width that takes all of the weakest hit would hold the mass where it is.
+BOOST_AUTO_TEST_CASE(every_damper_of_a_box_lets_a_hit_start) {
+  RecordDesignRequest request{.cases = {under_hit({0.5, 0.5}, {.peak = 1, .residual = 0.5})},
+                              .objective = SuiteObjective::amplitude};
+  request.cases.front().limits.passages = 3;
+  const RecordDesign found = design::design(request);
+  BOOST_REQUIRE(found.finding.has_value());
+  BOOST_TEST(found.finding->box.delta.high < 0.125);
+  BOOST_TEST(found.nearest.figures.front().peak > 0);
+}
+
 BOOST_AUTO_TEST_CASE(the_objective_is_the_largest_of_all_cases_or_that_of_one) {
   const TaskFigures figures{{.acceleration = 0.3}, {.acceleration = 0.2}};
   SuiteGoal goal{&SuiteFigures::acceleration, {}, {{}, {}}};
@@ -176,6 +187,7 @@ BOOST_AUTO_TEST_CASE(wrong_cases_are_refused) {
     request.cases[0].pulse = PulseLoad{HalfSine{1, 1}, 2};
   });
   refused("records", [](auto& request) { request.cases.emplace_back(); });
+  refused("residual", [](auto& request) { request.width = Interval{0.1, 0.1}; });
 }
 
 BOOST_AUTO_TEST_SUITE_END()

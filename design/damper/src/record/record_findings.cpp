@@ -57,7 +57,11 @@ void add_motions(std::vector<Finding>& all, const RecordDesign& result, std::siz
   if (!moves) {
     Finding& still = add(all, never_moves, load_case);
     still.add("largest_load", peak_load(load_case, p), Dimension::gravities);
-    add_count(still, "records", responses.size());
+    if (load_case.of_records()) {
+      add_count(still, "records", responses.size());
+    } else {
+      still.values.push_back({"by", "friction"});
+    }
   }
   if (!isolates(result)) {
     Finding& useless = add(all, does_not_isolate, load_case);
@@ -74,8 +78,12 @@ void add_motions(std::vector<Finding>& all, const RecordDesign& result, std::siz
   if (count > 0 && moves) {
     Finding& lock = add(all, locks, load_case);
     lock.add("largest_load_while_locked", most, Dimension::gravities);
-    add_count(lock, "records", count);
-    add_count(lock, "of_records", responses.size());
+    if (load_case.of_records()) {
+      add_count(lock, "records", count);
+      add_count(lock, "of_records", responses.size());
+    } else {
+      lock.add("pulses", static_cast<double>(count));
+    }
   }
   if (const double jump = result.finding->box.worst[in_case].jump; jump > 0) {
     add(all, jolts, load_case).add("jump", jump, Dimension::velocity);
@@ -114,6 +122,9 @@ void add_hidden(std::vector<Finding>& all, const RecordDesign& result, std::size
 /// What a period, or a scale of the records, that is off breaks.
 void add_outlook(std::vector<Finding>& all, const LoadCase& load_case, std::string_view input,
                  const SuiteFigures& worst) {
+  if (input == "scale" && !load_case.of_records()) {
+    input = "load";
+  }
   const auto fails = [&](std::string_view figure) -> Finding& {
     Finding& finding = add(all, fails_if_off, load_case);
     finding.values.push_back({"input", std::string(input)});

@@ -49,6 +49,23 @@ void keep_below(std::optional<Interval>& range, const std::optional<double>& mos
 /// one that hardly loses energy rests anywhere.
 constexpr double latest_rest = 20;
 
+/// What every damper of a box stays below so that a hit or a pulse moves the mass: a notch without
+/// a width takes the whole of a hit, and friction holds the mass under a pulse that must bring it
+/// back.
+void require_start(RecordDesignRequest& request, const LoadCase& load_case) {
+  constexpr double below = 1 - 1e-9;
+  const auto bound = [&](std::optional<double>& most, double value) {
+    most = std::min(most.value_or(HUGE_VAL), below * value);
+  };
+  if (load_case.v0 && !request.width) {
+    bound(request.delta_max, load_case.v0->low * load_case.v0->low / 2);
+  }
+  if (load_case.pulse && load_case.limits.residual == 0.0) {
+    const auto& [pulse, k_low] = *load_case.pulse;
+    bound(request.f_max, k_low.value_or(peak_load(pulse)));
+  }
+}
+
 /// The largest |x| without a damper.
 double free_peak(const LoadCase& load_case, double p) {
   double peak = 0;
@@ -116,6 +133,11 @@ void require_valid(const LoadCase& load_case, const RecordDesignRequest& request
   require_limit("residual", limits.residual, 0);
   require_limit("jump-max", limits.jump, 0);
   require_limit("arrivals", limits.passages, 0);
+  if (request.width && !load_case.of_records() && limits.residual == 0.0) {
+    throw InputError("residual", 0.0,
+                     "must be greater than 0 with a notch that has a width, which stops the mass "
+                     "beside x = 0");
+  }
   if (request.width && limits.jump) {
     throw InputError("jump-max", *limits.jump,
                      "is for a notch without a width, which has no jumps");
@@ -155,6 +177,9 @@ RecordDesignRequest completed(RecordDesignRequest request) {
     if (request.objective == SuiteObjective::residual && each.of_records()) {
       each.limits.late = latest_rest;
     }
+  }
+  for (const LoadCase& each : request.cases) {
+    require_start(request, each);
   }
   keep_below(request.f, request.f_max, "f-max");
   keep_below(request.delta, request.delta_max, "delta-max");
