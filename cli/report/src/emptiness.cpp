@@ -63,27 +63,31 @@ std::string reason_in_units(const design::RegionVerdict& empty, const ShownTask&
                    .value();
 }
 
-/// " One way out: a max displacement of at least 168.8 mm." Of several mends the first of
-/// what a designer can choose: that of the stroke, if there is one. Nobody chooses the hit, and the
-/// period only by another isolator.
+/// What the verdict does not say by itself.
 std::string way_out(const design::RegionVerdict& empty, const ShownTask& task) {
-  if (empty.mends.empty()) {
-    return empty.criterion_mend ? " One way out: the exact criterion." : "";
-  }
-  // As the names of v0, p, k, lambda and their ends begin.
-  static constexpr std::string_view given = "vpkl";
-  const auto chosen = std::ranges::find_if(empty.mends, [](const design::Mend& mend) {
-    return given.find(mend.field.front()) == std::string_view::npos;
-  });
-  const design::Mend& mend = chosen != empty.mends.end() ? *chosen : empty.mends.front();
-  if (empty.most_tolerant && mend.field == "tolerance") {
-    return "";  // which the verdict says
-  }
-  const auto [name, values] = way_of(mend, task.physical, task.limits, task.pulse);
-  return format(" One way out: a {} of {}.", name, values);
+  return !empty.mends.empty() && !(empty.most_tolerant && empty.mends.front().field == "tolerance")
+             ? one_way_out(empty.mends, task.physical, task.limits, task.pulse)
+         : empty.mends.empty() && empty.criterion_mend ? " One way out: the exact criterion."
+                                                       : "";
 }
 
 }  // namespace
+
+std::string one_way_out(std::span<const design::Mend> mends, const Physical& physical,
+                        const design::Limits& limits, const std::optional<design::Pulse>& pulse) {
+  if (mends.empty()) {
+    return "";
+  }
+  // As the names of v0, p, k, lambda and their ends begin.
+  static constexpr std::string_view given = "vpkl";
+  const auto chosen = std::ranges::find_if(mends, [](const design::Mend& mend) {
+    return given.find(mend.field.front()) == std::string_view::npos;
+  });
+  const design::Mend& mend = chosen != mends.end() ? *chosen : mends.front();
+  const auto [name, values] = way_of(mend, physical, limits, pulse);
+  return format(" One way out: a {} of {}{}.", name, values,
+                mend.in_case.empty() ? "" : " in " + mend.in_case);
+}
 
 std::string none_admissible(const design::RegionVerdict& empty, const ShownTask& task) {
   constexpr int as_asked = 7;  // digits

@@ -54,7 +54,12 @@ void add_answer(Section& answer, const RecordDesignReport& report) {
   const design::SuitePoint& point = result.finding->point;
   answer.row("damper", exact_words(physical, point.damper, printed_digits), Tone::heading);
   if (const auto digits = period_digits(result.request)) {
-    answer.row("spring", spring_words(physical, point.damper.p, digits));
+    const Interval& searched = result.request.p;
+    constexpr double apart = 1e-6;
+    const bool at_end = point.damper.p <= searched.low * (1 + apart) ||
+                        point.damper.p >= searched.high * (1 - apart);
+    answer.row("spring", spring_words(physical, point.damper.p, digits) +
+                             (at_end ? ", an end of what was searched" : ""));
   }
   if (result.largest_tolerance) {
     answer.row("tolerance",
@@ -118,16 +123,17 @@ void add_motions(Document& document, const design::RecordDesign& result, const P
       .detail = !alone;
 }
 
-std::string no_damper(const design::RecordDesign& result) {
+std::string no_damper(const design::RecordDesign& result, const Physical& physical) {
   const auto& largest = result.largest_tolerance;
   return result.search.interrupted ? "No damper was verified before the search was interrupted."
          : !result.nearest.figures.empty() && !settled(result.nearest.figures)
              ? "No damper was found: none of those tried comes to rest."
-             : format("No damper was found that meets the limits{}.{}",
+             : format("No damper was found that meets the limits{}.{}{}",
                       result.request.tolerance.exact() ? "" : " within its tolerance",
                       largest ? format(" The largest tolerance within the limits is {:.2g} %.",
                                        100 * *largest)
-                              : "");
+                              : "",
+                      one_way_out(result.mends, physical));
 }
 
 }  // namespace
@@ -158,7 +164,7 @@ std::string progress_words(const design::RecordProgress& progress, const Physica
 std::string verdict(const RecordDesignReport& report) {
   const auto& [result, physical] = report;
   if (!result.finding) {
-    return no_damper(result);
+    return no_damper(result, physical);
   }
   const design::SuiteDamper& damper = result.finding->point.damper;
   return format("{} {}, with {}. {}{}: {}.",

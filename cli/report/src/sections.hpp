@@ -94,6 +94,11 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
 /// Why there is no admissible design, and one way out.
 [[nodiscard]] std::string none_admissible(const design::RegionVerdict& empty,
                                           const ShownTask& task);
+/// " One way out: a max displacement of at least 168.8 mm." Of several mends the first of what a
+/// designer can choose: nobody chooses the hit, and the period only by another isolator.
+[[nodiscard]] std::string one_way_out(std::span<const design::Mend> mends, const Physical& physical,
+                                      const design::Limits& limits = {},
+                                      const std::optional<design::Pulse>& pulse = {});
 /// What would make it feasible.
 Section& add_mends(Document& document, std::span<const design::Mend> mends,
                    const Physical& physical, const design::Limits& limits = {},
