@@ -58,8 +58,7 @@ constexpr double any_jump = 1e3;
 
 NamedSuite suite(const std::string& name, std::vector<SuiteRecord> records, const Task& task) {
   constexpr double mm = 1e-3 * metre;
-  RecordDesignRequest request;
-  request.cases.front().records = std::move(records);
+  RecordDesignRequest request{.cases = {{.records = std::move(records)}}};
   request.objective = task.objective;
   request.p = {2.8 / task.periods_s.high, 2.8 / task.periods_s.low};
   request.cases.front().limits = {
