@@ -38,8 +38,8 @@ std::string exponent(double error) {
 
 TableRow method_row(const peers::MethodRow& now) {
   if (now.run != peers::Run::done) {
-    return {{std::string(now.name), setting(now), "", "", "", "",
-             now.run == peers::Run::nothing_moves ? "not run: nothing moves" : "not run: too long"},
+    return {{std::string(now.name), setting(now), "not run", "", "", "",
+             now.run == peers::Run::nothing_moves ? "nothing moves" : "too long"},
             Tone::faint};
   }
   return {

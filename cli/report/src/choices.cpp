@@ -10,12 +10,14 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace stillpoint::report {
 
 namespace {
 
-constexpr std::size_t most_rows = 12;  // with the answer, a screen
+constexpr std::size_t most_rows = 12;   // with the answer, a screen
+constexpr std::size_t most_misses = 4;  // parts that are not admissible: each has several lines
 
 /// What goes wrong if a constraint is violated: "swings beyond 150 mm".
 std::string consequence(const design::Constraint& violated, const ShownTask& task) {
@@ -33,32 +35,36 @@ std::string consequence(const design::Constraint& violated, const ShownTask& tas
                                : "exceeds the " + in_words(name);
 }
 
-/// "f must be 12 % larger", "f is 12 % too large", "delta is far too large".
+/// "f must be 12 % larger", "f is 12 % too large", "delta is far too large"; of what the
+/// consequence names "by 12 %".
 std::string by_how_much(const design::Constraint& violated) {
   const bool too_large = violated.relation.front() == '<';
-  const std::string what =
-      (violated.variable == "peak" || violated.variable == "acceleration" ? "the " : "") +
-      std::string(violated.variable);
+  const std::string_view what = violated.variable;
   if (too_large && violated.limit < 0) {
-    return format("no {} is small enough", violated.variable);
+    return format("no {} is small enough", what);
   }
   const double off = 100 * std::abs(violated.slack) / (too_large ? violated.limit : violated.value);
   constexpr double far = 1e3;  // per cent
   const std::string part = off > 0 && off < far ? limit_digits(off * (1 - 1e-12), true, 3) : "";
-  return part.empty() ? format("{} is far too {}", what, too_large ? "large" : "small")
-         : too_large  ? format("{} is {} % too large", what, part)
-                      : format("{} must be {} % larger", what, part);
+  const bool named = what == "peak" || what == "acceleration" || violated.name.ends_with("_max");
+  return named          ? "by " + (part.empty() ? "far" : part + " %")
+         : part.empty() ? format("{} is far too {}", what, too_large ? "large" : "small")
+         : too_large    ? format("{} is {} % too large", what, part)
+                        : format("{} must be {} % larger", what, part);
 }
 
 }  // namespace
 
 std::string violations(std::span<const design::Constraint> all, const ShownTask& task) {
-  std::string text;
+  std::vector<std::string> wrong;
   for (const design::Constraint& now : all) {
     if (!now.satisfied && (returns(all) || now.name != "stop")) {
-      text +=
-          format("{}{}: {}", text.empty() ? "" : "; ", consequence(now, task), by_how_much(now));
+      wrong.push_back(format("{} ({})", consequence(now, task), by_how_much(now)));
     }
+  }
+  std::string text;
+  for (std::size_t i = 0; i < wrong.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 < wrong.size() ? ", " : " and ") + wrong[i];
   }
   return text;
 }
@@ -74,7 +80,9 @@ void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& 
   const FigureUnits units = units_of(task.physical);
   const auto& parts = catalogue.parts;
   Table table{{"part", "f", in("delta", units.length), "tolerance", ""}, {}};
-  const std::size_t shown = std::min(parts.size(), most_rows);
+  const auto hits = static_cast<std::size_t>(std::ranges::count_if(
+      parts, [](const design::RatedPart& now) { return now.tolerance.has_value(); }));
+  const std::size_t shown = std::min({parts.size(), most_rows, hits + most_misses});
   for (const design::RatedPart& rated : std::span(parts).first(shown)) {
     const auto& [name, f, delta] = rated.part;
     table.rows.push_back({{name, digits(f), digits(delta * units.length),

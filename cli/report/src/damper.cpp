@@ -81,8 +81,9 @@ std::string rest_words(const ShownDamper& shown, const Physical& physical) {
     return length_shown(physical, begins_at_nothing(std::abs(x), response.peak_amplitude) ? 0 : x);
   };
   if (shown.tried() != nullptr) {
-    return format("within {} of x = 0{}", rest_shown(std::abs(shown.tried()->farthest.rest())),
-                  of_ranges(shown));
+    const std::string farthest = rest_shown(std::abs(shown.tried()->farthest.rest()));
+    return (farthest == rest_shown(0) ? "at x = 0" : format("within {} of x = 0", farthest)) +
+           std::string(of_ranges(shown));
   }
   const auto arrival = shown.built == nullptr ? shown.judged.arrival : std::nullopt;
   const double residual = std::min(problem.residual.value_or(0), problem.beta);
@@ -110,6 +111,10 @@ std::string does_words(const ShownDamper& shown, const Physical& physical) {
 
 void add_motion(Section& answer, const ShownDamper& shown, const Physical& physical) {
   const Response& response = shown.response;
+  if (!moves(response)) {
+    answer.row("acceleration", felt_words(shown, physical));
+    return;
+  }
   const double beta = shown.problem.beta;
   const double peak = peak_of(shown);
   const bool swings_on = shown.pulse && response.zero_passages.value_or(0) > 0;

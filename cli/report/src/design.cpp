@@ -56,14 +56,16 @@ std::string verdict(const DesignReport& report) {
   }
   const design::ShownDamper shown = shown_damper(report.result, report.built_notch);
   const auto& catalogue = report.catalogue;
-  return format("{} {}{}: {}.",
-                advice(report.findings, !leaves_any(shown.point.tolerance) ? "The damper found has"
-                                        : catalogue                        ? "Order"
-                                                                           : "Build"),
-                catalogue ? format("part {}, ", catalogue->parts.front().part.name) : "",
-                damper_words(report.physical, shown_f(report.result), shown.point.delta,
-                             shown.built != nullptr ? shown.built->shape : design::NotchShape()),
-                does_words(shown, report.physical));
+  const bool sound = leaves_any(shown.point.tolerance) && advice(report.findings, "").empty();
+  return format(
+      "{} {}: {}.",
+      sound       ? (catalogue ? "Order" : "Build")
+      : catalogue ? "The damper found is"
+                  : "The damper found has",
+      (catalogue ? format("part {}, ", catalogue->parts.front().part.name) : "") +
+          damper_words(report.physical, shown_f(report.result), shown.point.delta,
+                       shown.built != nullptr ? shown.built->shape : design::NotchShape()),
+      does_words(shown, report.physical));
 }
 
 Document document(const DesignReport& report) {

@@ -51,9 +51,9 @@ std::string value_words(const ordered_json& value, const SiUnit& unit) {
   if (value.is_array()) {
     std::string words;
     for (const ordered_json& item : value) {
-      words += (words.empty()                            ? ""
-                : value.size() == 2 && !item.is_string() ? " to "
-                                                         : ", ") +
+      words += (words.empty()                                                ? ""
+                : value.size() == 2 && !item.is_string() && !item.is_array() ? " to "
+                                                                             : ", ") +
                value_words(item, unit);
     }
     return words;

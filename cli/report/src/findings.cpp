@@ -68,7 +68,8 @@ constexpr auto wordings = [] {
       {locks,
        "The notch locks the mass to the end of [{of_records=1?}{records?}the "
        "record|{records=of_records?}every record|{records} of {of_records} records|{pulses?}the "
-       "load|the load at {periods} of {of_periods} periods|the load, at x = {final_position} from "
+       "load|{periods=of_periods?}the load at every period|the load at {periods} of {of_periods} "
+       "periods|the load, at x = {final_position} from "
        "{locked_from} to "
        "{load_end}][, after it moves for {moved} in all]; the structure then feels up to "
        "{largest_load_while_locked}."},
@@ -77,7 +78,8 @@ constexpr auto wordings = [] {
        "through every record|{stop_position=0?}nothing acts on it|[{by=notch?}the ]{by} holds it[ "
        "at x = {stop_position}]][, and the structure feels up to {largest_load}]."},
       {no_notch_works,
-       "No notch works: only one wider than {least_width:least} would let the load move the mass, "
+       "No notch with this delta works: only one wider than {least_width:least} would let the load "
+       "move the mass, "
        "but the peak is {peak_amplitude}."},
       {notch_changes_nothing, "With this notch the mass moves as with the paper's."},
       {notch_fails,
@@ -110,7 +112,8 @@ constexpr auto wordings = [] {
        "and that may change {changes}]|If {varied} [{varied=f?}is|are] 1 % off, "
        "that may change {changes}]."},
       {too_exact,
-       "Too exact to be built: [the tolerance is only {tolerance:%}|f is on the edge of the "
+       "Too exact to be built: [{tolerance=0?}nothing may be off|the tolerance is only "
+       "{tolerance:%}|f is on the edge of the "
        "region]."},
   });
 }();

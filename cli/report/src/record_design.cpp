@@ -188,7 +188,7 @@ Document document(const RecordDesignReport& report) {
     add_motions(document, result, physical);
   } else if (settled(result.nearest.figures)) {
     const design::SuiteDamper& damper = result.nearest.damper;
-    document.answer.row("nearest", format("{}, {}", exact_words(physical, damper, {}),
+    document.answer.row("nearest", format("{}, with {}", exact_words(physical, damper, {}),
                                           spring_words(physical, damper.p)));
     if (!result.mends.empty()) {
       add_mends(document, result.mends, physical);

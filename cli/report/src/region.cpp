@@ -112,10 +112,12 @@ Document document(const RegionReport& report) {
              format("f = {:.9g}{}", *f, delta ? ", delta = " + length_shown(physical, *delta) : ""),
              Tone::heading);
   }
-  if (delta && region.feasible) {
-    rows.row("feasible f", feasible_words(report) + std::string(asked));
+  if (delta) {
+    rows.row("feasible f",
+             (region.feasible ? feasible_words(report) : "none") + std::string(asked));
   }
-  if (const auto& feasible = answer.feasible_delta; feasible && (f || !feasible->empty())) {
+  if (const auto& feasible = answer.feasible_delta;
+      feasible && (f || !feasible->empty()) && (region.feasible || !delta)) {
     rows.row("feasible delta",
              format("{} at {}{}", feasible->empty() ? "none" : delta_words(*feasible, physical),
                     f ? "this f" : "every feasible f", asked));

@@ -20,7 +20,8 @@ std::string damper_words(const Physical& physical, const std::optional<double>& 
                             : shape.hold ? format(" that lets go at {} above the friction",
                                                   acceleration_shown(*shape.hold))
                                          : "";
-  const std::string friction = !f        ? "as little constant friction as you can"
+  const std::string friction = !f                   ? "as little constant friction as possible"
+                               : weighed && *f == 0 ? "no constant friction"
                                : weighed ? "a friction force of " + with_unit(*force, "N")
                                : digits  ? format("f = {:.{}g}", *f, *digits)
                                          : format("f = {}", *f);
@@ -86,11 +87,11 @@ void add_check(Section& answer, const design::CrossCheck& check) {
   const double most =
       std::ranges::max(check.methods, {}, &design::CheckMethod::relative_error).relative_error;
   answer.row("checks",
-             format("{} independent method{} to within {:.1e}", check.methods.size(),
+             format("{} independent method{}{}", check.methods.size(),
                     check.methods.size() == 1 ? (check.passed ? " agrees" : " DISAGREES")
                     : check.passed            ? "s agree"
                                               : "s DISAGREE",
-                    most),
+                    most == 0 ? " exactly" : format(" to within {:.1e}", most)),
              check.passed ? Tone::good : Tone::bad);
 }
 

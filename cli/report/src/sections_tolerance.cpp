@@ -39,7 +39,7 @@ std::string tolerance_text(const design::Limits& limits, double tolerance, int s
 }
 
 std::string tolerance_cell(const design::Limits& limits, const std::optional<double>& tolerance) {
-  constexpr int few = 3;  // a table has 80 columns
+  constexpr int few = 2;  // a table has 80 columns
   return !tolerance                           ? "none"
          : !leaves_any(*tolerance)            ? "0 %"
          : limits.shape == design::BoxShape{} ? "+-" + percent_digits(*tolerance)
@@ -57,7 +57,8 @@ std::string tolerance_words(const design::Limits& limits, double tolerance, doub
          : limits.shape == design::BoxShape{}
              ? format("{} be off by +-{}", notch ? "f and delta may both" : "f may",
                       percent_digits(tolerance))
-         : notch ? tolerance_text(limits, tolerance) + " at once"
+         : notch ? tolerance_text(limits, tolerance) +
+                       (f_low + f_high > 0 && delta_low + delta_high > 0 ? " at once" : "")
                  : off_by("f", tolerance * f_low, tolerance * f_high, usual_digits);
 }
 

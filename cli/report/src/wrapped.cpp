@@ -30,7 +30,7 @@ Fold fold_of(std::string_view line) {
 bool parts(std::string_view text, std::size_t space) {
   constexpr std::string_view signs = "0123456789=<>+-";
   const std::string_view behind = text.substr(space + 1);
-  if (space == 0 || behind.starts_with("--")) {
+  if (space == 0 || behind.starts_with("--") || behind.starts_with('(')) {
     return false;
   }
   const std::size_t before = text.rfind(' ', space - 1);
