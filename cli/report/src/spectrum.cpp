@@ -46,9 +46,9 @@ void add_points(Section& section, const SpectrumReport& report,
   const auto cell = [](const std::optional<double>& value, const Unit& unit) {
     return value ? format("{:.5g}", *value * unit) : "none";
   };
-  Table table{{"period, s", "transmitted, g", "transmitted without, g", in("peak", units.length),
-               in("peak without", units.length), in("residual", units.length),
-               in("residual without", units.length), in("jump", units.velocity)},
+  Table table{{"period, s", "transmitted, g", "transmitted alone, g", in("peak", units.length),
+               in("peak alone", units.length), in("residual", units.length),
+               in("residual alone", units.length), in("jump", units.velocity)},
               {}};
   const std::size_t step = (points.size() + most_periods - 1) / most_rows;
   for (std::size_t i = 0; i < points.size(); i += step) {
@@ -90,9 +90,10 @@ Document document(const SpectrumReport& report) {
   }
   add_findings(document, result.findings, report.physical);
   const std::size_t count = result.records.size();
-  add_points(document.section(whose(report) + (task.delta > 0 ? ", with the notch and without it"
-                                                              : ", friction alone")),
-             report, result.combined);
+  add_points(
+      document.section(whose(report) + (task.delta > 0 ? ", with the notch and with friction alone"
+                                                       : ", friction alone")),
+      report, result.combined);
   for (std::size_t i = 0; i < count && count > 1; ++i) {
     Section& record = document.detail(record_label(task.records[i]));
     add_points(record, report, result.records[i]);
