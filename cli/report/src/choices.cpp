@@ -16,7 +16,8 @@ namespace stillpoint::report {
 
 namespace {
 
-constexpr std::size_t most_rows = 12;   // with the answer, a screen
+constexpr std::size_t most_rows = 12;  // with the answer, a screen
+constexpr std::size_t most_parts = 10;
 constexpr std::size_t most_misses = 4;  // parts that are not admissible: each has several lines
 
 /// What goes wrong if a constraint is violated: "swings beyond 150 mm".
@@ -41,7 +42,7 @@ std::string by_how_much(const design::Constraint& violated) {
   const bool too_large = violated.relation.front() == '<';
   const std::string_view what = violated.variable;
   if (too_large && violated.limit < 0) {
-    return format("no {} is small enough", what);
+    return format("at any {}", what);
   }
   const double off = 100 * std::abs(violated.slack) / (too_large ? violated.limit : violated.value);
   constexpr double far = 1e3;  // per cent
@@ -82,7 +83,7 @@ void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& 
   Table table{{"part", "f", in("delta", units.length), "tolerance", ""}, {}};
   const auto hits = static_cast<std::size_t>(std::ranges::count_if(
       parts, [](const design::RatedPart& now) { return now.tolerance.has_value(); }));
-  const std::size_t shown = std::min({parts.size(), most_rows, hits + most_misses});
+  const std::size_t shown = std::min({parts.size(), most_parts, hits + most_misses});
   for (const design::RatedPart& rated : std::span(parts).first(shown)) {
     const auto& [name, f, delta] = rated.part;
     table.rows.push_back({{name, digits(f), digits(delta * units.length),

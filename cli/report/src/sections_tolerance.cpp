@@ -9,13 +9,13 @@ namespace stillpoint::report {
 
 namespace {
 
-/// "f +-8.63 %", "f -10 % to +20 %"; "f exact" of what may not be off.
+/// "f +-8.63 %", "f -10 to +20 %"; "f exact" of what may not be off.
 std::string off_by(std::string_view name, double below, double above, int shown) {
   const std::string least = percent_digits(below, shown);
   const std::string most = percent_digits(above, shown);
   return below + above == 0 ? format("{} exact", name)
          : least == most    ? format("{} +-{}", name, most)
-                            : format("{} -{} to +{}", name, least, most);
+                            : format("{} -{} to +{}", name, least.substr(0, least.find(' ')), most);
 }
 
 }  // namespace

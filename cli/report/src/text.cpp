@@ -114,10 +114,10 @@ class Text {
     return std::accumulate(widths.begin(), widths.end(), indent + (widths.size() - 1) * gap_);
   }
 
-  /// Words of the last column have the room that is left, but at least 30.
+  /// Words of the last column have the room that is left, but at least 24.
   const std::vector<std::size_t>& set_widths(const std::vector<TableRow>& heads,
                                              const Table& table) {
-    constexpr std::size_t least = 30;
+    constexpr std::size_t least = 24;
     widths_.assign(table.head.size(), 0);
     for (const auto* const rows : {&heads, &table.rows}) {
       for (const TableRow& row : *rows) {
