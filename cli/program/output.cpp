@@ -35,7 +35,9 @@ nlohmann::ordered_json scene_of(const Settings& settings, Command command, const
           option.repeats_in(command) ? settings.texts(name) : std::vector<std::string>();
       scene[std::string(name)] = entry.with_unit    ? nlohmann::ordered_json(*entry.with_unit)
                                  : texts.size() > 1 ? nlohmann::ordered_json(texts)
-                                                    : as_json(entry.value);
+                                 : option.traits.in_scene == InScene::cases
+                                     ? nlohmann::ordered_json::parse(*settings.text(name))
+                                     : as_json(entry.value);
     }
   }
   return scene;

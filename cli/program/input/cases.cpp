@@ -39,31 +39,53 @@ Settings own_settings(json object) {
   const Option* const common = own.first([](const Option& option) { return !option.is_of_case(); });
   if (common != nullptr) {
     throw UsageError(
-        fmt::format("{} belongs to the damper: give it outside the cases", common->name));
+        fmt::format("{} cannot stand in a case: give it outside of them", common->name));
   }
   return own;
 }
 
-/// Of a velocity, a pulse and records one.
+/// What gives a case its load.
+bool is_load(const Option& option) {
+  return option.names_records() || (option.traits.rivals == Rivals::hit && option.is_of_case());
+}
+
+/// Of a velocity, a pulse and records one, with the options that shape it and no others.
 void require_one_load(const Settings& settings) {
-  const Option* const hit = settings.given(Rivals::hit);
-  const Option* const records =
-      settings.first([](const Option& option) { return option.names_records(); });
-  if (hit == nullptr && records == nullptr) {
+  const Option* const load = settings.first(is_load);
+  if (load == nullptr) {
     throw UsageError("has no load: give a velocity, a pulse or a record");
   }
-  if (hit != nullptr && records != nullptr) {
+  const Option* const other = settings.first([&](const Option& option) {
+    const bool records = option.names_records() && load->names_records();  // a list and files
+    return is_load(option) && &option != load && !records;
+  });
+  if (other != nullptr) {
     throw UsageError(
-        fmt::format("{} and {} cannot be combined: give one of them", hit->name, records->name));
+        fmt::format("{} and {} cannot be combined: give one of them", load->name, other->name));
+  }
+  const Option* const stray = settings.first([&](const Option& option) {
+    return (option.traits.load == Load::record && !load->names_records()) ||
+           (option.shapes(Load::pulse) && load->name != "pulse") ||
+           (option.name == "arrivals" && load->names_records());
+  });
+  if (stray != nullptr) {
+    throw UsageError(fmt::format("{} means nothing with {}", stray->name, load->name));
   }
 }
 
-/// The case takes what is common to all but what it has in other words.
+/// The case takes what is common to all but what it has in other words, or of another load.
 Settings completed(Settings own, const Settings& common) {
   Settings rest = common;
   rest.drop("cases");
+  const bool has_load = own.first(is_load) != nullptr;
+  const bool of_records = own.first([](const Option& option) { return option.names_records(); });
   for (const Option& option : options()) {
-    if (option.traits.rivals != Rivals::none && own.given(option.traits.rivals) != nullptr) {
+    const bool rival =
+        option.traits.rivals != Rivals::none && own.given(option.traits.rivals) != nullptr;
+    const bool of_load =
+        is_load(option) || option.traits.load == Load::record || option.shapes(Load::pulse);
+    if (rival || (has_load && of_load && !(of_records && option.traits.load == Load::record)) ||
+        (of_records && option.name == "arrivals")) {
       rest.drop(option.name);
     }
   }
@@ -72,26 +94,29 @@ Settings completed(Settings own, const Settings& common) {
   return own;
 }
 
-/// A range of velocities that hit the mass.
-Interval hit_of(const Settings& settings, const Physical& physical) {
-  const Option& option = *settings.given(Rivals::hit);
-  const double high = *settings.number(option.name);
-  const double low = settings.range(option.name).value_or(Interval{high, high}).low;
-  records::require_physical(option.name, option.traits.dimension, low);
-  const double unit =
-      option.traits.dimension == Dimension::none ? 1 : physical->scales.velocity_m_per_s;
-  return {low / unit, high / unit};
+/// A range is for a design with a single load, which proves it.
+void refuse_range(const Settings& settings, const Option& option) {
+  if (const auto range = settings.range(option.name)) {
+    throw InputError(std::string(option.name), fmt::format("{}:{}", range->low, range->high),
+                     "must be one number in a case; give a case for each");
+  }
 }
 
-design::PulseLoad pulse_of(const Settings& settings, const Physical& physical) {
-  const auto pulse = pulse_input(settings, physical);
-  const design::PulseRanges ranges = pulse_ranges(settings, pulse);
-  if (ranges.lambda_high) {
-    const Option& clock = *settings.given(Rivals::frequency);
-    throw InputError(std::string(clock.name), *settings.number(clock.name),
-                     "must be one number in a case; give a case for each length");
+double hit_of(const Settings& settings, const Physical& physical) {
+  const Option& option = *settings.given(Rivals::hit);
+  refuse_range(settings, option);
+  const double value = *settings.number(option.name);
+  records::require_physical(option.name, option.traits.dimension, value);
+  return option.traits.dimension == Dimension::none ? value
+                                                    : value / physical->scales.velocity_m_per_s;
+}
+
+design::Pulse pulse_of(const Settings& settings, const Physical& physical) {
+  refuse_range(settings, *find_option("k"));
+  if (const Option* const clock = settings.given(Rivals::frequency)) {
+    refuse_range(settings, *clock);
   }
-  return {pulse.value(), ranges.k_low};
+  return pulse_input(settings, physical).value();
 }
 
 /// Hits and pulses must stop the mass, at x = 0 unless a residual is allowed.
@@ -175,11 +200,12 @@ std::optional<std::size_t> objective_case(const Settings& settings,
   }
   const auto found = std::ranges::find(cases, *wanted, &design::LoadCase::name);
   if (found == cases.end()) {
-    std::vector<std::string_view> names;
+    std::string names;
     for (const design::LoadCase& each : cases) {
-      names.push_back(each.name);
+      names += (names.empty() ? "" : ", ") + each.name;
     }
-    throw InputError("objective-case", records::quoted(*wanted), must_be(*wanted, names));
+    throw InputError("objective-case", records::quoted(*wanted),
+                     "must be the name of a case: " + names);
   }
   return static_cast<std::size_t>(found - cases.begin());
 }

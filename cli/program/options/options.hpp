@@ -242,8 +242,8 @@ struct Option {
   }
   /// Whether it may stand in one of the cases of a design: its load, and what is required under it.
   [[nodiscard]] bool is_of_case() const {
-    return traits.limits_case || traits.load == Load::record || shapes(Load::pulse) ||
-           (traits.rivals == Rivals::hit && serves(Command::design));
+    return traits.limits_case || names_records() || traits.load == Load::record ||
+           shapes(Load::pulse) || (traits.rivals == Rivals::hit && serves(Command::design));
   }
   /// In Python files that show a report do not exist.
   [[nodiscard]] bool serves_in_python(Command command) const {

@@ -74,6 +74,12 @@ void add_answer(Section& answer, const RecordDesignReport& report) {
   add_check(answer, result.finding->cross_check);
 }
 
+/// "0.31 %", "42 %"
+std::string part_words(double part) {
+  constexpr double whole = 0.1;
+  return part < whole ? format("{:.2g} %", 100 * part) : format("{:.0f} %", 100 * part);
+}
+
 /// What governs each case, and under which motion and damper of the box.
 void add_cases(Document& document, const design::RecordDesign& result, const Physical& physical) {
   const std::vector<design::LoadCase>& cases = result.request.cases;
@@ -82,12 +88,12 @@ void add_cases(Document& document, const design::RecordDesign& result, const Phy
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const auto now = design::governing(result, i);
     if (!now) {
-      table.rows.push_back({{cases[i].name, "no limit", "", "", "", ""}});
+      table.rows.push_back({{cases[i].name, "nothing", "", "", "", ""}});
       continue;
     }
     const design::Constraint& limit = now->constraint;
     table.rows.push_back(
-        {{cases[i].name, requirement(limit, units), format("{:.2g} %", 100 * now->part_left),
+        {{cases[i].name, requirement(limit, units), part_words(now->part_left),
           scaled_name(limit.motion->file, limit.motion->scale), format("{:.4g}", now->damper.f),
           format("{:.4g}", now->damper.delta * units.length)},
          limit.satisfied ? Tone::good : Tone::bad});

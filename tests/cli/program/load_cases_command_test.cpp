@@ -30,7 +30,7 @@ const json service{{"name", "service"},
                    {"max_displacement", "60mm"},
                    {"residual_m", "30mm"}};
 const json shaken{{"name", "shaken"}, {"record", "a.txt"}, {"max-displacement", "120mm"}};
-const json pulse{{"name", "pulse"},          {"pulse", "half-sine"}, {"k", "0.1:0.2"},
+const json pulse{{"name", "pulse"},          {"pulse", "half-sine"}, {"k", 0.2},
                  {"pulse_duration", "0.3s"}, {"residual_m", "30mm"}, {"arrivals", 3}};
 
 BOOST_FIXTURE_TEST_CASE(each_case_has_its_load_limits_and_motions, Cases) {
@@ -44,9 +44,7 @@ BOOST_FIXTURE_TEST_CASE(each_case_has_its_load_limits_and_motions, Cases) {
   BOOST_TEST(cases[1]["load"]["records"] == 1);
   BOOST_TEST(cases[2]["load"]["type"] == "half-sine");
   BOOST_TEST(cases[0]["motions"].size() == 1U);
-  BOOST_TEST(cases[2]["motions"].size() == 9U);
   BOOST_TEST(near(cases[2]["motions"][0]["k"], 0.2, hand_tolerance));
-  BOOST_TEST(near(cases[2]["motions"][8]["k"], 0.1, hand_tolerance));
   // H is that of the hit, so that its v0 is omega.
   const double p = report["design"]["p"].get<double>();
   BOOST_TEST(near(cases[0]["motions"][0]["v0"], p, hand_tolerance));
@@ -93,13 +91,18 @@ BOOST_FIXTURE_TEST_CASE(wrong_cases_are_refused, Cases) {
   refused(list({{{"name", "idle"}}}),
           {"case idle", "has no load", "velocity, a pulse or a record"});
   refused(list({with(service, {{"record", "a.txt"}})}), {"case service", "velocity", "record"});
-  refused(list({with(service, {{"f-max", 0.1}})}), {"f-max", "belongs to the damper", "outside"});
+  refused(list({with(service, {{"f-max", 0.1}})}), {"f-max", "cannot stand in a case", "outside"});
   refused(list({with(service, {{"velocty", 1}})}), {"velocty", "did you mean", "velocity"});
   refused(list({with(service, {{"residual_m", "-1mm"}})}),
           {"residual-m in case service", "must be"});
   refused(list({with(pulse, {{"pulse_duration", "0.2s:0.3s"}})}),
-          {"pulse-duration in case pulse", "a case for each length"});
+          {"pulse-duration in case pulse", "a case for each"});
   refused(list({with(shaken, {{"record", "none.txt"}})}), {"none.txt", "cannot be read"});
+  refused(list({with(service, {{"velocity", "0.1m/s:0.2m/s"}})}),
+          {"velocity in case service", "one"});
+  refused(list({with(service, {{"k", 0.1}})}), {"case service", "k means nothing with velocity"});
+  refused(list({with(shaken, {{"arrivals", 2}})}), {"arrivals means nothing with record"});
+  refused(list({with(pulse, {{"velocity", "0.1m/s"}})}), {"case pulse", "cannot be combined"});
   refused({service, shaken}, {"objective-case", "must be", "service", "shaken"},
           {{"objective-case", "other"}});
   scene({service, shaken});

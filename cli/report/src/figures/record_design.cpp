@@ -90,11 +90,9 @@ std::vector<Figure> drawings(const RecordDesignReport& report) {
       }
     }
   }
-  const auto shaken = std::ranges::find_if(cases, &design::LoadCase::of_records);
-  if (shaken != cases.end()) {
+  if (cases.size() == 1 && cases.front().of_records()) {
     std::ranges::move(
-        spectrum_figures(spectrum_about(result, static_cast<std::size_t>(shaken - cases.begin())),
-                         units, result.finding->point.damper.p),
+        spectrum_figures(spectrum_about(result, 0), units, result.finding->point.damper.p),
         std::back_inserter(figures));
   }
   return figures;

@@ -62,7 +62,7 @@ WorstInBox shown_worst(const design::SuiteBox& box, std::size_t in_case,
 }
 
 std::string_view load_type(const design::LoadCase& load_case) {
-  return load_case.v0 ? "hit" : load_case.pulse ? design::name(load_case.pulse->pulse) : "records";
+  return load_case.v0 ? "hit" : load_case.pulse ? design::name(*load_case.pulse) : "records";
 }
 
 ShownCase shown_case(const design::RecordDesign& result, std::size_t index) {
@@ -107,7 +107,7 @@ ShownAnswer shown(const RecordDesignReport& report) {
     now.cross_check = &finding->cross_check;
   } else {
     now.largest_tolerance = result.largest_tolerance;
-    now.nearest = &result.nearest;
+    now.nearest = result.nearest.figures.empty() ? nullptr : &result.nearest;
   }
   for (std::size_t i = 0; i < request.cases.size(); ++i) {
     now.cases.push_back(shown_case(result, i));

@@ -63,7 +63,7 @@ void add_motions(std::vector<Finding>& all, const RecordDesign& result, std::siz
       still.values.push_back({"by", "friction"});
     }
   }
-  if (!isolates(result)) {
+  if (!isolates(result) && !load_case.v0) {
     Finding& useless = add(all, does_not_isolate, load_case);
     useless.add(transmitted_name, result.nearest.figures[in_case].acceleration,
                 Dimension::gravities);
@@ -161,9 +161,10 @@ void add_notch(std::vector<Finding>& all, const RecordDesign& result,
 }  // namespace
 
 bool isolates(const RecordDesign& result) {
-  bool any = false;
-  for (std::size_t i = 0; i < result.request.cases.size(); ++i) {
-    any = any || isolates(result, i);
+  const std::vector<LoadCase>& cases = result.request.cases;
+  bool any = std::ranges::all_of(cases, [](const LoadCase& each) { return each.v0.has_value(); });
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    any = any || (!cases[i].v0 && isolates(result, i));
   }
   return any;
 }

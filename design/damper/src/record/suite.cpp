@@ -77,29 +77,18 @@ Record scaled(const SuiteRecord& record) {
 }
 
 std::vector<CaseMotion> motions_of(const LoadCase& load_case) {
-  constexpr int of_a_range = 9;
   std::vector<CaseMotion> list;
   for (const SuiteRecord& record : load_case.records) {
     list.push_back({record.name, record.scale, {}, {}, scaled(record)});
   }
-  const auto add_range = [&](double low, double high, const auto& motion) {
-    for (int i = 0; i < (low < high ? of_a_range : 1); ++i) {
-      list.push_back(motion(std::lerp(high, low, i / (of_a_range - 1.0))));
-    }
-  };
   if (load_case.pulse) {
-    const auto& [pulse, k_low] = *load_case.pulse;
-    const double most = peak_load(pulse);
-    add_range(k_low.value_or(most), most, [&, &pulse = pulse](double k) {
-      Pulse now = pulse;
-      std::visit([&](auto& wave) { wave.k = k; }, now);
-      return CaseMotion{std::string(name(pulse)), k / most, {}, now, excitation(now)};
-    });
+    list.push_back({std::string(name(*load_case.pulse)),
+                    1,
+                    {},
+                    load_case.pulse,
+                    excitation(*load_case.pulse)});
   } else if (load_case.v0) {
-    const auto& [low, high] = *load_case.v0;
-    add_range(low, high, [&](double v0) {
-      return CaseMotion{"hit", v0 / load_case.v0->high, {0, v0}, {}, NoExcitation{}};
-    });
+    list.push_back({"hit", 1, {0, *load_case.v0}, {}, NoExcitation{}});
   }
   return list;
 }
@@ -119,8 +108,8 @@ double peak_load(const Excitation& load) {
 }
 
 double peak_load(const LoadCase& load_case, double p) {
-  return load_case.pulse ? peak_load(load_case.pulse->pulse)
-         : load_case.v0  ? p * load_case.v0->high
+  return load_case.pulse ? peak_load(*load_case.pulse)
+         : load_case.v0  ? p * *load_case.v0
                          : peak_load(load_case.records);
 }
 

@@ -4,7 +4,6 @@
 #include "record/suite.hpp"
 #include "record/suite_samples.hpp"
 
-#include <optional>
 #include <variant>
 #include <vector>
 
@@ -17,13 +16,10 @@ void enlarge(LoadCase& load_case, double factor) {
     record.scale *= factor;
   }
   if (load_case.pulse) {
-    std::visit([&](auto& wave) { wave.k *= factor; }, load_case.pulse->pulse);
-    if (std::optional<double>& low = load_case.pulse->k_low) {
-      *low *= factor;
-    }
+    std::visit([&](auto& wave) { wave.k *= factor; }, *load_case.pulse);
   }
   if (load_case.v0) {
-    load_case.v0 = Interval{load_case.v0->low * factor, load_case.v0->high * factor};
+    *load_case.v0 *= factor;
   }
 }
 

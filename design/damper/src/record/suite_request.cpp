@@ -49,21 +49,37 @@ void keep_below(std::optional<Interval>& range, const std::optional<double>& mos
 /// one that hardly loses energy rests anywhere.
 constexpr double latest_rest = 20;
 
-/// What every damper of a box stays below so that a hit or a pulse moves the mass: a notch without
-/// a width takes the whole of a hit, and friction holds the mass under a pulse that must bring it
-/// back.
+/// A notch without a width takes the whole of a hit, and friction holds the mass under a pulse that
+/// must bring it back.
 void require_start(RecordDesignRequest& request, const LoadCase& load_case) {
   constexpr double below = 1 - 1e-9;
-  const auto bound = [&](std::optional<double>& most, double value) {
+  const auto bound = [&](std::optional<double>& most, double value, const char* field,
+                         const std::optional<Interval>& searched) {
     most = std::min(most.value_or(HUGE_VAL), below * value);
+    if (searched && searched->low > *most) {
+      throw InputError(field, searched->low,
+                       fmt::format("must be less than {} so that the {} {} moves the mass", value,
+                                   load_case.v0 ? "hit of case" : "pulse of case", load_case.name));
+    }
   };
   if (load_case.v0 && !request.width) {
-    bound(request.delta_max, load_case.v0->low * load_case.v0->low / 2);
+    bound(request.delta_start, *load_case.v0 * *load_case.v0 / 2, "delta", request.delta);
   }
   if (load_case.pulse && load_case.limits.residual == 0.0) {
-    const auto& [pulse, k_low] = *load_case.pulse;
-    bound(request.f_max, k_low.value_or(peak_load(pulse)));
+    bound(request.f_start, peak_load(*load_case.pulse), "f", request.f);
   }
+}
+
+/// The largest friction that may be of use: under more a load moves nothing, and a hit moves the
+/// mass by less than half of a limit.
+double most_friction(const LoadCase& load_case, double p) {
+  double most = peak_load(load_case, p);
+  for (const auto& limit : {load_case.limits.peak, load_case.limits.residual}) {
+    if (load_case.v0 && limit.value_or(0) > 0) {
+      most = std::max(most, *load_case.v0 * *load_case.v0 / *limit);
+    }
+  }
+  return most;
 }
 
 /// The largest |x| without a damper.
@@ -118,12 +134,10 @@ bool limits_jumps(const RecordDesignRequest& request) {
 
 void require_valid(const LoadCase& load_case, const RecordDesignRequest& request) {
   if (load_case.v0) {
-    require_range("v0", *load_case.v0, smallest_speed, largest_speed);
+    require_within("v0", *load_case.v0, smallest_speed, largest_speed);
   } else if (load_case.pulse) {
-    const auto& [pulse, k_low] = *load_case.pulse;
-    require_range("k", {k_low.value_or(peak_load(pulse)), peak_load(pulse)}, smallest_speed,
-                  largest_speed);
-    require_valid(excitation(pulse));
+    require_within("k", peak_load(*load_case.pulse), smallest_speed, largest_speed);
+    require_valid(excitation(*load_case.pulse));
   } else {
     design::require_valid(load_case.records);
   }
@@ -173,7 +187,8 @@ void require_valid(const RecordDesignRequest& request) {
 
 RecordDesignRequest completed(RecordDesignRequest request) {
   for (LoadCase& each : request.cases) {
-    each.combine = each.combine.value_or(default_combine(each.records.size()));
+    each.combine = each.of_records() ? each.combine.value_or(default_combine(each.records.size()))
+                                     : Combine::max;
     if (request.objective == SuiteObjective::residual && each.of_records()) {
       each.limits.late = latest_rest;
     }
@@ -185,7 +200,7 @@ RecordDesignRequest completed(RecordDesignRequest request) {
   keep_below(request.delta, request.delta_max, "delta-max");
   double load = 0;
   for (const LoadCase& each : request.cases) {
-    load = std::max(load, peak_load(each, request.p.high));
+    load = std::max(load, most_friction(each, request.p.high));
   }
   request.f = request.f.value_or(Interval{0, load});
   require_range("f", *request.f, 0, largest_speed);

@@ -18,6 +18,11 @@ constexpr double least_factor = 0.02;
 /// Of logarithms, for rounding.
 constexpr double same_place = 1e-12;
 
+std::optional<double> least_of(const std::optional<double>& one,
+                               const std::optional<double>& other) {
+  return one && other ? std::min(one, other) : one ? one : other;
+}
+
 }  // namespace
 
 double SuiteAxis::value(const SuiteDamper& damper) const {
@@ -73,10 +78,10 @@ SuiteSpace::SuiteSpace(const RecordDesignRequest& task, SuiteFrictions frictions
   const SuiteTolerance& tolerance = task.tolerance;
   const bool notch = frictions != SuiteFrictions::constant;
   add(SuiteAxis::Variable::f, frictions == SuiteFrictions::point ? none : *task.f, tolerance.f,
-      scale, task.f_max);
+      scale, least_of(task.f_max, task.f_start));
   possible_ = possible_ && (frictions != SuiteFrictions::point || task.f->low == 0);
   add(SuiteAxis::Variable::delta, notch ? *task.delta : none, tolerance.delta, scale,
-      task.delta_max);
+      least_of(task.delta_max, task.delta_start));
   possible_ = possible_ && (notch || task.delta->low == 0);
   add(SuiteAxis::Variable::period, {1 / task.p.high, 1 / task.p.low}, tolerance.period, scale, {});
   if (notch && task.width) {

@@ -26,10 +26,10 @@ namespace stillpoint::design {
 /// that does.
 struct Governing {
   const Constraint& constraint;
-  double part_left{0};  ///< of the limit; where that is 0, the slack
+  double part_left{0};  ///< of the limit; where that is 0, and broken, the slack
   SuiteDamper damper;
 };
-/// Of a design with a damper; empty if the case has no limit.
+/// Of a design with a damper; empty if the case has no limit above 0 and breaks none.
 [[nodiscard]] std::optional<Governing> governing(const RecordDesign& result, std::size_t in_case);
 
 /// The figures of a damper for `request` as in a RecordDesign. Throws InputError.

@@ -59,19 +59,13 @@ struct SuiteLimits {
   std::optional<double> late{};          ///< periods from the end of a load to the rest under it
 };
 
-/// A pulse that moves the mass from rest, of any strength from `k_low` on.
-struct PulseLoad {
-  Pulse pulse;
-  std::optional<double> k_low{};
-};
-
 /// What moves the mass in one case of a task, records, a pulse or a hit, and what is required
 /// under it.
 struct LoadCase {
   std::string name{};  ///< may be empty of a single one
   std::vector<SuiteRecord> records{};
-  std::optional<PulseLoad> pulse{};
-  std::optional<Interval> v0{};      ///< of a hit: any velocity from low to high, low > 0
+  std::optional<Pulse> pulse{};
+  std::optional<double> v0{};        ///< of a hit, > 0
   std::optional<Combine> combine{};  ///< default: max for fewer than seven records, else mean
   SuiteLimits limits{};
 
@@ -81,13 +75,13 @@ struct LoadCase {
 /// One of the motions of a case.
 struct CaseMotion {
   std::string name;  ///< of the record or the pulse, or "hit"
-  double scale{1};   ///< of the record, or of the largest pulse or hit
+  double scale{1};   ///< of the record
   Start start{};
   std::optional<Pulse> pulse{};
   Excitation load{};
 };
 
-/// Each record, or the hits or pulses of a range in even steps, the strongest first.
+/// Each record, or the hit or the pulse.
 [[nodiscard]] std::vector<CaseMotion> motions_of(const LoadCase& load_case);
 
 [[nodiscard]] double peak_load(const Excitation& load);  ///< the largest |W|
@@ -129,6 +123,9 @@ struct RecordDesignRequest {
   std::optional<Interval> delta{};
   std::optional<double> f_max{};      ///< what can be manufactured: the search goes no farther
   std::optional<double> delta_max{};  ///< the same
+  /// What every damper of a box stays below so that hits and pulses move the mass; found.
+  std::optional<double> f_start{};
+  std::optional<double> delta_start{};
   SuiteObjective objective{SuiteObjective::acceleration};
   std::optional<std::size_t> objective_case{};  ///< empty: the largest of all cases is minimised
   std::optional<double> hold{};                 ///< as that of Oscillator
