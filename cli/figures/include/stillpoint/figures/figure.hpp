@@ -80,8 +80,8 @@ enum class Hatch { none, one_way, crossed };
 
 /// An entry of the palette of a map, or of its legend.
 struct MapShade {
-  std::string colour;  ///< "#rrggbb"
-  std::string name{};  ///< under the pointer, or in the legend
+  std::string colour;   ///< "#rrggbb"
+  std::string name{};   ///< under the pointer, or in the legend
   std::string label{};  ///< in its largest areas; those that follow one another are one area
   Hatch hatch{Hatch::none};
 };
