@@ -78,7 +78,8 @@ Settings completed(Settings own, const Settings& common) {
   Settings rest = common;
   rest.drop("cases");
   const bool has_load = own.first(is_load) != nullptr;
-  const bool of_records = own.first([](const Option& option) { return option.names_records(); });
+  const bool of_records =
+      own.first([](const Option& option) { return option.names_records(); }) != nullptr;
   for (const Option& option : options()) {
     const bool rival =
         option.traits.rivals != Rivals::none && own.given(option.traits.rivals) != nullptr;

@@ -370,7 +370,7 @@ std::vector<Option> all_options() {
         const OptionTraits& traits = option.traits;
         option.help = texts.emplace_back(option.help)
                           .replace(place, 2,
-                                   traits.in_help                   ? traits.in_help()
+                                   traits.in_help != nullptr        ? traits.in_help()
                                    : traits.values.first_is_default ? with_default(option.values())
                                                                     : listed(option.values()));
       }

@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(a_limit_that_no_damper_meets_is_mended_in_its_case) {
   BOOST_TEST(!none.finding.has_value());
   BOOST_TEST(!none.constraints[0].satisfied);
   BOOST_TEST(none.constraints[0].motion.has_value());
-  BOOST_REQUIRE(none.mends.size() >= 1U);
+  BOOST_REQUIRE(!none.mends.empty());
   for (const Mend& mend : none.mends) {
     RecordDesignRequest mended = request;
     const std::size_t at = mend.in_case == "stroke" ? 0 : 1;

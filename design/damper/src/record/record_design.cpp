@@ -164,9 +164,9 @@ std::optional<Governing> governing(const RecordDesign& result, std::size_t in_ca
         (!least || left < least->part_left)) {
       const auto* const kind =
           std::ranges::find(suite_figure_kinds, now.name, &SuiteFigureKind::constraint);
-      least.emplace(now, left,
-                    result.finding->box.of[in_case].at(
-                        static_cast<std::size_t>(kind - suite_figure_kinds.begin())));
+      least.emplace(Governing{now, left,
+                              result.finding->box.of[in_case].at(
+                                  static_cast<std::size_t>(kind - suite_figure_kinds.begin()))});
     }
   }
   return least;

@@ -72,12 +72,11 @@ double merit(const BoxedDamper& box) {
 }
 
 SuiteSearch::SuiteSearch(const Suites& suite, const RecordDesignRequest& task,
-                         const SuiteSpace& space, const SuiteGoal& goal, SuiteWatch& watch,
-                         bool brief)
+                         const SuiteSpace& space, SuiteGoal goal, SuiteWatch& watch, bool brief)
     : suite_(suite),
       task_(task),
       space_(space),
-      goal_(goal),
+      goal_(std::move(goal)),
       watch_(watch),
       brief_(brief),
       known_(space),

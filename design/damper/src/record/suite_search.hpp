@@ -35,7 +35,7 @@ class SuiteSearch {
  public:
   /// A brief one looks near the likeliest alone, and does not verify a design.
   SuiteSearch(const Suites& suite, const RecordDesignRequest& task, const SuiteSpace& space,
-              const SuiteGoal& goal, SuiteWatch& watch, bool brief = false);
+              SuiteGoal goal, SuiteWatch& watch, bool brief = false);
 
   /// The likeliest of a map of the whole space to be better than `bar`, best first and polished;
   /// the first is the nearest to the limits where none is within them.

@@ -111,7 +111,7 @@ BoxedDamper SuiteSearch::rounded(const BoxedDamper& found) {
     if (near.empty()) {
       continue;
     }
-    const BoxedDamper now = best_of(near, bar);
+    BoxedDamper now = best_of(near, bar);
     if (now.rank < bar.rank) {
       return now;
     }

@@ -12,8 +12,6 @@
 #include <stillpoint/records/record_suite.hpp>
 #include <stillpoint/records/units.hpp>
 
-#include <boost/container/small_vector.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -167,7 +165,7 @@ struct SuiteFigures {
 };
 
 /// Those of each case; none: not known.
-using TaskFigures = boost::container::small_vector<SuiteFigures, 1>;
+using TaskFigures = std::vector<SuiteFigures>;
 
 /// Whether they are known and all motions come to rest.
 [[nodiscard]] bool settled(const TaskFigures& figures);
