@@ -17,6 +17,8 @@ constexpr Quality map_quality{"half_cycle_map", 1e-12, 1e-15};
 /// Resolution: the energy error that a thousand steps at this tolerance may add up to.
 constexpr double integrator_tolerance = 1e-12;
 constexpr Quality runge_kutta_quality{"runge_kutta", 1e-9, 1000 * integrator_tolerance};
+/// Where it disagrees, it integrates again: what is left is not its own error.
+constexpr double closer_tolerance = 1e-14;
 
 }  // namespace
 
@@ -33,9 +35,16 @@ CrossCheck cross_check(const Prediction& prediction, const Problem& problem, dou
   });
   judge(map, map_quality, prediction, problem, f, delta, margin);
 
-  CheckMethod integrated =
-      measured([&] { return integrate_free_motion(oscillator, problem.v0, integrator_tolerance); });
-  judge(integrated, runge_kutta_quality, prediction, problem, f, delta, margin);
+  const auto by_runge_kutta = [&](double tolerance) {
+    CheckMethod method =
+        measured([&] { return integrate_free_motion(oscillator, problem.v0, tolerance); });
+    judge(method, runge_kutta_quality, prediction, problem, f, delta, margin);
+    return method;
+  };
+  CheckMethod integrated = by_runge_kutta(integrator_tolerance);
+  if (!integrated.passed) {
+    integrated = by_runge_kutta(closer_tolerance);
+  }
 
   return {map.passed && integrated.passed, {map, integrated}};
 }
