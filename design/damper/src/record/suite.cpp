@@ -419,14 +419,6 @@ double excess(const TaskFigures& figures, const std::vector<SuiteLimits>& limits
   return std::min(off, never_rests);
 }
 
-double margin(const TaskFigures& figures) {
-  double least = 1;
-  for (const SuiteFigures& each : figures) {
-    least = std::min(least, each.margin);
-  }
-  return least;
-}
-
 double use(const TaskFigures& figures, const std::vector<SuiteLimits>& limits) {
   double most = 0;
   for (std::size_t i = 0; i < figures.size(); ++i) {
@@ -455,11 +447,7 @@ SuiteRank rank(const TaskFigures& figures, const SuiteGoal& goal) {
   if (!figures.empty() && !settled(figures)) {
     return {never_rests, 0, 0};
   }
-  double peak = 0;
-  for (const SuiteFigures& each : figures) {
-    peak = std::max(peak, each.peak);
-  }
-  return {excess(figures, goal.limits), goal.value(figures), peak};
+  return {excess(figures, goal.limits), goal.value(figures), largest(figures).peak};
 }
 
 bool admissible(const TaskFigures& figures, const std::vector<SuiteLimits>& limits) {

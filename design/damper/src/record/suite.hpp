@@ -109,9 +109,6 @@ struct SuiteGoal {
 /// Of what is not known, or never rests.
 inline constexpr SuiteFigures unsettled{.settled = false};
 
-/// The least margin of all decisions; 1 of none.
-[[nodiscard]] double margin(const TaskFigures& figures);
-
 /// The sum over all cases; 1e9 if a motion never rests. Nothing is known against no figures.
 [[nodiscard]] double excess(const TaskFigures& figures, const std::vector<SuiteLimits>& limits);
 /// Whether it is 0: the damper rests and meets the limits.

@@ -74,7 +74,7 @@ VerifiedBox SuiteSearch::tried(const SuiteDamper& damper, bool whole) {
     begin = end;
   }
   result.box.rank = rank(result.box.worst, goal_);
-  if (margin(suite_.figures(damper)) < least_suite_margin) {
+  if (largest(suite_.figures(damper)).margin < least_suite_margin) {
     result.box.rank.off += least_suite_margin;
   }
   return result;
@@ -127,7 +127,7 @@ BoxedDamper SuiteSearch::clear(const BoxedDamper& found) const {
       place.at(i) += space_.axes()[i].searched() ? part : 0;
     }
     const SuiteDamper damper = part == 0 ? found.damper : space_.at(place);
-    if (space_.includes(place) && margin(suite_.figures(damper)) >= least_suite_margin) {
+    if (space_.includes(place) && largest(suite_.figures(damper)).margin >= least_suite_margin) {
       return {damper, found.worst, found.rank};
     }
   }

@@ -169,7 +169,7 @@ using TaskFigures = std::vector<SuiteFigures>;
 
 /// Whether they are known and all motions come to rest.
 [[nodiscard]] bool settled(const TaskFigures& figures);
-/// The largest of all cases.
+/// The worst of each figure in all cases.
 [[nodiscard]] SuiteFigures largest(const TaskFigures& figures);
 
 /// The motion of a damper.
