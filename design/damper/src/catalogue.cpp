@@ -71,7 +71,7 @@ std::vector<Input<HitCase>> inputs_of(const HitCase& base) {
   // No friction has a larger peak than V0/p.
   list.insert(list.begin(),
               {"beta", problem.beta, std::max(problem.beta, 2 * problem.v0 / problem.p),
-               [](HitCase& now, double value) { now.problem.beta = value; }});
+               in_problem(&Problem::beta)});
   return list;
 }
 
@@ -148,11 +148,8 @@ Choice choose(const DesignRequest& request, std::span<const Part> parts) {
   result.reason = result.region.feasible ? none_admissible(parts.size())
                                          : design::reason(result.region, problem, limits);
   result.mends = part_mends(problem, limits, parts);
-  HitCase exact{problem, limits};
-  exact.problem.criterion = Criterion::exact;
-  if (problem.criterion != Criterion::exact && admits_any(exact, parts)) {
-    result.criterion_mend = Criterion::exact;
-  }
+  result.criterion_mend = exact_if_it_fits(
+      HitCase{problem, limits}, [&](const HitCase& exact) { return admits_any(exact, parts); });
   return choice;
 }
 

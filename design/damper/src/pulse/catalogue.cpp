@@ -5,6 +5,7 @@
 #include "pulse/verdict.hpp"
 #include "ranking.hpp"
 #include "region/limit_table.hpp"
+#include "region/mend_list.hpp"
 #include "search/objectives.hpp"
 
 #include <algorithm>
@@ -128,19 +129,6 @@ std::vector<Mend> mends_of_parts(const PulseRequest& request, const std::vector<
   return list;
 }
 
-std::optional<Criterion> criterion_mend_of_parts(const PulseRequest& request,
-                                                 std::span<const Part> parts) {
-  if (request.problem.criterion == Criterion::exact) {
-    return std::nullopt;
-  }
-  PulseRequest exact = request;
-  exact.problem.criterion = Criterion::exact;
-  const PulseRegion region(exact.problem, exact.limits);
-  const bool fits = std::ranges::any_of(
-      parts, [&](const Part& part) { return tried(exact, region, part).rated.admissible; });
-  return fits ? std::optional(Criterion::exact) : std::nullopt;
-}
-
 }  // namespace
 
 Choice choose_under_pulse(const PulseRequest& request, std::span<const Part> parts) {
@@ -171,7 +159,11 @@ Choice choose_under_pulse(const PulseRequest& request, std::span<const Part> par
     choice.result.reason = none_admissible(parts.size());
   }
   choice.result.mends = mends_of_parts(request, all);
-  choice.result.criterion_mend = criterion_mend_of_parts(request, parts);
+  choice.result.criterion_mend = exact_if_it_fits(request, [&](const PulseRequest& exact) {
+    const PulseRegion other(exact.problem, exact.limits);
+    return std::ranges::any_of(
+        parts, [&](const Part& part) { return tried(exact, other, part).rated.admissible; });
+  });
   return choice;
 }
 

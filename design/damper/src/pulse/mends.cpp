@@ -7,7 +7,7 @@
 #include <stillpoint/core/oscillator.hpp>
 
 #include <algorithm>
-#include <functional>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -29,21 +29,21 @@ struct PulseCase {
   std::shared_ptr<const WorstReturn> profile;
 };
 
+/// What the motions depend on.
+template <class Set>
+auto of_motions(const Set& set) {
+  return [set](PulseCase& now, double value) {
+    set(now, value);
+    now.profile.reset();
+  };
+}
+
 void set_k(PulseCase& now, double k) {
   std::visit([k](auto& kind) { kind.k = k; }, now.problem.pulse);
-  if (now.problem.ranges.k_low) {
-    now.profile.reset();
-  }
 }
 
 void set_lambda(PulseCase& now, double lambda) {
   std::visit([lambda](auto& kind) { kind.lambda = lambda; }, now.problem.pulse);
-  now.profile.reset();
-}
-
-void set_p(PulseCase& now, double p) {
-  now.problem.p = p;
-  now.profile.reset();
 }
 
 /// What a motion costs, in those of a short pulse: measured are 0.15 us and as much for each radian
@@ -92,12 +92,8 @@ class Budget {
 
 /// The same with one pulse and one spring.
 PulseCase alone(PulseCase now, double k, double lambda, double p) {
-  std::visit(
-      [&](auto& kind) {
-        kind.k = k;
-        kind.lambda = lambda;
-      },
-      now.problem.pulse);
+  set_k(now, k);
+  set_lambda(now, lambda);
   now.problem.p = p;
   now.problem.p_high = {};
   now.problem.ranges = {};
@@ -148,112 +144,54 @@ bool fits(const PulseCase& now) {
                        .feasible();
 }
 
-/// The searches for a change of one input each.
-class Searches {
- public:
-  Searches(const PulseCase& base, Budget& budget) : base_(base), budget_(budget) {}
-
-  void add(const Input<PulseCase>& input) {
-    list_.emplace_back([this, input]() -> std::optional<Mend> {
-      const auto value = nearest_fit(
-          input.from, input.to, [&](double now) { return tried(input.in(base_, now)); }, close);
-      return value ? std::optional(input.mend(*value)) : std::nullopt;
-    });
-  }
-  /// By steps that grow.
-  void add_either_way(std::string_view field, double from, double least, double most,
-                      void (*set)(PulseCase&, double)) {
-    list_.emplace_back([=, this]() -> std::optional<Mend> {
-      constexpr double growth = 1.12;
-      const auto value = nearest_either_way(
-          from, least, most, growth,
-          [&](double now) {
-            PulseCase changed = base_;
-            set(changed, now);
-            return tried(changed);
-          },
-          close);
-      return value ? std::optional(Mend{field, *value, *value > from}) : std::nullopt;
-    });
-  }
-  [[nodiscard]] std::vector<Mend> found() const {
-    std::vector<Mend> mends;
-    for (std::size_t i = 0; i < list_.size(); ++i) {
-      if (const auto mend = budget_.within(list_[i], list_.size() - i)) {
-        mends.push_back(*mend);
-      }
-    }
-    return mends;
-  }
-
- private:
-  [[nodiscard]] bool tried(const PulseCase& now) const {
-    budget_.costs(cost_of(now.problem));
-    return fits(now);
-  }
-
-  const PulseCase& base_;
-  Budget& budget_;
-  std::vector<std::function<std::optional<Mend>()>> list_;
-};
-
 /// In units of k a weaker pulse is a larger beta and larger limits: it can only help. So does a
 /// range that is narrower.
-void add_load(Searches& searches, const PulseProblem& problem) {
+std::vector<Input<PulseCase>> inputs_of(const PulseProblem& problem) {
+  constexpr double growth = 1.12;
   const auto& [k_low, lambda_high] = problem.ranges;
   const double k = peak_load(problem.pulse);
+  const double lambda = angular_frequency(problem.pulse);
+  const double p = problem.p;
+  const double stiffest = problem.p_high.value_or(p);
+  const double shortest = lambda_high.value_or(lambda);
+  std::vector<Input<PulseCase>> list;
   if (k_low) {
-    searches.add({"k_low", *k_low, k, [](PulseCase& now, double value) {
-                    now.problem.ranges.k_low = value;
-                    now.profile.reset();
-                  }});
-    searches.add({"k_high", k, *k_low, set_k});
+    const auto set_low = [](PulseCase& now, double value) { now.problem.ranges.k_low = value; };
+    list = {{"k_low", *k_low, k, of_motions(set_low)}, {"k_high", k, *k_low, of_motions(set_k)}};
   } else {
-    searches.add({"k", k, k / far_factor, set_k});
+    list = {{"k", k, k / far_factor, set_k}};
   }
-  const double p = problem.p;
-  const double lambda = angular_frequency(problem.pulse);
   if (lambda_high) {
-    searches.add({"lambda_low", lambda, *lambda_high, set_lambda});
-    searches.add({"lambda_high", *lambda_high, lambda, [](PulseCase& now, double value) {
-                    now.problem.ranges.lambda_high = value;
-                    now.profile.reset();
-                  }});
+    const auto set_high = [](PulseCase& now, double value) {
+      now.problem.ranges.lambda_high = value;
+    };
+    list.push_back({"lambda_low", lambda, shortest, of_motions(set_lambda)});
+    list.push_back({"lambda_high", shortest, lambda, of_motions(set_high)});
   } else {
-    const double longest =
-        std::max(lambda / far_factor, problem.p_high.value_or(p) / slowest_examined);
-    searches.add_either_way("lambda", lambda, std::min(lambda, longest),
-                            std::min(lambda * far_factor, p * fastest_pulse), set_lambda);
+    const double longest = std::max(lambda / far_factor, stiffest / slowest_examined);
+    list.push_back({"lambda", lambda, std::min(lambda * far_factor, p * fastest_pulse),
+                    of_motions(set_lambda), std::min(lambda, longest), growth});
   }
-}
-
-void add_spring(Searches& searches, const PulseProblem& problem) {
-  const double p = problem.p;
-  const double lambda = angular_frequency(problem.pulse);
+  const auto set_p = of_motions(in_problem(&PulseProblem::p));
   if (problem.p_high) {
-    searches.add({"p_low", p, *problem.p_high, set_p});
-    searches.add({"p_high", *problem.p_high, p, [](PulseCase& now, double value) {
-                    now.problem.p_high = value;
-                    now.profile.reset();
-                  }});
+    list.push_back({"p_low", p, stiffest, set_p});
+    list.push_back({"p_high", stiffest, p, of_motions(in_problem(&PulseProblem::p_high))});
   } else {
-    const double softest =
-        std::max(p / far_factor, problem.ranges.lambda_high.value_or(lambda) / fastest_pulse);
-    searches.add_either_way(
-        "p", p, softest, std::max(p, std::min(p * far_factor, lambda * slowest_examined)), set_p);
+    const double softest = std::max(p / far_factor, shortest / fastest_pulse);
+    list.push_back({"p", p, std::max(p, std::min(p * far_factor, lambda * slowest_examined)), set_p,
+                    softest, growth});
   }
+  list.push_back(
+      {"beta", problem.beta, problem.beta * far_factor, in_problem(&PulseProblem::beta)});
+  return list;
 }
 
 }  // namespace
 
 std::optional<Criterion> criterion_mend(const PulseProblem& problem, const Limits& limits,
                                         const std::shared_ptr<const WorstReturn>& profile) {
-  PulseCase exact{problem, limits, profile};
-  if (problem.criterion == Criterion::exact || fits(exact)) {
-    return std::nullopt;
-  }
-  exact.problem.criterion = Criterion::exact;  // on which the motions do not depend
-  return fits(exact) ? std::optional(Criterion::exact) : std::nullopt;
+  const PulseCase base{problem, limits, profile};  // the motions do not depend on the criterion
+  return fits(base) ? std::nullopt : exact_if_it_fits(base, fits);
 }
 
 PulseMends mends(const PulseProblem& problem, const Limits& limits,
@@ -263,16 +201,21 @@ PulseMends mends(const PulseProblem& problem, const Limits& limits,
     return {};
   }
   Budget budget;
-  Searches searches(base, budget);
-  add_load(searches, problem);
-  add_spring(searches, problem);
-  searches.add({"beta", problem.beta, problem.beta * far_factor,
-                [](PulseCase& now, double value) { now.problem.beta = value; }});
-  for (const Input<PulseCase>& limit : limit_inputs<PulseCase>(limits)) {
-    searches.add(limit);
+  const auto tried = [&budget](const PulseCase& now) {
+    budget.costs(cost_of(now.problem));
+    return fits(now);
+  };
+  std::vector<Input<PulseCase>> inputs = inputs_of(problem);
+  std::ranges::move(limit_inputs<PulseCase>(limits), std::back_inserter(inputs));
+  PulseMends found;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const auto search = [&] { return inputs[i].mend(base, tried, close); };
+    if (const auto mend = budget.within(search, inputs.size() - i)) {
+      found.list.push_back(*mend);
+    }
   }
-  std::vector<Mend> found = searches.found();
-  return {std::move(found), budget.was_spent()};
+  found.cut_short = budget.was_spent();
+  return found;
 }
 
 }  // namespace stillpoint::design

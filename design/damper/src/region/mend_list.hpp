@@ -25,48 +25,6 @@ struct HitCase {
   Limits limits;
 };
 
-/// An input that helps more the closer it is to `to`.
-template <class Case>
-struct Input {
-  std::string_view field;
-  double from{0};
-  double to{0};
-  std::function<void(Case&, double)> set{};
-
-  [[nodiscard]] Case in(Case changed, double value) const {
-    set(changed, value);
-    return changed;
-  }
-  [[nodiscard]] Mend mend(double value) const { return {field, value, value > from}; }
-};
-
-/// The limits that are set.
-template <class Case>
-std::vector<Input<Case>> limit_inputs(const Limits& limits) {
-  std::vector<Input<Case>> list;
-  for (const LimitKind& kind : limit_kinds()) {
-    if (const auto& limit = limits.*kind.value) {
-      list.push_back({kind.field, *limit, largest_square,
-                      [&kind](Case& now, double value) { now.limits.*kind.value = value; }});
-    }
-  }
-  if (limits.tolerance > 0) {
-    list.push_back({"tolerance", limits.tolerance, 0.0,
-                    [](Case& now, double value) { now.limits.tolerance = value; }});
-  }
-  return list;
-}
-
-/// The mend of one input, if it suffices alone.
-template <class Case, class Fits>
-void add_mend(std::vector<Mend>& list, const Case& base, const Fits& fits,
-              const Input<Case>& input) {
-  if (const auto nearest = nearest_fit(input.from, input.to,
-                                       [&](double value) { return fits(input.in(base, value)); })) {
-    list.push_back(input.mend(*nearest));
-  }
-}
-
 /// For an input that does not always help or always harm: the nearest value on either side that
 /// fits, as far as `least` and `most`. An interval narrower than a step may be missed; the steps
 /// grow by the factor `growth` each.
@@ -89,6 +47,66 @@ std::optional<double> nearest_either_way(double from, double least, double most,
     inner = outer;
   }
   return std::nullopt;
+}
+
+/// An input that helps more the closer it is to `to`; one with `least` may help either way, up to
+/// `to` and down to `least`, by steps that grow.
+template <class Case>
+struct Input {
+  std::string_view field;
+  double from{0};
+  double to{0};
+  std::function<void(Case&, double)> set{};
+  std::optional<double> least{};
+  double growth{1};
+
+  [[nodiscard]] Case in(Case changed, double value) const {
+    set(changed, value);
+    return changed;
+  }
+  [[nodiscard]] Mend mend(double value) const { return {field, value, value > from}; }
+  /// If it suffices alone.
+  template <class Fits>
+  [[nodiscard]] std::optional<Mend> mend(const Case& base, const Fits& fits,
+                                         double close = 0) const {
+    const auto tried = [&](double value) { return fits(in(base, value)); };
+    const auto value = least ? nearest_either_way(from, *least, to, growth, tried, close)
+                             : nearest_fit(from, to, tried, close);
+    return value ? std::optional(mend(*value)) : std::nullopt;
+  }
+};
+
+/// Sets a member of the problem.
+template <class Member>
+auto in_problem(Member member) {
+  return [member](auto& now, double value) { now.problem.*member = value; };
+}
+
+/// The limits that are set.
+template <class Case>
+std::vector<Input<Case>> limit_inputs(const Limits& limits) {
+  std::vector<Input<Case>> list;
+  for (const LimitKind& kind : limit_kinds()) {
+    if (const auto& limit = limits.*kind.value) {
+      list.push_back({kind.field, *limit, largest_square,
+                      [&kind](Case& now, double value) { now.limits.*kind.value = value; }});
+    }
+  }
+  if (limits.tolerance > 0) {
+    list.push_back({"tolerance", limits.tolerance, 0.0,
+                    [](Case& now, double value) { now.limits.tolerance = value; }});
+  }
+  return list;
+}
+
+/// The exact criterion, if it suffices alone.
+template <class Case, class Fits>
+std::optional<Criterion> exact_if_it_fits(Case now, const Fits& fits) {
+  if (now.problem.criterion == Criterion::exact) {
+    return std::nullopt;
+  }
+  now.problem.criterion = Criterion::exact;
+  return fits(now) ? std::optional(Criterion::exact) : std::nullopt;
 }
 
 /// More arrivals are not suggested: searching for them would take seconds when there are none.

@@ -51,11 +51,6 @@ bool has_damper(const HitCase& now) {
   return fits;
 }
 
-Input<HitCase> v0_of(const Problem& problem) {
-  return {"v0", problem.v0, valid_v0(problem).low,
-          [](HitCase& now, double value) { now.problem.v0 = value; }};
-}
-
 /// No peak is above V0/p. All that an even larger beta admits is a dead zone as wide, and so, with
 /// a residual, friction that hardly lets the mass move: not suggested.
 Input<HitCase> beta_of(const Problem& problem) {
@@ -64,7 +59,7 @@ Input<HitCase> beta_of(const Problem& problem) {
   return {"beta", problem.beta,
           std::min({largest_square, largest_speed / problem.p, problem.v0 / problem.p * far_ratio,
                     unmoved}),
-          [](HitCase& now, double value) { now.problem.beta = value; }};
+          in_problem(&Problem::beta)};
 }
 
 HitCase with_p(HitCase now, double p) {
@@ -155,39 +150,11 @@ std::optional<double> mended_p(const HitCase& base, int n) {
 }
 
 /// More p helps the peak and the return and harms the stop.
-std::optional<double> stepped_p(const HitCase& base) {
+Input<HitCase> p_of(const Problem& problem) {
   constexpr double far = 1e6;
-  const double p = base.problem.p;
-  const auto [least, most] = valid_p(base.problem);
-  return nearest_either_way(p, std::max(least, p / far), std::min(most, p * far), 1,
-                            [&](double value) { return has_damper(with_p(base, value)); });
-}
-
-/// For ranges, each end by itself, as far as the other end.
-std::vector<Mend> mends_of_ranges(const HitCase& base) {
-  const Problem& problem = base.problem;
-  std::vector<Mend> list;
-  const auto add = [&](const Input<HitCase>& input) { add_mend(list, base, has_damper, input); };
-  if (problem.v0_low) {
-    if (*problem.v0_low > 0) {
-      add({"v0_low", *problem.v0_low, problem.v0,
-           [](HitCase& now, double value) { now.problem.v0_low = value; }});
-    }
-    add({"v0_high", problem.v0, std::max(*problem.v0_low, valid_v0(problem).low),
-         [](HitCase& now, double value) { now.problem.v0 = value; }});
-  } else {
-    add(v0_of(problem));
-  }
-  if (problem.p_high) {
-    add({"p_low", problem.p, *problem.p_high,
-         [](HitCase& now, double value) { now.problem.p = value; }});
-    add({"p_high", *problem.p_high, problem.p,
-         [](HitCase& now, double value) { now.problem.p_high = value; }});
-  } else if (const auto p = stepped_p(base)) {
-    list.push_back({"p", *p, *p > problem.p});
-  }
-  add(beta_of(problem));
-  return list;
+  const double p = problem.p;
+  const auto [least, most] = valid_p(problem);
+  return {"p", p, std::min(most, p * far), in_problem(&Problem::p), std::max(least, p / far)};
 }
 
 /// The nearest p for any arrival.
@@ -234,26 +201,35 @@ std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
   if (has_damper(base)) {
     return list;
   }
-  if (!is_plain(problem, limits)) {
-    list = mends_of_ranges(base);
-  } else {
-    add_mend(list, base, has_damper, v0_of(problem));
-    if (const auto p = mended_p(base)) {
-      list.push_back({"p", *p, *p > problem.p});
+  const auto add_if = [&list](const std::optional<Mend>& mend) {
+    if (mend) {
+      list.push_back(*mend);
     }
-    add_mend(list, base, has_damper, beta_of(problem));
+  };
+  const auto add = [&](const Input<HitCase>& input) { add_if(input.mend(base, has_damper)); };
+  // Of a range each end by itself, as far as the other end.
+  const double v0 = problem.v0;
+  const double p = problem.p;
+  const double least_v0 = valid_v0(problem).low;
+  if (problem.v0_low.value_or(0) > 0) {
+    add({"v0_low", *problem.v0_low, v0, in_problem(&Problem::v0_low)});
   }
+  add({problem.v0_low ? "v0_high" : "v0", v0, std::max(problem.v0_low.value_or(0), least_v0),
+       in_problem(&Problem::v0)});
+  if (problem.p_high) {
+    add({"p_low", p, *problem.p_high, in_problem(&Problem::p)});
+    add({"p_high", *problem.p_high, p, in_problem(&Problem::p_high)});
+  } else if (!is_plain(problem, limits)) {
+    add(p_of(problem));
+  } else if (const auto mended = mended_p(base)) {
+    add_if(Mend{"p", *mended, *mended > p});
+  }
+  add(beta_of(problem));
   if (problem.residual || needs_a_notch(problem, limits)) {
-    add_mend(list, base, has_damper,
-             {"residual", problem.residual.value_or(0), problem.beta,
-              [](HitCase& now, double value) { now.problem.residual = value; }});
+    add({"residual", problem.residual.value_or(0), problem.beta, in_problem(&Problem::residual)});
   }
-  for (const Input<HitCase>& limit : limit_inputs<HitCase>(limits)) {
-    add_mend(list, base, has_damper, limit);
-  }
-  if (const auto mend = more_arrivals(base)) {
-    list.push_back(*mend);
-  }
+  std::ranges::for_each(limit_inputs<HitCase>(limits), add);
+  add_if(more_arrivals(base));
   return list;
 }
 
@@ -265,12 +241,8 @@ std::optional<double> largest_tolerance_of_any(Problem problem, const Limits& li
 }
 
 std::optional<Criterion> criterion_mend(const Problem& problem, const Limits& limits) {
-  HitCase exact{problem, limits};
-  if (problem.criterion == Criterion::exact || has_damper(exact)) {
-    return std::nullopt;
-  }
-  exact.problem.criterion = Criterion::exact;
-  return has_damper(exact) ? std::optional(Criterion::exact) : std::nullopt;
+  const HitCase base{problem, limits};
+  return has_damper(base) ? std::nullopt : exact_if_it_fits(base, has_damper);
 }
 
 }  // namespace stillpoint::design
