@@ -43,11 +43,9 @@ void add_later(std::vector<Finding>& all, const ShownDamper& now) {
     const Figures figures = figures_of(now.response);
     const double whole = peak ? figures.peak : figures.acceleration;
     if (exceeds(whole, bound.limit)) {
-      Finding& later = all.emplace_back(exceeds_later);
-      later.values.push_back({"figure", std::string(bound.variable)});
       const Dimension dimension = peak ? Dimension::length : Dimension::gravities;
-      later.add("value", whole, dimension);
-      later.add("limit", bound.limit, dimension);
+      Finding& later = all.emplace_back(exceeds_later).tell("figure", bound.variable);
+      later.add("value", whole, dimension).add("limit", bound.limit, dimension);
     }
   }
 }
@@ -58,8 +56,8 @@ void add_weak_hits(std::vector<Finding>& all, const ShownDamper& now) {
   }
   // A weaker hit than this is caught at the start: rule 4 of docs/theory.md, section 2.
   const double caught = std::sqrt(2 * now.point.delta);
-  Finding& weak = all.emplace_back(catches_weak_hits);
-  weak.add("caught_impulse", std::min(caught, now.problem.v0), Dimension::velocity);
+  Finding& weak = all.emplace_back(catches_weak_hits)
+                      .add("caught_impulse", std::min(caught, now.problem.v0), Dimension::velocity);
   if (caught < now.problem.v0) {
     weak.add("least_velocity", caught, Dimension::velocity);
   }
@@ -69,9 +67,7 @@ void add_recentring(std::vector<Finding>& all, const ShownDamper& now) {
   constexpr double asked = 0.25;  // EN 15129
   const auto ratio = now.judged.practice ? now.judged.practice->energy_ratio : std::nullopt;
   if (ratio && *ratio < asked) {
-    Finding& weak = all.emplace_back(recentres_weakly);
-    weak.add("energy_ratio", ratio);
-    weak.add("limit", asked);
+    all.emplace_back(recentres_weakly).add("energy_ratio", ratio).add("limit", asked);
   }
 }
 
@@ -99,7 +95,7 @@ void add_motion(Finding& finding, const TriedMotion& motion, const DesignRequest
   if (!motion.pulse) {
     finding.add("v0", motion.v0, Dimension::velocity);
     if (motion.from_inside) {
-      finding.values.push_back({"from", std::string("inside")});
+      finding.tell("from", "inside");
     }
   } else {
     finding.add("k", peak_load(*motion.pulse), Dimension::gravities);
@@ -120,13 +116,11 @@ void add_built(std::vector<Finding>& all, const DesignRequest& request, const Bu
   const bool within =
       problem.residual && response.stop_position && !exceeds(rest, *problem.residual);
   const auto fails = [&](std::string_view what) -> Finding& {
-    return all.emplace_back(notch_fails, std::vector<FindingValue>{{"what", std::string(what)}});
+    return all.emplace_back(notch_fails).tell("what", what);
   };
   const auto tell = [&](std::string_view what, double value, std::optional<double> limit,
                         Dimension dimension, TriedMotion WorstMotions::*of) {
-    Finding& finding = fails(what);
-    finding.add("value", value, dimension);
-    finding.add("limit", limit, dimension);
+    Finding& finding = fails(what).add("value", value, dimension).add("limit", limit, dimension);
     if (built.worst) {
       add_motion(finding, *built.worst.*of, request);
     }
@@ -184,8 +178,7 @@ void add_search(std::vector<Finding>& all, const DesignResult& design) {
                              ? std::nullopt
                              : any_f_up_to(request.problem, request.limits, point.delta, less);
     if (largest && less > 0) {
-      least.add("tolerance", less);
-      least.add("f", *largest);
+      least.add("tolerance", less).add("f", *largest);
     }
   } else if (point.tolerance < buildable) {
     all.emplace_back(too_exact).add("tolerance", point.tolerance);
@@ -198,9 +191,9 @@ void add_search(std::vector<Finding>& all, const DesignResult& design) {
   constexpr double far_beyond = 3;  // times what stops the mass
   const double least = least_delta(pulse_request(request).problem, point.f).value_or(0);
   if (point.delta > far_beyond * least) {
-    Finding& unbounded = all.emplace_back(delta_unbounded);
-    unbounded.add("least_delta", least, Dimension::length);
-    unbounded.add("proposed", far_beyond * least, Dimension::length);
+    all.emplace_back(delta_unbounded)
+        .add("least_delta", least, Dimension::length)
+        .add("proposed", far_beyond * least, Dimension::length);
   }
 }
 

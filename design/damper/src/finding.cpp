@@ -53,11 +53,8 @@ constexpr auto forms = std::to_array<Form>({
 }  // namespace
 
 std::span<const Named<Severity>> enumerators(Severity) noexcept {
-  static constexpr auto rows = std::to_array<Named<Severity>>({
-      {info, "info"},
-      {caution, "caution"},
-      {fault, "fault"},
-  });
+  static constexpr auto rows =
+      std::to_array<Named<Severity>>({{info, "info"}, {caution, "caution"}, {fault, "fault"}});
   return rows;
 }
 
@@ -77,11 +74,17 @@ Finding::Finding(FindingKind of, std::vector<FindingValue> with)
       severity(std::ranges::find(forms, of, &Form::kind)->severity),
       values(std::move(with)) {}
 
-void Finding::add(std::string_view name, const std::optional<double>& value,
-                  records::Dimension dimension) {
+Finding& Finding::add(std::string_view name, const std::optional<double>& value,
+                      records::Dimension dimension) {
   if (value) {
     values.push_back({name, *value, dimension});
   }
+  return *this;
+}
+
+Finding& Finding::tell(std::string_view name, std::string_view text) {
+  values.push_back({name, std::string(text)});
+  return *this;
 }
 
 }  // namespace stillpoint::design

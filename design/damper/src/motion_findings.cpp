@@ -44,9 +44,8 @@ void add_lock(std::vector<Finding>& all, const SimulationRequest& request,
 
 void add_rest(std::vector<Finding>& all, const Simulation& motion) {
   const Response& response = motion.response;
-  Finding& still = all.emplace_back(never_moves);
   const bool notch = response.outcome == Outcome::stopped_in_notch;
-  still.values.push_back({"by", std::string(notch ? "notch" : "friction")});
+  Finding& still = all.emplace_back(never_moves).tell("by", notch ? "notch" : "friction");
   if (motion.forced) {
     still.add("largest_load", figures_of(response).acceleration, Dimension::gravities);
   } else {
@@ -78,14 +77,14 @@ void add_peaks(std::vector<Finding>& all, const SimulationRequest& request,
   const bool grows = std::ranges::is_sorted(peaks);
   const bool shrinks = std::ranges::is_sorted(peaks, std::ranges::greater());
   const auto [least, most] = std::ranges::minmax(peaks);
-  Finding& finding = all.emplace_back(peaks_develop);
-  finding.values.push_back({"trend", std::string(settles   ? "settle"
-                                                 : grows   ? "grow"
-                                                 : shrinks ? "shrink"
-                                                           : "vary")});
-  finding.add("last_peak", peaks.back(), Dimension::length);
-  finding.add("least_peak", least, Dimension::length);
-  finding.add("largest_peak", most, Dimension::length);
+  all.emplace_back(peaks_develop)
+      .tell("trend", settles   ? "settle"
+                     : grows   ? "grow"
+                     : shrinks ? "shrink"
+                               : "vary")
+      .add("last_peak", peaks.back(), Dimension::length)
+      .add("least_peak", least, Dimension::length)
+      .add("largest_peak", most, Dimension::length);
 }
 
 /// No damper is built more accurately than the first. That of a load or a surface is no tolerance:
@@ -95,9 +94,8 @@ void add_margin(std::vector<Finding>& all, const SimulationRequest& request,
   const auto& margin = motion.response.decision_margin;
   const bool of_inputs = !motion.forced && request.surface.plain();
   if (margin && *margin < (of_inputs ? 0.01 : 1e-9)) {
-    Finding& close = all.emplace_back(close_call);
     const bool starts = motion.response.outcome == Outcome::caught_at_start;
-    close.values.push_back({"changes", std::string(starts ? "start" : "stop")});
+    Finding& close = all.emplace_back(close_call).tell("changes", starts ? "start" : "stop");
     if (of_inputs && *margin > std::numeric_limits<double>::epsilon()) {
       close.add("decision_margin", margin);
     }
@@ -125,15 +123,14 @@ void add_nearby(std::vector<Finding>& all, const SimulationRequest& request,
   if (!apart && !ends->rest_differs && !ends->lock_differs) {
     return;
   }
-  Finding& finding = all.emplace_back(sensitive);
-  finding.values.push_back(
-      {"varied", std::string(request.oscillator.delta > 0 ? "f and delta" : "f")});
+  Finding& finding = all.emplace_back(sensitive).tell(
+      "varied", request.oscillator.delta > 0 ? "f and delta" : "f");
   if (apart) {
-    finding.add("rest_low", ends->rests->low, Dimension::length);
-    finding.add("rest_high", ends->rests->high, Dimension::length);
+    finding.add("rest_low", ends->rests->low, Dimension::length)
+        .add("rest_high", ends->rests->high, Dimension::length);
   }
   if (ends->rest_differs || ends->lock_differs) {
-    finding.values.push_back({"changes", std::string(ends->rest_differs ? "rest" : "lock")});
+    finding.tell("changes", ends->rest_differs ? "rest" : "lock");
   }
 }
 
@@ -169,26 +166,24 @@ double least_width(double f, double delta, double load) {
 void add_failed(std::vector<Finding>& all, const CrossCheck& check) {
   const auto method = std::ranges::find(check.methods, false, &CheckMethod::passed);
   if (method != check.methods.end()) {
-    Finding& failed = all.emplace_back(check_failed);
-    failed.add("relative_error", method->relative_error);
-    failed.add("tolerance", method->tolerance);
+    all.emplace_back(check_failed)
+        .add("relative_error", method->relative_error)
+        .add("tolerance", method->tolerance);
   }
 }
 
 Finding lock_of(const ForcedResponse& motion, double load_end) {
-  Finding lock(locks);
-  lock.add("largest_load_while_locked", motion.largest_load_while_locked, Dimension::gravities);
-  lock.add("final_position", motion.final_position, Dimension::length);  // off 0 in a wide notch
-  lock.add("locked_from", motion.locked_from, Dimension::time);
-  lock.add("load_end", load_end, Dimension::time);
-  return lock;
+  return Finding(locks)
+      .add("largest_load_while_locked", motion.largest_load_while_locked, Dimension::gravities)
+      .add("final_position", motion.final_position, Dimension::length)  // off 0 in a wide notch
+      .add("locked_from", motion.locked_from, Dimension::time)
+      .add("load_end", load_end, Dimension::time);
 }
 
 Finding no_notch(double width, double peak) {
-  Finding none(no_notch_works);
-  none.add("least_width", width, Dimension::length);
-  none.add("peak_amplitude", peak, Dimension::length);
-  return none;
+  return Finding(no_notch_works)
+      .add("least_width", width, Dimension::length)
+      .add("peak_amplitude", peak, Dimension::length);
 }
 
 std::optional<double> caught_impulse(const SimulationRequest& request, const Response& response) {
@@ -219,9 +214,9 @@ std::vector<Finding> findings_of(const SimulationRequest& request, const Simulat
     add_rest(all, motion);
   }
   if (const auto impulse = caught_impulse(request, response)) {
-    Finding& caught = all.emplace_back(catches_hit);
-    caught.add("caught_impulse", impulse, Dimension::velocity);
-    caught.add("least_velocity", std::sqrt(2 * delta), Dimension::velocity);
+    all.emplace_back(catches_hit)
+        .add("caught_impulse", impulse, Dimension::velocity)
+        .add("least_velocity", std::sqrt(2 * delta), Dimension::velocity);
   }
   if (forced && response.jump > 0) {
     all.emplace_back(jolts).add("jump", response.jump, Dimension::velocity);
@@ -231,9 +226,9 @@ std::vector<Finding> findings_of(const SimulationRequest& request, const Simulat
   add_peaks(all, request, motion);
   const auto load = duration(request.excitation);
   if (load && request.t_end && *request.t_end < *load) {
-    Finding& cut = all.emplace_back(ends_before_load);
-    cut.add("end_time", request.t_end, Dimension::time);
-    cut.add("load_end", load, Dimension::time);
+    all.emplace_back(ends_before_load)
+        .add("end_time", request.t_end, Dimension::time)
+        .add("load_end", load, Dimension::time);
   }
   return all;
 }

@@ -3,13 +3,15 @@
 
 #include "figures_of_damper.hpp"
 #include "pulse/answer.hpp"
-#include "region/feasible.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 
 #include <fmt/format.h>
+
+#include <utility>
+#include <vector>
 
 namespace stillpoint::design {
 
@@ -21,6 +23,40 @@ std::optional<Response> response_of(const Oscillator& oscillator, double v0) {
     return free_response(oscillator, {0, v0}, {.half_cycle_limit = most_half_cycles});
   } catch (const TooManyHalfCycles&) {
     return std::nullopt;
+  }
+}
+
+std::vector<Interval> feasible_at(const RegionAnswer& answer, const RegionRequest& request,
+                                  double f) {
+  std::vector<Interval> all;
+  const auto add = [&all](const std::optional<Interval>& delta) {
+    if (delta && (delta->low < delta->high || delta->low == 0)) {  // delta > low
+      all.push_back(*delta);
+    }
+  };
+  if (request.pulse) {
+    add(feasible_delta(pulse_request(request).problem, request.limits)(f));
+  }
+  for (const Strip& strip : answer.strips) {
+    add(feasible_delta(request.problem, request.limits, strip.arrival, f));
+  }
+  return merged(std::move(all));
+}
+
+/// What f and Delta are feasible, where the region and the strips are known.
+void add_feasible(RegionAnswer& answer, const RegionRequest& request) {
+  const auto& [problem, limits, f, delta, pulse, ranges] = request;
+  const bool feasible = answer.region.feasible;
+  const bool first = problem.arrivals == 1 && !problem.residual;
+  if (feasible) {
+    answer.feasible_f =
+        pulse || first ? std::vector<Interval>{{*answer.region.f_lower, *answer.region.f_upper}}
+                       : feasible_f(answer.strips);
+  }
+  // With a single arrival the least Delta falls with f: what suits the least f suits every other.
+  const bool falls = !pulse && first && problem.v0_low != 0.0;
+  if (delta || (feasible && (f || falls))) {
+    answer.feasible_delta = feasible_at(answer, request, f ? *f : *answer.region.f_lower);
   }
 }
 

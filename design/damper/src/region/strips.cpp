@@ -8,7 +8,9 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace stillpoint::design {
 
@@ -53,6 +55,29 @@ double least_stopping_delta(const Problem& problem, double f) {
   require_within("f", f, 0, largest_square);
   const Way last(problem, {}, static_cast<int>(problem.arrivals));
   return d_of_last_stop(last, last.scaled(f)) * last.square();
+}
+
+std::vector<Interval> merged(std::vector<Interval> all) {
+  std::ranges::sort(all, {}, &Interval::low);
+  std::vector<Interval> apart;
+  for (const Interval& now : all) {
+    if (!apart.empty() && now.low <= apart.back().high) {
+      apart.back().high = std::max(apart.back().high, now.high);
+    } else {
+      apart.push_back(now);
+    }
+  }
+  return apart;
+}
+
+std::vector<Interval> feasible_f(const std::vector<Strip>& strips) {
+  std::vector<Interval> all;
+  for (const Strip& strip : strips) {
+    if (strip.f_lower) {
+      all.push_back({*strip.f_lower, *strip.f_upper});
+    }
+  }
+  return merged(std::move(all));
 }
 
 std::vector<Strip> strips(const Problem& problem, const Limits& limits) {

@@ -72,63 +72,22 @@ double last_fit(double edge, double nominal, const Fits& fits) {
   return *nearest_fit(fits(outer) ? edge : outer, passed || !fits(inner) ? nominal : inner, fits);
 }
 
-/// For a damper that stops at a later arrival: only the intervals of its way. Between the strips
-/// the mass rests off centre, so no interval continues into another one.
-WorksFor works_for(const Way& way, double f, double delta) {
-  const auto holds = [&](double v0, double p) {
-    Problem changed = way.problem;
-    changed.v0 = v0;
-    changed.p = p;
-    return admissible(Way(changed, way.limits, way.n), f, delta);
-  };
-  const double v0 = way.problem.v0;
-  const double p = way.problem.p;
-  const auto with_v0 = [&](double value) { return holds(value, p); };
-  const auto with_p = [&](double value) { return holds(v0, value); };
+/// The intervals of the problem, extended as far as the damper works, one end after the other.
+template <class WithV0, class WithP>
+WorksFor extended(const Problem& problem, const WithV0& with_v0, const WithP& with_p) {
   const auto end = [](double from, double nominal, const auto& fits) {
     return *nearest_fit(from, nominal, fits);
   };
-  const Interval of_v0 = valid_v0(way.problem);
-  const Interval of_p = valid_p(way.problem);
-  WorksFor served;
-  served.hit = {end(std::min(v0, of_v0.low), v0, with_v0),
-                end(std::max(v0, of_v0.high), v0, with_v0)};
-  served.p.low = end(std::min(p, of_p.low), p, with_p);
-  if (const double most = std::max(p, of_p.high); !with_p(most)) {
-    served.p.high = end(most, p, with_p);
-  }
-  return served;
-}
-
-/// The ranges, extended as far as the damper works for them, one end after the other.
-WorksFor served_ranges(const Problem& problem, const Limits& limits, double f, double delta) {
-  const auto grown = [&](double from, double to, const auto& set) {
-    return *nearest_fit(from, to, [&](double value) {
-      Problem changed = problem;
-      set(changed, value);
-      return admissible(changed, limits, f, delta);
-    });
-  };
-  const double low = problem.v0_low.value_or(problem.v0);
+  const double weakest = problem.v0_low.value_or(problem.v0);
   const double stiffest = problem.stiffest_p();
   const Interval of_v0 = valid_v0(problem);
   const Interval of_p = valid_p(problem);
   WorksFor served;
-  served.hit = {
-      low == 0 ? 0
-               : grown(std::min(low, of_v0.low), low,
-                       [](Problem& now, double value) { now.v0_low = value; }),
-      grown(std::max(problem.v0, of_v0.high), problem.v0, [&](Problem& now, double value) {
-        now.v0 = value;
-        now.v0_low = low;
-      })};
-  served.p.low = grown(std::min(problem.p, of_p.low), problem.p, [&](Problem& now, double value) {
-    now.p = value;
-    now.p_high = stiffest;
-  });
-  const auto raise = [](Problem& now, double value) { now.p_high = value; };
+  served.hit = {weakest == 0 ? 0 : end(std::min(weakest, of_v0.low), weakest, with_v0),
+                end(std::max(problem.v0, of_v0.high), problem.v0, with_v0)};
+  served.p.low = end(std::min(problem.p, of_p.low), problem.p, with_p);
   const double most = std::max(stiffest, of_p.high);
-  if (const double high = grown(most, stiffest, raise); high < most) {
+  if (const double high = end(most, stiffest, with_p); high < most) {
     served.p.high = high;
   }
   return served;
@@ -144,21 +103,46 @@ std::optional<WorksFor> works_for(const Problem& problem, const Limits& limits, 
     return std::nullopt;
   }
   if (!is_plain(problem, limits)) {
-    return served_ranges(problem, of_the_point, f, delta);
+    const auto holds = [&](const Problem& now) { return admissible(now, of_the_point, f, delta); };
+    Problem wider = problem;
+    return extended(
+        problem,
+        [&](double v0) {
+          wider = problem;
+          wider.v0_low = std::min(problem.v0_low.value_or(problem.v0), v0);
+          wider.v0 = std::max(problem.v0, v0);
+          return holds(wider);
+        },
+        [&](double p) {
+          wider = problem;
+          wider.p = std::min(problem.p, p);
+          wider.p_high = std::max(problem.stiffest_p(), p);
+          return holds(wider);
+        });
   }
   const double v0 = problem.v0;
   const double p = problem.p;
+  if (const auto arrival = arrival_of(problem, f, delta).value(); arrival > 1) {
+    Problem one = problem;  // a range of one value is that value
+    one.v0_low = one.p_high = {};
+    // Only the intervals of its way: between the strips the mass rests off centre, so none
+    // continues into another one. Without constant friction the strips touch, and way 0 covers all.
+    const int way = f == 0 ? 0 : static_cast<int>(arrival);
+    const auto holds = [&](double speed, double stiffness) {
+      Problem now = one;
+      now.v0 = speed;
+      now.p = stiffness;
+      return admissible(Way(now, of_the_point, way), f, delta);
+    };
+    return extended(
+        one, [&](double speed) { return holds(speed, p); },
+        [&](double stiffness) { return holds(v0, stiffness); });
+  }
   const auto holds = [&](double speed, double stiffness) {
     return admissible({speed, stiffness, problem.beta, problem.criterion}, of_the_point, f, delta);
   };
   const auto with_v0 = [&](double value) { return holds(value, p); };
   const auto with_p = [&](double value) { return holds(v0, value); };
-  if (const auto arrival = arrival_of(problem, f, delta).value(); arrival > 1) {
-    Problem one = problem;  // a range of one value is that value
-    one.v0_low = one.p_high = {};
-    // Without constant friction the strips touch, and way 0 covers all.
-    return works_for(Way(one, of_the_point, f == 0 ? 0 : static_cast<int>(arrival)), f, delta);
-  }
   const HitDamper damper{f, 2 * delta, problem.beta, problem.criterion};
   const Interval of_v0 = valid_v0(problem);
   const Interval of_p = valid_p(problem);

@@ -45,21 +45,7 @@ std::optional<DesignPoint> best_with(const Problem& problem, const Limits& limit
 /// The f of the dampers that have the tolerance asked for.
 std::vector<Interval> feasible_spans(const Problem& problem, const Limits& limits,
                                      const Region& region) {
-  std::vector<Interval> strip_spans;
-  for (const Strip& strip : strips(problem, limits)) {
-    if (strip.f_lower) {
-      strip_spans.push_back({*strip.f_lower, *strip.f_upper});
-    }
-  }
-  std::ranges::sort(strip_spans, {}, &Interval::low);
-  std::vector<Interval> spans;
-  for (const Interval& span : strip_spans) {
-    if (spans.empty() || spans.back().high < span.low) {
-      spans.push_back(span);
-    } else {
-      spans.back().high = std::max(spans.back().high, span.high);
-    }
-  }
+  std::vector<Interval> spans = feasible_f(strips(problem, limits));
   if (spans.empty() || spans.front().low != *region.f_lower ||
       spans.back().high != *region.f_upper) {
     spans.assign(1, {*region.f_lower, *region.f_upper});  // the strips are not all there is

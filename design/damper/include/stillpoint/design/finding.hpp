@@ -73,8 +73,9 @@ struct Finding {
 
   explicit Finding(FindingKind of, std::vector<FindingValue> with = {});
   /// A value that does not exist is left out.
-  void add(std::string_view name, const std::optional<double>& value,
-           records::Dimension dimension = records::Dimension::none);
+  Finding& add(std::string_view name, const std::optional<double>& value,
+               records::Dimension dimension = records::Dimension::none);
+  Finding& tell(std::string_view name, std::string_view text);
 };
 
 }  // namespace stillpoint::design

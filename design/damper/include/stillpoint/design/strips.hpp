@@ -23,6 +23,11 @@ struct Strip {
 /// Throws InputError.
 [[nodiscard]] std::vector<Strip> strips(const Problem& problem, const Limits& limits = {});
 
+/// In rising order, those that overlap as one.
+[[nodiscard]] std::vector<Interval> merged(std::vector<Interval> all);
+/// The f of any of them with the tolerance asked for.
+[[nodiscard]] std::vector<Interval> feasible_f(const std::vector<Strip>& strips);
+
 /// The Delta with which a damper with that f stops the mass at the n-th arrival: the lower edge is
 /// excluded, the peak and the limits are not checked. Accurate to a few roundings; empty if there
 /// is none. Throws InputError.
