@@ -24,16 +24,6 @@ bool same_motion(const Response& a, const Response& b) {
          same(a.stop_position, b.stop_position) && same(a.peak_amplitude, b.peak_amplitude);
 }
 
-Pulse with(const Pulse& pulse, double k, double lambda) {
-  return std::visit(
-      [&](auto kind) {
-        kind.k = k;
-        kind.lambda = lambda;
-        return Pulse(kind);
-      },
-      pulse);
-}
-
 /// Of a range, or of its one value.
 std::vector<double> grid(double low, double high, int count) {
   std::vector<double> values;

@@ -3,12 +3,31 @@
 
 // What the motions of one f do along a leg: docs/theory.md section 15.
 
-#include "pulse/leg.hpp"
+#include "pulse/first_return.hpp"
 
 #include <cstddef>
 #include <vector>
 
 namespace stillpoint::design {
+
+/// Some of the pulses and springs that stand for all of the ranges of lambda and p: one leg of (61)
+/// of docs/theory.md. In units of the strongest pulse, k, and of the softest spring, p, as
+/// first_return.hpp. Those along which lambda/p grows, s times from the first: either the spring
+/// gets softer or the pulse shorter.
+struct Leg {
+  Pulse first;  ///< k = 1
+  double p{1};
+  bool softens{false};
+  std::vector<double> stops;  ///< the s to look at
+
+  [[nodiscard]] Pulse pulse_at(double s) const {
+    return softens ? first : with(first, 1, angular_frequency(first) * s);
+  }
+  [[nodiscard]] double p_at(double s) const { return softens ? p / s : p; }
+  [[nodiscard]] FirstReturn at(double s, double f) const {
+    return rescaled(first_return(pulse_at(s), p_at(s), f), 1, p_at(s));
+  }
+};
 
 /// The motions at the stops of a leg, both sides of each jump between them, and the maxima of each
 /// bounded figure; or one that does not return.

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: MIT
-// The region of a pulse, what would help where it is empty, and how a damper stands in it.
+// The region of a pulse, what would help where it is empty, the design in it, and how a damper
+// stands in it.
 
 #include "pulse/answer.hpp"
 
 #include "figures_of_damper.hpp"
 #include "found.hpp"
 #include "pulse/verdict.hpp"
+#include "search/objectives.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/design/design.hpp>
 #include <stillpoint/design/works_for.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +24,16 @@
 namespace stillpoint::design {
 
 namespace {
+
+DesignPoint in_units(const DesignPoint& found, const PulseRegion& region) {
+  return {found.f * region.f_unit(), found.delta * region.delta_unit(), found.tolerance};
+}
+
+PulseRegion region_for(const PulseRequest& request) {
+  require_valid(request.search);
+  require_valid(request.problem, request.limits);
+  return {request.problem, request.limits};
+}
 
 /// As in tolerance.hpp. The largest tolerance searched does not exclude a larger one.
 std::optional<DesignPoint> most_tolerant(const PulseRegion& region, const PulseProblem& problem,
@@ -28,8 +44,7 @@ std::optional<DesignPoint> most_tolerant(const PulseRegion& region, const PulseP
   if (!best || !(best->found.point.tolerance > 0 && best->found.point.tolerance < asked)) {
     return std::nullopt;
   }
-  const auto& [f, delta, tolerance] = best->found.point;
-  return DesignPoint{f * region.f_unit(), delta * region.delta_unit(), tolerance};
+  return in_units(best->found.point, region);
 }
 
 /// Without ranges empty.
@@ -99,11 +114,10 @@ DesignResult around(const std::optional<PulseOptimum>& optimum, const PulseReque
 RegionAnswer answer_under_pulse(const RegionRequest& asked) {
   const PulseRequest request = pulse_request(asked);
   const auto& [problem, limits, options] = request;
-  require_valid(problem, limits);
+  const PulseRegion region = region_for(request);
   if (asked.f) {
     require_valid(Oscillator{problem.p, *asked.f, asked.delta.value_or(0)});
   }
-  const PulseRegion region(problem, limits);
   // Of several intervals, the region is the one with the most tolerant damper.
   RegionAnswer answer{around(search(region, options), request, region), {}};
   if (!asked.f) {
@@ -132,6 +146,58 @@ void add_finding(DesignResult& result, const PulseRequest& request, const PulseR
   const Oscillator damper{shown.p, point.f, point.delta};
   add_practice(*result.finding, problem, limits, shown, damper, result.finding->response);
   add_delta1(*result.finding, problem, point.f);
+}
+
+std::optional<PulseDamper> damper(const PulseRequest& request) {
+  const PulseRegion region = region_for(request);
+  const auto optimum = search(region, request.search);
+  if (!optimum) {
+    return std::nullopt;
+  }
+  const double unit_f = optimum->found.point.f;
+  DesignPoint point = in_units(optimum->found.point, region);
+  point.tolerance = even_tolerance(request, region, point, unit_f);
+  const PulseProblem shown = region.profile()->largest_peak(request.problem, unit_f);
+  return PulseDamper{point,
+                     forced_response({shown.p, point.f, point.delta}, {}, excitation(shown.pulse))};
+}
+
+DesignResult design(const PulseRequest& request) {
+  const PulseRegion region = region_for(request);
+  const auto optimum = search(region, request.search);
+  DesignResult result = around(optimum, request, region);
+  if (!optimum) {
+    return result;
+  }
+  add_finding(result, request, region, in_units(optimum->found.point, region),
+              optimum->found.point.f);
+  result.finding->search = optimum->found.record;
+  const auto value_of = [&](double value) {
+    return std::isinf(value) ? std::nullopt
+                             : std::optional(in_pulse_units(request.search.objective, value,
+                                                            region.f_unit(), request.problem.p));
+  };
+  result.finding->search->by_nlopt = value_of(optimum->searched);
+  result.finding->search->along_f = value_of(optimum->bracketed);
+  return result;
+}
+
+PulseRequest pulse_request(const DesignRequest& request) {
+  const auto& [problem, limits, options, pulse, ranges] = request;
+  if (problem.arrivals > 1) {
+    throw InputError("arrivals", fmt::format("{}", problem.arrivals),
+                     "must be 1 with a pulse: a design for a pulse stops at the first arrival");
+  }
+  if (problem.residual) {
+    throw InputError("residual", *problem.residual,
+                     "must be left out with a pulse: a design for a pulse stops at x = 0");
+  }
+  return {pulse_problem(problem, *pulse, ranges), limits, options};
+}
+
+PulseRequest pulse_request(const RegionRequest& request) {
+  return pulse_request(
+      DesignRequest{request.problem, request.limits, {}, request.pulse, request.pulse_ranges});
 }
 
 }  // namespace stillpoint::design

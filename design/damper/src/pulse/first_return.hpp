@@ -7,6 +7,7 @@
 
 #include <stillpoint/design/pulse.hpp>
 
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -55,5 +56,14 @@ inline constexpr double unpassable = 1e250;
 /// short, whose speed is a small difference. Accurate to a few roundings, except for what an f
 /// barely below 1 amplifies.
 [[nodiscard]] std::optional<FirstReturn> closed_return(const Pulse& pulse, double f);
+
+/// The quantities that grow with k and fall with p, and others bounded from above.
+inline constexpr std::array bounded_figures{&FirstReturn::peak, &FirstReturn::time,
+                                            &FirstReturn::acceleration, &FirstReturn::exact_need,
+                                            &FirstReturn::published_need};
+
+/// A motion of the unit pulse on the unit spring as that of the load k on the spring p, both over
+/// the units: (60) of docs/theory.md.
+[[nodiscard]] FirstReturn rescaled(FirstReturn motion, double k, double p);
 
 }  // namespace stillpoint::design

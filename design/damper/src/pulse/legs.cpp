@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pulse/legs.hpp"
 
-#include "pulse/along_leg.hpp"
-
 #include <stillpoint/core/elementary.hpp>
 
 #include <algorithm>

@@ -5,8 +5,7 @@
 // and the worst of their motions for one f. In units of the strongest pulse, k, and of the softest
 // spring, p, as first_return.hpp.
 
-#include "pulse/first_return.hpp"
-#include "pulse/leg.hpp"
+#include "pulse/along_leg.hpp"
 
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/pulse.hpp>

@@ -39,11 +39,11 @@ auto of_motions(const Set& set) {
 }
 
 void set_k(PulseCase& now, double k) {
-  std::visit([k](auto& kind) { kind.k = k; }, now.problem.pulse);
+  now.problem.pulse = with(now.problem.pulse, k, angular_frequency(now.problem.pulse));
 }
 
 void set_lambda(PulseCase& now, double lambda) {
-  std::visit([lambda](auto& kind) { kind.lambda = lambda; }, now.problem.pulse);
+  now.problem.pulse = with(now.problem.pulse, peak_load(now.problem.pulse), lambda);
 }
 
 /// What a motion costs, in those of a short pulse: measured are 0.15 us and as much for each radian
@@ -92,8 +92,7 @@ class Budget {
 
 /// The same with one pulse and one spring.
 PulseCase alone(PulseCase now, double k, double lambda, double p) {
-  set_k(now, k);
-  set_lambda(now, lambda);
+  now.problem.pulse = with(now.problem.pulse, k, lambda);
   now.problem.p = p;
   now.problem.p_high = {};
   now.problem.ranges = {};

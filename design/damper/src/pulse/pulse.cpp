@@ -60,6 +60,10 @@ double angular_frequency(const Pulse& pulse) {
   return std::visit([](const auto& kind) { return kind.lambda; }, pulse);
 }
 
+Pulse with(const Pulse& pulse, double k, double lambda) {
+  return std::visit([&]<class Kind>(const Kind&) { return Pulse(Kind{k, lambda}); }, pulse);
+}
+
 std::string_view name(const Pulse& pulse) {
   return stillpoint::name(excitation(pulse));
 }

@@ -5,7 +5,6 @@
 #include <stillpoint/core/forced_motion.hpp>
 
 #include <cmath>
-#include <type_traits>
 
 namespace stillpoint::design {
 
@@ -33,11 +32,7 @@ FirstReturn forced_return(const Pulse& unit, double f) {
 }  // namespace
 
 Pulse unit_pulse(const Pulse& pulse, double p) {
-  return std::visit(
-      [p](const auto& kind) {
-        return Pulse(std::decay_t<decltype(kind)>{1, kind.lambda / p});
-      },
-      pulse);
+  return with(pulse, 1, angular_frequency(pulse) / p);
 }
 
 FirstReturn first_return(const Pulse& pulse, double p, double f) {
@@ -50,6 +45,24 @@ FirstReturn first_return(const Pulse& pulse, double p, double f) {
   constexpr double aside = 1e-6;  // half of the digits
   motion.need_slope =
       (motion.exact_need - forced_return(unit, f * (1 - aside)).exact_need) / (f * aside);
+  return motion;
+}
+
+FirstReturn rescaled(FirstReturn motion, double k, double p) {
+  if (k == 1 && p == 1) {
+    return motion;
+  }
+  const double length = k / p / p;
+  motion.f *= k;
+  motion.peak *= length;
+  motion.speed *= length * p;
+  motion.time /= p;
+  motion.acceleration *= k;
+  motion.exact_need *= length * k;
+  motion.published_need *= length * k;
+  motion.need_slope *= length;
+  motion.clearance *= length * k;
+  motion.shortfall *= length * k;
   return motion;
 }
 

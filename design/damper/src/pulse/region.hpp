@@ -5,7 +5,6 @@
 // limits, and for each of them every Delta from its need up to delta_max. docs/theory.md section 8.
 
 #include "pulse/intervals.hpp"
-#include "pulse/known_motions.hpp"
 #include "pulse/worst_return.hpp"
 #include "region/limit_table.hpp"
 

@@ -3,10 +3,9 @@
 
 // One interval of f, in which every box of the tolerance asked for fits that has its sides there.
 
-#include "pulse/known_motions.hpp"
 #include "pulse/region.hpp"
+#include "search/nlopt_fence.hpp"
 #include "search/objectives.hpp"
-#include "search/run.hpp"
 
 #include <algorithm>
 #include <cmath>

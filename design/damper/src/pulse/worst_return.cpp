@@ -102,8 +102,8 @@ FirstReturn WorstReturn::found_at(double f) const {
 PulseProblem WorstReturn::largest_peak(PulseProblem problem, double f) const {
   if (!legs_->is_single()) {
     const Legs::Worst worst = legs_->at(f);
-    const double lambda = angular_frequency(worst.pulse) * problem.p;
-    std::visit([&](auto& kind) { kind.lambda = lambda; }, problem.pulse);
+    problem.pulse =
+        with(problem.pulse, peak_load(problem.pulse), angular_frequency(worst.pulse) * problem.p);
     problem.p *= worst.p;
   }
   problem.ranges = {};
@@ -135,6 +135,35 @@ double WorstReturn::need_of_samples(double low, double high, Criterion criterion
     most = std::max(most, now->need(criterion));
   }
   return most;
+}
+
+const FirstReturn& KnownMotions::at(double f) {
+  const auto place = std::ranges::lower_bound(motions_, f, {}, &FirstReturn::f);
+  return place != motions_.end() && place->f == f ? *place
+                                                  : *motions_.insert(place, profile_.found_at(f));
+}
+
+double KnownMotions::need_between(double low, double high, Criterion criterion) {
+  const double most =
+      std::max(at(low).need(criterion), profile_.need_of_samples(low, high, criterion));
+  return profile_.most_need(high, criterion) <= most ? most
+                                                     : std::max(most, at(high).need(criterion));
+}
+
+double KnownMotions::need_slope(double f, Criterion criterion) {
+  if (profile_.is_single()) {
+    return at(f).slope(criterion);
+  }
+  constexpr double aside = 1e-7;
+  const double need = at(f).need(criterion);
+  return (need - at(f * (1 - aside)).need(criterion)) / (f * aside);
+}
+
+std::vector<FirstReturn> KnownMotions::between(double low, double high) {
+  (void)at(low);
+  (void)at(high);
+  return {std::ranges::lower_bound(motions_, low, {}, &FirstReturn::f),
+          std::ranges::upper_bound(motions_, high, {}, &FirstReturn::f)};
 }
 
 }  // namespace stillpoint::design

@@ -3,9 +3,12 @@
 
 // All use of NLopt: nlopt_fence.cpp is the only file that includes it.
 
+#include <stillpoint/design/search_options.hpp>
+
 #include <Eigen/Core>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -54,5 +57,13 @@ struct NloptAlgorithm {
 /// SLSQP may step to, ends the run. Seeds NLopt's generator first, so that every run repeats.
 [[nodiscard]] NloptOutcome minimise(const NloptProblem& problem, std::string_view algorithm,
                                     const NloptBudget& budget);
+
+/// The default one for an empty name. Throws InputError.
+[[nodiscard]] NloptAlgorithm find_algorithm(const std::optional<std::string>& wanted);
+
+/// Minimises; after a global algorithm a local one continues from `best`, the best point so far.
+[[nodiscard]] NloptOutcome run(const NloptProblem& posed, std::string_view algorithm,
+                               const SearchOptions& options,
+                               const std::function<Eigen::VectorXd()>& best);
 
 }  // namespace stillpoint::design

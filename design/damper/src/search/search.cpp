@@ -5,8 +5,8 @@
 
 #include "search/along_f.hpp"
 #include "search/best_point.hpp"
+#include "search/nlopt_fence.hpp"
 #include "search/objectives.hpp"
-#include "search/run.hpp"
 #include "unit_problem.hpp"
 #include "way/room.hpp"
 #include "way/space.hpp"

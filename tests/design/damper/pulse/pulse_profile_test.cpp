@@ -2,7 +2,6 @@
 #include "damper.hpp"
 #include "pulse/edge.hpp"
 #include "pulse/first_return.hpp"
-#include "pulse/known_motions.hpp"
 #include "pulse/worst_return.hpp"
 #include "pulse_task.hpp"
 

@@ -56,7 +56,9 @@ void require_valid(const PulseProblem& problem, const Limits& limits = {});
 
 [[nodiscard]] double peak_load(const Pulse& pulse);          ///< k
 [[nodiscard]] double angular_frequency(const Pulse& pulse);  ///< lambda
-[[nodiscard]] std::string_view name(const Pulse& pulse);     ///< "half-sine" and so on
+/// The same kind of pulse.
+[[nodiscard]] Pulse with(const Pulse& pulse, double k, double lambda);
+[[nodiscard]] std::string_view name(const Pulse& pulse);  ///< "half-sine" and so on
 [[nodiscard]] Excitation excitation(const Pulse& pulse);
 /// As in core; empty if the mass never moves, and for a full sine, which leaves no velocity.
 [[nodiscard]] std::optional<EquivalentStart> equivalent_start(const Pulse& pulse, double f);
