@@ -91,18 +91,23 @@ report::RecordDesignReport watched(const report::RecordDesignInput& input) {
     return progress.goes_on(
         std::min(1.0, static_cast<double>(now.evaluations) / static_cast<double>(now.expected)));
   };
-  return {design::design(input.request, show), input.physical};
+  return {design::design(input.request, show), input};
+}
+
+ExitCode run_cases(const Settings& settings, Command command, Output& output) {
+  return finish(watched(record_design_input(settings, command)), command, settings, output);
 }
 
 ExitCode run_design(const Settings& settings, Output& output) {
-  if (designs_under_records(settings)) {
-    return finish(watched(record_design_input(settings)), Command::design, settings, output);
-  }
-  return finish(answers::answer(design_input(settings)), Command::design, settings, output);
+  return takes_cases(settings)
+             ? run_cases(settings, Command::design, output)
+             : finish(answers::answer(design_input(settings)), Command::design, settings, output);
 }
 
 ExitCode run_region(const Settings& settings, Output& output) {
-  return finish(answers::answer(region_input(settings)), Command::region, settings, output);
+  return takes_cases(settings)
+             ? run_cases(settings, Command::region, output)
+             : finish(answers::answer(region_input(settings)), Command::region, settings, output);
 }
 
 /// The file that the option gives its rows, or "-" for them instead of the report; empty for none.

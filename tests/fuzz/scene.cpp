@@ -70,8 +70,8 @@ void show(const Report& report, const Settings& settings) {
 }
 
 void run_design(Settings settings) {
-  if (designs_under_records(settings)) {
-    static_cast<void>(record_design_input(settings));  // its search takes seconds
+  if (takes_cases(settings)) {
+    static_cast<void>(record_design_input(settings, Command::design));  // its search takes seconds
     return;
   }
   if (settings.has("pulse")) {
@@ -84,6 +84,10 @@ void run_design(Settings settings) {
 }
 
 void run_region(Settings settings) {
+  if (takes_cases(settings)) {
+    static_cast<void>(record_design_input(settings, Command::region));
+    return;
+  }
   lower(settings, "arrivals", most_arrivals);
   show(answers::answer(region_input(settings)), settings);
 }

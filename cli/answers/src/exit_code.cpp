@@ -19,7 +19,11 @@ ExitCode exit_code(const report::DesignReport& report) {
 }
 
 ExitCode exit_code(const report::RecordDesignReport& report) {
-  return report.result.search.interrupted ? exit_interrupted : of_design(report.result.finding);
+  const auto& [interrupted, found] =
+      std::pair(report.result.search.interrupted, of_design(report.result.finding));
+  return interrupted                                    ? exit_interrupted
+         : report.of_region && found == exit_infeasible ? exit_done
+                                                        : found;
 }
 
 ExitCode exit_code(const report::RegionReport& report) {

@@ -66,12 +66,9 @@ std::optional<answers::PartsOfFile> catalogue(const Settings& settings, const Ta
   if (!settings.has("catalogue")) {
     return std::nullopt;
   }
-  sweep::CatalogueUnits units;
-  units.p = task.problem.p;
-  if (task.physical) {
-    units.length_m = task.physical->scales.length_m;
-  }
-  return answers::PartsOfFile{*settings.text("catalogue"), catalogue_input(settings, units)};
+  return answers::PartsOfFile{
+      *settings.text("catalogue"),
+      catalogue_input(settings, units_of_parts(task.problem.p, task.physical))};
 }
 
 /// A notch that is not the paper's.
@@ -133,11 +130,27 @@ answers::DesignTask design_input(const Settings& settings) {
 }
 
 answers::RegionTask region_input(const Settings& settings) {
+  require_options_for(settings, DesignFor::hit);
+  if (const Option* const notch = settings.given(Rivals::notch)) {
+    throw UsageError(fmt::format(
+        "{} needs records or cases: after a hit the region is that of the paper's notch",
+        notch->name));
+  }
   const Task given = read_task(settings, Command::region);
   return {{given.problem, given.limits, settings.number("f"),
            point_friction(settings, "delta", given.physical), given.pulse, given.ranges},
           given.physical,
           catalogue(settings, given)};
+}
+
+sweep::CatalogueUnits units_of_parts(double p,
+                                     const std::optional<design::PhysicalInput>& physical) {
+  sweep::CatalogueUnits units;
+  units.p = p;
+  if (physical) {
+    units.length_m = physical->scales.length_m;
+  }
+  return units;
 }
 
 std::vector<design::Part> catalogue_input(const Settings& settings, sweep::CatalogueUnits units) {

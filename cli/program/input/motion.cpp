@@ -35,10 +35,7 @@ MotionInput physical_motion(const Settings& settings, bool from_rest) {
   const double velocity =
       x0_m != 0 || from_rest
           ? settings.number("velocity").value_or(0)
-          : settings.required(
-                "velocity", settings.has("record")
-                                ? "only design, simulate, spectrum, sweep and accuracy take records"
-                                : "give --velocity, the initial velocity in m/s");
+          : settings.required("velocity", "give --velocity, the initial velocity in m/s");
   const design::PhysicalInput physical = design::physical_input(isolator, velocity, x0_m);
   const design::Scales& scales = physical.scales;
   MotionInput motion;

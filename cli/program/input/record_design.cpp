@@ -31,7 +31,7 @@ std::optional<Interval> search_range(const Settings& settings, const char* name)
 /// With the longest period if only the range of the search is given, and in the units of the first
 /// hit.
 MotionInput suite_motion(const Settings& settings, const std::vector<GivenCase>& cases,
-                         const std::optional<Interval>& periods) {
+                         const std::optional<Interval>& periods, Command command) {
   Settings whole = settings;
   for (const GivenCase& each : cases) {
     if (const auto velocity = each.settings.number("velocity");
@@ -43,7 +43,7 @@ MotionInput suite_motion(const Settings& settings, const std::vector<GivenCase>&
   if (periods && spring == nullptr) {
     whole.set("period", periods->high);
   }
-  MotionInput motion = motion_input(whole, Command::design, true);
+  MotionInput motion = motion_input(whole, command, true);
   if (motion.p_high) {
     const auto [low, high] = settings.range(spring->name).value();
     throw InputError(std::string(spring->name), fmt::format("{}:{}", low, high),
@@ -52,8 +52,13 @@ MotionInput suite_motion(const Settings& settings, const std::vector<GivenCase>&
   return motion;
 }
 
-design::SuiteTolerance tolerances(const Settings& settings) {
-  design::SuiteTolerance of;
+/// Without any that is asked for there is one only under records, and where it is enlarged.
+design::SuiteTolerance tolerances(const Settings& settings,
+                                  const design::RecordDesignRequest& request) {
+  const bool grows = !request.judges && request.objective == design::SuiteObjective::robust;
+  const bool usual = grows || std::ranges::any_of(request.cases, &design::LoadCase::of_records);
+  design::SuiteTolerance of =
+      usual ? design::SuiteTolerance() : design::SuiteTolerance{{}, {}, {}, {}};
   if (const auto all = spread(settings, "tolerance")) {
     of.f = of.delta = of.width = *all;
   }
@@ -66,36 +71,75 @@ design::SuiteTolerance tolerances(const Settings& settings) {
 
 }  // namespace
 
-bool designs_under_records(const Settings& settings) {
+bool takes_cases(const Settings& settings) {
   if (settings.has("cases")) {
     return true;
   }
-  const bool records = asks_for_records(settings);
-  if (const Option* const hit = settings.given(Rivals::hit); records && hit != nullptr) {
-    throw UsageError(fmt::format("{} and records cannot be combined: give one of them", hit->name));
+  const Option* const hit = settings.given(Rivals::hit);
+  if (asks_for_records(settings)) {
+    if (hit != nullptr) {
+      throw UsageError(
+          fmt::format("{} and records cannot be combined: give one of them", hit->name));
+    }
+    return true;
   }
-  return records;
+  return hit != nullptr && settings.first([&](const Option& option) {
+    return option.design_for() == DesignFor::cases ||
+           (option.name == "objective" && settings.text("objective") == "residual") ||
+           (hit->name == "pulse" &&
+            (option.traits.rivals == Rivals::residual ||
+             (option.name == "arrivals" && settings.integer("arrivals") > 1) ||
+             option.name == "trade-off"));
+  }) != nullptr;
 }
 
 void require_options_for(const Settings& settings, DesignFor design) {
   const bool has_cases = settings.has("cases");
+  const bool of_records = design == DesignFor::records && (has_cases || asks_for_records(settings));
   const Option* const wrong = settings.first([&](const Option& option) {
-    return option.design_for() != DesignFor::both && option.design_for() != design &&
-           !(has_cases && option.is_of_case());
+    const DesignFor only = option.design_for();
+    return only != DesignFor::both && only != design && only != DesignFor::cases &&
+           !(option.is_of_case() && (has_cases || (design == DesignFor::records && !of_records)));
   });
   if (wrong != nullptr) {
-    throw UsageError(fmt::format("{} {}", wrong->name,
-                                 design == DesignFor::records
-                                     ? "cannot be used in a design under records"
-                                     : "needs a design under records: give --record as well"));
+    throw UsageError(
+        fmt::format("{} {}", wrong->name,
+                    design != DesignFor::records ? "needs records: give --record as well"
+                    : of_records                 ? "cannot be used under records"
+                                 : "is for the closed forms of a hit or a pulse, which the other "
+                                   "options given do not have"));
   }
 }
 
-report::RecordDesignInput record_design_input(const Settings& settings) {
+/// The damper, or the parts of a catalogue, that are to be judged.
+void add_given(design::RecordDesignRequest& request, const Settings& settings,
+               const MotionInput& start, Command command) {
+  if (settings.has("catalogue")) {
+    if (request.trade_offs > 0) {
+      throw UsageError(
+          "trade-off and catalogue cannot be combined: the parts are what is searched");
+    }
+    request.parts = catalogue_input(settings, units_of_parts(request.p.high, start.physical));
+  } else if (command == Command::region) {
+    const char* const why =
+        "give a damper to judge, --f and --delta or --delta-m, or a --catalogue: the region itself "
+        "is for a hit or a pulse";
+    const auto f = settings.number("f");
+    const auto delta = point_friction(settings, "delta", start.physical);
+    if (!f || !delta) {
+      throw InputError::missing(f ? "delta" : "f", why);
+    }
+    request.f = Interval{*f, *f};
+    request.delta = Interval{*delta, *delta};
+    request.judges = true;
+  }
+}
+
+report::RecordDesignInput record_design_input(const Settings& settings, Command command) {
   require_options_for(settings, DesignFor::records);
   const auto periods = search_range(settings, "search-period");
   const std::vector<GivenCase> cases = cases_of(settings);
-  const MotionInput start = suite_motion(settings, cases, periods);
+  const MotionInput start = suite_motion(settings, cases, periods, command);
   report::RecordDesignInput input;
   input.physical = start.physical;
   design::RecordDesignRequest& request = input.request;
@@ -116,7 +160,9 @@ report::RecordDesignInput record_design_input(const Settings& settings) {
   }
   request.delta_max = point_friction(settings, "delta-max", start.physical);
   request.objective = objective_of(settings, usual_objective(request.cases),
-                                   settings.has("cases") ? " with cases" : " under records");
+                                   settings.has("cases")        ? " with cases"
+                                   : asks_for_records(settings) ? " under records"
+                                                                : "");
   request.objective_case = objective_case(settings, request.cases);
   request.hold = settings.number("hold");
   if (const auto width = notch_width(settings, start.physical)) {
@@ -125,7 +171,11 @@ report::RecordDesignInput record_design_input(const Settings& settings) {
   if (const auto widths = search_range(settings, "search-notch-width-m")) {
     request.width = Interval{widths->low / length, widths->high / length};
   }
-  request.tolerance = tolerances(settings);
+  request.trade_offs = settings.integer("trade-off").value_or(0);
+  add_given(request, settings, start, command);
+  request.tolerance = tolerances(settings, request);
+  input.parts_file = settings.text("catalogue").value_or("");
+  input.of_region = command == Command::region;
   request.scan_points = settings.integer("scan-points").value_or(request.scan_points);
   request.threads = threads(settings);
   request.printed = {length,

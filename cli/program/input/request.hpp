@@ -35,6 +35,8 @@ namespace stillpoint::cli {
 /// Each throws UsageError for something missing or contradictory and InputError for a wrong value.
 [[nodiscard]] answers::DesignTask design_input(const Settings& settings);
 [[nodiscard]] answers::RegionTask region_input(const Settings& settings);
+[[nodiscard]] sweep::CatalogueUnits units_of_parts(
+    double p, const std::optional<design::PhysicalInput>& physical);
 /// The parts of --catalogue, in these units. Throws records::FileError for a wrong file.
 [[nodiscard]] std::vector<design::Part> catalogue_input(const Settings& settings,
                                                         sweep::CatalogueUnits units);
@@ -47,12 +49,14 @@ namespace stillpoint::cli {
 [[nodiscard]] report::MotionReport motion_report(const Settings& settings,
                                                  const std::function<bool()>& go_on);
 
-/// Whether `design` is asked for a damper under records, not for a hit. Throws UsageError if both
-/// are given.
-[[nodiscard]] bool designs_under_records(const Settings& settings);
+/// Whether a task is one of load cases: of records, of several, or of a hit or a pulse with what
+/// its closed forms do not know. Throws UsageError if records and a hit are given.
+[[nodiscard]] bool takes_cases(const Settings& settings);
 
-/// The request, and what a report needs besides. Throws UsageError, InputError and FileError.
-[[nodiscard]] report::RecordDesignInput record_design_input(const Settings& settings);
+/// The request of `design`, or of `region` for a damper to judge, and what a report needs besides.
+/// Throws UsageError, InputError and FileError.
+[[nodiscard]] report::RecordDesignInput record_design_input(const Settings& settings,
+                                                            Command command);
 
 /// Throws UsageError for an option that only the other kind of design takes.
 void require_options_for(const Settings& settings, DesignFor design);

@@ -31,8 +31,8 @@ constexpr CommandSet every = design | region | simulate | sweep | accuracy;
 constexpr CommandSet motions = simulate | accuracy;
 /// Commands that take metres and seconds.
 constexpr CommandSet in_metres = every;
-/// Commands that take a suite of records and no other load.
-constexpr CommandSet of_suites = design | spectrum;
+/// Commands that take a suite of records.
+constexpr CommandSet of_suites = design | region | spectrum;
 /// Commands that make a report.
 constexpr CommandSet reporting = every | spectrum;
 constexpr CommandSet of_designs = design | region | sweep;
@@ -95,7 +95,7 @@ constexpr auto in_motion = std::to_array<Option>(
          "a pulse instead of a velocity: {}; needs --k, and --pulse-duration, "
          "--excitation-frequency or --lambda",
          of_designs, Rivals::hit, Values{[] { return design::excitation_names(true); }},
-         Excludes{of_designs, "residual residual-m", "a design for a pulse stops at x = 0"},
+         Excludes{sweep, "residual residual-m", "in a sweep a design for a pulse stops at x = 0"},
          Instead{"a motion takes --excitation"}, not_explored),
      row("x0", number, "X", "initial displacement (default 0)", motions | sweep, swept,
          Units::dimensionless, Rivals::start)});
@@ -133,7 +133,7 @@ constexpr auto in_damper = std::to_array<Option>(
      row("notch-width", number, "W",
          "width of the notch: friction is f + delta/W for |x| < W/2; default: it acts only at x = "
          "0",
-         design | of_excitations, swept, Units::dimensionless, Rivals::notch),
+         design | region | of_excitations, swept, Units::dimensionless, Rivals::notch),
      row("notch-width-m", number, "M", "the same in m, with physical input",
          of_suites | of_excitations, swept, Rivals::notch, InSi{Dimension::length}),
      row("friction-zones", text, "X:F,...",
@@ -156,10 +156,10 @@ constexpr auto in_damper = std::to_array<Option>(
      row("tolerance-f", number, "R", "the tolerance of f alone, R or LOW:HIGH", of_designs,
          RangeEnd::high),
      row("tolerance-delta", number, "R", "the same for delta", of_designs, RangeEnd::high),
-     row("tolerance-width", number, "R", "under records: the same for the width of the notch",
-         design, DesignFor::records, RangeEnd::high),
-     row("tolerance-period", number, "R", "under records: the same for the period; default 0",
-         design, DesignFor::records, RangeEnd::high),
+     row("tolerance-width", number, "R", "the same for the width of the notch", design | region,
+         DesignFor::cases, RangeEnd::high),
+     row("tolerance-period", number, "R", "the same for the period; default 0", design | region,
+         DesignFor::cases, RangeEnd::high),
      row("f-max", number, "F", "largest f that can be manufactured", of_designs),
      row("delta-max", number, "D", "largest delta that can be manufactured", of_designs,
          Rivals::point_friction_limit),
@@ -169,22 +169,25 @@ constexpr auto in_damper = std::to_array<Option>(
          "largest acceleration in g that the mass may feel outside the notch", of_designs,
          Dimension::gravities, limits_case),
      row("jump-max", number, "M/S",
-         "under records: largest jump of the velocity at a notch without a width, in m/s; with it "
+         "largest jump of the velocity at a notch without a width, in m/s; with it "
          "such a notch is searched where an acceleration is asked for",
-         design, DesignFor::records, InSi{Dimension::velocity}, Rivals::jump_limit, limits_case),
-     row("jump-max-v", number, "V", "the same, dimensionless", design, DesignFor::records,
+         design | region, DesignFor::cases, InSi{Dimension::velocity}, Rivals::jump_limit,
+         limits_case),
+     row("jump-max-v", number, "V", "the same, dimensionless", design | region, DesignFor::cases,
          Rivals::jump_limit, Units::dimensionless, limits_case)});
 
 constexpr auto in_searching = std::to_array<Option>(
     {row("catalogue", text, "FILE",
          "choose among these parts: CSV with the columns name, f, and delta or delta_m; - for "
          "standard input",
-         of_designs, DesignFor::hit, FileUse::read),
+         of_designs, FileUse::read,
+         Excludes{design, "search-f search-delta-m search-period search-notch-width-m",
+                  "the parts are what is searched"}),
      row("trade-off", integer, "N",
          "also list N dampers along the front of stroke, acceleration and tolerance, from 2 to "
          "1000; in a sweep, write a row for each instead of the design",
-         design | sweep, DesignFor::hit, Bounds{design::least_trade_offs, design::most_trade_offs},
-         Excludes{design | sweep, "pulse", "the front is for a hit given as a velocity"},
+         design | sweep, Bounds{design::least_trade_offs, design::most_trade_offs},
+         Excludes{sweep, "pulse", "in a sweep the front is for a hit given as a velocity"},
          Excludes{sweep, "catalogue objective", "in a sweep each row is a damper of the front"},
          not_explored),
      row("objective", text, "NAME", "what is best: {}", design | sweep, Values{all_objectives},
@@ -196,23 +199,22 @@ constexpr auto in_searching = std::to_array<Option>(
      row("cases", text, "JSON",
          "several load cases, in a scene a list of objects: each has a name, a load (a velocity, a "
          "pulse or records) and limits of its own; what stands outside is common to all",
-         design, DesignFor::records, InScene::cases, not_explored),
+         design | region, DesignFor::records, InScene::cases, not_explored),
      row("objective-case", text, "NAME",
          "the case whose figure is minimised; default: the largest of all", design,
          DesignFor::records, Needs{design, "cases", "several cases"}),
      row("search-f", number, "LOW:HIGH",
-         "under records: f, or the range LOW:HIGH to search; default: from 0 to the largest load",
-         design, DesignFor::records, RangeEnd::high),
+         "f, or the range LOW:HIGH to search; default: from 0 to the largest load", design,
+         DesignFor::cases, RangeEnd::high),
      row("search-delta-m", number, "LOW:HIGH",
-         "under records: delta in m, or the range LOW:HIGH to search; default: from 0 to what "
+         "delta in m, or the range LOW:HIGH to search; default: from 0 to what "
          "stops every return",
-         design, DesignFor::records, InSi{Dimension::length}, RangeEnd::high),
-     row("search-period", number, "LOW:HIGH",
-         "under records: search the period too, in this range LOW:HIGH in s", design,
-         DesignFor::records, InSi{Dimension::time}, RangeEnd::high),
+         design, DesignFor::cases, InSi{Dimension::length}, RangeEnd::high),
+     row("search-period", number, "LOW:HIGH", "search the period too, in this range LOW:HIGH in s",
+         design, DesignFor::cases, InSi{Dimension::time}, RangeEnd::high),
      row("search-notch-width-m", number, "LOW:HIGH",
-         "under records: search the width of the notch too, in this range LOW:HIGH in m", design,
-         DesignFor::records, InSi{Dimension::length}, Rivals::notch, RangeEnd::high),
+         "search the width of the notch too, in this range LOW:HIGH in m", design, DesignFor::cases,
+         InSi{Dimension::length}, Rivals::notch, RangeEnd::high),
      row("scan-points", integer, "N",
          "under records: scan at most about this many dampers first, with three variables four "
          "times as many; default 10000",

@@ -97,8 +97,9 @@ enum class InScene { plain, zones, cases, group };
 /// Which loads, or pulses, an option shapes; a wave is a harmonic or a pulse.
 enum class Load { none, harmonic, pulse, wave, record };
 
-/// A design is for a hit or under records; this marks what only one of them takes.
-enum class DesignFor { both, hit, records };
+/// What only one kind of design takes: one for a hit or a pulse by its closed forms, or one under
+/// records. What is for `cases` makes a single case of a hit or a pulse.
+enum class DesignFor { both, hit, records, cases };
 
 /// Of a whole number.
 struct Bounds {
@@ -212,8 +213,8 @@ struct Option {
     return traits.axis.has(command) ? OptionKind::axis : kind;
   }
   [[nodiscard]] bool repeats_in(Command command) const {
-    return traits.repeats &&
-           (traits.file == FileUse::none || (Command::design | Command::spectrum).has(command));
+    return traits.repeats && (traits.file == FileUse::none ||
+                              (Command::design | Command::region | Command::spectrum).has(command));
   }
   [[nodiscard]] bool takes_range_in(Command command) const {
     return traits.range != RangeEnd::none &&
@@ -258,7 +259,7 @@ struct Option {
   /// Whether the page with the program in it takes it. That designs for a hit, without files.
   [[nodiscard]] bool is_explored() const {
     return traits.explored && is_echoed() && !takes_file() && traits.load == Load::none &&
-           design_for() != DesignFor::records &&
+           traits.design != DesignFor::cases && design_for() != DesignFor::records &&
            (serves(Command::design) || serves(Command::region));
   }
   [[nodiscard]] bool names_records() const {

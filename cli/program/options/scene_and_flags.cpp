@@ -49,8 +49,9 @@ void keep_one_design(const Settings& flags, Settings& settings) {
   }
   for (const Option& option : options()) {
     const bool of_the_hit = option.traits.rivals == Rivals::hit || option.shapes(Load::pulse);
-    if ((for_a_hit ? option.design_for() == DesignFor::records : of_the_hit) &&
-        !flags.has(option.name)) {
+    const bool of_records = option.design_for() == DesignFor::records ||
+                            (option.design_for() == DesignFor::cases && asks_for_records(settings));
+    if ((for_a_hit ? of_records : of_the_hit) && !flags.has(option.name)) {
       settings.drop(option.name);
     }
   }
@@ -87,7 +88,7 @@ Settings scene_and_flags(Command command, const Settings& flags, Settings& scene
   }
   Settings settings = flags;
   settings.complete_with(scene);
-  if (command == Command::design) {
+  if (command == Command::design || command == Command::region) {
     keep_one_design(flags, settings);
   }
   return settings;

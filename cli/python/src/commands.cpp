@@ -52,18 +52,20 @@ using Given = cli::Settings;
 using GoOn = std::function<bool()>;
 using Found = std::unique_ptr<answers::Answer>;
 
-Found found_design(const Given& given, const GoOn& go_on) {
-  if (!cli::designs_under_records(given)) {
-    return answers::answer_of(answers::answer(cli::design_input(given)));
-  }
-  const report::RecordDesignInput input = cli::record_design_input(given);
+Found found_for_cases(const Given& given, cli::Command command, const GoOn& go_on) {
+  const report::RecordDesignInput input = cli::record_design_input(given, command);
   return answers::answer_of(report::RecordDesignReport{
-      design::design(input.request, [&](const auto& /*progress*/) { return go_on(); }),
-      input.physical});
+      design::design(input.request, [&](const auto& /*progress*/) { return go_on(); }), input});
 }
 
-Found found_region(const Given& given, const GoOn& /*go_on*/) {
-  return answers::answer_of(answers::answer(cli::region_input(given)));
+Found found_design(const Given& given, const GoOn& go_on) {
+  return cli::takes_cases(given) ? found_for_cases(given, cli::Command::design, go_on)
+                                 : answers::answer_of(answers::answer(cli::design_input(given)));
+}
+
+Found found_region(const Given& given, const GoOn& go_on) {
+  return cli::takes_cases(given) ? found_for_cases(given, cli::Command::region, go_on)
+                                 : answers::answer_of(answers::answer(cli::region_input(given)));
 }
 
 Found found_motion(const Given& given, const GoOn& go_on) {

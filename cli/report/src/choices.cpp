@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -54,6 +55,13 @@ std::string by_how_much(const design::Constraint& violated) {
                         : format("{} must be {} % larger", what, part);
 }
 
+/// "stroke", of a limit on the figure of a motion.
+std::string_view figure_words(std::string_view constraint) {
+  return std::ranges::find(design::suite_figure_kinds, constraint,
+                           &design::SuiteFigureKind::constraint)
+      ->words;
+}
+
 }  // namespace
 
 std::string violations(std::span<const design::Constraint> all, const ShownTask& task) {
@@ -77,9 +85,42 @@ std::string judgement(const design::RatedPart& rated, const ShownTask& task) {
                                   : violations(rated.violated, task);
 }
 
+std::string broken(std::span<const design::Constraint> constraints, const Physical& physical) {
+  constexpr std::size_t most_told = 2;
+  std::vector<std::string> all;
+  for (const design::Constraint& now : constraints) {
+    if (now.satisfied) {
+      continue;
+    }
+    const std::string amount =
+        now.known ? beyond(physical, now.dimension(), now.value, now.limit) : "";
+    const std::string_view what = now.variable;
+    const std::string words =
+        now.name == "start"
+            ? format("the {} does not start the mass", what == "f" ? "pulse" : "hit")
+        : amount.empty()             ? std::string("it never comes to rest")
+        : now.name == "stop"         ? std::string("it passes x = 0 too often")
+        : now.name.ends_with("_max") ? format("{} may be {}", what, amount)
+                                     : format("the {} is {}", figure_words(now.name), amount);
+    all.push_back(words + (now.in_case.empty() ? "" : format(" in case {}", now.in_case)));
+  }
+  const std::size_t told = std::min(all.size(), most_told);
+  std::string text;
+  for (std::size_t i = 0; i < told; ++i) {
+    text += (i == 0 ? "" : told == all.size() ? " and " : ", ") + all[i];
+  }
+  return text + (told < all.size() ? format(" and {} more", all.size() - told) : "");
+}
+
 void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& task) {
-  const FigureUnits units = units_of(task.physical);
-  const auto& parts = catalogue.parts;
+  add_parts(document, catalogue.parts, task.physical, task.limits,
+            [&](const design::RatedPart& rated) { return judgement(rated, task); });
+}
+
+void add_parts(Document& document, const std::vector<design::RatedPart>& parts,
+               const Physical& physical, const design::Limits& limits,
+               const std::function<std::string(const design::RatedPart&)>& judged) {
+  const FigureUnits units = units_of(physical);
   Table table{{"part", "f", in("delta", units.length), "tolerance", ""}, {}};
   const auto hits = static_cast<std::size_t>(std::ranges::count_if(
       parts, [](const design::RatedPart& now) { return now.tolerance.has_value(); }));
@@ -87,7 +128,7 @@ void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& 
   for (const design::RatedPart& rated : std::span(parts).first(shown)) {
     const auto& [name, f, delta] = rated.part;
     table.rows.push_back({{name, digits(f), digits(delta * units.length),
-                           tolerance_cell(task.limits, rated.tolerance), judgement(rated, task)},
+                           tolerance_cell(limits, rated.tolerance), judged(rated)},
                           rated.admissible ? Tone::good : Tone::bad});
   }
   const auto fit = std::ranges::count(parts, true, &design::RatedPart::admissible);

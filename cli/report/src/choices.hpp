@@ -10,6 +10,8 @@
 #include <stillpoint/figures/figure.hpp>
 #include <stillpoint/report/report.hpp>
 
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,8 +24,15 @@ namespace stillpoint::report {
 /// The violations of a part, or "fits".
 [[nodiscard]] std::string judgement(const design::RatedPart& rated, const ShownTask& task);
 
-/// The best parts, and how far the others fail.
+/// "the residual is 40 mm where 30 mm is allowed in case service and 2 more"
+[[nodiscard]] std::string broken(std::span<const design::Constraint> constraints,
+                                 const Physical& physical);
+
+/// The best parts, and how far the others fail, as `judged` says.
 void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& task);
+void add_parts(Document& document, const std::vector<design::RatedPart>& parts,
+               const Physical& physical, const design::Limits& limits,
+               const std::function<std::string(const design::RatedPart&)>& judged);
 /// Their marks, without those beyond the axes.
 void add_parts(figures::Figure& figure, const Catalogue& catalogue, const FigureUnits& units);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/report/record_design.hpp>
+#include "choices.hpp"
 #include "format.hpp"
 #include "sections.hpp"
 
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -50,7 +52,8 @@ std::string exact_words(const Physical& physical, const design::SuiteDamper& dam
 }
 
 void add_answer(Section& answer, const RecordDesignReport& report) {
-  const auto& [result, physical] = report;
+  const design::RecordDesign& result = report.result;
+  const Physical& physical = report.physical;
   const design::SuitePoint& point = result.finding->point;
   answer.row("damper", exact_words(physical, point.damper, printed_digits), Tone::heading);
   if (const auto digits = period_digits(result.request)) {
@@ -61,17 +64,73 @@ void add_answer(Section& answer, const RecordDesignReport& report) {
     answer.row("spring", spring_words(physical, point.damper.p, digits) +
                              (at_end ? ", an end of what was searched" : ""));
   }
-  if (result.largest_tolerance) {
+  if (result.largest_tolerance && !result.request.judges) {
     answer.row("tolerance",
                format("{:.3g} %, the largest that was found", 100 * *result.largest_tolerance));
   }
   if (const std::int64_t samples = result.finding->box.samples; samples > 1) {
-    answer.row("tried", format("no failure in {} dampers within the tolerance, corners and "
-                               "boundary included",
-                               samples));
+    answer.row("tried",
+               format("{} {} dampers within the tolerance, corners and "
+                      "boundary included",
+                      result.finding->admissible ? "no failure in" : "the worst of", samples));
     answer.row("exact", "without any error: " + figures_words(largest(point.figures), physical));
   }
+  add_works_for(answer, result.finding->works_for, physical);
   add_check(answer, result.finding->cross_check);
+}
+
+/// The front, with what is asked for of each damper.
+void add_trade_off(Document& document, const design::RecordDesign& result,
+                   const Physical& physical) {
+  const FigureUnits units = units_of(physical);
+  const auto number = [](double value) { return format("{:.4g}", value); };
+  const bool springs = period_digits(result.request).has_value();
+  Table table{{in("stroke", units.length), "acceleration, g", in("residual", units.length), "f",
+               in("delta", units.length), in("width", units.length), in("period", units.time)},
+              {}};
+  for (const auto& [damper, figures] : result.trade_off) {
+    const design::SuiteFigures worst = largest(figures);
+    table.rows.push_back({{number(worst.peak * units.length), number(worst.acceleration),
+                           number(worst.residual * units.length), number(damper.f),
+                           number(damper.delta * units.length),
+                           damper.width > 0 ? number(damper.width * units.length) : "",
+                           springs ? number(2 * std::numbers::pi / damper.p * units.time) : ""}});
+  }
+  document.section("Trade-off of stroke and acceleration",
+                   {without_empty_columns(std::move(table))});
+}
+
+/// ": f, delta and the width may all be off by +-12 %"; nothing where that is not known.
+std::string off_words(const design::RecordDesign& result) {
+  if (!result.largest_tolerance) {
+    return "";
+  }
+  const design::SuiteDamper& damper = result.finding->point.damper;
+  const design::Spread& width = result.request.tolerance.width;
+  const bool wide = damper.width > 0 && width.below + width.above > 0;
+  return ": " + (wide && leaves_any(*result.largest_tolerance)
+                     ? format("f, delta and the width may all be off by +-{}",
+                              percent_digits(*result.largest_tolerance))
+                     : tolerance_words({}, *result.largest_tolerance, damper.delta));
+}
+
+/// What the given damper lacks, or may be off by.
+std::string judgement(const RecordDesignReport& report) {
+  const design::RecordDesign& result = report.result;
+  if (!result.finding) {
+    return "The damper is not admissible: with a damper of its tolerance the mass never comes to "
+           "rest.";
+  }
+  if (!result.finding->admissible) {
+    return format(
+        "The damper is not admissible{}: {}.",
+        result.largest_tolerance && *result.largest_tolerance > 0 ? " with this tolerance" : "",
+        broken(result.constraints, report.physical));
+  }
+  return format("The damper is admissible{}. {}{}: {}.", off_words(result),
+                whose_words(result.request.cases),
+                result.finding->box.samples > 1 ? ", worst within the tolerance" : "",
+                figures_words(largest(result.finding->box.worst), report.physical));
 }
 
 /// "0.31 %", "42 %"
@@ -168,13 +227,26 @@ std::string progress_words(const design::RecordProgress& progress, const Physica
 }
 
 std::string verdict(const RecordDesignReport& report) {
-  const auto& [result, physical] = report;
+  const design::RecordDesign& result = report.result;
+  const Physical& physical = report.physical;
+  const auto& parts = result.request.parts;
+  if (result.request.judges && parts.empty()) {
+    return judgement(report);
+  }
   if (!result.finding) {
-    return no_damper(result, physical);
+    return parts.empty() ? no_damper(result, physical)
+                         : format("{}.", parts.size() == 1
+                                             ? "The only part of the catalogue is not admissible"
+                                             : format("None of the {} parts of the catalogue is "
+                                                      "admissible",
+                                                      parts.size()));
   }
   const design::SuiteDamper& damper = result.finding->point.damper;
   return format("{} {}, with {}. {}{}: {}.",
-                result.search.interrupted ? "The best damper so far has" : advice(result.findings),
+                result.search.interrupted ? "The best damper so far has"
+                : parts.empty()
+                    ? advice(result.findings)
+                    : advice(result.findings, format("Order part {},", result.finding->part)),
                 damper_words(physical, damper.f, damper.delta,
                              {damper.notch_width(), result.request.hold}, printed_digits),
                 period_words(physical, damper.p, period_digits(result.request)),
@@ -184,12 +256,18 @@ std::string verdict(const RecordDesignReport& report) {
 }
 
 Document document(const RecordDesignReport& report) {
-  const auto& [result, physical] = report;
-  Document document = answered("Damper design", report, result.finding ? Tone::good : Tone::bad);
+  const design::RecordDesign& result = report.result;
+  const Physical& physical = report.physical;
+  const bool good = result.finding && result.finding->admissible;
+  Document document = answered(report.of_region ? "Given damper" : "Damper design", report,
+                               good ? Tone::good : Tone::bad);
   if (result.finding) {
     add_answer(document.answer, report);
     if (result.request.cases.size() > 1) {
       add_cases(document, result, physical);
+    }
+    if (!result.trade_off.empty()) {
+      add_trade_off(document, result, physical);
     }
     add_motions(document, result, physical);
   } else if (settled(result.nearest.figures)) {
@@ -199,6 +277,11 @@ Document document(const RecordDesignReport& report) {
     if (!result.mends.empty()) {
       add_mends(document, result.mends, physical);
     }
+  }
+  if (!result.parts.empty()) {
+    add_parts(document, result.parts, physical, {}, [&](const design::RatedPart& rated) {
+      return rated.admissible ? "fits" : broken(rated.violated, physical);
+    });
   }
   add_constraints(
       document, result.constraints, physical,

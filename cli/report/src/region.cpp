@@ -139,7 +139,7 @@ Document document(const RegionReport& report) {
   }
   if (answer.response && moves(*answer.response)) {
     add_motion(rows, shown_damper(report.request, answer), physical);
-    add_works_for(rows, answer.works_for, task);
+    add_works_for(rows, answer.works_for, physical);
   }
   add_strips(document, problem, answer.strips);
   if (!region.feasible) {

@@ -68,17 +68,19 @@ std::string interval_text(const design::ServedInterval& interval) {
 }
 
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
-                   const ShownTask& task) {
+                   const Physical& physical) {
   if (!served) {
     return;
   }
-  const auto& physical = task.physical;
   const auto works = physical ? physical_works_for(physical->scales, *served)
                               : design::PhysicalWorksFor{served->hit, served->p};
+  using enum design::ServedLoad;
   section.row("works for",
-              task.pulse ? format("k of {} g", interval_text(served->hit))
-                         : format("{} of {}{}", physical ? "hits" : "v0",
-                                  interval_text(works.velocity_m_per_s), physical ? " m/s" : ""));
+              served->load == k ? format("k of {} g", interval_text(served->hit))
+              : served->load == scale
+                  ? format("{} times the loads", interval_text(served->hit))
+                  : format("{} of {}{}", physical ? "hits" : "v0",
+                           interval_text(works.velocity_m_per_s), physical ? " m/s" : ""));
   section.row("", format("{} of {}{}, each with the other as given", physical ? "periods" : "p",
                          interval_text(works.period_s), physical ? " s" : ""));
 }

@@ -90,7 +90,7 @@ inline constexpr int usual_digits = 4;
 
 /// The hits or pulses, and the periods, for which it works, if known.
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
-                   const ShownTask& task);
+                   const Physical& physical);
 /// Why there is no admissible design, and one way out.
 [[nodiscard]] std::string none_admissible(const design::RegionVerdict& empty,
                                           const ShownTask& task);

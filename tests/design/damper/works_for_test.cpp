@@ -70,7 +70,8 @@ BOOST_AUTO_TEST_CASE(both_ends_are_included_and_nothing_beyond_them) {
     const double beyond = plain_one ? 2e-14 : 1e-9;
     const double above = beyond * (plain_one ? steepness(now) : 1);
     BOOST_TEST_CONTEXT(context_of(task) << ", f = " << now.f << ", delta = " << now.delta) {
-      const auto& [v0, p] = *served;
+      const auto& [v0, p, load] = *served;
+      BOOST_TEST((load == ServedLoad::v0));
       BOOST_TEST(v0.low <= problem.v0_low.value_or(problem.v0));
       BOOST_TEST(*v0.high >= problem.v0);
       BOOST_TEST(p.low <= problem.p);

@@ -90,7 +90,7 @@ ordered_json json(const DesignReport& report) {
 }
 
 ordered_json json(const RecordDesignReport& report) {
-  return answer_json(design_names.front(), shown(report));
+  return answer_json(report.of_region ? region_names.front() : design_names.front(), shown(report));
 }
 
 ordered_json json(const RegionReport& report) {

@@ -142,14 +142,31 @@ struct ShownCase {
       Field{"motions", &Now::motions, "of the damper itself"}};
 };
 
-/// The intervals of v0, or of the k of a pulse.
 struct ShownServed : design::WorksFor {
-  bool of_pulse{false};
-
   using Now = ShownServed;
+  using Load = design::ServedLoad;
+  static constexpr auto of_load = [](Load which) {
+    return only_if([which](const auto& now) { return now.load == which; }, &Now::hit);
+  };
   static constexpr std::tuple field_table{
-      Field{"v0", only_if([](const auto& now) { return !now.of_pulse; }, &Now::hit)},
-      Field{"k", only_if(&Now::of_pulse, &Now::hit)}, Field{"p", &Now::p}};
+      Field{"v0", of_load(Load::v0)}, Field{"k", of_load(Load::k), "of a pulse"},
+      Field{"scale", of_load(Load::scale), "of records, and of all loads of several cases"},
+      Field{"p", &Now::p}};
+};
+
+/// A damper of a front.
+struct ShownTradeOff : design::SuiteDamper {
+  IfReal tolerance{}, residual{}, stop_time{};
+  double peak{0}, transmitted{0};
+
+  using Now = ShownTradeOff;
+  static constexpr auto field_table = std::tuple_cat(
+      fields<design::SuiteDamper>,
+      std::tuple{Field{"tolerance", &Now::tolerance, "null where it is the one asked for"},
+                 Field{"peak_amplitude", &Now::peak, "", with_si(Dimension::length, "peak_m")},
+                 Field{transmitted_name, &Now::transmitted},
+                 Field{"residual", &Now::residual, "null after a hit", in_metres},
+                 Field{"stop_time", &Now::stop_time, "", with_si(Dimension::time)}});
 };
 
 struct ShownPart : design::RatedPart {
@@ -220,17 +237,13 @@ struct ShownAnswer {
   const design::PulseCheck* pulse{nullptr};
   std::optional<ShownNotch> built_notch{};
   std::optional<std::vector<ShownPart>> catalogue{};
-  std::optional<std::vector<design::TradeOff>> trade_off{};
+  std::optional<std::vector<ShownTradeOff>> trade_off{};
+  std::optional<ShownServed> works_for{};
   const design::SuiteOutlook* outlook{nullptr};
   const design::SearchRecord* search{nullptr};
   const design::CrossCheck* cross_check{nullptr};
   IfReal velocity_m_per_s{};  ///< for `physical` alone
 
-  [[nodiscard]] std::optional<ShownServed> works_for() const {
-    return judged != nullptr && judged->works_for
-               ? std::optional(ShownServed{*judged->works_for, input.pulse.has_value()})
-               : std::nullopt;
-  }
   [[nodiscard]] std::optional<AnswerSi> in_si() const;
 
   using Now = ShownAnswer;
@@ -260,8 +273,9 @@ struct ShownAnswer {
       Field{"nearest", &Now::nearest,
             "under records without a design: the damper that violates the limits least"},
       Field{"works_for", &Now::works_for,
-            "around the given v0, or k of a pulse, and p, each with the other as given: where "
-            "the point itself meets every requirement, both ends included"},
+            "around the given load and p, each with the other as given: where the point itself "
+            "meets every requirement, both ends included; of load cases in steps of 1 %, loads "
+            "from a tenth to ten times and p from half to twice"},
       Field{"hits", &Now::hits, "how the motion ends, for every v0 from 0 to twice the given one"},
       Field{"practice", of_judged(&Judged::practice)},
       Field{"practice_worst", of_judged(&Judged::practice_worst),
@@ -292,7 +306,7 @@ struct AnswerSi : Si {
   /// What would mend an empty region; empty if that input alone cannot.
   [[nodiscard]] IfReal mended(std::string_view field, bool by_stiffness) const;
   [[nodiscard]] std::optional<design::PhysicalWorksFor> works_for() const {
-    const auto served = answer->works_for();
+    const auto& served = answer->works_for;
     return served ? std::optional(physical_works_for(scales(), *served)) : std::nullopt;
   }
 
@@ -306,6 +320,9 @@ struct AnswerSi : Si {
     return in(&AnswerSi::answer, &ShownAnswer::judged, value);
   };
   static constexpr auto of_hit = [](const auto& now) { return !now.answer->input.pulse; };
+  static constexpr auto serves_hits = [](const auto& now) {
+    return now.answer->works_for && now.answer->works_for->load == design::ServedLoad::v0;
+  };
   static constexpr auto rows = [](const std::vector<design::Hits>& hits) {
     return mapped(hits, [](const design::Hits& row) { return HitsSi{row}; });
   };
@@ -326,7 +343,7 @@ struct AnswerSi : Si {
           Field{"delta_max_mend_m", mend("delta_max")}},
       damper_fields,
       std::tuple{Field{"works_for_velocity_m_per_s",
-                       only_if(of_hit, in(&Now::works_for, &Served::velocity_m_per_s))},
+                       only_if(serves_hits, in(&Now::works_for, &Served::velocity_m_per_s))},
                  Field{"works_for_period_s", in(&Now::works_for, &Served::period_s)},
                  Field{"hits", only_if(of_hit, in(&Now::answer, &ShownAnswer::hits, rows)),
                        "in the order of those of the report"}},

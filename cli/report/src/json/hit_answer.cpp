@@ -62,6 +62,9 @@ ShownAnswer answer_of(const Report& report, const ShownTask& task,
                   .mends = region.mends};
   if (judged != nullptr) {
     now.constraints = judged->constraints;
+    if (judged->works_for) {
+      now.works_for = ShownServed{*judged->works_for};
+    }
   }
   now.cases.push_back({.load = {task.pulse ? design::name(*task.pulse) : "hit"}});
   if (const auto& catalogue = report.catalogue) {
@@ -160,7 +163,16 @@ ShownAnswer shown(const DesignReport& report) {
   const design::DesignRequest& request = result.request;
   ShownAnswer now =
       answer_of(report, task_of(report), result, result.finding ? &*result.finding : nullptr);
-  now.trade_off = report.trade_off;
+  if (report.trade_off) {
+    now.trade_off = mapped(*report.trade_off, [&](const design::TradeOff& of) {
+      return ShownTradeOff{{request.problem.p, of.damper.f, of.damper.delta},
+                           of.damper.tolerance,
+                           {},
+                           of.stop_time,
+                           of.peak_amplitude,
+                           of.transmitted};
+    });
+  }
   now.input.v0 = request.pulse ? result.reduced_v0 : std::optional(request.problem.v0);
   if (now.input.v0 && report.physical) {
     now.velocity_m_per_s = *now.input.v0 * report.physical->scales.velocity_m_per_s;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "choices.hpp"
 #include "json/answer_fields.hpp"
 
 #include <algorithm>
@@ -29,11 +30,16 @@ AskedTask asked_task(const design::RecordDesignRequest& task) {
                   .tolerance_delta = factors(delta),
                   .tolerance_width = factors(width),
                   .tolerance_period = factors(period),
-                  .f_range = task.f,
-                  .delta_range = task.delta,
                   .notch_width_range = task.width,
-                  .tolerance = std::max({f.below, f.above, delta.below, delta.above}),
-                  .objective = name(task.objective)};
+                  .tolerance = std::max({f.below, f.above, delta.below, delta.above})};
+  if (task.judges && task.parts.empty()) {
+    asked.f = task.f->low;
+    asked.delta = task.delta->low;
+  }
+  if (!task.judges) {
+    asked.f_range = task.f;
+    asked.delta_range = task.delta;
+  }
   asked.limits.f_max = task.f_max;
   asked.limits.delta_max = task.delta_max;
   asked.limits.acceleration_max = limits.acceleration;
@@ -49,7 +55,11 @@ BoxedDamper boxed_damper(const design::RecordFinding& finding, const IfReal& tol
           {unless_exact(box.f), unless_exact(box.delta), unless_exact(box.p),
            unless_exact({turn(box.p.high), turn(box.p.low)}), unless_exact(box.width), box.samples,
            false},
-          tolerance};
+          tolerance,
+          {},
+          {},
+          {},
+          case_name(finding.part)};
 }
 
 /// In the order of design::suite_figure_kinds.
@@ -89,6 +99,11 @@ ShownCase shown_case(const design::RecordDesign& result, std::size_t index) {
   return shown;
 }
 
+ShownTradeOff shown_trade_off(const design::SuitePoint& point) {
+  const design::SuiteFigures worst = largest(point.figures);
+  return {point.damper, {}, worst.residual, {}, worst.peak, worst.acceleration};
+}
+
 }  // namespace
 
 ShownAnswer shown(const RecordDesignReport& report) {
@@ -101,7 +116,25 @@ ShownAnswer shown(const RecordDesignReport& report) {
                   .constraints = result.constraints,
                   .mends = result.mends,
                   .search = &result.search};
+  if (!report.of_region) {
+    now.input.objective = name(request.objective);
+  }
+  if (request.trade_offs > 0) {
+    now.input.trade_off = request.trade_offs;
+    now.trade_off = mapped(result.trade_off, &shown_trade_off);
+  }
+  if (!request.parts.empty()) {
+    now.input.catalogue = spelled_out(report.parts_file);
+    now.catalogue = mapped(result.parts, [&](const design::RatedPart& rated) {
+      return ShownPart{rated, rated.admissible ? Name() : broken(rated.violated, report.physical)};
+    });
+  } else if (request.judges) {
+    now.admissible = result.finding && result.finding->admissible;
+  }
   if (const auto& finding = result.finding) {
+    if (finding->works_for) {
+      now.works_for = ShownServed{*finding->works_for};
+    }
     now.design = boxed_damper(*finding, result.largest_tolerance);
     now.outlook = &finding->outlook;
     now.cross_check = &finding->cross_check;

@@ -159,20 +159,6 @@ inline constexpr auto fields<design::PulseCheck> = [] {
 }();
 
 template <>
-inline constexpr auto fields<design::TradeOff> = [] {
-  using design::DesignPoint;
-  using report::with_si;
-  using Now = design::TradeOff;
-  return std::tuple{
-      Field{"f", in(&Now::damper, &DesignPoint::f)},
-      Field{"delta", in(&Now::damper, &DesignPoint::delta), "", report::in_metres},
-      Field{"tolerance", in(&Now::damper, &DesignPoint::tolerance)},
-      Field{"peak_amplitude", &Now::peak_amplitude, "", with_si(Dimension::length, "peak_m")},
-      Field{transmitted_name, &Now::transmitted},
-      Field{"stop_time", &Now::stop_time, "", with_si(Dimension::time)}};
-}();
-
-template <>
 inline constexpr auto fields<design::SuitePoint> = std::tuple{
     Field{"design", &design::SuitePoint::damper},
     Field{"worst", [](const design::SuitePoint& now) { return report::settled(now.figures); },

@@ -6,7 +6,7 @@
 #include "pulse/region.hpp"
 #include "pulse/search.hpp"
 
-#include <stillpoint/design/part.hpp>
+#include <stillpoint/design/choice.hpp>
 
 #include <optional>
 #include <span>

@@ -197,7 +197,8 @@ std::optional<WorksFor> works_for(const PulseProblem& problem, const Limits& lim
   const bool kept = f < problem.ranges.k_low.value_or(k) && f <= least_limit(Bounded::f, limits) &&
                     delta <= least_limit(Bounded::delta, limits) &&
                     damper.room(worst_motion(problem, f / k), k, problem.p) >= 0;
-  return kept ? std::optional(WorksFor{served_k(problem, damper), served_p(problem, damper)})
+  return kept ? std::optional(
+                    WorksFor{served_k(problem, damper), served_p(problem, damper), ServedLoad::k})
               : std::nullopt;
 }
 

@@ -3,8 +3,10 @@
 
 #include "record/suite.hpp"
 #include "record/suite_check.hpp"
+#include "record/suite_judge.hpp"
 #include "record/suite_outlook.hpp"
 #include "record/suite_request.hpp"
+#include "record/suite_served.hpp"
 #include "record/suite_task_search.hpp"
 #include "record/suite_watch.hpp"
 
@@ -16,6 +18,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -107,6 +110,14 @@ struct Cells {
   std::vector<double> all;
 };
 
+std::optional<ChosenBox> found(const Suites& suites, RecordDesign& result, SuiteWatch& watch) {
+  const RecordDesignRequest& task = result.request;
+  return !task.parts.empty()                        ? best_part(suites, result, watch)
+         : task.judges                              ? judged(suites, result, watch)
+         : task.objective == SuiteObjective::robust ? most_tolerant(suites, result, watch)
+                                                    : within_tolerance(suites, result, watch);
+}
+
 }  // namespace
 
 std::size_t worst_motion(const RecordDesign& result, std::size_t in_case) {
@@ -130,9 +141,7 @@ RecordDesign design(const RecordDesignRequest& request, const RecordWatch& go_on
   const RecordDesignRequest& task = result.request;
   const Suites suites(task);
   SuiteWatch watch(go_on);
-  std::optional<ChosenBox> chosen = task.objective == SuiteObjective::robust
-                                        ? most_tolerant(suites, result, watch)
-                                        : within_tolerance(suites, result, watch);
+  const std::optional<ChosenBox> chosen = found(suites, result, watch);
   result.search.evaluations = watch.evaluations();
   result.search.interrupted = watch.stopped();
   result.search.status = watch.stopped() ? "INTERRUPTED" : "SUCCESS";
@@ -146,10 +155,16 @@ RecordDesign design(const RecordDesignRequest& request, const RecordWatch& go_on
     finding.box = promised(task, *chosen);
     finding.outlook = outlook(task, damper, chosen->scale);
     finding.cross_check = check(suites, damper, finding.responses);
+    finding.works_for = works_for(task, damper);
     result.nearest = {damper, chosen->verified.box.worst};
     result.constraints = constraints_of(task, finding.box.worst);
     result.finding = std::move(finding);
     add_motions(result, suites);
+    if (task.judges) {
+      std::ranges::move(constraints_on(task, damper), std::back_inserter(result.constraints));
+      result.finding->admissible = std::ranges::all_of(result.constraints, &Constraint::satisfied);
+      result.finding->part = result.parts.empty() ? "" : result.parts.front().part.name;
+    }
   }
   result.findings = findings_of(result, request);
   result.search.wall_time_s = seconds_now() - begun;

@@ -182,24 +182,27 @@ std::vector<Finding> findings_of(const RecordDesign& result, const RecordDesignR
     add_notch(all, result, asked);
     return all;
   }
-  const auto& [point, responses, box, outlook, check] = *result.finding;
-  add_failed(all, check);
+  const RecordFinding& found = *result.finding;
+  const SuiteDamper& damper = found.point.damper;
+  add_failed(all, found.cross_check);
   const std::vector<LoadCase>& cases = result.request.cases;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     add_motions(all, result, i);
     add_hidden(all, result, i);
   }
   const auto& printed = result.request.printed;
-  if (printed && printed->time && point.damper.f > 1) {  // without units f has no weight
-    all.emplace_back(friction_above_weight).add("f", point.damper.f);
+  if (printed && printed->time && damper.f > 1) {  // without units f has no weight
+    all.emplace_back(friction_above_weight).add("f", damper.f);
   }
-  if (box.samples == 1) {
+  if (found.box.samples == 1) {
     all.emplace_back(exact_only);
   }
-  add_notch(all, result, asked);
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    add_outlook(all, cases[i], "period", outlook.period[i]);
-    add_outlook(all, cases[i], "scale", outlook.scale[i]);
+  if (!asked.judges) {
+    add_notch(all, result, asked);
+  }
+  for (std::size_t i = 0; i < cases.size() && found.admissible; ++i) {
+    add_outlook(all, cases[i], "period", found.outlook.period[i]);
+    add_outlook(all, cases[i], "scale", found.outlook.scale[i]);
   }
   return all;
 }

@@ -9,21 +9,20 @@
 
 namespace stillpoint::design {
 
-namespace {
-
-void enlarge(LoadCase& load_case, double factor) {
-  for (SuiteRecord& record : load_case.records) {
-    record.scale *= factor;
+RecordDesignRequest enlarged(RecordDesignRequest task, double factor) {
+  for (LoadCase& each : task.cases) {
+    for (SuiteRecord& record : each.records) {
+      record.scale *= factor;
+    }
+    if (each.pulse) {
+      std::visit([&](auto& wave) { wave.k *= factor; }, *each.pulse);
+    }
+    if (each.v0) {
+      *each.v0 *= factor;
+    }
   }
-  if (load_case.pulse) {
-    std::visit([&](auto& wave) { wave.k *= factor; }, *load_case.pulse);
-  }
-  if (load_case.v0) {
-    *load_case.v0 *= factor;
-  }
+  return task;
 }
-
-}  // namespace
 
 SuiteOutlook outlook(const RecordDesignRequest& task, const SuiteDamper& damper, double scale) {
   constexpr std::size_t samples = 48;
@@ -46,11 +45,7 @@ SuiteOutlook outlook(const RecordDesignRequest& task, const SuiteDamper& damper,
       each.p /= factor;
     }
     worst_of(task, of_spring, result.period);
-    RecordDesignRequest scaled = task;
-    for (LoadCase& each : scaled.cases) {
-      enlarge(each, factor);
-    }
-    worst_of(scaled, box, result.scale);
+    worst_of(enlarged(task, factor), box, result.scale);
   }
   return result;
 }

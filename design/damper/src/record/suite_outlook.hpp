@@ -5,6 +5,9 @@
 
 namespace stillpoint::design {
 
+/// With every load times that factor.
+[[nodiscard]] RecordDesignRequest enlarged(RecordDesignRequest task, double factor);
+
 /// Of a completed request and a damper with `scale` times its tolerance.
 [[nodiscard]] SuiteOutlook outlook(const RecordDesignRequest& task, const SuiteDamper& damper,
                                    double scale);

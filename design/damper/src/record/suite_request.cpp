@@ -56,7 +56,7 @@ void require_start(RecordDesignRequest& request, const LoadCase& load_case) {
   const auto bound = [&](std::optional<double>& most, double value, const char* field,
                          const std::optional<Interval>& searched) {
     most = std::min(most.value_or(HUGE_VAL), below * value);
-    if (searched && searched->low > *most) {
+    if (searched && searched->low > *most && !request.judges) {
       throw InputError(field, searched->low,
                        fmt::format("must be less than {} so that the {} {} moves the mass", value,
                                    load_case.v0 ? "hit of case" : "pulse of case", load_case.name));
@@ -186,6 +186,13 @@ void require_valid(const RecordDesignRequest& request) {
 }
 
 RecordDesignRequest completed(RecordDesignRequest request) {
+  if (!request.parts.empty()) {
+    request.judges = true;
+    const auto [least_f, most_f] = std::ranges::minmax(request.parts, {}, &Part::f);
+    const auto [least, most] = std::ranges::minmax(request.parts, {}, &Part::delta);
+    request.f = Interval{least_f.f, most_f.f};
+    request.delta = Interval{least.delta, most.delta};
+  }
   for (LoadCase& each : request.cases) {
     each.combine = each.of_records() ? each.combine.value_or(default_combine(each.records.size()))
                                      : Combine::max;
@@ -196,8 +203,10 @@ RecordDesignRequest completed(RecordDesignRequest request) {
   for (const LoadCase& each : request.cases) {
     require_start(request, each);
   }
-  keep_below(request.f, request.f_max, "f-max");
-  keep_below(request.delta, request.delta_max, "delta-max");
+  if (!request.judges) {
+    keep_below(request.f, request.f_max, "f-max");
+    keep_below(request.delta, request.delta_max, "delta-max");
+  }
   double load = 0;
   for (const LoadCase& each : request.cases) {
     load = std::max(load, most_friction(each, request.p.high));
@@ -214,7 +223,7 @@ RecordDesignRequest completed(RecordDesignRequest request) {
     request.delta = Interval{0, most};
   }
   require_range("delta", *request.delta, 0, largest_square);
-  if (!counts_the_notch(request)) {
+  if (!counts_the_notch(request) && !request.judges) {
     if (request.delta->low > 0) {
       throw InputError(
           "search-delta-m", fmt::format("{}:{}", request.delta->low, request.delta->high),

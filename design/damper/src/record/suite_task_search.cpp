@@ -96,6 +96,7 @@ class TaskSearch {
       tell_why(goal);
       return std::nullopt;
     }
+    trade_off();
     return ChosenBox{*best, 1};
   }
 
@@ -105,6 +106,7 @@ class TaskSearch {
     if (!best) {
       return std::nullopt;
     }
+    trade_off();
     return ChosenBox{best->verified, best->scale};
   }
 
@@ -233,15 +235,68 @@ class TaskSearch {
     }
   }
 
-  /// The least limit of that kind with which there is a damper: the nearest, where it violates no
-  /// other. Each friction is to be better than those before, so the last is verified first.
+  /// The least limit of that kind with which there is a damper.
   std::optional<double> relaxed(std::size_t in_case, const SuiteFigureKind& kind) {
+    SuiteGoal goal{kind.value, in_case, limits_of(task_)};
+    goal.limits[in_case].*kind.limit = std::nullopt;
+    const std::optional<VerifiedBox> found = least(goal);
+    if (!found || watch_.stopped()) {
+      return std::nullopt;
+    }
+    const double value = found->box.worst[in_case].*kind.value;
+    return kind.limit == &SuiteLimits::passages ? value + 1  // the last arrival rests
+                                                : value * (1 + relaxed_by);
+  }
+
+  /// The front of stroke and acceleration, from the least stroke to the least acceleration.
+  void trade_off() {
+    if (task_.trade_offs == 0) {
+      return;
+    }
+    for (const SuiteFrictions frictions : every_friction) {
+      if (has_friction(task_, frictions) && SuiteSpace(task_, frictions).possible() &&
+          std::ranges::find(maps_, frictions, &Mapped::frictions) == maps_.end()) {
+        maps_.emplace_back(suite_, task_, frictions, watch_);
+      }
+    }
+    const auto gentlest = [&](double stroke) {
+      SuiteGoal goal{&SuiteFigures::acceleration, {}, limits_of(task_)};
+      for (SuiteLimits& limits : goal.limits) {
+        limits.peak = std::min(limits.peak.value_or(HUGE_VAL), stroke);
+      }
+      return least(goal);
+    };
+    const auto end = gentlest(HUGE_VAL);
+    const auto begin = least({&SuiteFigures::peak, {}, limits_of(task_)});
+    if (!begin || !end) {
+      return;
+    }
+    const double low = design::largest(begin->box.worst).peak;
+    const double high = design::largest(end->box.worst).peak;
+    std::vector<SuitePoint>& front = result_.trade_off;
+    const auto add = [&](const VerifiedBox& box) {
+      if (front.empty() || design::largest(box.box.worst).acceleration <
+                               design::largest(front.back().figures).acceleration) {
+        front.push_back({box.box.damper, box.box.worst});
+      }
+    };
+    add(*begin);
+    const auto last = static_cast<double>(task_.trade_offs - 1);
+    for (std::int64_t i = 1; i + 1 < task_.trade_offs && !watch_.stopped(); ++i) {
+      if (const auto between = gentlest(std::lerp(low, high, static_cast<double>(i) / last))) {
+        add(*between);
+      }
+    }
+    add(*end);
+  }
+
+  /// The best of all frictions, looked for briefly; the nearest, where it violates no limit of the
+  /// goal. Each is to be better than those before, so the last is verified first.
+  std::optional<VerifiedBox> least(const SuiteGoal& goal) {
     struct Likely {
       SuiteSearch search;
       std::vector<BoxedDamper> dampers;
     };
-    SuiteGoal goal{kind.value, in_case, limits_of(task_)};
-    goal.limits[in_case].*kind.limit = std::nullopt;
     double bar = HUGE_VAL;
     std::deque<Likely> all;  // the last first
     for (Mapped& here : maps_) {
@@ -260,15 +315,14 @@ class TaskSearch {
       }
     }
     bar = HUGE_VAL;
+    std::optional<VerifiedBox> best;
     for (Likely& each : all) {
-      if (const auto found = each.search.verified(each.dampers, bar)) {
-        bar = found->box.worst[in_case].*kind.value;
+      if (auto found = each.search.verified(each.dampers, bar)) {
+        best = std::move(found);
+        bar = goal.value(best->box.worst);
       }
     }
-    return watch_.stopped() || bar == HUGE_VAL ? std::nullopt
-           : kind.limit == &SuiteLimits::passages
-               ? std::optional(bar + 1)  // the last arrival rests
-               : std::optional(bar * (1 + relaxed_by));
+    return best;
   }
 
   const Suites& suite_;

@@ -12,6 +12,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::report {
@@ -19,11 +20,21 @@ namespace stillpoint::report {
 struct RecordDesignInput {
   design::RecordDesignRequest request;
   std::optional<design::PhysicalInput> physical{};
+  std::string parts_file{};  ///< of a catalogue
+  bool of_region{false};     ///< which judges a damper, and finds none
 };
 
 struct RecordDesignReport {
+  RecordDesignReport(design::RecordDesign found, const RecordDesignInput& input)
+      : result(std::move(found)),
+        physical(input.physical),
+        parts_file(input.parts_file),
+        of_region(input.of_region) {}
+
   design::RecordDesign result;
-  std::optional<design::PhysicalInput> physical{};
+  std::optional<design::PhysicalInput> physical;
+  std::string parts_file;
+  bool of_region;
 };
 
 /// How far a search is, in about 80 characters.

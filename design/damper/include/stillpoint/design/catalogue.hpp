@@ -3,7 +3,7 @@
 
 // Which parts of a catalogue a task takes.
 
-#include <stillpoint/design/part.hpp>
+#include <stillpoint/design/choice.hpp>
 
 #include <span>
 #include <vector>

@@ -3,7 +3,7 @@
 
 // The parts of a catalogue, and how they fit a task.
 
-#include <stillpoint/design/design_result.hpp>
+#include <stillpoint/design/constraints.hpp>
 
 #include <optional>
 #include <string>
@@ -28,13 +28,6 @@ struct RatedPart {
   std::optional<double> tolerance;  ///< the largest; empty if the part itself is not admissible
   /// What the part itself violates; empty if it only lacks the tolerance asked for.
   std::vector<Constraint> violated;
-};
-
-struct Choice {
-  /// The design with the best part, without a search. If no part is admissible there is no finding;
-  /// `reason` says so, and `mends` are those of the parts.
-  DesignResult result;
-  std::vector<RatedPart> parts;  ///< all of them, best first
 };
 
 }  // namespace stillpoint::design

@@ -9,6 +9,7 @@
 #include <stillpoint/design/region_result.hpp>
 #include <stillpoint/design/search.hpp>
 #include <stillpoint/design/suite_task.hpp>
+#include <stillpoint/design/works_for.hpp>
 
 #include <array>
 #include <cstddef>
@@ -39,6 +40,10 @@ struct RecordFinding {
   SuiteBox box;
   SuiteOutlook outlook;
   CrossCheck cross_check;
+  /// Of a damper without its tolerance: factors on the load of every case, and the p of the spring.
+  std::optional<WorksFor> works_for;
+  bool admissible{true};  ///< a damper that is judged need not be
+  std::string part{};     ///< of the catalogue
 };
 
 struct RecordDesign {
@@ -55,6 +60,8 @@ struct RecordDesign {
   std::vector<Mend> mends;
   SearchRecord search{.algorithm = "boxes", .scan = SearchRecord::Scan()};
   std::vector<Finding> findings;
+  std::vector<RatedPart> parts;       ///< of a catalogue, best first
+  std::vector<SuitePoint> trade_off;  ///< with the worst of each box, by rising stroke
 };
 
 }  // namespace stillpoint::design

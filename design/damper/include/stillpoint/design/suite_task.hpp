@@ -8,6 +8,7 @@
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/box_shape.hpp>
 #include <stillpoint/design/figures.hpp>
+#include <stillpoint/design/part.hpp>
 #include <stillpoint/design/pulse.hpp>
 #include <stillpoint/records/record_suite.hpp>
 #include <stillpoint/records/units.hpp>
@@ -137,6 +138,9 @@ struct RecordDesignRequest {
   /// If given, the variables of the design are rounded to the fewest digits in these units, at
   /// least five, with which it is admissible and worse by at most a relative 1e-5.
   std::optional<PrintedUnits> printed{};
+  bool judges{false};          ///< f and delta are those of a damper that is judged as it is
+  std::vector<Part> parts{};   ///< of a catalogue: f and delta are those of one of them
+  std::int64_t trade_offs{0};  ///< dampers along the front of stroke and acceleration
 };
 
 struct SuiteDamper {

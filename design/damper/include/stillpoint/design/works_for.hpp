@@ -15,10 +15,14 @@ struct ServedInterval {
   std::optional<double> high;
 };
 
+/// What of a load: V0 of a hit, k of a pulse, a factor on records or on all loads of several cases.
+enum class ServedLoad { v0, k, scale };
+
 /// What a damper as built works for.
 struct WorksFor {
-  ServedInterval hit;  ///< V0, or the k of a pulse, with p as given; always has a `high`
+  ServedInterval hit;  ///< with p as given; always has a `high`
   ServedInterval p;    ///< with the hit as given
+  ServedLoad load{ServedLoad::v0};
 };
 
 /// The largest intervals around the problem's v0 and p in which (f, delta) itself keeps every

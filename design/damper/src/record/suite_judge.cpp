@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "record/suite_judge.hpp"
+
+#include "ranking.hpp"
+#include "record/suite_tolerance.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <string_view>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// Of a damper without one whose largest is asked for, in which f and delta are off alike.
+constexpr Spread usual_shape{0.1, 0.1};
+
+SuiteDamper given_damper(const RecordDesignRequest& task) {
+  const bool has_width = task.width && task.delta->low > 0;
+  return {task.p.low, task.f->low, task.delta->low, has_width ? task.width->low : 0};
+}
+
+SuiteFrictions frictions_of(const SuiteDamper& damper) {
+  return damper.delta == 0 ? SuiteFrictions::constant
+         : damper.f == 0   ? SuiteFrictions::point
+                           : SuiteFrictions::both;
+}
+
+RecordDesignRequest without_bounds(RecordDesignRequest task) {
+  task.f_max = task.delta_max = task.f_start = task.delta_start = std::nullopt;
+  return task;
+}
+
+/// Whether a damper keeps what is asked of it, without its tolerance.
+bool keeps_bounds(RecordDesignRequest task, const SuiteDamper& damper) {
+  task.tolerance = {{}, {}, {}, {}};
+  return std::ranges::all_of(constraints_on(task, damper), &Constraint::satisfied);
+}
+
+std::optional<double> largest_tolerance(const Suites& suite, RecordDesignRequest task,
+                                        const SuiteDamper& damper, SuiteWatch& watch) {
+  if (task.tolerance.exact()) {
+    task.tolerance.f = task.tolerance.delta = usual_shape;
+  }
+  constexpr double whole = 0.95;  // no part is off by all of itself
+  const SuiteTolerance& of = task.tolerance;
+  const double below =
+      std::max({of.f.below, of.f.above, of.delta.below, of.width.below, of.period.below});
+  const double most = std::max({of.f.below, of.f.above, of.delta.below, of.delta.above});
+  if (below == 0 || most == 0) {
+    return std::nullopt;
+  }
+  const auto box =
+      largest_box(suite, task, frictions_of(damper), {0, whole / below}, nullptr, watch);
+  return box ? std::optional(box->scale * most) : std::optional(0.0);
+}
+
+}  // namespace
+
+std::vector<Constraint> constraints_on(const RecordDesignRequest& task, const SuiteDamper& damper) {
+  std::vector<Constraint> list;
+  const auto add = [&](std::string_view name, std::string_view variable, double value,
+                       const Spread& spread, const std::optional<double>& most) {
+    if (most) {
+      list.push_back(Constraint::compared(name, variable, "<=", value * (1 + spread.above), *most));
+    }
+  };
+  const auto& [f, delta, width, period] = task.tolerance;
+  add("start", "f", damper.f, f, task.f_start);
+  add("start", "delta", damper.delta, delta, task.delta_start);
+  add("f_max", "f", damper.f, f, task.f_max);
+  add("delta_max", "delta", damper.delta, delta, task.delta_max);
+  return list;
+}
+
+std::optional<ChosenBox> judged(const Suites& suite, RecordDesign& result, SuiteWatch& watch) {
+  const RecordDesignRequest& task = result.request;
+  const RecordDesignRequest open = without_bounds(task);
+  const SuiteDamper damper = given_damper(task);
+  const SuiteSpace space(open, frictions_of(damper));
+  SuiteSearch search(suite, open, space,
+                     {minimised(task).value, task.objective_case, limits_of(task)}, watch);
+  const VerifiedBox box = search.tried(damper, true);
+  result.nearest = {damper, box.box.worst};
+  result.constraints = constraints_of(task, box.box.worst);
+  std::ranges::copy(constraints_on(task, damper), std::back_inserter(result.constraints));
+  if (!settled(box.box.worst)) {
+    return std::nullopt;
+  }
+  if (keeps_bounds(task, damper) && admissible(suite.figures(damper), limits_of(task))) {
+    result.largest_tolerance = largest_tolerance(suite, task, damper, watch);
+  }
+  return ChosenBox{box, 1};
+}
+
+std::optional<ChosenBox> best_part(const Suites& suite, RecordDesign& result, SuiteWatch& watch) {
+  const RecordDesignRequest& task = result.request;
+  std::vector<RatedPart> all;
+  std::vector<std::optional<ChosenBox>> boxes;
+  const auto box_of = [&](const Part& part) -> const std::optional<ChosenBox>& {
+    const auto found = std::ranges::find_if(all, [&](const RatedPart& each) {
+      return each.part.f == part.f && each.part.delta == part.delta;
+    });
+    return boxes[static_cast<std::size_t>(found - all.begin())];
+  };
+  for (const Part& part : task.parts) {
+    require_valid(part, task.p.high);
+    RecordDesign one;
+    one.request = task;
+    one.request.f = Interval{part.f, part.f};
+    one.request.delta = Interval{part.delta, part.delta};
+    const auto box = judged(suite, one, watch);
+    RatedPart rated{part, false, one.largest_tolerance, {}};
+    std::ranges::copy_if(one.constraints, std::back_inserter(rated.violated),
+                         [](const Constraint& now) { return !now.satisfied; });
+    rated.admissible = box && rated.violated.empty();
+    all.push_back(std::move(rated));
+    boxes.push_back(box);
+  }
+  result.parts = best_first(all, [&](const RatedPart& rated) {
+    return task.objective == SuiteObjective::robust ? -rated.tolerance.value_or(0)
+                                                    : box_of(rated.part)->verified.box.rank.value;
+  });
+  const RatedPart& best = result.parts.front();
+  if (!best.admissible) {
+    return std::nullopt;
+  }
+  result.largest_tolerance = best.tolerance;
+  return box_of(best.part);
+}
+
+}  // namespace stillpoint::design
