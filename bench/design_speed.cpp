@@ -11,7 +11,7 @@
 // design.
 
 #include "pulse/first_return.hpp"
-#include "pulse/search.hpp"
+#include "pulse/region.hpp"
 
 #include <stillpoint/design.hpp>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/design/design.hpp>
 
-#include "figures_of_damper.hpp"
 #include "found.hpp"
 
 #include <stillpoint/core/oscillator.hpp>

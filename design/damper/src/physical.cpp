@@ -180,21 +180,17 @@ std::optional<PhysicalMend> physical_mend(const PhysicalInput& physical, const M
     const double angle = duration(excitation(*pulse)).value() * angular_frequency(*pulse);
     return mended("pulse_duration", "s", angle / mend.value * scales.time_s, !up);
   }
-  const auto kinds = limit_kinds();
-  const auto limit = std::ranges::find(kinds, mend.field, &LimitKind::field);
-  if (limit != kinds.end() && !limit->in_metres.empty()) {
-    return mended(limit->in_metres, "m", scales.delta_m(mend.value), up);
-  }
-  for (const auto& [field, name] :
-       {std::pair("beta", "max_displacement"), std::pair("residual", "residual_m")}) {
-    if (mend.field == field) {
-      return mended(name, "m", mend.value * scales.length_m, up);
-    }
-  }
   if (mend.field == "jump_max") {
     return mended(mend.field, "m/s", mend.value * scales.velocity_m_per_s, up);
   }
-  return std::nullopt;
+  const auto kinds = limit_kinds();
+  const auto limit = std::ranges::find(kinds, mend.field, &LimitKind::field);
+  const std::string_view length = mend.field == "beta"       ? "max_displacement"
+                                  : mend.field == "residual" ? "residual_m"
+                                  : limit != kinds.end()     ? limit->in_metres
+                                                             : "";
+  return length.empty() ? std::nullopt
+                        : std::optional(mended(length, "m", scales.delta_m(mend.value), up));
 }
 
 }  // namespace stillpoint::design

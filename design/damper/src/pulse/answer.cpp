@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The region of a pulse, what would help where it is empty, the design in it, and how a damper
-// stands in it.
+// The region of a pulse, what would help where it is empty, and how a damper stands in it.
 
 #include "pulse/answer.hpp"
 
-#include "figures_of_damper.hpp"
 #include "found.hpp"
-#include "pulse/verdict.hpp"
-#include "search/objectives.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/design/design.hpp>
 #include <stillpoint/design/works_for.hpp>
 
 #include <fmt/format.h>
@@ -25,16 +20,6 @@ namespace stillpoint::design {
 
 namespace {
 
-DesignPoint in_units(const DesignPoint& found, const PulseRegion& region) {
-  return {found.f * region.f_unit(), found.delta * region.delta_unit(), found.tolerance};
-}
-
-PulseRegion region_for(const PulseRequest& request) {
-  require_valid(request.search);
-  require_valid(request.problem, request.limits);
-  return {request.problem, request.limits};
-}
-
 /// As in tolerance.hpp. The largest tolerance searched does not exclude a larger one.
 std::optional<DesignPoint> most_tolerant(const PulseRegion& region, const PulseProblem& problem,
                                          Limits limits) {
@@ -44,7 +29,7 @@ std::optional<DesignPoint> most_tolerant(const PulseRegion& region, const PulseP
   if (!best || !(best->found.point.tolerance > 0 && best->found.point.tolerance < asked)) {
     return std::nullopt;
   }
-  return in_units(best->found.point, region);
+  return region.in_units(best->found.point);
 }
 
 /// Without ranges empty.
@@ -84,6 +69,12 @@ void judge(RegionAnswer& answer, const PulseRequest& request, const PulseRegion&
 }
 
 }  // namespace
+
+PulseRegion region_for(const PulseRequest& request) {
+  require_valid(request.search);
+  require_valid(request.problem, request.limits);
+  return {request.problem, request.limits};
+}
 
 double even_tolerance(const PulseRequest& request, const PulseRegion& region,
                       const DesignPoint& point, double unit_f) {
@@ -146,40 +137,6 @@ void add_finding(DesignResult& result, const PulseRequest& request, const PulseR
   const Oscillator damper{shown.p, point.f, point.delta};
   add_practice(*result.finding, problem, limits, shown, damper, result.finding->response);
   add_delta1(*result.finding, problem, point.f);
-}
-
-std::optional<PulseDamper> damper(const PulseRequest& request) {
-  const PulseRegion region = region_for(request);
-  const auto optimum = search(region, request.search);
-  if (!optimum) {
-    return std::nullopt;
-  }
-  const double unit_f = optimum->found.point.f;
-  DesignPoint point = in_units(optimum->found.point, region);
-  point.tolerance = even_tolerance(request, region, point, unit_f);
-  const PulseProblem shown = region.profile()->largest_peak(request.problem, unit_f);
-  return PulseDamper{point,
-                     forced_response({shown.p, point.f, point.delta}, {}, excitation(shown.pulse))};
-}
-
-DesignResult design(const PulseRequest& request) {
-  const PulseRegion region = region_for(request);
-  const auto optimum = search(region, request.search);
-  DesignResult result = around(optimum, request, region);
-  if (!optimum) {
-    return result;
-  }
-  add_finding(result, request, region, in_units(optimum->found.point, region),
-              optimum->found.point.f);
-  result.finding->search = optimum->found.record;
-  const auto value_of = [&](double value) {
-    return std::isinf(value) ? std::nullopt
-                             : std::optional(in_pulse_units(request.search.objective, value,
-                                                            region.f_unit(), request.problem.p));
-  };
-  result.finding->search->by_nlopt = value_of(optimum->searched);
-  result.finding->search->along_f = value_of(optimum->bracketed);
-  return result;
 }
 
 PulseRequest pulse_request(const DesignRequest& request) {

@@ -2,7 +2,6 @@
 // Parts of a catalogue under a pulse: docs/theory.md section 15.
 
 #include "pulse/answer.hpp"
-#include "pulse/verdict.hpp"
 #include "ranking.hpp"
 #include "region/limit_table.hpp"
 #include "region/mend_list.hpp"
@@ -132,10 +131,7 @@ std::vector<Mend> mends_of_parts(const PulseRequest& request, const std::vector<
 }  // namespace
 
 Choice choose_under_pulse(const PulseRequest& request, std::span<const Part> parts) {
-  const auto& [problem, limits, options] = request;
-  require_valid(options);
-  require_valid(problem, limits);
-  const PulseRegion region(problem, limits);
+  const PulseRegion region = region_for(request);
   std::vector<TriedPart> all;
   std::vector<RatedPart> rated;
   all.reserve(parts.size());

@@ -78,6 +78,9 @@ class PulseRegion {
   [[nodiscard]] double f_unit() const { return k_; }
   [[nodiscard]] double delta_unit() const { return length_ * k_; }
   [[nodiscard]] double length_unit() const { return length_; }
+  [[nodiscard]] DesignPoint in_units(const DesignPoint& found) const {
+    return {found.f * f_unit(), found.delta * delta_unit(), found.tolerance};
+  }
   [[nodiscard]] double asked() const { return asked_; }
   [[nodiscard]] double delta_max() const { return delta_max_; }
   [[nodiscard]] Criterion criterion() const { return criterion_; }
@@ -138,5 +141,17 @@ struct PulseMends {
 [[nodiscard]] std::optional<Criterion> criterion_mend(
     const PulseProblem& problem, const Limits& limits,
     const std::shared_ptr<const WorstReturn>& profile);
+
+/// The best point, in the units of the region, and the optimum found without NLopt.
+struct PulseOptimum {
+  SearchResult found;
+  Island island;        ///< in which it lies
+  double searched{0};   ///< the objective at the best f that NLopt saw
+  double bracketed{0};  ///< the same along f alone
+};
+
+/// Empty if the region is not feasible. The better of both is the answer.
+[[nodiscard]] std::optional<PulseOptimum> search(const PulseRegion& region,
+                                                 const SearchOptions& options);
 
 }  // namespace stillpoint::design

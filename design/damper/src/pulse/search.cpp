@@ -2,7 +2,7 @@
 // The best f of a pulse's islands, in two ways. NLopt searches f, and the tolerance for `robust`;
 // Delta follows from both. Beside it stands the optimum along f alone. docs/theory.md section 8.
 
-#include "pulse/search.hpp"
+#include "pulse/region.hpp"
 
 #include "pulse/task.hpp"
 

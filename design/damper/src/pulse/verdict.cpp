@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pulse/verdict.hpp"
+#include "pulse/answer.hpp"
 
 #include "region/reason.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/design/region.hpp>
 
-#include "figures_of_damper.hpp"
+#include "found.hpp"
 #include "pulse/answer.hpp"
 
 #include <stillpoint/core/free_motion.hpp>

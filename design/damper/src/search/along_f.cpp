@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "search/along_f.hpp"
-
+#include "search/best_point.hpp"
 #include "search/objectives.hpp"
 #include "unit_problem.hpp"
 #include "way/highest.hpp"

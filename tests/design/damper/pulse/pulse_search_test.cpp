@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "damper.hpp"
-#include "pulse/search.hpp"
+#include "pulse/region.hpp"
 #include "pulse_task.hpp"
 
 BOOST_AUTO_TEST_SUITE(pulse_search_test)
