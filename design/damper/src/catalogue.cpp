@@ -142,7 +142,6 @@ Choice choose(const DesignRequest& request, std::span<const Part> parts) {
   if (best.admissible) {
     const auto& [name, f, delta] = best.part;
     result.finding = finding_of(problem, limits, {f, delta, best.tolerance.value_or(0)});
-    result.finding->works_for = works_for(problem, limits, f, delta);
     return choice;
   }
   result.reason = result.region.feasible ? none_admissible(parts.size())

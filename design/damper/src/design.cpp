@@ -19,6 +19,7 @@ Found finding_of(const Problem& problem, const Limits& limits, const DesignPoint
   finding.response = free_response(oscillator, {0, problem.v0});
   add_practice(finding, problem, limits, oscillator, finding.response);
   add_delta1(finding, problem, point.f);
+  finding.works_for = works_for(problem, limits, point.f, point.delta);
   finding.cross_check =
       cross_check(predict(problem, point.f, point.delta), problem, point.f, point.delta);
   return finding;
@@ -43,7 +44,6 @@ DesignResult design(const DesignRequest& request) {
   }
   result.finding = finding_of(problem, limits, found->point);
   result.finding->search = found->record;
-  result.finding->works_for = works_for(problem, limits, found->point.f, found->point.delta);
   return result;
 }
 
