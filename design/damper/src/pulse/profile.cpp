@@ -68,11 +68,6 @@ std::vector<double> first_grid(const Pulse& pulse) {
 
 }  // namespace
 
-PulseProfile::PulseProfile(const Pulse& pulse, double p, Criterion criterion, bool k_varies,
-                           const Interval& window)
-    : PulseProfile([unit = unit_pulse(pulse, p)](double f) { return first_return(unit, 1, f); },
-                   {unit_pulse(pulse, p), unit_pulse(pulse, p)}, criterion, k_varies, window) {}
-
 PulseProfile::PulseProfile(At at, const std::array<Pulse, 2>& between, Criterion criterion,
                            bool k_varies, const Interval& window)
     : at_(std::move(at)), criterion_(criterion) {

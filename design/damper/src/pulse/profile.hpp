@@ -25,11 +25,8 @@ class PulseProfile {
  public:
   using At = std::function<FirstReturn(double)>;
 
-  /// Also with the maxima of need/f^2 and of the time if k has a range: docs/theory.md section 15.
-  /// Only the f of the window are examined.
-  PulseProfile(const Pulse& pulse, double p, Criterion criterion, bool k_varies = false,
-               const Interval& window = {0, 1});
-  /// Of what `at` says, which lies between two unit pulses.
+  /// Of what `at` says, which lies between two unit pulses. Also with the maxima of need/f^2 and of
+  /// the time if k has a range: docs/theory.md section 15. Only the f of the window are examined.
   PulseProfile(At at, const std::array<Pulse, 2>& between, Criterion criterion, bool k_varies,
                const Interval& window);
 

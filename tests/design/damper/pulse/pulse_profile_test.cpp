@@ -36,7 +36,7 @@ struct Missed {
 
 /// Over `steps` motions between each two neighbours. `motion_at` has returns, peak and need.
 template <class MotionAt>
-Missed missed_by(const PulseProfile& profile, Criterion criterion, int steps,
+Missed missed_by(const WorstReturn& profile, Criterion criterion, int steps,
                  const MotionAt& motion_at) {
   Missed missed;
   const auto& samples = profile.samples();
@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(samples_know_every_local_maximum_between_them) {
     const double slowness = random.log_uniform(0.01, slowest);
     const Pulse pulse = random_pulse(random, 1, 1 / slowness);
     const auto criterion = i % 2 == 0 ? Criterion::exact : Criterion::published;
-    const PulseProfile profile(pulse, 1, criterion);
+    const WorstReturn profile({.pulse = pulse, .criterion = criterion});
     const Missed missed = missed_by(profile, criterion, 30, [&](double f) {
       const FirstReturn now = profile.at(f);
       return Seen{now.returns, now.peak, now.need(criterion)};
@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(samples_know_a_gap_of_the_return) {
   constexpr int pulses = 200;
   for (int i = 0; i < pulses; ++i) {
     const double lambda = 0.1605 + 0.0015 * i / pulses;
-    const PulseProfile profile(HalfSine{1, lambda}, 1, Criterion::exact);
+    const WorstReturn profile({.pulse = HalfSine{1, lambda}, .criterion = Criterion::exact});
     const auto misses = [](const FirstReturn& now) { return now.f < 0.15 && !now.returns; };
     bool missed = false;
     for (int j = 0; j < 1000; ++j) {
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(no_simulation_finds_a_larger_need_between_samples) {
     const double slowness = random.log_uniform(1, slowest);
     PulseRequest request = request_of(random_pulse(random, 1, 1 / slowness), HUGE_VAL);
     const Pulse& pulse = request.problem.pulse;
-    const PulseProfile profile(pulse, 1, Criterion::exact);
+    const WorstReturn profile({.pulse = pulse, .criterion = Criterion::exact});
     const Missed missed = missed_by(profile, Criterion::exact, 12, [&](double f) {
       const Scanned now = scanned(request, pulse, 1, f);
       return Seen{now.holds, now.peak_amplitude, now.need};
@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(a_box_asks_for_the_largest_need_within_it) {
 
 // While the mass is held from the first turn on, f >= 1/3, it comes back otherwise than below.
 BOOST_AUTO_TEST_CASE(a_rectangle_has_its_kinks_as_samples) {
-  const PulseProfile profile(Rectangle{1, 0.3}, 1, Criterion::exact);
+  const WorstReturn profile({.pulse = Rectangle{1, 0.3}, .criterion = Criterion::exact});
   for (const double kink : {1.0 / 3, 1.0 / 5, 1.0 / 7}) {
     BOOST_TEST(std::ranges::count(profile.samples(), kink, &FirstReturn::f) == 1);
   }
@@ -166,7 +166,7 @@ BOOST_AUTO_TEST_CASE(a_rectangle_has_its_kinks_as_samples) {
 // Without friction too: the others would cost a hundred times as much.
 BOOST_AUTO_TEST_CASE(of_one_f_there_is_one_sample) {
   for (const double f : {0.0, 0.1}) {
-    const PulseProfile profile(HalfSine{1, 1}, 1, Criterion::exact, true, {f, f});
+    const WorstReturn profile({.pulse = HalfSine{1, 1}}, true, {f, f});
     BOOST_TEST_REQUIRE(profile.samples().size() == 1);
     BOOST_TEST(profile.samples().front().f == f);
   }
