@@ -49,6 +49,14 @@ double lost(double value, int digits) {
 
 }  // namespace
 
+Points joined(const Strokes& strokes) {
+  Points all;
+  for (const Points& stroke : strokes) {
+    all.insert(all.end(), stroke.begin(), stroke.end());
+  }
+  return all;
+}
+
 double FigureAxis::position(double value) const {
   if (scale == Scale::linear) {
     return (value - least) / (most - least);
@@ -99,17 +107,12 @@ std::vector<double> ticks(const FigureAxis& axis, int wanted) {
 std::vector<std::string> tick_labels(const std::vector<double>& ticks, int fewest) {
   constexpr double visible = 1e-3;  // of the distance between two ticks
   constexpr int every = 17;         // that a double has
-  const auto shows_all = [&ticks](int digits) {
-    bool exact = true;
-    for (std::size_t i = 0; i < ticks.size() && ticks.size() > 1; ++i) {
-      const double next = i > 0 ? ticks[i - 1] : ticks[1];
-      exact = exact && lost(ticks[i], digits) <= visible * std::abs(ticks[i] - next);
-    }
-    return exact;
-  };
   int digits = fewest;
-  while (digits < every && !shows_all(digits)) {
-    ++digits;
+  for (std::size_t i = 0; i < ticks.size() && ticks.size() > 1; ++i) {
+    const double apart = std::abs(ticks[i] - ticks[i > 0 ? i - 1 : 1]);
+    while (digits < every && lost(ticks[i], digits) > visible * apart) {
+      ++digits;
+    }
   }
   std::vector<std::string> labels;
   labels.reserve(ticks.size());

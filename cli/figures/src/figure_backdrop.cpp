@@ -20,22 +20,14 @@ std::size_t first_of(const Figure& figure, const std::string& name) {
   return static_cast<std::size_t>(found - figure.areas.begin());
 }
 
-/// Each kind of hatched area has its own direction.
-double hatch_angle(std::size_t index) {
-  constexpr std::array angles{45, -45, 15, -15, 75, -75, 0, 90};
-  return angles.at(index % angles.size());
-}
-
 /// The lowest baseline of the labels of y: above the first label of x where that reaches below
 /// them.
 double lowest_baseline(const Layout& layout, const Plane& plot) {
   constexpr double below_frame = 4;
   constexpr double clear = 1;
-  if (layout.x.values.empty()) {
-    return layout.bottom + below_frame;
-  }
-  const double first = plot.pixel({layout.x.values.front(), 0}).x;
-  const bool reaches = first - text_width(layout.x.labels.front()) / 2 < -label_gap;
+  const bool reaches = !layout.x.values.empty() && plot.pixel({layout.x.values.front(), 0}).x -
+                                                           text_width(layout.x.labels.front()) / 2 <
+                                                       -label_gap;
   return layout.bottom + (reaches ? clear : below_frame);
 }
 
@@ -102,6 +94,7 @@ std::string axes(const Figure& figure, const Layout& layout) {
 }
 
 std::string hatches(const Figure& figure) {
+  constexpr std::array angles{45, -45, 15, -15, 75, -75, 0, 90};  // each kind has its own
   std::string text;
   std::size_t kinds = 0;
   for (std::size_t i = 0; i < figure.areas.size(); ++i) {
@@ -110,7 +103,7 @@ std::string hatches(const Figure& figure) {
       add(text,
           "<pattern id=\"{0}\" width=\"{1}\" height=\"{1}\" patternUnits=\"userSpaceOnUse\" "
           "patternTransform=\"rotate({2})\"><path class=\"hatch {3}\" d=\"M3.5 0V7\"/></pattern>\n",
-          hatch_id(figure, area.name), hatch_spacing, hatch_angle(kinds++),
+          hatch_id(figure, area.name), hatch_spacing, angles.at(kinds++ % angles.size()),
           of(ink_words, area.ink));
     }
   }

@@ -71,12 +71,8 @@ NamesInPlace names_in_place(const Figure& figure, const Plane& plane) {
     put(near(ground, note.text, {plane.pixel(note.at)}));
   }
   for (const FigureCurve& curve : figure.curves) {
-    Points along;
-    for (const auto& stroke : curve.strokes) {
-      std::ranges::move(plane.pixels(stroke), std::back_inserter(along));
-    }
     if (curve.labelled) {
-      put(near(ground, curve.name, along));
+      put(near(ground, curve.name, plane.pixels(joined(curve.strokes))));
     }
   }
   for (const FigureArea& area : figure.areas) {

@@ -63,7 +63,6 @@ void Raster::set_line(const Points& points) {
 }
 
 void Raster::fill(const Points& outline) {
-  std::vector<std::vector<double>> crossings(rows_);
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const FigurePoint& a = outline[i];
     const FigurePoint& b = outline[(i + 1) % outline.size()];
@@ -71,19 +70,11 @@ void Raster::fill(const Points& outline) {
     for (std::size_t row = top; row < bottom; ++row) {
       const double y = middle(row);
       if ((a.y <= y) != (b.y <= y)) {
-        crossings[row].push_back(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
-      }
-    }
-  }
-  for (std::size_t row = 0; row < rows_; ++row) {
-    std::ranges::sort(crossings[row]);
-    for (std::size_t i = 1; i < crossings[row].size(); i += 2) {
-      const double from = crossings[row][i - 1];
-      const double to = crossings[row][i];
-      const auto [left, right] = range(from, to, columns_);
-      for (std::size_t column = left; column < right; ++column) {
-        if (from <= middle(column) && middle(column) < to) {
-          cells_[row * columns_ + column] = 1;
+        // Each edge turns all that is to the right of it: what is inside is turned an odd number of
+        // times.
+        const double x = a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y);
+        for (std::size_t column = 0; column < columns_; ++column) {
+          cells_[row * columns_ + column] ^= x <= middle(column) ? 1 : 0;
         }
       }
     }

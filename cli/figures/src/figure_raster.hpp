@@ -35,7 +35,7 @@ class Raster {
   void set(const Box& box, bool value = true);
   /// Along the straight lines between points.
   void set_line(const Points& points);
-  /// Inside the polygon.
+  /// Inside the polygon, where none is set yet.
   void fill(const Points& outline);
   /// Calls is_set(middle of the cell) for each.
   template <class IsSet>

@@ -71,12 +71,11 @@ void add_constraints(Document& document, std::span<const design::Constraint> con
       table.rows.push_back({{"", "stop", "-", "-", "", "not reached"}});
       continue;
     }
-    const auto [unit, unit_name] = units.of(now.dimension());
     table.rows.push_back(
         {{now.in_case, in_words(now.name), requirement(now, units),
           bounds_nothing(now) || nothing_meets(now) || !now.known
               ? "-"
-              : few_digits(now.slack * unit) + with_blank(unit_name),
+              : units.of(now.dimension()).words(now.slack),
           now.motion && now.in_case.empty() ? scaled_name(now.motion->file, now.motion->scale) : "",
           now.satisfied ? "met" : "violated"},
          now.satisfied ? Tone::good : Tone::bad});

@@ -21,9 +21,8 @@ double peak_of(const ShownDamper& shown) {
 /// Of a figure of several motions; under pulses, whose ranges have one, empty.
 std::string_view of_ranges(const ShownDamper& shown) {
   const design::Problem& problem = shown.problem;
-  return shown.tried() != nullptr || (!shown.pulse && (problem.v0_low || problem.p_high))
-             ? " (worst case)"
-             : "";
+  return shown.tried() != nullptr || (!shown.pulse && has_ranges(problem, {}, {})) ? " (worst case)"
+                                                                                   : "";
 }
 
 /// Of the paper's notch, what one with a width adds: the friction there and, at its edge, the
@@ -135,8 +134,7 @@ void add_motion(Section& answer, const ShownDamper& shown, const Physical& physi
 std::string shown_motion(const ShownDamper& shown, const Physical& physical) {
   const design::Problem& problem = shown.problem;
   const auto& pulse = shown.pulse;
-  return (pulse ? !design::pulse_problem(problem, *pulse, shown.ranges).has_ranges()
-                : !problem.v0_low && !problem.p_high)
+  return !has_ranges(problem, pulse, shown.ranges)
              ? ""
              : format("{} and {}",
                       pulse ? format("k = {:.6g} g", design::peak_load(shown.under_pulse->pulse))

@@ -3,7 +3,6 @@
 #include "format.hpp"
 
 #include <stillpoint/design/damper_findings.hpp>
-#include <stillpoint/records/decimal.hpp>
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/findings.hpp>
 #include <stillpoint/report/report.hpp>
@@ -12,29 +11,10 @@ namespace stillpoint::report {
 
 namespace {
 
-/// The friction of the design, rounded so that it is still feasible; none if less is better.
-std::optional<double> shown_f(const design::DesignResult& result) {
-  if (design::wants_no_friction(result)) {
-    return std::nullopt;
-  }
-  const double f = result.finding->point.f;
-  const Interval feasible{*result.region.f_lower, *result.region.f_upper};
-  const auto rounded = [&](int digits) {
-    using enum records::Rounding;
-    const double near = records::decimal(f, digits);
-    return near > feasible.high  ? records::decimal(f, digits, down)
-           : near < feasible.low ? records::decimal(f, digits, up)
-                                 : near;
-  };
-  return rounded(digits_until(6, [&](int digits) {
-    return feasible.low <= rounded(digits) && rounded(digits) <= feasible.high;
-  }));
-}
-
 void add_answer(Section& answer, const DesignReport& report) {
   const design::ShownDamper shown = shown_damper(report.result, report.built_notch);
   const double tolerance = shown.point.tolerance;
-  const auto f = shown_f(report.result);
+  const auto f = design::told_f(report.result);
   answer.row("damper",
              format("{}, delta = {}", f ? format("f = {}", *f) : "f as small as you can make it",
                     length_shown(report.physical, shown.point.delta)),
@@ -63,7 +43,7 @@ std::string verdict(const DesignReport& report) {
       : catalogue ? "The damper found is"
                   : "The damper found has",
       (catalogue ? format("part {}, ", catalogue->parts.front().part.name) : "") +
-          damper_words(report.physical, shown_f(report.result), shown.point.delta,
+          damper_words(report.physical, design::told_f(report.result), shown.point.delta,
                        shown.built != nullptr ? shown.built->shape : design::NotchShape()),
       does_words(shown, report.physical));
 }

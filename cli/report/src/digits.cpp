@@ -33,16 +33,11 @@ std::string with_unit(double value, std::string_view unit, int digits) {
   const double magnitude = decimal(std::abs(value), digits);
   // For lengths neither kilometres nor micrometres, for times seconds down to a thousandth, as in
   // tables: those of one report compare at a glance.
-  const bool length = unit == "m";
-  const bool time = unit == "s";
+  const int least = unit == "m" ? milli : unit == "s" && magnitude >= 1e-3 ? one : 0;
+  const int most = unit == "m" || unit == "s" ? one : one + one;
   const auto fitting =
       static_cast<int>(std::ranges::upper_bound(factors, magnitude) - factors.begin()) - 1;
-  const int at = fitting < 0 || magnitude >= 1e12 ? one
-                                                  : std::clamp(fitting,
-                                                               length                      ? milli
-                                                               : time && magnitude >= 1e-3 ? one
-                                                                                           : 0,
-                                                               length || time ? one : one + one);
+  const int at = fitting < 0 || magnitude >= 1e12 ? one : std::clamp(fitting, least, most);
   return fmt::format("{:.{}g} {}{}", value / factors.at(static_cast<std::size_t>(at)), digits,
                      at == one ? "" : signs.substr(static_cast<std::size_t>(at), 1), unit);
 }
@@ -67,12 +62,8 @@ std::string interval_digits(double low, double high, int fewest) {
   if (!(low < high)) {
     return fmt::format("{}", high);
   }
-  const auto from = [low](int digits) {
-    return digits < digits_of_double ? decimal(low, digits, Rounding::up) : low;
-  };
-  const auto to = [high](int digits) {
-    return digits < digits_of_double ? decimal(high, digits, Rounding::down) : high;
-  };
+  const auto from = [low](int digits) { return decimal(low, digits, Rounding::up); };
+  const auto to = [high](int digits) { return decimal(high, digits, Rounding::down); };
   const int shown = digits_until(fewest, [&](int digits) {
     return std::max(from(digits) - low, high - to(digits)) <= lost * (high - low);
   });

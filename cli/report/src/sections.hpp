@@ -78,7 +78,11 @@ inline constexpr int usual_digits = 4;
 [[nodiscard]] std::string percent_digits(double tolerance, int shown = usual_digits);
 /// Whether more than rounding is left.
 [[nodiscard]] bool leaves_any(double tolerance);
-/// "34.18 %", or "f +-8.63 %, delta -10 % to +20 %" of a box of another shape.
+/// "f +-8.63 %, delta -10 to +20 %" of a box; "f exact" of what may not be off.
+[[nodiscard]] std::string sides_text(const design::BoxShape& shape, double tolerance, int shown,
+                                     std::string_view delta = "delta",
+                                     std::string_view sign = "+-");
+/// "34.18 %", or the sides of a box of another shape.
 [[nodiscard]] std::string tolerance_text(const design::Limits& limits, double tolerance,
                                          int shown = usual_digits);
 /// In a table: "+-34.18 %", or that of f and that of delta.

@@ -9,12 +9,12 @@ namespace stillpoint::report {
 
 namespace {
 
-/// "f +-8.63 %", "f -10 to +20 %"; "f exact" of what may not be off.
-std::string off_by(std::string_view name, double below, double above, int shown) {
+std::string off_by(std::string_view name, double below, double above, int shown,
+                   std::string_view sign = "+-") {
   const std::string least = percent_digits(below, shown);
   const std::string most = percent_digits(above, shown);
   return below + above == 0 ? format("{} exact", name)
-         : least == most    ? format("{} +-{}", name, most)
+         : least == most    ? format("{} {}{}", name, sign, most)
                             : format("{} -{} to +{}", name, least.substr(0, least.find(' ')), most);
 }
 
@@ -30,12 +30,16 @@ bool leaves_any(double tolerance) {
   return tolerance >= none;
 }
 
+std::string sides_text(const design::BoxShape& shape, double tolerance, int shown,
+                       std::string_view delta, std::string_view sign) {
+  return format(
+      "{}, {}", off_by("f", tolerance * shape.f_low, tolerance * shape.f_high, shown, sign),
+      off_by(delta, tolerance * shape.delta_low, tolerance * shape.delta_high, shown, sign));
+}
+
 std::string tolerance_text(const design::Limits& limits, double tolerance, int shown) {
-  const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
-  return limits.shape == design::BoxShape{}
-             ? percent_digits(tolerance, shown)
-             : format("{}, {}", off_by("f", tolerance * f_low, tolerance * f_high, shown),
-                      off_by("delta", tolerance * delta_low, tolerance * delta_high, shown));
+  return limits.shape == design::BoxShape{} ? percent_digits(tolerance, shown)
+                                            : sides_text(limits.shape, tolerance, shown);
 }
 
 std::string tolerance_cell(const design::Limits& limits, const std::optional<double>& tolerance) {

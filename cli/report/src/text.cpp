@@ -209,24 +209,6 @@ Table without_empty_columns(Table table) {
   return table;
 }
 
-void Section::row(std::string label, std::string text, Tone tone) {
-  parts.emplace_back(Row{std::move(label), std::move(text), tone});
-}
-
-void Section::line(std::string text, Tone tone) {
-  if (!text.empty()) {
-    parts.emplace_back(Line{std::move(text), tone});
-  }
-}
-
-Section& Document::section(std::string heading, std::vector<Section::Part> parts) {
-  return sections.emplace_back(Section{std::move(heading), std::move(parts)});
-}
-
-Section& Document::detail(std::string heading) {
-  return sections.emplace_back(Section{std::move(heading), {}, true, true});
-}
-
 std::string spelled_out(std::string_view text) {
   constexpr unsigned of_one_byte = 0x100;
   const auto spelled = [](unsigned code) {

@@ -33,20 +33,14 @@ std::string length_limit(const Physical& physical, double length, bool upwards,
 
 std::string figure_shown(const Physical& physical, Dimension dimension, double value) {
   constexpr double least_m = 1e-6;  // the least that a report tells from 0
-  switch (dimension) {
-    case Dimension::length:
-      return physical && value > 0 && value * physical->scales.length_m < least_m
-                 ? "less than " + with_unit(least_m, "m")
-                 : length_shown(physical, value);
-    case Dimension::time:
-      return time_shown(physical, value);
-    case Dimension::velocity:
-      return units_of(physical).velocity.words(value);
-    case Dimension::gravities:
-      return acceleration_shown(value);
-    default:
-      return format("{:.4g}", value);
-  }
+  const bool length = dimension == Dimension::length;
+  return length && physical && value > 0 && value * physical->scales.length_m < least_m
+             ? "less than " + with_unit(least_m, "m")
+         : length                            ? length_shown(physical, value)
+         : dimension == Dimension::time      ? time_shown(physical, value)
+         : dimension == Dimension::velocity  ? units_of(physical).velocity.words(value)
+         : dimension == Dimension::gravities ? acceleration_shown(value)
+                                             : format("{:.4g}", value);
 }
 
 std::string beyond(const Physical& physical, Dimension dimension, double value, double limit) {

@@ -105,12 +105,6 @@ std::vector<TriedMotion> of_ranges(const DesignRequest& request, const TriedMoti
   return all;
 }
 
-bool has_ranges(const DesignRequest& request) {
-  const auto& [problem, limits, search, pulse, ranges] = request;
-  return pulse ? pulse_problem(problem, *pulse, ranges).has_ranges()
-               : problem.v0_low || problem.p_high;
-}
-
 /// The first of those with the largest value.
 const TriedMotion& largest(const std::vector<TriedMotion>& tried,
                            double (*value)(const TriedMotion&)) {
@@ -143,7 +137,7 @@ BuiltNotch built_notch(const DesignResult& design, const NotchShape& shape) {
   if (shape.width && !shown.pulse) {
     built.from_start = strip(shown);
   }
-  if (!has_ranges(request)) {
+  if (!has_ranges(request.problem, request.pulse, request.pulse_ranges)) {
     return built;
   }
   std::vector<TriedMotion> tried = of_ranges(request, shown, design.finding->point, shape);

@@ -217,6 +217,24 @@ bool wants_no_friction(const DesignResult& design) {
          design.finding->point.f <= nothing * std::max(*design.region.f_upper, design.region.f3);
 }
 
+std::optional<double> told_f(const DesignResult& design) {
+  if (wants_no_friction(design)) {
+    return std::nullopt;
+  }
+  constexpr int digits_of_double = 17;
+  const double f = design.finding->point.f;
+  for (int digits = 6; digits < digits_of_double; ++digits) {
+    using enum records::Rounding;
+    for (const records::Rounding rounding : {nearest, down, up}) {
+      const double told = records::decimal(f, digits, rounding);
+      if (*design.region.f_lower <= told && told <= *design.region.f_upper) {
+        return told;
+      }
+    }
+  }
+  return f;
+}
+
 std::vector<Finding> findings_of(const DesignResult& design, const std::optional<BuiltNotch>& built,
                                  const AskedWith& asked) {
   if (!design.finding) {

@@ -5,17 +5,6 @@
 
 namespace stillpoint::report {
 
-namespace {
-
-/// "±34.2 %", or "-10 to +20 %" where the sides differ.
-std::string percent(double low, double high) {
-  const std::string above = percent_digits(high);
-  const std::string below = percent_digits(low);
-  return low == high ? "±" + above : format("-{} to +{}", below.substr(0, below.find(' ')), above);
-}
-
-}  // namespace
-
 Points tolerance_box(const DrawnDamper& damper, const design::BoxShape& shape, double unit) {
   const double r = damper.tolerance;
   const double delta = damper.delta * unit;
@@ -24,11 +13,9 @@ Points tolerance_box(const DrawnDamper& damper, const design::BoxShape& shape, d
 }
 
 std::string tolerance_words(const design::BoxShape& shape, double tolerance) {
-  const std::string f = percent(tolerance * shape.f_low, tolerance * shape.f_high);
   return shape == design::BoxShape{}
-             ? "tolerance " + f
-             : format("tolerance: f {}, Δ {}", f,
-                      percent(tolerance * shape.delta_low, tolerance * shape.delta_high));
+             ? "tolerance ±" + percent_digits(tolerance)
+             : "tolerance: " + sides_text(shape, tolerance, usual_digits, "Δ", "±");
 }
 
 void add_damper(Figure& figure, const DrawnDamper& damper, const design::BoxShape& shape,

@@ -33,6 +33,7 @@ using figures::FigurePoint;
 using figures::Fill;
 using figures::Hatch;
 using figures::Ink;
+using figures::joined;
 using figures::MapShade;
 using figures::Points;
 using figures::rectangle;

@@ -9,12 +9,11 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
   };
   const design::ShownOrbit orbit = design::shown_orbit(motion);
   const State& start = orbit.arcs.front().front();
-  Points all;
   FigureCurve arcs{.name = "motion", .strokes = {}, .ink = Ink::blue, .directed = true};
   for (const std::vector<State>& arc : orbit.arcs) {
     arcs.strokes.push_back(places(arc, place));
-    std::ranges::copy(arcs.strokes.back(), std::back_inserter(all));
   }
+  const Points all = joined(arcs.strokes);
   FigureCurve jumps{"jump at x = 0", {}, Ink::orange, Dash::dotted, false};
   double largest_jump = 0;
   for (const auto& [from, to] : orbit.jumps) {

@@ -20,10 +20,8 @@ void add_delta1(Figure& figure, const Problem& problem, double last, double unit
   const auto f = evenly(std::max(figure.x.least, 0.0), std::min(figure.x.most, last), along_f);
   const auto add = [&](std::string name, Ink ink, Dash dash, const auto& value) {
     auto strokes = line_over(f, unit, value);
-    if (std::ranges::any_of(strokes, [&](const auto& stroke) {
-          return std::ranges::any_of(stroke, [&](const FigurePoint& point) {
-            return figure.y.position(point.y) > visible && point.y <= figure.y.most;
-          });
+    if (std::ranges::any_of(joined(strokes), [&](const FigurePoint& point) {
+          return figure.y.position(point.y) > visible && point.y <= figure.y.most;
         })) {
       figure.curves.push_back({std::move(name), std::move(strokes), ink, dash});
     }
@@ -176,9 +174,7 @@ struct RegionFigure : ShownTask {
     const double right = headroom * most(seen, &FigurePoint::x);
     Strokes needs = line_over(evenly(right / (along_f - 1), right, along_f - 1), unit,
                               design::least_delta(posed));
-    for (const Points& stroke : needs) {
-      append(seen, stroke);
-    }
+    append(seen, joined(needs));
     constexpr double far = 1.5;  // from there on a limit would flatten the curve
     const double limit = design::largest_delta_allowed(limits) * unit;
     const double top = most(seen, &FigurePoint::y);

@@ -42,11 +42,9 @@ struct DrawnSpectrum {
 /// Of the points from one x to another; (first, 0) if all are at 0.
 FigurePoint highest(const FigureCurve& curve, double first = 0, double last = HUGE_VAL) {
   FigurePoint most{first, 0};
-  for (const auto& stroke : curve.strokes) {
-    for (const FigurePoint& point : stroke) {
-      if (first <= point.x && point.x <= last && point.y > most.y) {
-        most = point;
-      }
+  for (const FigurePoint& point : joined(curve.strokes)) {
+    if (first <= point.x && point.x <= last && point.y > most.y) {
+      most = point;
     }
   }
   return most;
@@ -83,10 +81,7 @@ void add_curves(Figure& figure, const DrawnSpectrum& drawn, const Kind& kind) {
   constexpr std::size_t few = 20;
   for (const FigureCurve& curve : figure.curves) {
     if (curve.hover && drawn.periods.size() <= few) {
-      figure.marks.push_back({curve.name, {}, Shape::disc, curve.ink});
-      for (const auto& stroke : curve.strokes) {
-        std::ranges::copy(stroke, std::back_inserter(figure.marks.back().points));
-      }
+      figure.marks.push_back({curve.name, joined(curve.strokes), Shape::disc, curve.ink});
     }
   }
 }

@@ -7,23 +7,6 @@
 
 namespace stillpoint::report {
 
-std::optional<std::vector<std::string_view>> conflict_of(const design::Region& region) {
-  constexpr std::string_view limit;
-  // In the order of Conflict.
-  static const std::array<std::vector<std::string_view>, 9> all{{{},
-                                                                 {"amplitude", "return"},
-                                                                 {"amplitude", "dead_zone"},
-                                                                 {"amplitude", limit},
-                                                                 {limit},
-                                                                 {"stop", "start"},
-                                                                 {"stop", limit},
-                                                                 {"stop", "arrivals"},
-                                                                 {"rounding"}}};
-  std::vector<std::string_view> names = all.at(static_cast<std::size_t>(region.conflict));
-  std::ranges::replace(names, limit, region.limit != nullptr ? region.limit->constraint : limit);
-  return names.empty() ? std::nullopt : std::optional(names);
-}
-
 std::optional<Worst> settled(const design::TaskFigures& figures) {
   return design::settled(figures) ? std::optional(worst_of(largest(figures))) : std::nullopt;
 }

@@ -14,7 +14,7 @@ IfRange range_of(const IfReal& low, const IfReal& high) {
 }
 
 bool has_ranges(const ShownTask& task) {
-  return task.problem.p_high || task.problem.v0_low || task.ranges.k_low || task.ranges.lambda_high;
+  return has_ranges(task.problem, task.pulse, task.ranges);
 }
 
 /// The factors of f and delta in a tolerance box; empty if it has the usual shape.

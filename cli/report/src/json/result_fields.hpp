@@ -26,10 +26,6 @@ inline constexpr auto libraries = std::to_array<std::string_view>({"NLopt", "sti
 inline constexpr auto check_methods =
     std::to_array<std::string_view>({"half_cycle_map", "runge_kutta", "forced_pulse"});
 
-/// The constraints and limits that conflict, by name; empty where none do.
-[[nodiscard]] std::optional<std::vector<std::string_view>> conflict_of(
-    const design::Region& region);
-
 /// Null of the only case.
 [[nodiscard]] inline Name case_name(const std::string& load_case) {
   return load_case.empty() ? Name() : Name(load_case);
@@ -105,7 +101,7 @@ inline constexpr auto fields<design::RegionVerdict> = [] {
       Field{"feasible", in(&Now::region, &Region::feasible)},
       Field{"reason", &Now::reason, "why it is empty; else null"},
       Field{"conflict",
-            in(&Now::region, &report::conflict_of),
+            in(&Now::region, &design::conflicting),
             "the requirements that conflict; null if the region is not empty",
             {.numbers = Numbers::from_one, .texts = report::conflict_names}},
       Field{"f1", in(&Now::region, &Region::f1), "", any_number},

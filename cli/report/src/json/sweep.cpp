@@ -8,6 +8,23 @@
 
 #include <algorithm>
 
+namespace stillpoint {
+
+/// Where the rows are.
+template <>
+inline constexpr auto fields<sweep::SweepSpec> =
+    std::tuple{Field{"file", &sweep::SweepSpec::output, "null for rows in memory"},
+               Field{"format", &sweep::SweepSpec::format},
+               Field{"columns",
+                     [](const sweep::SweepSpec& spec) {
+                       return report::mapped(spec.columns, [&](auto column) {
+                         return std::string(sweep::name(column, spec.units));
+                       });
+                     },
+                     "", report::at_least_one}};
+
+}  // namespace stillpoint
+
 namespace stillpoint::report {
 
 using nlohmann::ordered_json;
@@ -34,22 +51,6 @@ double rate(const SweepSummary& summary) {
 
 constexpr auto sweep_name = std::to_array<std::string_view>({"stillpoint/sweep-report/1"});
 
-/// Where the rows are.
-struct ShownOutput {
-  const sweep::SweepSpec& spec;
-
-  static constexpr std::tuple field_table{
-      Field{"file", [](const auto& now) { return now.spec.output; }, "null for rows in memory"},
-      Field{"format", [](const auto& now) { return now.spec.format; }},
-      Field{"columns",
-            [](const auto& now) {
-              return mapped(now.spec.columns, [&](auto column) {
-                return std::string(sweep::name(column, now.spec.units));
-              });
-            },
-            "", at_least_one}};
-};
-
 constexpr auto sweep_table = [] {
   using Now = SweepReport;
   using sweep::SweepSpec;
@@ -58,8 +59,7 @@ constexpr auto sweep_table = [] {
   return std::tuple_cat(
       head_fields<Now, sweep_name>,
       std::tuple{
-          Field{"kind", kind},
-          Field{"output", [](const Now& report) { return ShownOutput{report.spec}; }},
+          Field{"kind", kind}, Field{"output", &Now::spec},
           Field{"record", &Now::record, "the file of the load; null of any other"},
           Field{"part", in(&Now::spec, &SweepSpec::part), "null for a whole sweep"},
           Field{"rows", in(&Now::summary, &SweepSummary::state, &SweepState::rows),

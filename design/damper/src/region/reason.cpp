@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <utility>
 
 namespace stillpoint::design {
@@ -115,6 +116,22 @@ std::string too_fast(const Problem& problem, const Limits& limits, const ReasonU
 }
 
 }  // namespace
+
+std::optional<std::vector<std::string_view>> conflicting(const Region& region) {
+  const std::string_view limit = region.limit != nullptr ? region.limit->constraint : "";
+  using Names = std::vector<std::string_view>;
+  const std::array<Names, 9> all{{{},  // in the order of Conflict
+                                  {"amplitude", "return"},
+                                  {"amplitude", "dead_zone"},
+                                  {"amplitude", limit},
+                                  {limit},
+                                  {"stop", "start"},
+                                  {"stop", limit},
+                                  {"stop", "arrivals"},
+                                  {"rounding"}}};
+  const Names& names = all.at(static_cast<std::size_t>(region.conflict));
+  return names.empty() ? std::nullopt : std::optional(names);
+}
 
 std::optional<std::string> reason(const Region& region, const Problem& problem,
                                   const Limits& limits, const ReasonUnits& units) {

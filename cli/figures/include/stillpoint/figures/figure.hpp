@@ -19,6 +19,8 @@ struct FigurePoint {
 };
 using Points = std::vector<FigurePoint>;
 using Strokes = std::vector<Points>;
+/// The points of all of them.
+[[nodiscard]] Points joined(const Strokes& strokes);
 
 /// Colours of Okabe and Ito, which colour-blind readers can tell apart; data/page/figure.css has
 /// their values.

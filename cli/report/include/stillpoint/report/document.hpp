@@ -9,6 +9,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -49,8 +50,15 @@ struct Section {
   bool detail{false};  ///< for those who want to know more than the answer
   bool folded{false};  ///< on a page, until it is opened
 
-  void row(std::string label, std::string text, Tone tone = Tone::plain);
-  void line(std::string text, Tone tone = Tone::plain);  ///< nothing without a text
+  void row(std::string label, std::string text, Tone tone = Tone::plain) {
+    parts.emplace_back(Row{std::move(label), std::move(text), tone});
+  }
+  /// Nothing without a text.
+  void line(std::string text, Tone tone = Tone::plain) {
+    if (!text.empty()) {
+      parts.emplace_back(Line{std::move(text), tone});
+    }
+  }
 };
 
 struct Document {
@@ -62,8 +70,12 @@ struct Document {
   bool brief{false};  ///< without the details of its report
 
   /// A new section at the end; the reference is good until the next one.
-  Section& section(std::string heading, std::vector<Section::Part> parts = {});
-  Section& detail(std::string heading);
+  Section& section(std::string heading, std::vector<Section::Part> parts = {}) {
+    return sections.emplace_back(Section{std::move(heading), std::move(parts)});
+  }
+  Section& detail(std::string heading) {
+    return sections.emplace_back(Section{std::move(heading), {}, true, true});
+  }
 };
 
 /// Of a report that has some.

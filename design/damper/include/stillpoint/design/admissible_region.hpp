@@ -6,6 +6,8 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace stillpoint::design {
 
@@ -55,6 +57,9 @@ struct ReasonUnits {
   double velocity{1};
   std::string velocity_unit{};
 };
+
+/// The constraints and limits that conflict, by name; empty where none do.
+[[nodiscard]] std::optional<std::vector<std::string_view>> conflicting(const Region& region);
 
 /// Why the region is empty, as a sentence with the numbers; empty if it is not.
 [[nodiscard]] std::optional<std::string> reason(const Region& region, const Problem& problem,

@@ -30,5 +30,8 @@ struct AskedWith {
 
 /// Whether the best f is none at all: a limit that a search comes near and nobody builds.
 [[nodiscard]] bool wants_no_friction(const DesignResult& design);
+/// The friction to build, in as few digits from six on as leave it feasible; none if less is
+/// better.
+[[nodiscard]] std::optional<double> told_f(const DesignResult& design);
 
 }  // namespace stillpoint::design

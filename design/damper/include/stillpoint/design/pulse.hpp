@@ -40,6 +40,12 @@ struct PulseProblem {
 
 [[nodiscard]] PulseProblem pulse_problem(const Problem& problem, const Pulse& pulse,
                                          const PulseRanges& ranges);
+/// Whether a hit, or the pulse in its place, or the period has a range.
+[[nodiscard]] inline bool has_ranges(const Problem& problem, const std::optional<Pulse>& pulse,
+                                     const PulseRanges& ranges) {
+  return pulse ? pulse_problem(problem, *pulse, ranges).has_ranges()
+               : problem.v0_low || problem.p_high;
+}
 
 /// lambda / p is at most the first, as far as a forced run reaches, and p / lambda the second: a
 /// half-sine of 50 natural periods, during which a weakly damped mass swings as often.
