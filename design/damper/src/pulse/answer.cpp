@@ -6,11 +6,8 @@
 #include "found.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/works_for.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -137,24 +134,6 @@ void add_finding(DesignResult& result, const PulseRequest& request, const PulseR
   const Oscillator damper{shown.p, point.f, point.delta};
   add_practice(*result.finding, problem, limits, shown, damper, result.finding->response);
   add_delta1(*result.finding, problem, point.f);
-}
-
-PulseRequest pulse_request(const DesignRequest& request) {
-  const auto& [problem, limits, options, pulse, ranges] = request;
-  if (problem.arrivals > 1) {
-    throw InputError("arrivals", fmt::format("{}", problem.arrivals),
-                     "must be 1 with a pulse: a design for a pulse stops at the first arrival");
-  }
-  if (problem.residual) {
-    throw InputError("residual", *problem.residual,
-                     "must be left out with a pulse: a design for a pulse stops at x = 0");
-  }
-  return {pulse_problem(problem, *pulse, ranges), limits, options};
-}
-
-PulseRequest pulse_request(const RegionRequest& request) {
-  return pulse_request(
-      DesignRequest{request.problem, request.limits, {}, request.pulse, request.pulse_ranges});
 }
 
 }  // namespace stillpoint::design
