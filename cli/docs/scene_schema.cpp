@@ -50,21 +50,24 @@ ordered_json type_of_case() {
 
 ordered_json type_of(const Option& option) {
   const bool ranges = option.traits.range != RangeEnd::none;
+  const ordered_json number =
+      number_type(option.traits.or_force ? Dimension::force : option.traits.dimension);
   if (ranges && !sweeps(option)) {
-    return {
-        {"type", {"number", "string", "array"}}, {"items", {{"type", "number"}}}, {"minItems", 2}};
+    return {{"type", {"number", "string", "array"}},
+            {"items", option.traits.or_force ? number : number_type(Dimension::none)},
+            {"minItems", 2}};
   }
   if (sweeps(option)) {
     const bool whole = option.kind == OptionKind::integer;
     return {{"type", {whole ? "integer" : "number", "string", "array"}},
             {"items", whole    ? ordered_json{{"type", "integer"}}
                       : ranges ? ordered_json{{"type", {"number", "string", "array"}}}
-                               : number_type(option.traits.dimension)},
+                               : number},
             {"minItems", 1}};
   }
   switch (option.kind) {
     case OptionKind::number:
-      return number_type(option.traits.dimension);
+      return number;
     case OptionKind::integer:
       return {{"type", "integer"}};
     case OptionKind::text:

@@ -63,7 +63,8 @@ void link_explorer(const Settings& settings, Command command, figures::HtmlPage&
   };
   if (explorer && settings.first(is_beyond) == nullptr) {
     const std::string link = report::explorer_link(
-        *explorer, scene_of(settings, command, std::mem_fn(&Option::is_explored)));
+        *explorer,
+        scene_of(settings.with_forces_as_f(), command, std::mem_fn(&Option::is_explored)));
     page.answer +=
         fmt::format("<p><a href=\"{}\">Explore this task</a></p>\n", figures::escaped(link));
   }

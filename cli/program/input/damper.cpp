@@ -114,7 +114,8 @@ design::Objective objective(const Settings& settings) {
                       of_records ? " without records" : "");
 }
 
-answers::DesignTask design_input(const Settings& settings) {
+answers::DesignTask design_input(const Settings& asked) {
+  const Settings settings = asked.with_forces_as_f();
   require_options_for(settings, DesignFor::hit);
   const Task given = read_task(settings, Command::design);
   answers::DesignTask task{{given.problem,
@@ -129,7 +130,8 @@ answers::DesignTask design_input(const Settings& settings) {
   return task;
 }
 
-answers::RegionTask region_input(const Settings& settings) {
+answers::RegionTask region_input(const Settings& asked) {
+  const Settings settings = asked.with_forces_as_f();
   require_options_for(settings, DesignFor::hit);
   if (const Option* const notch = settings.given(Rivals::notch)) {
     throw UsageError(fmt::format(

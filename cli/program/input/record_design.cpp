@@ -135,7 +135,8 @@ void add_given(design::RecordDesignRequest& request, const Settings& settings,
   }
 }
 
-report::RecordDesignInput record_design_input(const Settings& settings, Command command) {
+report::RecordDesignInput record_design_input(const Settings& given, Command command) {
+  const Settings settings = given.with_forces_as_f();
   require_options_for(settings, DesignFor::records);
   const auto periods = search_range(settings, "search-period");
   const std::vector<GivenCase> cases = cases_of(settings);

@@ -36,11 +36,13 @@ std::vector<double> periods(const Settings& settings) {
 
 }  // namespace
 
-report::SpectrumReport spectrum_input(const Settings& settings) {
+report::SpectrumReport spectrum_input(const Settings& given) {
+  const Settings settings = given.with_forces_as_f();
   static_cast<void>(is_physical(settings, Command::spectrum));
   const std::vector<double> list = periods(settings);
   design::PhysicalIsolator isolator;
   isolator.period_s = list.back();
+  isolator.mass_kg = settings.number("mass");
   isolator.gravity_m_per_s2 = settings.number("gravity").value_or(isolator.gravity_m_per_s2);
   report::SpectrumReport report{{}, design::physical_input(isolator, 0, 0)};
   const design::Scales& scales = report.physical.scales;

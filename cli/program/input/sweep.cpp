@@ -41,11 +41,12 @@ bool given(const Settings& settings, const SweepSpec& spec, Quantity quantity) {
 }
 
 /// Options made dimensionless by a length that a physical sweep does not have, with rivals in
-/// metres, seconds or hertz. The factor on a record depends on no unit.
+/// metres, seconds or hertz. The factor on a record and friction depend on no unit.
 void refuse_dimensionless(const Settings& settings) {
   const Option* const plain = settings.first([](const Option& option) {
     return option.kind == OptionKind::number && option.traits.dimension == Dimension::none &&
-           option.traits.rivals != Rivals::record_scale && !physical_rivals(option).empty();
+           option.traits.rivals != Rivals::record_scale &&
+           option.traits.rivals != Rivals::friction && !physical_rivals(option).empty();
   });
   if (plain != nullptr) {
     throw UsageError(fmt::format("{} is dimensionless: with physical input give --{}", plain->name,
@@ -206,7 +207,8 @@ void resolve_part(Settings& settings) {
   }
 }
 
-SweepSpec sweep_request(const Settings& settings) {
+SweepSpec sweep_request(const Settings& given) {
+  const Settings settings = given.with_forces_as_f();
   SweepSpec spec;
   spec.output = settings.text("output");
   spec.format = row_format(settings);

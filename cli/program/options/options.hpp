@@ -65,6 +65,7 @@ enum class Rivals {
   stiffness,
   stroke,
   start,
+  friction,
   point_friction,
   point_friction_limit,
   jump_limit,
@@ -143,7 +144,8 @@ struct Also {
 struct Instead {
   std::string_view words{};
 };
-enum class Trait { repeats, limits_case, not_explored };
+/// A friction `or_force` may have a unit of force, which the mass makes the number that it is.
+enum class Trait { repeats, limits_case, not_explored, or_force };
 
 /// What an option is besides its name and help: any of these facts, each of a type of its own.
 struct OptionTraits {
@@ -167,6 +169,7 @@ struct OptionTraits {
   Instead instead{};
   std::optional<InPython> python{};  ///< empty: what its role says
   bool repeats{false};  ///< may be given several times; a file, to commands that take a suite
+  bool or_force{false};
   bool explored{true};  ///< if the page with the program in it can take it
 
   template <class... Facts>
@@ -189,6 +192,7 @@ struct OptionTraits {
   constexpr void set(Trait fact) {
     repeats = repeats || fact == Trait::repeats;
     limits_case = limits_case || fact == Trait::limits_case;
+    or_force = or_force || fact == Trait::or_force;
     explored = explored && fact != Trait::not_explored;
   }
 };

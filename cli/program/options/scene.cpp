@@ -44,8 +44,8 @@ bool is_text_of(const nlohmann::json& value, char character) {
 }
 
 bool has_its_unit(const Option& option, const nlohmann::json& value) {
-  return option.traits.dimension != Dimension::none && value.is_string() &&
-         has_unit(value.get<std::string>());
+  return (option.traits.dimension != Dimension::none || option.traits.or_force) &&
+         value.is_string() && has_unit(value.get<std::string>());
 }
 
 /// A number, a string "first:last:count" or an array of numbers, which may be ranges if the option

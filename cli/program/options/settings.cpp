@@ -3,6 +3,7 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/doubtful_values.hpp>
+#include <stillpoint/design/physical.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -40,6 +41,32 @@ std::int64_t integer_value(const Option& option, std::string_view text) {
                    fmt::format("must be {}", whole_number(option)));
 }
 
+double least(const Settings::Value& value) {
+  const Axis* const axis = std::get_if<Axis>(&value);
+  const Interval* const range = std::get_if<Interval>(&value);
+  return axis != nullptr    ? axis->ends().low
+         : range != nullptr ? range->low
+                            : std::get<double>(value);
+}
+
+Settings::Value over(double divisor, const Settings::Value& value) {
+  if (const Axis* const axis = std::get_if<Axis>(&value)) {
+    return axis->over(divisor);
+  }
+  if (const Interval* const range = std::get_if<Interval>(&value)) {
+    return Interval{range->low / divisor, range->high / divisor};
+  }
+  return std::get<double>(value) / divisor;
+}
+
+/// As it was given, in newtons where that was without a unit.
+std::string force_text(const Settings::Entry& entry) {
+  const Axis* const axis = std::get_if<Axis>(&entry.value);
+  return entry.with_unit
+             ? *entry.with_unit
+             : (axis != nullptr ? axis->text() : fmt::format("{}", least(entry.value))) + " N";
+}
+
 }  // namespace
 
 double parse_value(const Option& option, std::string_view text) {
@@ -47,9 +74,14 @@ double parse_value(const Option& option, std::string_view text) {
     throw InputError(std::string(option.name), records::quoted(text),
                      "must be one number, not a range");
   }
-  const Dimension dimension = option.traits.dimension;
+  const bool force = option.traits.or_force;
+  const Dimension dimension = force && records::has_unit(text, Dimension::force)
+                                  ? Dimension::force
+                                  : option.traits.dimension;
   return records::parse_value(option.name, dimension, text,
-                              dimension == Dimension::none ? with_a_unit(option) : "");
+                              force ? ", or a force in " + records::unit_names(Dimension::force)
+                              : dimension == Dimension::none ? with_a_unit(option)
+                                                             : "");
 }
 
 std::string whole_number(const Option& option) {
@@ -102,9 +134,15 @@ void Settings::set_text(const Option& option, const std::string& text, Command c
     case OptionKind::number: {
       const std::size_t colon = takes_range ? text.find(':') : std::string::npos;
       const bool is_range = colon != std::string::npos;
+      const bool low_has_unit = has_unit(text.substr(0, colon));
+      const bool high_has_unit = is_range ? has_unit(text.substr(colon + 1)) : low_has_unit;
+      if (option.traits.or_force && low_has_unit != high_has_unit) {
+        throw InputError(std::string(option.name), text,
+                         "must have a unit at both ends, or at neither");
+      }
       Entry& entry = entries_[option.name] =
           is_range ? Entry{range_value(option, text)} : Entry{parse_value(option, text)};
-      if (has_unit(text.substr(0, colon)) || (is_range && has_unit(text.substr(colon + 1)))) {
+      if (low_has_unit || high_has_unit) {
         entry.with_unit = text;
       }
       return;
@@ -166,6 +204,33 @@ double Settings::required(std::string_view name, std::string_view hint) const {
     return *value;
   }
   throw InputError::missing(std::string(name), std::string(hint));
+}
+
+Settings Settings::with_forces_as_f() const {
+  Settings all = *this;
+  for (auto& [name, entry] : all.entries_) {
+    const Option& option = *find_option(name);
+    if (option.traits.dimension == Dimension::force ||
+        (option.traits.or_force && entry.with_unit)) {
+      const auto mass = number("mass");
+      if (!mass || !(least(entry.value) >= 0)) {
+        throw InputError(std::string(name), force_text(entry),
+                         mass ? "must be a force of 0 or more"
+                              : "needs a mass: give --mass as well, f is F/(m g)");
+      }
+      const double gravity = number("gravity").value_or(design::Scales().gravity_m_per_s2);
+      records::require_physical("mass", Dimension::mass, *mass);
+      records::require_physical("gravity", Dimension::acceleration, gravity);
+      entry.value = over(*mass * gravity, entry.value);
+      entry.with_unit.reset();
+    }
+  }
+  if (has("friction-force") && !has("f")) {
+    auto force = all.entries_.extract("friction-force");
+    force.key() = "f";
+    all.entries_.insert(std::move(force));
+  }
+  return all;
 }
 
 std::vector<std::string> doubts(const Settings& settings, Command command,

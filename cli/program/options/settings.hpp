@@ -118,6 +118,10 @@ class Settings {
   /// The same error by the option that was given: of --pulse-duration where it is about lambda.
   [[nodiscard]] InputError as_given(const InputError& error) const;
 
+  /// The same, but each friction that is a force is the f = F/(m g), --friction-force too unless
+  /// --f is also given. Throws InputError for a wrong force, and for one without a mass.
+  [[nodiscard]] Settings with_forces_as_f() const;
+
   void drop(std::string_view name) { entries_.erase(name); }
 
   /// Records that are in memory, by the names that the option record has for them.

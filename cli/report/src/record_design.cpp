@@ -55,7 +55,10 @@ void add_answer(Section& answer, const RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;
   const Physical& physical = report.physical;
   const design::SuitePoint& point = result.finding->point;
-  answer.row("damper", exact_words(physical, point.damper, printed_digits), Tone::heading);
+  answer.row("damper",
+             exact_words(physical, point.damper, printed_digits) +
+                 (result.request.judges ? force_beside(physical, point.damper.f) : ""),
+             Tone::heading);
   if (const auto digits = period_digits(result.request)) {
     const Interval& searched = result.request.p;
     constexpr double apart = 1e-6;

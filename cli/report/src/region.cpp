@@ -109,7 +109,8 @@ Document document(const RegionReport& report) {
   const std::string_view asked = limits.tolerance > 0 ? ", with the tolerance asked for" : "";
   if (f) {
     rows.row("damper",
-             format("f = {:.9g}{}", *f, delta ? ", delta = " + length_shown(physical, *delta) : ""),
+             format("f = {:.9g}{}{}", *f, force_beside(physical, *f),
+                    delta ? ", delta = " + length_shown(physical, *delta) : ""),
              Tone::heading);
   }
   if (delta) {

@@ -32,6 +32,11 @@ std::string damper_words(const Physical& physical, const std::optional<double>& 
                             which.empty() ? "" : " in a notch" + which);
 }
 
+std::string force_beside(const Physical& physical, double f) {
+  const auto force = physical ? physical->scales.friction_force_n(f) : std::nullopt;
+  return force ? format(" ({} of friction)", with_unit(*force, "N")) : "";
+}
+
 std::string period_words(const Physical& physical, double p, std::optional<int> digits) {
   return physical ? format("a period of {:.{}g} s",
                            2 * std::numbers::pi / p * physical->scales.time_s, digits.value_or(4))

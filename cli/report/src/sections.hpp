@@ -39,6 +39,8 @@ struct ShownTask {
   const design::RegionRequest& request = report.request;
   return {request.problem, request.limits, request.pulse, request.pulse_ranges, report.physical};
 }
+/// " (230 kN of friction)"; "" without a mass.
+[[nodiscard]] std::string force_beside(const Physical& physical, double f);
 /// "a friction force of 283.81 kN and a notch that takes 69.423 kJ at a passage" if the mass is
 /// known, else "f = 0.26 and delta = 0.37", with the digits that f has unless others are asked for,
 /// and how the notch differs from the paper's; as little friction as possible without an `f`.

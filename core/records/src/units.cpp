@@ -42,6 +42,9 @@ constexpr std::array unit_table{
     Unit{"cm/s2", acceleration, -2},
     Unit{"mm/s2", acceleration, -3},
     Unit{"g", gravities, 0},
+    Unit{"N", force, 0},
+    Unit{"kN", force, 3},
+    Unit{"MN", force, 6},
 };
 
 /// A text divided into a number and the unit behind it.
@@ -146,6 +149,12 @@ bool is_unit(std::string_view text) {
 bool has_unit(std::string_view text) {
   const auto parts = divided(text);
   return parts && !parts->unit.empty();
+}
+
+bool has_unit(std::string_view text, Dimension dimension) {
+  const auto parts = divided(text);
+  const std::vector<Unit> units = units_of(dimension);
+  return parts && std::ranges::find(units, parts->unit, &Unit::name) != units.end();
 }
 
 std::vector<FrictionZone> parse_zones(std::string_view field, Dimension edge,

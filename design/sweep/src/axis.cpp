@@ -100,6 +100,14 @@ double Axis::operator[](std::int64_t i) const {
   return elementary::between(first, last, static_cast<double>(i), static_cast<double>(size_ - 1));
 }
 
+Axis Axis::over(double divisor) const {
+  Axis all = *this;
+  for (std::vector<double>* const values : {&all.values_, &all.others_}) {
+    std::ranges::for_each(*values, [divisor](double& value) { value /= divisor; });
+  }
+  return all;
+}
+
 Interval Axis::ends() const {
   const auto [least, most] = std::ranges::minmax(values_);
   return {least, most};

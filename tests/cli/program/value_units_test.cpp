@@ -57,6 +57,50 @@ BOOST_FIXTURE_TEST_CASE(trajectories_end_at_the_given_second, Sandbox) {
   BOOST_TEST(near(std::stod(line), 1, conversion_tolerance), line);
 }
 
+// With 1 t and 10 m/s2 the weight is 10 kN, so 200 N is f = 0.02: one division, correctly rounded.
+BOOST_FIXTURE_TEST_CASE(friction_is_given_as_a_force, Sandbox) {
+  const std::string hit = " --velocity 0.4 --period 2.8 --mass 1t --gravity 10 ";
+  const auto same = [&](const std::string& command, const std::string& force,
+                        const std::string& f) {
+    const std::string expected = succeed((command + hit + f).c_str()).out;
+    BOOST_TEST(succeed((command + hit + force).c_str()).out == expected, command << " " << force);
+    return expected;
+  };
+  BOOST_TEST(contains(
+      same("simulate", "--delta-m 5mm --friction-force 200", "--delta-m 5mm --f 0.02"), "200 N"));
+  same("simulate", "--delta-m 5mm --friction-force 0.2kN", "--delta-m 5mm --f 0.02");
+  BOOST_TEST(
+      contains(same("region", "--max-displacement 0.15 --friction-force 0.0002MN --delta-m 5mm",
+                    "--max-displacement 0.15 --f 0.02 --delta-m 5mm"),
+               "f = 0.02 (200 N of friction)"));
+  same("sweep", "--delta-m 5mm --friction-force 100,0.2kN", "--delta-m 5mm --f 0.01,0.02");
+  same("sweep", "--delta-m 5mm --friction-force 100N:0.4kN:4", "--delta-m 5mm --f 0.01:0.04:4");
+  same("design", "--max-displacement 0.15 --f-max 200N", "--max-displacement 0.15 --f-max 0.02");
+  same("design", "--max-displacement 0.15 --search-f 200N:300N --scan-points 100",
+       "--max-displacement 0.15 --search-f 0.02:0.03 --scan-points 100");
+  same("sweep", "--max-displacement 0.15,0.2 --f-max 200N",
+       "--max-displacement 0.15,0.2 --f-max 0.02");
+  write("force.json", R"({"max_displacement": 0.15, "f_max": "0.3kN", "friction_force": "150N",
+                          "search_f": ["200N", "0.3 kN"], "scan_points": 100})");
+  write("f.json", R"({"max_displacement": 0.15, "f_max": 0.03, "f": 0.015,
+                      "search_f": [0.02, 0.03], "scan_points": 100})");
+  same("design", "force.json", "f.json");
+  write("force.json", R"({"f_max": "0.3kN", "friction_force": "150N"})");
+  write("f.json", R"({"f_max": 0.03, "f": 0.015})");
+  same("simulate", "force.json --delta-m 5mm", "f.json --delta-m 5mm");
+  same("simulate", "force.json --delta-m 5mm --f 0.03", "f.json --delta-m 5mm --f 0.03");
+}
+
+// 1 t and 10 m/s2 as above: f is 0.02 of the report, the force is its m g.
+BOOST_FIXTURE_TEST_CASE(a_spectrum_knows_the_mass, Sandbox) {
+  write("record.txt", "0 0\n1 0.1\n2 -0.1\n3 0\n");
+  const std::string task =
+      "spectrum --record record.txt --period 1:2:3 --mass 1t --gravity 10 --delta-m 5mm ";
+  const std::string answer = succeed((task + "--friction-force 200").c_str()).out;
+  BOOST_TEST(answer == succeed((task + "--f 0.02").c_str()).out);
+  BOOST_TEST(contains(answer, "200 N"));
+}
+
 BOOST_FIXTURE_TEST_CASE(quiet_leaves_errors_alone, Sandbox) {
   write("scene.json", R"({"v0": 1, "p": 1, "beta": 0.9, "f": 0.3})");
   const ProgramRun loud = run("design scene.json");

@@ -50,6 +50,8 @@ void require_physical(std::string_view field, Dimension dimension, double value,
 
 /// Whether something follows the number of `text`.
 [[nodiscard]] bool has_unit(std::string_view text);
+/// Whether that is a unit of this dimension.
+[[nodiscard]] bool has_unit(std::string_view text, Dimension dimension);
 
 /// The zones of "X:F,X:F,...", each an edge, which may have a unit if it has a dimension, and the
 /// friction up to it. Throws InputError, which names the field and the zone.

@@ -42,6 +42,8 @@ class Axis {
   /// The other ends of the values, if some of them are ranges.
   [[nodiscard]] bool has_ranges() const { return !others_.empty(); }
   [[nodiscard]] Axis other_ends() const { return Axis(others_); }
+  /// Each value divided by this positive number.
+  [[nodiscard]] Axis over(double divisor) const;
   /// The spacing of the steps; empty for single numbers.
   [[nodiscard]] std::optional<Spacing> spacing() const;
   /// Text that parse_axis reads back, with every digit.
