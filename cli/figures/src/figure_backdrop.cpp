@@ -2,12 +2,6 @@
 #include "figure_looks.hpp"
 #include "figure_parts.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <utility>
-
 namespace stillpoint::figures {
 
 namespace {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "figure_words.hpp"
 
-#include <algorithm>
-
 namespace stillpoint::figures {
 
 Ground::Ground(const Figure& drawn, const Plane& plot)

@@ -3,9 +3,6 @@
 #include "figure_parts.hpp"
 #include "figure_words.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace stillpoint::figures {
 
 namespace {

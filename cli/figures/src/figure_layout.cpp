@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "figure_layout.hpp"
 
-#include <algorithm>
 #include <array>
-#include <utility>
 
 namespace stillpoint::figures {
 

@@ -2,13 +2,13 @@
 #pragma once
 
 // Where things are in a figure, in pixels of a figure 450 wide: words of 13 pixels are then larger
-// than 11 on a screen 400 wide.
+// than 11 on a screen 400 wide. The headers that this one and the others of this folder bring are
+// not listed again.
 
 #include <stillpoint/figures/figure.hpp>
 
-#include <string>
-#include <string_view>
-#include <vector>
+#include <algorithm>
+#include <cmath>
 
 namespace stillpoint::figures {
 

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "figure_legend.hpp"
-#include "figure_layout.hpp"
 #include "figure_looks.hpp"
 #include "figure_parts.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 
 namespace stillpoint::figures {
 

@@ -4,8 +4,6 @@
 #include <stillpoint/figures/figure.hpp>
 
 #include <set>
-#include <string>
-#include <vector>
 
 namespace stillpoint::figures {
 

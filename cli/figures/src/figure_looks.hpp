@@ -8,11 +8,7 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cstddef>
 #include <iterator>
-#include <string>
-#include <string_view>
-#include <utility>
 
 namespace stillpoint::figures {
 

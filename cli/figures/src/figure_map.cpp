@@ -3,11 +3,7 @@
 
 #include <zlib.h>
 
-#include <algorithm>
 #include <cassert>
-#include <cstddef>
-#include <cstdint>
-#include <string_view>
 
 namespace stillpoint::figures {
 

@@ -3,8 +3,6 @@
 #include "figure_parts.hpp"
 #include "figure_words.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace stillpoint::figures {

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "figure_words.hpp"
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <iterator>
-#include <utility>
 
 namespace stillpoint::figures {
 

@@ -6,8 +6,6 @@
 #include "figure_layout.hpp"
 #include "figure_raster.hpp"
 
-#include <string>
-
 namespace stillpoint::figures {
 
 /// Grid, numbers and names.

@@ -3,9 +3,6 @@
 
 #include <stillpoint/figures/figure.hpp>
 
-#include <cstddef>
-#include <vector>
-
 namespace stillpoint::figures {
 
 /// In pixels of the plot, y down.

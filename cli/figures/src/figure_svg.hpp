@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "figure_layout.hpp"
 #include "figure_legend.hpp"
 #include "figure_words.hpp"
 
 #include <fmt/format.h>
-
-#include <string>
-#include <string_view>
 
 namespace stillpoint::figures {
 

@@ -6,10 +6,7 @@
 #include "figure_layout.hpp"
 #include "figure_raster.hpp"
 
-#include <optional>
 #include <set>
-#include <string>
-#include <vector>
 
 namespace stillpoint::figures {
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "figure_words.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace stillpoint::figures {
 
 namespace {

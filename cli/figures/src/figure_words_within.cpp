@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "figure_words.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace stillpoint::figures {
 

@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "format.hpp"
 #include "sections.hpp"
-
-#include <stillpoint/report/digits.hpp>
-#include <stillpoint/report/report.hpp>
 
 namespace stillpoint::report {
 

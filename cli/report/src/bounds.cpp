@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "format.hpp"
 #include "sections.hpp"
-
-#include <stillpoint/report/digits.hpp>
-
-#include <algorithm>
 
 namespace stillpoint::report {
 

@@ -15,6 +15,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <stdexcept>
 #include <system_error>
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
@@ -77,7 +78,7 @@ std::vector<std::string> browser() {
       return {words.begin(), words.end()};
     }
   }
-  throw BrowserError(
+  throw std::runtime_error(
       "open: no browser was found: set BROWSER to a program, or write the page with --html FILE");
 }
 
@@ -88,7 +89,7 @@ TemporaryPage::TemporaryPage() {
     error.assign(errno, std::generic_category());
   }
   if (error) {
-    throw BrowserError(
+    throw std::runtime_error(
         fmt::format("open: no temporary page can be made: {}: set TMPDIR to a folder for it, or "
                     "write the page with --html FILE",
                     error.message()));
@@ -130,7 +131,7 @@ void open_page(std::vector<std::string> browser, const std::string& path) {
       ::posix_spawnp(&process, arguments.front(), &actions, nullptr, arguments.data(), environ);
   ::posix_spawn_file_actions_destroy(&actions);
   if (error != 0) {
-    throw BrowserError(
+    throw std::runtime_error(
         fmt::format("open: {} cannot be started: {}", arguments.front(), std::strerror(error)));
   }
 }
@@ -143,7 +144,7 @@ std::string explorer() {
   const auto installed = installed_explorer();
   const auto page = installed ? installed : beside_the_program("../../explorer/stillpoint.html");
   if (!page) {
-    throw BrowserError(
+    throw std::runtime_error(
         "explore: the page is not installed: ./dev explorer in the source directory makes it");
   }
   return *page;

@@ -5,15 +5,9 @@
 
 #include "sections.hpp"
 
-#include <stillpoint/design/catalogue.hpp>
-#include <stillpoint/design/trade_off.hpp>
 #include <stillpoint/figures/figure.hpp>
-#include <stillpoint/report/report.hpp>
 
 #include <functional>
-#include <span>
-#include <string>
-#include <vector>
 
 namespace stillpoint::report {
 

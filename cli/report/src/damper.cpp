@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "format.hpp"
 #include "sections.hpp"
-
-#include <stillpoint/design/motion_findings.hpp>
-#include <stillpoint/report/digits.hpp>
-
-#include <algorithm>
-#include <cmath>
 
 namespace stillpoint::report {
 

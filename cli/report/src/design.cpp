@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
-#include "format.hpp"
 
 #include <stillpoint/design/damper_findings.hpp>
-#include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/findings.hpp>
-#include <stillpoint/report/report.hpp>
 
 namespace stillpoint::report {
 

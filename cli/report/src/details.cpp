@@ -1,19 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A report in full: each object of its JSON is a section, each of its values a row.
-#include "format.hpp"
 #include "sections.hpp"
 
-#include <stillpoint/core/field.hpp>
-#include <stillpoint/report/digits.hpp>
-#include <stillpoint/report/document.hpp>
-
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
 #include <array>
 #include <cctype>
-#include <string>
-#include <string_view>
 
 namespace stillpoint::report {
 

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a report says where no damper is admissible.
-#include "format.hpp"
 #include "sections.hpp"
-
-#include <stillpoint/report/digits.hpp>
-
-#include <algorithm>
 
 namespace stillpoint::report {
 

@@ -1,19 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "format.hpp"
 #include "sections.hpp"
 
-#include <stillpoint/design/motion_findings.hpp>
-#include <stillpoint/design/shown_damper.hpp>
-#include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/findings.hpp>
-#include <stillpoint/report/report.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <span>
-#include <string_view>
-#include <utility>
 
 namespace stillpoint::report {
 

@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
-#include "format.hpp"
 
-#include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/findings.hpp>
-#include <stillpoint/report/report.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <span>
-#include <utility>
-#include <vector>
 
 namespace stillpoint::report {
 

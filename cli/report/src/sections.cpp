@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What several reports say of a damper, its motion and its check.
 #include "sections.hpp"
-#include "format.hpp"
 
-#include <stillpoint/report/digits.hpp>
-
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace stillpoint::report {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The sections that several documents share.
+// The sections that several documents share. The headers that this one brings are not listed again
+// in this folder.
 
+#include "format.hpp"
 #include "units.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
@@ -13,9 +15,12 @@
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/shown_damper.hpp>
 #include <stillpoint/design/suite_task.hpp>
+#include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/document.hpp>
 #include <stillpoint/report/report.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <string>

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How far a damper may be off, in words. What it withstands is rounded down.
-#include "format.hpp"
 #include "sections.hpp"
-
-#include <stillpoint/report/digits.hpp>
 
 namespace stillpoint::report {
 

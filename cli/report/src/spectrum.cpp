@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/report/spectrum.hpp>
-#include "format.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/report/findings.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <numbers>
-#include <optional>
-#include <utility>
 
 namespace stillpoint::report {
 
@@ -50,7 +46,7 @@ void add_points(Section& section, const SpectrumReport& report,
                in("peak alone", units.length), in("residual", units.length),
                in("residual alone", units.length), in("jump", units.velocity)},
               {}};
-  const std::size_t step = (points.size() + most_periods - 1) / most_rows;
+  const std::size_t step = (points.size() + most_periods - 1) / most_periods;
   for (std::size_t i = 0; i < points.size(); i += step) {
     const auto& [with, without, p] = points[i];
     table.rows.push_back(

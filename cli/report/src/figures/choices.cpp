@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
 #include "figures/drawing.hpp"
-#include "sections.hpp"
 
 #include <array>
 #include <iterator>

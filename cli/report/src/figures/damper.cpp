@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A damper with its tolerance in the plane of f and Delta.
 #include "figures/region_figures.hpp"
-#include "sections.hpp"
 
 namespace stillpoint::report {
 

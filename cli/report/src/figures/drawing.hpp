@@ -2,7 +2,8 @@
 #pragma once
 
 // What all figures are drawn with: their parts, lines over a range and shades, and what is said of
-// them in words, digits and units.
+// them in words, digits and units. The headers that this one brings are not listed again in this
+// folder.
 
 #include "format.hpp"
 #include "units.hpp"
@@ -12,12 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 namespace stillpoint::report {
 

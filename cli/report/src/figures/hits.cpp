@@ -4,7 +4,6 @@
 #include <stillpoint/design/hits.hpp>
 
 #include <array>
-#include <set>
 
 namespace stillpoint::report {
 

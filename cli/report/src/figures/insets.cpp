@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which part of the plane of f and Delta is enlarged.
 #include "figures/region_figures.hpp"
-#include "sections.hpp"
 
 namespace stillpoint::report {
 

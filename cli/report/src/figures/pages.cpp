@@ -2,7 +2,6 @@
 #include "choices.hpp"
 #include "figures/motion_figures.hpp"
 #include "figures/region_figures.hpp"
-#include "sections.hpp"
 
 #include <iterator>
 

@@ -6,7 +6,6 @@
 #include <stillpoint/design/suite_view.hpp>
 #include <stillpoint/report/record_design.hpp>
 
-#include <algorithm>
 #include <iterator>
 
 namespace stillpoint::report {

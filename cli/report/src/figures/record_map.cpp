@@ -5,7 +5,6 @@
 #include <stillpoint/design/suite_view.hpp>
 
 #include <array>
-#include <cstdint>
 
 namespace stillpoint::report {
 

@@ -6,10 +6,8 @@
 #include "figures/drawing.hpp"
 #include "sections.hpp"
 
-#include <stillpoint/design/design.hpp>
 #include <stillpoint/design/plane.hpp>
 #include <stillpoint/design/pulse.hpp>
-#include <stillpoint/design/region.hpp>
 #include <stillpoint/design/works_for.hpp>
 
 #include <set>

@@ -3,8 +3,6 @@
 #include "json/physical_fields.hpp"
 #include "sections.hpp"
 
-#include <stillpoint/peers/comparison.hpp>
-
 namespace stillpoint::report {
 
 namespace {

@@ -3,8 +3,6 @@
 
 #include "json/answer_fields.hpp"
 
-#include <algorithm>
-
 namespace stillpoint::report {
 
 std::optional<Worst> settled(const design::TaskFigures& figures) {

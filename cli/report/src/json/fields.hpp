@@ -6,17 +6,11 @@
 
 #include "units.hpp"
 
-#include <stillpoint/core/field.hpp>
 #include <stillpoint/report/report.hpp>
-
-#include <nlohmann/json.hpp>
 
 #include <numbers>
 
-namespace stillpoint::report {
-
-using stillpoint::in;
-using Name = std::optional<std::string>;
+namespace stillpoint {
 
 /// The period of the spring alone, in tau.
 [[nodiscard]] inline double turn(double p) {
@@ -48,13 +42,6 @@ constexpr auto fields_in(auto whole, const auto& part) {
       part);
 }
 
-/// A value that no table prints, with its schema.
-template <nlohmann::ordered_json (*make_schema)()>
-struct Printed {
-  static constexpr auto schema = make_schema;
-  nlohmann::ordered_json json;
-};
-
 /// What `get` gives, where `holds`; else empty.
 constexpr auto only_if(auto holds, auto get) {
   return in([holds](const auto& now) { return std::invoke(holds, now) ? &now : nullptr; }, get);
@@ -68,6 +55,20 @@ constexpr auto only_if(auto holds, auto get) {
   }
   return all;
 }
+
+}  // namespace stillpoint
+
+namespace stillpoint::report {
+
+using stillpoint::in;
+using Name = std::optional<std::string>;
+
+/// A value that no table prints, with its schema.
+template <nlohmann::ordered_json (*make_schema)()>
+struct Printed {
+  static constexpr auto schema = make_schema;
+  nlohmann::ordered_json json;
+};
 
 /// An integer where the field has counts, if a double holds it exactly.
 [[nodiscard]] nlohmann::ordered_json number_json(double value, Numbers numbers);

@@ -16,15 +16,15 @@ inline constexpr auto fields<FrictionZone> =
 
 template <>
 inline constexpr auto fields<HalfCycle> = std::tuple{
-    Field{"index", &HalfCycle::index, "", report::at_least_one},
-    Field{"side", &HalfCycle::side, "the sign of x", report::any_number},
+    Field{"index", &HalfCycle::index, "", at_least_one},
+    Field{"side", &HalfCycle::side, "the sign of x", any_number},
     Field{"start_time", &HalfCycle::start_time,
           "tau; the release where the mass is held from its start"},
     Field{"departure_speed", &HalfCycle::departure_speed},
     Field{"peak_time", &HalfCycle::peak_time},
     Field{"peak", &HalfCycle::peak},
     Field{"end_time", &HalfCycle::end_time},
-    Field{"end_position", &HalfCycle::end_position, "", report::any_number},
+    Field{"end_position", &HalfCycle::end_position, "", any_number},
     Field{"arrival_speed", &HalfCycle::arrival_speed, "null if it rests off x = 0"},
     Field{"impulse", &HalfCycle::impulse,
           "the impulse of the notch at its end that the structure feels, per mass; null if it does "

@@ -67,14 +67,12 @@ using Worst = OfFigures<double>;
 namespace stillpoint {
 
 template <>
-inline constexpr auto fields<design::SuiteDamper> =
-    std::tuple{Field{"f", &design::SuiteDamper::f},
-               Field{"delta", &design::SuiteDamper::delta, "", report::in_metres},
-               Field{"p", &design::SuiteDamper::p, "of a range the softest spring"},
-               Field{"period_s", [](const design::SuiteDamper& now) { return report::turn(now.p); },
-                     "without friction", report::si_alone(Dimension::time)},
-               Field{"notch_width", &design::SuiteDamper::notch_width, "null without a width",
-                     report::in_metres}};
+inline constexpr auto fields<design::SuiteDamper> = std::tuple{
+    Field{"f", &design::SuiteDamper::f}, Field{"delta", &design::SuiteDamper::delta, "", in_metres},
+    Field{"p", &design::SuiteDamper::p, "of a range the softest spring"},
+    Field{"period_s", [](const design::SuiteDamper& now) { return turn(now.p); },
+          "without friction", si_alone(Dimension::time)},
+    Field{"notch_width", &design::SuiteDamper::notch_width, "null without a width", in_metres}};
 
 template <>
 inline constexpr auto fields<design::DesignPoint> =
@@ -95,7 +93,6 @@ inline constexpr auto fields<design::Strip> =
 template <>
 inline constexpr auto fields<design::RegionVerdict> = [] {
   using design::Region;
-  using report::any_number;
   using Now = design::RegionVerdict;
   return std::tuple{
       Field{"feasible", in(&Now::region, &Region::feasible)},
@@ -116,10 +113,9 @@ inline constexpr auto fields<design::RegionVerdict> = [] {
             "null with a pulse: the mass starts from rest, and nothing bounds delta", any_number},
       Field{"beta_min", in(&Now::region, &Region::beta_min), "", any_number},
       Field{"by",
-            report::only_if(&Now::intervals,
-                            [](const Now&) { return report::region_origins.back(); }),
+            only_if(&Now::intervals, [](const Now&) { return report::region_origins.back(); }),
             "how the region of a pulse was found; null without a pulse",
-            report::one_of(report::region_origins)},
+            one_of(report::region_origins)},
       Field{"intervals", &Now::intervals,
             "with a pulse, the f that are admissible, regardless of the tolerance; else null"},
       Field{"most_tolerant", &Now::most_tolerant,
@@ -143,7 +139,6 @@ inline constexpr auto fields<design::Hits> = std::tuple{
 template <>
 inline constexpr auto fields<design::PulseCheck> = [] {
   using Now = design::PulseCheck;
-  using report::any_number;
   return std::tuple{
       Field{"shortness", &Now::shortness, "p/lambda"},
       Field{"friction_ratio", &Now::friction_ratio, "f/k"},
@@ -174,32 +169,31 @@ inline constexpr auto fields<design::CheckedMotion> =
                Field{"relative_error", &design::CheckedMotion::relative_error}};
 
 template <>
-inline constexpr auto fields<design::MotionFigures> = std::tuple{
-    Field{"peak_amplitude", &design::MotionFigures::peak_amplitude},
-    Field{"peak_acceleration", &design::MotionFigures::peak_acceleration},
-    Field{"stop_time", &design::MotionFigures::stop_time},
-    Field{"arrival_speed", &design::MotionFigures::arrival_speed},
-    Field{"half_cycles", &design::MotionFigures::half_cycles, "", counted},
-    Field{"stop_position", &design::MotionFigures::stop_position, "", report::any_number}};
+inline constexpr auto fields<design::MotionFigures> =
+    std::tuple{Field{"peak_amplitude", &design::MotionFigures::peak_amplitude},
+               Field{"peak_acceleration", &design::MotionFigures::peak_acceleration},
+               Field{"stop_time", &design::MotionFigures::stop_time},
+               Field{"arrival_speed", &design::MotionFigures::arrival_speed},
+               Field{"half_cycles", &design::MotionFigures::half_cycles, "", counted},
+               Field{"stop_position", &design::MotionFigures::stop_position, "", any_number}};
 
 template <>
 inline constexpr auto fields<design::Constraint> = [] {
-  using report::any_number;
   using Now = design::Constraint;
-  constexpr Measure metres_alone = report::si_alone(Dimension::length, Numbers::all);
+  constexpr Measure metres_alone = si_alone(Dimension::length, Numbers::all);
   constexpr auto is_length = [](const Now& now) { return now.dimension() == Dimension::length; };
   return std::tuple{
       Field{"case", [](const Now& now) { return report::case_name(now.in_case); }},
-      Field{"name", &Now::name, "", report::one_of(report::constraint_names)},
-      Field{"variable", &Now::variable, "what is bounded", report::one_of(report::constrained)},
-      Field{"relation", &Now::relation, "", report::one_of(report::relations)},
-      Field{"value", report::only_if(&Now::known, &Now::value),
+      Field{"name", &Now::name, "", one_of(report::constraint_names)},
+      Field{"variable", &Now::variable, "what is bounded", one_of(report::constrained)},
+      Field{"relation", &Now::relation, "", one_of(report::relations)},
+      Field{"value", only_if(&Now::known, &Now::value),
             "null where a motion never rests, like slack", any_number},
-      Field{"value_m", report::only_if(&Now::known, report::only_if(is_length, &Now::value)),
-            "of a length", metres_alone},
+      Field{"value_m", only_if(&Now::known, only_if(is_length, &Now::value)), "of a length",
+            metres_alone},
       Field{"limit", &Now::limit, "", any_number},
-      Field{"limit_m", report::only_if(is_length, &Now::limit), "", metres_alone},
-      Field{"slack", report::only_if(&Now::known, &Now::slack), "", any_number},
+      Field{"limit_m", only_if(is_length, &Now::limit), "", metres_alone},
+      Field{"slack", only_if(&Now::known, &Now::slack), "", any_number},
       Field{"satisfied", &Now::satisfied},
       Field{"motion", in(&Now::motion, &Now::Motion::file),
             "without a design, the record under which the value is largest", any_number}};
@@ -208,8 +202,7 @@ inline constexpr auto fields<design::Constraint> = [] {
 template <>
 inline constexpr auto fields<design::Mend> = std::tuple{
     Field{"case", [](const design::Mend& now) { return report::case_name(now.in_case); }},
-    Field{"input", &design::Mend::field},
-    Field{"value", &design::Mend::value, "", report::any_number}};
+    Field{"input", &design::Mend::field}, Field{"value", &design::Mend::value, "", any_number}};
 
 template <>
 inline constexpr auto fields<design::SearchRecord::Scan> =
@@ -218,11 +211,10 @@ inline constexpr auto fields<design::SearchRecord::Scan> =
 
 template <>
 inline constexpr auto fields<design::SearchRecord> = [] {
-  using report::any_number;
   using Now = design::SearchRecord;
   return std::tuple{
       Field{"library", [](const Now& now) { return report::libraries.at(now.scan ? 1 : 0); }, "",
-            report::one_of(report::libraries)},
+            one_of(report::libraries)},
       Field{"library_version",
             [](const Now& now) {
               return now.scan ? report::program_version() : design::nlopt_version();
@@ -246,15 +238,14 @@ inline constexpr auto fields<design::CheckMethod> = [] {
   constexpr auto figures = [](const Now& now) {
     return now.motions.empty() ? static_cast<const design::MotionFigures*>(&now) : nullptr;
   };
-  return std::tuple_cat(
-      std::tuple{Field{"name", &Now::name, "", report::one_of(report::check_methods)},
-                 Field{"tolerance", &Now::tolerance}},
-      report::fields_in(figures, fields<design::MotionFigures>),
-      std::tuple{Field{"relative_error", &Now::relative_error},
-                 Field{"wall_time_s", &Now::wall_time_s}, Field{"decided", &Now::decided},
-                 Field{"passed", &Now::passed},
-                 Field{"motions", report::only_if(has_motions, &Now::motions),
-                       "under each record, in place of the figures; else null"}});
+  return std::tuple_cat(std::tuple{Field{"name", &Now::name, "", one_of(report::check_methods)},
+                                   Field{"tolerance", &Now::tolerance}},
+                        fields_in(figures, fields<design::MotionFigures>),
+                        std::tuple{Field{"relative_error", &Now::relative_error},
+                                   Field{"wall_time_s", &Now::wall_time_s},
+                                   Field{"decided", &Now::decided}, Field{"passed", &Now::passed},
+                                   Field{"motions", only_if(has_motions, &Now::motions),
+                                         "under each record, in place of the figures; else null"}});
 }();
 
 template <>

@@ -15,7 +15,6 @@ namespace stillpoint {
 template <>
 inline constexpr auto fields<design::Figures> = [] {
   using Now = design::Figures;
-  using report::si_always;
   return std::tuple{Field{"peak_m", &Now::peak, "", si_always(Dimension::length)},
                     Field{"residual_m", &Now::residual,
                           "null where the mass does not come to rest within 10 000 half-cycles",
@@ -27,12 +26,11 @@ template <>
 inline constexpr auto fields<design::SpectrumPoint> = [] {
   using Now = design::SpectrumPoint;
   using design::Figures;
-  using report::si_always;
   return std::tuple_cat(
-      std::tuple{Field{"period_s", [](const Now& now) { return report::turn(now.p); }, "",
+      std::tuple{Field{"period_s", [](const Now& now) { return turn(now.p); }, "",
                        si_always(Dimension::time)}},
-      report::fields_in(&Now::with_notch, fields<Figures>),
-      report::fields_in(
+      fields_in(&Now::with_notch, fields<Figures>),
+      fields_in(
           &Now::with_notch,
           std::tuple{Field{"jump_m_per_s", &Figures::jump, "", si_always(Dimension::velocity)},
                      Field{"locked_from_s", &Figures::locked,
@@ -46,7 +44,6 @@ inline constexpr auto fields<design::SpectrumPoint> = [] {
 template <>
 inline constexpr auto fields<design::SpectrumRequest> = [] {
   using Now = design::SpectrumRequest;
-  using report::si_always;
   return std::tuple{Field{"f", &Now::f},
                     Field{"delta_m", &Now::delta, "", si_always(Dimension::length)},
                     Field{"hold", &Now::hold, "null with the paper's notch, like notch_width_m"},

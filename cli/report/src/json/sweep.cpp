@@ -17,11 +17,11 @@ inline constexpr auto fields<sweep::SweepSpec> =
                Field{"format", &sweep::SweepSpec::format},
                Field{"columns",
                      [](const sweep::SweepSpec& spec) {
-                       return report::mapped(spec.columns, [&](auto column) {
+                       return mapped(spec.columns, [&](auto column) {
                          return std::string(sweep::name(column, spec.units));
                        });
                      },
-                     "", report::at_least_one}};
+                     "", at_least_one}};
 
 }  // namespace stillpoint
 

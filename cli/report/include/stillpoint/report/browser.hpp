@@ -5,27 +5,21 @@
 
 #include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace stillpoint::report {
 
-/// There is no browser, it does not start, or there is no room for its page.
-class BrowserError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// What opens a page: $BROWSER, whose first command is taken, else xdg-open, else open. The words
-/// of its command line, in which %s stands for the page. Throws BrowserError if there is none.
+/// of its command line, in which %s stands for the page. Throws std::runtime_error if there is
+/// none.
 [[nodiscard]] std::vector<std::string> browser();
 
 /// A name for a temporary page, in a new temporary directory. The directory is removed if no page
 /// was written.
 class TemporaryPage {
  public:
-  /// Throws BrowserError if it cannot be created.
+  /// Throws std::runtime_error if it cannot be created.
   TemporaryPage();
   TemporaryPage(const TemporaryPage&) = delete;
   TemporaryPage& operator=(const TemporaryPage&) = delete;
@@ -37,14 +31,15 @@ class TemporaryPage {
   std::filesystem::path folder_;
 };
 
-/// Starts the browser with a page and does not wait for it. Throws BrowserError if that fails.
+/// Starts the browser with a page and does not wait for it. Throws std::runtime_error if that
+/// fails.
 void open_page(std::vector<std::string> browser, const std::string& path);
 
 /// The file of the page with the program in it, if it is installed with this program.
 [[nodiscard]] std::optional<std::string> installed_explorer();
 
 /// That, or the one that ./dev explorer made in the folder where this program was built. Throws
-/// BrowserError if there is neither.
+/// std::runtime_error if there is neither.
 [[nodiscard]] std::string explorer();
 
 /// A link to the page that shows a scene.
