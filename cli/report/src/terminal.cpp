@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/report/terminal.hpp>
 
+#include <stillpoint/records/number.hpp>
+
 #include <fmt/format.h>
 
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
@@ -27,11 +28,9 @@ std::string_view environment(const char* name) {
 std::size_t terminal_width() {
   constexpr std::size_t usual = 80;
   constexpr std::size_t least = 50;
-  const std::string_view given = environment("COLUMNS");
-  std::size_t width = 0;
-  const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), width);
-  if (error == std::errc() && end == given.data() + given.size() && width > 0) {
-    return std::max(width, least);
+  const std::int64_t given = records::scan_integer(environment("COLUMNS")).value_or(0);
+  if (given > 0) {
+    return std::max(static_cast<std::size_t>(given), least);
   }
   ::winsize size{};
   const bool known = ::isatty(STDOUT_FILENO) == 1 &&
