@@ -127,6 +127,14 @@ std::optional<std::string> excitation_type(const Settings& settings) {
   return !type && settings.has("record") ? std::optional<std::string>("record") : type;
 }
 
+void require_options_of_record(const Settings& settings) {
+  if (const auto type = excitation_type(settings); type && *type != "record") {
+    throw UsageError(
+        fmt::format("records-list and excitation {} cannot be combined: give one of them", *type));
+  }
+  refuse_others(settings, design::find_excitation_kind("record"));
+}
+
 std::optional<ExcitationInput> excitation_input(const Settings& settings, const Physical& physical,
                                                 std::optional<double> p) {
   const auto type = excitation_type(settings);

@@ -32,6 +32,9 @@ struct ExcitationInput {
                                                               const Physical& physical,
                                                               std::optional<double> p);
 
+/// Throws UsageError for an option that only shapes another load than a record.
+void require_options_of_record(const Settings& settings);
+
 /// --end-time or --t-end, in tau; empty if neither is given. Throws InputError.
 [[nodiscard]] std::optional<double> end_of_run(const Settings& settings, const Physical& physical);
 

@@ -4,6 +4,7 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/physical.hpp>
 
+#include <cmath>
 #include <numbers>
 
 namespace stillpoint::cli {
@@ -20,6 +21,12 @@ std::optional<double> record_time(const Settings& settings, std::string_view nam
                      "must be a number without a unit: without physical input times are in tau");
   }
   return settings.number(name);
+}
+
+/// Of a sweep over scales the one that changes a record most.
+double farthest(const Axis& scales) {
+  const auto [least, most] = scales.ends();
+  return std::abs(least) > std::abs(most) ? least : most;
 }
 
 }  // namespace
@@ -48,7 +55,8 @@ records::RecordScale record_scale(const Settings& settings, const records::Recor
     require_within("record-spectrum-period", *period, smallest_physical, largest_physical);
     p = 2 * std::numbers::pi * clock.per_tau / *period;
   }
-  return {settings.number("record-scale").value_or(1),
+  const auto axis = settings.axis("record-scale");
+  return {axis ? farthest(*axis) : settings.number("record-scale").value_or(1),
           {settings.number("record-peak"), settings.number("record-spectrum")},
           p};
 }

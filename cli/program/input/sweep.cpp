@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "input/excitation.hpp"
 #include "input/motion.hpp"
+#include "input/record.hpp"
 #include "input/request.hpp"
 
 #include <stillpoint/core/input_error.hpp>
@@ -13,9 +14,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <thread>
+#include <utility>
 
 namespace stillpoint::cli {
 
@@ -80,7 +83,8 @@ std::optional<SweepUnits> units(const Settings& settings) {
 
 SweepKind kind_of(const Settings& settings, const SweepSpec& spec) {
   if (!given(settings, spec, Quantity::beta)) {
-    return excitation_type(settings) ? SweepKind::forced : SweepKind::free;
+    return excitation_type(settings) || asks_for_records(settings) ? SweepKind::forced
+                                                                   : SweepKind::free;
   }
   const std::string beta = option_name(Quantity::beta, spec.units);
   for (const Quantity other :
@@ -95,12 +99,15 @@ SweepKind kind_of(const Settings& settings, const SweepSpec& spec) {
 
 /// Inputs of a sweep that only motions use, or only designs.
 bool is_of_motions(const Option& option) {
-  return option.traits.role == Role::input && option.serves(Command::simulate) &&
-         (!option.serves(Command::design) || option.traits.load == Load::record);
+  return option.traits.role == Role::input &&
+         (option.names_records() ||
+          (option.serves(Command::simulate) &&
+           (!option.serves(Command::design) || option.traits.load == Load::record)));
 }
 bool is_of_designs(const Option& option) {
   return option.traits.role == Role::input && option.serves(Command::design) &&
-         option.serves(Command::sweep) && !option.serves(Command::simulate);
+         option.serves(Command::sweep) && !option.serves(Command::simulate) &&
+         !option.names_records();
 }
 
 /// Options that only one kind uses are refused with the others, not ignored.
@@ -126,18 +133,52 @@ void add_axes(const Settings& settings, SweepSpec& spec) {
     if (const auto front = settings.integer("trade-off"); front && input == Quantity::trade_off) {
       spec.axes.push_back(
           {input, Axis(1, static_cast<double>(*front), *front, Axis::Spacing::linear)});
-    } else if (const auto axis = settings.axis(option_name(input, spec.units))) {
+    } else if (const auto axis = settings.axis(option_name(input, spec.units));
+               axis && (input != Quantity::record_scale || !spec.records.empty())) {
       spec.axes.push_back({input, *axis});
     }
   }
   add_default_start(spec);
 }
 
+/// Whether the rows have a record each, or a scale of their own.
+bool several_records(const Settings& settings) {
+  const auto paths = settings.texts("record");
+  const auto scales = settings.axis("record-scale");
+  return settings.has("records-list") || paths.size() > 1 ||
+         (!paths.empty() &&
+          ((scales && scales->size() > 1) || std::filesystem::is_directory(paths[0])));
+}
+
+/// Each is read once; a scale of all is that of their rows.
+void add_records(const Settings& settings, const Physical& physical, SweepSpec& spec) {
+  require_options_of_record(settings);
+  Settings unscaled = settings;
+  unscaled.drop("record-scale");
+  for (auto& [name, record, scale, units, assumed_g] :
+       read_suite(unscaled, record_clock(physical, 1), {})) {
+    const double factor = scale;
+    std::ranges::for_each(record.values, [factor](double& value) { value *= factor; });
+    require_valid(Excitation(record));
+    spec.records.push_back({std::move(name), std::move(record)});
+  }
+  const std::int64_t count = std::ssize(spec.records);
+  spec.axes.push_back(
+      {Quantity::record, Axis(0, static_cast<double>(count - 1), count, Axis::Spacing::linear)});
+  if (!settings.has("record-scale")) {
+    spec.axes.push_back({Quantity::record_scale, Axis({1})});
+  }
+  spec.excitation = spec.records.front().record;
+  spec.t_end = end_of_run(settings, physical);
+}
+
 void add_motion(const Settings& settings, SweepSpec& spec) {
   spec.half_cycle_limit = half_cycle_limit(settings);
   const Physical physical = spec.units ? std::optional(spec.units->physical()) : std::nullopt;
   spec.zones = friction_zones(settings, physical);
-  if (const auto input = excitation_input(settings, physical, {})) {
+  if (several_records(settings)) {
+    add_records(settings, physical, spec);
+  } else if (const auto input = excitation_input(settings, physical, {})) {
     spec.excitation = input->excitation;
     spec.t_end = forced_end(settings, spec.excitation, physical);
   }

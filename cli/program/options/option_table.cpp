@@ -254,12 +254,12 @@ constexpr auto in_shaking = std::to_array<Option>(
          Load::harmonic, Rivals::duration, Instead{"--lambda gives the length of a pulse"}),
      row("record", text, "FILE",
          "acceleration record: {}; times in s with physical input, else in tau; FILE#2 is channel "
-         "2; design and spectrum take several, and folders",
+         "2; design, region, spectrum and sweep take several, and folders",
          in_records, Load::record, FileUse::read, formats_in_help, repeats),
      row("records-list", text, "FILE",
          "CSV list of records with the header file,scale; or file,peak or file,spectrum, values "
          "in g to scale to",
-         of_suites, DesignFor::records, FileUse::read),
+         of_suites | sweep, DesignFor::records, FileUse::read),
      row("record-units", text, "UNITS", "units of the values: {}", in_records, Load::record,
          Values{names<records::RecordUnits>, true}),
      row("record-step", number, "DT",
@@ -267,7 +267,7 @@ constexpr auto in_shaking = std::to_array<Option>(
          "tau",
          in_records, Load::record, Dimension::time),
      row("record-scale", number, "X", "factor on every value; default 1", in_records, Load::record,
-         Rivals::record_scale),
+         swept, Rivals::record_scale),
      row("record-peak", number, "A", "scale each record to this peak, in g", in_records,
          Load::record, Rivals::record_scale, Dimension::gravities),
      row("record-spectrum", number, "A",

@@ -217,8 +217,9 @@ struct Option {
     return traits.axis.has(command) ? OptionKind::axis : kind;
   }
   [[nodiscard]] bool repeats_in(Command command) const {
-    return traits.repeats && (traits.file == FileUse::none ||
-                              (Command::design | Command::region | Command::spectrum).has(command));
+    return traits.repeats &&
+           (traits.file == FileUse::none ||
+            (Command::design | Command::region | Command::spectrum | Command::sweep).has(command));
   }
   [[nodiscard]] bool takes_range_in(Command command) const {
     return traits.range != RangeEnd::none &&

@@ -275,9 +275,12 @@ nlohmann::ordered_json inputs(const Settings& settings, Command command) {
   for (const auto& [name, entry] : settings.entries()) {
     const Option& option = *find_option(name);
     if (option.traits.role == Role::input && option.serves(command)) {
-      scene[std::string(name)] = option.repeats_in(command)
-                                     ? nlohmann::ordered_json(settings.texts(name))
-                                     : as_json(entry.value);
+      // Of a sweep this is its identity, where a single record is not a list.
+      const bool lists =
+          option.repeats_in(command) &&
+          (!option.names_records() || command != Command::sweep || settings.texts(name).size() > 1);
+      scene[std::string(name)] =
+          lists ? nlohmann::ordered_json(settings.texts(name)) : as_json(entry.value);
     }
   }
   return scene;

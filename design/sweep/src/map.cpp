@@ -33,6 +33,10 @@ const SweepSpec& drawable(const SweepSpec& spec) {
     throw InputError("map", spec.list ? "of a list" : "of design problems",
                      "can only be drawn of a grid of motions over f and delta");
   }
+  if (spec.records.size() > 1) {
+    throw InputError("record", fmt::format("{} records", spec.records.size()),
+                     "must be one if a map of f and delta is drawn");
+  }
   for (const SweepAxis& swept : spec.axes) {
     if (swept.quantity != Quantity::f && swept.quantity != Quantity::delta &&
         swept.axis.size() > 1) {

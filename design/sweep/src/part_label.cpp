@@ -63,6 +63,9 @@ std::string identity_of(const SweepSpec& spec, const std::string& inputs,
   result["list"] = spec.list != nullptr;
   result.update(ordered_json::parse(inputs));
   result["record_digest"] = digest(spec.excitation);
+  for (const NamedRecord& record : spec.records) {
+    result["records"].push_back({{"name", record.name}, {"digest", digest(record.record)}});
+  }
   if (!spec.parts.empty()) {
     result["catalogue_digest"] = digest(spec.parts);
   }

@@ -2,9 +2,11 @@
 #include "request_of.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/record_file.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -45,6 +47,14 @@ design::DesignRequest request_of(const SweepSpec& spec, const std::function<doub
     request.pulse_ranges = {if_given(Quantity::k_low), if_given(Quantity::lambda_high)};
   }
   return request;
+}
+
+Excitation load_of(const SweepSpec& spec, const std::function<double(Quantity)>& at) {
+  Record record = spec.records[static_cast<std::size_t>(at(Quantity::record))].record;
+  const double scale = at(Quantity::record_scale);
+  records::require_scale(scale);
+  std::ranges::for_each(record.values, [scale](double& value) { value *= scale; });
+  return record;
 }
 
 MotionRequest motion_of(const SweepSpec& spec, const std::function<double(Quantity)>& at) {

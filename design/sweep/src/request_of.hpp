@@ -20,6 +20,9 @@ namespace stillpoint::sweep {
 [[nodiscard]] design::DesignRequest request_of(const SweepSpec& spec,
                                                const std::function<double(Quantity)>& at);
 
+/// The record of an entry of a sweep over several, scaled. Throws InputError for a scale of 0.
+[[nodiscard]] Excitation load_of(const SweepSpec& spec, const std::function<double(Quantity)>& at);
+
 struct MotionRequest {
   Oscillator oscillator;
   Start start;

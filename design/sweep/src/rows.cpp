@@ -51,6 +51,18 @@ std::string fields_of(const std::vector<Quantity>& columns, const Units& units) 
   return fields;
 }
 
+/// A text as a cell of CSV, RFC 4180.
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) {
+    return text;
+  }
+  std::string cell = "\"";
+  for (const char character : text) {
+    cell.append(character == '"' ? 2 : 1, character);
+  }
+  return cell + '"';
+}
+
 /// The names of the columns, in one line.
 std::string csv_header(const std::vector<Quantity>& columns, const Units& units) {
   std::string text;
@@ -64,14 +76,19 @@ std::string csv_header(const std::vector<Quantity>& columns, const Units& units)
 
 /// The entries begin <= i < end, a line each: numbers as the shortest decimals that read back to
 /// the same double, nothing for a value that does not exist or never comes.
-void append_csv(const SweepBlock& block, const std::vector<Quantity>& columns, Index begin,
-                Index end, std::string& text) {
+void append_csv(const SweepBlock& block, const std::vector<Quantity>& columns,
+                const std::vector<std::string>& records, Index begin, Index end,
+                std::string& text) {
   for (Index i = begin; i < end; ++i) {
     for (const Quantity column : columns) {
       const double value = block[column][i];
       switch (form(column)) {
         case Form::number:
-          append_number(value, text);
+          if (column == Quantity::record) {
+            text += records[static_cast<std::size_t>(value)];
+          } else {
+            append_number(value, text);
+          }
           break;
         case Form::outcome:
           text += sweep_outcome_name(static_cast<std::size_t>(value));
@@ -112,6 +129,13 @@ void append_npy(const SweepBlock& block, const std::vector<Quantity>& columns, I
 
 }  // namespace
 
+RowWriter::RowWriter(const SweepSpec& spec)
+    : columns_(spec.columns), units_(spec.units), format_(spec.format), threads_(spec.threads) {
+  for (const NamedRecord& record : spec.records) {
+    records_.push_back(quoted(record.name));
+  }
+}
+
 std::string RowWriter::header(std::int64_t rows) const {
   return format_ == RowFormat::csv ? csv_header(columns_, units_)
                                    : npy_header(fields_of(columns_, units_), rows);
@@ -126,7 +150,7 @@ const std::vector<std::string>& RowWriter::rows(const SweepBlock& block) {
     const Index begin = i * piece;
     const Index end = std::min(begin + piece, block.size);
     if (format_ == RowFormat::csv) {
-      append_csv(block, columns_, begin, end, bytes);
+      append_csv(block, columns_, records_, begin, end, bytes);
     } else {
       append_npy(block, columns_, begin, end, bytes);
     }

@@ -15,8 +15,7 @@ namespace stillpoint::sweep {
 /// Turns blocks into bytes, on several threads.
 class RowWriter {
  public:
-  explicit RowWriter(const SweepSpec& spec)
-      : columns_(spec.columns), units_(spec.units), format_(spec.format), threads_(spec.threads) {}
+  explicit RowWriter(const SweepSpec& spec);
 
   /// The bytes before `rows` entries.
   [[nodiscard]] std::string header(std::int64_t rows) const;
@@ -28,6 +27,7 @@ class RowWriter {
   const std::optional<SweepUnits>& units_;
   RowFormat format_;
   int threads_;
+  std::vector<std::string> records_;  ///< their names as cells
   std::vector<std::string> pieces_;
 };
 

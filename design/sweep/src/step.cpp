@@ -284,9 +284,17 @@ void SweepStep::run_forced(SweepBlock& block) const {
   make_room(block, results(spec_.kind));
   const ForcedOptions options = forced_options();
   for_each_motion(block, [&](Index i) {
-    const auto [oscillator, start, surface] = motion(block, i);
-    set_motion(block, i, forced_response(oscillator, start, spec_.excitation, options, surface),
-               results(spec_.kind));
+    const MotionRequest moved = motion(block, i);
+    const auto under = [&](const Excitation& load) {
+      set_motion(block, i,
+                 forced_response(moved.oscillator, moved.start, load, options, moved.surface),
+                 results(spec_.kind));
+    };
+    if (spec_.records.empty()) {
+      under(spec_.excitation);
+    } else {
+      under(load_of(spec_, [&](Quantity input) { return block[input][i]; }));
+    }
   });
 }
 

@@ -46,9 +46,10 @@ void require_in_units(const SweepSpec& spec) {
 
 /// A pulse takes the place of v0.
 bool may_be_left_out(const SweepSpec& spec, Quantity input) {
-  constexpr std::array always{Quantity::v0_low,      Quantity::p_high,   Quantity::k_low,
-                              Quantity::lambda_high, Quantity::residual, Quantity::arrivals,
-                              Quantity::trade_off,   Quantity::hold,     Quantity::notch_width};
+  constexpr std::array always{Quantity::record,   Quantity::record_scale, Quantity::v0_low,
+                              Quantity::p_high,   Quantity::k_low,        Quantity::lambda_high,
+                              Quantity::residual, Quantity::arrivals,     Quantity::trade_off,
+                              Quantity::hold,     Quantity::notch_width};
   const bool of_pulse = input == Quantity::k || input == Quantity::lambda;
   return contains(always, input) || (spec.pulse ? input == Quantity::v0 : of_pulse);
 }
@@ -68,6 +69,29 @@ void require_one_hit(const SweepSpec& spec) {
   }
 }
 
+/// Where there are several records, and only there, each entry has one and its scale.
+void require_records(const SweepSpec& spec) {
+  for (const Quantity input : {Quantity::record, Quantity::record_scale}) {
+    const std::string field = option_name(input, spec.units);
+    if (given(spec, input) == spec.records.empty()) {
+      throw InputError(
+          field, "an input",
+          spec.records.empty() ? "must be left out without records" : "must have an axis");
+    }
+  }
+  const auto found = std::ranges::find(spec.axes, Quantity::record, &SweepAxis::quantity);
+  if (found != spec.axes.end() &&
+      (found->axis.ends().low != 0 ||
+       found->axis.ends().high != static_cast<double>(std::ssize(spec.records) - 1) ||
+       found->axis.size() != std::ssize(spec.records))) {
+    throw InputError("record", found->axis.text(), "must be the places of the records, from 0");
+  }
+  if (spec.list && spec.records.size() > 1) {
+    throw InputError("record", fmt::format("{} records", spec.records.size()),
+                     "must be one if there is a list");
+  }
+}
+
 /// Each input has one axis, or is a column of the list.
 void require_inputs(const SweepSpec& spec) {
   if (spec.list) {
@@ -81,6 +105,9 @@ void require_inputs(const SweepSpec& spec) {
   }
   if (spec.kind == SweepKind::design) {
     require_one_hit(spec);
+  }
+  if (spec.kind == SweepKind::forced) {
+    require_records(spec);
   }
   for (const SweepAxis& swept : spec.axes) {
     const std::string field = option_name(swept.quantity, spec.units);
@@ -146,7 +173,11 @@ void check(const Corner& corner, const SweepSpec& spec) {
   }
   const auto [oscillator, start, surface] = motion_of(spec, at);
   if (spec.kind == SweepKind::forced) {
-    require_valid(oscillator, start, spec.excitation, spec.t_end);
+    if (spec.records.empty()) {
+      require_valid(oscillator, start, spec.excitation, spec.t_end);
+    } else {
+      require_valid(oscillator, start, load_of(spec, at), spec.t_end);
+    }
   } else {
     require_valid(oscillator, start);
   }

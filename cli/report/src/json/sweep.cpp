@@ -51,6 +51,18 @@ double rate(const SweepSummary& summary) {
 
 constexpr auto sweep_name = std::to_array<std::string_view>({"stillpoint/sweep-report/1"});
 
+ordered_json record_names_schema() {
+  return {{"type", {"string", "array", "null"}}, {"items", {{"type", "string"}}}};
+}
+
+Printed<record_names_schema> record_names(const SweepReport& report) {
+  ordered_json names = report.record ? ordered_json(*report.record) : ordered_json();
+  if (!report.spec.records.empty()) {
+    names = ordered_json(mapped(report.spec.records, &sweep::NamedRecord::name));
+  }
+  return {std::move(names)};
+}
+
 constexpr auto sweep_table = [] {
   using Now = SweepReport;
   using sweep::SweepSpec;
@@ -60,7 +72,9 @@ constexpr auto sweep_table = [] {
       head_fields<Now, sweep_name>,
       std::tuple{
           Field{"kind", kind}, Field{"output", &Now::spec},
-          Field{"record", &Now::record, "the file of the load; null of any other"},
+          Field{"record", &record_names,
+                "the file of the load; null of any other; with several records all of them, by "
+                "the numbers in the column record"},
           Field{"part", in(&Now::spec, &SweepSpec::part), "null for a whole sweep"},
           Field{"rows", in(&Now::summary, &SweepSummary::state, &SweepState::rows),
                 "all rows in the file"},

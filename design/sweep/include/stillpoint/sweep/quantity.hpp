@@ -20,6 +20,8 @@ namespace stillpoint::sweep {
 /// What a sweep varies and what it computes: the columns of its output, in their order. A grid
 /// varies its axes in this order too, the last one fastest.
 enum class Quantity : std::uint8_t {
+  record,  ///< by its place among SweepSpec::records, from 0; its name in CSV
+  record_scale,
   v0,
   v0_low,
   p,
@@ -123,6 +125,8 @@ constexpr QuantityForm form_of(const MotionColumn<Member>& column) {
 inline constexpr auto quantity_forms = [] {
   using records::Dimension;
   constexpr auto others = std::to_array<QuantityForm>({
+      {Quantity::record, "record"},
+      {Quantity::record_scale, "record_scale"},
       {Quantity::v0, "v0", "velocity", Dimension::velocity},
       {Quantity::v0_low, "v0_low", "velocity_low", Dimension::velocity},
       {Quantity::p, "p"},

@@ -26,7 +26,7 @@ namespace stillpoint::sweep {
 
 enum class SweepKind {
   free,    ///< each entry is a free motion
-  forced,  ///< each entry is a motion under the same excitation
+  forced,  ///< each entry is a motion under the excitation, or under one of several records
   design,  ///< each entry is a design problem
 };
 
@@ -36,6 +36,11 @@ using stillpoint::name;
 enum class RowFormat { csv, npy };
 
 [[nodiscard]] std::span<const Named<RowFormat>> enumerators(RowFormat) noexcept;
+
+struct NamedRecord {
+  std::string name;
+  Record record;
+};
 
 /// What a sweep computes, and where its rows go. Without `units` everything is dimensionless.
 struct SweepSpec {
@@ -60,7 +65,9 @@ struct SweepSpec {
   std::optional<double> half_cycle_limit;  ///< of motions, 1 to 1e15; empty: as in core
   std::vector<FrictionZone> zones;         ///< of motions; see Surface
   Excitation excitation;                   ///< of forced motions, as is
-  std::optional<double> t_end;             ///< required if the excitation never ends
+  /// If any, they are the excitations instead; record and record_scale then have an axis each.
+  std::vector<NamedRecord> records;
+  std::optional<double> t_end;  ///< required if the excitation never ends
 
   design::Problem task;  ///< of design problems, without the inputs that are given; so are
   std::optional<design::Pulse>
