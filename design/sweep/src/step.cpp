@@ -14,6 +14,8 @@
 #include <cassert>
 #include <exception>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <span>
 #include <utility>
 
@@ -76,6 +78,32 @@ void set_absent(SweepBlock& block, Index i, std::span<const Quantity> results) {
     block[result][i] = absent;
   }
 }
+
+/// The scaled record of an entry, made once for neighbours that share it: a copy can take half as
+/// long as a motion that the notch soon locks.
+class SharedLoad {
+ public:
+  [[nodiscard]] std::shared_ptr<const Excitation> of(const SweepSpec& spec, const SweepBlock& block,
+                                                     Index i) {
+    const std::pair wanted(block[record][i], block[record_scale][i]);
+    {
+      const std::scoped_lock lock(mutex_);
+      if (load_ && made_for_ == wanted) {
+        return load_;
+      }
+    }
+    auto made = std::make_shared<const Excitation>(
+        load_of(spec, [&](Quantity input) { return block[input][i]; }));
+    const std::scoped_lock lock(mutex_);
+    made_for_ = wanted;
+    return load_ = std::move(made);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::pair<double, double> made_for_;
+  std::shared_ptr<const Excitation> load_;
+};
 
 /// The damper of an entry and the motion that is shown.
 struct Designed {
@@ -283,18 +311,14 @@ void SweepStep::run_free_one_by_one(SweepBlock& block) const {
 void SweepStep::run_forced(SweepBlock& block) const {
   make_room(block, results(spec_.kind));
   const ForcedOptions options = forced_options();
+  SharedLoad shared;
   for_each_motion(block, [&](Index i) {
-    const MotionRequest moved = motion(block, i);
-    const auto under = [&](const Excitation& load) {
-      set_motion(block, i,
-                 forced_response(moved.oscillator, moved.start, load, options, moved.surface),
-                 results(spec_.kind));
-    };
-    if (spec_.records.empty()) {
-      under(spec_.excitation);
-    } else {
-      under(load_of(spec_, [&](Quantity input) { return block[input][i]; }));
-    }
+    const auto [oscillator, start, surface] = motion(block, i);
+    const auto load = spec_.records.empty() ? nullptr : shared.of(spec_, block, i);
+    set_motion(
+        block, i,
+        forced_response(oscillator, start, load ? *load : spec_.excitation, options, surface),
+        results(spec_.kind));
   });
 }
 
