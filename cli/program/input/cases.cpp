@@ -85,7 +85,8 @@ Settings completed(Settings own, const Settings& common) {
         option.traits.rivals != Rivals::none && own.given(option.traits.rivals) != nullptr;
     const bool of_load =
         is_load(option) || option.traits.load == Load::record || option.shapes(Load::pulse);
-    if (rival || (has_load && of_load && !(of_records && option.traits.load == Load::record)) ||
+    if (rival || (of_records && option.names_records()) ||
+        (has_load && of_load && !(of_records && option.traits.load == Load::record)) ||
         (of_records && option.name == "arrivals")) {
       rest.drop(option.name);
     }
@@ -95,7 +96,7 @@ Settings completed(Settings own, const Settings& common) {
   return own;
 }
 
-/// A range is for a design with a single load, which proves it.
+/// The length of a pulse is one in a case: which one is worst only its closed forms know.
 void refuse_range(const Settings& settings, const Option& option) {
   if (const auto range = settings.range(option.name)) {
     throw InputError(std::string(option.name), fmt::format("{}:{}", range->low, range->high),
@@ -103,9 +104,22 @@ void refuse_range(const Settings& settings, const Option& option) {
   }
 }
 
+/// The least part of the strongest load that a range allows.
+double weakest_of(const Settings& settings, std::string_view name) {
+  const auto range = settings.range(name);
+  if (!range) {
+    return 1;
+  }
+  if (range->low < 0 || (range->low > 0 && range->low < design::least_weakest * range->high)) {
+    throw InputError(
+        std::string(name), fmt::format("{}:{}", range->low, range->high),
+        fmt::format("must begin at 0 or at {} of its end in a case", design::least_weakest));
+  }
+  return range->low / range->high;
+}
+
 double hit_of(const Settings& settings, const Physical& physical) {
   const Option& option = *settings.given(Rivals::hit);
-  refuse_range(settings, option);
   const double value = *settings.number(option.name);
   records::require_physical(option.name, option.traits.dimension, value);
   return option.traits.dimension == Dimension::none ? value
@@ -113,7 +127,6 @@ double hit_of(const Settings& settings, const Physical& physical) {
 }
 
 design::Pulse pulse_of(const Settings& settings, const Physical& physical) {
-  refuse_range(settings, *find_option("k"));
   if (const Option* const clock = settings.given(Rivals::frequency)) {
     refuse_range(settings, *clock);
   }
@@ -160,6 +173,7 @@ std::vector<GivenCase> cases_of(const Settings& settings) {
     cases.push_back({name, in_case(name, [&] {
                        Settings own = completed(own_settings(object), settings);
                        require_one_load(own);
+                       static_cast<void>(is_physical(own, Command::design));
                        return own;
                      })});
   }
@@ -172,8 +186,10 @@ design::LoadCase load_case(const GivenCase& given, const MotionInput& start, boo
     design::LoadCase result;
     if (settings.has("pulse")) {
       result.pulse = pulse_of(settings, start.physical);
+      result.weakest = weakest_of(settings, "k");
     } else if (settings.given(Rivals::hit) != nullptr) {
       result.v0 = hit_of(settings, start.physical);
+      result.weakest = weakest_of(settings, settings.given(Rivals::hit)->name);
     } else {
       result.records = read_suite(settings, record_clock(start.physical, start.p),
                                   one_period ? std::optional(start.p) : std::nullopt);

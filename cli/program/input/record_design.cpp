@@ -44,10 +44,11 @@ MotionInput suite_motion(const Settings& settings, const std::vector<GivenCase>&
     whole.set("period", periods->high);
   }
   MotionInput motion = motion_input(whole, command, true);
-  if (motion.p_high) {
-    const auto [low, high] = settings.range(spring->name).value();
-    throw InputError(std::string(spring->name), fmt::format("{}:{}", low, high),
-                     "must be one number with records; --search-period searches a range");
+  if (motion.p_high && periods) {
+    throw UsageError(
+        fmt::format("search-period and a range of {} cannot be combined: what is "
+                    "searched does not vary",
+                    spring->name));
   }
   return motion;
 }
@@ -151,8 +152,11 @@ report::RecordDesignInput record_design_input(const Settings& given, Command com
     const design::Scales& scales = start.physical->scales;
     request.p = {scales.p_of(periods->high), scales.p_of(periods->low)};
   }
+  if (start.p_high) {
+    request.spring = {1 - start.p / *start.p_high, 0};
+  }
   for (const GivenCase& each : cases) {
-    request.cases.push_back(load_case(each, start, !periods));
+    request.cases.push_back(load_case(each, start, !periods && !start.p_high));
   }
   request.f = search_range(settings, "search-f");
   request.f_max = settings.number("f-max");

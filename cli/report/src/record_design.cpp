@@ -39,7 +39,8 @@ std::string whose_words(const std::vector<design::LoadCase>& cases) {
   const design::LoadCase& first = cases.front();
   return cases.size() > 1     ? format("Largest of {} cases", cases.size())
          : first.of_records() ? design::suite_words(*first.combine, first.records.size())
-                              : format("Under the {}", first.v0 ? "hit" : "pulse");
+                              : format("Under the {}{}", first.v0 ? "hit" : "pulse",
+                                       first.weakest < 1 ? "s of the range" : "");
 }
 
 /// With the digits with which the figures of a design come true.

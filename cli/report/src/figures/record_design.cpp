@@ -39,7 +39,12 @@ void add_motion(std::vector<Figure>& figures, const design::RecordDesign& result
         static_cast<std::size_t>(&minimised(task) - design::suite_figure_kinds.data()));
     motion.others.push_back(
         {.name = "worst within the tolerance",
-         .path = beside(motion, design::shown_motion(motion_of(task, of, motions[index])).states),
+         .path = beside(
+             motion,
+             design::shown_motion(
+                 motion_of(task, of,
+                           design::weakened(motions[index], design::load_part(task, in_case, of))))
+                 .states),
          .ink = Ink::orange});
   }
   const bool first_of_many = worst && motions.size() > 1;

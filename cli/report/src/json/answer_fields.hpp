@@ -61,9 +61,11 @@ struct BoxedDamper : design::SuiteDamper {
 /// The damper of a box, and the motion, that have the worst of a figure.
 struct WorstAt : design::SuiteDamper {
   Name motion{};
+  IfReal part{};
 
   static constexpr auto field_table = std::tuple_cat(
-      std::tuple{Field{"motion", &WorstAt::motion, "of several the one with the most", any_number}},
+      std::tuple{Field{"motion", &WorstAt::motion, "of several the one with the most", any_number},
+                 Field{"part", &WorstAt::part, "of a load that varies: of its largest v0 or k"}},
       fields<design::SuiteDamper>);
 };
 struct WorstInBox : Worst {
@@ -116,9 +118,13 @@ struct ShownLoaded {
 struct ShownLoad {
   std::string_view type;
   std::optional<std::size_t> records{};
+  IfReal weakest{};
 
   static constexpr std::tuple field_table{Field{"type", &ShownLoad::type, "", one_of(load_types)},
-                                          Field{"records", &ShownLoad::records, "how many"}};
+                                          Field{"records", &ShownLoad::records, "how many"},
+                                          Field{"weakest", &ShownLoad::weakest,
+                                                "of a hit or pulse that varies, the least part of "
+                                                "its v0 or k; null with a region of its own"}};
 };
 struct ShownCase {
   Name name{};

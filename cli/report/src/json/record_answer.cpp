@@ -63,10 +63,12 @@ BoxedDamper boxed_damper(const design::RecordFinding& finding, const IfReal& tol
 }
 
 /// In the order of design::suite_figure_kinds.
-WorstInBox shown_worst(const design::SuiteBox& box, std::size_t in_case,
-                       const std::vector<design::CaseMotion>& motions) {
+WorstInBox shown_worst(const design::RecordDesignRequest& task, const design::SuiteBox& box,
+                       std::size_t in_case, const std::vector<design::CaseMotion>& motions) {
   const auto at = [&](std::size_t kind) {
-    return WorstAt{box.of[in_case].at(kind), motions[box.in[in_case].at(kind)].name};
+    const design::SuiteDamper& damper = box.of[in_case].at(kind);
+    return WorstAt{damper, motions[box.in[in_case].at(kind)].name,
+                   design::load_part(task, in_case, damper)};
   };
   return {worst_of(box.worst[in_case]), {at(0), at(1), at(2), {}, at(3)}};
 }
@@ -81,6 +83,8 @@ ShownCase shown_case(const design::RecordDesign& result, std::size_t index) {
   if (load_case.of_records()) {
     shown.load.records = load_case.records.size();
     shown.combine = load_case.combine;
+  } else {
+    shown.load.weakest = load_case.weakest;
   }
   const auto& finding = result.finding;
   if (!finding) {
@@ -88,7 +92,7 @@ ShownCase shown_case(const design::RecordDesign& result, std::size_t index) {
   }
   const std::vector<design::CaseMotion> motions = design::motions_of(load_case);
   shown.nominal = worst_of(finding->point.figures[index]);
-  shown.worst = shown_worst(finding->box, index, motions);
+  shown.worst = shown_worst(result.request, finding->box, index, motions);
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const design::CaseMotion& motion = motions[i];
     shown.motions.push_back({load_case.v0 ? std::optional(motion.start.v0) : std::nullopt,

@@ -31,14 +31,11 @@ Interval interval_about(double value, const Spread& spread) {
   return {value * (1 - spread.below), value * (1 + spread.above)};
 }
 
-Spread times(const Spread& spread, double scale) {
-  return {spread.below * scale, spread.above * scale};
-}
-
 SuiteBox promised(const RecordDesignRequest& task, const ChosenBox& chosen) {
   const auto& [damper, worst, rank] = chosen.verified.box;
   const SuiteTolerance& of = task.tolerance;
-  const Interval periods = interval_about(1 / damper.p, times(of.period, chosen.scale));
+  const Interval periods =
+      interval_about(1 / damper.p, combined(task.spring, times(of.period, chosen.scale)));
   return {interval_about(damper.f, times(of.f, chosen.scale)),
           interval_about(damper.delta, times(of.delta, chosen.scale)),
           {1 / periods.high, 1 / periods.low},

@@ -190,8 +190,59 @@ std::vector<Excitation> scaled_loads(const std::vector<SuiteRecord>& records) {
   return loads;
 }
 
-Suite::Suite(const LoadCase& load_case, const std::optional<double>& hold)
-    : motions_(motions_of(load_case)), combine_(load_case.combine.value()), hold_(hold) {}
+namespace {
+
+double part_of(double load, double own_weakest, double weakest) {
+  return weakest < 1 ? 1 - (1 - load) * (1 - own_weakest) / (1 - weakest) : 1;
+}
+
+}  // namespace
+
+double weakest_load(const RecordDesignRequest& request) {
+  return std::max(least_weakest, std::ranges::min(request.cases, {}, &LoadCase::weakest).weakest);
+}
+
+double load_part(const RecordDesignRequest& request, std::size_t in_case,
+                 const SuiteDamper& damper) {
+  return part_of(damper.load, std::max(least_weakest, request.cases[in_case].weakest),
+                 weakest_load(request));
+}
+
+CaseMotion weakened(CaseMotion motion, double part) {
+  motion.start.v0 *= part;
+  std::visit(
+      [part]<class Kind>(Kind& kind) {
+        if constexpr (requires { kind.k; }) {
+          kind.k *= part;
+        }
+      },
+      motion.load);
+  return motion;
+}
+
+SuiteDamper relative_to(const SuiteDamper& damper, double factor) {
+  return {damper.p, damper.f / factor, damper.delta / (factor * factor), damper.width / factor,
+          damper.load};
+}
+
+SuiteFigures times(SuiteFigures figures, double factor) {
+  for (double* const figure :
+       {&figures.peak, &figures.acceleration, &figures.residual, &figures.jump}) {
+    *figure *= factor;
+  }
+  return figures;
+}
+
+Suite::Suite(const LoadCase& load_case, const std::optional<double>& hold, double weakest)
+    : motions_(motions_of(load_case)),
+      combine_(load_case.combine.value()),
+      hold_(hold),
+      own_weakest_(std::max(least_weakest, load_case.weakest)),
+      weakest_(weakest) {}
+
+double Suite::part(const SuiteDamper& damper) const {
+  return part_of(damper.load, own_weakest_, weakest_);
+}
 
 ForcedResponse Suite::response(const SuiteDamper& damper, const CaseMotion& motion) const {
   return forced_response(oscillator(damper), motion.start, motion.load,
@@ -243,7 +294,8 @@ SuiteFigures Suite::under(const CaseMotion& motion, const SuiteDamper& damper) c
   SuiteFigures figures;
   figures.settled = false;
   try {
-    const ForcedResponse one = response(damper, motion);
+    const double of_load = part(damper);
+    const ForcedResponse one = response(damper, of_load < 1 ? weakened(motion, of_load) : motion);
     if (one.stop_position && rests_in_time(one.half_cycles.value())) {
       figures = suite_figures(one);
       figures.late = periods_after(motion.load, one.stop_time.value(), damper.p);
@@ -359,7 +411,7 @@ std::vector<SuiteFigures> Suite::figures(std::span<const SuiteDamper> dampers,
 
 Suites::Suites(const RecordDesignRequest& request) {
   for (const LoadCase& each : request.cases) {
-    cases_.emplace_back(each, request.hold);
+    cases_.emplace_back(each, request.hold, weakest_load(request));
   }
 }
 

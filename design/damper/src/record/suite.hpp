@@ -37,7 +37,8 @@ void require_valid(const std::vector<SuiteRecord>& records);
 class Suite {
  public:
   /// Of a valid case with its combination; `hold` as that of Oscillator.
-  Suite(const LoadCase& load_case, const std::optional<double>& hold);
+  /// and `weakest` the least part of any load of the task.
+  Suite(const LoadCase& load_case, const std::optional<double>& hold, double weakest = 1);
 
   /// Throws InputError for a wrong damper, but not for one that never rests.
   [[nodiscard]] SuiteFigures figures(const SuiteDamper& damper) const;
@@ -60,6 +61,8 @@ class Suite {
   }
 
  private:
+  /// Of the load that comes with a damper.
+  [[nodiscard]] double part(const SuiteDamper& damper) const;
   /// The figures of one motion.
   void add(SuiteFigures& all, const SuiteFigures& one) const;
   /// For all motions; empty if one of them does not settle.
@@ -76,7 +79,14 @@ class Suite {
   std::vector<CaseMotion> motions_;
   Combine combine_;
   std::optional<double> hold_;
+  double own_weakest_;
+  double weakest_;
 };
+
+/// A load s times as large moves a damper s times as far as the load itself moves one with f/s,
+/// Delta/s^2 and width/s.
+[[nodiscard]] SuiteDamper relative_to(const SuiteDamper& damper, double factor);
+[[nodiscard]] SuiteFigures times(SuiteFigures figures, double factor);
 
 /// Those of all cases of a request with its combinations.
 class Suites {

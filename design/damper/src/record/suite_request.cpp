@@ -62,11 +62,13 @@ void require_start(RecordDesignRequest& request, const LoadCase& load_case) {
                                    load_case.v0 ? "hit of case" : "pulse of case", load_case.name));
     }
   };
+  const double part = load_case.weakest > 0 ? load_case.weakest : 1;
   if (load_case.v0 && !request.width) {
-    bound(request.delta_start, *load_case.v0 * *load_case.v0 / 2, "delta", request.delta);
+    const double v0 = part * *load_case.v0;
+    bound(request.delta_start, v0 * v0 / 2, "delta", request.delta);
   }
   if (load_case.pulse && load_case.limits.residual == 0.0) {
-    bound(request.f_start, peak_load(*load_case.pulse), "f", request.f);
+    bound(request.f_start, part * peak_load(*load_case.pulse), "f", request.f);
   }
 }
 
@@ -141,6 +143,9 @@ void require_valid(const LoadCase& load_case, const RecordDesignRequest& request
   } else {
     design::require_valid(load_case.records);
   }
+  if (load_case.weakest != 0 || load_case.of_records()) {
+    require_within("weakest", load_case.weakest, load_case.of_records() ? 1 : least_weakest, 1);
+  }
   const SuiteLimits& limits = load_case.limits;
   require_limit("beta", limits.peak, smallest_speed);
   require_limit("acceleration-max", limits.acceleration, smallest_speed);
@@ -176,6 +181,7 @@ void require_valid(const RecordDesignRequest& request) {
   require_spread("tolerance-delta", request.tolerance.delta);
   require_spread("tolerance-width", request.tolerance.width);
   require_spread("tolerance-period", request.tolerance.period);
+  require_spread("spring", request.spring);
   if (request.objective == SuiteObjective::robust) {
     require_growth(request);
   }

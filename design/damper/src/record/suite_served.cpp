@@ -56,24 +56,10 @@ ServedInterval about(double value, const Keeps& keeps, const Interval& ends) {
   return {value * reach(keeps, ends.low), value * reach(keeps, ends.high)};
 }
 
-/// A load s times as large moves a damper s times as far as the load itself moves one with f/s,
-/// Delta/s^2 and width/s.
-SuiteDamper relative_to(const SuiteDamper& damper, double factor) {
-  return {damper.p, damper.f / factor, damper.delta / (factor * factor), damper.width / factor};
-}
-
 /// Whether the loads that must move the mass do.
 bool starts(const RecordDesignRequest& task, const SuiteDamper& damper) {
   return damper.f <= task.f_start.value_or(HUGE_VAL) &&
          damper.delta <= task.delta_start.value_or(HUGE_VAL);
-}
-
-SuiteFigures times(SuiteFigures figures, double factor) {
-  for (double* const figure :
-       {&figures.peak, &figures.acceleration, &figures.residual, &figures.jump}) {
-    *figure *= factor;
-  }
-  return figures;
 }
 
 }  // namespace

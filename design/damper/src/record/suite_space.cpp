@@ -34,9 +34,11 @@ double SuiteAxis::value(const SuiteDamper& damper) const {
     case Variable::period:
       return 1 / damper.p;
     case Variable::width:
+      return damper.width;
+    case Variable::load:
       break;
   }
-  return damper.width;
+  return damper.load;
 }
 
 void SuiteAxis::set(SuiteDamper& damper, double value) const {
@@ -52,6 +54,9 @@ void SuiteAxis::set(SuiteDamper& damper, double value) const {
       break;
     case Variable::width:
       damper.width = value;
+      break;
+    case Variable::load:
+      damper.load = value;
       break;
   }
 }
@@ -83,10 +88,12 @@ SuiteSpace::SuiteSpace(const RecordDesignRequest& task, SuiteFrictions frictions
   add(SuiteAxis::Variable::delta, notch ? *task.delta : none, tolerance.delta, scale,
       least_of(task.delta_max, task.delta_start));
   possible_ = possible_ && (notch || task.delta->low == 0);
-  add(SuiteAxis::Variable::period, {1 / task.p.high, 1 / task.p.low}, tolerance.period, scale, {});
+  add(SuiteAxis::Variable::period, {1 / task.p.high, 1 / task.p.low},
+      combined(task.spring, times(tolerance.period, scale)), 1, {});
   if (notch && task.width) {
     add(SuiteAxis::Variable::width, *task.width, tolerance.width, scale, {});
   }
+  add(SuiteAxis::Variable::load, {1, 1}, {1 - weakest_load(task), 0}, 1, {});
 }
 
 void SuiteSpace::add(SuiteAxis::Variable variable, Interval range, const Spread& whole,

@@ -9,8 +9,8 @@
 
 namespace stillpoint::design {
 
-/// f, Delta, the period and the width of the notch.
-inline constexpr std::size_t most_axes = 4;
+/// f, Delta, the period, the width of the notch, and the load.
+inline constexpr std::size_t most_axes = 5;
 /// Of a space, along its axes: logarithms, or parts of a tolerance from -1 to 1.
 using SuitePlace = std::array<double, most_axes>;
 
@@ -19,7 +19,7 @@ enum class SuiteFrictions { constant, point, both };
 /// A value of a damper that is searched, or may be off, or both.
 class SuiteAxis {
  public:
-  enum class Variable { f, delta, period, width };
+  enum class Variable { f, delta, period, width, load };
 
   SuiteAxis(Variable variable, const Interval& range, const Spread& spread)
       : variable_(variable), range_(range), spread_(spread) {}

@@ -104,6 +104,12 @@ class TaskSearch {
     expect();
     std::optional<LargestBox> best = largest(HUGE_VAL);
     if (!best) {
+      const SuiteGoal goal{minimised(task_).value, task_.objective_case, limits_of(task_)};
+      map_all();
+      for (Mapped& here : maps_) {
+        here.scan.look(goal, HUGE_VAL);
+      }
+      tell_why(goal);
       return std::nullopt;
     }
     trade_off();
@@ -248,17 +254,22 @@ class TaskSearch {
                                                 : value * (1 + relaxed_by);
   }
 
-  /// The front of stroke and acceleration, from the least stroke to the least acceleration.
-  void trade_off() {
-    if (task_.trade_offs == 0) {
-      return;
-    }
+  /// Those of frictions that have none.
+  void map_all() {
     for (const SuiteFrictions frictions : every_friction) {
       if (has_friction(task_, frictions) && SuiteSpace(task_, frictions).possible() &&
           std::ranges::find(maps_, frictions, &Mapped::frictions) == maps_.end()) {
         maps_.emplace_back(suite_, task_, frictions, watch_);
       }
     }
+  }
+
+  /// The front of stroke and acceleration, from the least stroke to the least acceleration.
+  void trade_off() {
+    if (task_.trade_offs == 0) {
+      return;
+    }
+    map_all();
     const auto gentlest = [&](double stroke) {
       SuiteGoal goal{&SuiteFigures::acceleration, {}, limits_of(task_)};
       for (SuiteLimits& limits : goal.limits) {

@@ -13,6 +13,13 @@ struct Spread {
   double below{0};
   double above{0};
 };
+[[nodiscard]] constexpr Spread times(const Spread& spread, double scale) {
+  return {spread.below * scale, spread.above * scale};
+}
+/// Of a value that may be off by both.
+[[nodiscard]] constexpr Spread combined(const Spread& one, const Spread& other) {
+  return {1 - (1 - one.below) * (1 - other.below), (1 + one.above) * (1 + other.above) - 1};
+}
 
 /// Each throws InputError, naming `field`: for R unless 0 <= R < 1, for the factors LOW:HIGH unless
 /// 0 < LOW <= 1 <= HIGH < 2.

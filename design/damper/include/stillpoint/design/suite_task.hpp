@@ -60,11 +60,16 @@ struct SuiteLimits {
 
 /// What moves the mass in one case of a task, records, a pulse or a hit, and what is required
 /// under it.
+inline constexpr double least_weakest = 1e-3;
+
 struct LoadCase {
   std::string name{};  ///< may be empty of a single one
   std::vector<SuiteRecord> records{};
   std::optional<Pulse> pulse{};
-  std::optional<double> v0{};        ///< of a hit, > 0
+  std::optional<double> v0{};  ///< of a hit, > 0
+  /// Of a hit or pulse that varies: the least part of this v0 or k, at least `least_weakest`; 0 for
+  /// every one down to nothing, of which the weak ones need not move the mass.
+  double weakest{1};
   std::optional<Combine> combine{};  ///< default: max for fewer than seven records, else mean
   SuiteLimits limits{};
 
@@ -138,6 +143,7 @@ struct RecordDesignRequest {
   /// If given, the variables of the design are rounded to the fewest digits in these units, at
   /// least five, with which it is admissible and worse by at most a relative 1e-5.
   std::optional<PrintedUnits> printed{};
+  Spread spring{};             ///< factors between which 1/p varies, besides its tolerance
   bool judges{false};          ///< f and delta are those of a damper that is judged as it is
   std::vector<Part> parts{};   ///< of a catalogue: f and delta are those of one of them
   std::int64_t trade_offs{0};  ///< dampers along the front of stroke and acceleration
@@ -148,6 +154,7 @@ struct SuiteDamper {
   double f{0};
   double delta{0};
   double width{0};  ///< of the notch; 0: that of the paper, or one that lets go
+  double load{1};   ///< what comes with it: from the least part of any load of the task to 1
 
   [[nodiscard]] std::optional<double> notch_width() const {
     return width > 0 ? std::optional(width) : std::nullopt;
@@ -177,6 +184,14 @@ using TaskFigures = std::vector<SuiteFigures>;
 [[nodiscard]] SuiteFigures largest(const TaskFigures& figures);
 
 /// The motion of a damper.
+/// The part of its strongest load that a case has with a damper.
+[[nodiscard]] double load_part(const RecordDesignRequest& request, std::size_t in_case,
+                               const SuiteDamper& damper);
+/// The least of all cases.
+[[nodiscard]] double weakest_load(const RecordDesignRequest& request);
+/// A motion with that part of its load.
+[[nodiscard]] CaseMotion weakened(CaseMotion motion, double part);
+
 [[nodiscard]] SimulationRequest motion_of(const RecordDesignRequest& request,
                                           const SuiteDamper& damper, const CaseMotion& motion);
 
