@@ -26,6 +26,7 @@ constexpr auto faults =
                           {"residual too large", "#eee0c2#d9bd8a#b9935a#8a6636"},
                           {"jump too large", "#ddd3ea#bda9d6#9a80bf#6f529b"},
                           {"passes x = 0 too often", "#d5e3d0#a9c69f#7ba36d#51793f"},
+                          {"takes too long", "#d3dfe3#a3bcc6#7397a6#4a6f7f"},
                           {"never rests, or rests too late", "#8a7a68#8a7a68#8a7a68#8a7a68"}});
 static_assert(faults.size() == design::suite_figure_kinds.size() + 1);
 constexpr std::size_t never = faults.size() - 1;

@@ -25,13 +25,24 @@ AskedTask asked_task(const design::RecordDesignRequest& task) {
                   .residual = limits.residual,
                   .jump_max = limits.jump,
                   .hold = task.hold,
-                  .p_range = task.p,
+                  .p_range = Interval{task.p.low, task.p.high / (1 - task.spring.below)},
                   .tolerance_f = factors(f),
                   .tolerance_delta = factors(delta),
                   .tolerance_width = factors(width),
                   .tolerance_period = factors(period),
                   .notch_width_range = task.width,
                   .tolerance = std::max({f.below, f.above, delta.below, delta.above})};
+  if (const design::LoadCase& only = task.cases.front();
+      task.cases.size() == 1 && !only.of_records()) {
+    const auto range_of = [&](double most) {
+      return only.weakest < 1 ? std::optional(Interval{only.weakest * most, most}) : std::nullopt;
+    };
+    asked.v0 = only.v0;
+    asked.v0_range = only.v0 ? range_of(*only.v0) : std::nullopt;
+    asked.pulse = only.pulse;
+    asked.k_range = only.pulse ? range_of(design::peak_load(*only.pulse)) : std::nullopt;
+    asked.arrivals = static_cast<std::int64_t>(limits.passages.value_or(0)) + 1;
+  }
   if (task.judges && task.parts.empty()) {
     asked.f = task.f->low;
     asked.delta = task.delta->low;
@@ -70,7 +81,7 @@ WorstInBox shown_worst(const design::RecordDesignRequest& task, const design::Su
     return WorstAt{damper, motions[box.in[in_case].at(kind)].name,
                    design::load_part(task, in_case, damper)};
   };
-  return {worst_of(box.worst[in_case]), {at(0), at(1), at(2), {}, at(3)}};
+  return {worst_of(box.worst[in_case]), {at(0), at(1), at(2), at(5), at(3)}};
 }
 
 std::string_view load_type(const design::LoadCase& load_case) {

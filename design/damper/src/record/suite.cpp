@@ -40,7 +40,8 @@ std::span<const Named<SuiteObjective>> enumerators(SuiteObjective) noexcept {
       std::to_array<Named<SuiteObjective>>({{SuiteObjective::acceleration, "acceleration"},
                                             {SuiteObjective::amplitude, "amplitude"},
                                             {SuiteObjective::residual, "residual"},
-                                            {SuiteObjective::robust, "robust"}});
+                                            {SuiteObjective::robust, "robust"},
+                                            {SuiteObjective::time, "time"}});
   return rows;
 }
 
@@ -132,6 +133,7 @@ SuiteFigures suite_figures(const ForcedResponse& response) {
           figures.jump,
           0,
           response.zero_passages.value_or(0),
+          response.stop_time.value_or(0),
           true};
 }
 
@@ -147,10 +149,15 @@ const SuiteFigureKind& minimised(const RecordDesignRequest& request) {
 }
 
 SuiteFigures worse(const SuiteFigures& one, const SuiteFigures& other) {
-  return {std::max(one.peak, other.peak),         std::max(one.acceleration, other.acceleration),
-          std::max(one.residual, other.residual), std::min(one.margin, other.margin),
-          std::max(one.jump, other.jump),         std::max(one.late, other.late),
-          std::max(one.passages, other.passages), one.settled && other.settled};
+  return {std::max(one.peak, other.peak),
+          std::max(one.acceleration, other.acceleration),
+          std::max(one.residual, other.residual),
+          std::min(one.margin, other.margin),
+          std::max(one.jump, other.jump),
+          std::max(one.late, other.late),
+          std::max(one.passages, other.passages),
+          std::max(one.stop_time, other.stop_time),
+          one.settled && other.settled};
 }
 
 TaskFigures worse(const TaskFigures& one, const TaskFigures& other) {
@@ -267,6 +274,7 @@ void Suite::add(SuiteFigures& all, const SuiteFigures& one) const {
   add(all.residual, one.residual);
   add(all.jump, one.jump);
   all.passages = std::max(all.passages, one.passages);
+  all.stop_time = std::max(all.stop_time, one.stop_time);
   all.margin = std::min(all.margin, one.margin);
   all.late = std::max(all.late, one.late);
   all.settled = all.settled && one.settled;

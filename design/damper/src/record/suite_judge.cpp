@@ -2,7 +2,6 @@
 #include "record/suite_judge.hpp"
 
 #include "ranking.hpp"
-#include "record/suite_tolerance.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -38,12 +37,16 @@ bool keeps_bounds(RecordDesignRequest task, const SuiteDamper& damper) {
   return std::ranges::all_of(constraints_on(task, damper), &Constraint::satisfied);
 }
 
+/// Of a damper that is admissible itself: halved to where a few of its box hold, then made smaller
+/// until many do.
 std::optional<double> largest_tolerance(const Suites& suite, RecordDesignRequest task,
                                         const SuiteDamper& damper, SuiteWatch& watch) {
   if (task.tolerance.exact()) {
     task.tolerance.f = task.tolerance.delta = usual_shape;
   }
   constexpr double whole = 0.95;  // no part is off by all of itself
+  constexpr int halvings = 12;
+  constexpr double shrinkage = 0.99;
   const SuiteTolerance& of = task.tolerance;
   const double below =
       std::max({of.f.below, of.f.above, of.delta.below, of.width.below, of.period.below});
@@ -51,9 +54,21 @@ std::optional<double> largest_tolerance(const Suites& suite, RecordDesignRequest
   if (below == 0 || most == 0) {
     return std::nullopt;
   }
-  const auto box =
-      largest_box(suite, task, frictions_of(damper), {0, whole / below}, nullptr, watch);
-  return box ? std::optional(box->scale * most) : std::optional(0.0);
+  const auto holds = [&](double scale, bool brief) {
+    const SuiteSpace space(task, frictions_of(damper), scale);
+    SuiteSearch search(suite, task, space, {nullptr, {}, limits_of(task)}, watch, brief);
+    return space.possible() && admissible(search.tried(damper).box.worst, limits_of(task));
+  };
+  double low = 0;
+  double high = whole / below;
+  for (int i = 0; i < halvings && !watch.stopped(); ++i) {
+    const double middle = (low + high) / 2;
+    (holds(middle, true) ? low : high) = middle;
+  }
+  while (low > 0 && !watch.stopped() && !holds(low, false)) {
+    low *= shrinkage;
+  }
+  return low * most;
 }
 
 }  // namespace

@@ -166,7 +166,8 @@ void require_valid(const LoadCase& load_case, const RecordDesignRequest& request
 }  // namespace
 
 bool counts_the_notch(const RecordDesignRequest& request) {
-  return !asks_for_acceleration(request) || request.width || limits_jumps(request);
+  return !asks_for_acceleration(request) || request.width || limits_jumps(request) ||
+         std::ranges::none_of(request.cases, &LoadCase::of_records);
 }
 
 void require_valid(const RecordDesignRequest& request) {
@@ -184,6 +185,12 @@ void require_valid(const RecordDesignRequest& request) {
   require_spread("spring", request.spring);
   if (request.objective == SuiteObjective::robust) {
     require_growth(request);
+  }
+  if (request.objective == SuiteObjective::time &&
+      std::ranges::any_of(request.cases, &LoadCase::of_records)) {
+    throw InputError("objective", "time",
+                     "is for hits and pulses: under records the mass rests somewhere when the "
+                     "record ends, and its residual counts");
   }
   if (request.width) {
     require_range("notch-width", *request.width, 1e-150, 1e150);

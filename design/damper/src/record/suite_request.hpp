@@ -8,8 +8,8 @@ namespace stillpoint::design {
 /// Throws InputError.
 void require_valid(const RecordDesignRequest& request);
 
-/// Whether what is asked sees what a notch does to the mass: an acceleration needs a width, or a
-/// limit of the jumps.
+/// Whether what is asked sees what a notch does to the mass: under records an acceleration needs a
+/// width, or a limit of the jumps; after hits and pulses it is the one outside the notch.
 [[nodiscard]] bool counts_the_notch(const RecordDesignRequest& request);
 
 /// A valid request with the ranges and the combination that it leaves open. Throws InputError.

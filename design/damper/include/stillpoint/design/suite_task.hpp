@@ -27,7 +27,7 @@ namespace stillpoint::design {
 
 /// What to minimise over the box of the tolerance: the transmitted acceleration, the largest
 /// displacement, the residual one. Or the box to be the largest within the limits.
-enum class SuiteObjective { acceleration, amplitude, residual, robust };
+enum class SuiteObjective { acceleration, amplitude, residual, robust, time };
 
 /// "acceleration", "amplitude", "residual" or "robust".
 [[nodiscard]] std::span<const Named<SuiteObjective>> enumerators(SuiteObjective) noexcept;
@@ -55,6 +55,7 @@ struct SuiteLimits {
   std::optional<double> residual{};      ///< >= 0
   std::optional<double> jump{};          ///< of the velocity at a notch without width; >= 0
   std::optional<double> passages{};      ///< of x = 0, after which the motion goes on
+  std::optional<double> stop_time{};     ///< of hits and pulses; > 0
   std::optional<double> late{};          ///< periods from the end of a load to the rest under it
 };
 
@@ -170,6 +171,7 @@ struct SuiteFigures {
   double jump{0};          ///< largest of the velocity at a notch without width
   double late{0};          ///< periods from the end of a load to its rest; always the most
   double passages{0};      ///< of x = 0, after which the motion goes on
+  double stop_time{0};     ///< the latest of hits and pulses
   /// False: a motion never rests, or not within 10 000 half-cycles. Then the figures have no
   /// meaning.
   bool settled{true};
@@ -221,7 +223,9 @@ inline constexpr auto suite_figure_kinds = std::to_array<SuiteFigureKind>(
      {std::nullopt, &SuiteFigures::jump, &SuiteLimits::jump, "jump_max", "jump", "jump",
       "jump of velocity", records::Dimension::velocity},
      {std::nullopt, &SuiteFigures::passages, &SuiteLimits::passages, "arrivals", "stop", "passages",
-      "number of passages", records::Dimension::none}});
+      "number of passages", records::Dimension::none},
+     {SuiteObjective::time, &SuiteFigures::stop_time, &SuiteLimits::stop_time, "stop_time",
+      "stop_time", "stop_time", "time to rest", records::Dimension::time}});
 
 /// Where each figure of a case is the largest, as suite_figure_kinds.
 using WorstDampers = std::array<SuiteDamper, suite_figure_kinds.size()>;

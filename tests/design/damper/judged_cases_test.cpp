@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+#include "record/suite.hpp"
+#include "record/suite_served.hpp"
+#include "suites_of_records.hpp"
+
+BOOST_AUTO_TEST_SUITE(judged_cases_test)
+
+// A given damper in load cases, the parts of a catalogue, the front, and what a damper works for.
+
+using namespace stillpoint::design_test;
+
+/// Of the tolerance of a damper, absolute, that samples of its box may miss.
+constexpr double of_tolerance = 2e-3;
+/// Of the end of an interval, relative: a millionth of a step of one per cent.
+constexpr double of_end = 1e-7;
+
+RecordDesignRequest judge(RecordDesignRequest request, double f, double delta) {
+  request.f = Interval{f, f};
+  request.delta = Interval{delta, delta};
+  request.judges = true;
+  return request;
+}
+
+bool keeps(const RecordDesignRequest& request, const SuiteDamper& damper) {
+  return admissible(figures_of(request, damper), limits_of(request));
+}
+
+RecordDesignRequest completed_records() {
+  RecordDesignRequest request = short_records();
+  request.cases.front().combine = Combine::max;
+  return request;
+}
+
+BOOST_AUTO_TEST_CASE(without_a_tolerance_a_damper_is_judged_by_its_own_figures) {
+  RandomSource random(3910);
+  RecordDesignRequest request = completed_records();
+  request.tolerance = {{}, {}, {}, {}};
+  request.width = Interval{0.05, 0.05};
+  int admitted = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double f = random.uniform(0, 0.4);
+    const double delta = i % 4 == 0 ? 0 : random.uniform(0, 0.1);
+    const RecordDesign judged = design::design(judge(request, f, delta));
+    BOOST_REQUIRE(judged.finding.has_value());
+    const bool kept = keeps(request, {1, f, delta, delta > 0 ? 0.05 : 0});
+    BOOST_TEST(judged.finding->admissible == kept, "f = " << f << ", delta = " << delta);
+    BOOST_TEST(judged.finding->works_for.has_value() == kept);
+    BOOST_TEST(judged.largest_tolerance.has_value() == kept);
+    admitted += kept;
+  }
+  BOOST_TEST(admitted > 20);
+  BOOST_TEST(admitted < 180);
+}
+
+BOOST_AUTO_TEST_CASE(what_can_be_manufactured_holds_for_the_whole_box) {
+  RecordDesignRequest request = judge(completed_records(), 0.2, 0);
+  request.cases.front().limits = {.peak = 10};
+  for (const auto& [most, admissible] : {std::pair(0.23, true), std::pair(0.21, false)}) {
+    request.f_max = most;
+    const RecordDesign judged = design::design(request);
+    BOOST_REQUIRE(judged.finding.has_value());
+    BOOST_TEST(judged.finding->admissible == admissible);
+    BOOST_TEST(judged.constraints.back().name == "f_max");
+    BOOST_TEST(judged.constraints.back().value == 0.2 * 1.1);
+    BOOST_TEST(judged.largest_tolerance.value() <= most / 0.2 - 1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_hit_that_the_notch_takes_whole_is_told) {
+  RecordDesignRequest request{
+      .cases = {{.name = "hit", .v0 = 1, .limits = {.peak = 1, .residual = 0, .passages = 0}}}};
+  request.tolerance = {{}, {}, {}, {}};
+  for (const auto& [delta, admissible] : {std::pair(0.49, true), std::pair(0.51, false)}) {
+    const RecordDesign judged = design::design(judge(request, 0.2, delta));
+    BOOST_REQUIRE(judged.finding.has_value());
+    BOOST_TEST(judged.finding->admissible == admissible);
+    BOOST_TEST(judged.constraints.back().name == "start");
+    BOOST_TEST(judged.constraints.back().satisfied == admissible);
+  }
+}
+
+// The engine of hits knows the tolerance of any damper over ranges by its corners.
+BOOST_AUTO_TEST_CASE(a_damper_has_the_tolerance_that_the_engine_of_hits_proves) {
+  RandomSource random(3911);
+  int met = 0;
+  for (int i = 0; i < 60; ++i) {
+    const double weakest = i % 3 == 0 ? 1 : random.uniform(0.7, 1);
+    const double stiffest = i % 2 == 0 ? 1 : random.uniform(1, 1.15);
+    const double beta = random.uniform(0.85, 1.2);
+    const Problem problem{.beta = beta,
+                          .criterion = Criterion::exact,
+                          .v0_low = weakest < 1 ? std::optional(weakest) : std::nullopt,
+                          .p_high = stiffest > 1 ? std::optional(stiffest) : std::nullopt};
+    const double f = random.uniform(0.15, 0.35);
+    const double delta = random.uniform(0.1, 0.45);
+    const std::optional<double> known = largest_tolerance(problem, {}, f, delta);
+    RecordDesignRequest request{.cases = {{.name = "hit",
+                                           .v0 = 1,
+                                           .weakest = weakest,
+                                           .limits = {.peak = beta, .residual = 0, .passages = 0}}},
+                                .spring = {1 - 1 / stiffest, 0}};
+    request.tolerance = {{}, {}, {}, {}};
+    const RecordDesign judged = design::design(judge(request, f, delta));
+    BOOST_REQUIRE(judged.finding.has_value());
+    BOOST_TEST_CONTEXT("f = " << f << ", delta = " << delta << ", beta = " << beta << ", v0 from "
+                              << weakest << ", p to " << stiffest) {
+      BOOST_TEST(judged.finding->admissible == known.has_value());
+      if (known && judged.largest_tolerance) {
+        BOOST_TEST(std::abs(*judged.largest_tolerance - std::min(*known, 0.95)) <= of_tolerance);
+        ++met;
+      }
+    }
+  }
+  BOOST_TEST(met > 15);
+}
+
+BOOST_AUTO_TEST_CASE(a_damper_works_up_to_the_ends_and_no_farther) {
+  RandomSource random(3912);
+  int ended = 0;
+  for (int i = 0; i < 40; ++i) {
+    RecordDesignRequest request = completed_records();
+    request.cases.front().limits = {.peak = random.uniform(0.2, 0.6),
+                                    .residual = random.uniform(0.01, 0.1)};
+    const SuiteDamper damper{1, random.uniform(0.1, 0.3), 0.02, 0.05};
+    const auto served = works_for(request, damper);
+    BOOST_TEST(served.has_value() == keeps(request, damper));
+    if (!served) {
+      continue;
+    }
+    const auto under = [&](double factor) {
+      RecordDesignRequest scaled = request;
+      for (SuiteRecord& record : scaled.cases.front().records) {
+        record.scale *= factor;
+      }
+      return keeps(scaled, damper);
+    };
+    const auto on = [&](double p) {
+      return keeps(request, {p, damper.f, damper.delta, damper.width});
+    };
+    BOOST_TEST_CONTEXT("damper " << i << ", f = " << damper.f) {
+      BOOST_TEST((served->load == ServedLoad::scale));
+      for (const auto& [ends, holds, most] :
+           {std::tuple(served->hit, std::function<bool(double)>(under), 10.0),
+            std::tuple(served->p, std::function<bool(double)>(on), 2.0)}) {
+        BOOST_TEST(holds(ends.low * (1 + 1e-12)));
+        BOOST_TEST(holds(*ends.high * (1 - 1e-12)));
+        if (*ends.high < most) {
+          BOOST_TEST(!holds(*ends.high * (1 + of_end)));
+          ++ended;
+        }
+      }
+    }
+  }
+  BOOST_TEST(ended > 10);
+}
+
+BOOST_AUTO_TEST_CASE(the_best_part_is_the_best_of_those_judged_by_themselves) {
+  RandomSource random(3913);
+  RecordDesignRequest request = short_records();
+  request.cases.front().limits.peak = 0.1;
+  request.width = Interval{0.05, 0.05};
+  for (int i = 0; i < 12; ++i) {
+    request.parts.push_back(
+        {std::to_string(i), random.uniform(0.005, 0.3), random.uniform(0, 0.008)});
+  }
+  const RecordDesign chosen = design::design(request);
+  BOOST_REQUIRE(chosen.parts.size() == 12U);
+  BOOST_REQUIRE(chosen.finding.has_value());
+  BOOST_TEST(chosen.finding->part == chosen.parts.front().part.name);
+  double before = 0;
+  std::size_t fit = 0;
+  for (const RatedPart& rated : chosen.parts) {
+    RecordDesignRequest alone = judge(request, rated.part.f, rated.part.delta);
+    alone.parts.clear();
+    const RecordDesign judged = design::design(alone);
+    BOOST_TEST(rated.admissible == (judged.finding && judged.finding->admissible));
+    BOOST_TEST(rated.admissible == rated.violated.empty());
+    if (rated.admissible) {
+      const double felt = largest(judged.finding->box.worst).acceleration;
+      BOOST_TEST(felt >= before);
+      before = felt;
+      ++fit;
+    }
+  }
+  BOOST_TEST(fit > 0U);
+  BOOST_TEST(fit < 12U);
+}
+
+BOOST_AUTO_TEST_CASE(no_damper_of_a_front_is_better_in_both) {
+  RecordDesignRequest request = short_records();
+  request.scan_points = 900;
+  request.width = Interval{0.05, 0.05};
+  request.trade_offs = 6;
+  const RecordDesign found = design::design(request);
+  const std::vector<SuitePoint>& front = found.trade_off;
+  BOOST_REQUIRE(front.size() >= 3U);
+  BOOST_REQUIRE(front.size() <= 6U);
+  for (std::size_t i = 0; i < front.size(); ++i) {
+    BOOST_TEST(admissible(front[i].figures, limits_of(found.request)));
+    BOOST_TEST(keeps(found.request, front[i].damper));
+    if (i > 0) {
+      const SuiteFigures one = largest(front[i - 1].figures);
+      const SuiteFigures other = largest(front[i].figures);
+      BOOST_TEST(one.peak < other.peak);
+      BOOST_TEST(one.acceleration > other.acceleration);
+    }
+  }
+  constexpr double about = 0.01;  // the front is looked for briefly
+  BOOST_TEST(largest(front.back().figures).acceleration <=
+             (1 + about) * largest(found.finding->box.worst).acceleration);
+}
+
+BOOST_AUTO_TEST_CASE(the_least_time_to_rest_is_that_of_the_design_for_the_hit) {
+  const Problem problem{.beta = 0.9, .criterion = Criterion::exact};
+  const DesignResult known =
+      design::design(DesignRequest{.problem = problem, .search = {.objective = Objective::time}});
+  RecordDesignRequest request{
+      .cases = {{.name = "hit", .v0 = 1, .limits = {.peak = 0.9, .residual = 0, .passages = 0}}},
+      .objective = SuiteObjective::time};
+  request.tolerance = {{}, {}, {}, {}};
+  const RecordDesign found = design::design(request);
+  BOOST_REQUIRE(found.finding.has_value());
+  constexpr double about = 2e-3;  // it is on an edge, from which this search keeps away
+  BOOST_TEST(
+      std::abs(found.finding->point.figures.front().stop_time / *known.finding->response.stop_time -
+               1) <= about);
+  request.cases.push_back(short_records().cases.front());
+  BOOST_CHECK_THROW(static_cast<void>(design::design(request)), InputError);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
