@@ -15,7 +15,7 @@ std::optional<design::LoadReach> load_of(const Settings& settings, Command comma
       settings.has("pulse") && find_option("pulse")->serves(command) && command != Command::sweep;
   const bool shaken = excitation_type(settings).has_value() &&
                       (command == Command::simulate || command == Command::accuracy);
-  if ((!pulsed && !shaken) || !is_physical(settings, command)) {
+  if ((!pulsed && !shaken) || !is_physical(settings, command) || settings.has("search-period")) {
     return std::nullopt;
   }
   const MotionInput motion = motion_input(settings, command, true);

@@ -98,8 +98,8 @@ BOOST_FIXTURE_TEST_CASE(wrong_cases_are_refused, Cases) {
   refused(list({with(pulse, {{"pulse_duration", "0.2s:0.3s"}})}),
           {"pulse-duration in case pulse", "a case for each"});
   refused(list({with(shaken, {{"record", "none.txt"}})}), {"none.txt", "cannot be read"});
-  refused(list({with(service, {{"velocity", "0.1m/s:0.2m/s"}})}),
-          {"velocity in case service", "one"});
+  refused(list({with(service, {{"velocity", "0.01mm/s:0.2m/s"}})}),
+          {"velocity in case service", "must begin at 0"});
   refused(list({with(service, {{"k", 0.1}})}), {"case service", "k means nothing with velocity"});
   refused(list({with(shaken, {{"arrivals", 2}})}), {"arrivals means nothing with record"});
   refused(list({with(pulse, {{"velocity", "0.1m/s"}})}), {"case pulse", "cannot be combined"});

@@ -206,7 +206,11 @@ double part_of(double load, double own_weakest, double weakest) {
 }  // namespace
 
 double weakest_load(const RecordDesignRequest& request) {
-  return std::max(least_weakest, std::ranges::min(request.cases, {}, &LoadCase::weakest).weakest);
+  double least = 1;
+  for (const LoadCase& each : request.cases) {
+    least = std::min(least, each.weakest);
+  }
+  return std::max(least_weakest, least);
 }
 
 double load_part(const RecordDesignRequest& request, std::size_t in_case,
