@@ -77,6 +77,7 @@ void require_one_load(const Settings& settings) {
 Settings completed(Settings own, const Settings& common) {
   Settings rest = common;
   rest.drop("cases");
+  rest.drop("objective-case");
   const bool has_load = own.first(is_load) != nullptr;
   const bool of_records =
       own.first([](const Option& option) { return option.names_records(); }) != nullptr;
