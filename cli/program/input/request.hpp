@@ -33,16 +33,16 @@ namespace stillpoint::cli {
 }
 
 /// Each throws UsageError for something missing or contradictory and InputError for a wrong value.
-[[nodiscard]] answers::DesignTask design_input(const Settings& settings);
-[[nodiscard]] answers::RegionTask region_input(const Settings& settings);
+[[nodiscard]] answers::DesignTask design_input(const Settings& asked);
+[[nodiscard]] answers::RegionTask region_input(const Settings& asked);
 [[nodiscard]] sweep::CatalogueUnits units_of_parts(
     double p, const std::optional<design::PhysicalInput>& physical);
 /// The parts of --catalogue, in these units. Throws records::FileError for a wrong file.
 [[nodiscard]] std::vector<design::Part> catalogue_input(const Settings& settings,
                                                         sweep::CatalogueUnits units);
 /// The question; the answer in these two is empty.
-[[nodiscard]] report::MotionReport simulate_input(const Settings& settings);
-[[nodiscard]] report::SpectrumReport spectrum_input(const Settings& settings);
+[[nodiscard]] report::MotionReport simulate_input(const Settings& given);
+[[nodiscard]] report::SpectrumReport spectrum_input(const Settings& given);
 /// With a trajectory if samples or an end ask for one, where no file is named.
 [[nodiscard]] Settings traced(Settings settings);
 /// With the answer, of traced settings. `go_on` may end the run.
@@ -55,8 +55,7 @@ namespace stillpoint::cli {
 
 /// The request of `design`, or of `region` for a damper to judge, and what a report needs besides.
 /// Throws UsageError, InputError and FileError.
-[[nodiscard]] report::RecordDesignInput record_design_input(const Settings& settings,
-                                                            Command command);
+[[nodiscard]] report::RecordDesignInput record_design_input(const Settings& given, Command command);
 
 /// Throws UsageError for an option that only the other kind of design takes.
 void require_options_for(const Settings& settings, DesignFor design);
@@ -65,7 +64,7 @@ void require_options_for(const Settings& settings, DesignFor design);
 /// What is already resolved stays as it is. Throws InputError.
 void resolve_part(Settings& settings);
 /// Opens the list and reads its header, or for a part all of it. The part must be resolved.
-[[nodiscard]] sweep::SweepSpec sweep_request(const Settings& settings);
+[[nodiscard]] sweep::SweepSpec sweep_request(const Settings& given);
 /// Of a tolerance that is given as R or as factors LOW:HIGH. Throws InputError.
 [[nodiscard]] std::optional<design::Spread> spread(const Settings& settings, const char* name);
 /// --tolerance of a design for a hit as a number; 0 where factors shape the box.
