@@ -62,7 +62,7 @@ BOOST_FIXTURE_TEST_CASE(friction_is_given_as_a_force, Sandbox) {
   const std::string hit = " --velocity 0.4 --period 2.8 --mass 1t --gravity 10 ";
   const auto same = [&](const std::string& command, const std::string& force,
                         const std::string& f) {
-    const std::string expected = succeed((command + hit + f).c_str()).out;
+    std::string expected = succeed((command + hit + f).c_str()).out;
     BOOST_TEST(succeed((command + hit + force).c_str()).out == expected, command << " " << force);
     return expected;
   };
