@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
 #include "figures/drawing.hpp"
+#include "figures/report_figures.hpp"
 
 #include <array>
 #include <iterator>
@@ -78,6 +79,24 @@ std::vector<Figure> trade_off_figures(const std::vector<design::TradeOff>& front
       "without being worse in another",
       "inside a notch the acceleration is f + Δ/w + spring"};
   return {std::move(acceleration), std::move(tolerance)};
+}
+
+Figure front_figure(const design::RecordDesign& result, const FigureUnits& units) {
+  const auto traded = [](const design::TaskFigures& figures) {
+    const design::SuiteFigures worst = largest(figures);
+    return design::TradeOff{{}, worst.peak, worst.acceleration};
+  };
+  std::vector<design::TradeOff> front;
+  for (auto point = result.trade_off.rbegin(); point != result.trade_off.rend(); ++point) {
+    front.push_back(traded(point->figures));
+  }
+  Figure figure =
+      over_stroke({"trade-off", "Trade-off of stroke and acceleration",
+                   "The least transmitted acceleration for each stroke, and the design."},
+                  front, traded(result.nearest.figures), units, "acceleration, g", Ink::orange,
+                  [](const design::TradeOff& now) { return now.transmitted; });
+  figure.clauses = {"Each point is the worst within the tolerance of its damper"};
+  return figure;
 }
 
 }  // namespace stillpoint::report

@@ -82,6 +82,9 @@ std::vector<Figure> drawings(const RecordDesignReport& report) {
   if (!result.finding) {
     return figures;
   }
+  if (result.trade_off.size() > 1) {
+    figures.push_back(front_figure(result, units));
+  }
   const std::vector<design::LoadCase>& cases = result.request.cases;
   for (std::size_t in_case = 0; in_case < cases.size(); ++in_case) {
     const std::size_t worst = worst_motion(result, in_case);
