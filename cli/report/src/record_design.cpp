@@ -263,8 +263,10 @@ Document document(const RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;
   const Physical& physical = report.physical;
   const bool good = result.finding && result.finding->admissible;
-  Document document = answered(report.of_region ? "Given damper" : "Damper design", report,
-                               good ? Tone::good : Tone::bad);
+  Document document = answered(!report.of_region           ? "Damper design"
+                               : report.parts_file.empty() ? "Given damper"
+                                                           : "Given parts",
+                               report, good ? Tone::good : Tone::bad);
   if (result.finding) {
     add_answer(document.answer, report);
     if (result.request.cases.size() > 1) {

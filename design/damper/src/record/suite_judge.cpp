@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <string_view>
 
@@ -119,7 +120,12 @@ std::optional<ChosenBox> best_part(const Suites& suite, RecordDesign& result, Su
     });
     return boxes[static_cast<std::size_t>(found - all.begin())];
   };
+  constexpr std::int64_t about_a_part = 9'000;
+  watch.expect(about_a_part * std::ssize(task.parts));
   for (const Part& part : task.parts) {
+    if (watch.stopped() && !all.empty()) {
+      break;
+    }
     require_valid(part, task.p.high);
     RecordDesign one;
     one.request = task;
