@@ -33,6 +33,10 @@ void require_valid(const std::vector<SuiteRecord>& records);
 /// Of valid records.
 [[nodiscard]] std::vector<Excitation> scaled_loads(const std::vector<SuiteRecord>& records);
 
+/// The part of the load of a case whose least is `own_weakest`, where `load` is that of a task
+/// whose least is `weakest`.
+[[nodiscard]] double load_part(double load, double own_weakest, double weakest);
+
 /// The motions of one case, and the figures of a damper in them.
 class Suite {
  public:

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "record/suite.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/names.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <variant>
+
+namespace stillpoint::design {
+
+std::span<const Named<SuiteObjective>> enumerators(SuiteObjective) noexcept {
+  static constexpr auto rows =
+      std::to_array<Named<SuiteObjective>>({{SuiteObjective::acceleration, "acceleration"},
+                                            {SuiteObjective::amplitude, "amplitude"},
+                                            {SuiteObjective::residual, "residual"},
+                                            {SuiteObjective::robust, "robust"},
+                                            {SuiteObjective::time, "time"}});
+  return rows;
+}
+
+std::span<const Named<Combine>> enumerators(Combine) noexcept {
+  static constexpr auto rows =
+      std::to_array<Named<Combine>>({{Combine::max, "max"}, {Combine::mean, "mean"}});
+  return rows;
+}
+
+double peak_load(const SuiteRecord& record) {
+  return std::abs(record.scale) * records::peak_acceleration(record.record);
+}
+
+double peak_load(const std::vector<SuiteRecord>& records) {
+  double most = 0;
+  for (const SuiteRecord& record : records) {
+    most = std::max(most, peak_load(record));
+  }
+  return most;
+}
+
+std::string suite_words(Combine combine, std::size_t count) {
+  return count == 1
+             ? "Under the record"
+             : fmt::format("{} of {} records", combine == Combine::max ? "Largest" : "Mean", count);
+}
+
+Record scaled(const SuiteRecord& record) {
+  Record load = record.record;
+  for (double& value : load.values) {
+    value *= record.scale;
+  }
+  return load;
+}
+
+std::vector<CaseMotion> motions_of(const LoadCase& load_case) {
+  std::vector<CaseMotion> list;
+  for (const SuiteRecord& record : load_case.records) {
+    list.push_back({record.name, record.scale, {}, {}, scaled(record)});
+  }
+  if (load_case.pulse) {
+    list.push_back({std::string(name(*load_case.pulse)),
+                    1,
+                    {},
+                    load_case.pulse,
+                    excitation(*load_case.pulse)});
+  } else if (load_case.v0) {
+    list.push_back({"hit", 1, {0, *load_case.v0}, {}, NoExcitation{}});
+  }
+  return list;
+}
+
+double peak_load(const Excitation& load) {
+  return std::visit(
+      []<class Kind>(const Kind& kind) {
+        if constexpr (std::is_same_v<Kind, Record>) {
+          return records::peak_acceleration(kind);
+        } else if constexpr (std::is_same_v<Kind, NoExcitation>) {
+          return 0.0;
+        } else {
+          return std::abs(kind.k);
+        }
+      },
+      load);
+}
+
+double peak_load(const LoadCase& load_case, double p) {
+  return load_case.pulse ? peak_load(*load_case.pulse)
+         : load_case.v0  ? p * *load_case.v0
+                         : peak_load(load_case.records);
+}
+
+SimulationRequest motion_of(const RecordDesignRequest& request, const SuiteDamper& damper,
+                            const CaseMotion& motion) {
+  SimulationRequest simulation;
+  simulation.oscillator = {damper.p, damper.f, damper.delta, request.hold};
+  simulation.start = motion.start;
+  simulation.surface.notch_width = damper.delta > 0 ? damper.notch_width() : std::nullopt;
+  simulation.excitation = motion.load;
+  return simulation;
+}
+
+void require_valid(const std::vector<SuiteRecord>& records) {
+  if (records.empty()) {
+    throw InputError::missing("records", "give at least one");
+  }
+  for (const SuiteRecord& record : records) {
+    require_within("scale", std::abs(record.scale), smallest_speed, largest_speed);
+    require_valid(Excitation(record.record));
+  }
+}
+
+std::vector<Excitation> scaled_loads(const std::vector<SuiteRecord>& records) {
+  std::vector<Excitation> loads;
+  loads.reserve(records.size());
+  for (const SuiteRecord& record : records) {
+    loads.emplace_back(scaled(record));
+  }
+  return loads;
+}
+
+double load_part(double load, double own_weakest, double weakest) {
+  return weakest < 1 ? 1 - (1 - load) * (1 - own_weakest) / (1 - weakest) : 1;
+}
+
+double weakest_load(const RecordDesignRequest& request) {
+  double least = 1;
+  for (const LoadCase& each : request.cases) {
+    least = std::min(least, each.weakest);
+  }
+  return std::max(least_weakest, least);
+}
+
+double load_part(const RecordDesignRequest& request, std::size_t in_case,
+                 const SuiteDamper& damper) {
+  return load_part(damper.load, std::max(least_weakest, request.cases[in_case].weakest),
+                   weakest_load(request));
+}
+
+CaseMotion weakened(CaseMotion motion, double part) {
+  motion.start.v0 *= part;
+  std::visit(
+      [part]<class Kind>(Kind& kind) {
+        if constexpr (requires { kind.k; }) {
+          kind.k *= part;
+        }
+      },
+      motion.load);
+  return motion;
+}
+
+}  // namespace stillpoint::design

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "record/suite.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// For a damper that never rests: worse than any that does.
+constexpr double never_rests = 1e9;
+
+}  // namespace
+
+SuiteFigures suite_figures(const ForcedResponse& response) {
+  const Figures figures = figures_of(response);
+  return {figures.peak,
+          figures.acceleration,
+          figures.residual.value(),
+          response.decision_margin.value_or(1),
+          figures.jump,
+          0,
+          response.zero_passages.value_or(0),
+          response.stop_time.value_or(0),
+          true};
+}
+
+const SuiteFigureKind& minimised(const RecordDesignRequest& request) {
+  const auto* const found = std::ranges::find_if(suite_figure_kinds, [&](const auto& kind) {
+    return request.objective == SuiteObjective::robust
+               ? std::ranges::any_of(
+                     request.cases,
+                     [&](const LoadCase& each) { return (each.limits.*kind.limit).has_value(); })
+               : kind.objective == request.objective;
+  });
+  return *found;
+}
+
+SuiteFigures worse(const SuiteFigures& one, const SuiteFigures& other) {
+  return {std::max(one.peak, other.peak),
+          std::max(one.acceleration, other.acceleration),
+          std::max(one.residual, other.residual),
+          std::min(one.margin, other.margin),
+          std::max(one.jump, other.jump),
+          std::max(one.late, other.late),
+          std::max(one.passages, other.passages),
+          std::max(one.stop_time, other.stop_time),
+          one.settled && other.settled};
+}
+
+TaskFigures worse(const TaskFigures& one, const TaskFigures& other) {
+  const bool longer = one.size() >= other.size();
+  TaskFigures all = longer ? one : other;
+  for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i) {
+    all[i] = worse(one[i], other[i]);
+  }
+  return all;
+}
+
+SuiteFigures largest(const TaskFigures& figures) {
+  return std::accumulate(figures.begin(), figures.end(), SuiteFigures(),
+                         [](const SuiteFigures& a, const SuiteFigures& b) { return worse(a, b); });
+}
+
+bool settled(const TaskFigures& figures) {
+  return !figures.empty() && std::ranges::all_of(figures, &SuiteFigures::settled);
+}
+
+SuiteDamper relative_to(const SuiteDamper& damper, double factor) {
+  return {damper.p, damper.f / factor, damper.delta / (factor * factor), damper.width / factor,
+          damper.load};
+}
+
+SuiteFigures times(SuiteFigures figures, double factor) {
+  for (double* const figure :
+       {&figures.peak, &figures.acceleration, &figures.residual, &figures.jump}) {
+    *figure *= factor;
+  }
+  return figures;
+}
+
+std::vector<SuiteLimits> limits_of(const RecordDesignRequest& request) {
+  std::vector<SuiteLimits> list;
+  for (const LoadCase& each : request.cases) {
+    list.push_back(each.limits);
+  }
+  return list;
+}
+
+double excess(const SuiteFigures& figures, const SuiteLimits& limits) {
+  if (!figures.settled) {
+    return never_rests;
+  }
+  double off = 0;
+  for (const SuiteFigureKind& kind : suite_figure_kinds) {
+    const std::optional<double>& limit = limits.*kind.limit;
+    const double value = figures.*kind.value;
+    if (limit && value > *limit) {
+      off += (value - *limit) / (*limit > 0                             ? *limit
+                                 : kind.limit == &SuiteLimits::passages ? 1
+                                                                        : figures.peak);
+    }
+  }
+  if (limits.late && figures.late > *limits.late) {
+    off += figures.late / *limits.late - 1;
+  }
+  return std::min(off, never_rests);
+}
+
+double excess(const TaskFigures& figures, const std::vector<SuiteLimits>& limits) {
+  double off = 0;
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    off += excess(figures[i], limits[i]);
+  }
+  return std::min(off, never_rests);
+}
+
+double use(const TaskFigures& figures, const std::vector<SuiteLimits>& limits) {
+  double most = 0;
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    for (const SuiteFigureKind& kind : suite_figure_kinds) {
+      const std::optional<double>& limit = limits[i].*kind.limit;
+      if (limit && *limit > 0) {
+        most = std::max(most, figures[i].*kind.value / *limit);
+      }
+    }
+  }
+  return most;
+}
+
+double SuiteGoal::value(const TaskFigures& figures) const {
+  if (figure == nullptr) {
+    return use(figures, limits);
+  }
+  double most = 0;
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    most = in_case.value_or(i) == i ? std::max(most, figures[i].*figure) : most;
+  }
+  return most;
+}
+
+SuiteRank rank(const TaskFigures& figures, const SuiteGoal& goal) {
+  if (!figures.empty() && !settled(figures)) {
+    return {never_rests, 0, 0};
+  }
+  return {excess(figures, goal.limits), goal.value(figures), largest(figures).peak};
+}
+
+bool admissible(const TaskFigures& figures, const std::vector<SuiteLimits>& limits) {
+  return excess(figures, limits) == 0;
+}
+
+}  // namespace stillpoint::design
