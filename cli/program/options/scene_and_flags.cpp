@@ -69,6 +69,15 @@ void follow_pulse(Settings& scene) {
   }
 }
 
+/// A scene's notch that will be built is for its design: the region of a hit is of the paper's.
+void drop_built_notch(const Settings& flags, Settings& settings) {
+  const Option* const notch = settings.given(Rivals::notch);
+  if (notch != nullptr && !flags.has(notch->name) && !settings.has("cases") &&
+      !asks_for_records(settings)) {
+    settings.drop(notch->name);
+  }
+}
+
 }  // namespace
 
 Settings scene_and_flags(Command command, const Settings& flags, Settings& scene) {
@@ -90,6 +99,9 @@ Settings scene_and_flags(Command command, const Settings& flags, Settings& scene
   settings.complete_with(scene);
   if (command == Command::design || command == Command::region) {
     keep_one_design(flags, settings);
+  }
+  if (command == Command::region) {
+    drop_built_notch(flags, settings);
   }
   return settings;
 }

@@ -213,7 +213,7 @@ test("what the program says of the damper, the page says too", () =>
       [`${isolator}&notch-width-m=2cm`, /^Build a friction force of .* 20 mm wide /],
       [`${isolator}&objective=amplitude`, /^The damper found has a friction force of /],
       [`${plain}&objective=time`, /^The damper found has f = /],
-      ["v0=1&p=1&beta=3&objective=acceleration", /^Build as little constant friction /],
+      ["v0=1&p=1&beta=3&objective=acceleration", /^The damper found has as little constant /],
       [`${isolator}&f=0.03&delta-m=4mm`, /^The damper is admissible: /],
       [`${plain}&f=0.5&delta=0.3`, /^The damper is not admissible: it rests off centre \(/],
       [`${plain}&f=0.3&delta=0.0001`, /^The damper is not admissible: it passes x = 0 \(/],
