@@ -120,6 +120,9 @@ void add_given(design::RecordDesignRequest& request, const Settings& settings,
       throw UsageError(
           "trade-off and catalogue cannot be combined: the parts are what is searched");
     }
+    if (command == Command::region && settings.has("f")) {
+      throw UsageError("catalogue and f cannot be combined: give the parts or one damper");
+    }
     request.parts = catalogue_input(settings, units_of_parts(request.p.high, start.physical));
   } else if (command == Command::region) {
     const char* const why =
@@ -173,8 +176,12 @@ report::RecordDesignInput record_design_input(const Settings& given, Command com
   if (const auto width = notch_width(settings, start.physical)) {
     request.width = Interval{*width, *width};
   }
-  if (const auto widths = search_range(settings, "search-notch-width-m")) {
+  if (const auto widths = search_range(settings, "search-notch-width-m");
+      widths && command == Command::design) {
     request.width = Interval{widths->low / length, widths->high / length};
+  }
+  if (!request.width && settings.has("tolerance-width") && !asks_for_records(settings)) {
+    throw UsageError("tolerance-width needs a notch with a width: give --notch-width-m as well");
   }
   request.trade_offs = settings.integer("trade-off").value_or(0);
   add_given(request, settings, start, command);

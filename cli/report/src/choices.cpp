@@ -102,7 +102,10 @@ std::string broken(std::span<const design::Constraint> constraints, const Physic
         : now.name == "stop"         ? std::string("it passes x = 0 too often")
         : now.name.ends_with("_max") ? format("{} may be {}", what, amount)
                                      : format("the {} is {}", figure_words(now.name), amount);
-    all.push_back(words + (now.in_case.empty() ? "" : format(" in case {}", now.in_case)));
+    const std::string whole = words + (now.in_case.empty() ? "" : " in case " + now.in_case);
+    if (std::ranges::find(all, whole) == all.end()) {
+      all.push_back(whole);
+    }
   }
   const std::size_t told = std::min(all.size(), most_told);
   std::string text;

@@ -109,13 +109,19 @@ std::string off_words(const design::RecordDesign& result) {
   if (!result.largest_tolerance) {
     return "";
   }
+  const double largest = *result.largest_tolerance;
   const design::SuiteDamper& damper = result.finding->point.damper;
-  const design::Spread& width = result.request.tolerance.width;
+  const auto& [f, delta, width, period] = result.request.tolerance;
+  const double most = std::max({f.below, f.above, delta.below, delta.above});
+  design::Limits limits;
+  if (most > 0) {
+    limits.shape = {f.below / most, f.above / most, delta.below / most, delta.above / most};
+  }
   const bool wide = damper.width > 0 && width.below + width.above > 0;
-  return ": " + (wide && leaves_any(*result.largest_tolerance)
-                     ? format("f, delta and the width may all be off by +-{}",
-                              percent_digits(*result.largest_tolerance))
-                     : tolerance_words({}, *result.largest_tolerance, damper.delta));
+  return ": " +
+         (wide && leaves_any(largest) && limits.shape == design::BoxShape{}
+              ? format("f, delta and the width may all be off by +-{}", percent_digits(largest))
+              : tolerance_words(limits, largest, damper.delta));
 }
 
 /// What the given damper lacks, or may be off by.
@@ -248,9 +254,10 @@ std::string verdict(const RecordDesignReport& report) {
   const design::SuiteDamper& damper = result.finding->point.damper;
   return format("{} {}, with {}. {}{}: {}.",
                 result.search.interrupted ? "The best damper so far has"
-                : parts.empty()
-                    ? advice(result.findings)
-                    : advice(result.findings, format("Order part {},", result.finding->part)),
+                : parts.empty()           ? advice(result.findings)
+                : advice(result.findings, "").empty()
+                    ? format("Order part {},", result.finding->part)
+                    : format("The best part, {}, has", result.finding->part),
                 damper_words(physical, damper.f, damper.delta,
                              {damper.notch_width(), result.request.hold}, printed_digits),
                 period_words(physical, damper.p, period_digits(result.request)),

@@ -79,7 +79,7 @@ BOOST_FIXTURE_TEST_CASE(each_cell_is_as_it_says, Matrix) {
                    R"([{"name": "a", "pulse": "half-sine", "k": 0.1,
                         "pulse_duration": [0.38, 0.4], "max_displacement": 0.1}])"};
           }
-        } else if (option.starts_with("--search-notch-width") && column < 3) {
+        } else if (contains(option, "width-m") && cells[column] == "case") {
           all.insert(all.end(), {"--residual-m", "20mm"});
         }
         if (!region && (column > 2 || cells[column] == "case")) {

@@ -23,6 +23,9 @@ void add_motion(std::vector<Figure>& figures, const design::RecordDesign& result
   const std::string of_case = task.cases.size() == 1 ? "" : format("case-{}-", in_case + 1);
   const std::string id = format("{}record-{}", of_case, index + 1);
   DrawnMotion motion(design::shown_motion(request));
+  if (motion.states.back().tau == 0) {  // a hit that the notch takes whole
+    return;
+  }
   // The limit of a mean bounds no single record. One so far beyond the motion that it would be hard
   // to see is left out; but a motion of next to nothing is shown as that.
   constexpr double nothing = 0.01;

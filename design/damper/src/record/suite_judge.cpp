@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 namespace stillpoint::design {
 
@@ -42,6 +43,7 @@ bool keeps_bounds(RecordDesignRequest task, const SuiteDamper& damper) {
 /// until many do.
 std::optional<double> largest_tolerance(const Suites& suite, RecordDesignRequest task,
                                         const SuiteDamper& damper, SuiteWatch& watch) {
+  task.spring = combined(task.spring, std::exchange(task.tolerance.period, {}));
   if (task.tolerance.exact()) {
     task.tolerance.f = task.tolerance.delta = usual_shape;
   }
@@ -49,8 +51,7 @@ std::optional<double> largest_tolerance(const Suites& suite, RecordDesignRequest
   constexpr int halvings = 12;
   constexpr double shrinkage = 0.99;
   const SuiteTolerance& of = task.tolerance;
-  const double below =
-      std::max({of.f.below, of.f.above, of.delta.below, of.width.below, of.period.below});
+  const double below = std::max({of.f.below, of.f.above, of.delta.below, of.width.below});
   const double most = std::max({of.f.below, of.f.above, of.delta.below, of.delta.above});
   if (below == 0 || most == 0) {
     return std::nullopt;
@@ -69,7 +70,7 @@ std::optional<double> largest_tolerance(const Suites& suite, RecordDesignRequest
   while (low > 0 && !watch.stopped() && !holds(low, false)) {
     low *= shrinkage;
   }
-  return low * most;
+  return low > 0 ? std::optional(low * most) : std::nullopt;
 }
 
 }  // namespace
@@ -95,6 +96,14 @@ std::optional<ChosenBox> judged(const Suites& suite, RecordDesign& result, Suite
   const RecordDesignRequest open = without_bounds(task);
   const SuiteDamper damper = given_damper(task);
   const SuiteSpace space(open, frictions_of(damper));
+  const TaskFigures own = suite.figures(damper);
+  const bool keeps = keeps_bounds(task, damper) && admissible(own, limits_of(task));
+  if (!task.parts.empty() && !keeps) {  // its box need not be tried
+    result.nearest = {damper, own};
+    result.constraints = constraints_of(task, own);
+    std::ranges::copy(constraints_on(task, damper), std::back_inserter(result.constraints));
+    return std::nullopt;
+  }
   SuiteSearch search(suite, open, space,
                      {minimised(task).value, task.objective_case, limits_of(task)}, watch);
   const VerifiedBox box = search.tried(damper, true);
@@ -104,7 +113,7 @@ std::optional<ChosenBox> judged(const Suites& suite, RecordDesign& result, Suite
   if (!settled(box.box.worst)) {
     return std::nullopt;
   }
-  if (keeps_bounds(task, damper) && admissible(suite.figures(damper), limits_of(task))) {
+  if (keeps) {
     result.largest_tolerance = largest_tolerance(suite, task, damper, watch);
   }
   return ChosenBox{box, 1};

@@ -183,7 +183,7 @@ void require_valid(const RecordDesignRequest& request) {
   require_spread("tolerance-width", request.tolerance.width);
   require_spread("tolerance-period", request.tolerance.period);
   require_spread("spring", request.spring);
-  if (request.objective == SuiteObjective::robust) {
+  if (request.objective == SuiteObjective::robust && !request.judges && request.parts.empty()) {
     require_growth(request);
   }
   if (request.objective == SuiteObjective::time &&
@@ -196,6 +196,13 @@ void require_valid(const RecordDesignRequest& request) {
     require_range("notch-width", *request.width, 1e-150, 1e150);
   }
   require_within("scan_points", static_cast<double>(request.scan_points), 1, 1e8);
+}
+
+void bound_starts(RecordDesignRequest& request) {
+  request.f_start = request.delta_start = std::nullopt;
+  for (const LoadCase& each : request.cases) {
+    require_start(request, each);
+  }
 }
 
 RecordDesignRequest completed(RecordDesignRequest request) {
@@ -213,9 +220,7 @@ RecordDesignRequest completed(RecordDesignRequest request) {
       each.limits.late = latest_rest;
     }
   }
-  for (const LoadCase& each : request.cases) {
-    require_start(request, each);
-  }
+  bound_starts(request);
   if (!request.judges) {
     keep_below(request.f, request.f_max, "f-max");
     keep_below(request.delta, request.delta_max, "delta-max");

@@ -2,6 +2,7 @@
 #include "record/suite_served.hpp"
 
 #include "record/suite_outlook.hpp"
+#include "record/suite_request.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -64,7 +65,13 @@ bool starts(const RecordDesignRequest& task, const SuiteDamper& damper) {
 
 }  // namespace
 
-std::optional<WorksFor> works_for(const RecordDesignRequest& task, const SuiteDamper& damper) {
+std::optional<WorksFor> works_for(const RecordDesignRequest& request, const SuiteDamper& damper) {
+  RecordDesignRequest task = request;  // of one load each, where it has ranges
+  task.judges = true;
+  for (LoadCase& each : task.cases) {
+    each.weakest = 1;
+  }
+  bound_starts(task);
   const Suites suites(task);
   const std::vector<SuiteLimits> limits = limits_of(task);
   if (!starts(task, damper) || !admissible(suites.figures(damper), limits)) {

@@ -88,27 +88,28 @@ SuiteSpace::SuiteSpace(const RecordDesignRequest& task, SuiteFrictions frictions
   add(SuiteAxis::Variable::delta, notch ? *task.delta : none, tolerance.delta, scale,
       least_of(task.delta_max, task.delta_start));
   possible_ = possible_ && (notch || task.delta->low == 0);
-  add(SuiteAxis::Variable::period, {1 / task.p.high, 1 / task.p.low},
-      combined(task.spring, times(tolerance.period, scale)), 1, {});
+  add(SuiteAxis::Variable::period, {1 / task.p.high, 1 / task.p.low}, tolerance.period, scale, {},
+      task.spring);
   if (notch && task.width) {
     add(SuiteAxis::Variable::width, *task.width, tolerance.width, scale, {});
   }
-  add(SuiteAxis::Variable::load, {1, 1}, {1 - weakest_load(task), 0}, 1, {});
+  add(SuiteAxis::Variable::load, {1, 1}, {}, scale, {}, {1 - weakest_load(task), 0});
 }
 
 void SuiteSpace::add(SuiteAxis::Variable variable, Interval range, const Spread& whole,
-                     double scale, const std::optional<double>& most) {
+                     double scale, const std::optional<double>& most, const Spread& always) {
   if (range.high == 0) {
     return;
   }
   if (range.low == 0) {
     range.low = least_part_searched * range.high;
   }
-  const Spread spread{std::min(whole.below * scale, 1 - least_factor), whole.above * scale};
+  const Spread spread =
+      combined(always, {std::min(whole.below * scale, 1 - least_factor), whole.above * scale});
   range.high = std::min(range.high, most.value_or(HUGE_VAL) / (1 + spread.above));
   possible_ = possible_ && range.low <= range.high;
   const SuiteAxis axis(variable, range, spread);
-  if (axis.searched() || whole.below + whole.above > 0) {
+  if (axis.searched() || whole.below + whole.above + always.below + always.above > 0) {
     axes_.push_back(axis);
   }
   axis.set(fixed_, range.low);

@@ -65,8 +65,9 @@ class SuiteSpace {
   [[nodiscard]] bool includes(const SuitePlace& logs) const;
 
  private:
+  /// With `scale` times its tolerance, besides what it varies by `always`.
   void add(SuiteAxis::Variable variable, Interval range, const Spread& whole, double scale,
-           const std::optional<double>& most);
+           const std::optional<double>& most, const Spread& always = {});
 
   bool possible_{true};
   SuiteDamper fixed_;

@@ -275,35 +275,37 @@ class TaskSearch {
       for (SuiteLimits& limits : goal.limits) {
         limits.peak = std::min(limits.peak.value_or(HUGE_VAL), stroke);
       }
-      return least(goal);
+      return least(goal, true);
     };
     const auto end = gentlest(HUGE_VAL);
-    const auto begin = least({&SuiteFigures::peak, {}, limits_of(task_)});
+    const auto begin = least({&SuiteFigures::peak, {}, limits_of(task_)}, true);
     if (!begin || !end) {
       return;
     }
     const double low = design::largest(begin->box.worst).peak;
     const double high = design::largest(end->box.worst).peak;
-    std::vector<SuitePoint>& front = result_.trade_off;
-    const auto add = [&](const VerifiedBox& box) {
-      if (front.empty() || design::largest(box.box.worst).acceleration <
-                               design::largest(front.back().figures).acceleration) {
-        front.push_back({box.box.damper, box.box.worst});
-      }
-    };
-    add(*begin);
+    std::vector<SuitePoint> all{{begin->box.damper, begin->box.worst},
+                                {end->box.damper, end->box.worst}};
     const auto last = static_cast<double>(task_.trade_offs - 1);
     for (std::int64_t i = 1; i + 1 < task_.trade_offs && !watch_.stopped(); ++i) {
       if (const auto between = gentlest(std::lerp(low, high, static_cast<double>(i) / last))) {
-        add(*between);
+        all.push_back({between->box.damper, between->box.worst});
       }
     }
-    add(*end);
+    std::ranges::stable_sort(
+        all, {}, [](const SuitePoint& point) { return design::largest(point.figures).peak; });
+    for (SuitePoint& point : all) {  // no other has less of both
+      std::vector<SuitePoint>& front = result_.trade_off;
+      if (front.empty() || design::largest(point.figures).acceleration <
+                               design::largest(front.back().figures).acceleration) {
+        front.push_back(std::move(point));
+      }
+    }
   }
 
-  /// The best of all frictions, looked for briefly; the nearest, where it violates no limit of the
-  /// goal. Each is to be better than those before, so the last is verified first.
-  std::optional<VerifiedBox> least(const SuiteGoal& goal) {
+  /// The best of all frictions, looked for briefly; unless `anew` the nearest, where it violates no
+  /// limit of the goal. Each is to be better than those before, so the last is verified first.
+  std::optional<VerifiedBox> least(const SuiteGoal& goal, bool anew = false) {
     struct Likely {
       SuiteSearch search;
       std::vector<BoxedDamper> dampers;
@@ -313,7 +315,7 @@ class TaskSearch {
     for (Mapped& here : maps_) {
       const bool brief = here.space.searched() > 2;
       Likely now{{suite_, task_, here.space, goal, watch_, brief}, {}};
-      if (here.nearest && admissible(here.nearest->worst, goal.limits)) {
+      if (!anew && here.nearest && admissible(here.nearest->worst, goal.limits)) {
         now.dampers = {
             {here.nearest->damper, here.nearest->worst, rank(here.nearest->worst, goal)}};
       } else {
