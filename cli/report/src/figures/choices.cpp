@@ -3,6 +3,7 @@
 #include "figures/drawing.hpp"
 #include "figures/report_figures.hpp"
 
+#include <algorithm>
 #include <array>
 #include <iterator>
 
@@ -87,9 +88,10 @@ Figure front_figure(const design::RecordDesign& result, const FigureUnits& units
     return design::TradeOff{{}, worst.peak, worst.acceleration};
   };
   std::vector<design::TradeOff> front;
-  for (auto point = result.trade_off.rbegin(); point != result.trade_off.rend(); ++point) {
-    front.push_back(traded(point->figures));
+  for (const design::SuitePoint& point : result.trade_off) {
+    front.push_back(traded(point.figures));
   }
+  std::ranges::reverse(front);  // from the largest stroke, as that of a hit
   Figure figure =
       over_stroke({"trade-off", "Trade-off of stroke and acceleration",
                    "The least transmitted acceleration for each stroke, and the design."},
