@@ -50,7 +50,7 @@ ordered_json type_of_case() {
 
 ordered_json type_of(const Option& option) {
   const bool ranges = option.traits.range != RangeEnd::none;
-  const ordered_json number =
+  ordered_json number =
       number_type(option.traits.or_force ? Dimension::force : option.traits.dimension);
   if (ranges && !sweeps(option)) {
     return {{"type", {"number", "string", "array"}},
