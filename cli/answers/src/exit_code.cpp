@@ -19,11 +19,10 @@ ExitCode exit_code(const report::DesignReport& report) {
 }
 
 ExitCode exit_code(const report::RecordDesignReport& report) {
-  const auto& [interrupted, found] =
-      std::pair(report.result.search.interrupted, of_design(report.result.finding));
-  return interrupted                                    ? exit_interrupted
-         : report.of_region && found == exit_infeasible ? exit_done
-                                                        : found;
+  const design::RecordDesign& result = report.result;
+  return result.search.interrupted             ? exit_interrupted
+         : report.of_region && !result.finding ? exit_done
+                                               : of_design(result.finding);
 }
 
 ExitCode exit_code(const report::RegionReport& report) {

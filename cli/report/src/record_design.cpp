@@ -132,10 +132,9 @@ std::string judgement(const RecordDesignReport& report) {
            "rest.";
   }
   if (!result.finding->admissible) {
-    return format(
-        "The damper is not admissible{}: {}.",
-        result.largest_tolerance && *result.largest_tolerance > 0 ? " with this tolerance" : "",
-        broken(result.constraints, report.physical));
+    return format("The damper is not admissible{}: {}.",
+                  result.largest_tolerance ? " with this tolerance" : "",
+                  broken(result.constraints, report.physical));
   }
   return format("The damper is admissible{}. {}{}: {}.", off_words(result),
                 whose_words(result.request.cases),

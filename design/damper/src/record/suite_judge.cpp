@@ -22,12 +22,6 @@ SuiteDamper given_damper(const RecordDesignRequest& task) {
   return {task.p.low, task.f->low, task.delta->low, has_width ? task.width->low : 0};
 }
 
-SuiteFrictions frictions_of(const SuiteDamper& damper) {
-  return damper.delta == 0 ? SuiteFrictions::constant
-         : damper.f == 0   ? SuiteFrictions::point
-                           : SuiteFrictions::both;
-}
-
 RecordDesignRequest without_bounds(RecordDesignRequest task) {
   task.f_max = task.delta_max = task.f_start = task.delta_start = std::nullopt;
   return task;
@@ -98,18 +92,19 @@ std::optional<ChosenBox> judged(const Suites& suite, RecordDesign& result, Suite
   const SuiteSpace space(open, frictions_of(damper));
   const TaskFigures own = suite.figures(damper);
   const bool keeps = keeps_bounds(task, damper) && admissible(own, limits_of(task));
-  if (!task.parts.empty() && !keeps) {  // its box need not be tried
-    result.nearest = {damper, own};
-    result.constraints = constraints_of(task, own);
+  const auto tell = [&](const TaskFigures& worst) {
+    result.nearest = {damper, worst};
+    result.constraints = constraints_of(task, worst);
     std::ranges::copy(constraints_on(task, damper), std::back_inserter(result.constraints));
+  };
+  if (!task.parts.empty() && !keeps) {  // its box need not be tried
+    tell(own);
     return std::nullopt;
   }
   SuiteSearch search(suite, open, space,
                      {minimised(task).value, task.objective_case, limits_of(task)}, watch);
   const VerifiedBox box = search.tried(damper, true);
-  result.nearest = {damper, box.box.worst};
-  result.constraints = constraints_of(task, box.box.worst);
-  std::ranges::copy(constraints_on(task, damper), std::back_inserter(result.constraints));
+  tell(box.box.worst);
   if (!settled(box.box.worst)) {
     return std::nullopt;
   }

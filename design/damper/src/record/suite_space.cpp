@@ -25,6 +25,12 @@ std::optional<double> least_of(const std::optional<double>& one,
 
 }  // namespace
 
+SuiteFrictions frictions_of(const SuiteDamper& damper) {
+  return damper.delta == 0 ? SuiteFrictions::constant
+         : damper.f == 0   ? SuiteFrictions::point
+                           : SuiteFrictions::both;
+}
+
 double SuiteAxis::value(const SuiteDamper& damper) const {
   switch (variable_) {
     case Variable::f:

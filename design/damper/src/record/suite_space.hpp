@@ -15,6 +15,7 @@ inline constexpr std::size_t most_axes = 5;
 using SuitePlace = std::array<double, most_axes>;
 
 enum class SuiteFrictions { constant, point, both };
+[[nodiscard]] SuiteFrictions frictions_of(const SuiteDamper& damper);
 
 /// A value of a damper that is searched, or may be off, or both.
 class SuiteAxis {

@@ -184,10 +184,7 @@ class TaskSearch {
     if (!found || found->scale < 1) {
       return std::nullopt;
     }
-    const SuiteDamper& damper = found->verified.box.damper;
-    const SuiteSpace space(task_, damper.delta == 0 ? SuiteFrictions::constant
-                                  : damper.f == 0   ? SuiteFrictions::point
-                                                    : SuiteFrictions::both);
+    const SuiteSpace space(task_, frictions_of(found->verified.box.damper));
     SuiteSearch search(suite_, task_, space, goal, watch_);
     std::optional<VerifiedBox> box =
         search.verified({search.polished(found->verified.box, grown_step), found->verified.box});

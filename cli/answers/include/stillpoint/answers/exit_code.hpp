@@ -17,7 +17,7 @@ enum ExitCode : int {
 
 /// 3 without an admissible design, 4 if the cross-check failed, else 0.
 [[nodiscard]] ExitCode exit_code(const report::DesignReport& report);
-/// The same; 130 for a search that was interrupted.
+/// The same; 130 for a search that was interrupted. A region that judges a damper is an answer.
 [[nodiscard]] ExitCode exit_code(const report::RecordDesignReport& report);
 [[nodiscard]] ExitCode exit_code(const report::RegionReport& report);
 /// Of any other answer.
