@@ -18,7 +18,7 @@ using Factors = std::vector<double>;
 /// Whether the damper keeps every limit at each factor.
 using Keeps = std::function<std::vector<bool>(const Factors&)>;
 
-constexpr double step = 1.01;
+constexpr double factor_step = 1.01;
 constexpr std::size_t parts = 32;  // of a step, and of a part of it
 constexpr int rounds = 4;          // to a millionth of a step
 
@@ -40,7 +40,7 @@ double last_kept(const Keeps& keeps, double kept, double broken) {
 
 /// The farthest towards `end` with all kept up to there.
 double reach(const Keeps& keeps, double end) {
-  const double by = end > 1 ? step : 1 / step;
+  const double by = end > 1 ? factor_step : 1 / factor_step;
   Factors factors;
   for (double factor = by; (end > 1) == (factor < end); factor *= by) {
     factors.push_back(factor);
