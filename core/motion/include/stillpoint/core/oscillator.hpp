@@ -8,8 +8,8 @@
 
 namespace stillpoint {
 
-/// The oscillator of the paper's (6), dimensionless:
-///   x'' + (f + delta * dirac(x)) sgn x' + p^2 x = -W.
+/// The oscillator of the paper's (6), dimensionless, with viscous damping:
+///   x'' + 2 zeta p x' + (f + delta * dirac(x)) sgn x' + p^2 x = -W.
 ///
 /// `delta` acts only at x = 0: each passage costs the kinetic energy v^2/2 = delta. `f` and
 /// `delta` are the paper's f and Delta, both >= 0; `p`^2 is its stiffness p^2, p > 0.
@@ -17,12 +17,20 @@ namespace stillpoint {
 /// In the paper a mass at rest in the notch stays there under any load, and `hold` is empty. A
 /// notch with a hold >= 0 lets the mass go when |W| exceeds f + hold: docs/notches.md. The
 /// difference shows only under a load, and with delta > 0.
+///
+/// Beyond the paper (docs/damping.md): `zeta` is the share of critical damping, and friction holds
+/// a mass at rest up to `breakaway` times f.
 template <class Real>
 struct BasicOscillator {
   Real p{1};
   Real f{0};
   Real delta{0};
   std::optional<Real> hold{};
+  Real zeta{0};
+  Real breakaway{1};
+
+  /// Slides and rests by f alone, as in the paper.
+  [[nodiscard]] bool coulomb() const { return zeta == 0 && breakaway == 1; }
 };
 using Oscillator = BasicOscillator<double>;
 
@@ -44,6 +52,10 @@ inline constexpr double smallest_friction_speed = 1e-307;
 inline constexpr double smallest_peak_speed = 1e-300;
 /// The largest delta and |x0|; the first is compared with squares of speeds.
 inline constexpr double largest_square = 1e300;
+/// The largest damping: beyond it a motion hardly swings, and its formulas lose digits.
+inline constexpr double largest_zeta = 0.999;
+/// The largest static over sliding friction.
+inline constexpr double largest_breakaway = 1e6;
 
 /// Whether the notch holds a start at x = 0 with v0 != 0: v0^2 < 2 delta, rule 4 of docs/theory.md.
 /// The exact square decides, not the rounded one.
@@ -66,7 +78,7 @@ void require_friction(const std::string& field, double f, double p);
 
 /// Throws InputError, naming the field, unless
 ///   p in [1e-150, 1e150]; f is 0 or f / p in [1e-307, 1e150]; 0 <= delta <= 1e300; hold is
-///   empty, 0, or hold / p in [1e-307, 1e150].
+///   empty, 0, or hold / p in [1e-307, 1e150]; zeta in [0, 0.999]; breakaway in [1, 1e6].
 void require_valid(const Oscillator& oscillator);
 
 /// Throws InputError, naming the field, unless the oscillator is valid, v0 and p * x0 are 0 or have
