@@ -22,7 +22,9 @@ std::string_view felt_where(const MotionReport& report, double felt) {
 }
 
 void add_answer(Section& answer, const MotionReport& report) {
-  const auto& [p, f, delta, hold] = report.request.oscillator;
+  const double f = report.request.oscillator.f;
+  const double delta = report.request.oscillator.delta;
+  const std::optional<double>& hold = report.request.oscillator.hold;
   const auto& [notch_width, zones] = report.request.surface;
   const Response& response = report.answer.response;
   const Physical& physical = report.physical;

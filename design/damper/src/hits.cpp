@@ -100,7 +100,9 @@ void add_motions(Listing& now, const Damper& damper, Wide within) {
 }
 
 Listing listed(const Oscillator& oscillator, double beta, double v0_most, double residual) {
-  const auto& [p, f, delta, hold] = oscillator;
+  const double p = oscillator.p;
+  const double f = oscillator.f;
+  const double delta = oscillator.delta;
   const Damper damper{{Wide(f) / p, 2 * delta}, p};
   const Wide start = std::min(Wide(v0_most), root(damper.d));
   const Wide speed = Wide(beta) * p;

@@ -30,7 +30,9 @@ double impulse_of_passage(double delta, double departure) {
 /// (45) for a first arrival that the notch stops: least_notch_width for the place where the mass
 /// comes to rest.
 std::optional<double> width_of_the_stop(const Oscillator& oscillator, double peak, double limit) {
-  const auto& [p, f, delta, hold] = oscillator;
+  const double p = oscillator.p;
+  const double f = oscillator.f;
+  const double delta = oscillator.delta;
   const double t = p * peak * p - f;  // S - 2f
   const double excess = (limit - t) * (limit + t) + p * delta * p;
   const double square = excess + f * f;
@@ -109,7 +111,9 @@ std::vector<double> impulses(const Oscillator& oscillator, const Response& respo
   if (!response.arrival_speed) {
     return {};
   }
-  const auto& [p, f, delta, hold] = oscillator;
+  const double p = oscillator.p;
+  const double f = oscillator.f;
+  const double delta = oscillator.delta;
   const double phi = f / p;
   const auto departure_before = [phi](double w) {
     const double r = 2 * phi + elementary::hypot(w, phi);
@@ -136,7 +140,9 @@ std::vector<double> impulses(const Oscillator& oscillator, const Response& respo
 std::optional<Practice> practice(const Oscillator& oscillator, const Response& response,
                                  const std::optional<double>& acceleration_max,
                                  const std::optional<double>& load) {
-  const auto& [p, f, delta, hold] = oscillator;
+  const double p = oscillator.p;
+  const double f = oscillator.f;
+  const double delta = oscillator.delta;
   const double peak = response.peak_amplitude;
   if (peak == 0) {
     return std::nullopt;

@@ -84,7 +84,9 @@ void check_motion(const Sandbox& sandbox, const Arguments& asked, SimulationRequ
 }
 
 Arguments simulated(const Motion& motion) {
-  const auto& [p, f, delta, hold] = motion.oscillator;
+  const double p = motion.oscillator.p;
+  const double f = motion.oscillator.f;
+  const double delta = motion.oscillator.delta;
   return options({"simulate"}, {{"--v0", motion.start.v0},
                                 {"--x0", motion.start.x0},
                                 {"--p", p},

@@ -40,7 +40,10 @@ struct Rule {
 };
 
 std::ostream& operator<<(std::ostream& stream, const Rule& rule) {
-  const auto& [p, f, delta, hold] = rule.oscillator;
+  const double p = rule.oscillator.p;
+  const double f = rule.oscillator.f;
+  const double delta = rule.oscillator.delta;
+  const std::optional<double>& hold = rule.oscillator.hold;
   return stream << "p " << p << ", f " << f << ", delta " << delta << ", hold "
                 << hold.value_or(HUGE_VAL) << ", x0 " << rule.start.x0 << ", v0 " << rule.start.v0
                 << ", width " << rule.surface.notch_width.value_or(0) << ", load "

@@ -103,7 +103,9 @@ BOOST_AUTO_TEST_CASE(the_equivalent_damping_is_that_of_the_cycle) {
   for (int i = 0; i < 50; ++i) {
     const Oscillator oscillator{random.log_uniform(0.1, 10), random.log_uniform(0.01, 1),
                                 random.log_uniform(0.01, 1)};
-    const auto& [p, f, delta, hold] = oscillator;
+    const double p = oscillator.p;
+    const double f = oscillator.f;
+    const double delta = oscillator.delta;
     const double v0 = std::sqrt(2 * delta) * random.uniform(1.01, 3);
     const Response motion = free_response(oscillator, {0, v0});
     const double peak = motion.peak_amplitude;

@@ -46,7 +46,9 @@ IntegratedMotion integrate_free_motion(const Oscillator& oscillator, double v0, 
   require_valid(oscillator, {0, v0});
   require_within("v0", v0, smallest_speed, largest_speed);
   require_within("tolerance", tolerance, std::numeric_limits<double>::epsilon(), 1e-2);
-  const auto& [p, f, delta, hold] = oscillator;
+  const double p = oscillator.p;
+  const double f = oscillator.f;
+  const double delta = oscillator.delta;
   if (f == 0 && delta == 0) {
     throw InputError("f, delta", "0", "some friction is needed for the motion to stop");
   }
@@ -75,7 +77,9 @@ IntegratedMotion integrate_free_motion(const Oscillator& oscillator, double v0, 
 
 IntegratedMotion integrate_under_pulse(const Oscillator& oscillator, const Pulse& pulse,
                                        double size, double tolerance) {
-  const auto& [p, f, delta, hold] = oscillator;
+  const double p = oscillator.p;
+  const double f = oscillator.f;
+  const double delta = oscillator.delta;
   const double k = peak_load(pulse);
   const double length = k / p / p;
   // In units of k and p. The mass arrives or rests within a turn of the phase after the pulse.
