@@ -100,7 +100,12 @@ Oscillator oscillator_input(const Settings& settings, const MotionInput& motion)
         ? InputError::missing("delta-m", "give --delta-m, the point friction in m (0 for none)")
         : InputError::missing("delta", "give --delta, the point friction (0 for none)");
   }
-  return {motion.p, f, *delta, settings.number("hold")};
+  return {motion.p,
+          f,
+          *delta,
+          settings.number("hold"),
+          settings.number("damping").value_or(0),
+          settings.number("breakaway").value_or(1)};
 }
 
 std::optional<double> in_either(const Settings& settings, std::string_view plain, double unit,

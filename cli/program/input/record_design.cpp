@@ -95,6 +95,11 @@ bool takes_cases(const Settings& settings) {
 }
 
 void require_options_for(const Settings& settings, DesignFor design) {
+  for (const char* const name : {"damping", "breakaway"}) {
+    if (settings.has(name)) {
+      throw UsageError(fmt::format("{}: designs are for an undamped mass", name));
+    }
+  }
   const bool has_cases = settings.has("cases");
   const bool of_records = design == DesignFor::records && (has_cases || asks_for_records(settings));
   const Option* const wrong = settings.first([&](const Option& option) {

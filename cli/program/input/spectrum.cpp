@@ -50,10 +50,7 @@ report::SpectrumReport spectrum_input(const Settings& given) {
   for (const double period : list) {
     request.p.push_back(scales.p_of(period));
   }
-  const Oscillator damper = oscillator_input(settings, {.physical = report.physical});
-  request.f = damper.f;
-  request.delta = damper.delta;
-  request.hold = damper.hold;
+  request.damper = oscillator_input(settings, {.physical = report.physical});
   request.combine = settings.named<design::Combine>("combine");
   request.notch_width = notch_width(settings, report.physical);
   request.threads = threads(settings);

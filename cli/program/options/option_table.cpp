@@ -83,6 +83,9 @@ constexpr Option row(std::string_view name, OptionKind kind, std::string_view pl
 }
 
 constexpr Swept swept{sweep};
+constexpr Excludes undamped_design{sweep, "beta max-displacement",
+                                   "the designs of a sweep are in closed form, which an undamped "
+                                   "mass has"};
 constexpr Needs of_a_reduction{sweep, "reduce", "a sweep without rows"};
 
 // name, kind, placeholder, help, commands, facts
@@ -132,6 +135,13 @@ constexpr auto in_damper = std::to_array<Option>(
      row("delta-m", number, "M", "point friction in m, with physical input",
          region | motions | sweep | spectrum, swept, Rivals::point_friction,
          InSi{Dimension::length}),
+     row("damping", number, "Z",
+         "viscous damping as a share of critical damping, 0.05 or 5%; default 0", every | spectrum,
+         swept, Dimension::share, RangeEnd::low, undamped_design),
+     row("breakaway", number, "R",
+         "friction that holds a mass at rest, over the friction f of one that slides, 1 or more; "
+         "default 1",
+         every | spectrum, swept, undamped_design),
      row("hold", number, "H",
          "the notch holds a load up to f + H at x = 0, in g; default: any load",
          of_suites | of_excitations, swept, Rivals::notch, Dimension::gravities),

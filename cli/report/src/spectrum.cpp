@@ -38,7 +38,7 @@ void add_points(Section& section, const SpectrumReport& report,
                 const std::vector<SpectrumPoint>& points) {
   constexpr std::size_t most_periods = 12;
   const FigureUnits units = units_of(report.physical);
-  const bool compared = report.result.request.delta > 0;
+  const bool compared = report.result.request.damper.delta > 0;
   const auto cell = [](const std::optional<double>& value, const Unit& unit) {
     return value ? format("{:.5g}", *value * unit) : "none";
   };
@@ -66,15 +66,17 @@ void add_points(Section& section, const SpectrumReport& report,
 }  // namespace
 
 std::string verdict(const SpectrumReport& report) {
-  return report.result.request.delta == 0 ? friction_words(report) : design::summary(report.result);
+  return report.result.request.damper.delta == 0 ? friction_words(report)
+                                                 : design::summary(report.result);
 }
 
 Document document(const SpectrumReport& report) {
   const design::Spectrum& result = report.result;
   const design::SpectrumRequest& task = result.request;
+  const Oscillator& damper = task.damper;
   Document document = answered("Response spectrum", report, Tone::plain);
-  document.answer.row("damper", damper_words(report.physical, task.f, task.delta,
-                                             {task.notch_width, task.hold}, 6) +
+  document.answer.row("damper", damper_words(report.physical, damper.f, damper.delta,
+                                             {task.notch_width, damper.hold}, 6) +
                                     ", the same at every period");
   std::string label = "record";
   for (const design::SuiteRecord& record : task.records) {
@@ -86,10 +88,10 @@ Document document(const SpectrumReport& report) {
   }
   add_findings(document, result.findings, report.physical);
   const std::size_t count = result.records.size();
-  add_points(
-      document.section(whose(report) + (task.delta > 0 ? ", with the notch and with friction alone"
-                                                       : ", friction alone")),
-      report, result.combined);
+  add_points(document.section(whose(report) + (damper.delta > 0
+                                                   ? ", with the notch and with friction alone"
+                                                   : ", friction alone")),
+             report, result.combined);
   for (std::size_t i = 0; i < count && count > 1; ++i) {
     Section& record = document.detail(record_label(task.records[i]));
     add_points(record, report, result.records[i]);

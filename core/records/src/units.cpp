@@ -17,6 +17,8 @@ namespace {
 
 using enum Dimension;
 
+constexpr std::string_view percent = "%";
+
 constexpr std::array unit_table{
     // name, dimension, power of ten; the SI unit of each dimension first
     Unit{"m", length, 0},
@@ -45,6 +47,7 @@ constexpr std::array unit_table{
     Unit{"N", force, 0},
     Unit{"kN", force, 3},
     Unit{"MN", force, 6},
+    Unit{percent, share, -2},
 };
 
 /// A text divided into a number and the unit behind it.
@@ -110,7 +113,8 @@ std::string unit_names(Dimension dimension) {
 double parse_value(std::string_view field, Dimension dimension, std::string_view text,
                    std::string_view instead) {
   const auto parts = divided(text);
-  if (!parts || parts->unit.empty() || (dimension == none && !is_unit(parts->unit))) {
+  if (!parts || parts->unit.empty() ||
+      (dimension == none && (!is_unit(parts->unit) || parts->unit == percent))) {
     return parse_number(field, text);
   }
   const std::vector<Unit> accepted = units_of(dimension);
@@ -118,6 +122,7 @@ double parse_value(std::string_view field, Dimension dimension, std::string_view
   if (unit == accepted.end()) {
     throw InputError(std::string(field), quoted(text),
                      accepted.empty() ? fmt::format("must be a number without a unit{}", instead)
+                     : dimension == share ? "must be a number, or one in %: 5% is 0.05"
                      : accepted.size() == 1
                          ? fmt::format("must be a number in {0}, with or without the unit {0}",
                                        accepted.front().name)

@@ -26,9 +26,9 @@ using records::longest_word;
 using records::printable;
 
 using enum Quantity;
-constexpr std::array listed_inputs{v0,    v0_low, p,           p_high,     x0,       k,
-                                   k_low, lambda, lambda_high, beta,       residual, arrivals,
-                                   f,     delta,  hold,        notch_width};
+constexpr std::array listed_inputs{v0,    v0_low, p,           p_high,      x0,       k,
+                                   k_low, lambda, lambda_high, beta,        residual, arrivals,
+                                   f,     delta,  hold,        notch_width, damping,  breakaway};
 
 }  // namespace
 

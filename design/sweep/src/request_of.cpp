@@ -64,6 +64,12 @@ MotionRequest motion_of(const SweepSpec& spec, const std::function<double(Quanti
   if (given(spec, Quantity::hold)) {
     motion.oscillator.hold = at(Quantity::hold);
   }
+  if (given(spec, Quantity::damping)) {
+    motion.oscillator.zeta = at(Quantity::damping);
+  }
+  if (given(spec, Quantity::breakaway)) {
+    motion.oscillator.breakaway = at(Quantity::breakaway);
+  }
   if (given(spec, Quantity::notch_width)) {
     motion.surface.notch_width = at(Quantity::notch_width);
   }

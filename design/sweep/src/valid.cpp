@@ -31,8 +31,9 @@ void require_in_units(const SweepSpec& spec) {
   };
   for (const SweepAxis& swept : spec.axes) {
     require_ends(swept.quantity, swept.axis);
-    if (swept.axis.has_ranges() && contains(inputs(spec.kind), *other_end(swept.quantity))) {
-      require_ends(*other_end(swept.quantity), swept.axis.other_ends());
+    const Quantity other = other_end(swept.quantity).value_or(swept.quantity);
+    if (swept.axis.has_ranges() && contains(inputs(spec.kind), other)) {
+      require_ends(other, swept.axis.other_ends());
     }
   }
   for (const design::LimitKind& kind : design::limit_kinds()) {
@@ -49,7 +50,8 @@ bool may_be_left_out(const SweepSpec& spec, Quantity input) {
   constexpr std::array always{Quantity::record,   Quantity::record_scale, Quantity::v0_low,
                               Quantity::p_high,   Quantity::k_low,        Quantity::lambda_high,
                               Quantity::residual, Quantity::arrivals,     Quantity::trade_off,
-                              Quantity::hold,     Quantity::notch_width};
+                              Quantity::hold,     Quantity::notch_width,  Quantity::damping,
+                              Quantity::breakaway};
   const bool of_pulse = input == Quantity::k || input == Quantity::lambda;
   return contains(always, input) || (spec.pulse ? input == Quantity::v0 : of_pulse);
 }
@@ -122,7 +124,7 @@ void require_inputs(const SweepSpec& spec) {
     }
     const auto other =
         swept.axis.has_ranges() ? other_end(swept.quantity) : std::optional<Quantity>();
-    if (other && !contains(inputs(spec.kind), *other)) {
+    if (swept.axis.has_ranges() && !(other && contains(inputs(spec.kind), *other))) {
       refuse("must be an axis first:last:count or numbers: only designs take a range LOW:HIGH");
     }
     if (spec.list && (spec.list->has(swept.quantity) || (other && spec.list->has(*other)))) {

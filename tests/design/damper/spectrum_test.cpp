@@ -27,8 +27,8 @@ SpectrumRequest request_of(std::vector<SuiteRecord> records, double f, double de
   SpectrumRequest request;
   request.records = std::move(records);
   request.p = {0.4, 1, 1.5};
-  request.f = f;
-  request.delta = delta;
+  request.damper.f = f;
+  request.damper.delta = delta;
   return request;
 }
 
@@ -79,8 +79,8 @@ BOOST_AUTO_TEST_CASE(each_point_is_a_motion_of_the_kernel) {
     SpectrumRequest request =
         request_of({shaking()}, random.uniform(0.01, 0.1), random.uniform(0.001, 0.05));
     request.p = {random.uniform(0.5, 2)};
-    random.one_in(3, request.hold, [&] { return random.uniform(0, 0.2); });
-    if (!request.hold) {
+    random.one_in(3, request.damper.hold, [&] { return random.uniform(0, 0.2); });
+    if (!request.damper.hold) {
       random.one_in(2, request.notch_width, [&] { return random.uniform(0.01, 0.1); });
     }
     const Record load = scaled(request.records[0]);
@@ -91,9 +91,10 @@ BOOST_AUTO_TEST_CASE(each_point_is_a_motion_of_the_kernel) {
                      std::abs(motion.stop_position.value())};
     };
     const double p = request.p[0];
-    BOOST_TEST(same(point.with_notch, figures({p, request.f, request.delta, request.hold},
-                                              {request.notch_width, {}})));
-    BOOST_TEST(same(point.without, figures({p, request.f, 0}, {})));
+    BOOST_TEST(same(point.with_notch,
+                    figures({p, request.damper.f, request.damper.delta, request.damper.hold},
+                            {request.notch_width, {}})));
+    BOOST_TEST(same(point.without, figures({p, request.damper.f, 0}, {})));
   }
 }
 
@@ -126,7 +127,7 @@ BOOST_AUTO_TEST_CASE(a_mass_that_does_not_move_feels_the_load) {
 
 BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing) {
   SpectrumRequest request = request_of({shaking(), rectangle()}, 0.03, 0.02);
-  request.hold = 0.1;
+  request.damper.hold = 0.1;
   request.threads = 1;
   const Spectrum one = spectrum(request);
   const std::string line = summary(one);
@@ -166,9 +167,9 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused) {
   refused("scale", [](auto& request) { request.records[0].scale = 0; });
   refused("p", [](auto& request) { request.p.clear(); });
   refused("p", [](auto& request) { request.p[1] = 0; });
-  refused("f", [](auto& request) { request.f = -1; });
-  refused("delta", [](auto& request) { request.delta = -1; });
-  refused("hold", [](auto& request) { request.hold = -1; });
+  refused("f", [](auto& request) { request.damper.f = -1; });
+  refused("delta", [](auto& request) { request.damper.delta = -1; });
+  refused("hold", [](auto& request) { request.damper.hold = -1; });
   refused("notch-width", [](auto& request) { request.notch_width = 0; });
   refused("threads", [](auto& request) { request.threads = -1; });
 }

@@ -71,7 +71,7 @@ void add_curves(Figure& figure, const DrawnSpectrum& drawn, const Kind& kind) {
     figure.add_line("each record", std::move(each), Ink::grey);
   }
   const Strokes without = strokes(combined, &SpectrumPoint::without);
-  if (request.delta == 0) {
+  if (request.damper.delta == 0) {
     figure.curves.push_back({which + "friction alone", without});
   } else {
     figure.curves.push_back({which + "without the notch", without, Ink::orange, Dash::dashed});
@@ -107,7 +107,7 @@ std::vector<std::string> clauses(const std::string& name, const std::string& uni
                       : "zero";
   };
   std::vector<std::string> said{format("The {} is {}", name, words(shown))};
-  if (drawn.spectrum.request.delta > 0) {
+  if (drawn.spectrum.request.damper.delta > 0) {
     said.push_back("without the notch " + words(*std::prev(figure.curves.end(), 2)));
   }
   return said;
@@ -117,8 +117,8 @@ Figure figure_of(const DrawnSpectrum& drawn, const Kind& kind) {
   const design::SpectrumRequest& request = drawn.spectrum.request;
   const Unit unit = drawn.units.of(kind.dimension);
   const bool felt = kind.dimension == Dimension::gravities;
-  const std::string name =
-      format("{}{}", kind.quantity, felt ? jumps_words(request.delta, request.notch_width) : "");
+  const std::string name = format(
+      "{}{}", kind.quantity, felt ? jumps_words(request.damper.delta, request.notch_width) : "");
   const auto [shortest, longest] = std::ranges::minmax(drawn.periods);
   Figure figure{format("spectrum-{}", kind.axis), format("Spectrum of the {}", kind.quantity)};
   figure.height = 170;

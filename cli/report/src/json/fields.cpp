@@ -54,6 +54,9 @@ std::string si_name(std::string_view name, const Measure& measure) {
 
 void put(ordered_json& object, std::string_view name, ordered_json value, const Measure& measure,
          Scales scales) {
+  if (measure.usual && value == *measure.usual) {
+    return;
+  }
   const bool apart = measure.si == InSi::apart;
   ordered_json twin = apart ? nullptr : in_si(value, measure.dimension, scales);
   const bool beside = measure.si == InSi::beside;

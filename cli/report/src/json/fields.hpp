@@ -31,6 +31,15 @@ constexpr Measure si_alone(Dimension dimension, Numbers numbers = {}) {
 constexpr Measure si_always(Dimension dimension, Numbers numbers = {}) {
   return {numbers, dimension, {}, {}, InSi::always};
 }
+/// Only in the reports of motions that have another value.
+constexpr Measure unless(double usual) {
+  return {.usual = usual};
+}
+/// Those of an oscillator that the paper's does not have.
+inline constexpr std::tuple beyond_the_paper{
+    Field{"damping", &Oscillator::zeta, "the share of critical damping", unless(0)},
+    Field{"breakaway", &Oscillator::breakaway, "the friction that holds a mass at rest, over f",
+          unless(1)}};
 inline constexpr Measure in_metres = with_si(Dimension::length);
 
 /// A table of part of a result: each field is taken from what `whole` gives; empty without it.

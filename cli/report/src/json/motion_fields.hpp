@@ -103,7 +103,7 @@ struct ShownMotion : SimulationRequest {
   std::optional<RecordOrigin> record;
 
   using Now = ShownMotion;
-  static constexpr std::tuple field_table{
+  static constexpr std::tuple own_fields{
       Field{"v0", in(&Now::start, &Start::v0), "", any_number},
       Field{"p", in(&Now::oscillator, &Oscillator::p)},
       Field{"f", in(&Now::oscillator, &Oscillator::f)},
@@ -122,6 +122,8 @@ struct ShownMotion : SimulationRequest {
             "friction f for |x| < to, from the zone before it on; beyond the last the motion's own "
             "f",
             at_least_one}};
+  static constexpr auto field_table =
+      std::tuple_cat(own_fields, fields_in(&Now::oscillator, beyond_the_paper));
 };
 
 inline constexpr auto motion_input = [](const auto& report) {

@@ -60,6 +60,9 @@ void add_property(ordered_json& properties, std::string_view name, std::string_v
   if (!words.empty()) {
     now["description"] = words;
   }
+  if (measure.usual) {
+    now["default"] = *measure.usual;
+  }
   if (measure.si == InSi::beside) {
     properties[si_name(name, measure)] = in_si;
   }
@@ -68,7 +71,9 @@ void add_property(ordered_json& properties, std::string_view name, std::string_v
 ordered_json object_schema(ordered_json properties) {
   auto required = ordered_json::array();
   for (const auto& [name, property] : properties.items()) {
-    required.push_back(name);
+    if (!property.contains("default")) {
+      required.push_back(name);
+    }
   }
   return {
       {"type", "object"}, {"required", std::move(required)}, {"properties", std::move(properties)}};

@@ -20,7 +20,7 @@ inline constexpr std::string_view dimensionless_numbers =
 /// Of a field, and of its value in SI units if the field says so.
 void add_property(nlohmann::ordered_json& properties, std::string_view name, std::string_view words,
                   nlohmann::ordered_json schema, const Measure& measure);
-/// An object in which no field of `properties` is missing.
+/// An object in which no field of `properties` is missing, unless it has a default.
 [[nodiscard]] nlohmann::ordered_json object_schema(nlohmann::ordered_json properties);
 /// For a result that a report has in many places, the name of its schema among the $defs.
 template <class Result>

@@ -44,13 +44,17 @@ inline constexpr auto fields<design::SpectrumPoint> = [] {
 template <>
 inline constexpr auto fields<design::SpectrumRequest> = [] {
   using Now = design::SpectrumRequest;
-  return std::tuple{Field{"f", &Now::f},
-                    Field{"delta_m", &Now::delta, "", si_always(Dimension::length)},
-                    Field{"hold", &Now::hold, "null with the paper's notch, like notch_width_m"},
-                    Field{"notch_width_m", &Now::notch_width, "", si_always(Dimension::length)},
-                    Field{"combine", [](const Now& now) { return now.combine.value(); }},
-                    Field{"gravity_m_per_s2", [](const Now& /*now*/) { return 1.0; }, "",
-                          si_always(Dimension::gravities)}};
+  constexpr auto of_damper = [](auto member) { return in(&Now::damper, member); };
+  return std::tuple_cat(
+      std::tuple{Field{"f", of_damper(&Oscillator::f)},
+                 Field{"delta_m", of_damper(&Oscillator::delta), "", si_always(Dimension::length)},
+                 Field{"hold", of_damper(&Oscillator::hold),
+                       "null with the paper's notch, like notch_width_m"},
+                 Field{"notch_width_m", &Now::notch_width, "", si_always(Dimension::length)},
+                 Field{"combine", [](const Now& now) { return now.combine.value(); }},
+                 Field{"gravity_m_per_s2", [](const Now& /*now*/) { return 1.0; }, "",
+                       si_always(Dimension::gravities)}},
+      fields_in(&Now::damper, beyond_the_paper));
 }();
 
 }  // namespace stillpoint

@@ -39,15 +39,26 @@ Figures figures(const Oscillator& oscillator, const Excitation& load, const Surf
   }
 }
 
+Oscillator with_p(const SpectrumRequest& request, double p) {
+  Oscillator oscillator = request.damper;
+  oscillator.p = p;
+  return oscillator;
+}
+
+Oscillator without_notch(Oscillator oscillator) {
+  oscillator.delta = 0;
+  oscillator.hold.reset();
+  return oscillator;
+}
+
 void require_valid(const SpectrumRequest& request) {
   design::require_valid(request.records);
   if (request.p.empty()) {
     throw InputError::missing("p", "give at least one");
   }
   for (const double p : request.p) {
-    const Oscillator oscillator{p, request.f, request.delta, request.hold};
-    require_valid(oscillator);
-    require_valid(oscillator, Surface{request.notch_width, {}});
+    require_valid(with_p(request, p));
+    require_valid(with_p(request, p), Surface{request.notch_width, {}});
   }
 }
 
@@ -98,7 +109,7 @@ void add_lock(std::vector<Finding>& all, const Spectrum& spectrum) {
   lock.values.push_back({"periods", count});
   lock.values.push_back({"of_periods", static_cast<std::int64_t>(spectrum.combined.size())});
   const SpectrumRequest& task = spectrum.request;
-  if ((task.hold || task.notch_width) && !worst) {
+  if ((task.damper.hold || task.notch_width) && !worst) {
     lock.severity = Severity::info;
   }
 }
@@ -146,12 +157,11 @@ Spectrum spectrum(const SpectrumRequest& request, const std::function<bool(doubl
                  [&](std::ptrdiff_t entry) {
                    const auto index = static_cast<std::size_t>(entry);
                    const Excitation& load = loads[index / points];
-                   const double p = request.p[index % points];
+                   const Oscillator oscillator = with_p(request, request.p[index % points]);
                    SpectrumPoint& point = result.records[index / points][index % points];
-                   point.with_notch = figures({p, request.f, request.delta, request.hold}, load,
-                                              Surface{request.notch_width, {}});
-                   point.without = figures({p, request.f, 0}, load, {});
-                   point.p = p;
+                   point.with_notch = figures(oscillator, load, Surface{request.notch_width, {}});
+                   point.without = figures(without_notch(oscillator), load, {});
+                   point.p = oscillator.p;
                  });
   result.combined.resize(points);
   for (std::size_t i = 0; i < points; ++i) {
@@ -167,7 +177,7 @@ Spectrum spectrum(const SpectrumRequest& request, const std::function<bool(doubl
 
 std::string summary(const Spectrum& spectrum) {
   const std::vector<SpectrumPoint>& points = spectrum.combined;
-  if (spectrum.request.delta == 0) {
+  if (spectrum.request.damper.delta == 0) {
     return "Delta is 0, so there is no notch to compare with.";
   }
   std::string text;

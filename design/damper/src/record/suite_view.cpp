@@ -152,8 +152,8 @@ Spectrum spectrum_about(const RecordDesign& result, std::size_t in_case) {
   const RecordDesignRequest& task = result.request;
   const SuiteDamper& damper = result.finding->point.damper;
   const LoadCase& load_case = task.cases[in_case];
-  SpectrumRequest request{load_case.records, {},        damper.f, damper.delta,
-                          load_case.combine, task.hold, {},       task.threads};
+  SpectrumRequest request{load_case.records, {}, {damper.p, damper.f, damper.delta, task.hold},
+                          load_case.combine, {}, task.threads};
   if (damper.delta > 0) {
     request.notch_width = damper.notch_width();
   }

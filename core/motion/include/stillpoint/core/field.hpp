@@ -25,6 +25,7 @@ enum class Dimension : std::uint8_t {
   force,      ///< these three per weight, weight times length, and mass times velocity
   energy,
   impulse,
+  share,  ///< of a whole; it may be in per cent
 };
 
 /// What the name of a value in SI units ends in; empty of what reports have in one unit alone.
@@ -70,6 +71,7 @@ struct Measure {
   std::string_view physical{};
   std::span<const std::string_view> texts{};  ///< of a text: all that it may be; empty: any
   InSi si{};
+  std::optional<double> usual{};  ///< which a report leaves out
 };
 
 inline constexpr Measure counted{Numbers::counts};

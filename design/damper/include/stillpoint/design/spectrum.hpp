@@ -3,6 +3,7 @@
 
 // What one damper does under records when the period changes: docs/records-design.md section 5.
 
+#include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/figures.hpp>
 #include <stillpoint/design/finding.hpp>
 #include <stillpoint/design/record_design.hpp>
@@ -17,11 +18,9 @@ namespace stillpoint::design {
 
 struct SpectrumRequest {
   std::vector<SuiteRecord> records;
-  std::vector<double> p;  ///< of each point; the frictions are the same in all
-  double f{0};
-  double delta{0};
-  std::optional<Combine> combine{};  ///< as in a RecordDesignRequest
-  std::optional<double> hold{};
+  std::vector<double> p;  ///< of each point, in place of the p of:
+  Oscillator damper{};
+  std::optional<Combine> combine{};     ///< as in a RecordDesignRequest
   std::optional<double> notch_width{};  ///< not beside a finite hold
   Threads threads{};
 };

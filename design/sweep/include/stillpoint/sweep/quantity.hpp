@@ -40,6 +40,8 @@ enum class Quantity : std::uint8_t {
   delta,
   hold,
   notch_width,
+  damping,
+  breakaway,
   tolerance,
   arrival,
   peak_amplitude,
@@ -145,6 +147,8 @@ inline constexpr auto quantity_forms = [] {
       {Quantity::delta, "delta", "delta_m", Dimension::length},
       {Quantity::hold, "hold"},
       {Quantity::notch_width, "notch_width", "notch_width_m", Dimension::length},
+      {Quantity::damping, "damping"},
+      {Quantity::breakaway, "breakaway"},
       {Quantity::tolerance, "tolerance"},
       {Quantity::arrival, "arrival"},
   });
