@@ -156,12 +156,17 @@ class HarmonicDrive {
   }
 
   [[nodiscard]] HarmonicPiece<Real> piece(const Sliding<Real>& from) {
+    return {phase_, start_of(from), Real(from.direction) * k_, k_, guesses_, margin_};
+  }
+
+  /// Where a piece from there begins.
+  [[nodiscard]] HarmonicPoint<Real> start_of(const Sliding<Real>& from) const {
     const Real k = Real(from.direction) * k_;
     HarmonicPoint<Real> start{from.y, from.v, from.a, k * now_.sine, k * now_.cosine};
     if (start.v == 0 && start.a == 0 && start.q > 0) {
       start.q = Real(0);  // released at a crest: by rounding the load seems to recede
     }
-    return {phase_, start, k, k_, guesses_, margin_};
+    return start;
   }
 
   [[nodiscard]] typename HarmonicPiece<Real>::End first_event(HarmonicPiece<Real>& piece,
