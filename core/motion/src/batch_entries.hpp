@@ -18,6 +18,8 @@ struct EntryValues {
   double operator[](std::ptrdiff_t i) const { return data[i * stride]; }
 };
 
+inline constexpr double undamped = 0;
+
 struct BatchEntries {
   EntryValues v0{};
   EntryValues p{};
@@ -25,6 +27,7 @@ struct BatchEntries {
   EntryValues delta{};
   std::ptrdiff_t size{0};
   EntryValues notch_width{};  ///< if given, for each entry
+  EntryValues zeta{&undamped, 0};
 };
 
 struct EntryRange {

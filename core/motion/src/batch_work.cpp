@@ -27,7 +27,8 @@ EntryValues each(const BatchValues& values) {
 InputError in_entry(const InputError& error, std::ptrdiff_t i, const BatchEntries& entries) {
   for (const auto& [field, values] :
        {std::pair("v0", &entries.v0), std::pair("p", &entries.p), std::pair("f", &entries.f),
-        std::pair("delta", &entries.delta), std::pair("notch-width", &entries.notch_width)}) {
+        std::pair("delta", &entries.delta), std::pair("notch-width", &entries.notch_width),
+        std::pair("damping", &entries.zeta)}) {
     if (error.field() == field && values->stride != 0) {
       return error.in_entry(i);
     }
@@ -66,6 +67,13 @@ BatchEntries entries_of(const BatchValues& v0, const BatchValues& p, const Batch
   require_entries("p", p, f.size());
   require_entries("delta", delta, f.size());
   return {each(v0), each(p), each(f), each(delta), f.size()};
+}
+
+void damp(BatchEntries& entries, const Eigen::ArrayXd& zeta) {
+  if (zeta.size() > 0) {
+    require_entries("damping", zeta, entries.size);
+    entries.zeta = {zeta.data(), 1};
+  }
 }
 
 void run_batch(const BatchEntries& entries, std::ptrdiff_t block, const Threads& threads,

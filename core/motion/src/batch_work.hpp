@@ -66,6 +66,9 @@ BatchEntries entries_of(const BatchValues& v0, const BatchValues& p, const Batch
 /// Throws InputError if there are not as many as entries.
 void require_entries(const char* field, const BatchValues& values, std::ptrdiff_t size);
 
+/// With the damping of each, unless `zeta` is empty.
+void damp(BatchEntries& entries, const Eigen::ArrayXd& zeta);
+
 /// Calls worker(EntryThreads&) on several threads; it draws its entries and runs each in a guard.
 /// Then throws the first error, with the entry in it, or Cancelled if go_on returned false.
 void run_batch(const BatchEntries& entries, std::ptrdiff_t block, const Threads& threads,

@@ -43,6 +43,15 @@ class FreeBatchSource final : public FreeLanesSource {
 
   [[nodiscard]] bool goes_on() override { return work_.goes_on(); }
 
+  /// Without lanes.
+  void run_each_alone() {
+    for (EntryRange range = work_.next(); range.begin < range.end; range = work_.next()) {
+      for (Index i = range.begin; i < range.end; ++i) {
+        run_alone(i);
+      }
+    }
+  }
+
   void run_alone(Index i) override {
     if (work_.stopped()) {
       return;
@@ -53,7 +62,11 @@ class FreeBatchSource final : public FreeLanesSource {
  private:
   [[nodiscard]] Response response(Index i) const {
     return free_response(
-        {.p = entries_.p[i], .f = entries_.f[i], .delta = entries_.delta[i]},
+        {.p = entries_.p[i],
+         .f = entries_.f[i],
+         .delta = entries_.delta[i],
+         .zeta = entries_.zeta[i],
+         .breakaway = options_.breakaway},
         {.x0 = 0, .v0 = entries_.v0[i]},
         {.times = options_.times, .margin = false, .half_cycle_limit = options_.half_cycle_limit});
   }
@@ -85,15 +98,21 @@ class FreeBatchSource final : public FreeLanesSource {
   EntryThreads& work_;
 };
 
-void run(const BatchEntries& entries, const BatchOptions& options, BatchResult& result) {
+void run(BatchEntries entries, const BatchOptions& options, BatchResult& result) {
   require_within("half_cycle_limit", options.half_cycle_limit, 1, 1e15);
+  damp(entries, options.zeta);
+  const bool in_lanes = options.zeta.size() == 0 && options.breakaway == 1;
   resize(result, entries.size, options);
   const FreeLanesOutput output{result.peak_amplitude.data(), result.half_cycles.data(),
                                result.outcome.data(), result.stop_position.data(),
                                options.times ? result.stop_time.data() : nullptr};
   run_batch(entries, block, options.threads, options.go_on, [&](EntryThreads& work) {
     FreeBatchSource source(entries, options, result, work);
-    run_free_lanes(entries, options.half_cycle_limit, output, source);
+    if (in_lanes) {
+      run_free_lanes(entries, options.half_cycle_limit, output, source);
+    } else {
+      source.run_each_alone();
+    }
   });
 }
 

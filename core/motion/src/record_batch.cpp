@@ -175,6 +175,7 @@ void record_batch(double v0, const BatchValues& p, const BatchValues& f, const B
     require_entries("notch-width", options.notch_width, entries.size);
     entries.notch_width = {options.notch_width.data(), 1};
   }
+  damp(entries, options.zeta);
   run_batch(entries, record_lanes, options.threads, {}, [&](EntryThreads& work) {
     SceneCheck check(excitation);
     const auto block = std::make_unique<RecordBlock>(excitation, scene);
@@ -184,7 +185,8 @@ void record_batch(double v0, const BatchValues& p, const BatchValues& f, const B
       const auto lane = [&](Eigen::Index i) { return static_cast<std::size_t>(i - range.begin); };
       for (Eigen::Index i = range.begin; i < range.end; ++i) {
         work.guard(i, [&] {
-          const Oscillator oscillator{entries.p[i], entries.f[i], entries.delta[i], options.hold};
+          const Oscillator oscillator{entries.p[i], entries.f[i],    entries.delta[i],
+                                      options.hold, entries.zeta[i], options.breakaway};
           check.require(oscillator, start);
           if (entries.notch_width.stride != 0) {
             surface.notch_width.reset();
@@ -193,7 +195,7 @@ void record_batch(double v0, const BatchValues& p, const BatchValues& f, const B
             }
           }
           require_valid(oscillator, surface);
-          if (in_lanes) {
+          if (in_lanes && oscillator.coulomb()) {
             block->add(lane(i), oscillator, start, surface);
           } else {
             keep(result, i, alone(oscillator, start, excitation, scene, surface));

@@ -14,6 +14,8 @@ namespace stillpoint {
 using BatchValues = Eigen::Ref<const Eigen::ArrayXd>;
 
 struct BatchOptions {
+  Eigen::ArrayXd zeta{};     ///< if not empty, the damping of each oscillator
+  double breakaway{1};       ///< of each oscillator
   bool times{false};         ///< stop_time as well
   bool acceleration{false};  ///< peak_absolute_acceleration as well
   /// As in FreeOptions: if a single entry may take more half-cycles, the batch is refused.
@@ -44,7 +46,8 @@ struct BatchResult {
 /// if its size differs, so a large sweep in blocks reuses the same memory.
 ///
 /// Counts, outcomes and values are bit for bit those of free_response, for every instruction set
-/// and number of threads: docs/batch.md.
+/// and number of threads: docs/batch.md. With damping or a breakaway friction they run without
+/// lanes.
 ///
 /// Throws InputError for input that free_response refuses, with the entry in the field ("f[17]"),
 /// for arrays of different lengths, and for threads < 1; TooManyHalfCycles, naming the entry, as

@@ -17,6 +17,8 @@ namespace stillpoint {
 struct RecordBatchOptions {
   std::optional<double> hold{};  ///< for every oscillator
   Surface surface{};             ///< for every entry
+  Eigen::ArrayXd zeta{};         ///< if not empty, the damping of each oscillator
+  double breakaway{1};           ///< of every oscillator
   /// If not empty, the notch of each entry has this width in place of that of the surface, and
   /// where it is 0 none.
   Eigen::ArrayXd notch_width{};
