@@ -80,9 +80,10 @@ std::vector<Contestant> contestants(const Scene& scene, const Size& size) {
     add("RK4", Setting{"step", step},
         [=](const Scene& now) { return runge_kutta4(now, step, most_effort); });
   }
-  const bool has_hold = scene.oscillator.delta > 0 && scene.oscillator.hold;
+  const bool holds_more =
+      (scene.oscillator.delta > 0 && scene.oscillator.hold) || scene.oscillator.breakaway > 1;
   for (const double width : {1e-2, 1e-3}) {
-    if (has_hold) {
+    if (holds_more) {
       break;  // which the model does not know
     }
     add("regularised", Setting{"width", width},

@@ -76,8 +76,8 @@ ExactResult forced_result(const Scene& scene, double most_half_cycles) {
 }  // namespace
 
 ExactResult exact(const Scene& scene, double most_half_cycles) {
-  const bool by_map =
-      std::holds_alternative<NoExcitation>(scene.excitation) && scene.surface.plain();
+  const bool by_map = std::holds_alternative<NoExcitation>(scene.excitation) &&
+                      scene.surface.plain() && scene.oscillator.coulomb();
   ExactResult result =
       by_map ? free_result(scene, most_half_cycles) : forced_result(scene, most_half_cycles);
   result.rounded.peak = result.peak.near;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 
 // The usual model without events, e the width as a speed, d as a length:
-//   x' = v,   v' = -W - p^2 x - (f + Delta bump(x)) tanh(v / e),
+//   x' = v,   v' = -W - p^2 x - 2 zeta p v - (f + Delta bump(x)) tanh(v / e),
 //   bump(x) = 1 / (2 d cosh^2(x / d)), whose integral is 1.
 // A notch with a width is not a bump but a step of f, like a zone. A notch holds what its bump
-// holds, so the model has no hold.
+// holds, so the model has no hold, nor a friction at rest that is larger than f.
 // It creeps where the mass should be held, so rests are read off a band |v| < 3 e: tanh 3 = 0.995
 // counts as held. A turn is an entry into the band or a change of sign of v
 // across it, a stick an entry under a load that friction can hold. A passage leads from beyond
@@ -30,6 +30,7 @@ class SmoothRun {
       : scene_(scene),
         load_(load),
         stiffness_(scene.oscillator.p * scene.oscillator.p),
+        damping_(2 * scene.oscillator.zeta * scene.oscillator.p),
         ground_(scene),
         method_(width * 1e-3, size),
         e_(width * size.speed),
@@ -40,7 +41,7 @@ class SmoothRun {
     State state{scene_.start.x0, scene_.start.v0};
     const auto motion = [this](const State& now, State& rate, double t) {
       const double held = friction(now[0]) * std::tanh(now[1] / e_);
-      rate = {now[1], -load_(t) - stiffness_ * now[0] - held};
+      rate = {now[1], -load_(t) - stiffness_ * now[0] - damping_ * now[1] - held};
     };
     result_.peak = std::abs(state[0]);
     at_rest_ = slow(state);
@@ -143,6 +144,7 @@ class SmoothRun {
   const Scene& scene_;
   Load load_;
   double stiffness_;
+  double damping_;
   Ground ground_;
   Dopri5 method_;
   double e_;

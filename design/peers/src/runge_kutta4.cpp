@@ -61,16 +61,13 @@ class FixedStep {
   [[nodiscard]] State advanced(const AnyMotion& motion, double t, double load) const {
     const double h = t - before_;
     const double middle = motion.load(before_ + h / 2);
-    const auto rate = [&](double w, const State& now) {
-      return State{now[1], -w - motion.stiffness * now[0] - motion.friction};
-    };
     const auto moved = [&](const State& by, double length) {
       return State{from_[0] + length * by[0], from_[1] + length * by[1]};
     };
-    const State k1 = rate(load_before_, from_);
-    const State k2 = rate(middle, moved(k1, h / 2));
-    const State k3 = rate(middle, moved(k2, h / 2));
-    const State k4 = rate(load, moved(k3, h));
+    const State k1 = motion.rate_of(from_, load_before_);
+    const State k2 = motion.rate_of(moved(k1, h / 2), middle);
+    const State k3 = motion.rate_of(moved(k2, h / 2), middle);
+    const State k4 = motion.rate_of(moved(k3, h), load);
     const auto mean = [&](std::size_t i) { return (k1[i] + 2 * (k2[i] + k3[i]) + k4[i]) / 6; };
     return {from_[0] + h * mean(0), from_[1] + h * mean(1)};
   }

@@ -3,7 +3,7 @@
 
 // One motion by an integrator: the rules of docs/forced.md section 1 and docs/notches.md section 2
 // around pieces in which the sign s of v and the friction f are constant,
-//   x' = v,   v' = -W(t) - p^2 x - s f.
+//   x' = v,   v' = -W(t) - p^2 x - s f - 2 zeta p v.
 // An event is found as users would do it: a change of sign over a step, then a bracketed root on
 // the integrator's own states within the step.
 //
@@ -37,17 +37,24 @@ namespace stillpoint::peers {
 
 using State = std::array<double, 2>;  // x, v
 
-/// x' = v, v' = -W(t) - p^2 x - s f: what an integrator integrates while v keeps its sign s.
+/// x' = v, v' = -W(t) - p^2 x - s f - 2 zeta p v: what an integrator integrates while v keeps its
+/// sign s.
 template <class Load>
 struct Motion {
   const Load& load;
   double stiffness;  // p^2
   double direction;  // s
   double friction;   // s f
+  double damping;    // 2 zeta p
 
-  void operator()(const State& now, State& rate, double t) const {
-    rate = {now[1], -load(t) - stiffness * now[0] - friction};
+  /// What the structure feels.
+  [[nodiscard]] double transmitted(const State& now) const {
+    return stiffness * now[0] + friction + damping * now[1];
   }
+  [[nodiscard]] State rate_of(const State& now, double w) const {
+    return {now[1], -w - stiffness * now[0] - friction - damping * now[1]};
+  }
+  void operator()(const State& now, State& rate, double t) const { rate = rate_of(now, load(t)); }
 };
 
 /// The event that an integrator with its own event finder found at the end of a step.
@@ -108,6 +115,7 @@ class EventRun {
         method_(method),
         effort_left_(most),
         stiffness_(scene.oscillator.p * scene.oscillator.p),
+        damping_(2 * scene.oscillator.zeta * scene.oscillator.p),
         ground_(scene),
         notch_(ground_.notch()),
         state_{scene.start.x0, scene.start.v0} {}
@@ -231,23 +239,27 @@ class EventRun {
 
   void slide() {
     const double s = direction_;
-    const Motion<Load> motion{load_, stiffness_, s, s * ground_.friction_towards(s, x())};
+    const Motion<Load> motion{load_, stiffness_, s, s * ground_.friction_towards(s, x()), damping_};
     edge_ = ground_.edge_towards(s, x());
     method_.begin(motion, t_, state_);
-    feel(stiffness_ * x() + motion.friction);
+    feel(motion.transmitted(state_));
     const bool inward = s * x() < 0;
     while (t_ < scene_.t_end && effort_left_ > 0) {
       const Step step = method_.step(motion, std::min(load_.stretch_end(), scene_.t_end));
       ++result_.steps;
       --effort_left_;
-      if (step_ends(motion, step, inward)) {
-        return feel(stiffness_ * x() + motion.friction);
+      const bool over = step_ends(motion, step, inward);
+      if (over || damping_ > 0) {  // without, most is felt at an end
+        feel(motion.transmitted(state_));
+      }
+      if (over) {
+        return;
       }
       if (enter_stretch()) {
         method_.begin(motion, t_, state_);
       }
     }
-    feel(stiffness_ * x() + motion.friction);
+    feel(motion.transmitted(state_));
     count_passage(inward);
   }
 
@@ -328,6 +340,9 @@ class EventRun {
       t_ = newton_root(value_and_rate, from, to);
     }
     state_ = method_.at(motion, t_);
+    if (damping_ > 0) {
+      feel(motion.transmitted(state_));  // before the notch takes speed
+    }
   }
 
   void count_passage(bool inward) { result_.passages += inward && direction_ * x() >= 0 ? 1 : 0; }
@@ -376,6 +391,7 @@ class EventRun {
   Method& method_;
   std::int64_t effort_left_;
   double stiffness_;
+  double damping_;
   Ground ground_;
   double notch_;
   double edge_{0};  ///< s x where the piece ends

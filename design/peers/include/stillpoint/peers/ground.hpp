@@ -35,19 +35,20 @@ class Ground {
   /// Whether that notch releases a mass that it has stopped.
   [[nodiscard]] bool lets_go() const { return notch() > 0 && oscillator_.hold; }
 
-  /// Friction just beyond |x| = `distance`.
-  [[nodiscard]] double friction(double distance) const {
+  /// Friction just beyond |x| = `distance`; with `more` times that of f and the zones.
+  [[nodiscard]] double friction(double distance, double more = 1) const {
     const auto zone = std::ranges::upper_bound(zones_, distance, {}, &FrictionZone::to);
-    const double f = zone == zones_.end() ? oscillator_.f : zone->f;
+    const double f = more * (zone == zones_.end() ? oscillator_.f : zone->f);
     return distance < half_width_ && !leaving_ ? f + wall_ : f;
   }
-  [[nodiscard]] double friction_towards(double s, double x) const {
+  [[nodiscard]] double friction_towards(double s, double x, double more = 1) const {
     const double y = s * x;
-    return friction(y >= 0 ? y : std::nextafter(-y, 0.0));
+    return friction(y >= 0 ? y : std::nextafter(-y, 0.0), more);
   }
   /// The load c that holds a mass at rest at x against a motion in the direction s.
   [[nodiscard]] double capacity(double s, double x) const {
-    return friction_towards(s, x) + (x == 0 && lets_go() ? *oscillator_.hold : 0);
+    return friction_towards(s, x, oscillator_.breakaway) +
+           (x == 0 && lets_go() ? *oscillator_.hold : 0);
   }
 
   /// The y of the next event of the law; infinite where there is none.
