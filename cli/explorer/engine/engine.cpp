@@ -154,9 +154,11 @@ void batch(const json& options, std::size_t size, const double* columns) {
   const Settings settings = given(Command::simulate, options);
   const MotionInput input = motion_input(settings, Command::simulate, true);
   const Surface surface = surface_input(settings, input.physical);
+  Oscillator oscillator = mass_input(settings, input.p);
   numbers.resize(3 * size);
   for (std::size_t i = 0; i < size; ++i) {
-    const Oscillator oscillator{.p = input.p, .f = columns[i], .delta = columns[size + i]};
+    oscillator.f = columns[i];
+    oscillator.delta = columns[size + i];
     const Start start{.x0 = 0, .v0 = columns[2 * size + i]};
     const Response found = surface.plain()
                                ? free_response(oscillator, start, {.times = false, .margin = false})

@@ -7,6 +7,7 @@
  * @property {Motion} motion dimensionless
  * @property {number} limit
  * @property {number} p
+ * @property {number} zeta of the damping
  * @property {number} width of the notch
  * @property {number} f
  * @property {PlotUnits} units
@@ -120,14 +121,19 @@ function between(list, t, time) {
  * @param {Series} series
  * @returns {(time: number) => void} moves the mass and the mark on the curve
  */
-function draw_motion({ p, units, width }, series) {
+function draw_motion({ p, zeta, units, width }, series) {
   const { t, x, v, most, limit } = series;
-  // Without friction a hit gives V0/p sin(p tau).
+  // Without friction a hit gives V0/(p w) exp(-zeta p tau) sin(p w tau).
+  const w = Math.sqrt(1 - zeta * zeta);
   const amplitude = (v[0] / units.velocity / p) * units.length;
-  const ghost = (/** @type {number} */ time) => amplitude * Math.sin((p * time) / units.time);
+  const ghost = (/** @type {number} */ time) => {
+    const phase = (p * time) / units.time;
+    return (amplitude / w) * Math.exp(-zeta * phase) * Math.sin(w * phase);
+  };
+  const ghost_peak = amplitude * Math.exp((-zeta / w) * Math.acos(zeta));
   const plot = new Plot(
     { least: 0, most, label: units.time_label },
-    { ...displacement_axis(series, amplitude), label: units.length_label },
+    { ...displacement_axis(series, ghost_peak), label: units.length_label },
     {
       ...{ width: 450, height: 350, left: 172, bottom: 42 },
       name: "The mass on its spring and its displacement over time, with the limit and the motion without friction.",

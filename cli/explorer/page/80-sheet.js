@@ -2,9 +2,10 @@
 // The specification: two pages for the one who builds or checks the damper.
 "use strict";
 
-const assumptions = [
-  "One rigid mass moves in one direction on a linear spring, without viscous damping.",
-  "The constant friction is the same at rest and in motion, whatever the speed, the pressure and the temperature. Give their spread as the tolerance.",
+/** @param {Options} options */
+const assumptions = ({ damping, breakaway }) => [
+  `One rigid mass moves in one direction on a linear spring, ${damping ? `with viscous damping of ${damping} of the critical` : "without viscous damping"}.`,
+  `The constant friction is ${breakaway ? `${breakaway} times as large at rest as` : "the same at rest and"} in motion, whatever the speed, the pressure and the temperature. Give their spread as the tolerance.`,
   "The notch takes the same energy at every passage through x = 0.",
   "The hit is a velocity at x = 0, where the mass has left the notch. That is valid for pulses much shorter than the natural period.",
   "Nothing stops the mass at the stroke limit: farther out the motion goes on.",
@@ -105,7 +106,7 @@ function draw_sheet({ options, verdict, document, hits, command, link, version }
       make(
         "div",
         { class: "plates" },
-        make("ul", {}, ...assumptions.map((text) => make("li", {}, text))),
+        make("ul", {}, ...assumptions(options).map((text) => make("li", {}, text))),
         ...plates,
       ),
       make("h2", {}, "The same with the program"),

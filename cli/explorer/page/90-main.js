@@ -299,9 +299,13 @@ class Bench {
 
   /** The motion shown, dimensionless. @returns {Options} */
   plain_motion() {
-    const { v0, p, f, delta, notch_width } = this.motion.input;
-    const options = { v0: String(v0), p: String(p), f: String(f), delta: String(delta) };
-    return notch_width === null ? options : { ...options, "notch-width": String(notch_width) };
+    const { notch_width, ...input } = this.motion.input;
+    /** @type {Options} */
+    const options = notch_width === null ? {} : { "notch-width": String(notch_width) };
+    for (const name of ["v0", "p", "f", "delta", "damping", "breakaway"]) {
+      if (name in input) options[name] = String(input[name]);
+    }
+    return options;
   }
 
   /** The stroke below which no damper works, for a task with a far smaller one. */
@@ -337,6 +341,7 @@ class Bench {
     this.motion_view.draw({
       motion,
       p: run.p,
+      zeta: run.damping ?? 0,
       f: run.f,
       width: run.notch_width ?? 0,
       limit: limit_of(this.judged) / (physical?.length_unit_m ?? 1),

@@ -73,8 +73,8 @@ std::optional<answers::PartsOfFile> catalogue(const Settings& settings, const Ta
 
 /// A notch that is not the paper's.
 std::optional<design::NotchShape> notch_shape(const Settings& settings, const Task& task) {
-  const design::NotchShape shape{notch_width(settings, task.physical), settings.number("hold")};
-  const Oscillator oscillator{task.problem.p, 0, 0, shape.hold};
+  const Oscillator oscillator = mass_input(settings, task.problem.p);
+  const design::NotchShape shape{notch_width(settings, task.physical), oscillator.hold};
   require_valid(oscillator);
   require_valid(oscillator, Surface{shape.width, {}});
   return shape.width || shape.hold ? std::optional(shape) : std::nullopt;

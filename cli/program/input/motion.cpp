@@ -92,6 +92,13 @@ MotionInput motion_input(const Settings& settings, Command command, bool from_re
   return motion;
 }
 
+Oscillator mass_input(const Settings& settings, double p) {
+  return {.p = p,
+          .hold = settings.number("hold"),
+          .zeta = settings.number("damping").value_or(0),
+          .breakaway = settings.number("breakaway").value_or(1)};
+}
+
 Oscillator oscillator_input(const Settings& settings, const MotionInput& motion) {
   const double f = settings.required("f", "give --f, the constant friction (0 for none)");
   const auto delta = point_friction(settings, "delta", motion.physical);
@@ -100,12 +107,10 @@ Oscillator oscillator_input(const Settings& settings, const MotionInput& motion)
         ? InputError::missing("delta-m", "give --delta-m, the point friction in m (0 for none)")
         : InputError::missing("delta", "give --delta, the point friction (0 for none)");
   }
-  return {motion.p,
-          f,
-          *delta,
-          settings.number("hold"),
-          settings.number("damping").value_or(0),
-          settings.number("breakaway").value_or(1)};
+  Oscillator oscillator = mass_input(settings, motion.p);
+  oscillator.f = f;
+  oscillator.delta = *delta;
+  return oscillator;
 }
 
 std::optional<double> in_either(const Settings& settings, std::string_view plain, double unit,

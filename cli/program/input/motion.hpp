@@ -45,6 +45,9 @@ struct MotionInput {
 [[nodiscard]] std::optional<double> in_either(const Settings& settings, std::string_view plain,
                                               double unit, double least);
 
+/// What moves, without friction yet.
+[[nodiscard]] Oscillator mass_input(const Settings& settings, double p);
+
 /// What moves, with its damper. Throws InputError for a missing or wrong value.
 [[nodiscard]] Oscillator oscillator_input(const Settings& settings, const MotionInput& motion);
 

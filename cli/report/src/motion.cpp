@@ -33,6 +33,7 @@ void add_answer(Section& answer, const MotionReport& report) {
                            (zones.empty() ? ""
                                           : ", with other friction up to x = " +
                                                 length_shown(physical, zones.back().to)));
+  add_damping(answer, report.request.oscillator);
   if (report.record) {
     answer.row("record", record_words(report.record->file, report.record->factor,
                                       report.record->units_read, report.record->assumed,
@@ -48,7 +49,7 @@ void add_answer(Section& answer, const MotionReport& report) {
   }
   if (report.answer.forced && report.answer.forced->left_notch_from_rest) {
     const double load = design::largest_load(report.request.excitation);
-    add_start(answer, design::least_width(design::friction_at_centre(report.request), delta, load),
+    add_start(answer, design::least_width(design::holding_friction(report.request), delta, load),
               response, physical);
   }
   if (report.answer.forced && response.outcome == Outcome::running) {

@@ -97,6 +97,16 @@ void add_check(Section& answer, const design::CrossCheck& check) {
              check.passed ? Tone::good : Tone::bad);
 }
 
+void add_damping(Section& answer, const Oscillator& oscillator) {
+  if (oscillator.zeta > 0) {
+    answer.row("damping", format("{:.4g} % of critical damping", 100 * oscillator.zeta));
+  }
+  if (oscillator.breakaway > 1) {
+    answer.row("breakaway",
+               format("at rest friction holds {:.4g} times as much", oscillator.breakaway));
+  }
+}
+
 void add_start(Section& answer, double least_width, const Response& response,
                const Physical& physical) {
   if (least_width < 2 * response.peak_amplitude) {

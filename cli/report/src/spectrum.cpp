@@ -78,6 +78,7 @@ Document document(const SpectrumReport& report) {
   document.answer.row("damper", damper_words(report.physical, damper.f, damper.delta,
                                              {task.notch_width, damper.hold}, 6) +
                                     ", the same at every period");
+  add_damping(document.answer, damper);
   std::string label = "record";
   for (const design::SuiteRecord& record : task.records) {
     document.answer.row(std::exchange(label, ""),

@@ -87,12 +87,17 @@ void add_peaks(std::vector<Finding>& all, const SimulationRequest& request,
       .add("largest_peak", most, Dimension::length);
 }
 
+/// Its end has a closed form.
+bool is_plain(const SimulationRequest& request) {
+  return !is_forced(request) && request.surface.plain() && request.oscillator.coulomb();
+}
+
 /// No damper is built more accurately than the first. That of a load or a surface is no tolerance:
 /// below the second, rounding may decide.
 void add_margin(std::vector<Finding>& all, const SimulationRequest& request,
                 const Simulation& motion) {
   const auto& margin = motion.response.decision_margin;
-  const bool of_inputs = !motion.forced && request.surface.plain();
+  const bool of_inputs = is_plain(request);
   if (margin && *margin < (of_inputs ? 0.01 : 1e-9)) {
     const bool starts = motion.response.outcome == Outcome::caught_at_start;
     Finding& close = all.emplace_back(close_call).tell("changes", starts ? "start" : "stop");
@@ -112,7 +117,7 @@ bool lie_far_apart(const Interval& rests, double peak) {
 /// If f and Delta slightly off change the end much.
 void add_nearby(std::vector<Finding>& all, const SimulationRequest& request,
                 const Simulation& motion) {
-  if (!motion.forced && request.surface.plain()) {
+  if (is_plain(request)) {
     return;
   }
   const auto ends = nearby_ends(request, motion);
@@ -154,9 +159,9 @@ double largest_load(const Excitation& excitation) {
       excitation);
 }
 
-double friction_at_centre(const SimulationRequest& request) {
+double holding_friction(const SimulationRequest& request) {
   const auto& zones = request.surface.zones;
-  return zones.empty() ? request.oscillator.f : zones.front().f;
+  return request.oscillator.breakaway * (zones.empty() ? request.oscillator.f : zones.front().f);
 }
 
 double least_width(double f, double delta, double load) {
@@ -203,7 +208,7 @@ std::vector<Finding> findings_of(const SimulationRequest& request, const Simulat
   const double delta = request.oscillator.delta;
   if (forced && forced->left_notch_from_rest) {
     const double width =
-        least_width(friction_at_centre(request), delta, largest_load(request.excitation));
+        least_width(holding_friction(request), delta, largest_load(request.excitation));
     if (width >= 2 * response.peak_amplitude) {
       all.push_back(no_notch(width, response.peak_amplitude));
     }

@@ -40,19 +40,20 @@ double longest_shown(double rate) {
   return most_shown_periods * 2 * std::numbers::pi / rate;
 }
 
-/// From the least x to the largest of a motion without friction under all of a load that ends, and
-/// after it, or up to `end`.
-Interval reach_of(const ForcedTrajectory& path, const Excitation& excitation, double p,
-                  double end) {
+/// From the least x to the largest on the path of a motion without friction; without damping also
+/// after it, if the load is over by `end`.
+Interval reach_of(const ForcedTrajectory& path, const Excitation& excitation,
+                  const Oscillator& linear, double end) {
   Interval reach{0, 0};
   const auto include = [&](double x) { reach = {std::min(reach.low, x), std::max(reach.high, x)}; };
   include(path.at(0).x);
   for (const Event& event : path.events()) {
     include(event.state.x);
   }
-  if (const double load = duration(excitation).value_or(HUGE_VAL); load <= end) {
+  const double load = duration(excitation).value_or(HUGE_VAL);
+  if (load <= end && linear.zeta == 0) {
     const State last = path.at(load);
-    const double amplitude = elementary::hypot(last.x, last.v / p);
+    const double amplitude = elementary::hypot(last.x, last.v / linear.p);
     include(amplitude);
     include(-amplitude);
   }
@@ -61,8 +62,8 @@ Interval reach_of(const ForcedTrajectory& path, const Excitation& excitation, do
 
 /// The same start without friction.
 void add_frictionless(ShownMotion& motion, const SimulationRequest& request) {
-  const double p = request.oscillator.p;
-  const double rate = fastest_rate(p, request.excitation);
+  const Oscillator linear{.p = request.oscillator.p, .zeta = request.oscillator.zeta};
+  const double rate = fastest_rate(linear.p, request.excitation);
   const bool loses =
       request.oscillator.f > 0 || request.oscillator.delta > 0 || !request.surface.zones.empty();
   if (!loses || motion.shown_to == 0 || motion.shown_to > longest_shown(rate)) {
@@ -71,7 +72,7 @@ void add_frictionless(ShownMotion& motion, const SimulationRequest& request) {
   const auto path_to = [&](double horizon) {
     ForcedTrajectoryOptions limits;
     limits.horizon = horizon;
-    return ForcedTrajectory({p, 0, 0}, request.start, request.excitation, limits);
+    return ForcedTrajectory(linear, request.start, request.excitation, limits);
   };
   const ForcedTrajectory path = path_to(motion.shown_to);
   OtherMotion& other = motion.frictionless.emplace();
@@ -83,7 +84,10 @@ void add_frictionless(ShownMotion& motion, const SimulationRequest& request) {
   }
   const double load = duration(request.excitation).value_or(HUGE_VAL);
   const double end = std::min({load, request.t_end.value_or(load), longest_shown(rate)});
-  other.reach = reach_of(end > motion.shown_to ? path_to(end) : path, request.excitation, p, end);
+  // A damped one swings farthest within a period of the load's end.
+  const double after = linear.zeta > 0 && load <= end ? 2 * std::numbers::pi / linear.p : 0;
+  other.reach = reach_of(end + after > motion.shown_to ? path_to(end + after) : path,
+                         request.excitation, linear, end);
 }
 
 /// The end of the figure for a motion that comes to rest: the whole load is shown, and of one that

@@ -22,9 +22,11 @@ Figure energy_figure(const DrawnMotion& motion, const FigureUnits& units) {
   const double whole = all.front().left;
   const std::string friction = motion.surface.zones.empty() ? "constant friction" : "friction";
   Figure figure = over_time("energy", "Where the energy went", motion, units);
+  const bool damped = motion.oscillator.zeta > 0;
   figure.clauses = {
-      format("Of the energy of {} at the start, {} took {} and the notch {}",
+      format("Of the energy of {} at the start, {} took {}{} and the notch {}",
              units.energy.words(whole), friction, part_words(last.friction, whole, units),
+             damped ? ", damping " + part_words(last.damping, whole, units) : "",
              part_words(last.notch, whole, units)),
       format("{} is left {}", part_words(last.left, whole, units),
              motion.rest    ? "in the spring"
@@ -36,7 +38,11 @@ Figure energy_figure(const DrawnMotion& motion, const FigureUnits& units) {
   for (const auto& [name, part, ink] :
        {std::tuple(std::string("kinetic and spring"), &ShownEnergy::left, Ink::blue),
         {friction, &ShownEnergy::friction, Ink::orange},
+        {std::string("damping"), &ShownEnergy::damping, Ink::purple},
         {std::string("notch"), &ShownEnergy::notch, Ink::green}}) {
+    if (part == &ShownEnergy::damping && !damped) {
+      continue;
+    }
     Points top;
     for (std::size_t i = 0; i < all.size(); ++i) {
       heights[i] += all[i].*part;

@@ -46,6 +46,7 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
     figure.clauses = {!motion.surface.zones.empty() ? "The curve bends where the friction changes"
                       : motion.rest && !orbit.some  ? "The curve ends where friction holds the mass"
                       : motion.oscillator.f > 0     ? "Friction takes energy along the whole curve"
+                      : motion.oscillator.zeta > 0  ? "Damping takes energy along the whole curve"
                                                     : "Nothing takes energy from the mass"};
   }
   mark_events(figure, motion, place, orbit.some ? 0 : orbit.arcs.back().back().tau);

@@ -31,8 +31,8 @@ void add_failed(std::vector<Finding>& all, const CrossCheck& check);
 [[nodiscard]] std::optional<double> caught_impulse(const SimulationRequest& request,
                                                    const Response& response);
 
-/// Constant friction at x = 0, where zones change it.
-[[nodiscard]] double friction_at_centre(const SimulationRequest& request);
+/// What constant friction holds at rest at x = 0, where zones change it.
+[[nodiscard]] double holding_friction(const SimulationRequest& request);
 
 /// The width from which on a notch lets `load` move the mass from rest; infinite if friction alone
 /// holds it.

@@ -54,6 +54,7 @@ struct ShownEnergy {
   double left{0};
   double friction{0};
   double notch{0};
+  double damping{0};
 };
 [[nodiscard]] std::vector<ShownEnergy> shown_energies(const ShownMotion& motion);
 
