@@ -26,16 +26,18 @@ struct ForcedScene {
   Real t_end{1};
   std::optional<Real> hold{};
   BasicSurface<Real> surface{};
+  Real zeta{0};
+  Real breakaway{1};
 
   [[nodiscard]] BasicOscillator<Real> oscillator() const {
-    return {motion.p, motion.f, motion.delta, hold};
+    return {motion.p, motion.f, motion.delta, hold, zeta, breakaway};
   }
 };
 
 /// A piece and how long the motion stayed on it, for looking at it closely.
 template <class Real>
 struct SeenPiece {
-  std::variant<HarmonicFlow<Real>, LinearPiece<Real>> motion;
+  std::variant<HarmonicFlow<Real>, LinearPiece<Real>, DampedPiece<Real>> motion;
   Real begin;
 };
 
@@ -51,10 +53,10 @@ class Recorder {
   }
   template <class Piece>
   void piece(const ExactSum<Real>& begin, int /*direction*/, const Piece& piece) {
-    if constexpr (std::is_same_v<Piece, LinearPiece<Real>>) {
-      pieces.push_back({piece, begin.value()});
-    } else {
+    if constexpr (requires { piece.flow(); }) {
       pieces.push_back({piece.flow(), begin.value()});
+    } else {
+      pieces.push_back({piece, begin.value()});
     }
   }
 
@@ -87,7 +89,7 @@ template <class Wide>
 ForcedScene<Wide> widened(const ForcedScene<double>& scene) {
   return {widened<Wide>(scene.motion), stillpoint::widened<Wide>(scene.excitation),
           Wide(scene.t_end), std::optional<Wide>(scene.hold),
-          stillpoint::widened<Wide>(scene.surface)};
+          stillpoint::widened<Wide>(scene.surface), Wide(scene.zeta), Wide(scene.breakaway)};
 }
 
 /// So that a failing scene can be pasted into a test.
@@ -121,7 +123,7 @@ inline std::ostream& operator<<(std::ostream& out, const ForcedScene<double>& sc
   for (const FrictionZone& zone : scene.surface.zones) {
     out << ' ' << zone.to << ':' << zone.f;
   }
-  out << '}';
+  out << ", zeta " << scene.zeta << ", breakaway " << scene.breakaway << '}';
   out.precision(digits);
   return out;
 }

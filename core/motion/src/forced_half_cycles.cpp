@@ -56,6 +56,8 @@ class HalfCycleCollector final : public MotionWatcher {
              const HarmonicPiece<double>& /*piece*/) override {}
   void piece(const ExactSum<double>& /*begin*/, int /*direction*/,
              const LinearPiece<double>& /*piece*/) override {}
+  void piece(const ExactSum<double>& /*begin*/, int /*direction*/,
+             const DampedPiece<double>& /*piece*/) override {}
 
   /// The half-cycle that is under way when the motion ends or the run stops.
   void finish(double tau, double u) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "forced_response_of_valid.hpp"
+#include "kernel/on_surface.hpp"
 #include "response_of_run.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
@@ -21,7 +22,7 @@ ForcedResponse forced_response(const Oscillator& oscillator, const Start& start,
 ForcedResponse forced_response_of_valid(const Oscillator& oscillator, const Start& start,
                                         const Excitation& excitation, const ForcedOptions& options,
                                         const Surface& surface) {
-  if (!surface.plain()) {
+  if (!paper_motion(oscillator, surface)) {
     return zoned_response_of_valid(oscillator, start, excitation, options, surface);
   }
   NoWatcher nobody;

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <type_traits>
 #include <variant>
 
 namespace stillpoint {
@@ -26,7 +27,7 @@ class ForcedTrajectory::Pieces {
   struct Piece {
     ExactSum<double> begin;  ///< p tau
     int direction;
-    std::variant<Rest, HarmonicFlow<double>, LinearPiece<double>> motion;
+    std::variant<Rest, HarmonicFlow<double>, LinearPiece<double>, DampedPiece<double>> motion;
   };
 
   Pieces(double p, std::int64_t most) : p_(p), most_(most) {}
@@ -52,15 +53,15 @@ class ForcedTrajectory::Pieces {
     const Piece& piece = *std::prev(after);
     const double h = std::max(ExactSum<double>::product(p_, tau).minus(piece.begin), 0.0);
     const double sign = piece.direction;
-    if (const auto* rest = std::get_if<Rest>(&piece.motion)) {
-      return {tau, rest->u / p_, 0};
-    }
-    if (const auto* flow = std::get_if<HarmonicFlow<double>>(&piece.motion)) {
-      const HarmonicPoint<double> point = flow->at(h);
-      return {tau, sign * point.y / p_, sign * point.v};
-    }
-    const LinearPoint<double> point = std::get<LinearPiece<double>>(piece.motion).at(h);
-    return {tau, sign * point.y / p_, sign * point.v};
+    const auto state = [&](const auto& motion) -> State {
+      if constexpr (std::is_same_v<std::decay_t<decltype(motion)>, Rest>) {
+        return {tau, motion.u / p_, 0};
+      } else {
+        const auto point = motion.at(h);
+        return {tau, sign * point.y / p_, sign * point.v};
+      }
+    };
+    return std::visit(state, piece.motion);
   }
 
  private:
@@ -95,6 +96,11 @@ class ForcedTrajectory::Watcher final : public MotionWatcher {
 
   void piece(const ExactSum<double>& begin, int direction,
              const LinearPiece<double>& piece) override {
+    keep({begin, direction, piece});
+  }
+
+  void piece(const ExactSum<double>& begin, int direction,
+             const DampedPiece<double>& piece) override {
     keep({begin, direction, piece});
   }
 

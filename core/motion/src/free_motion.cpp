@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "forced_response_of_valid.hpp"
 #include "kernel/free_run.hpp"
 #include "kernel/margin_keeper.hpp"
 #include "kernel/phase_clock.hpp"
@@ -41,12 +42,29 @@ double stop_time(const PhaseClock<double>& clock, const FreeRun<double>& run, do
   return time;
 }
 
+/// Damped, or held by more than f at rest: half-cycle by half-cycle.
+Response beyond_the_paper(const Oscillator& oscillator, const Start& start,
+                          const FreeOptions& options) {
+  Response response = forced_response_of_valid(oscillator, start, NoExcitation(),
+                                               {.half_cycle_limit = options.half_cycle_limit}, {});
+  if (!options.times) {
+    response.stop_time.reset();
+  }
+  if (!options.margin) {
+    response.decision_margin.reset();
+  }
+  return response;
+}
+
 }  // namespace
 
 Response free_response(const Oscillator& oscillator, const Start& start,
                        const FreeOptions& options) {
   require_valid(oscillator, start);
   require_within("half_cycle_limit", options.half_cycle_limit, 1, 1e15);
+  if (!oscillator.coulomb()) {
+    return beyond_the_paper(oscillator, start, options);
+  }
   const auto run_with = [&](auto&... watchers) {
     return free_run(oscillator, start, options.half_cycle_limit, watchers...);
   };
@@ -67,6 +85,9 @@ Response free_response(const Oscillator& oscillator, const Start& start,
 
 double free_peak(const Oscillator& oscillator, const Start& start) {
   require_valid(oscillator, start);
+  if (!oscillator.coulomb()) {
+    return forced_response_of_valid(oscillator, start, NoExcitation(), {}, {}).peak_amplitude;
+  }
   const HalfCycleMap<double> map(oscillator);
   const FirstLeg<double> leg = first_leg(map, start);
   double farthest = leg.farthest;

@@ -3,6 +3,7 @@
 #include "kernel/phase_clock.hpp"
 
 #include <stillpoint/core/half_cycles.hpp>
+#include <stillpoint/core/input_error.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -13,6 +14,10 @@ namespace {
 
 FirstLeg<double> validated_leg(const Oscillator& oscillator, const Start& start) {
   require_valid(oscillator, start);
+  if (!oscillator.coulomb()) {
+    throw InputError::missing(oscillator.zeta > 0 ? "damping" : "breakaway",
+                              "half-cycles beyond the paper are those of a forced motion");
+  }
   return first_leg(HalfCycleMap<double>(oscillator), start);
 }
 

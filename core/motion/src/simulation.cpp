@@ -118,7 +118,7 @@ bool is_forced(const SimulationRequest& request) {
 }
 
 Simulation simulate(const SimulationRequest& request, const std::function<bool(double)>& go_on) {
-  if (!is_forced(request) && request.surface.plain()) {
+  if (!is_forced(request) && request.surface.plain() && request.oscillator.coulomb()) {
     return free_simulation(request);
   }
   Simulation result = simulate_forced(request, go_on);

@@ -18,6 +18,7 @@ template <class Real>
 class ConstantFriction {
  public:
   static constexpr bool in_zones = false;
+  static constexpr bool damped = false;
 
   explicit ConstantFriction(const BasicOscillator<Real>& oscillator)
       : p_(oscillator.p),

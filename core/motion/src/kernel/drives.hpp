@@ -4,6 +4,7 @@
 // The excitations as the forced run uses them: the load on the mass now, the sliding piece ahead,
 // and the release from rest. In units where p = 1: w = W / p, h = p times a time.
 
+#include "kernel/damped_piece.hpp"
 #include "kernel/drive_phase.hpp"
 #include "kernel/exact_sum.hpp"
 #include "kernel/functions.hpp"
@@ -68,6 +69,10 @@ class LinearDrive {
 
   [[nodiscard]] LinearPiece<Real> piece(const Sliding<Real>& from) const {
     return {{from.y, from.v, from.a}, Real(from.direction) * rate_, magnitude(w_)};
+  }
+
+  [[nodiscard]] DampedPiece<Real> damped_piece(const Sliding<Real>& from, const Real& zeta) const {
+    return {{from.y, from.v, from.a}, Real(from.direction) * rate_, magnitude(w_), zeta};
   }
 
   [[nodiscard]] typename LinearPiece<Real>::End first_event(const LinearPiece<Real>& piece,
@@ -284,14 +289,9 @@ class HarmonicDrive {
   int by_sums_{0};  ///< pieces since `now_` was taken from the phase
 };
 
-/// The piece that a drive makes of a sliding state.
-template <class Drive, class Real>
-using PieceOf = decltype(std::declval<Drive&>().piece(std::declval<const Sliding<Real>&>()));
-
 /// A piece on which x = 0 was passed without a notch; the place is found only on demand.
-template <class Drive, class Real>
+template <class Piece>
 struct Crossing {
-  using Piece = PieceOf<Drive, Real>;
   Piece piece;
   typename Piece::End end;
 

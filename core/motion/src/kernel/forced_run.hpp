@@ -49,6 +49,19 @@ class ForcedRun {
   using AnyWatcher = Watcher;
   using AnyLaw = Law;
 
+  /// The sliding piece that a drive makes of a state.
+  template <class Drive>
+  [[nodiscard]] auto piece(Drive& drive, const Sliding<Real>& from) const {
+    if constexpr (Law::damped) {
+      return drive.damped_piece(from, law_.zeta());
+    } else {
+      return drive.piece(from);
+    }
+  }
+  template <class Drive>
+  using CrossingUnder = Crossing<decltype(std::declval<const ForcedRun&>().piece(
+      std::declval<Drive&>(), std::declval<const Sliding<Real>&>()))>;
+
   ForcedRun(const BasicOscillator<Real>& oscillator, const BasicStart<Real>& start,
             Watcher& watcher, Patience patience = {})
       : ForcedRun(oscillator, Law(oscillator), start, watcher, std::move(patience)) {}
@@ -73,7 +86,7 @@ class ForcedRun {
   /// Follows the motion for `length` under one drive; `for_ever`: no other drive follows.
   template <class Drive>
   void through(Drive& drive, const ExactSum<Real>& length, bool for_ever) {
-    std::optional<Crossing<Drive, Real>> last;
+    std::optional<CrossingUnder<Drive>> last;
     through(drive, length, for_ever, last);
     arrived(last);
   }
@@ -82,7 +95,7 @@ class ForcedRun {
   /// goes through many drives needs the speed of the very last crossing only.
   template <class Drive>
   void through(Drive& drive, const ExactSum<Real>& length, bool for_ever,
-               std::optional<Crossing<Drive, Real>>& last) {
+               std::optional<CrossingUnder<Drive>>& last) {
     ExactSum<Real> left = length;
     // A released mass slides under the same drive: the wait was shorter than the rest of the drive.
     assert(s_.mode != ForcedMode::sliding || s_.v != 0);
@@ -107,7 +120,7 @@ class ForcedRun {
   template <class Drive>
   void slide_to_turn(Drive& drive) {
     while (s_.mode == ForcedMode::sliding && tick()) {
-      std::optional<Crossing<Drive, Real>> last;
+      std::optional<CrossingUnder<Drive>> last;
       ExactSum<Real> left(Real(8));  // more than 2 pi, where every piece ends
       slide(drive, left, last);
       arrived(last);
@@ -233,9 +246,12 @@ class ForcedRun {
   [[nodiscard]] Sliding<Real> own_direction(const Real& w) const {
     const Real sign(s_.direction);
     const Real y = sign * s_.u;
-    const Real a =
-        s_.first_acceleration ? *s_.first_acceleration : Real(-(y + sign * w + law_.phi_ahead(y)));
-    return {y, sign * s_.v, a, s_.direction};
+    const Real v = sign * s_.v;
+    Real pull = y + sign * w + law_.phi_ahead(y);
+    if constexpr (Law::damped) {
+      pull += law_.drag(v);
+    }
+    return {y, v, s_.first_acceleration ? *s_.first_acceleration : Real(-pull), s_.direction};
   }
 
  private:
@@ -278,13 +294,13 @@ class ForcedRun {
   }
 
   template <class Drive>
-  void slide(Drive& drive, ExactSum<Real>& left, std::optional<Crossing<Drive, Real>>& last) {
+  void slide(Drive& drive, ExactSum<Real>& left, std::optional<CrossingUnder<Drive>>& last) {
     if constexpr (Law::in_zones) {
       slide_in_zone(*this, drive, left, last);
       return;
     }
     const Sliding<Real> from = own_direction(drive.w());
-    auto piece = drive.piece(from);
+    auto piece = this->piece(drive, from);
     const bool inward = from.y < 0;
     auto end = piece.first_event(left.value(), inward && map_.notch > 0);
     if (end.event == PieceEvent::none && !(end.at.v > 0)) {

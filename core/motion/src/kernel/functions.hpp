@@ -39,6 +39,12 @@ template <class Real>
   return acos(x);
 }
 
+template <class Real>
+[[nodiscard]] Real exp(const Real& x) {
+  using std::exp;
+  return exp(x);
+}
+
 }  // namespace stillpoint::elementary
 
 namespace stillpoint {

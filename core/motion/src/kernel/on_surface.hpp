@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A separate kind of run for a surface that is not the paper's, so that other motions do not pay
-// for it.
+// A separate kind of run for a surface that is not the paper's and for damping, so that other
+// motions do not pay for them.
 
+#include "kernel/damped.hpp"
 #include "kernel/forced_run.hpp"
 #include "kernel/zoned_friction.hpp"
 
@@ -12,6 +13,12 @@
 #include <utility>
 
 namespace stillpoint {
+
+/// One as in the paper, of ConstantFriction.
+template <class Real>
+bool paper_motion(const BasicOscillator<Real>& oscillator, const BasicSurface<Real>& surface) {
+  return surface.plain() && oscillator.coulomb();
+}
 
 /// Without the notch that is a zone of the surface.
 template <class Real>
@@ -28,9 +35,16 @@ template <class Real, class Watcher, class Follow>
 auto in_zones(const BasicOscillator<Real>& oscillator, const BasicSurface<Real>& surface,
               const BasicStart<Real>& start, Watcher& watcher, Patience patience,
               const Follow& follow) {
-  ForcedRun<Real, Watcher, ZonedFriction<Real>> run(without_zone(oscillator, surface),
-                                                    ZonedFriction<Real>(oscillator, surface, start),
-                                                    start, watcher, std::move(patience));
+  using Zones = ZonedFriction<Real>;
+  const BasicOscillator<Real> bare = without_zone(oscillator, surface);
+  Zones zones(oscillator, surface, start);
+  if (oscillator.zeta > 0) {
+    using Law = Damped<Zones, Real>;
+    ForcedRun<Real, Watcher, Law> run(bare, Law(std::move(zones), oscillator.zeta), start, watcher,
+                                      std::move(patience));
+    return follow(run);
+  }
+  ForcedRun<Real, Watcher, Zones> run(bare, std::move(zones), start, watcher, std::move(patience));
   return follow(run);
 }
 
@@ -39,7 +53,7 @@ template <class Real, class Watcher, class Follow>
 auto on_surface(const BasicOscillator<Real>& oscillator, const BasicSurface<Real>& surface,
                 const BasicStart<Real>& start, Watcher& watcher, Patience patience,
                 const Follow& follow) {
-  if (!surface.plain()) {
+  if (!paper_motion(oscillator, surface)) {
     return in_zones(oscillator, surface, start, watcher, std::move(patience), follow);
   }
   ForcedRun<Real, Watcher> run(oscillator, start, watcher, std::move(patience));

@@ -168,9 +168,13 @@ class RecordRun {
   }
 
   std::size_t slide_from(std::size_t i) {
-    return samples_.times().even()
-               ? slide_along<true>(run_, samples_, terms_, crossing_, i, last_)
-               : slide_along<false>(run_, samples_, terms_, crossing_, i, last_);
+    if constexpr (Law::damped) {
+      return i;
+    } else {
+      return samples_.times().even()
+                 ? slide_along<true>(run_, samples_, terms_, crossing_, i, last_)
+                 : slide_along<false>(run_, samples_, terms_, crossing_, i, last_);
+    }
   }
 
   /// On from sample i while the load at both ends of each interval, and so between, is held.
@@ -212,7 +216,8 @@ class RecordRun {
   Run& run_;
   RecordSamples<Real> samples_;
   IntervalTerms<Real> terms_;
-  std::optional<Crossing<LinearDrive<Real>, Real>> crossing_;  ///< the last without a notch
+  using AnyCrossing = typename Run::template CrossingUnder<LinearDrive<Real>>;
+  std::optional<AnyCrossing> crossing_;  ///< the last without a notch
   std::size_t last_{0};
   Load<Real> load_;  ///< at the end
 };

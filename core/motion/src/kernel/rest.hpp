@@ -45,6 +45,9 @@ void set_off(Run& run, int direction, const Real& acceleration) {
     run.event(EventKind::release);
   }
   s.first_acceleration = acceleration;
+  if constexpr (Run::AnyLaw::in_zones) {
+    *s.first_acceleration += run.law().lost_ahead(Real(direction) * s.u);
+  }
   s.fresh = false;
   const bool let_go = run.law().at_notch(s.u);
   s.left_notch_from_rest = s.left_notch_from_rest || (s.u == 0 && run.map().notch > 0 && !let_go);

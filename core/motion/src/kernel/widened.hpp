@@ -14,8 +14,9 @@ namespace stillpoint {
 
 template <class Wide>
 BasicOscillator<Wide> widened(const Oscillator& oscillator) {
-  return {Wide(oscillator.p), Wide(oscillator.f), Wide(oscillator.delta),
-          std::optional<Wide>(oscillator.hold)};
+  return {Wide(oscillator.p),     Wide(oscillator.f),
+          Wide(oscillator.delta), std::optional<Wide>(oscillator.hold),
+          Wide(oscillator.zeta),  Wide(oscillator.breakaway)};
 }
 
 template <class Wide>

@@ -38,6 +38,16 @@ void reach_edge(Run& run) {
   }
 }
 
+/// Under a constant load a piece without damping has a closed form.
+template <class Drive, class Piece, class Real>
+auto first_event_under(Drive& drive, Piece& piece, const Real& limit, bool want_arrival) {
+  if constexpr (requires { drive.first_event(piece, limit, want_arrival); }) {
+    return drive.first_event(piece, limit, want_arrival);
+  } else {
+    return piece.first_event(limit, want_arrival);
+  }
+}
+
 /// A near edge is reached after about the time that it takes at this acceleration, a far one after
 /// that of the last far one: a drive that guesses keeps the two apart.
 template <class Drive, class Piece, class Real>
@@ -51,20 +61,21 @@ auto first_event_in_zone(Drive& drive, Piece& piece, const Sliding<Real>& from, 
       const Real near(0.25);  // of 1/p: there the acceleration has hardly changed
       if (expected < near) {
         const Real far = drive.expects_arrival_after(expected);
-        auto end = drive.first_event(piece, limit, edge_ahead);
+        auto end = first_event_under(drive, piece, limit, edge_ahead);
         drive.expects_arrival_after(far);
         return end;
       }
     }
   }
-  return drive.first_event(piece, limit, edge_ahead);
+  return first_event_under(drive, piece, limit, edge_ahead);
 }
 
 /// Where a piece ends that stays near x = 0. As seen from a far edge it would lose its digits; from
 /// nearer ones, at most ten bits, sums of decimal inputs stay what they are, as ties need.
-template <class Real, class Drive>
-[[gnu::noinline]] Real end_near_zero(Drive& drive, const Sliding<Real>& whole, const Real& h) {
-  const auto piece = drive.piece(whole);
+template <class Real, class Run, class Drive>
+[[gnu::noinline]] Real end_near_zero(const Run& run, Drive& drive, const Sliding<Real>& whole,
+                                     const Real& h) {
+  const auto piece = run.piece(drive, whole);
   if constexpr (requires { piece.flow(); }) {
     return piece.flow().at(h).y;
   } else {
@@ -78,13 +89,13 @@ void pass_zero(Run& run, Drive& drive, const Sliding<Real>& whole, End end, cons
                std::optional<AnyCrossing>& last) {
   if (whole.y < 0 && run.map().notch == 0 && (y > 0 || (y == 0 && end.event != PieceEvent::turn))) {
     end.at.y = y;
-    run.cross(drive.piece(whole), end, last);
+    run.cross(run.piece(drive, whole), end, last);
   }
 }
 
 template <class Run, class Drive, class Real>
 void slide_in_zone(Run& run, Drive& drive, ExactSum<Real>& left,
-                   std::optional<Crossing<Drive, Real>>& last) {
+                   std::optional<typename Run::template CrossingUnder<Drive>>& last) {
   ForcedState<Real>& s = run.state();
   const Sliding<Real> whole = run.own_direction(drive.w());
   const Real edge = run.law().edge_ahead(whole.y);
@@ -93,16 +104,21 @@ void slide_in_zone(Run& run, Drive& drive, ExactSum<Real>& left,
   if (edge_ahead) {
     from.y -= edge;
   }
-  auto piece = drive.piece(from);
+  auto piece = run.piece(drive, from);
   auto end = first_event_in_zone(drive, piece, from, left.value(), edge_ahead);
   if (end.event == PieceEvent::none && !(end.at.v > 0)) {
     end.event = PieceEvent::turn;  // within rounding of the end of the drive
   }
   s.acceleration = piece.largest_acceleration(end, s.acceleration);
   const Real phi = run.law().phi_ahead(whole.y);
-  s.transmitted.slides(whole.y, phi);
+  if constexpr (Run::AnyLaw::damped) {
+    s.transmitted.slid =
+        piece.largest_transmitted(Real(phi + (whole.y - from.y)), end, s.transmitted.slid);
+  } else {
+    s.transmitted.slides(whole.y, phi);
+  }
   if constexpr (Run::AnyWatcher::watches) {
-    run.watcher().piece(s.now, whole.direction, drive.piece(whole));
+    run.watcher().piece(s.now, whole.direction, run.piece(drive, whole));
   }
   Real y = end.at.y;
   if (end.event == PieceEvent::arrival) {
@@ -110,7 +126,7 @@ void slide_in_zone(Run& run, Drive& drive, ExactSum<Real>& left,
   } else if (edge_ahead) {
     y += edge;
     if (magnitude(y) < magnitude(edge) / 1024) {
-      y = end_near_zero(drive, whole, end.h);
+      y = end_near_zero(run, drive, whole, end.h);
     }
   }
   pass_zero(run, drive, whole, end, y, last);
@@ -122,14 +138,18 @@ void slide_in_zone(Run& run, Drive& drive, ExactSum<Real>& left,
   if (end.event == PieceEvent::arrival) {
     s.u = edge == 0 ? Real(0) : Real(sign * edge);
     s.v = end.at.v > 0 ? Real(sign * end.at.v) : Real(0);
-    s.transmitted.slides(edge, phi);
+    if constexpr (!Run::AnyLaw::damped) {
+      s.transmitted.slides(edge, phi);
+    }
     run.law().reach(edge);
     reach_edge(run);
     return;
   }
   s.u = sign * y;
   s.v = sign * end.at.v;
-  s.transmitted.slides(Real(sign * s.u), phi);
+  if constexpr (!Run::AnyLaw::damped) {
+    s.transmitted.slides(Real(sign * s.u), phi);
+  }
   if (end.event == PieceEvent::turn) {
     run.turn();
   } else if (end.event == PieceEvent::touch) {
@@ -143,6 +163,9 @@ void require_few_passages(const Run& run) {
   const auto& u = run.state().u;
   const auto& notch = run.map().notch;
   using Real = std::decay_t<decltype(u)>;
+  if constexpr (Run::AnyLaw::damped) {
+    return;  // it takes fewer: what damping takes is not counted here
+  }
   const Real end = run.law().farthest_end(u);
   const Real left = std::max(Real(end * end), notch);
   run.require_passages(Real((u * u - left) / (notch + run.law().most_taken(u)) - 1));

@@ -62,6 +62,7 @@ template <class Real>
 class ZonedFriction {
  public:
   static constexpr bool in_zones = true;
+  static constexpr bool damped = false;
 
   ZonedFriction(const BasicOscillator<Real>& oscillator, const BasicSurface<Real>& surface,
                 const BasicStart<Real>& start)
@@ -78,7 +79,11 @@ class ZonedFriction {
     const auto add = [&](const Real& f) {
       const bool walled = from < half_width_;
       const Real with_notch = walled ? Real(f + wall) : f;
-      zones_.push_back({from, with_notch, Real(with_notch / p_), Real(f / p_)});
+      Real held = oscillator.breakaway == 1 ? with_notch : Real(oscillator.breakaway * f);
+      if (walled && oscillator.breakaway != 1) {
+        held += wall;
+      }
+      zones_.push_back({from, held, Real(held / p_), Real(with_notch / p_), Real(f / p_)});
     };
     for (const BasicFrictionZone<Real>& zone : surface.zones) {
       const Real to = p_ * zone.to;
@@ -95,6 +100,12 @@ class ZonedFriction {
   [[nodiscard]] const Real& phi_ahead(const Real& y) const {
     const Zone& zone = zones_[ahead(y)];
     return leaving_ ? zone.phi_leaving : zone.phi;
+  }
+
+  /// What friction loses as the mass sets off from y: rule 2 of docs/damping.md.
+  [[nodiscard]] Real lost_ahead(const Real& y) const {
+    const Zone& zone = zones_[ahead(y)];
+    return zone.phi_held - zone.phi;
   }
 
   /// Where friction changes next, or a notch at x = 0 takes its part.
@@ -164,7 +175,7 @@ class ZonedFriction {
     bool frictionless = !notched_;
     for (const Zone& zone : zones_) {
       if (zone.from < magnitude(u)) {
-        farthest = std::max({farthest, zone.phi, frictionless ? zone.from : Real(0)});
+        farthest = std::max({farthest, zone.phi_held, frictionless ? zone.from : Real(0)});
         frictionless = frictionless && zone.phi == 0;
       }
     }
@@ -182,9 +193,10 @@ class ZonedFriction {
 
  private:
   struct Zone {
-    Real from;  ///< its edge towards x = 0
-    Real f;
-    Real phi;          ///< f / p
+    Real from;         ///< its edge towards x = 0
+    Real held;         ///< f at rest
+    Real phi_held;     ///< over p
+    Real phi;          ///< f / p of a mass that slides
     Real phi_leaving;  ///< without the notch
   };
 
@@ -200,9 +212,9 @@ class ZonedFriction {
   [[nodiscard]] Hold<Real> one_sided(const Real& u, const Real& y) const {
     const Zone& zone = zones_[ahead(y)];
     if (at_notch(u)) {
-      return {p_, zone.f, zone.phi, u, h_, spare_};
+      return {p_, zone.held, zone.phi_held, u, h_, spare_};
     }
-    return {p_, zone.f, zone.phi, u};
+    return {p_, zone.held, zone.phi_held, u};
   }
 
   Real p_;

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// LinearPiece with viscous damping, docs/damping.md section 2. What is sought is a zero of a mix of
+// v, a and 1. The slope of one is a sine that decays, whose zeros are known; between them the mix
+// is monotone, so that no zero of it is missed.
+
+#include "kernel/damped_terms.hpp"
+#include "kernel/functions.hpp"
+#include "kernel/linear_piece.hpp"
+#include "kernel/phase_clock.hpp"
+#include "kernel/piece_end.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace stillpoint {
+
+template <class Real>
+class DampedPiece {
+ public:
+  using Point = LinearPoint<Real>;
+  using End = PieceEnd<Real, Point>;
+
+  /// `load` is the size of w.
+  DampedPiece(Point start, Real rate, Real load, Real zeta)
+      : start_(std::move(start)),
+        rate_(std::move(rate)),
+        load_(std::move(load)),
+        zeta_(std::move(zeta)),
+        omega_(swing_rate(zeta_)) {}
+
+  /// (D3).
+  [[nodiscard]] Point at(const Real& h) const {
+    const DampedTerms<Real> t(h, zeta_);
+    const Point& s = start_;
+    const Real lever = s.v + rate_;
+    return {s.y + (s.v * (t.sine + 2 * zeta_ * t.versine) + s.a * t.versine - rate_ * t.lag),
+            s.v + (s.a * t.sine - lever * t.versine),
+            s.a - (s.a * (t.versine + 2 * zeta_ * t.sine) + lever * t.sine)};
+  }
+
+  [[nodiscard]] End first_event(const Real& limit, bool want_arrival) const {
+    const End end = first_turn_or_end(std::min(limit, Real(2 * pi<Real>())));
+    return want_arrival && !(end.at.y < 0) ? arrival_before(end) : end;
+  }
+
+  /// Where y = 0 on a piece that ends with y >= 0, started from y < 0 and has v > 0 between.
+  [[nodiscard]] End arrival_before(const End& end) const {
+    const auto y = [](const Point& at) { return at.y; };
+    const auto v = [](const Point& at) { return at.v; };
+    const Real guess = end.h * (start_.y / (start_.y - end.at.y));
+    const auto [h, at] = zero_between(y, v, {Real(0), start_}, {end.h, end.at}, guess);
+    return {PieceEvent::arrival, h, at};
+  }
+
+  /// The largest |a| up to `end`, or `so_far` where that is larger.
+  [[nodiscard]] Real largest_acceleration(const End& end, const Real& so_far) const {
+    const auto size = [](const Point& at) { return magnitude(at.a); };
+    return largest(size, jerk(), end, so_far);
+  }
+
+  /// The largest |y + phi + 2 zeta v|, which the structure feels.
+  [[nodiscard]] Real largest_transmitted(const Real& phi, const End& end,
+                                         const Real& so_far) const {
+    const auto size = [&](const Point& at) {
+      return magnitude(Real(at.y + phi + 2 * zeta_ * at.v));
+    };
+    return largest(size, {Real(1), Real(2 * zeta_), Real(0)}, end, so_far);
+  }
+
+ private:
+  struct Moment {
+    Real h;
+    Point at;
+  };
+
+  /// of_v v + of_a a + rest.
+  struct Mix {
+    Real of_v;
+    Real of_a;
+    Real rest;
+
+    Real operator()(const Point& at) const { return of_v * at.v + of_a * at.a + rest; }
+  };
+
+  [[nodiscard]] Mix jerk() const { return {Real(-1), Real(-2 * zeta_), Real(-rate_)}; }
+
+  /// (D4).
+  [[nodiscard]] Mix slope(const Mix& mix) const {
+    return {Real(-mix.of_a), Real(mix.of_v - 2 * zeta_ * mix.of_a), Real(-mix.of_a * rate_)};
+  }
+
+  /// Whether a mix is a sine that decays, as each slope is.
+  [[nodiscard]] bool swings(const Mix& mix) const { return mix.rest == mix.of_v * rate_; }
+
+  /// (D5): the first zero of one after the start; the next follow each pi / omega.
+  [[nodiscard]] Real first_zero_of_swing(const Mix& mix) const {
+    const Real cosine = mix(start_);
+    const Real sine = (slope(mix)(start_) + zeta_ * cosine) / omega_;
+    const Real angle = elementary::atan2(Real(-cosine), sine);
+    return (angle > 0 ? angle : Real(angle + pi<Real>())) / omega_;
+  }
+
+  /// The moments up to h between which the mix is monotone, in their order, until `see` wants no
+  /// more.
+  template <class See>
+  void stretches(const Mix& mix, const Moment& last, const See& see) const {
+    Moment left{Real(0), start_};
+    for (Real h = first_zero_of_swing(slope(mix)); h < last.h; h += pi<Real>() / omega_) {
+      const Moment right{h, at(h)};
+      if (!see(left, right)) {
+        return;
+      }
+      left = right;
+    }
+    see(left, last);
+  }
+
+  [[nodiscard]] End first_turn_or_end(const Real& limit) const {
+    const Mix v{Real(1), Real(0), Real(0)};
+    if (start_.v == 0 && start_.a == 0 && rate_ > 0) {
+      return {PieceEvent::turn, Real(0), start_};
+    }
+    const bool still = start_.v == 0 && start_.a == 0 && rate_ == 0;
+    if (const Real turn = first_zero_of_swing(v); swings(v) && !still && turn <= limit) {
+      return {PieceEvent::turn, turn, at(turn)};
+    }
+    const Moment last{limit, at(limit)};
+    End end{PieceEvent::none, last.h, last.at};
+    if (swings(v)) {
+      return end;
+    }
+    stretches(v, last, [&](const Moment& left, const Moment& right) {
+      if (rate_ < 0 && right.h < limit && right.at.v <= left.at.v &&
+          magnitude(right.at.v) <= rounding()) {
+        end = {PieceEvent::touch, right.h, {right.at.y, std::numeric_limits<Real>::min(), Real(0)}};
+        return false;
+      }
+      if (!(right.at.v > 0)) {
+        const auto a = [](const Point& at) { return at.a; };
+        const auto [h, at] = zero_between(v, a, left, right, undamped_turn());
+        end = {PieceEvent::turn, h, at};
+        return false;
+      }
+      return true;
+    });
+    return end;
+  }
+
+  /// Of (F33): v only touches 0 where it is less than this.
+  [[nodiscard]] Real rounding() const {
+    const Point& s = start_;
+    return 16 * std::numeric_limits<Real>::epsilon() *
+           (magnitude(s.y) + load_ + s.v + magnitude(s.a) + magnitude(rate_));
+  }
+
+  /// A first guess.
+  [[nodiscard]] Real undamped_turn() const { return elementary::atan2(start_.v, Real(-start_.a)); }
+
+  /// The zero of a function that is monotone between two moments and has no one sign there: by
+  /// Newton's method, halving where that leaves the bracket.
+  template <class Value, class Slope>
+  [[nodiscard]] Moment zero_between(const Value& value, const Slope& slope_, const Moment& left,
+                                    const Moment& right, const Real& guess) const {
+    Real low = left.h;
+    Real high = right.h;
+    const bool rises = value(right.at) > value(left.at);
+    Real h = guess;
+    Real step = high - low;
+    if (!(h > low && h < high)) {
+      h = low + (high - low) / 2;
+    }
+    while (true) {
+      const Point now = at(h);
+      const Real off = value(now);
+      if (off == 0) {
+        return {h, now};
+      }
+      ((off < 0) == rises ? low : high) = h;
+      Real next = h - off / slope_(now);
+      const bool near = step < Real(0x1p-20) * h;
+      if (near && 2 * magnitude(Real(next - h)) >= step) {
+        return {h, now};  // only rounding is left
+      }
+      if (!near && !(next > low && next < high)) {
+        next = low + (high - low) / 2;
+      }
+      step = magnitude(Real(next - h));
+      if (!(next > low && next < high) || step <= std::numeric_limits<Real>::epsilon() * h) {
+        return {h, now};
+      }
+      h = next;
+    }
+  }
+
+  /// The largest `size`, which grows or falls where the mix has one sign.
+  template <class Size>
+  [[nodiscard]] Real largest(const Size& size, const Mix& mix, const End& end,
+                             const Real& so_far) const {
+    using std::max;
+    Real most = max(so_far, max(size(start_), size(end.at)));
+    if (swings(mix)) {
+      for (Real h = first_zero_of_swing(mix); h < end.h; h += pi<Real>() / omega_) {
+        most = max(most, size(at(h)));
+      }
+      return most;
+    }
+    const Mix bend = slope(mix);
+    stretches(mix, {end.h, end.at}, [&](const Moment& left, const Moment& right) {
+      if ((mix(left.at) < 0) != (mix(right.at) < 0)) {
+        const Moment crest = zero_between(mix, bend, left, right, (left.h + right.h) / 2);
+        most = max(most, size(crest.at));
+      }
+      return true;
+    });
+    return most;
+  }
+
+  Point start_;
+  Real rate_;
+  Real load_;
+  Real zeta_;
+  Real omega_;
+};
+
+}  // namespace stillpoint

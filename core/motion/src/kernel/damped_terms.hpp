@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The damped swing by itself, docs/damping.md section 1: with omega = sqrt(1 - zeta^2), in units
+// where p = 1,
+//
+// | here    | means                                                                       |
+// |---------|-----------------------------------------------------------------------------|
+// | sine    | s = exp(-zeta h) sin(omega h) / omega, the answer to a unit of speed         |
+// | versine | 1 - c = the integral of s; c = s' + 2 zeta s is the answer to a unit of place |
+// | lag     | the integral of versine                                                     |
+//
+// zeta = 0: sin h, 1 - cos h, h - sin h. A negative zeta is the same with time reversed.
+
+#include "kernel/functions.hpp"
+#include "kernel/harmonic_point.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace stillpoint {
+
+/// sqrt(1 - zeta^2), also next to 1.
+template <class Real>
+Real swing_rate(const Real& zeta) {
+  using std::sqrt;
+  return sqrt((1 - zeta) * (1 + zeta));
+}
+
+/// Each with all its digits for small h >= 0.
+template <class Real>
+struct DampedTerms {
+  Real sine{0};
+  Real versine{0};
+  Real lag{0};
+
+  DampedTerms(const Real& h, const Real& zeta) {
+    if (h < 1) {
+      by_series(h, zeta);
+    } else {
+      by_closed_form(h, zeta);
+    }
+  }
+
+ private:
+  void by_closed_form(const Real& h, const Real& zeta) {
+    const Real omega = swing_rate(zeta);
+    const auto turned = elementary::sin_cos(Real(omega * h));
+    const Real left = elementary::exp(Real(-zeta * h));
+    sine = left * (turned.sine / omega);
+    versine = 1 - (left * turned.cosine + zeta * sine);
+    lag = (h - sine) - 2 * zeta * versine;
+  }
+
+  /// (D2): versine is h^2/2 times the sum of t_n, n >= 2; sine has n t_n and lag t_n / (n + 1). For
+  /// h < 1 no term beyond t_22 matters to a double.
+  void by_series(const Real& h, const Real& zeta) {
+    const Real hh = h * h;
+    const Real drag = 2 * zeta * h;
+    Real before{1};
+    Real now = -drag / 3;
+    Real fall = before + now;
+    Real rise = 2 * before + 3 * now;
+    Real path = before / 3 + now / 4;
+    for (int n = 4; !(small(before, fall) && small(now, fall)); ++n) {
+      const Real next = -(drag * now + hh * before * inverse<Real>(n - 1)) * inverse<Real>(n);
+      before = now;
+      now = next;
+      fall += now;
+      rise += n * now;
+      path += now * inverse<Real>(n + 1);
+    }
+    sine = h / 2 * rise;
+    versine = hh / 2 * fall;
+    lag = h * (hh / 2) * path;
+  }
+
+  /// So is n times the term.
+  static bool small(const Real& term, const Real& sum) {
+    return 64 * magnitude(term) <= std::numeric_limits<Real>::epsilon() * sum;
+  }
+};
+
+}  // namespace stillpoint
