@@ -18,7 +18,7 @@ struct EntryValues {
   double operator[](std::ptrdiff_t i) const { return data[i * stride]; }
 };
 
-inline constexpr double undamped = 0;
+inline constexpr double no_damping = 0;
 
 struct BatchEntries {
   EntryValues v0{};
@@ -27,7 +27,7 @@ struct BatchEntries {
   EntryValues delta{};
   std::ptrdiff_t size{0};
   EntryValues notch_width{};  ///< if given, for each entry
-  EntryValues zeta{&undamped, 0};
+  EntryValues zeta{&no_damping, 0};
 };
 
 struct EntryRange {

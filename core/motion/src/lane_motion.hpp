@@ -94,7 +94,8 @@ class LaneMotion final : public RecordMotion {
   }
 
   void set_terms() {
-    const IntervalTerms<double> terms(run_.map().p * record_.step);
+    IntervalTerms<double> terms;
+    update(terms, run_.map().p * record_.step, run_.law());
     columns_.inverse_p[lane_] = 1 / run_.map().p;
     columns_.sine[lane_] = terms.sine;
     columns_.versine[lane_] = terms.versine;
@@ -103,6 +104,11 @@ class LaneMotion final : public RecordMotion {
     columns_.pull[lane_] = terms.pull;
     columns_.fall[lane_] = terms.fall;
     columns_.least_v[lane_] = terms.least_v;
+    columns_.reach[lane_] = terms.reach;
+    columns_.drag[lane_] = terms.drag;
+    columns_.twice_zeta[lane_] = terms.twice_zeta;
+    columns_.swell[lane_] = terms.swell;
+    columns_.lift[lane_] = terms.lift;
   }
 
   /// Gives the state at sample i to the lane.
@@ -122,7 +128,12 @@ class LaneMotion final : public RecordMotion {
     columns_.certain[lane_] = columns_.crest[lane_] = never;  // for a motion that has ended
     if (slides) {
       const double w = record_.values[i] * columns_.inverse_p[lane_];
-      columns_.a[lane_] = -(s.u + columns_.phi[lane_] + w);
+      double force = s.u + columns_.phi[lane_] + w;
+      if constexpr (Law::damped) {
+        force += run_.law().drag(s.v);
+      }
+      columns_.a[lane_] = -force;
+      columns_.felt[lane_] = s.transmitted.slid;
     } else if (!run_.over()) {
       const auto hold = run_.law().hold_at(s.u);
       decided_ = !s.fresh && record_run_.held(i, hold);

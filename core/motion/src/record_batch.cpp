@@ -52,13 +52,16 @@ void keep(RecordBatchResult& result, Eigen::Index i, const std::optional<ForcedR
 /// The motions of one block of entries.
 class RecordBlock {
  public:
-  RecordBlock(const Excitation& excitation, const ForcedOptions& options)
-      : excitation_(excitation), record_(std::get<Record>(excitation)), options_(options) {}
+  RecordBlock(const Excitation& excitation, const ForcedOptions& options, bool damped)
+      : excitation_(excitation), record_(std::get<Record>(excitation)), options_(options) {
+    columns_.damped = damped;
+  }
 
   void add(std::size_t lane, const Oscillator& oscillator, const Start& start,
            const Surface& surface) {
     const LaneTask task{oscillator, start, excitation_, options_, columns_, lane};
-    motions_.at(lane) = surface.plain() ? record_motion(task) : zoned_record_motion(task, surface);
+    const bool plain = surface.plain() && oscillator.coulomb();
+    motions_.at(lane) = plain ? record_motion(task) : zoned_record_motion(task, surface);
     events_.at(lane) = motions_.at(lane).get();
     if (motions_.at(lane)->begin()) {
       live_.at(count_++) = lane;
@@ -178,7 +181,9 @@ void record_batch(double v0, const BatchValues& p, const BatchValues& f, const B
   damp(entries, options.zeta);
   run_batch(entries, record_lanes, options.threads, {}, [&](EntryThreads& work) {
     SceneCheck check(excitation);
-    const auto block = std::make_unique<RecordBlock>(excitation, scene);
+    const auto undamped = std::make_unique<RecordBlock>(excitation, scene, false);
+    const auto damped =
+        options.zeta.size() > 0 ? std::make_unique<RecordBlock>(excitation, scene, true) : nullptr;
     const Start start{0, v0};
     Surface surface = options.surface;
     for (EntryRange range = work.next(); range.begin < range.end; range = work.next()) {
@@ -195,17 +200,22 @@ void record_batch(double v0, const BatchValues& p, const BatchValues& f, const B
             }
           }
           require_valid(oscillator, surface);
-          if (in_lanes && oscillator.coulomb()) {
-            block->add(lane(i), oscillator, start, surface);
+          if (in_lanes) {
+            (oscillator.zeta > 0 ? damped : undamped)->add(lane(i), oscillator, start, surface);
           } else {
             keep(result, i, alone(oscillator, start, excitation, scene, surface));
           }
         });
       }
-      block->run();
-      for (Eigen::Index i = range.begin; i < range.end; ++i) {
-        if (block->has(lane(i))) {
-          keep(result, i, block->take(lane(i)));
+      for (RecordBlock* block : {undamped.get(), damped.get()}) {
+        if (block == nullptr) {
+          continue;
+        }
+        block->run();
+        for (Eigen::Index i = range.begin; i < range.end; ++i) {
+          if (block->has(lane(i))) {
+            keep(result, i, block->take(lane(i)));
+          }
         }
       }
     }

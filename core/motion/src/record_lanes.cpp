@@ -32,6 +32,8 @@ namespace {
 /// As in RecordRun: at these samples a is computed from y again.
 constexpr std::size_t afresh = 16;
 
+/// `damped`: with viscous damping.
+template <bool damped>
 class RecordGroup {
  public:
   RecordGroup(const double* record, const std::size_t* lanes, Index count, RecordColumns& columns,
@@ -61,6 +63,9 @@ class RecordGroup {
     V pull;
     V fall;
     V least_v;
+    V reach;
+    V drag;
+    V twice_zeta;
   };
 
   struct Point {
@@ -70,8 +75,8 @@ class RecordGroup {
   };
 
   HWY_INLINE Terms terms() const {
-    return {at(sine_, 0), at(versine_, 0), at(lag_, 0),    at(bend_, 0),
-            at(pull_, 0), at(fall_, 0),    at(least_v_, 0)};
+    return {at(sine_, 0), at(versine_, 0), at(lag_, 0),   at(bend_, 0), at(pull_, 0),
+            at(fall_, 0), at(least_v_, 0), at(reach_, 0), at(drag_, 0), at(twice_zeta_, 0)};
   }
 
   static HWY_INLINE V next_v(const Terms& t, const Point& s, V rise) {
@@ -80,13 +85,40 @@ class RecordGroup {
   }
 
   static HWY_INLINE V next_u(const Terms& t, const Point& s, V rise) {
-    const V moved = hn::Add(hn::Mul(s.v, t.sine), hn::Mul(s.a, t.versine));
+    const V reach = damped ? t.reach : t.sine;
+    const V moved = hn::Add(hn::Mul(s.v, reach), hn::Mul(s.a, t.versine));
     return hn::Add(s.u, hn::Sub(moved, hn::Mul(rise, t.lag)));
   }
 
   static HWY_INLINE V next_a(const Terms& t, const Point& s, V rise) {
-    return hn::Sub(hn::Sub(s.a, hn::Mul(s.a, t.versine)),
+    const V drag = damped ? t.drag : t.versine;
+    return hn::Sub(hn::Sub(s.a, hn::Mul(s.a, drag)),
                    hn::Add(hn::Mul(s.v, t.sine), hn::Mul(rise, t.pull)));
+  }
+
+  /// From u, v and w.
+  static HWY_INLINE V a_afresh(const Terms& t, const Point& s, V phi, V w) {
+    const V force = hn::Add(hn::Add(s.u, phi), w);
+    return hn::Neg(damped ? hn::Add(force, hn::Mul(t.twice_zeta, s.v)) : force);
+  }
+
+  /// SlidePoint::may_feel_more: where the structure may feel more between two samples than before.
+  /// `tilt` = fall times the rise of w.
+  HWY_INLINE M may_feel_more(const Terms& t, const Point& s, const Point& next, V w, V next_w,
+                             V tilt, M slides) const {
+    const V from = hn::Add(s.v, hn::Mul(t.twice_zeta, s.a));
+    const V to = hn::Add(next.v, hn::Mul(t.twice_zeta, next.a));
+    const V least = hn::Abs(tilt);
+    const M monotone =
+        hn::Or(hn::Gt(hn::Min(from, to), least), hn::Lt(hn::Max(from, to), hn::Neg(least)));
+    const M turns = hn::AndNot(monotone, slides);
+    if (hn::AllFalse(D(), turns)) [[likely]] {
+      return turns;
+    }
+    const V ends = hn::Max(hn::Abs(hn::Add(s.a, w)), hn::Abs(hn::Add(next.a, next_w)));
+    const V load = hn::Max(hn::Abs(w), hn::Abs(next_w));
+    const V most = hn::Mul(at(swell_, 0), hn::Add(ends, hn::Mul(at(lift_, 0), load)));
+    return hn::And(turns, hn::Gt(most, at(felt_, 0)));
   }
 
   /// From sample i on while all lanes are calm; returns the sample before the interval where one is
@@ -108,7 +140,8 @@ class RecordGroup {
       Point next{next_u(t, now, rise), next_v(t, now, rise), now.a};
       // (F21)
       const V slower = hn::Min(hn::Xor(now.v, mirror), hn::Xor(next.v, mirror));
-      const V least = hn::Max(t.least_v, hn::Xor(hn::Mul(t.fall, rise), mirror));
+      const V tilt = hn::Mul(t.fall, rise);
+      const V least = hn::Max(t.least_v, hn::Xor(tilt, mirror));
       M goes_on = hn::Gt(slower, least);
       M calm = hn::And(goes_on, hn::Lt(hn::Xor(next.u, mirror), look));
       if constexpr (rests) {
@@ -118,8 +151,12 @@ class RecordGroup {
         next.u = hn::IfThenElse(slides, next.u, now.u);
         next.v = hn::IfThenElseZero(slides, next.v);
       }
-      next.a =
-          i % afresh == 0 ? hn::Neg(hn::Add(hn::Add(next.u, phi), next_w)) : next_a(t, now, rise);
+      next.a = i % afresh == 0 ? a_afresh(t, next, phi, next_w) : next_a(t, now, rise);
+      if constexpr (damped) {
+        const M more = may_feel_more(t, now, next, w, next_w, tilt, slides);
+        goes_on = hn::AndNot(more, goes_on);
+        calm = hn::AndNot(more, calm);
+      }
       if (!hn::AllTrue(D(), calm)) [[unlikely]] {
         stop(now, next, calm, goes_on);
         return i;
@@ -231,6 +268,11 @@ class RecordGroup {
         pull_[k] = columns_.pull[lane];
         fall_[k] = columns_.fall[lane];
         least_v_[k] = columns_.least_v[lane];
+        reach_[k] = columns_.reach[lane];
+        drag_[k] = columns_.drag[lane];
+        twice_zeta_[k] = columns_.twice_zeta[lane];
+        swell_[k] = columns_.swell[lane];
+        lift_[k] = columns_.lift[lane];
       } else {
         certain_[k] = crest_[k] = std::numeric_limits<double>::max();  // rests for ever
       }
@@ -250,6 +292,7 @@ class RecordGroup {
     crest_[k] = columns_.crest[lane];
     slack_[k] = columns_.slack[lane];
     scale_[k] = columns_.scale[lane];
+    felt_[k] = columns_.felt[lane];
   }
 
   HWY_INLINE void store_all() {
@@ -303,18 +346,33 @@ class RecordGroup {
   Column<width> pull_{};
   Column<width> fall_{};
   Column<width> least_v_{};
+  Column<width> reach_{};
+  Column<width> drag_{};
+  Column<width> twice_zeta_{};
+  Column<width> swell_{};
+  Column<width> lift_{};
+  Column<width> felt_{};
   Column<width> next_u_{};
   Column<width> next_v_{};
   Column<width> next_a_{};
 };
 
-void run_groups(const double* record, std::size_t begin, std::size_t end, const std::size_t* lanes,
-                std::size_t count, RecordColumns& columns, LaneEvents* const* events) {
+template <bool damped>
+void run_each_group(const double* record, std::size_t begin, std::size_t end,
+                    const std::size_t* lanes, std::size_t count, RecordColumns& columns,
+                    LaneEvents* const* events) {
   const auto all = static_cast<Index>(count);
   for (Index first = 0; first < all; first += width) {
-    RecordGroup(record, lanes + first, all - first < width ? all - first : width, columns, events)
+    RecordGroup<damped>(record, lanes + first, all - first < width ? all - first : width, columns,
+                        events)
         .run(begin, end);
   }
+}
+
+void run_groups(const double* record, std::size_t begin, std::size_t end, const std::size_t* lanes,
+                std::size_t count, RecordColumns& columns, LaneEvents* const* events) {
+  (columns.damped ? run_each_group<true> : run_each_group<false>)(record, begin, end, lanes, count,
+                                                                  columns, events);
 }
 
 }  // namespace

@@ -38,6 +38,15 @@ struct RecordColumns {
   Column pull;
   Column fall;
   Column least_v;
+
+  // With damping
+  bool damped;  ///< all of them are, or none
+  Column reach;
+  Column drag;
+  Column twice_zeta;
+  Column swell;
+  Column lift;
+  Column felt;  ///< the most that the structure has felt while the mass slid, over p
 };
 
 /// Handles what the vectors do not decide for a motion.

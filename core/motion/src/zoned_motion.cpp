@@ -16,9 +16,14 @@ ForcedResponse zoned_response_of_valid(const Oscillator& oscillator, const Start
 }
 
 std::unique_ptr<RecordMotion> zoned_record_motion(const LaneTask& task, const Surface& surface) {
-  using Law = ZonedFriction<double>;
-  return std::make_unique<LaneMotion<Law>>(task, without_zone(task.oscillator, surface),
-                                           Law(task.oscillator, surface, task.start));
+  using Zones = ZonedFriction<double>;
+  using Law = Damped<Zones, double>;
+  const Oscillator bare = without_zone(task.oscillator, surface);
+  Zones zones(task.oscillator, surface, task.start);
+  if (task.oscillator.zeta > 0) {
+    return std::make_unique<LaneMotion<Law>>(task, bare, Law(zones, task.oscillator.zeta));
+  }
+  return std::make_unique<LaneMotion<Zones>>(task, bare, zones);
 }
 
 }  // namespace stillpoint

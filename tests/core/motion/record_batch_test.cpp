@@ -29,6 +29,11 @@ struct Dampers {
     delta[i] = oscillator.delta;
   }
 
+  [[nodiscard]] Oscillator oscillator(Eigen::Index i) const {
+    const double zeta = options.zeta.size() > 0 ? options.zeta[i] : 0;
+    return {p[i], f[i], delta[i], options.hold, zeta, options.breakaway};
+  }
+
   [[nodiscard]] Surface surface(Eigen::Index i) const {
     Surface under = options.surface;
     if (options.notch_width.size() > 0) {
@@ -41,8 +46,8 @@ struct Dampers {
   /// Empty where it has too many half-cycles.
   [[nodiscard]] std::optional<ForcedResponse> alone(Eigen::Index i, const Record& record) const {
     try {
-      return forced_response({p[i], f[i], delta[i], options.hold}, {0, v0}, record,
-                             {.half_cycle_limit = half_cycles}, surface(i));
+      return forced_response(oscillator(i), {0, v0}, record, {.half_cycle_limit = half_cycles},
+                             surface(i));
     } catch (const TooManyHalfCycles&) {
       return std::nullopt;
     }
@@ -54,8 +59,8 @@ void same(const char* what, double got, double expected, Eigen::Index i, const D
   if (got != expected) {
     BOOST_ERROR(what << " = " << got << ", alone " << expected << ", entry " << i << ": p "
                      << dampers.p[i] << ", f " << dampers.f[i] << ", delta " << dampers.delta[i]
-                     << ", v0 " << dampers.v0 << ", width "
-                     << dampers.surface(i).notch_width.value_or(0));
+                     << ", v0 " << dampers.v0 << ", zeta " << dampers.oscillator(i).zeta
+                     << ", width " << dampers.surface(i).notch_width.value_or(0));
   }
 }
 
@@ -144,6 +149,14 @@ void give_widths(Dampers& dampers, Dice& dice, double k) {
   }
 }
 
+/// Little and much, and none.
+void give_damping(Dampers& dampers, Dice& dice) {
+  dampers.options.zeta.resize(dampers.f.size());
+  for (double& zeta : dampers.options.zeta) {
+    zeta = dice.once_in(6) ? 0 : dice.power_of_ten(-3, -0.01);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(random_dampers_under_a_record_are_those_of_the_scalar_kernel) {
   const Record record = strong_motion();
   BOOST_TEST_REQUIRE(record.values.size() == 2000U);
@@ -168,6 +181,56 @@ BOOST_AUTO_TEST_CASE(each_damper_has_a_notch_of_its_own_width) {
   // Beside zones, inside of the notch or not.
   dampers.options.surface.zones = {{1e-3, 0.01}, {0.05, 0.2}};
   is_identical(dampers, record);
+}
+
+BOOST_AUTO_TEST_CASE(each_oscillator_has_a_damping_of_its_own) {
+  const Record record = strong_motion();
+  Dice dice(916);
+  Dampers dampers = any_dampers(300, dice, 0.35);
+  give_damping(dampers, dice);
+  is_identical(dampers, record, {1, 3});
+  dampers.v0 = -0.02;
+  dampers.options.breakaway = 1.5;
+  is_identical(dampers, record);
+  dampers.options.hold = 0.1;
+  is_identical(dampers, record);
+  dampers.options.hold.reset();
+  give_widths(dampers, dice, 0.35);
+  is_identical(dampers, record);
+  dampers.options.surface.zones = {{1e-3, 0.01}, {0.05, 0.2}};
+  is_identical(dampers, record);
+}
+
+BOOST_AUTO_TEST_CASE(friction_at_rest_is_larger) {
+  Dice dice(917);
+  Dampers dampers = any_dampers(300, dice, 0.35);
+  dampers.options.breakaway = 2;
+  is_identical(dampers, strong_motion());
+}
+
+// The structure feels most as the mass slows down, within an interval: against the motion itself.
+BOOST_AUTO_TEST_CASE(with_damping_the_largest_felt_is_that_of_a_dense_path) {
+  Dice dice(918);
+  const Record record = strong_motion();
+  for (int i = 0; i < 40; ++i) {
+    Oscillator oscillator = any_damper(dice, 0.35);
+    oscillator.zeta = dice.power_of_ten(-2, -0.1);
+    const double end = 20;
+    const ForcedResponse response = forced_response(oscillator, {}, record, {.t_end = end});
+    const ForcedTrajectory path(oscillator, {}, record, {end});
+    double most = 0;
+    double force = 0;
+    for (int k = 0; k <= 200000; ++k) {
+      const State state = path.at(end * k / 200000);
+      if (state.v != 0) {
+        const double sign = state.v > 0 ? 1 : -1;
+        force = oscillator.p * (2 * oscillator.zeta * state.v + oscillator.p * state.x);
+        most = std::max(most, std::abs(force + sign * oscillator.f));
+      }
+    }
+    BOOST_TEST(response.peak_absolute_acceleration >= most * (1 - 1e-12));
+    BOOST_TEST(response.peak_absolute_acceleration <= std::max(most * (1 + 1e-3), 0.36));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_rest_at_an_edge_is_held_by_the_friction_of_either_side) {
@@ -202,6 +265,8 @@ BOOST_AUTO_TEST_CASE(random_records_of_any_length) {
       is_identical(dampers, record);
       dampers.options.hold.reset();
       give_widths(dampers, dice, k);
+      is_identical(dampers, record);
+      give_damping(dampers, dice);
       is_identical(dampers, record);
     }
   }
@@ -245,7 +310,10 @@ BOOST_AUTO_TEST_CASE(steps_far_longer_and_far_shorter_than_a_period) {
     for (int i = 0; i < 60; ++i) {
       record.values.push_back(dice.sign() * dice.power_of_ten(-2, 0));
     }
-    is_identical(any_dampers(40, dice, 1), record);
+    Dampers dampers = any_dampers(40, dice, 1);
+    is_identical(dampers, record);
+    give_damping(dampers, dice);
+    is_identical(dampers, record);
   }
 }
 
@@ -280,6 +348,10 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_named_with_its_entry) {
   dampers.options.notch_width = Eigen::ArrayXd::Ones(2);
   refused("notch-width", record);
   dampers.options.notch_width.resize(0);
+  dampers.options.zeta = Eigen::ArrayXd::Constant(3, 0.1);
+  dampers.options.zeta[1] = 1;
+  refused("damping[1]", record);
+  dampers.options.zeta.resize(0);
   dampers.p[2] = 0;
   refused("p[2]", record);
 }

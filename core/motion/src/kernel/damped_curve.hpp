@@ -158,14 +158,11 @@ class DampedCurve {
     return {sign < 0 ? negated(from) : from, r_, zeta_};
   }
 
-  /// exp(zeta h), or more; zeta h <= 1.
-  [[nodiscard]] Real growth(const Real& h) const { return 1 + zeta_ * h * (1 + zeta_ * h); }
-
   /// (D14).
   [[nodiscard]] Real bound(const Point& to, const Real& h) const {
     const Real eighth = h * h / 8;
     const Real ends = std::max(magnitude(start_.y), magnitude(to.y));
-    return growth(h) * (ends + eighth * k_) / (1 - eighth);
+    return exponential_high(Real(zeta_ * h)) * (ends + eighth * k_) / (1 - eighth);
   }
 
   /// v keeps its sign.
@@ -221,7 +218,7 @@ class DampedCurve {
     // (D12)
     const Real push = -least_push(negated(left), r_, k_, h);
     const Real slower = std::min(left.v, right.v);
-    if (slower > 0 && slower > h * h / 8 * growth(h) * push) {
+    if (slower > 0 && slower > h * h / 8 * exponential_high(Real(zeta_ * h)) * push) {
       return true;
     }
     return left.v > right.v ? stays_positive(reversed(right), h, Real(-zeta_))
@@ -234,7 +231,7 @@ class DampedCurve {
     if (point.v == 0 && point.a == 0) {
       return push >= 0 && (point.q < 0 || (point.q == 0 && point.w > 0));
     }
-    const Real grown = zeta < 0 ? growth(h) : Real(1);
+    const Real grown = zeta < 0 ? exponential_high(Real(zeta_ * h)) : Real(1);
     const Real lag = h * h * (std::max(zeta, Real(0)) + grown * h / 6);
     const Real sine = point.a < 0 ? Real(grown * h) : Real(h - lag);
     const Real versine = grown * h * h / 2;

@@ -30,6 +30,12 @@ struct SineBounds {
   }
 };
 
+/// exp(x), or more, for 0 <= x <= 1.
+template <class Real>
+Real exponential_high(const Real& x) {
+  return 1 + x * (1 + x);
+}
+
 /// (F13): the least of the forcing -w' over [0, h] ahead of the point, or below it.
 template <class Real>
 Real least_push(const HarmonicPoint<Real>& point, const Real& r, const Real& k, const Real& h) {

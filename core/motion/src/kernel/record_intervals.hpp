@@ -5,8 +5,10 @@
 // how long they are, and the coefficients of (F16) and (F21) of docs/forced.md, which depend on the
 // length alone.
 
+#include "kernel/damped_terms.hpp"
 #include "kernel/exact_sum.hpp"
 #include "kernel/linear_piece.hpp"
+#include "kernel/positivity.hpp"
 
 #include <stillpoint/core/excitation.hpp>
 
@@ -15,24 +17,45 @@
 
 namespace stillpoint {
 
-/// (F16) over a whole interval of length h, with dw = rate h in place of the rate.
+/// (F16) or docs/damping.md (D3) over a whole interval of length h, with dw = rate h in place of
+/// the rate.
 template <class Real>
 struct IntervalTerms {
   Real h{0};
   Real sine{0};
   Real versine{0};
-  Real lag{0};      ///< (h - sin h) / h
-  Real bend{0};     ///< (1 - cos h) / h
-  Real pull{0};     ///< sin h / h
-  Real fall{0};     ///< -h / 8
-  Real cosine{0};   ///< cos(h/2), or less: between samples |a| is at most that at them over this
+  Real lag{0};     ///< (h - sin h) / h
+  Real bend{0};    ///< (1 - cos h) / h
+  Real pull{0};    ///< sin h / h
+  Real fall{0};    ///< -h / 8
+  Real cosine{0};  ///< cos(h/2), or less: between samples |a| is at most that at them over this
+  // With damping:
+  Real reach{0};  ///< the sine and 2 zeta times the versine
+  Real drag{0};   ///< the versine and 2 zeta times the sine
+  Real twice_zeta{0};
+  Real swell{1};  ///< (D21)
+  Real lift{0};
   Real least_v{0};  ///< what v must exceed at both ends anyway; no v does if h is too long
 
   IntervalTerms() = default;
   explicit IntervalTerms(const Real& length) : IntervalTerms(length, LinearTerms<Real>(length)) {}
 
+  IntervalTerms(const Real& length, const Real& zeta)
+      : IntervalTerms(length, DampedTerms<Real>(length, zeta)) {
+    const Real growth = exponential_high(Real(zeta * length));
+    const Real eighth = length * length / 8;
+    reach = sine + 2 * zeta * versine;
+    drag = versine + 2 * zeta * sine;
+    twice_zeta = 2 * zeta;
+    fall *= growth;
+    cosine /= growth;
+    swell = growth / (1 - eighth);
+    lift = eighth + zeta * length / 2;
+  }
+
  private:
-  IntervalTerms(const Real& length, const LinearTerms<Real>& terms)
+  template <class Terms>
+  IntervalTerms(const Real& length, const Terms& terms)
       : h(length),
         sine(terms.sine),
         versine(terms.versine),

@@ -168,13 +168,9 @@ class RecordRun {
   }
 
   std::size_t slide_from(std::size_t i) {
-    if constexpr (Law::damped) {
-      return i;
-    } else {
-      return samples_.times().even()
-                 ? slide_along<true>(run_, samples_, terms_, crossing_, i, last_)
-                 : slide_along<false>(run_, samples_, terms_, crossing_, i, last_);
-    }
+    return samples_.times().even()
+               ? slide_along<true>(run_, samples_, terms_, crossing_, i, last_)
+               : slide_along<false>(run_, samples_, terms_, crossing_, i, last_);
   }
 
   /// On from sample i while the load at both ends of each interval, and so between, is held.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The sliding mass on the intervals of a record in which no event comes, docs/forced.md (F21).
+// The sliding mass on the intervals of a record in which no event comes, docs/forced.md (F21), with
+// damping docs/damping.md (D20).
 
+#include "kernel/damped_piece.hpp"
 #include "kernel/forced_state.hpp"
 #include "kernel/functions.hpp"
 #include "kernel/linear_piece.hpp"
@@ -13,46 +15,80 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 namespace stillpoint {
 
 /// Those of an interval of length h.
-template <class Real>
-void update(IntervalTerms<Real>& terms, const Real& h) {
+template <class Real, class Law>
+void update(IntervalTerms<Real>& terms, const Real& h, const Law& law) {
   if (h != terms.h) {
-    terms = IntervalTerms<Real>(h);
+    if constexpr (Law::damped) {
+      terms = IntervalTerms<Real>(h, law.zeta());
+    } else {
+      terms = IntervalTerms<Real>(h);
+    }
   }
 }
 
 /// A state of the slide in its own direction, with the load there.
-template <class Real>
+template <class Real, bool damped>
 struct SlidePoint {
+  using Piece = std::conditional_t<damped, DampedPiece<Real>, LinearPiece<Real>>;
+
   Real y;
   Real v;
   Real a;
   Real w;
 
-  /// (F16) over a whole interval, to the load `next_w`. There a does not need y, so v and a wait
-  /// only for each other; `afresh`: a is computed from y, so that rounding errors cannot make the
-  /// two drift apart.
+  /// (F16) over a whole interval, to the load `next_w`. Without damping a does not need y there, so
+  /// v and a wait only for each other; `afresh`: a is computed from y, so that rounding errors
+  /// cannot make the two drift apart.
   [[nodiscard]] SlidePoint after(const IntervalTerms<Real>& t, const Real& next_w, const Real& phi,
                                  bool afresh) const {
     const Real rise = next_w - w;
     const Real v_sine = v * t.sine;
     const Real a_versine = a * t.versine;
-    const Real next_y = y + (v_sine + a_versine - rise * t.lag);
-    return {
-        next_y, (v - v * t.versine) + (a * t.sine - rise * t.bend),
-        afresh ? Real(-(next_y + phi + next_w)) : Real((a - a_versine) - (v_sine + rise * t.pull)),
-        next_w};
+    const Real reach = damped ? Real(v * t.reach) : v_sine;
+    const Real drag = damped ? Real(a * t.drag) : a_versine;
+    SlidePoint next{y + (reach + a_versine - rise * t.lag),
+                    (v - v * t.versine) + (a * t.sine - rise * t.bend),
+                    (a - drag) - (v_sine + rise * t.pull), next_w};
+    if (afresh) {
+      next.set_a(t, phi);
+    }
+    return next;
+  }
+
+  /// From the rest of the state.
+  void set_a(const IntervalTerms<Real>& t, const Real& phi) {
+    const Real force = y + phi + w;
+    a = -(damped ? Real(force + t.twice_zeta * v) : force);
+  }
+
+  /// Not (D20): whether the structure may feel more between here and the next sample than `felt`.
+  [[nodiscard]] bool may_feel_more(const SlidePoint& next, const IntervalTerms<Real>& t,
+                                   const Real& tilt, const Real& felt) const {
+    const Real from = v + t.twice_zeta * a;
+    const Real to = next.v + t.twice_zeta * next.a;
+    const Real least = magnitude(tilt);
+    if (std::min(from, to) > least || std::max(from, to) < -least) {
+      return false;
+    }
+    const Real ends = std::max(magnitude(Real(a + w)), magnitude(Real(next.a + next.w)));
+    return t.swell * (ends + t.lift * std::max(magnitude(w), magnitude(next.w))) > felt;
   }
 
   /// The piece from here to the next sample, and its end.
-  [[nodiscard]] LinearPiece<Real> piece_to(const SlidePoint& next,
-                                           const IntervalTerms<Real>& t) const {
-    return {{y, v, a}, Real((next.w - w) / t.h)};
+  [[nodiscard]] Piece piece_to(const SlidePoint& next, const IntervalTerms<Real>& t) const {
+    const Real rate = (next.w - w) / t.h;
+    if constexpr (damped) {
+      return {{y, v, a}, rate, magnitude(w), Real(t.twice_zeta / 2)};
+    } else {
+      return {{y, v, a}, rate};
+    }
   }
-  [[nodiscard]] typename LinearPiece<Real>::End as_end(const IntervalTerms<Real>& t) const {
+  [[nodiscard]] typename Piece::End as_end(const IntervalTerms<Real>& t) const {
     return {PieceEvent::none, t.h, {y, v, a}};
   }
 };
@@ -66,38 +102,45 @@ template <bool even, class Run, class Real, class AnyCrossing>
                                           std::optional<AnyCrossing>& crossing, std::size_t i,
                                           std::size_t last) {
   constexpr std::size_t afresh = 16;  // at each such sample a is computed from y
+  constexpr bool damped = Run::AnyLaw::damped;
   ForcedState<Real>& s = run.state();
   const Real sign(s.direction);
   const Real signed_inverse = sign * samples.inverse_p();
   const Real* const values = samples.record().values.data();
-  SlidePoint<Real> now{sign * s.u, sign * s.v, Real(0), values[i] * signed_inverse};
+  using Slide = SlidePoint<Real, damped>;
+  Slide now{sign * s.u, sign * s.v, Real(0), values[i] * signed_inverse};
   if (!(now.v > 0)) {
     return i;
   }
   const Real phi = run.law().phi_ahead(now.y);
-  now.a = -(now.y + phi + now.w);
   Real largest = s.acceleration;
   const Real edge = run.law().edge_ahead(now.y);
   Real look = now.y < 0 ? std::min(edge, Real(0)) : edge;
-  update(terms, samples.times().length(i));
+  update(terms, samples.times().length(i), run.law());
   IntervalTerms<Real> t = terms;  // a copy, which may stay in registers
+  now.set_a(t, phi);
   // An interval may hold the largest |a| only where |a| exceeds `matters` at one of its ends:
   // where it does so at `at`, any |a| at the other one will do.
-  const auto threshold = [&](const SlidePoint<Real>& at) {
+  const auto threshold = [&](const Slide& at) {
     const Real matters = largest * t.cosine;
     return magnitude(at.a) > matters ? Real(-1) : matters;
   };
   Real matters = threshold(now);
   for (; i < last; ++i) {
     if constexpr (!even) {
-      update(terms, samples.times().length(i));
+      update(terms, samples.times().length(i), run.law());
       t = terms;
       matters = threshold(now);
     }
-    const SlidePoint<Real> next =
-        now.after(t, Real(values[i + 1] * signed_inverse), phi, i % afresh == 0);
-    if (!(std::min(now.v, next.v) > std::max(t.least_v, Real(t.fall * (next.w - now.w))))) {
+    const Slide next = now.after(t, Real(values[i + 1] * signed_inverse), phi, i % afresh == 0);
+    const Real tilt = t.fall * (next.w - now.w);
+    if (!(std::min(now.v, next.v) > std::max(t.least_v, tilt))) {
       break;
+    }
+    if constexpr (damped) {
+      if (now.may_feel_more(next, t, tilt, s.transmitted.slid)) {
+        break;
+      }
     }
     if constexpr (Run::AnyWatcher::watches) {
       if (next.y < edge) {
