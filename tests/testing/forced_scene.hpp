@@ -37,7 +37,7 @@ struct ForcedScene {
 /// A piece and how long the motion stayed on it, for looking at it closely.
 template <class Real>
 struct SeenPiece {
-  std::variant<HarmonicFlow<Real>, LinearPiece<Real>, DampedPiece<Real>> motion;
+  std::variant<HarmonicFlow<Real>, LinearPiece<Real>, DampedPiece<Real>, DampedCurve<Real>> motion;
   Real begin;
 };
 
@@ -87,9 +87,13 @@ ForcedRecord<Real> run_forced(const ForcedScene<Real>& scene) {
 
 template <class Wide>
 ForcedScene<Wide> widened(const ForcedScene<double>& scene) {
-  return {widened<Wide>(scene.motion), stillpoint::widened<Wide>(scene.excitation),
-          Wide(scene.t_end), std::optional<Wide>(scene.hold),
-          stillpoint::widened<Wide>(scene.surface), Wide(scene.zeta), Wide(scene.breakaway)};
+  return {widened<Wide>(scene.motion),
+          stillpoint::widened<Wide>(scene.excitation),
+          Wide(scene.t_end),
+          std::optional<Wide>(scene.hold),
+          stillpoint::widened<Wide>(scene.surface),
+          Wide(scene.zeta),
+          Wide(scene.breakaway)};
 }
 
 /// So that a failing scene can be pasted into a test.

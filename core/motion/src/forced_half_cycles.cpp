@@ -58,6 +58,8 @@ class HalfCycleCollector final : public MotionWatcher {
              const LinearPiece<double>& /*piece*/) override {}
   void piece(const ExactSum<double>& /*begin*/, int /*direction*/,
              const DampedPiece<double>& /*piece*/) override {}
+  void piece(const ExactSum<double>& /*begin*/, int /*direction*/,
+             const DampedHarmonicPiece<double>& /*piece*/) override {}
 
   /// The half-cycle that is under way when the motion ends or the run stops.
   void finish(double tau, double u) {

@@ -27,7 +27,9 @@ class ForcedTrajectory::Pieces {
   struct Piece {
     ExactSum<double> begin;  ///< p tau
     int direction;
-    std::variant<Rest, HarmonicFlow<double>, LinearPiece<double>, DampedPiece<double>> motion;
+    std::variant<Rest, HarmonicFlow<double>, LinearPiece<double>, DampedPiece<double>,
+                 DampedCurve<double>>
+        motion;
   };
 
   Pieces(double p, std::int64_t most) : p_(p), most_(most) {}
@@ -102,6 +104,11 @@ class ForcedTrajectory::Watcher final : public MotionWatcher {
   void piece(const ExactSum<double>& begin, int direction,
              const DampedPiece<double>& piece) override {
     keep({begin, direction, piece});
+  }
+
+  void piece(const ExactSum<double>& begin, int direction,
+             const DampedHarmonicPiece<double>& piece) override {
+    keep({begin, direction, piece.flow()});
   }
 
  private:

@@ -4,6 +4,7 @@
 // A forced motion watched event by event and piece by piece. It is compiled once, for any watcher:
 // a virtual call costs little compared with a piece, while each copy of the kernel costs code.
 
+#include "kernel/damped_harmonic_piece.hpp"
 #include "kernel/damped_piece.hpp"
 #include "kernel/exact_sum.hpp"
 #include "kernel/forced_state.hpp"
@@ -35,6 +36,8 @@ class MotionWatcher {
                      const LinearPiece<double>& piece) = 0;
   virtual void piece(const ExactSum<double>& begin, int direction,
                      const DampedPiece<double>& piece) = 0;
+  virtual void piece(const ExactSum<double>& begin, int direction,
+                     const DampedHarmonicPiece<double>& piece) = 0;
 };
 
 /// The state at tau = t_end, or where the motion ends before. The input must be valid.

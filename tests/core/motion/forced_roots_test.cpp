@@ -51,7 +51,7 @@ class Finder {
   template <class Piece>
   void piece(const ExactSum<Real>& begin, int /*direction*/, const Piece& piece) {
     flow_.reset();
-    if constexpr (requires { piece.flow(); }) {
+    if constexpr (std::is_same_v<Piece, HarmonicPiece<Real>>) {
       flow_.emplace(piece.flow());
       begin_ = begin;
     }

@@ -13,6 +13,7 @@ struct Forcing {
   double lambda;
   double k;
   double f;
+  double zeta{0};
 };
 
 struct Settled {
@@ -22,8 +23,9 @@ struct Settled {
 
 Settled settled(const Forcing& forcing, double periods) {
   const double period = 2 * pi / forcing.lambda;
-  const ForcedTrajectory path({forcing.p, forcing.f, 0}, {0, 0.1},
-                              Harmonic{forcing.k, forcing.lambda}, {periods * period});
+  const Oscillator oscillator{.p = forcing.p, .f = forcing.f, .zeta = forcing.zeta};
+  const ForcedTrajectory path(oscillator, {0, 0.1}, Harmonic{forcing.k, forcing.lambda},
+                              {periods * period});
   Settled result{{}, false};
   for (const Event& event : path.events()) {
     if (event.state.tau > (periods - 2) * period) {
@@ -46,7 +48,7 @@ double damping(const Forcing& forcing) {
 
 /// The largest f / k without stops: |V| / sqrt(U^2 + S^2), S on a fine grid.
 double largest_ratio_without_stops(const Forcing& forcing) {
-  const auto [p, lambda, k, f] = forcing;
+  const auto [p, lambda, k, f, undamped] = forcing;
   const double tangent = std::tan(pi * p / (2 * lambda));
   double most = 0;
   for (int i = 1; i < 20000; ++i) {
@@ -65,7 +67,7 @@ const std::vector<Forcing> grid{{1, 0.7, 0.3, 0.1},  {1, 0.6, 0.2, 0.05}, {1, 1.
 
 BOOST_AUTO_TEST_CASE(without_stops_amplitude_and_phase_are_den_hartogs) {
   for (const Forcing& forcing : grid) {
-    const auto [p, lambda, k, f] = forcing;
+    const auto [p, lambda, k, f, undamped] = forcing;
     BOOST_TEST_CONTEXT("p " << p << " lambda " << lambda << " k " << k << " f " << f) {
       BOOST_REQUIRE(f / k < largest_ratio_without_stops(forcing));
       const Settled motion = settled(forcing, 3000);
@@ -82,6 +84,38 @@ BOOST_AUTO_TEST_CASE(without_stops_amplitude_and_phase_are_den_hartogs) {
         BOOST_TEST(std::abs(std::cos(theta) - side * -fu / kv) <= 1e-10);
         BOOST_TEST(std::abs(std::sin(theta) - side * -amplitude / kv) <= 1e-10);
       }
+    }
+  }
+}
+
+/// With viscous damping, p = k = 1, without stops: docs/damping.md.
+double damped_amplitude(const Forcing& forcing) {
+  const double r = forcing.lambda;
+  const double zeta = forcing.zeta;
+  const double s = std::sqrt(1 - zeta * zeta);
+  const double angle = pi * s / r;
+  const double below = std::cosh(pi * zeta / r) + std::cos(angle);
+  const double g = (std::sinh(pi * zeta / r) - zeta / s * std::sin(angle)) / below;
+  const double h = std::sin(angle) / (r * s) / below;
+  const double square = std::pow(1 - r * r, 2) + std::pow(2 * zeta * r, 2);
+  return std::sqrt(1 / square - std::pow(h * forcing.f, 2)) - g * forcing.f;
+}
+
+BOOST_AUTO_TEST_CASE(with_damping_the_amplitude_is_den_hartogs_as_well) {
+  struct Known {
+    Forcing forcing;
+    double amplitude;  ///< to nine decimals, by integration in small steps
+  };
+  for (const auto& [forcing, amplitude] :
+       {Known{{1, 0.8, 1, 0.3, 0.05}, 2.346871967}, Known{{1, 1, 1, 0.4, 0.1}, 2.450073798},
+        Known{{1, 1.5, 1, 0.2, 0.2}, 0.615054904}, Known{{1, 0.6, 1, 0.2, 0.05}, 1.503724845}}) {
+    const double exact = damped_amplitude(forcing);
+    BOOST_TEST(std::abs(exact - amplitude) <= 6e-10);
+    const Settled motion = settled(forcing, 200);
+    BOOST_TEST(!motion.stops);
+    BOOST_REQUIRE(motion.turns.size() >= 3U);
+    for (const State& turn : motion.turns) {
+      BOOST_TEST(std::abs(std::abs(turn.x) - exact) <= 1e-12 * exact);
     }
   }
 }

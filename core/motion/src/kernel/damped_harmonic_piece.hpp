@@ -26,6 +26,7 @@ class DampedHarmonicPiece {
 
   [[nodiscard]] const Point& start() const { return motion_.start(); }
   [[nodiscard]] Point at(const Real& h) const { return motion_.at(h); }
+  [[nodiscard]] const DampedCurve<Real>& flow() const { return motion_; }
 
   /// The first turn or, if asked for, arrival up to `limit`; the piece may end before without any.
   [[nodiscard]] End first_event(const Real& limit, bool want_arrival) const {
@@ -48,12 +49,13 @@ class DampedHarmonicPiece {
     return largest(lifted(start()), lifted(end.at), end.h, so_far);
   }
 
-  /// The same of what the structure feels, |a + w|: (D13).
-  [[nodiscard]] Real largest_transmitted(const End& end, const Real& so_far) const {
+  /// The same of what the structure feels, |y + phi + 2 zeta v|: (D13).
+  [[nodiscard]] Real largest_transmitted(const Real& phi, const End& end,
+                                         const Real& so_far) const {
     const auto felt = [&](const Point& point) {
       const Point next = motion_.derivative(point);
       const Real c = 2 * zeta_;
-      return Point{-(point.a + point.w), point.v + c * next.v, point.a + c * next.a,
+      return Point{point.y + phi + c * point.v, point.v + c * next.v, point.a + c * next.a,
                    point.w + c * next.w, point.q + c * next.q};
     };
     return largest(felt(start()), felt(end.at), end.h, so_far);

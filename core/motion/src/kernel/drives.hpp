@@ -4,6 +4,7 @@
 // The excitations as the forced run uses them: the load on the mass now, the sliding piece ahead,
 // and the release from rest. In units where p = 1: w = W / p, h = p times a time.
 
+#include "kernel/damped_harmonic_piece.hpp"
 #include "kernel/damped_piece.hpp"
 #include "kernel/drive_phase.hpp"
 #include "kernel/exact_sum.hpp"
@@ -162,6 +163,11 @@ class HarmonicDrive {
 
   [[nodiscard]] HarmonicPiece<Real> piece(const Sliding<Real>& from) {
     return {phase_, start_of(from), Real(from.direction) * k_, k_, guesses_, margin_};
+  }
+
+  [[nodiscard]] DampedHarmonicPiece<Real> damped_piece(const Sliding<Real>& from,
+                                                       const Real& zeta) const {
+    return {start_of(from), phase_.ratio(), zeta, margin_};
   }
 
   /// Where a piece from there begins.

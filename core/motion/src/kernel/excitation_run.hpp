@@ -32,11 +32,7 @@ Load<Real> harmonic(ForcedRun<Real, Watcher, Law>& run, const Real& k, const Rea
   const Load<Real> crest =
       size < 0 ? Load<Real>{-size, ExactSum<Real>(-k)} : Load<Real>{size, ExactSum<Real>(k)};
   HarmonicDrive<Real> drive(psi, crest, run.state().margin);
-  if constexpr (Law::damped) {
-    throw InputError::missing("damping", "a sine has no damping yet");
-  } else {
-    run.through(drive, length, for_ever);
-  }
+  run.through(drive, length, for_ever);
   return drive.load();
 }
 
