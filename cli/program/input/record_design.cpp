@@ -70,6 +70,18 @@ design::SuiteTolerance tolerances(const Settings& settings,
   return of;
 }
 
+Interval damping_of(const Settings& settings, const Oscillator& mass) {
+  return settings.range("damping").value_or(Interval{mass.zeta, mass.zeta});
+}
+
+/// What makes the mass another than that of the closed forms; empty: nothing.
+std::string_view beyond_closed_forms(const Settings& settings) {
+  const Oscillator mass = mass_input(settings, 1);
+  return !mass.coulomb() && mass.zeta == 0                         ? "breakaway"
+         : !mass.coulomb() || damping_of(settings, mass).high != 0 ? "damping"
+                                                                   : "";
+}
+
 }  // namespace
 
 bool takes_cases(const Settings& settings) {
@@ -84,27 +96,35 @@ bool takes_cases(const Settings& settings) {
     }
     return true;
   }
-  return hit != nullptr && settings.first([&](const Option& option) {
-    return option.design_for() == DesignFor::cases ||
-           (option.name == "objective" && settings.text("objective") == "residual") ||
-           (hit->name == "pulse" &&
-            (option.traits.rivals == Rivals::residual ||
-             (option.name == "arrivals" && settings.integer("arrivals") > 1) ||
-             option.name == "trade-off"));
-  }) != nullptr;
+  const bool beyond = !beyond_closed_forms(settings).empty();
+  return hit != nullptr && (beyond || settings.first([&](const Option& option) {
+           return option.design_for() == DesignFor::cases ||
+                  (option.name == "objective" && settings.text("objective") == "residual") ||
+                  (hit->name == "pulse" &&
+                   (option.traits.rivals == Rivals::residual ||
+                    (option.name == "arrivals" && settings.integer("arrivals") > 1) ||
+                    option.name == "trade-off"));
+         }) != nullptr);
 }
 
 void require_options_for(const Settings& settings, DesignFor design) {
-  for (const char* const name : {"damping", "breakaway"}) {
-    if (settings.has(name)) {
-      throw UsageError(fmt::format("{}: designs are for an undamped mass", name));
-    }
+  const std::string_view beyond = beyond_closed_forms(settings);
+  if (design == DesignFor::hit && !beyond.empty()) {
+    throw UsageError(fmt::format("{} cannot be used here: closed forms do not know it", beyond));
+  }
+  const auto criterion = settings.named<design::Criterion>("criterion");
+  if (!beyond.empty() && criterion == design::Criterion::published) {
+    throw UsageError(fmt::format(
+        "criterion published and {} cannot be combined: the paper's Delta1 has no meaning with it",
+        beyond));
   }
   const bool has_cases = settings.has("cases");
   const bool of_records = design == DesignFor::records && (has_cases || asks_for_records(settings));
+  const bool of_a_hit_beyond = !beyond.empty() && !of_records;
   const Option* const wrong = settings.first([&](const Option& option) {
     const DesignFor only = option.design_for();
     return only != DesignFor::both && only != design && only != DesignFor::cases &&
+           !(option.name == "criterion" && of_a_hit_beyond) &&  // its motion is the exact one
            !(option.is_of_case() && (has_cases || (design == DesignFor::records && !of_records)));
   });
   if (wrong != nullptr) {
@@ -130,9 +150,11 @@ void add_given(design::RecordDesignRequest& request, const Settings& settings,
     }
     request.parts = catalogue_input(settings, units_of_parts(request.p.high, start.physical));
   } else if (command == Command::region) {
-    const char* const why =
-        "give a damper to judge, --f and --delta or --delta-m, or a --catalogue: the region itself "
-        "is for a hit or a pulse";
+    const std::string_view beyond = beyond_closed_forms(settings);
+    const std::string why =
+        fmt::format("give a damper to judge, --f and --delta or --delta-m, or a --catalogue: {}",
+                    beyond.empty() ? "the region itself is for a hit or a pulse"
+                                   : fmt::format("with {} the region has no closed form", beyond));
     const auto f = settings.number("f");
     const auto delta = point_friction(settings, "delta", start.physical);
     if (!f || !delta) {
@@ -177,7 +199,10 @@ report::RecordDesignInput record_design_input(const Settings& given, Command com
                                    : asks_for_records(settings) ? " under records"
                                                                 : "");
   request.objective_case = objective_case(settings, request.cases);
-  request.hold = settings.number("hold");
+  const Oscillator mass = mass_input(settings, start.p);
+  request.hold = mass.hold;
+  request.zeta = damping_of(settings, mass);
+  request.breakaway = mass.breakaway;
   if (const auto width = notch_width(settings, start.physical)) {
     request.width = Interval{*width, *width};
   }

@@ -68,6 +68,7 @@ void add_answer(Section& answer, const RecordDesignReport& report) {
     answer.row("spring", spring_words(physical, point.damper.p, digits) +
                              (at_end ? ", an end of what was searched" : ""));
   }
+  add_damping(answer, oscillator_of(result.request, point.damper), result.request.zeta.high);
   if (result.largest_tolerance && !result.request.judges) {
     answer.row("tolerance",
                format("{:.3g} %, the largest that was found", 100 * *result.largest_tolerance));

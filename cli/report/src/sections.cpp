@@ -97,9 +97,11 @@ void add_check(Section& answer, const design::CrossCheck& check) {
              check.passed ? Tone::good : Tone::bad);
 }
 
-void add_damping(Section& answer, const Oscillator& oscillator) {
-  if (oscillator.zeta > 0) {
-    answer.row("damping", format("{:.4g} % of critical damping", 100 * oscillator.zeta));
+void add_damping(Section& answer, const Oscillator& oscillator, double most_zeta) {
+  const bool varies = most_zeta > oscillator.zeta;
+  if (varies || oscillator.zeta > 0) {
+    answer.row("damping", format("{:.4g}{} % of critical damping", 100 * oscillator.zeta,
+                                 varies ? format(" to {:.4g}", 100 * most_zeta) : ""));
   }
   if (oscillator.breakaway > 1) {
     answer.row("breakaway",

@@ -119,8 +119,8 @@ void add_mends(Document& document, const design::RegionVerdict& empty, const Sho
 [[nodiscard]] std::string in_words(std::string_view name);
 /// How independent methods agree: "2 independent methods agree to within 1.3e-12".
 void add_check(Section& answer, const design::CrossCheck& check);
-/// Of one that is damped, or holds more at rest.
-void add_damping(Section& answer, const Oscillator& oscillator);
+/// Of one that is damped, by up to `most_zeta` where that varies, or holds more at rest.
+void add_damping(Section& answer, const Oscillator& oscillator, double most_zeta = 0);
 /// How wide a notch must be for the load to move the mass, unless none is.
 void add_start(Section& answer, double least_width, const Response& response,
                const Physical& physical);

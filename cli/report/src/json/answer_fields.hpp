@@ -62,10 +62,12 @@ struct BoxedDamper : design::SuiteDamper {
 struct WorstAt : design::SuiteDamper {
   Name motion{};
   IfReal part{};
+  double zeta{0};
 
   static constexpr auto field_table = std::tuple_cat(
       std::tuple{Field{"motion", &WorstAt::motion, "of several the one with the most", any_number},
-                 Field{"part", &WorstAt::part, "of a load that varies: of its largest v0 or k"}},
+                 Field{"part", &WorstAt::part, "of a load that varies: of its largest v0 or k"},
+                 Field{"damping", &WorstAt::zeta, "of a mass whose damping varies", unless(0)}},
       fields<design::SuiteDamper>);
 };
 struct WorstInBox : Worst {

@@ -34,10 +34,12 @@ struct AskedTask {
   std::optional<design::Pulse> pulse{};
   std::optional<std::string_view> objective{};
   Name algorithm{}, catalogue{};
+  Oscillator mass{};
+  double damping_most{0};
 
   using Now = AskedTask;
   using Limits = design::Limits;
-  static constexpr std::tuple field_table{
+  static constexpr std::tuple own_fields{
       Field{"v0", &Now::v0,
             "of the motion shown; with a pulse, the velocity of its reduction in a design, else "
             "null",
@@ -73,7 +75,11 @@ struct AskedTask {
       Field{"objective", &Now::objective, "null for a region", one_of(objectives)},
       Field{"algorithm", &Now::algorithm, "as given; null if the program chooses"},
       Field{"catalogue", &Now::catalogue, "the file"},
-      Field{"trade_off", &Now::trade_off, "how many"}};
+      Field{"trade_off", &Now::trade_off, "how many"},
+      Field{"damping_most", &Now::damping_most, "of a range, whose least is the damping",
+            unless(0)}};
+  static constexpr auto field_table =
+      std::tuple_cat(own_fields, fields_in(&Now::mass, beyond_the_paper));
 };
 
 }  // namespace stillpoint::report

@@ -31,7 +31,9 @@ AskedTask asked_task(const design::RecordDesignRequest& task) {
                   .tolerance_width = factors(width),
                   .tolerance_period = factors(period),
                   .notch_width_range = task.width,
-                  .tolerance = std::max({f.below, f.above, delta.below, delta.above})};
+                  .tolerance = std::max({f.below, f.above, delta.below, delta.above}),
+                  .mass = oscillator_of(task, {}),
+                  .damping_most = task.zeta.low < task.zeta.high ? task.zeta.high : 0};
   if (const design::LoadCase& only = task.cases.front();
       task.cases.size() == 1 && !only.of_records()) {
     const auto range_of = [&](double most) {
@@ -79,7 +81,8 @@ WorstInBox shown_worst(const design::RecordDesignRequest& task, const design::Su
   const auto at = [&](std::size_t kind) {
     const design::SuiteDamper& damper = box.of[in_case].at(kind);
     return WorstAt{damper, motions[box.in[in_case].at(kind)].name,
-                   design::load_part(task, in_case, damper)};
+                   design::load_part(task, in_case, damper),
+                   task.zeta.low < task.zeta.high ? oscillator_of(task, damper).zeta : 0};
   };
   return {worst_of(box.worst[in_case]), {at(0), at(1), at(2), at(5), at(3)}};
 }

@@ -92,10 +92,15 @@ double peak_load(const LoadCase& load_case, double p) {
                          : peak_load(load_case.records);
 }
 
+Oscillator oscillator_of(const RecordDesignRequest& request, const SuiteDamper& damper) {
+  const double zeta = std::lerp(request.zeta.low, request.zeta.high, damper.damping);
+  return {damper.p, damper.f, damper.delta, request.hold, zeta, request.breakaway};
+}
+
 SimulationRequest motion_of(const RecordDesignRequest& request, const SuiteDamper& damper,
                             const CaseMotion& motion) {
   SimulationRequest simulation;
-  simulation.oscillator = {damper.p, damper.f, damper.delta, request.hold};
+  simulation.oscillator = oscillator_of(request, damper);
   simulation.start = motion.start;
   simulation.surface.notch_width = damper.delta > 0 ? damper.notch_width() : std::nullopt;
   simulation.excitation = motion.load;

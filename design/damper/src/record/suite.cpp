@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <numeric>
 #include <variant>
@@ -20,20 +21,21 @@ constexpr std::size_t least_together = 32;
 constexpr std::size_t most_together = 128;
 constexpr std::size_t shares = 8;
 
-Eigen::ArrayXd column(std::span<const SuiteDamper> dampers, double SuiteDamper::*member) {
+Eigen::ArrayXd column(std::span<const SuiteDamper> dampers, const auto& of) {
   return Eigen::ArrayXd::NullaryExpr(std::ssize(dampers), [&](Eigen::Index i) {
-    return dampers[static_cast<std::size_t>(i)].*member;
+    return std::invoke(of, dampers[static_cast<std::size_t>(i)]);
   });
 }
 
 }  // namespace
 
-Suite::Suite(const LoadCase& load_case, const std::optional<double>& hold, double weakest)
+Suite::Suite(const LoadCase& load_case, const RecordDesignRequest& request)
     : motions_(motions_of(load_case)),
       combine_(load_case.combine.value()),
-      hold_(hold),
+      of_all_{
+          .cases = {}, .hold = request.hold, .zeta = request.zeta, .breakaway = request.breakaway},
       own_weakest_(std::max(least_weakest, load_case.weakest)),
-      weakest_(weakest) {}
+      weakest_(weakest_load(request)) {}
 
 double Suite::part(const SuiteDamper& damper) const {
   return load_part(damper.load, own_weakest_, weakest_);
@@ -128,7 +130,11 @@ std::vector<SuiteFigures> Suite::under(const CaseMotion& motion,
     return list;
   }
   RecordBatchOptions options;
-  options.hold = hold_;
+  options.hold = of_all_.hold;
+  options.breakaway = of_all_.breakaway;
+  if (of_all_.zeta.high > 0) {
+    options.zeta = column(dampers, [this](const auto& damper) { return oscillator(damper).zeta; });
+  }
   options.half_cycle_limit = most_suite_half_cycles;
   options.threads = 1;
   options.notch_width = column(dampers, &SuiteDamper::width);
@@ -207,7 +213,7 @@ std::vector<SuiteFigures> Suite::figures(std::span<const SuiteDamper> dampers,
 
 Suites::Suites(const RecordDesignRequest& request) {
   for (const LoadCase& each : request.cases) {
-    cases_.emplace_back(each, request.hold, weakest_load(request));
+    cases_.emplace_back(each, request);
   }
 }
 

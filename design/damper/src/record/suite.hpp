@@ -40,9 +40,8 @@ void require_valid(const std::vector<SuiteRecord>& records);
 /// The motions of one case, and the figures of a damper in them.
 class Suite {
  public:
-  /// Of a valid case with its combination; `hold` as that of Oscillator.
-  /// and `weakest` the least part of any load of the task.
-  Suite(const LoadCase& load_case, const std::optional<double>& hold, double weakest = 1);
+  /// Of a valid case of the request, with its combination.
+  Suite(const LoadCase& load_case, const RecordDesignRequest& request);
 
   /// Throws InputError for a wrong damper, but not for one that never rests.
   [[nodiscard]] SuiteFigures figures(const SuiteDamper& damper) const;
@@ -58,7 +57,7 @@ class Suite {
 
   [[nodiscard]] const std::vector<CaseMotion>& motions() const { return motions_; }
   [[nodiscard]] Oscillator oscillator(const SuiteDamper& damper) const {
-    return {damper.p, damper.f, damper.delta, hold_};
+    return oscillator_of(of_all_, damper);
   }
   [[nodiscard]] static Surface surface(const SuiteDamper& damper) {
     return {damper.notch_width(), {}};
@@ -82,7 +81,7 @@ class Suite {
 
   std::vector<CaseMotion> motions_;
   Combine combine_;
-  std::optional<double> hold_;
+  RecordDesignRequest of_all_;  // only what is the same of all dampers
   double own_weakest_;
   double weakest_;
 };

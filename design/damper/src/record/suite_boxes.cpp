@@ -20,7 +20,7 @@ constexpr std::int64_t most_exact_points = 24;
 /// Of a grid that is never computed in full: it is kept in memory.
 constexpr double most_points = 1e6;
 /// Steps to a box at least, by the number of variables, and more of them if a step were longer.
-constexpr std::array<std::int64_t, most_axes + 1> least_windows{1, 32, 4, 4, 2, 2};
+constexpr std::array<std::int64_t, most_axes + 1> least_windows{1, 32, 4, 4, 2, 2, 2};
 constexpr double longest_step = 0.06;
 /// Two designs are different ones if they are farther apart than a box, or than so many steps.
 constexpr std::int64_t least_steps_apart = 2;

@@ -70,8 +70,11 @@ bool settled(const TaskFigures& figures) {
 }
 
 SuiteDamper relative_to(const SuiteDamper& damper, double factor) {
-  return {damper.p, damper.f / factor, damper.delta / (factor * factor), damper.width / factor,
-          damper.load};
+  SuiteDamper relative = damper;
+  relative.f /= factor;
+  relative.delta /= factor * factor;
+  relative.width /= factor;
+  return relative;
 }
 
 SuiteFigures times(SuiteFigures figures, double factor) {

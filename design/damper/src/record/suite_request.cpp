@@ -68,14 +68,14 @@ void require_start(RecordDesignRequest& request, const LoadCase& load_case) {
     bound(request.delta_start, v0 * v0 / 2, "delta", request.delta);
   }
   if (load_case.pulse && load_case.limits.residual == 0.0) {
-    bound(request.f_start, part * peak_load(*load_case.pulse), "f", request.f);
+    bound(request.f_start, part * peak_load(*load_case.pulse) / request.breakaway, "f", request.f);
   }
 }
 
 /// The largest friction that may be of use: under more a load moves nothing, and a hit moves the
 /// mass by less than half of a limit.
-double most_friction(const LoadCase& load_case, double p) {
-  double most = peak_load(load_case, p);
+double most_friction(const LoadCase& load_case, const RecordDesignRequest& request) {
+  double most = peak_load(load_case, request.p.high) / (load_case.v0 ? 1 : request.breakaway);
   for (const auto& limit : {load_case.limits.peak, load_case.limits.residual}) {
     if (load_case.v0 && limit.value_or(0) > 0) {
       most = std::max(most, *load_case.v0 * *load_case.v0 / *limit);
@@ -85,15 +85,17 @@ double most_friction(const LoadCase& load_case, double p) {
 }
 
 /// The largest |x| without a damper.
-double free_peak(const LoadCase& load_case, double p) {
+double free_peak(const LoadCase& load_case, const RecordDesignRequest& request) {
+  const double p = request.p.low;
+  const double zeta = request.zeta.low;
+  const double half_turn = std::numbers::pi / p / std::sqrt((1 - zeta) * (1 + zeta));
   double peak = 0;
   for (const CaseMotion& motion : motions_of(load_case)) {
-    const double t_end = load_case.of_records()
-                             ? duration(motion.load).value()
-                             : duration(motion.load).value_or(0) + std::numbers::pi / p;
+    const double t_end = load_case.of_records() ? duration(motion.load).value()
+                                                : duration(motion.load).value_or(0) + half_turn;
     peak = std::max(
-        peak,
-        forced_response({p, 0, 0}, motion.start, motion.load, {.t_end = t_end}).peak_amplitude);
+        peak, forced_response({p, 0, 0, {}, zeta}, motion.start, motion.load, {.t_end = t_end})
+                  .peak_amplitude);
   }
   return peak;
 }
@@ -183,6 +185,8 @@ void require_valid(const RecordDesignRequest& request) {
   require_spread("tolerance-width", request.tolerance.width);
   require_spread("tolerance-period", request.tolerance.period);
   require_spread("spring", request.spring);
+  require_range("damping", request.zeta, 0, largest_zeta);
+  require_within("breakaway", request.breakaway, 1, largest_breakaway);
   if (request.objective == SuiteObjective::robust && !request.judges && request.parts.empty()) {
     require_growth(request);
   }
@@ -227,14 +231,14 @@ RecordDesignRequest completed(RecordDesignRequest request) {
   }
   double load = 0;
   for (const LoadCase& each : request.cases) {
-    load = std::max(load, most_friction(each, request.p.high));
+    load = std::max(load, most_friction(each, request));
   }
   request.f = request.f.value_or(Interval{0, load});
   require_range("f", *request.f, 0, largest_speed);
   if (!request.delta) {
     double most = 0;
     for (const LoadCase& each : request.cases) {
-      const double peak = each.limits.peak ? *each.limits.peak : free_peak(each, request.p.low);
+      const double peak = each.limits.peak ? *each.limits.peak : free_peak(each, request);
       const double speed = request.p.high * peak;
       most = std::max(most, speed * speed / 2 + peak_load(each, request.p.high) * peak);
     }

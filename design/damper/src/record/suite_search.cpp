@@ -14,7 +14,7 @@ namespace stillpoint::design {
 namespace {
 
 /// By the number of variables: where three are moved, 48 leave gaps in which a limit breaks.
-constexpr std::array<std::size_t, most_axes + 1> sample_counts{48, 48, 48, 160, 160, 320};
+constexpr std::array<std::size_t, most_axes + 1> sample_counts{48, 48, 48, 160, 160, 320, 320};
 constexpr std::size_t few_samples = 16;
 /// After so many, boxes that a sample rules out are dropped, since those that did most harm last
 /// rule out most, and of the others all but the best.
@@ -48,11 +48,11 @@ constexpr double least_mended = 0.0625;
 constexpr double spacing = 0.25;
 
 /// Steps to a box, and to each side of a candidate, by the number of axes.
-constexpr std::array<std::int64_t, most_axes + 1> most_windows{1, 256, 16, 8, 4, 4};
-constexpr std::array<std::int64_t, most_axes + 1> reaches{1, 6, 3, 1, 1, 1};
-constexpr std::array<std::size_t, most_axes + 1> most_refined{1, 2, 2, 2, 2, 2};
-constexpr std::array<std::size_t, most_axes + 1> pool_sizes{1, 24, 48, 48, 48, 48};
-constexpr std::array<std::size_t, most_axes + 1> candidate_counts{1, 4, 6, 6, 8, 8};
+constexpr std::array<std::int64_t, most_axes + 1> most_windows{1, 256, 16, 8, 4, 4, 4};
+constexpr std::array<std::int64_t, most_axes + 1> reaches{1, 6, 3, 1, 1, 1, 1};
+constexpr std::array<std::size_t, most_axes + 1> most_refined{1, 2, 2, 2, 2, 2, 2};
+constexpr std::array<std::size_t, most_axes + 1> pool_sizes{1, 24, 48, 48, 48, 48, 48};
+constexpr std::array<std::size_t, most_axes + 1> candidate_counts{1, 4, 6, 6, 8, 8, 8};
 
 /// The surest as it was found stays the first; then the surest now, then the others by merit.
 void by_promise(std::vector<BoxedDamper>& list) {

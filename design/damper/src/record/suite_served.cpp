@@ -57,6 +57,20 @@ ServedInterval about(double value, const Keeps& keeps, const Interval& ends) {
   return {value * reach(keeps, ends.low), value * reach(keeps, ends.high)};
 }
 
+/// With the least and the most damping.
+std::vector<TaskFigures> figures_of(const Suites& suites, std::vector<SuiteDamper> dampers,
+                                    const RecordDesignRequest& task) {
+  std::vector<TaskFigures> all = suites.figures(dampers, task.threads);
+  if (task.zeta.low < task.zeta.high) {
+    for (SuiteDamper& damper : dampers) {
+      damper.damping = 1;
+    }
+    std::ranges::transform(all, suites.figures(dampers, task.threads), all.begin(),
+                           [](const auto& a, const auto& b) { return worse(a, b); });
+  }
+  return all;
+}
+
 /// Whether the loads that must move the mass do.
 bool starts(const RecordDesignRequest& task, const SuiteDamper& damper) {
   return damper.f <= task.f_start.value_or(HUGE_VAL) &&
@@ -74,7 +88,7 @@ std::optional<WorksFor> works_for(const RecordDesignRequest& request, const Suit
   bound_starts(task);
   const Suites suites(task);
   const std::vector<SuiteLimits> limits = limits_of(task);
-  if (!starts(task, damper) || !admissible(suites.figures(damper), limits)) {
+  if (!starts(task, damper) || !admissible(figures_of(suites, {damper}, task).front(), limits)) {
     return std::nullopt;
   }
   const auto kept = [&](const std::vector<SuiteDamper>& dampers,
@@ -90,7 +104,7 @@ std::optional<WorksFor> works_for(const RecordDesignRequest& request, const Suit
     for (const double factor : factors) {
       dampers.push_back(relative_to(damper, factor));
     }
-    std::vector<TaskFigures> all = suites.figures(dampers, task.threads);
+    std::vector<TaskFigures> all = figures_of(suites, dampers, task);
     for (std::size_t i = 0; i < all.size(); ++i) {
       for (SuiteFigures& figures : all[i]) {
         figures = times(figures, factors[i]);
@@ -104,7 +118,7 @@ std::optional<WorksFor> works_for(const RecordDesignRequest& request, const Suit
     std::vector<TaskFigures> all;
     for (const double factor : factors) {
       dampers.push_back(relative_to(damper, factor));
-      all.push_back(Suites(enlarged(task, factor)).figures(damper));
+      all.push_back(figures_of(Suites(enlarged(task, factor)), {damper}, task).front());
     }
     return kept(dampers, all);
   };
@@ -113,7 +127,7 @@ std::optional<WorksFor> works_for(const RecordDesignRequest& request, const Suit
     for (const double factor : factors) {
       dampers.push_back({factor * damper.p, damper.f, damper.delta, damper.width});
     }
-    return kept(dampers, suites.figures(dampers, task.threads));
+    return kept(dampers, figures_of(suites, dampers, task));
   };
   const LoadCase& load = task.cases.front();
   const bool alone = task.cases.size() == 1;

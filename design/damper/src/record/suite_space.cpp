@@ -42,9 +42,11 @@ double SuiteAxis::value(const SuiteDamper& damper) const {
     case Variable::width:
       return damper.width;
     case Variable::load:
+      return damper.load;
+    case Variable::damping:
       break;
   }
-  return damper.load;
+  return 1 + damper.damping;  // at least 1, as its logarithm is taken
 }
 
 void SuiteAxis::set(SuiteDamper& damper, double value) const {
@@ -63,6 +65,9 @@ void SuiteAxis::set(SuiteDamper& damper, double value) const {
       break;
     case Variable::load:
       damper.load = value;
+      break;
+    case Variable::damping:
+      damper.damping = value - 1;
       break;
   }
 }
@@ -100,6 +105,8 @@ SuiteSpace::SuiteSpace(const RecordDesignRequest& task, SuiteFrictions frictions
     add(SuiteAxis::Variable::width, *task.width, tolerance.width, scale, {});
   }
   add(SuiteAxis::Variable::load, {1, 1}, {}, scale, {}, {1 - weakest_load(task), 0});
+  add(SuiteAxis::Variable::damping, {1, 1}, {}, scale, {},
+      {0, task.zeta.low < task.zeta.high ? 1.0 : 0.0});
 }
 
 void SuiteSpace::add(SuiteAxis::Variable variable, Interval range, const Spread& whole,

@@ -9,8 +9,8 @@
 
 namespace stillpoint::design {
 
-/// f, Delta, the period, the width of the notch, and the load.
-inline constexpr std::size_t most_axes = 5;
+/// f, Delta, the period, the width of the notch, the load, and the damping.
+inline constexpr std::size_t most_axes = 6;
 /// Of a space, along its axes: logarithms, or parts of a tolerance from -1 to 1.
 using SuitePlace = std::array<double, most_axes>;
 
@@ -20,7 +20,7 @@ enum class SuiteFrictions { constant, point, both };
 /// A value of a damper that is searched, or may be off, or both.
 class SuiteAxis {
  public:
-  enum class Variable { f, delta, period, width, load };
+  enum class Variable { f, delta, period, width, load, damping };
 
   SuiteAxis(Variable variable, const Interval& range, const Spread& spread)
       : variable_(variable), range_(range), spread_(spread) {}

@@ -30,8 +30,8 @@ constexpr double larger = 1.04;
 constexpr std::size_t candidates_of_a_size = 2;
 constexpr std::array<double, 3> sizes_tried{1, 0.8, 0.5};
 /// Of a map about a box: steps to the box, and to each side of it, by the number of axes.
-constexpr std::array<std::int64_t, most_axes + 1> near_windows{1, 64, 16, 8, 4, 4};
-constexpr std::array<std::int64_t, most_axes + 1> near_reaches{1, 16, 6, 3, 1, 1};
+constexpr std::array<std::int64_t, most_axes + 1> near_windows{1, 64, 16, 8, 4, 4, 4};
+constexpr std::array<std::int64_t, most_axes + 1> near_reaches{1, 16, 6, 3, 1, 1, 1};
 constexpr int near_maps = 2;
 constexpr int most_challenges = 4;
 constexpr std::array growths{1.04, 1.02, 1.01, 1.005};

@@ -152,7 +152,7 @@ Spectrum spectrum_about(const RecordDesign& result, std::size_t in_case) {
   const RecordDesignRequest& task = result.request;
   const SuiteDamper& damper = result.finding->point.damper;
   const LoadCase& load_case = task.cases[in_case];
-  SpectrumRequest request{load_case.records, {}, {damper.p, damper.f, damper.delta, task.hold},
+  SpectrumRequest request{load_case.records, {}, oscillator_of(task, damper),
                           load_case.combine, {}, task.threads};
   if (damper.delta > 0) {
     request.notch_width = damper.notch_width();

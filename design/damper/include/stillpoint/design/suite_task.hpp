@@ -145,6 +145,8 @@ struct RecordDesignRequest {
   /// least five, with which it is admissible and worse by at most a relative 1e-5.
   std::optional<PrintedUnits> printed{};
   Spread spring{};             ///< factors between which 1/p varies, besides its tolerance
+  Interval zeta{};             ///< anywhere in which the damping may be, with every damper
+  double breakaway{1};         ///< as that of Oscillator
   bool judges{false};          ///< f and delta are those of a damper that is judged as it is
   std::vector<Part> parts{};   ///< of a catalogue: f and delta are those of one of them
   std::int64_t trade_offs{0};  ///< dampers along the front of stroke and acceleration
@@ -156,6 +158,8 @@ struct SuiteDamper {
   double delta{0};
   double width{0};  ///< of the notch; 0: that of the paper, or one that lets go
   double load{1};   ///< what comes with it: from the least part of any load of the task to 1
+  /// The same: from 0 with the least damping of the task to 1 with the most.
+  double damping{0};
 
   [[nodiscard]] std::optional<double> notch_width() const {
     return width > 0 ? std::optional(width) : std::nullopt;
@@ -185,7 +189,6 @@ using TaskFigures = std::vector<SuiteFigures>;
 /// The worst of each figure in all cases.
 [[nodiscard]] SuiteFigures largest(const TaskFigures& figures);
 
-/// The motion of a damper.
 /// The part of its strongest load that a case has with a damper.
 [[nodiscard]] double load_part(const RecordDesignRequest& request, std::size_t in_case,
                                const SuiteDamper& damper);
@@ -194,6 +197,9 @@ using TaskFigures = std::vector<SuiteFigures>;
 /// A motion with that part of its load.
 [[nodiscard]] CaseMotion weakened(CaseMotion motion, double part);
 
+[[nodiscard]] Oscillator oscillator_of(const RecordDesignRequest& request,
+                                       const SuiteDamper& damper);
+/// The motion of a damper.
 [[nodiscard]] SimulationRequest motion_of(const RecordDesignRequest& request,
                                           const SuiteDamper& damper, const CaseMotion& motion);
 
