@@ -96,6 +96,8 @@ void for_inputs(ForcedScene<Real>& scene, const Each& each) {
       each(**input);
     }
   }
+  each(scene.zeta);
+  each(scene.breakaway);
   for (auto& zone : scene.surface.zones) {
     each(zone.to);
     each(zone.f);
@@ -161,6 +163,10 @@ BOOST_AUTO_TEST_CASE(double_and_50_digits_see_the_same_events_and_metrics) {
 
 BOOST_AUTO_TEST_CASE(double_and_50_digits_see_the_same_in_real_notches) {
   double_agrees_with_50_digits(Dice(20262), random_notched_scene);
+}
+
+BOOST_AUTO_TEST_CASE(double_and_50_digits_see_the_same_with_damping) {
+  double_agrees_with_50_digits(Dice(20263), random_damped_scene);
 }
 
 using SeenMotion = SeenPiece<double>;
@@ -230,7 +236,7 @@ void hasten(Excitation& excitation, double by) {
 BOOST_AUTO_TEST_CASE(no_piece_hides_a_turn) {
   Dice dice(20261);
   for (int i = 0; i < forced_scene_count(); ++i) {
-    ForcedScene<> scene = random_forced_scene(dice);
+    ForcedScene<> scene = i % 2 == 0 ? random_forced_scene(dice) : random_damped_scene(dice);
     if (i % 4 == 0) {
       hasten(scene.excitation, 10);
     }
