@@ -54,6 +54,19 @@ class LaneMotion final : public RecordMotion {
     return unless_too_many([&] { run_.pass(); });
   }
 
+  void feels(std::size_t i, const LanePoint& from, const LanePoint& to) override {
+    if constexpr (Law::damped) {
+      const double sign = columns_.sign[lane_];
+      const auto point = [&](std::size_t sample, const LanePoint& at) {
+        const double w = record_.values[sample] * columns_.inverse_p[lane_];
+        return SlidePoint<double, true>{sign * at.u, sign * at.v, sign * at.a, sign * w};
+      };
+      double& felt = run_.state().transmitted.slid;
+      point(i, from).feel(point(i + 1, to), terms_, sign * columns_.phi[lane_], felt);
+      columns_.felt[lane_] = felt;
+    }
+  }
+
   void through_interval(std::size_t i) override {
     if (!run_.over() && !goes_on_resting(i) &&
         unless_too_many([&] { record_run_.through_interval(i); })) {
@@ -94,8 +107,8 @@ class LaneMotion final : public RecordMotion {
   }
 
   void set_terms() {
-    IntervalTerms<double> terms;
-    update(terms, run_.map().p * record_.step, run_.law());
+    update(terms_, run_.map().p * record_.step, run_.law());
+    const IntervalTerms<double>& terms = terms_;
     columns_.inverse_p[lane_] = 1 / run_.map().p;
     columns_.sine[lane_] = terms.sine;
     columns_.versine[lane_] = terms.versine;
@@ -186,6 +199,7 @@ class LaneMotion final : public RecordMotion {
   NoWatcher nobody_;
   ForcedRun<double, NoWatcher, Law> run_;
   RecordRun<double, NoWatcher, Law> record_run_;
+  IntervalTerms<double> terms_;
   bool begun_{false};
   bool decided_{false};  ///< at rest: the load there is known to hold it
   bool too_many_{false};

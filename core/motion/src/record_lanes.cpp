@@ -154,8 +154,8 @@ class RecordGroup {
       next.a = i % afresh == 0 ? a_afresh(t, next, phi, next_w) : next_a(t, now, rise);
       if constexpr (damped) {
         const M more = may_feel_more(t, now, next, w, next_w, tilt, slides);
-        goes_on = hn::AndNot(more, goes_on);
         calm = hn::AndNot(more, calm);
+        feels_more_ = bits(more);
       }
       if (!hn::AllTrue(D(), calm)) [[unlikely]] {
         stop(now, next, calm, goes_on);
@@ -234,12 +234,18 @@ class RecordGroup {
     for (; waiting_ != 0; waiting_ &= waiting_ - 1) {
       const auto k = static_cast<Index>(__builtin_ctz(waiting_));
       const std::size_t lane = lanes_[k];
-      const bool before_edge = sign_[k] * next_u_[k] < edge_[k];
-      if ((goes_on_ & waiting_ & (0 - waiting_)) != 0 && before_edge && events_[lane]->passes()) {
+      const unsigned bit = waiting_ & (0 - waiting_);
+      const double y = sign_[k] * next_u_[k];
+      const bool passes = !damped || !(y < look_[k]);
+      if ((goes_on_ & bit) != 0 && y < edge_[k] && (!passes || events_[lane]->passes())) {
+        if (damped && (feels_more_ & bit) != 0) {
+          events_[lane]->feels(i, {u_[k], v_[k], a_[k]}, {next_u_[k], next_v_[k], next_a_[k]});
+          felt_[k] = columns_.felt[lane];
+        }
         u_[k] = next_u_[k];
         v_[k] = next_v_[k];
         a_[k] = next_a_[k];
-        look_[k] = edge_[k];
+        look_[k] = passes ? edge_[k] : look_[k];
       } else {
         store_state(k, lane);
         events_[lane]->through_interval(i);
@@ -326,6 +332,7 @@ class RecordGroup {
   bool all_rest_{false};
   unsigned waiting_{0};  ///< those with an event
   unsigned goes_on_{0};  ///< of those that slide: v > 0 throughout
+  unsigned feels_more_{0};
 
   Column<width> u_{};
   Column<width> v_{};

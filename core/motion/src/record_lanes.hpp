@@ -49,6 +49,13 @@ struct RecordColumns {
   Column felt;  ///< the most that the structure has felt while the mass slid, over p
 };
 
+/// A sliding motion at a sample.
+struct LanePoint {
+  double u;
+  double v;
+  double a;
+};
+
 /// Handles what the vectors do not decide for a motion.
 class LaneEvents {
  public:
@@ -60,6 +67,9 @@ class LaneEvents {
   /// x = 0 is passed in an interval, without a notch there, and nothing else happens: whether the
   /// motion goes on.
   virtual bool passes() = 0;
+
+  /// With damping, from sample i to the next: the structure may feel more than before.
+  virtual void feels(std::size_t i, const LanePoint& from, const LanePoint& to) = 0;
 
   /// Takes it from sample i to the next, with all rules, and its columns as well.
   virtual void through_interval(std::size_t i) = 0;

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 namespace stillpoint {
@@ -51,8 +52,7 @@ class DampedPiece {
   [[nodiscard]] End arrival_before(const End& end) const {
     const auto y = [](const Point& at) { return at.y; };
     const auto v = [](const Point& at) { return at.v; };
-    const Real guess = end.h * (start_.y / (start_.y - end.at.y));
-    const auto [h, at] = zero_between(y, v, {Real(0), start_}, {end.h, end.at}, guess);
+    const auto [h, at] = zero_between(y, v, {Real(0), start_}, {end.h, end.at});
     return {PieceEvent::arrival, h, at};
   }
 
@@ -104,17 +104,28 @@ class DampedPiece {
     return (angle > 0 ? angle : Real(angle + pi<Real>())) / omega_;
   }
 
+  /// Whether a sine that decays may vanish in (0, h]: only where it changes its sign, if h is
+  /// short.
+  [[nodiscard]] bool may_vanish(const Mix& swing, const Moment& last) const {
+    const Real from = swing(start_);
+    const Real to = swing(last.at);
+    return last.h > 1 || !((from > 0 && to > 0) || (from < 0 && to < 0));
+  }
+
   /// The moments up to h between which the mix is monotone, in their order, until `see` wants no
   /// more.
   template <class See>
   void stretches(const Mix& mix, const Moment& last, const See& see) const {
     Moment left{Real(0), start_};
-    for (Real h = first_zero_of_swing(slope(mix)); h < last.h; h += pi<Real>() / omega_) {
-      const Moment right{h, at(h)};
-      if (!see(left, right)) {
-        return;
+    const Mix bend = slope(mix);
+    if (may_vanish(bend, last)) {
+      for (Real h = first_zero_of_swing(bend); h < last.h; h += pi<Real>() / omega_) {
+        const Moment right{h, at(h)};
+        if (!see(left, right)) {
+          return;
+        }
+        left = right;
       }
-      left = right;
     }
     see(left, last);
   }
@@ -124,13 +135,14 @@ class DampedPiece {
     if (start_.v == 0 && start_.a == 0 && rate_ > 0) {
       return {PieceEvent::turn, Real(0), start_};
     }
-    const bool still = start_.v == 0 && start_.a == 0 && rate_ == 0;
-    if (const Real turn = first_zero_of_swing(v); swings(v) && !still && turn <= limit) {
-      return {PieceEvent::turn, turn, at(turn)};
-    }
     const Moment last{limit, at(limit)};
     End end{PieceEvent::none, last.h, last.at};
     if (swings(v)) {
+      const bool still = start_.v == 0 && start_.a == 0;
+      if (!still && may_vanish(v, last)) {
+        const Real turn = first_zero_of_swing(v);
+        return turn <= limit ? End{PieceEvent::turn, turn, at(turn)} : end;
+      }
       return end;
     }
     stretches(v, last, [&](const Moment& left, const Moment& right) {
@@ -141,7 +153,7 @@ class DampedPiece {
       }
       if (!(right.at.v > 0)) {
         const auto a = [](const Point& at) { return at.a; };
-        const auto [h, at] = zero_between(v, a, left, right, undamped_turn());
+        const auto [h, at] = zero_between(v, a, left, right);
         end = {PieceEvent::turn, h, at};
         return false;
       }
@@ -157,19 +169,23 @@ class DampedPiece {
            (magnitude(s.y) + load_ + s.v + magnitude(s.a) + magnitude(rate_));
   }
 
-  /// A first guess.
-  [[nodiscard]] Real undamped_turn() const { return elementary::atan2(start_.v, Real(-start_.a)); }
-
   /// The zero of a function that is monotone between two moments and has no one sign there: by
-  /// Newton's method, halving where that leaves the bracket.
+  /// Newton's method from a parabola through both, halving where that leaves the bracket.
   template <class Value, class Slope>
   [[nodiscard]] Moment zero_between(const Value& value, const Slope& slope_, const Moment& left,
-                                    const Moment& right, const Real& guess) const {
+                                    const Moment& right) const {
+    using std::max;
+    using std::sqrt;
     Real low = left.h;
     Real high = right.h;
-    const bool rises = value(right.at) > value(left.at);
-    Real h = guess;
+    const Real from = value(left.at);
+    const Real begins = slope_(left.at);
+    const Real rise = value(right.at) - from;
+    const bool rises = rise > 0;
     Real step = high - low;
+    const Real bend = (rise / step - begins) / step;
+    const Real square = max(Real(0), Real(begins * begins - 4 * bend * from));
+    Real h = low + 2 * magnitude(from) / (magnitude(begins) + sqrt(square));
     if (!(h > low && h < high)) {
       h = low + (high - low) / 2;
     }
@@ -181,6 +197,13 @@ class DampedPiece {
       }
       ((off < 0) == rises ? low : high) = h;
       Real next = h - off / slope_(now);
+      if (const Real d = next - h; magnitude(d) <= nearby * h) {
+        const Point there = nudged(now, d);
+        const Real correction = value(there) / slope_(there);
+        if (magnitude(correction) <= magnitude(d) / 4) {
+          return {h + (d - correction), nudged(now, Real(d - correction))};
+        }
+      }
       const bool near = step < Real(0x1p-20) * h;
       if (near && 2 * magnitude(Real(next - h)) >= step) {
         return {h, now};  // only rounding is left
@@ -196,6 +219,18 @@ class DampedPiece {
     }
   }
 
+  /// So short a step, to the fourth power, is below rounding.
+  static constexpr double nearby = std::is_same_v<Real, double> ? 0x1p-18 : 0;
+
+  /// Over such a step.
+  [[nodiscard]] Point nudged(const Point& from, const Real& d) const {
+    const Real jerk_ = jerk()(from);
+    const Real snap = slope(jerk())(from);
+    return {from.y + d * (from.v + d * (from.a + d * jerk_ / 3) / 2),
+            from.v + d * (from.a + d * (jerk_ + d * snap / 3) / 2),
+            from.a + d * (jerk_ + d * snap / 2)};
+  }
+
   /// The largest `size`, which grows or falls where the mix has one sign.
   template <class Size>
   [[nodiscard]] Real largest(const Size& size, const Mix& mix, const End& end,
@@ -203,6 +238,9 @@ class DampedPiece {
     using std::max;
     Real most = max(so_far, max(size(start_), size(end.at)));
     if (swings(mix)) {
+      if (!may_vanish(mix, {end.h, end.at})) {
+        return most;
+      }
       for (Real h = first_zero_of_swing(mix); h < end.h; h += pi<Real>() / omega_) {
         most = max(most, size(at(h)));
       }
@@ -211,7 +249,7 @@ class DampedPiece {
     const Mix bend = slope(mix);
     stretches(mix, {end.h, end.at}, [&](const Moment& left, const Moment& right) {
       if ((mix(left.at) < 0) != (mix(right.at) < 0)) {
-        const Moment crest = zero_between(mix, bend, left, right, (left.h + right.h) / 2);
+        const Moment crest = zero_between(mix, bend, left, right);
         most = max(most, size(crest.at));
       }
       return true;

@@ -79,6 +79,12 @@ struct SlidePoint {
     return t.swell * (ends + t.lift * std::max(magnitude(w), magnitude(next.w))) > felt;
   }
 
+  /// The most that it feels between here and there.
+  void feel(const SlidePoint& next, const IntervalTerms<Real>& t, const Real& phi,
+            Real& most) const {
+    most = piece_to(next, t).largest_transmitted(phi, next.as_end(t), most);
+  }
+
   /// The piece from here to the next sample, and its end.
   [[nodiscard]] Piece piece_to(const SlidePoint& next, const IntervalTerms<Real>& t) const {
     const Real rate = (next.w - w) / t.h;
@@ -137,11 +143,6 @@ template <bool even, class Run, class Real, class AnyCrossing>
     if (!(std::min(now.v, next.v) > std::max(t.least_v, tilt))) {
       break;
     }
-    if constexpr (damped) {
-      if (now.may_feel_more(next, t, tilt, s.transmitted.slid)) {
-        break;
-      }
-    }
     if constexpr (Run::AnyWatcher::watches) {
       if (next.y < edge) {
         run.watcher().piece(samples.times().at(i), s.direction, now.piece_to(next, t));
@@ -154,6 +155,11 @@ template <bool even, class Run, class Real, class AnyCrossing>
       look = edge;
       s.now = samples.times().at(i);
       run.cross(now.piece_to(next, t), next.as_end(t), crossing);
+    }
+    if constexpr (damped) {
+      if (now.may_feel_more(next, t, tilt, s.transmitted.slid)) [[unlikely]] {
+        now.feel(next, t, phi, s.transmitted.slid);
+      }
     }
     if (magnitude(next.a) > matters) [[unlikely]] {
       largest = now.piece_to(next, t).largest_acceleration(next.as_end(t), largest);
