@@ -43,6 +43,7 @@ struct Kind {
   double greatest_delta;
   std::optional<double> hold;
   double greatest_width{0};
+  double zeta{0};
 };
 
 constexpr Kind kinds[] = {
@@ -53,10 +54,12 @@ constexpr Kind kinds[] = {
     {"f from 0.005 to 0.05, Delta up to 0.001, 0.001 to 0.01 wide", 0.005, 0.05, 0.001, {}, 0.01},
     {"f from 0 to half of the largest load, Delta up to 0.01, as wide", 0, -0.5, 0.01, {}, 0.01},
     {"no friction at all", 0, 0, 0, {}},
+    {"f from 0.005 to 0.02, no notch, damping 5 %", 0.005, 0.02, 0, {}, 0, 0.05},
+    {"f from 0 to half of it, Delta up to 0.01, damping 5 %", 0, -0.5, 0.01, {}, 0, 0.05},
 };
 
 struct Case {
-  Case(const Kind& kind, const Record& load) : record(load), hold(kind.hold) {
+  Case(const Kind& kind, const Record& load) : record(load), hold(kind.hold), zeta(kind.zeta) {
     std::mt19937_64 engine(1);
     const auto random = [&](double low, double high) {
       return low + (high - low) * static_cast<double>(engine() >> 11U) * 0x1p-53;
@@ -78,6 +81,7 @@ struct Case {
 
   const Record& record;
   std::optional<double> hold;
+  double zeta;
   Eigen::ArrayXd p{dampers};
   Eigen::ArrayXd f{dampers};
   Eigen::ArrayXd delta{dampers};
@@ -95,8 +99,11 @@ double timed(const Record& record, const Action& action) {
 
 double in_lanes(const Case& one, RecordBatchResult& result) {
   return timed(one.record, [&] {
-    record_batch(0, one.p, one.f, one.delta, one.record,
-                 {.hold = one.hold, .notch_width = one.width, .threads = 1}, result);
+    RecordBatchOptions options{.hold = one.hold, .notch_width = one.width, .threads = 1};
+    if (one.zeta > 0) {
+      options.zeta = Eigen::ArrayXd::Constant(dampers, one.zeta);
+    }
+    record_batch(0, one.p, one.f, one.delta, one.record, options, result);
   });
 }
 
@@ -106,6 +113,7 @@ double one_by_one(const Case& one) {
     for (Eigen::Index i = 0; i < dampers; ++i) {
       Oscillator oscillator{one.p[i], one.f[i], one.delta[i]};
       oscillator.hold = one.hold;
+      oscillator.zeta = one.zeta;
       Surface surface;
       if (one.width.size() > 0) {
         surface.notch_width = one.width[i];

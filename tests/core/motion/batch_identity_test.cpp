@@ -210,6 +210,22 @@ BOOST_AUTO_TEST_CASE(results_go_where_the_caller_keeps_them) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(each_oscillator_has_a_damping_of_its_own) {
+  Dice dice(908);
+  const Batch batch = batch_of(300, [&] { return any_scene(dice); });
+  BatchOptions options{.breakaway = 1.2, .times = true, .acceleration = true};
+  options.zeta.resize(300);
+  for (double& zeta : options.zeta) {
+    zeta = dice.power_of_ten(-2, -0.1);
+  }
+  const BatchResult result = batch.run(options);
+  for (Eigen::Index i = 0; i < result.size(); ++i) {
+    const Scene<> scene = batch.scene(i);
+    const Oscillator oscillator{scene.p, scene.f, scene.delta, std::nullopt, options.zeta[i], 1.2};
+    is_that_of(free_response(oscillator, {0, scene.v0}, {.margin = false}), result, i, scene);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

@@ -295,6 +295,16 @@ class HarmonicDrive {
   int by_sums_{0};  ///< pieces since `now_` was taken from the phase
 };
 
+/// The sliding piece that a drive makes of a state, where friction obeys a law.
+template <class Law, class Drive, class Real>
+[[nodiscard]] auto piece_under(const Law& law, Drive& drive, const Sliding<Real>& from) {
+  if constexpr (Law::damped) {
+    return drive.damped_piece(from, law.zeta());
+  } else {
+    return drive.piece(from);
+  }
+}
+
 /// A piece on which x = 0 was passed without a notch; the place is found only on demand.
 template <class Piece>
 struct Crossing {

@@ -52,15 +52,11 @@ class ForcedRun {
   /// The sliding piece that a drive makes of a state.
   template <class Drive>
   [[nodiscard]] auto piece(Drive& drive, const Sliding<Real>& from) const {
-    if constexpr (Law::damped) {
-      return drive.damped_piece(from, law_.zeta());
-    } else {
-      return drive.piece(from);
-    }
+    return piece_under(law_, drive, from);
   }
   template <class Drive>
-  using CrossingUnder = Crossing<decltype(std::declval<const ForcedRun&>().piece(
-      std::declval<Drive&>(), std::declval<const Sliding<Real>&>()))>;
+  using CrossingUnder = Crossing<decltype(piece_under(
+      std::declval<const Law&>(), std::declval<Drive&>(), std::declval<const Sliding<Real>&>()))>;
 
   ForcedRun(const BasicOscillator<Real>& oscillator, const BasicStart<Real>& start,
             Watcher& watcher, Patience patience = {})
