@@ -2,7 +2,7 @@
 #pragma once
 
 // A sliding piece with damping under W = k sin(lambda tau + phase), no longer than the time scale
-// of the motion, so that one power series holds for all of it: docs/damping.md, "Under a sine". For
+// of the motion, so that one power series holds for all of it: docs/damping.md section 3. For
 // a ForcedRun as harmonic_piece.hpp, with the same points.
 
 #include "kernel/damped_curve.hpp"

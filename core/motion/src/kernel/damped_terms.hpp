@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The damped swing by itself, docs/damping.md section 1: with omega = sqrt(1 - zeta^2), in units
+// The damped swing by itself, docs/damping.md section 2: with omega = sqrt(1 - zeta^2), in units
 // where p = 1,
 //
 // | here    | means                                                                       |

@@ -33,7 +33,7 @@ struct IntervalTerms {
   Real reach{0};  ///< the sine and 2 zeta times the versine
   Real drag{0};   ///< the versine and 2 zeta times the sine
   Real twice_zeta{0};
-  Real swell{1};  ///< (D21)
+  Real swell{1};  ///< (D8)
   Real lift{0};
   Real least_v{0};  ///< what v must exceed at both ends anyway; no v does if h is too long
 

@@ -2,7 +2,7 @@
 #pragma once
 
 // The sliding mass on the intervals of a record in which no event comes, docs/forced.md (F21), with
-// damping docs/damping.md (D20).
+// damping docs/damping.md (D6) and (D7).
 
 #include "kernel/damped_piece.hpp"
 #include "kernel/forced_state.hpp"
@@ -66,7 +66,7 @@ struct SlidePoint {
     a = -(damped ? Real(force + t.twice_zeta * v) : force);
   }
 
-  /// Not (D20): whether the structure may feel more between here and the next sample than `felt`.
+  /// Not (D7): whether the structure may feel more between here and the next sample than `felt`.
   [[nodiscard]] bool may_feel_more(const SlidePoint& next, const IntervalTerms<Real>& t,
                                    const Real& tilt, const Real& felt) const {
     const Real from = v + t.twice_zeta * a;
