@@ -36,6 +36,8 @@ INPUTS = [
     ("simulate", {"v0": 0.5, "p": 1, "f": 0.18, "delta": 0, "t_end": 200, **HARMONIC}),
     ("simulate", {"period": 2.8, "f": 0.02, "delta_m": 1e-3, "record": str(RECORD)}),
     ("simulate", {"v0": 1, "p": 1, "f": 0.1, "delta": 0.1, "friction_zones": "0.5:0.2,0.8:0.3"}),
+    ("simulate", {"v0": 1, "p": 1, "f": 0.1, "delta": 0.02, "damping": "5%", "breakaway": 1.5}),
+    ("spectrum", {"record": [str(RECORD)], "period": "2s:3s:2", "f": 0.05, "delta_m": "10mm", "damping": 0.1}),
     ("spectrum", {"record": [str(RECORD)], "period": "2s:3s:4", "f": 0.05, "delta_m": "10mm"}),
     ("spectrum", {"record": [str(RECORD)] * 2, "record_scale": 0.5, "period": "1:4:3:log", "f": 0,
                   "delta_m": 0.01, "hold": 0.1, "combine": "mean"}),  # without the notch it never rests

@@ -19,6 +19,7 @@ SWEEPS = [
     {"velocity": "300mm/s:500mm/s:3", "period": "2.8s", "f": "0.01,0.02", "delta_m": "5mm"},
     {"p": 1, "f": "0.05:0.2:16", "delta": 0, "excitation": "harmonic", "k": 0.2, "lambda_": 0.35,
      "t_end": 20},
+    {"v0": 1, "p": 1, "f": 0.1, "delta": 0.02, "damping": "0:20%:5", "breakaway": "1,1.5"},
     {"v0": 1, "p": 1, "f": 0.1, "delta": "0:0.5:9", "columns": "delta,outcome"},
 ]
 

@@ -42,6 +42,7 @@ bool is_wrong(const std::string& keyword, const json& setting, const json& value
       {"$defs", never},
       {"title", never},
       {"description", never},
+      {"default", never},
       {"additionalProperties", never},
       {"type",
        [](const json& types, const json& now) {

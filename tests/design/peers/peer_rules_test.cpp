@@ -148,6 +148,18 @@ BOOST_AUTO_TEST_CASE(random_real_notches_follow_the_same_rules) {
   dopri5_agrees(test::Dice(40403), test::random_notched_scene);
 }
 
+// docs/damping.md, without a load too.
+BOOST_AUTO_TEST_CASE(random_damped_motions_follow_the_same_rules) {
+  dopri5_agrees(test::Dice(40405), [](test::Dice& dice) {
+    test::ForcedScene<> scene = test::random_damped_scene(dice);
+    scene.zeta = std::min(scene.zeta, 0.9);  // beyond, v dies out long before the turn
+    if (dice.once_in(4)) {
+      scene.excitation = NoExcitation{};
+    }
+    return scene;
+  });
+}
+
 // Nothing holds the mass, and the load begins at 0: x'' + x = -k sin(lambda t).
 BOOST_AUTO_TEST_CASE(a_load_that_begins_at_what_friction_holds_moves_the_mass_at_once) {
   const Scene s = with(Harmonic{0.1, 0.5}, {1, 0, 0}, {0, 0}, 10);
