@@ -3,6 +3,7 @@
 
 #include <stillpoint/core/half_cycles.hpp>
 #include <stillpoint/design/built_notch.hpp>
+#include <stillpoint/design/shown_motion.hpp>
 
 // What a reader must see of a motion: over time, and in the phase plane.
 
@@ -100,6 +101,57 @@ BOOST_AUTO_TEST_CASE(zones_and_a_notch_with_a_width_take_their_part_of_the_energ
   BOOST_TEST(last(0) == rest * rest / 2, tt::tolerance(1e-9));
   BOOST_TEST(last(1) - last(0) == friction, tt::tolerance(1e-9));
   BOOST_TEST(last(2) - last(1) == 0.37 / 0.05 * (0.025 - rest), tt::tolerance(1e-9));
+}
+
+/// Two passages, then a rest at |x|, in the width. The damper takes the integral of 2 zeta p v^2.
+BOOST_AUTO_TEST_CASE(damping_takes_its_part_of_the_energy) {
+  constexpr double zeta = 0.05;
+  for (const bool wide : {false, true}) {
+    SimulationRequest request =
+        simulation_of({.p = 2, .f = 0.2, .delta = 0.02, .zeta = zeta, .breakaway = 1.5}, {0, 1});
+    request.samples = 100'000;
+    if (wide) {
+      request.surface.notch_width = 0.02;
+    }
+    const Simulation answer = simulate(request);
+    BOOST_TEST_REQUIRE(answer.response.zero_passages == 2);
+    const double rest = std::abs(answer.response.stop_position.value());
+    double path = -rest;
+    for (const HalfCycle& now : answer.half_cycles) {
+      path += 2 * now.peak;
+    }
+    double damping = 0;
+    for (std::size_t i = 1; i < answer.trajectory.size(); ++i) {
+      const State& from = answer.trajectory[i - 1];
+      const State& to = answer.trajectory[i];
+      damping += 2 * zeta * 2 * (from.v * from.v + to.v * to.v) / 2 * (to.tau - from.tau);
+    }
+    const Figure drawn = figure(page(MotionReport{request, answer}), "energy");
+    const auto last = [&](std::size_t curve) { return drawn.curves[curve].strokes[0].back().y; };
+    BOOST_TEST(contains(drawn.caption(), ", damping 0.1"));
+    BOOST_TEST(last(0) == 2 * rest * rest, tt::tolerance(1e-9));
+    BOOST_TEST(last(1) - last(0) == 0.2 * path, tt::tolerance(1e-9));
+    BOOST_TEST(last(2) - last(1) == damping, tt::tolerance(1e-7));  // of the trapezoids
+    const double inside = wide ? std::max(0.01 - rest, 0.0) / 0.02 : 0;
+    BOOST_TEST(last(3) - last(2) == 0.02 * (2 + inside), tt::tolerance(1e-9));
+  }
+}
+
+/// x = V0/(p w) exp(-zeta p tau) sin(p w tau), w^2 = 1 - zeta^2, is largest where tan(w p tau) =
+/// w/zeta. Under a load it is followed beyond its end.
+BOOST_AUTO_TEST_CASE(a_damped_motion_stands_beside_one_without_friction_as_damped) {
+  constexpr double zeta = 0.2;
+  const double w = std::sqrt(1 - zeta * zeta);
+  const HtmlPage drawn = motion({.p = 1, .f = 0.1, .delta = 0, .zeta = zeta});
+  const auto ghost = ghost_of(figure(drawn, "motion"));
+  const auto most = std::ranges::max(ghost.strokes[0], {}, &figures::FigurePoint::y);
+  BOOST_TEST(most.y == std::exp(-zeta / w * std::acos(zeta)), tt::tolerance(1e-3));  // of samples
+  BOOST_TEST(ghost_of(figure(motion({.p = 1, .f = 0, .delta = 0, .zeta = zeta}), "motion"))
+                 .strokes.empty());
+  const design::ShownMotion hit = design::shown_motion(
+      simulation_of({.p = 1, .f = 0.1, .delta = 0, .zeta = zeta}, {}, Rectangle{1e4, 3e4}));
+  BOOST_TEST(hit.frictionless.value().reach.low == -std::numbers::pi / 3 * most.y,
+             tt::tolerance(1e-3));
 }
 
 /// Where the friction changes there is a state, a mark and a kink, out and in again.
