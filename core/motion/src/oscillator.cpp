@@ -38,8 +38,10 @@ void require_valid(const Oscillator& oscillator) {
   if (oscillator.hold) {
     require_friction("hold", *oscillator.hold, oscillator.p);
   }
-  require_within("damping", oscillator.zeta, 0, largest_zeta);
-  require_within("breakaway", oscillator.breakaway, 1, largest_breakaway);
+  if (!oscillator.coulomb()) {
+    require_within("damping", oscillator.zeta, 0, largest_zeta);
+    require_within("breakaway", oscillator.breakaway, 1, largest_breakaway);
+  }
 }
 
 void require_valid(const Oscillator& oscillator, const Start& start) {

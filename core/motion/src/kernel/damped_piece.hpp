@@ -59,7 +59,7 @@ class DampedPiece {
   /// The largest |a| up to `end`, or `so_far` where that is larger.
   [[nodiscard]] Real largest_acceleration(const End& end, const Real& so_far) const {
     const auto size = [](const Point& at) { return magnitude(at.a); };
-    return largest(size, jerk(), end, so_far);
+    return largest(size, jerk(), end, so_far, Real(0));
   }
 
   /// The largest |y + phi + 2 zeta v|, which the structure feels.
@@ -68,7 +68,9 @@ class DampedPiece {
     const auto size = [&](const Point& at) {
       return magnitude(Real(at.y + phi + 2 * zeta_ * at.v));
     };
-    return largest(size, {Real(1), Real(2 * zeta_), Real(0)}, end, so_far);
+    const Real w = -(start_.a + start_.y + phi + 2 * zeta_ * start_.v);
+    const Real load = std::max(magnitude(w), magnitude(Real(w + rate_ * end.h)));
+    return largest(size, {Real(1), Real(2 * zeta_), Real(0)}, end, so_far, load);
   }
 
  private:
@@ -182,10 +184,11 @@ class DampedPiece {
     const Real begins = slope_(left.at);
     const Real rise = value(right.at) - from;
     const bool rises = rise > 0;
-    Real step = high - low;
-    const Real bend = (rise / step - begins) / step;
+    const Real length = high - low;
+    const Real bend = (rise / length - begins) / length;
     const Real square = max(Real(0), Real(begins * begins - 4 * bend * from));
     Real h = low + 2 * magnitude(from) / (magnitude(begins) + sqrt(square));
+    Real step = high;  // the last one
     if (!(h > low && h < high)) {
       h = low + (high - low) / 2;
     }
@@ -204,15 +207,17 @@ class DampedPiece {
           return {h + (d - correction), nudged(now, Real(d - correction))};
         }
       }
+      const Real size = magnitude(Real(next - h));
       const bool near = step < Real(0x1p-20) * h;
-      if (near && 2 * magnitude(Real(next - h)) >= step) {
+      if (size <= std::numeric_limits<Real>::epsilon() * h || (near && 2 * size >= step)) {
         return {h, now};  // only rounding is left
       }
-      if (!near && !(next > low && next < high)) {
+      step = size;
+      if (!(next > low && next < high)) {
         next = low + (high - low) / 2;
+        step = high;
       }
-      step = magnitude(Real(next - h));
-      if (!(next > low && next < high) || step <= std::numeric_limits<Real>::epsilon() * h) {
+      if (!(next > low && next < high)) {
         return {h, now};
       }
       h = next;
@@ -231,12 +236,18 @@ class DampedPiece {
             from.a + d * (jerk_ + d * snap / 2)};
   }
 
-  /// The largest `size`, which grows or falls where the mix has one sign.
+  /// The largest `size`, which grows or falls where the mix has one sign. It is at most that of a,
+  /// which only swings, and of the load.
   template <class Size>
-  [[nodiscard]] Real largest(const Size& size, const Mix& mix, const End& end,
-                             const Real& so_far) const {
+  [[nodiscard]] Real largest(const Size& size, const Mix& mix, const End& end, const Real& so_far,
+                             const Real& load) const {
     using std::max;
     Real most = max(so_far, max(size(start_), size(end.at)));
+    const Real sine = (jerk()(start_) + zeta_ * start_.a) / omega_;
+    const Real room = most - load;
+    if (room > 0 && start_.a * start_.a + sine * sine <= room * room) {
+      return most;
+    }
     if (swings(mix)) {
       if (!may_vanish(mix, {end.h, end.at})) {
         return most;

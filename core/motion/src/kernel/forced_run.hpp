@@ -243,11 +243,14 @@ class ForcedRun {
     const Real sign(s_.direction);
     const Real y = sign * s_.u;
     const Real v = sign * s_.v;
-    Real pull = y + sign * w + law_.phi_ahead(y);
-    if constexpr (Law::damped) {
-      pull += law_.drag(v);
-    }
-    return {y, v, s_.first_acceleration ? *s_.first_acceleration : Real(-pull), s_.direction};
+    const auto pulled = [&] {
+      if constexpr (Law::damped) {
+        return Real(-(y + sign * w + law_.phi_ahead(y) + law_.drag(v)));
+      } else {
+        return Real(-(y + sign * w + law_.phi_ahead(y)));
+      }
+    };
+    return {y, v, s_.first_acceleration ? *s_.first_acceleration : pulled(), s_.direction};
   }
 
  private:
