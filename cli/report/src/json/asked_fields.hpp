@@ -75,11 +75,11 @@ struct AskedTask {
       Field{"objective", &Now::objective, "null for a region", one_of(objectives)},
       Field{"algorithm", &Now::algorithm, "as given; null if the program chooses"},
       Field{"catalogue", &Now::catalogue, "the file"},
-      Field{"trade_off", &Now::trade_off, "how many"},
-      Field{"damping_most", &Now::damping_most, "of a range, whose least is the damping",
-            unless(0)}};
+      Field{"trade_off", &Now::trade_off, "how many"}};
   static constexpr auto field_table =
-      std::tuple_cat(own_fields, fields_in(&Now::mass, beyond_the_paper));
+      std::tuple_cat(own_fields, fields_in(&Now::mass, beyond_the_paper),
+                     std::tuple{Field{"damping_most", &Now::damping_most,
+                                      "of a range, whose least is the damping", unless(0)}});
 };
 
 }  // namespace stillpoint::report

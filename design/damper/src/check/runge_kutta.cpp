@@ -111,6 +111,7 @@ SuiteFigures integrate_to_rest(const Oscillator& oscillator, const Surface& surf
   return {.peak = result.peak,
           .acceleration = std::max(result.acceleration, largest_load_after(load, result.end_time)),
           .residual = std::abs(result.x),
+          .passages = static_cast<double>(result.passages),
           .settled = result.outcome != Outcome::running};
 }
 

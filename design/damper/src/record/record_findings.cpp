@@ -56,10 +56,14 @@ void add_motions(std::vector<Finding>& all, const RecordDesign& result, std::siz
   const bool moves = result.finding->point.figures[in_case].peak > 0;
   if (!moves) {
     Finding& still = add(all, never_moves, load_case);
-    still.add("largest_load", peak_load(load_case, p), Dimension::gravities);
+    if (load_case.v0) {
+      still.values.push_back({"by", "notch"});
+    } else {
+      still.add("largest_load", peak_load(load_case, p), Dimension::gravities);
+    }
     if (load_case.of_records()) {
       add_count(still, "records", responses.size());
-    } else {
+    } else if (load_case.pulse) {
       still.values.push_back({"by", "friction"});
     }
   }
