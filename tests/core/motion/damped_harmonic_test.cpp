@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(no_event_is_missed) {
     // The residual there in 50 digits, over the slope: (F25) of docs/forced.md.
     const auto exact = closed_form(scene, Exact(end.h));
     const double residual = std::abs(static_cast<double>(arrives ? exact.y : exact.v));
-    const double slope = static_cast<double>(arrives ? exact.v : exact.a);
+    const auto slope = static_cast<double>(arrives ? exact.v : exact.a);
     const double load = std::abs(scene.start.w) + std::abs(scene.start.q);
     const double terms = arrives ? std::abs(scene.start.y) + size * end.h
                                  : size * end.h + load * scene.r * end.h * end.h;

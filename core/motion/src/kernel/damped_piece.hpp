@@ -44,7 +44,8 @@ class DampedPiece {
   }
 
   [[nodiscard]] End first_event(const Real& limit, bool want_arrival) const {
-    const End end = first_turn_or_end(std::min(limit, Real(2 * pi<Real>())));
+    // Under a constant load it reaches the turn: pieces that creep there would lose v to rounding.
+    const End end = first_turn_or_end(std::min(limit, Real(2 * pi<Real>() / omega_)));
     return want_arrival && !(end.at.y < 0) ? arrival_before(end) : end;
   }
 
@@ -174,14 +175,14 @@ class DampedPiece {
   /// The zero of a function that is monotone between two moments and has no one sign there: by
   /// Newton's method from a parabola through both, halving where that leaves the bracket.
   template <class Value, class Slope>
-  [[nodiscard]] Moment zero_between(const Value& value, const Slope& slope_, const Moment& left,
+  [[nodiscard]] Moment zero_between(const Value& value, const Slope& slope_of, const Moment& left,
                                     const Moment& right) const {
     using std::max;
     using std::sqrt;
     Real low = left.h;
     Real high = right.h;
     const Real from = value(left.at);
-    const Real begins = slope_(left.at);
+    const Real begins = slope_of(left.at);
     const Real rise = value(right.at) - from;
     const bool rises = rise > 0;
     const Real length = high - low;
@@ -199,10 +200,10 @@ class DampedPiece {
         return {h, now};
       }
       ((off < 0) == rises ? low : high) = h;
-      Real next = h - off / slope_(now);
+      Real next = h - off / slope_of(now);
       if (const Real d = next - h; magnitude(d) <= nearby * h) {
         const Point there = nudged(now, d);
-        const Real correction = value(there) / slope_(there);
+        const Real correction = value(there) / slope_of(there);
         if (magnitude(correction) <= magnitude(d) / 4) {
           return {h + (d - correction), nudged(now, Real(d - correction))};
         }
@@ -229,11 +230,11 @@ class DampedPiece {
 
   /// Over such a step.
   [[nodiscard]] Point nudged(const Point& from, const Real& d) const {
-    const Real jerk_ = jerk()(from);
+    const Real third = jerk()(from);
     const Real snap = slope(jerk())(from);
-    return {from.y + d * (from.v + d * (from.a + d * jerk_ / 3) / 2),
-            from.v + d * (from.a + d * (jerk_ + d * snap / 3) / 2),
-            from.a + d * (jerk_ + d * snap / 2)};
+    return {from.y + d * (from.v + d * (from.a + d * third / 3) / 2),
+            from.v + d * (from.a + d * (third + d * snap / 3) / 2),
+            from.a + d * (third + d * snap / 2)};
   }
 
   /// The largest `size`, which grows or falls where the mix has one sign. It is at most that of a,

@@ -117,7 +117,7 @@ class ForcedRun {
   void slide_to_turn(Drive& drive) {
     while (s_.mode == ForcedMode::sliding && tick()) {
       std::optional<CrossingUnder<Drive>> last;
-      ExactSum<Real> left(Real(8));  // more than 2 pi, where every piece ends
+      ExactSum<Real> left(longer_than_a_piece());
       slide(drive, left, last);
       arrived(last);
     }
@@ -326,6 +326,15 @@ class ForcedRun {
       turn();
     } else if (end.event == PieceEvent::touch) [[unlikely]] {
       touch(*this, drive, left);
+    }
+  }
+
+  /// Pieces end at 2 pi.
+  [[nodiscard]] Real longer_than_a_piece() const {
+    if constexpr (Law::damped) {
+      return 8 / swing_rate(law_.zeta());
+    } else {
+      return Real(8);
     }
   }
 

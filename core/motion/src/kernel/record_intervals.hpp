@@ -40,17 +40,18 @@ struct IntervalTerms {
   IntervalTerms() = default;
   explicit IntervalTerms(const Real& length) : IntervalTerms(length, LinearTerms<Real>(length)) {}
 
-  IntervalTerms(const Real& length, const Real& zeta)
-      : IntervalTerms(length, DampedTerms<Real>(length, zeta)) {
+  [[nodiscard]] static IntervalTerms damped(const Real& length, const Real& zeta) {
+    IntervalTerms terms(length, DampedTerms<Real>(length, zeta));
     const Real growth = exponential_high(Real(zeta * length));
     const Real eighth = length * length / 8;
-    reach = sine + 2 * zeta * versine;
-    drag = versine + 2 * zeta * sine;
-    twice_zeta = 2 * zeta;
-    fall *= growth;
-    cosine /= growth;
-    swell = growth / (1 - eighth);
-    lift = eighth + zeta * length / 2;
+    terms.reach = terms.sine + 2 * zeta * terms.versine;
+    terms.drag = terms.versine + 2 * zeta * terms.sine;
+    terms.twice_zeta = 2 * zeta;
+    terms.fall *= growth;
+    terms.cosine /= growth;
+    terms.swell = growth / (1 - eighth);
+    terms.lift = eighth + zeta * length / 2;
+    return terms;
   }
 
  private:

@@ -24,7 +24,7 @@ template <class Real, class Law>
 void update(IntervalTerms<Real>& terms, const Real& h, const Law& law) {
   if (h != terms.h) {
     if constexpr (Law::damped) {
-      terms = IntervalTerms<Real>(h, law.zeta());
+      terms = IntervalTerms<Real>::damped(h, law.zeta());
     } else {
       terms = IntervalTerms<Real>(h);
     }

@@ -35,11 +35,11 @@ struct ForcedState;
 template <class Real, class Law>
 void slides(ForcedState<Real>& s, const Law& law) {
   const Real y = Real(s.direction) * s.u;
-  Real phi = law.phi_ahead(y);
   if constexpr (Law::damped) {
-    phi += law.drag(magnitude(s.v));
+    s.transmitted.slides(y, Real(law.phi_ahead(y) + law.drag(magnitude(s.v))));
+  } else {
+    s.transmitted.slides(y, law.phi_ahead(y));
   }
-  s.transmitted.slides(y, phi);
 }
 
 /// (F29): from rest_begin until `end`; `stays`: the run ends there.

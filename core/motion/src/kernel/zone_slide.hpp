@@ -147,7 +147,7 @@ void slide_in_zone(Run& run, Drive& drive, ExactSum<Real>& left,
   }
   s.u = sign * y;
   s.v = sign * end.at.v;
-  if constexpr (!Run::AnyLaw::damped) {
+  if (!Run::AnyLaw::damped || end.event == PieceEvent::turn) {
     s.transmitted.slides(Real(sign * s.u), phi);
   }
   if (end.event == PieceEvent::turn) {
