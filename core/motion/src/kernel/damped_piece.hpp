@@ -39,8 +39,8 @@ class DampedPiece {
     const Point& s = start_;
     const Real lever = s.v + rate_;
     return {s.y + (s.v * (t.sine + 2 * zeta_ * t.versine) + s.a * t.versine - rate_ * t.lag),
-            s.v + (s.a * t.sine - lever * t.versine),
-            s.a - (s.a * (t.versine + 2 * zeta_ * t.sine) + lever * t.sine)};
+            s.v * t.cosine + (s.a * t.sine - rate_ * t.versine),
+            s.a * (t.cosine - 2 * zeta_ * t.sine) - lever * t.sine};
   }
 
   [[nodiscard]] End first_event(const Real& limit, bool want_arrival) const {

@@ -4,11 +4,12 @@
 // The damped swing by itself, docs/damping.md section 2: with omega = sqrt(1 - zeta^2), in units
 // where p = 1,
 //
-// | here    | means                                                                       |
-// |---------|-----------------------------------------------------------------------------|
-// | sine    | s = exp(-zeta h) sin(omega h) / omega, the answer to a unit of speed         |
-// | versine | 1 - c = the integral of s; c = s' + 2 zeta s is the answer to a unit of place |
-// | lag     | the integral of versine                                                     |
+// | here    | means                                                                |
+// |---------|----------------------------------------------------------------------|
+// | sine    | s = exp(-zeta h) sin(omega h) / omega, the answer to a unit of speed |
+// | cosine  | c = s' + 2 zeta s, the answer to a unit of place                     |
+// | versine | 1 - c, the integral of s                                             |
+// | lag     | the integral of versine                                              |
 //
 // zeta = 0: sin h, 1 - cos h, h - sin h. A negative zeta is the same with time reversed.
 
@@ -31,6 +32,7 @@ Real swing_rate(const Real& zeta) {
 template <class Real>
 struct DampedTerms {
   Real sine{0};
+  Real cosine{0};
   Real versine{0};
   Real lag{0};
 
@@ -48,7 +50,8 @@ struct DampedTerms {
     const auto turned = elementary::sin_cos(Real(omega * h));
     const Real left = elementary::exp(Real(-zeta * h));
     sine = left * (turned.sine / omega);
-    versine = 1 - (left * turned.cosine + zeta * sine);
+    cosine = left * turned.cosine + zeta * sine;
+    versine = 1 - cosine;
     lag = (h - sine) - 2 * zeta * versine;
   }
 
@@ -72,6 +75,7 @@ struct DampedTerms {
     }
     sine = h / 2 * rise;
     versine = hh / 2 * fall;
+    cosine = 1 - versine;
     lag = h * (hh / 2) * path;
   }
 
