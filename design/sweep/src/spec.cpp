@@ -131,8 +131,10 @@ bool from_zero(const SweepSpec& spec) {
   return x0 != spec.axes.end() && x0->axis.size() == 1 && x0->axis[0] == 0;
 }
 
-bool plain_surface(const SweepSpec& spec) {
-  return spec.zones.empty() && !given(spec, notch_width);
+bool plain_motion(const SweepSpec& spec) {
+  const auto is_given = [&spec](Quantity input) { return given(spec, input); };
+  return spec.zones.empty() &&
+         std::ranges::none_of(std::array{notch_width, damping, breakaway}, is_given);
 }
 
 void add_default_start(SweepSpec& spec) {
@@ -173,7 +175,7 @@ std::vector<Quantity> default_columns(const SweepSpec& spec, bool times) {
   const auto left_out = [&](Quantity result) {
     return (result == stop_time && !times) ||
            (result == peak_absolute_acceleration && spec.kind == SweepKind::free &&
-            plain_surface(spec)) ||
+            plain_motion(spec)) ||
            (result == arrival && !may_rest_off_centre && !varies(spec, arrivals)) ||
            (result == stop_position && design && !may_rest_off_centre);
   };

@@ -166,8 +166,7 @@ SweepStep::SweepStep(const SweepSpec& spec, std::stop_token stop)
       stop_(std::move(stop)),
       times_(contains(spec.columns, Quantity::stop_time)),
       acceleration_(contains(spec.columns, Quantity::peak_absolute_acceleration)),
-      in_batches_(from_zero(spec) && plain_surface(spec) && !given(spec, Quantity::hold) &&
-                  !given(spec, damping) && !given(spec, breakaway)),
+      in_batches_(from_zero(spec) && plain_motion(spec) && !given(spec, Quantity::hold)),
       one_v0_and_p_(!varies(spec, Quantity::v0) && !varies(spec, Quantity::p)) {}
 
 void SweepStep::operator()(SweepBlock& block) {

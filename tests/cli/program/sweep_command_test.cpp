@@ -105,9 +105,9 @@ BOOST_AUTO_TEST_CASE(may_have_axes_of_the_start_and_the_spring) {
 
 BOOST_AUTO_TEST_CASE(may_have_axes_of_the_damping_and_the_breakaway_friction) {
   const Arguments axes("--delta 0,0.02 --damping 0,5%,0.3 --breakaway 1,1.5");
-  const SweepTable table =
-      check_motions(*this, "--v0 1 --p 1 --f 0.05", axes + "--times", free_columns);
-  BOOST_TEST((table.columns == "delta damping breakaway" + free_columns));
+  const Arguments columns = free_columns + "peak_absolute_acceleration";
+  const SweepTable table = check_motions(*this, "--v0 1 --p 1 --f 0.05", axes + "--times", columns);
+  BOOST_TEST((table.columns == "delta damping breakaway" + columns));
   BOOST_TEST_REQUIRE(table.rows.size() == 12U);
   BOOST_TEST(table.at(2, "damping") == "0.05");
   BOOST_TEST(table.at(0, "peak_amplitude") != table.at(2, "peak_amplitude"));

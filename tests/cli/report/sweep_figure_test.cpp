@@ -62,6 +62,10 @@ BOOST_AUTO_TEST_CASE(has_the_values_in_the_middle_of_their_cells) {
   const figures::Figure built = page(report).figures.at(0);
   BOOST_TEST(built.curves.empty());
   BOOST_TEST(built.map.key[0].name == "stops in the notch");
+  for (const Quantity beyond : {Quantity::damping, Quantity::breakaway}) {
+    report.spec.axes.back() = {beyond, sweep::Axis({1.5})};
+    BOOST_TEST(page(report).figures.at(0).curves.empty());
+  }
 }
 
 /// Delta2 is 0.5; the middle of the last row is at 0.49 or 0.52, its edge beyond 0.5.

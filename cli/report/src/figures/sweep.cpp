@@ -191,7 +191,7 @@ std::vector<Figure> drawings(const SweepReport& report) {
         "the values are peaks, the darker, the smaller where the motions end alike");
   }
   const double p = only_value(spec, Quantity::p);
-  if (spec.kind == SweepKind::free && from_zero(spec) && plain_surface(spec) && v0 > 0 && p > 0) {
+  if (spec.kind == SweepKind::free && from_zero(spec) && plain_motion(spec) && v0 > 0 && p > 0) {
     const FigurePoint last{map.f().value(map.f().cells() - 1),
                            map.delta().value(map.delta().cells() - 1) * units.length};
     if (add_boundaries(figure, {.v0 = v0, .p = p, .beta = v0 / p}, units, last)) {

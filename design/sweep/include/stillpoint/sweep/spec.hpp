@@ -111,8 +111,8 @@ struct OwnEntries {
 /// Whether every motion starts at x = 0.
 [[nodiscard]] bool from_zero(const SweepSpec& spec);
 
-/// Whether friction is the paper's in every motion: a constant f and all of delta at x = 0.
-[[nodiscard]] bool plain_surface(const SweepSpec& spec);
+/// Whether only the paper's friction slows every motion, a constant f and all of delta at x = 0.
+[[nodiscard]] bool plain_motion(const SweepSpec& spec);
 
 /// Throws InputError for an input that is missing, given twice or wrong. For a grid the corners are
 /// checked: what is wrong with a grid usually shows there, before hours are spent on it.
