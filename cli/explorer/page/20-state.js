@@ -11,6 +11,9 @@ const dimensionless_only = names_where(({ units }) => units === "dimensionless")
 /** What a design finds. */
 const damper_options = names_where(({ commands }) => !commands.includes("design"));
 
+/** What the program computes, but no region has: here it is taken, and refused by its name. */
+const without_closed_form = ["damping", "breakaway"];
+
 /** The others of a set from which only one may be given. @param {string} name */
 function rivals(name) {
   const set = option_rows.find((row) => row.name === name)?.set;
@@ -170,7 +173,7 @@ function from_scene(scene) {
   const options = /** @type {Options} */ ({});
   for (const [key, value] of Object.entries(scene)) {
     const name = key.replaceAll("_", "-");
-    if (!known.includes(name)) return null;
+    if (!known.includes(name) || without_closed_form.includes(name)) return null;
     options[name] = Array.isArray(value) ? value.join(":") : String(value);
   }
   return "v0" in options || "velocity" in options ? options : null;
