@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(breakaway_holds_where_friction_alone_would_not) {
 
 /// A ramp of the load frees the mass at R f, and it leaves under f.
 BOOST_AUTO_TEST_CASE(a_mass_leaves_with_what_friction_loses) {
-  const Record ramp{.values = {0, 10}, .step = 10};
+  const Record ramp{{0, 10}, 10, {}};
   Oscillator oscillator{.p = 1, .f = 1};
   oscillator.breakaway = 2;
   const ForcedTrajectory path(oscillator, {0, 0}, ramp, {.horizon = 3}, {});
