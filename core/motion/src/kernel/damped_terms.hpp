@@ -18,6 +18,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace stillpoint {
 
@@ -55,33 +56,26 @@ struct DampedTerms {
     lag = (h - sine) - 2 * zeta * versine;
   }
 
-  /// (D2): versine is h^2/2 times the sum of t_n, n >= 2; sine has n t_n and lag t_n / (n + 1). For
-  /// h < 1 no term beyond t_22 matters to a double.
+  /// (D2): versine is h^2/2 times the sum of t_n, n >= 2; lag has t_n / (n + 1).
   void by_series(const Real& h, const Real& zeta) {
     const Real hh = h * h;
     const Real drag = 2 * zeta * h;
     Real before{1};
     Real now = -drag / 3;
     Real fall = before + now;
-    Real rise = 2 * before + 3 * now;
     Real path = before / 3 + now / 4;
-    for (int n = 4; !(small(before, fall) && small(now, fall)); ++n) {
-      const Real next = -(drag * now + hh * before * inverse<Real>(n - 1)) * inverse<Real>(n);
-      before = now;
-      now = next;
-      fall += now;
-      rise += n * now;
-      path += now * inverse<Real>(n + 1);
+    Real size = h;  // of the terms; twice h^(n - 2) / (n - 2)! is more
+    for (int n = 4; size > std::numeric_limits<Real>::epsilon() / 64; ++n) {
+      Real next = -(drag * now + hh * inverse<Real>(n - 1) * before) * inverse<Real>(n);
+      fall += next;
+      path += next * inverse<Real>(n + 1);
+      size *= h * inverse<Real>(n - 2);
+      before = std::exchange(now, std::move(next));
     }
-    sine = h / 2 * rise;
     versine = hh / 2 * fall;
     cosine = 1 - versine;
     lag = h * (hh / 2) * path;
-  }
-
-  /// So is n times the term.
-  static bool small(const Real& term, const Real& sum) {
-    return 64 * magnitude(term) <= std::numeric_limits<Real>::epsilon() * sum;
+    sine = h - (lag + 2 * zeta * versine);
   }
 };
 
