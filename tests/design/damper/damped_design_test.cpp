@@ -167,6 +167,8 @@ BOOST_AUTO_TEST_CASE(a_damper_is_admissible_if_and_only_if_an_integrator_says_so
     const double delta = i % 4 == 1 ? 0 : random.log_uniform(0.005, 0.4);
     if (*limits.residual > 0 && i % 7 < 3) {
       request.width = Interval{0.05, 0.05};
+    } else if (i % 7 == 3) {
+      request.hold = random.uniform(0, 0.2);
     }
     const RecordDesign judged = design::design(judge(request, f, delta));
     const SuiteFigures& own = judged.nearest.figures.front();
@@ -223,6 +225,25 @@ BOOST_AUTO_TEST_CASE(a_box_that_is_promised_holds_for_every_damping_of_the_range
       BOOST_TEST(std::abs(one.stop_position.value()) <= *load.limits.residual);
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_map_shows_the_worst_of_the_range) {
+  RecordDesignRequest request = under_hit({0.05, 0.3}, 0.9);
+  constexpr int side = 6;
+  const SuiteMap map = suite_map(request, {}, false, side);
+  request.cases.front().combine = Combine::max;
+  int differ = 0;
+  for (std::size_t i = 0; i < map.figures.size(); ++i) {
+    SuiteDamper damper{1, map.f[i / side], map.delta[i % side]};
+    const TaskFigures least = figures_of(request, damper);
+    damper.damping = 1;
+    const TaskFigures most = figures_of(request, damper);
+    const SuiteFigures expected = largest(worse(least, most));
+    BOOST_TEST(map.figures[i].front().peak == expected.peak);
+    BOOST_TEST(map.figures[i].front().residual == expected.residual);
+    differ += largest(least).residual != largest(most).residual;
+  }
+  BOOST_TEST(differ > 3);
 }
 
 BOOST_AUTO_TEST_CASE(next_to_no_damping_changes_nothing) {

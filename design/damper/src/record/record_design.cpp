@@ -201,14 +201,19 @@ SuiteMap suite_map(const RecordDesignRequest& request, const SuiteDamper& damper
     widths.push_back(damper.width * (1 - of.width.below));
     widths.push_back(damper.width * (1 + of.width.above));
   }
+  const std::vector<double> dampings =
+      task.zeta.low < task.zeta.high ? std::vector{0.0, 1.0} : std::vector{0.0};
   std::vector<SuiteDamper> dampers;
   for (const double of_f : f.all) {
     for (const double of_delta : delta.all) {
       for (const double width : widths) {
-        dampers.push_back({damper.p, of_f, of_delta, width});
+        for (const double damping : dampings) {
+          dampers.push_back({damper.p, of_f, of_delta, width, 1, damping});
+        }
       }
     }
   }
+  const std::size_t of_place = widths.size() * dampings.size();
   const std::vector<TaskFigures> figures = Suites(task).figures(dampers, task.threads);
   SuiteMap map{f.shown(), delta.shown(), {}};
   for (const double of_f : map.f) {
@@ -218,10 +223,10 @@ SuiteMap suite_map(const RecordDesignRequest& request, const SuiteDamper& damper
       TaskFigures worst;
       for (std::size_t i = first; i < end; ++i) {
         const auto row =
-            figures.begin() + static_cast<std::ptrdiff_t>(i * delta.all.size() * widths.size());
+            figures.begin() + static_cast<std::ptrdiff_t>(i * delta.all.size() * of_place);
         worst =
-            std::accumulate(row + static_cast<std::ptrdiff_t>(low * widths.size()),
-                            row + static_cast<std::ptrdiff_t>(high * widths.size()), worst,
+            std::accumulate(row + static_cast<std::ptrdiff_t>(low * of_place),
+                            row + static_cast<std::ptrdiff_t>(high * of_place), worst,
                             [](const TaskFigures& a, const TaskFigures& b) { return worse(a, b); });
       }
       map.figures.push_back(worst);
