@@ -112,8 +112,8 @@ void require_options_for(const Settings& settings, DesignFor design) {
   if (design == DesignFor::hit && !beyond.empty()) {
     throw UsageError(fmt::format("{} cannot be used here: closed forms do not know it", beyond));
   }
-  const auto criterion = settings.named<design::Criterion>("criterion");
-  if (!beyond.empty() && criterion == design::Criterion::published) {
+  if (!beyond.empty() &&
+      settings.named<design::Criterion>("criterion") == design::Criterion::published) {
     throw UsageError(fmt::format(
         "criterion published and {} cannot be combined: the paper's Delta1 has no meaning with it",
         beyond));

@@ -62,7 +62,9 @@ BOOST_AUTO_TEST_CASE(shipped_with_the_project_all_work) {
       if (spectrum || text.contains("record")) {
         continue;
       }
-      BOOST_TEST(report["region"]["feasible"] == !infeasible);
+      const bool closed_forms = !text.contains("damping");
+      BOOST_TEST(report["region"].is_object() == closed_forms);
+      BOOST_TEST((!closed_forms || report["region"]["feasible"] == !infeasible));
       const ProgramRun motion =
           run({"simulate", entry.path().string(), "--f", "0.01", "--delta", "0.001", "--json"});
       const bool ranges =
@@ -72,7 +74,7 @@ BOOST_AUTO_TEST_CASE(shipped_with_the_project_all_work) {
         BOOST_TEST(motion.json()["input"]["excitation"].is_object() == text.contains("pulse"));
       }
       const ProgramRun region = run({"region", entry.path().string(), "--json"});
-      BOOST_TEST(region.exit_code == (infeasible ? 3 : 0));
+      BOOST_TEST(region.exit_code == (!closed_forms ? 2 : infeasible ? 3 : 0));
     }
   }
   BOOST_TEST(scenes >= 6);
