@@ -104,7 +104,7 @@ double damped_amplitude(const Forcing& forcing) {
 BOOST_AUTO_TEST_CASE(with_damping_the_amplitude_is_den_hartogs_as_well) {
   struct Known {
     Forcing forcing;
-    double amplitude;  ///< to nine decimals, by integration in small steps
+    double amplitude{0};  ///< to nine decimals, by integration in small steps
   };
   for (const auto& [forcing, amplitude] :
        {Known{{1, 0.8, 1, 0.3, 0.05}, 2.346871967}, Known{{1, 1, 1, 0.4, 0.1}, 2.450073798},

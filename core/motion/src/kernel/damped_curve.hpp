@@ -115,8 +115,10 @@ class DampedCurve {
   /// (D10)
   [[nodiscard]] Point shifted(const Point& from, const Real& h) const {
     const Real angle = r_ * h;
-    const Real damping = 2 * zeta_ * h;
     const Real z = magnitude(h) / time_scale_;
+    const Real by_a = -2 * zeta_ * h;
+    const Real by_v = -h * h;
+    const Real by_q = -angle * angle;
     // The terms of v and of q, the last two.
     Real v0 = from.v;
     Real v1 = from.a * h;
@@ -124,23 +126,21 @@ class DampedCurve {
     Real q1 = -from.w * angle;
     Real v = v0 + v1;
     Real q = q0 + q1;
-    Real y = v0 + v1 * inverse<Real>(2);
-    Real w = q0 + q1 * inverse<Real>(2);
-    // Of the terms neglected, relative to those of order h^3.
+    Real y = v0 + v1 / 2;
+    Real w = q0 + q1 / 2;
+    // Of the terms neglected, relative to those of order h^3: z^(n - 3) 3!/n!, or more.
     Real size{1};
-    for (int n = 2; n < 4 || size > std::numeric_limits<Real>::epsilon() / 16; ++n) {
+    for (int n = 2; size > std::numeric_limits<Real>::epsilon() / 16; ++n) {
       const Real pair = inverse<Real>(n - 1) * inverse<Real>(n);
-      Real v2 = -(damping * inverse<Real>(n) * v1 + h * h * pair * (v0 + r_ * q0));
-      Real q2 = -(angle * angle * pair * q0);
+      Real v2 = by_a * inverse<Real>(n) * v1 + by_v * pair * (v0 + r_ * q0);
+      Real q2 = by_q * pair * q0;
       v += v2;
       q += q2;
       y += v2 * inverse<Real>(n + 1);
       w += q2 * inverse<Real>(n + 1);
       v0 = std::exchange(v1, std::move(v2));
       q0 = std::exchange(q1, std::move(q2));
-      if (n > 3) {
-        size *= z * inverse<Real>(n);
-      }
+      size *= n > 3 ? z * inverse<Real>(n) : Real(1);
     }
     y *= h;
     w *= angle;
