@@ -57,7 +57,9 @@ class SuiteSearch {
   void learn(const KnownDampers& known) { known_.add(known); }
   [[nodiscard]] const KnownDampers& known() const { return known_; }
   /// As it is built: with few digits, and not beside a decision.
-  [[nodiscard]] BoxedDamper ready(const BoxedDamper& found) { return clear(rounded(found)); }
+  [[nodiscard]] BoxedDamper ready(const BoxedDamper& found) { return clear(rounded(found, 12)); }
+  /// The nearest damper of the fewest digits that is as good; itself if `most` do not give one.
+  [[nodiscard]] BoxedDamper rounded(const BoxedDamper& found, int most);
 
  private:
   [[nodiscard]] BoxedDamper boxed(const SuiteDamper& damper, const TaskFigures& worst) const {
@@ -85,7 +87,6 @@ class SuiteSearch {
   [[nodiscard]] BoxedDamper refined(BoxedDamper candidate, SuiteGrid& grid, int levels);
   void learn(std::span<const SuitePlace> places, const std::vector<TaskFigures>& all);
   /// With few digits, if that costs next to nothing.
-  [[nodiscard]] BoxedDamper rounded(const BoxedDamper& found);
   [[nodiscard]] BoxedDamper clear(const BoxedDamper& found) const;
 
   const Suites& suite_;

@@ -35,6 +35,8 @@ constexpr std::array<std::int64_t, most_axes + 1> near_reaches{1, 16, 6, 3, 1, 1
 constexpr int near_maps = 2;
 constexpr int most_challenges = 4;
 constexpr std::array growths{1.04, 1.02, 1.01, 1.005};
+constexpr std::array parts_rounded{1.0, 0.998, 0.995, 0.99};
+constexpr int digits = 5;
 constexpr double first_push = 0.04;  // of a value
 /// Where there is no box on the map, it is looked for with this size; of an exact value that is
 /// searched, the step.
@@ -79,6 +81,7 @@ class Growth {
     for (const double by : growths) {
       push(by);
     }
+    round();
     return best_;
   }
 
@@ -166,6 +169,26 @@ class Growth {
       search.learn(breaking_);
       larger_holds = holds(search, search.polished(best_->verified.box, first_push, true), scale);
       breaking_ = search.known().breaking(goal_.limits);
+    }
+  }
+
+  /// To digits that can be ordered, where a box hardly smaller has them. The largest of all fits
+  /// about one point.
+  void round() {
+    if (!best_ || exact_.searched() == 0) {
+      return;
+    }
+    const LargestBox largest = *best_;
+    for (const double part : parts_rounded) {
+      const SuiteSpace boxes = space(part * largest.scale);
+      SuiteSearch search(suite_, task_, boxes, goal_, watch_);
+      search.learn(breaking_);
+      const BoxedDamper box = search.unbroken(largest.verified.box.damper);
+      const BoxedDamper built = search.rounded(box, digits);
+      const bool other = built.damper.f != box.damper.f || built.damper.delta != box.damper.delta;
+      if (other && holds(search, built, part * largest.scale)) {
+        return;
+      }
     }
   }
 

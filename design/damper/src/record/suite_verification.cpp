@@ -95,13 +95,12 @@ void SuiteSearch::learn(std::span<const SuitePlace> places, const std::vector<Ta
   }
 }
 
-BoxedDamper SuiteSearch::rounded(const BoxedDamper& found) {
+BoxedDamper SuiteSearch::rounded(const BoxedDamper& found, int most) {
   if (!task_.printed || found.rank.off > 0) {
     return found;
   }
   const bool exact = space_.toleranced() == 0;
   const double costs_nothing = exact ? 1e-5 : 1e-3;
-  constexpr int most = 12;
   BoxedDamper bar = found;
   bar.rank.value *= 1 + costs_nothing;
   for (int digits = exact ? 5 : 3; digits <= most; ++digits) {
