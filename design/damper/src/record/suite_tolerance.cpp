@@ -148,7 +148,11 @@ class Growth {
     if (box.rank.off > 0) {
       return false;
     }
-    const VerifiedBox now = search.tried(search.ready(box).damper);
+    const SuiteDamper damper = search.ready(box).damper;
+    if (design::largest(suite_.figures(damper)).margin < least_suite_margin) {
+      return false;  // whatever the others of its box do
+    }
+    const VerifiedBox now = search.tried(damper);
     const SuiteSpace boxes = space(scale);  // a place of a map may be of smaller ones
     if (now.box.rank.off > 0 || !boxes.includes(boxes.place(now.box.damper))) {
       return false;
