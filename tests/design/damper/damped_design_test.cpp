@@ -46,16 +46,16 @@ std::optional<double> tolerance_of(const RecordDesignRequest& request, double f,
   return design::design(judge(request, f, delta)).largest_tolerance;
 }
 
-struct FirstReturn {
+struct FirstReturnRow {
   double zeta, r, b;
 };
 /// Roots of the return with no speed left, in 50 digits; with zeta = 0 they are 1/sqrt(8) and
 /// 1/sqrt(2).
-constexpr std::array first_returns{FirstReturn{0, .35355339059327376, .70710678118654752},
-                                   FirstReturn{.01, .34578624459869488, .70260868471098997},
-                                   FirstReturn{.05, .31559999698522502, .68495266613546249},
-                                   FirstReturn{.2, .21491715844561354, .62302340935741052},
-                                   FirstReturn{.5, .072182882760396119, .5149315653513191}};
+constexpr std::array first_returns{FirstReturnRow{0, .35355339059327376, .70710678118654752},
+                                   FirstReturnRow{.01, .34578624459869488, .70260868471098997},
+                                   FirstReturnRow{.05, .31559999698522502, .68495266613546249},
+                                   FirstReturnRow{.2, .21491715844561354, .62302340935741052},
+                                   FirstReturnRow{.5, .072182882760396119, .5149315653513191}};
 
 BOOST_AUTO_TEST_CASE(a_first_return_ends_where_the_closed_forms_say) {
   constexpr double delta = 0.01;  // more than what is left there
