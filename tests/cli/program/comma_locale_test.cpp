@@ -85,6 +85,7 @@ std::vector<std::pair<Command, json>> tasks() {
       {Command::region, {{"v0", 1}, {"p", 1}, {"beta", 0.9}, {"f", 0.25}, {"delta", 0.3}}},
       {Command::region, {{"v0", "0.8:1"}, {"p", 1}, {"beta", 0.97}, {"arrivals", 14}}},
       {Command::simulate, {{"v0", 1}, {"p", 1}, {"f", 0.02}, {"delta", 0.02}, {"samples", 50}}},
+      {Command::simulate, {{"v0", 1}, {"p", 1}, {"f", 0.02}, {"delta", 0}, {"damping", "2.5%"}}},
       {Command::spectrum,
        {{"record", STILLPOINT_DATA_DIR "/records/strong_motion.AT2"},
         {"period", "1s:4s:5"},
@@ -94,7 +95,7 @@ std::vector<std::pair<Command, json>> tasks() {
     std::ifstream file(entry.path());
     const json scene = entry.path().extension() == ".json" ? json::parse(file) : json();
     if (scene.is_object() && !scene.contains("record") && !scene.contains("cases") &&
-        !scene.contains("catalogue")) {
+        !scene.contains("catalogue") && !scene.contains("damping")) {
       all.emplace_back(Command::design, scene);
     }
   }
