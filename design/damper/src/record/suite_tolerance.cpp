@@ -36,7 +36,7 @@ constexpr int near_maps = 2;
 constexpr int most_challenges = 4;
 constexpr std::array growths{1.04, 1.02, 1.01, 1.005};
 constexpr std::array parts_rounded{1.0, 0.998, 0.995, 0.99};
-constexpr int digits = 5;
+constexpr int most_digits = 5;
 constexpr double first_push = 0.04;  // of a value
 /// Where there is no box on the map, it is looked for with this size; of an exact value that is
 /// searched, the step.
@@ -188,7 +188,7 @@ class Growth {
       SuiteSearch search(suite_, task_, boxes, goal_, watch_);
       search.learn(breaking_);
       const BoxedDamper box = search.unbroken(largest.verified.box.damper);
-      const BoxedDamper built = search.rounded(box, digits);
+      const BoxedDamper built = search.rounded(box, most_digits);
       const bool other = built.damper.f != box.damper.f || built.damper.delta != box.damper.delta;
       if (other && holds(search, built, part * largest.scale)) {
         return;
