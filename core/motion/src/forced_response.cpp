@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "forced_response_of_valid.hpp"
-#include "kernel/on_surface.hpp"
 #include "response_of_run.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>

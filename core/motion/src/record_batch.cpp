@@ -60,8 +60,8 @@ class RecordBlock {
   void add(std::size_t lane, const Oscillator& oscillator, const Start& start,
            const Surface& surface) {
     const LaneTask task{oscillator, start, excitation_, options_, columns_, lane};
-    const bool plain = surface.plain() && oscillator.coulomb();
-    motions_.at(lane) = plain ? record_motion(task) : zoned_record_motion(task, surface);
+    motions_.at(lane) = paper_motion(oscillator, surface) ? record_motion(task)
+                                                          : zoned_record_motion(task, surface);
     events_.at(lane) = motions_.at(lane).get();
     if (motions_.at(lane)->begin()) {
       live_.at(count_++) = lane;

@@ -117,8 +117,12 @@ bool is_forced(const SimulationRequest& request) {
   return !std::holds_alternative<NoExcitation>(request.excitation);
 }
 
+bool has_closed_form(const SimulationRequest& request) {
+  return !is_forced(request) && paper_motion(request.oscillator, request.surface);
+}
+
 Simulation simulate(const SimulationRequest& request, const std::function<bool(double)>& go_on) {
-  if (!is_forced(request) && request.surface.plain() && request.oscillator.coulomb()) {
+  if (has_closed_form(request)) {
     return free_simulation(request);
   }
   Simulation result = simulate_forced(request, go_on);

@@ -16,14 +16,11 @@ ForcedResponse zoned_response_of_valid(const Oscillator& oscillator, const Start
 }
 
 std::unique_ptr<RecordMotion> zoned_record_motion(const LaneTask& task, const Surface& surface) {
-  using Zones = ZonedFriction<double>;
-  using Law = Damped<Zones, double>;
-  const Oscillator bare = without_zone(task.oscillator, surface);
-  Zones zones(task.oscillator, surface, task.start);
-  if (task.oscillator.zeta > 0) {
-    return std::make_unique<LaneMotion<Law>>(task, bare, Law(zones, task.oscillator.zeta));
-  }
-  return std::make_unique<LaneMotion<Zones>>(task, bare, zones);
+  return with_law(task.oscillator, surface, task.start,
+                  [&]<class Law>(Law law) -> std::unique_ptr<RecordMotion> {
+                    return std::make_unique<LaneMotion<Law>>(
+                        task, without_zone(task.oscillator, surface), std::move(law));
+                  });
 }
 
 }  // namespace stillpoint

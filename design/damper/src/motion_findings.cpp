@@ -87,17 +87,12 @@ void add_peaks(std::vector<Finding>& all, const SimulationRequest& request,
       .add("largest_peak", most, Dimension::length);
 }
 
-/// Its end has a closed form.
-bool is_plain(const SimulationRequest& request) {
-  return !is_forced(request) && request.surface.plain() && request.oscillator.coulomb();
-}
-
 /// No damper is built more accurately than the first. That of a load or a surface is no tolerance:
 /// below the second, rounding may decide.
 void add_margin(std::vector<Finding>& all, const SimulationRequest& request,
                 const Simulation& motion) {
   const auto& margin = motion.response.decision_margin;
-  const bool of_inputs = is_plain(request);
+  const bool of_inputs = has_closed_form(request);
   if (margin && *margin < (of_inputs ? 0.01 : 1e-9)) {
     const bool starts = motion.response.outcome == Outcome::caught_at_start;
     Finding& close = all.emplace_back(close_call).tell("changes", starts ? "start" : "stop");
@@ -117,7 +112,7 @@ bool lie_far_apart(const Interval& rests, double peak) {
 /// If f and Delta slightly off change the end much.
 void add_nearby(std::vector<Finding>& all, const SimulationRequest& request,
                 const Simulation& motion) {
-  if (is_plain(request)) {
+  if (has_closed_form(request)) {
     return;
   }
   const auto ends = nearby_ends(request, motion);

@@ -177,8 +177,7 @@ std::optional<Practice> practice(const Oscillator& oscillator, const Response& r
 }
 
 std::optional<Practice> practice(const SimulationRequest& request, const Simulation& motion) {
-  return !motion.forced && request.surface.plain() && request.oscillator.coulomb() &&
-                 request.start.x0 == 0
+  return has_closed_form(request) && request.start.x0 == 0
              ? practice(request.oscillator, motion.response, std::nullopt)
              : std::nullopt;
 }

@@ -77,7 +77,7 @@ ExactResult forced_result(const Scene& scene, double most_half_cycles) {
 
 ExactResult exact(const Scene& scene, double most_half_cycles) {
   const bool by_map = std::holds_alternative<NoExcitation>(scene.excitation) &&
-                      scene.surface.plain() && scene.oscillator.coulomb();
+                      paper_motion(scene.oscillator, scene.surface);
   ExactResult result =
       by_map ? free_result(scene, most_half_cycles) : forced_result(scene, most_half_cycles);
   result.rounded.peak = result.peak.near;

@@ -138,14 +138,13 @@ class DampedPiece {
     if (start_.v == 0 && start_.a == 0 && rate_ > 0) {
       return {PieceEvent::turn, Real(0), start_};
     }
+    const bool still = start_.v == 0 && start_.a == 0;
+    if (const Real turn = first_zero_of_swing(v); swings(v) && !still && turn <= limit) {
+      return {PieceEvent::turn, turn, at(turn)};
+    }
     const Moment last{limit, at(limit)};
     End end{PieceEvent::none, last.h, last.at};
     if (swings(v)) {
-      const bool still = start_.v == 0 && start_.a == 0;
-      if (!still && may_vanish(v, last)) {
-        const Real turn = first_zero_of_swing(v);
-        return turn <= limit ? End{PieceEvent::turn, turn, at(turn)} : end;
-      }
       return end;
     }
     stretches(v, last, [&](const Moment& left, const Moment& right) {

@@ -243,14 +243,14 @@ class ForcedRun {
     const Real sign(s_.direction);
     const Real y = sign * s_.u;
     const Real v = sign * s_.v;
-    const auto pulled = [&] {
-      if constexpr (Law::damped) {
-        return Real(-(y + sign * w + law_.phi_ahead(y) + law_.drag(v)));
-      } else {
-        return Real(-(y + sign * w + law_.phi_ahead(y)));
-      }
-    };
-    return {y, v, s_.first_acceleration ? *s_.first_acceleration : pulled(), s_.direction};
+    if (s_.first_acceleration) {
+      return {y, v, *s_.first_acceleration, s_.direction};
+    }
+    Real pull = y + sign * w + law_.phi_ahead(y);
+    if constexpr (Law::damped) {
+      pull += law_.drag(v);
+    }
+    return {y, v, Real(-pull), s_.direction};
   }
 
  private:
@@ -329,7 +329,7 @@ class ForcedRun {
     }
   }
 
-  /// Pieces end at 2 pi.
+  /// Pieces end at 2 pi, with damping at 2 pi / omega.
   [[nodiscard]] Real longer_than_a_piece() const {
     if constexpr (Law::damped) {
       return 8 / swing_rate(law_.zeta());

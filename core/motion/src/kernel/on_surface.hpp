@@ -14,12 +14,6 @@
 
 namespace stillpoint {
 
-/// One as in the paper, of ConstantFriction.
-template <class Real>
-bool paper_motion(const BasicOscillator<Real>& oscillator, const BasicSurface<Real>& surface) {
-  return surface.plain() && oscillator.coulomb();
-}
-
 /// Without the notch that is a zone of the surface.
 template <class Real>
 BasicOscillator<Real> without_zone(BasicOscillator<Real> oscillator,
@@ -30,22 +24,25 @@ BasicOscillator<Real> without_zone(BasicOscillator<Real> oscillator,
   return oscillator;
 }
 
+/// What `use` returns for the law of a motion that is not the paper's.
+template <class Real, class Use>
+auto with_law(const BasicOscillator<Real>& oscillator, const BasicSurface<Real>& surface,
+              const BasicStart<Real>& start, const Use& use) {
+  ZonedFriction<Real> zones(oscillator, surface, start);
+  return oscillator.zeta > 0 ? use(Damped(std::move(zones), oscillator.zeta))
+                             : use(std::move(zones));
+}
+
 /// What `follow` returns for the run in zones, which is at its start.
 template <class Real, class Watcher, class Follow>
 auto in_zones(const BasicOscillator<Real>& oscillator, const BasicSurface<Real>& surface,
               const BasicStart<Real>& start, Watcher& watcher, Patience patience,
               const Follow& follow) {
-  using Zones = ZonedFriction<Real>;
-  const BasicOscillator<Real> bare = without_zone(oscillator, surface);
-  Zones zones(oscillator, surface, start);
-  if (oscillator.zeta > 0) {
-    using Law = Damped<Zones, Real>;
-    ForcedRun<Real, Watcher, Law> run(bare, Law(std::move(zones), oscillator.zeta), start, watcher,
-                                      std::move(patience));
+  return with_law(oscillator, surface, start, [&]<class Law>(Law law) {
+    ForcedRun<Real, Watcher, Law> run(without_zone(oscillator, surface), std::move(law), start,
+                                      watcher, std::move(patience));
     return follow(run);
-  }
-  ForcedRun<Real, Watcher, Zones> run(bare, std::move(zones), start, watcher, std::move(patience));
-  return follow(run);
+  });
 }
 
 /// The same for any surface.

@@ -77,13 +77,9 @@ class ZonedFriction {
     const Real wall = surface.notch_width ? Real(oscillator.delta / *surface.notch_width) : Real(0);
     Real from(0);
     const auto add = [&](const Real& f) {
-      const bool walled = from < half_width_;
-      const Real with_notch = walled ? Real(f + wall) : f;
-      Real held = oscillator.breakaway == 1 ? with_notch : Real(oscillator.breakaway * f);
-      if (walled && oscillator.breakaway != 1) {
-        held += wall;
-      }
-      zones_.push_back({from, held, Real(held / p_), Real(with_notch / p_), Real(f / p_)});
+      const Real notch = from < half_width_ ? wall : Real(0);
+      const Real held = oscillator.breakaway * f + notch;
+      zones_.push_back({from, held, Real(held / p_), Real((f + notch) / p_), Real(f / p_)});
     };
     for (const BasicFrictionZone<Real>& zone : surface.zones) {
       const Real to = p_ * zone.to;

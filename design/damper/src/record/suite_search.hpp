@@ -58,7 +58,7 @@ class SuiteSearch {
   [[nodiscard]] const KnownDampers& known() const { return known_; }
   /// As it is built: with few digits, and not beside a decision.
   [[nodiscard]] BoxedDamper ready(const BoxedDamper& found) { return clear(rounded(found, 12)); }
-  /// The nearest damper of the fewest digits that is as good; itself if `most` do not give one.
+  /// With few digits, if that costs next to nothing; itself if `most` of them cost more.
   [[nodiscard]] BoxedDamper rounded(const BoxedDamper& found, int most);
 
  private:
@@ -86,7 +86,6 @@ class SuiteSearch {
   /// At most that many times half the step, which it leaves in `grid`.
   [[nodiscard]] BoxedDamper refined(BoxedDamper candidate, SuiteGrid& grid, int levels);
   void learn(std::span<const SuitePlace> places, const std::vector<TaskFigures>& all);
-  /// With few digits, if that costs next to nothing.
   [[nodiscard]] BoxedDamper clear(const BoxedDamper& found) const;
 
   const Suites& suite_;

@@ -35,6 +35,7 @@ constexpr std::array<std::int64_t, most_axes + 1> near_reaches{1, 16, 6, 3, 1, 1
 constexpr int near_maps = 2;
 constexpr int most_challenges = 4;
 constexpr std::array growths{1.04, 1.02, 1.01, 1.005};
+/// Of the largest size, in which dampers of few digits are looked for, and how many.
 constexpr std::array parts_rounded{1.0, 0.998, 0.995, 0.99};
 constexpr int most_digits = 5;
 constexpr double first_push = 0.04;  // of a value

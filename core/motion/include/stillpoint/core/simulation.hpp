@@ -42,6 +42,8 @@ struct Simulation {
 };
 
 [[nodiscard]] bool is_forced(const SimulationRequest& request);
+/// A free motion of the paper.
+[[nodiscard]] bool has_closed_form(const SimulationRequest& request);
 
 /// Metrics, half-cycles and trajectory of the motion. A forced run calls `go_on` now and then, in
 /// each of its up to three passes, with the tau reached; false ends it. Throws InputError as

@@ -31,6 +31,13 @@ struct BasicSurface {
 };
 using Surface = BasicSurface<double>;
 
+/// Whether only the paper's friction slows the motion, and holds it: others have no closed forms.
+template <class Real>
+[[nodiscard]] bool paper_motion(const BasicOscillator<Real>& oscillator,
+                                const BasicSurface<Real>& surface) {
+  return surface.plain() && oscillator.coulomb();
+}
+
 /// Throws InputError, naming the field ("notch-width", "friction-zones 2: f", ...), unless
 ///   notch_width is in [1e-150, 1e150] and p times it as well, and there is no finite hold beside
 ///   it; edges increase, and they and p times them are in [1e-150, 1e150]; each friction, and that
