@@ -107,6 +107,12 @@ bool takes_cases(const Settings& settings) {
          }) != nullptr);
 }
 
+std::string published_beyond(std::string_view beyond) {
+  return fmt::format(
+      "criterion published and {} cannot be combined: the paper's Delta1 has no meaning with it",
+      beyond);
+}
+
 void require_options_for(const Settings& settings, DesignFor design) {
   const std::string_view beyond = beyond_closed_forms(settings);
   if (design == DesignFor::hit && !beyond.empty()) {
@@ -114,9 +120,7 @@ void require_options_for(const Settings& settings, DesignFor design) {
   }
   if (!beyond.empty() &&
       settings.named<design::Criterion>("criterion") == design::Criterion::published) {
-    throw UsageError(fmt::format(
-        "criterion published and {} cannot be combined: the paper's Delta1 has no meaning with it",
-        beyond));
+    throw UsageError(published_beyond(beyond));
   }
   const bool has_cases = settings.has("cases");
   const bool of_records = design == DesignFor::records && (has_cases || asks_for_records(settings));

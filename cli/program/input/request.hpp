@@ -19,6 +19,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace stillpoint::cli {
@@ -59,6 +60,9 @@ namespace stillpoint::cli {
 
 /// Throws UsageError for an option that only the other kind of design takes.
 void require_options_for(const Settings& settings, DesignFor design);
+
+/// Why a mass with `beyond`, damping or breakaway, has no published criterion.
+[[nodiscard]] std::string published_beyond(std::string_view beyond);
 
 /// Puts the numbers of a part of a sweep in place of `auto`, and its name into that of the output.
 /// What is already resolved stays as it is. Throws InputError.

@@ -191,6 +191,12 @@ void add_design(const Settings& settings, SweepSpec& spec) {
     require_no_pulse_options(settings);
   }
   spec.task.criterion = criterion(settings);
+  for (const Quantity beyond : {Quantity::damping, Quantity::breakaway}) {
+    if (given(settings, spec, beyond) && settings.has("criterion") &&
+        spec.task.criterion == design::Criterion::published) {
+      throw UsageError(published_beyond(name(beyond)));
+    }
+  }
   spec.search.objective = objective(settings);
   for (const design::LimitKind& kind : design::limit_kinds()) {
     const bool in_metres = spec.units && !kind.in_metres.empty();

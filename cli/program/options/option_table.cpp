@@ -83,9 +83,6 @@ constexpr Option row(std::string_view name, OptionKind kind, std::string_view pl
 }
 
 constexpr Swept swept{sweep};
-constexpr Excludes undamped_design{sweep, "beta max-displacement",
-                                   "the designs of a sweep are in closed form, which an undamped "
-                                   "mass has"};
 constexpr Needs of_a_reduction{sweep, "reduce", "a sweep without rows"};
 
 // name, kind, placeholder, help, commands, facts
@@ -137,11 +134,11 @@ constexpr auto in_damper = std::to_array<Option>(
          InSi{Dimension::length}),
      row("damping", number, "Z",
          "viscous damping as a share of critical damping, 0.05 or 5%; default 0", every | spectrum,
-         swept, Dimension::share, RangeEnd::low, undamped_design),
+         swept, Dimension::share, RangeEnd::low),
      row("breakaway", number, "R",
          "friction that holds a mass at rest, over the friction f of one that slides, 1 or more; "
          "default 1",
-         every | spectrum, swept, undamped_design),
+         every | spectrum, swept),
      row("hold", number, "H",
          "the notch holds a load up to f + H at x = 0, in g; default: any load",
          of_suites | of_excitations, swept, Rivals::notch, Dimension::gravities),

@@ -49,6 +49,85 @@ design::DesignRequest request_of(const SweepSpec& spec, const std::function<doub
   return request;
 }
 
+namespace {
+
+/// The hit or the pulse of a design, and what is required under it.
+design::LoadCase case_of(const design::DesignRequest& request) {
+  const design::Problem& problem = request.problem;
+  design::LoadCase load;
+  load.pulse = request.pulse;
+  if (!request.pulse) {
+    load.v0 = problem.v0;
+  }
+  const auto& low = request.pulse ? request.pulse_ranges.k_low : problem.v0_low;
+  load.weakest = low ? *low / (request.pulse ? design::peak_load(*request.pulse) : problem.v0) : 1;
+  load.limits.peak = problem.beta;
+  load.limits.acceleration = request.limits.acceleration_max;
+  load.limits.residual = problem.residual.value_or(0);
+  load.limits.passages = static_cast<double>(problem.arrivals - 1);
+  return load;
+}
+
+/// The box that must hold, or the shape of the one that is enlarged.
+design::SuiteTolerance tolerance_of(const design::Limits& limits, bool grows) {
+  const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
+  design::SuiteTolerance of{design::times({f_low, f_high}, limits.tolerance),
+                            design::times({delta_low, delta_high}, limits.tolerance)};
+  for (design::Spread* const each : {&of.f, &of.delta}) {
+    if (grows && each->below + each->above == 0) {
+      *each = design::SuiteTolerance().f;
+    }
+  }
+  return of;
+}
+
+}  // namespace
+
+std::optional<design::RecordDesignRequest> simulated_request(
+    const SweepSpec& spec, const std::function<double(Quantity)>& at) {
+  const auto value = [&](Quantity input, double usual) {
+    return given(spec, input) ? at(input) : usual;
+  };
+  const double zeta = value(Quantity::damping, 0);
+  const double breakaway = value(Quantity::breakaway, 1);
+  if (zeta == 0 && breakaway == 1) {
+    return std::nullopt;
+  }
+  const auto refuse = [&](Quantity input, const char* instead) {
+    if (given(spec, input)) {
+      throw InputError(option_name(input, spec.units), "an input",
+                       fmt::format("must be left out with damping or breakaway: {}", instead));
+    }
+  };
+  refuse(Quantity::trade_off, "give them to design itself");
+  refuse(Quantity::lambda_high, "give an entry for each length");
+  const design::DesignRequest asked = request_of(spec, at);
+  const design::LoadCase load = case_of(asked);
+  if (load.weakest > 0 && load.weakest < design::least_weakest) {
+    const Quantity low = spec.pulse ? Quantity::k_low : Quantity::v0_low;
+    throw InputError(option_name(low, spec.units), at(low),
+                     fmt::format("must be 0 or at least {} of the other end with damping or "
+                                 "breakaway",
+                                 design::least_weakest));
+  }
+  const design::Problem& problem = asked.problem;
+  design::RecordDesignRequest request{
+      .cases = {load},
+      .p = {problem.p, problem.p},
+      .f_max = asked.limits.f_max,
+      .delta_max = asked.limits.delta_max,
+      .objective = *parse<design::SuiteObjective>(name(asked.search.objective))};
+  request.tolerance =
+      tolerance_of(asked.limits, request.objective == design::SuiteObjective::robust);
+  request.threads = 1;
+  request.printed = design::PrintedUnits();
+  request.spring = {1 - problem.p / problem.stiffest_p(), 0};
+  request.zeta = {zeta, zeta};
+  request.breakaway = breakaway;
+  request.parts = spec.parts;
+  return request;
+}
+
 Excitation load_of(const SweepSpec& spec, const std::function<double(Quantity)>& at) {
   Record record = spec.records[static_cast<std::size_t>(at(Quantity::record))].record;
   const double scale = at(Quantity::record_scale);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stillpoint/design/design.hpp>
+#include <stillpoint/design/suite_task.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
 #include <stillpoint/core/oscillator.hpp>
@@ -9,6 +10,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 namespace stillpoint::sweep {
 
@@ -19,6 +21,11 @@ namespace stillpoint::sweep {
 /// has. Throws InputError for wrong arrivals.
 [[nodiscard]] design::DesignRequest request_of(const SweepSpec& spec,
                                                const std::function<double(Quantity)>& at);
+
+/// The same for a mass that closed forms do not know: one with damping or a breakaway friction.
+/// Empty for any other.
+[[nodiscard]] std::optional<design::RecordDesignRequest> simulated_request(
+    const SweepSpec& spec, const std::function<double(Quantity)>& at);
 
 /// The record of an entry of a sweep over several, scaled. Throws InputError for a scale of 0.
 [[nodiscard]] Excitation load_of(const SweepSpec& spec, const std::function<double(Quantity)>& at);

@@ -35,7 +35,7 @@ class BlockSize {
   void learn(double seconds) {
     constexpr double short_s = 0.05;
     constexpr double long_s = 0.3;
-    constexpr Index least = 16;
+    constexpr Index least = 16;     // damped designs take seconds each
     constexpr Index most = 65'536;  // about 5 MB of columns
     if (seconds < short_s) {
       value_ = std::min(2 * value_, most);
@@ -45,7 +45,7 @@ class BlockSize {
   }
 
  private:
-  Index value_{256};
+  Index value_{16};
 };
 
 class Sweep {

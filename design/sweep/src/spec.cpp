@@ -23,8 +23,9 @@ using enum Quantity;
 constexpr std::array forced_inputs{record, record_scale, v0,          p,       x0,       f,
                                    delta,  hold,         notch_width, damping, breakaway};
 constexpr std::span<const Quantity> free_inputs = std::span(forced_inputs).subspan(2);
-constexpr std::array design_inputs{v0,     v0_low,      p,    p_high,   k,        k_low,
-                                   lambda, lambda_high, beta, residual, arrivals, trade_off};
+constexpr std::array design_inputs{v0,       v0_low,    p,           p_high,   k,
+                                   k_low,    lambda,    lambda_high, beta,     residual,
+                                   arrivals, trade_off, damping,     breakaway};
 
 /// Those that a motion of this kind has.
 template <class Result>

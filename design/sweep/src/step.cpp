@@ -7,6 +7,7 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/record_design.hpp>
 #include <stillpoint/design/search.hpp>
 #include <stillpoint/design/trade_off.hpp>
 
@@ -157,6 +158,20 @@ std::optional<Designed> designed(const design::Problem& problem,
   return Designed{*point, design::arrival_of(problem, point->f, point->delta),
                   free_response({.p = problem.p, .f = point->f, .delta = point->delta},
                                 {.x0 = 0, .v0 = problem.v0}, options)};
+}
+
+/// Of a mass that is simulated. The largest tolerance is known only where it was searched.
+std::optional<Designed> designed(const design::RecordDesignRequest& request, double required,
+                                 const std::function<bool()>& go_on) {
+  const auto result =
+      design::design(request, [&](const design::RecordProgress& /*progress*/) { return go_on(); });
+  const double tolerance = result.largest_tolerance.value_or(absent);
+  if (!result.finding || tolerance < required) {
+    return std::nullopt;
+  }
+  const design::SuiteDamper& damper = result.finding->point.damper;
+  return Designed{
+      {damper.f, damper.delta, tolerance}, {}, result.finding->responses.front().front()};
 }
 
 }  // namespace
@@ -327,15 +342,19 @@ void SweepStep::run_design(SweepBlock& block) const {
   const FreeOptions options{.times = times_, .margin = false};
   const bool front = given(spec_, trade_off);
   const std::int64_t dampers = dampers_of_each(spec_);
+  const auto go_on = [this] { return !stop_.stop_requested(); };
   for_each(block, [&](Index i) {
-    const auto request = request_of(spec_, [&](Quantity input) { return block[input][i]; });
+    const auto at = [&](Quantity input) { return block[input][i]; };
+    const auto request = request_of(spec_, at);
+    const auto simulated = simulated_request(spec_, at);
     const auto damper = [&] {
       return front ? design::trade_off_at(request.problem, request.limits, dampers,
                                           static_cast<std::int64_t>(block[trade_off][i]))
                    : point_of(request, spec_.parts);
     };
-    const auto found = request.pulse ? designed_for_pulse(request, spec_.parts)
-                                     : designed(request.problem, damper(), options);
+    const auto found = simulated       ? designed(*simulated, spec_.limits.tolerance, go_on)
+                       : request.pulse ? designed_for_pulse(request, spec_.parts)
+                                       : designed(request.problem, damper(), options);
     block[feasible][i] = found ? 1 : 0;
     if (!found) {
       return set_absent(block, i, results(spec_.kind).subspan(1));

@@ -125,7 +125,9 @@ void require_inputs(const SweepSpec& spec) {
     const auto other =
         swept.axis.has_ranges() ? other_end(swept.quantity) : std::optional<Quantity>();
     if (swept.axis.has_ranges() && !(other && contains(inputs(spec.kind), *other))) {
-      refuse("must be an axis first:last:count or numbers: only designs take a range LOW:HIGH");
+      refuse(fmt::format(
+          "must be an axis first:last:count or numbers: {} a range LOW:HIGH",
+          spec.kind == SweepKind::design ? "only design itself takes such" : "only designs take"));
     }
     if (spec.list && (spec.list->has(swept.quantity) || (other && spec.list->has(*other)))) {
       refuse("is also a column of the list: give only one of them");
@@ -165,6 +167,9 @@ using Corner = std::array<double, quantity_count>;
 void check(const Corner& corner, const SweepSpec& spec) {
   const auto at = [&corner](Quantity quantity) { return corner[index(quantity)]; };
   if (spec.kind == SweepKind::design) {
+    if (const auto simulated = simulated_request(spec, at)) {
+      return require_valid(*simulated);
+    }
     const design::DesignRequest request = request_of(spec, at);
     if (request.pulse) {
       const design::PulseRequest pulse = pulse_request(request);

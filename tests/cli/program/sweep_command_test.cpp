@@ -152,6 +152,21 @@ BOOST_AUTO_TEST_CASE(of_problems_has_the_designs_of_design) {
   }
 }
 
+/// Of a tolerance only what was searched is known, and 0 is for closed forms.
+BOOST_AUTO_TEST_CASE(of_problems_has_the_designs_for_a_damped_mass) {
+  write("parts.csv", "name,f,delta\na,0.26,0.37\nb,0.1,0.4\n");
+  const auto check = [&](const Arguments& fixed, const Arguments& axes) {
+    check_designs(*this, fixed,
+                  axes + Arguments{"--columns", "beta,damping,breakaway," + design_columns});
+  };
+  check("--v0 1 --p 1 --criterion exact", "--beta 0.5,0.9 --damping 0,5% --breakaway 1");
+  check("--v0 0.9:1 --p 0.95:1 --objective amplitude --tolerance 0.05",
+        "--beta 0.5,1 --damping 5% --breakaway 1.5");
+  check("--v0 1 --p 1 --catalogue parts.csv", "--beta 0.5,0.9 --damping 5% --breakaway 1");
+  check("--pulse half-sine --k 0.5 --lambda 2 --p 1 --tolerance-f 0.8:1.1",
+        "--beta 0.1,0.6 --damping 5% --breakaway 1");
+}
+
 BOOST_AUTO_TEST_CASE(ranges_residuals_and_arrivals_are_axes) {
   const SweepTable table =
       check_designs(*this, "--beta 0.75 --criterion exact",

@@ -5,9 +5,6 @@
 
 namespace stillpoint::design {
 
-/// Throws InputError.
-void require_valid(const RecordDesignRequest& request);
-
 /// Whether what is asked sees what a notch does to the mass: under records an acceleration needs a
 /// width, or a limit of the jumps; after hits and pulses it is the one outside the notch.
 [[nodiscard]] bool counts_the_notch(const RecordDesignRequest& request);

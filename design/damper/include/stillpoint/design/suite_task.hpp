@@ -152,6 +152,9 @@ struct RecordDesignRequest {
   std::int64_t trade_offs{0};  ///< dampers along the front of stroke and acceleration
 };
 
+/// Throws InputError.
+void require_valid(const RecordDesignRequest& request);
+
 struct SuiteDamper {
   double p{1};
   double f{0};
