@@ -26,9 +26,7 @@ std::string svg(const FigureSheet& sheet) {
   const int lines = (count + sheet.columns - 1) / sheet.columns;
   const double high = first_line + one_height * lines;
   std::string text = opening(sheet, size_alone(wide, high), wide, high);
-  text += paper(fmt::format("{}@media (prefers-color-scheme:dark){{{}}}", figure_style(),
-                            dark_figure_style()),
-                wide, high);
+  text += paper(wide, high);
   text += fmt::format("<text class=\"title\" x=\"{}\" y=\"24\">{}</text>\n", legend_left,
                       escaped(sheet.title));
   text += legend.drawn(legend_left, heading);

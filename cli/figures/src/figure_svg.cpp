@@ -78,9 +78,10 @@ std::string_view dark_figure_style() noexcept {
   return figure_dark_css;
 }
 
-std::string paper(std::string_view style, double wide, double high) {
-  return fmt::format("<style>{}</style>\n<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n",
-                     style, wide, high);
+std::string paper(double wide, double high) {
+  return fmt::format("<style>{}@media screen and (prefers-color-scheme: dark){{\n{}}}</style>\n"
+                     "<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n",
+                     figure_style(), dark_figure_style(), wide, high);
 }
 
 std::string size_alone(double wide, double high) {
@@ -94,7 +95,7 @@ std::string svg(const Figure& figure, Frame frame, double left) {
   const double high = drawing.height() + legend.height() + 4;
   const bool alone = frame == Frame::alone;
   return drawing.opened(alone ? size_alone(figure_width, high) : "", high) +
-         (alone ? paper(figure_style(), figure_width, high) : "") + drawing.drawn() +
+         (alone ? paper(figure_width, high) : "") + drawing.drawn() +
          legend.drawn(legend_left, drawing.height()) + "</svg>\n";
 }
 

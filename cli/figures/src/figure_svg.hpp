@@ -40,7 +40,7 @@ template <class Drawn>
 }
 
 /// A style, and the background.
-[[nodiscard]] std::string paper(std::string_view style, double wide, double high);
+[[nodiscard]] std::string paper(double wide, double high);
 [[nodiscard]] std::string size_alone(double wide, double high);
 
 }  // namespace stillpoint::figures
