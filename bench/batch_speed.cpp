@@ -82,6 +82,7 @@ void keep_least(double& least, double value) {
 }
 
 constexpr double never = 1e300;
+constexpr double few_per_cent = 0.05;
 
 /// Nanoseconds for a square root, otherwise for all half-cycles.
 struct Times {
@@ -93,6 +94,8 @@ struct Times {
   double alike{never};           ///< of one half-cycle
   double elapsed_by_one{never};  ///< in order, as is the next
   double elapsed_by_two{never};
+  double damped{never};             ///< in random order with times, as is the next
+  double damped_half_cycle{never};  ///< of one half-cycle
 };
 
 class Measurement {
@@ -109,14 +112,18 @@ class Measurement {
     keep_least(least.alike, alike());
     keep_least(least.in_order_with_times, batch(ordered_, true, 1).of_processor);
     keep_least(least.in_random_order_with_times, batch(random_, true, 1).of_processor);
+    const double damped = batch(random_, true, 1, damping_).of_processor;
+    keep_least(least.damped, damped);
+    keep_least(least.damped_half_cycle, damped / result_with_times_.half_cycles.sum());
   }
 
   /// Every hundredth motion by free_response, one after another.
-  [[nodiscard]] double scalar(bool times) const {
+  [[nodiscard]] double scalar(bool times, double zeta = 0) const {
     double half_cycles = 0;
     const Nanoseconds time = timed([&] {
       for (Eigen::Index i = 0; i < side * side; i += 100) {
-        const Oscillator oscillator{1, random_.f[i], random_.delta[i]};
+        const Oscillator oscillator{
+            .p = 1, .f = random_.f[i], .delta = random_.delta[i], .zeta = zeta};
         half_cycles += free_response(oscillator, {0, 1}, {.times = times, .margin = false})
                            .half_cycles.value();
       }
@@ -138,15 +145,16 @@ class Measurement {
   }
 
  private:
-  Nanoseconds batch(const Dampers& dampers, bool times, int threads) {
+  Nanoseconds batch(const Dampers& dampers, bool times, int threads,
+                    const Eigen::ArrayXd& zeta = {}) {
     BatchResult& result = times ? result_with_times_ : result_;
-    return timed([&] {
-      free_batch(1, 1, dampers.f, dampers.delta, {.times = times, .threads = threads}, result);
-    });
+    const BatchOptions options{.zeta = zeta, .times = times, .threads = threads};
+    return timed([&] { free_batch(1, 1, dampers.f, dampers.delta, options, result); });
   }
 
   Dampers ordered_ = grid();
   Dampers random_ = shuffled(ordered_);
+  Eigen::ArrayXd damping_ = Eigen::ArrayXd::Constant(side * side, few_per_cent);
   BatchResult result_;
   BatchResult result_with_times_;
   BatchResult alike_;
@@ -167,12 +175,14 @@ void run(int rounds) {
   const double half_cycles = measurement.half_cycles();
   double scalar = never;
   double scalar_with_times = never;
+  double scalar_damped = never;
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t i = 0; i < targets.size(); ++i) {
       measurement.one_round(targets[i], least[i]);
     }
     keep_least(scalar, measurement.scalar(false));
     keep_least(scalar_with_times, measurement.scalar(true));
+    keep_least(scalar_damped, measurement.scalar(true, few_per_cent));
   }
   const Machine machine = this_machine();
   std::printf("%s; %s, %s; %d rounds; %.1f half-cycles a motion\n\n", machine.processor.c_str(),
@@ -185,6 +195,15 @@ void run(int rounds) {
   }
   std::printf("\nfree_response: %.2f ns a half-cycle, %.2f ns with times\n", scalar,
               scalar_with_times);
+  std::printf(
+      "\nWith 5 %% of critical damping, in random order with times:\n\n| | a half-cycle, ns | a "
+      "sweep, "
+      "relative to no damping |\n|---|---|---|\n");
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    std::printf("| %s | %.1f | %.2f |\n", hwy::TargetName(targets[i]), least[i].damped_half_cycle,
+                least[i].damped / least[i].in_random_order_with_times);
+  }
+  std::printf("| free_response | %.1f | |\n", scalar_damped);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "batch_work.hpp"
+#include "damped_free.hpp"
+#include "damped_lanes.hpp"
 #include "free_lanes.hpp"
 #include "kernel/first_leg.hpp"
 
@@ -7,7 +9,11 @@
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <limits>
+#include <optional>
 
 namespace stillpoint {
 
@@ -27,7 +33,7 @@ void resize(BatchResult& result, Index size, const BatchOptions& options) {
 }
 
 /// Feeds the lanes of one thread.
-class FreeBatchSource final : public FreeLanesSource {
+class FreeBatchSource final : public FreeLanesSource, public DampedLanesSource {
  public:
   FreeBatchSource(const BatchEntries& entries, const BatchOptions& options, BatchResult& result,
                   EntryThreads& work)
@@ -43,13 +49,46 @@ class FreeBatchSource final : public FreeLanesSource {
 
   [[nodiscard]] bool goes_on() override { return work_.goes_on(); }
 
-  /// Without lanes.
-  void run_each_alone() {
-    for (EntryRange range = work_.next(); range.begin < range.end; range = work_.next()) {
-      for (Index i = range.begin; i < range.end; ++i) {
-        run_alone(i);
+  bool begin(std::size_t lane, LaneValues& values) override {
+    while (true) {
+      if (range_.begin == range_.end) {
+        range_ = work_.next();
+        if (range_.begin == range_.end) {
+          return false;
+        }
       }
+      const Index i = range_.begin++;
+      if (entries_.zeta[i] != cycle_.zeta) {
+        cycle_ = damped_cycle(entries_.zeta[i]);
+      }
+      const std::optional<DampedFree> motion = damped_free(oscillator(i), start(i), cycle_);
+      if (motion && ordinary(*motion)) {
+        running_[lane] = {i, *motion};
+        values = {motion->phi, motion->held, motion->notch,
+                  cycle_.zeta, cycle_.decay, motion->speed};
+        return true;
+      }
+      run_alone(i);
     }
+  }
+
+  void end(std::size_t lane, const LaneValues& values) override {
+    const auto value = [&](LaneValue of) { return values[static_cast<std::size_t>(of)]; };
+    const Running& run = running_[lane];
+    DampedEnd end{.farthest = value(LaneValue::farthest),
+                  .peak = value(LaneValue::peak),
+                  .excursion = value(LaneValue::excursion),
+                  .passages = value(LaneValue::passages),
+                  .phase = value(LaneValue::phase)};
+    if (end.peak > run.motion.held && end.excursion >= 0) {
+      end.at_zero = true;
+      end.phase -= value(LaneValue::late);
+    }
+    Response response = response_of(run.motion, end);
+    if (options_.acceleration) {
+      response.peak_absolute_acceleration = largest_acceleration(run.motion);
+    }
+    keep(run.entry, response);
   }
 
   void run_alone(Index i) override {
@@ -60,22 +99,42 @@ class FreeBatchSource final : public FreeLanesSource {
   }
 
  private:
+  struct Running {
+    Index entry;
+    DampedFree motion;
+  };
+
+  /// Valid, and for lanes: only the map of half-cycles finds its end, surely within the limit.
+  [[nodiscard]] bool ordinary(const DampedFree& motion) const {
+    const double v = motion.speed;
+    const double most_passages =
+        std::min(v * v / motion.notch, (v + motion.phi) / (2 * motion.phi));
+    return motion.notch > 0 && motion.p > 1 / largest_speed && motion.p < largest_speed &&
+           motion.cycle.zeta <= largest_zeta && options_.breakaway >= 1 &&
+           options_.breakaway <= largest_breakaway &&
+           most_passages < options_.half_cycle_limit * (1 - 0x1p-40);
+  }
+
+  [[nodiscard]] Oscillator oscillator(Index i) const {
+    return {.p = entries_.p[i],
+            .f = entries_.f[i],
+            .delta = entries_.delta[i],
+            .zeta = entries_.zeta[i],
+            .breakaway = options_.breakaway};
+  }
+
+  [[nodiscard]] Start start(Index i) const { return {.x0 = 0, .v0 = entries_.v0[i]}; }
+
   [[nodiscard]] Response response(Index i) const {
     return free_response(
-        {.p = entries_.p[i],
-         .f = entries_.f[i],
-         .delta = entries_.delta[i],
-         .zeta = entries_.zeta[i],
-         .breakaway = options_.breakaway},
-        {.x0 = 0, .v0 = entries_.v0[i]},
+        oscillator(i), start(i),
         {.times = options_.times, .margin = false, .half_cycle_limit = options_.half_cycle_limit});
   }
 
   /// From x = 0 it is that of the first leg: docs/theory.md section 3.
   [[nodiscard]] double acceleration(Index i) const {
-    const HalfCycleMap<double> map(
-        Oscillator{.p = entries_.p[i], .f = entries_.f[i], .delta = entries_.delta[i]});
-    return first_leg(map, Start{.x0 = 0, .v0 = entries_.v0[i]}).acceleration * map.p;
+    const HalfCycleMap<double> map(oscillator(i));
+    return first_leg(map, start(i)).acceleration * map.p;
   }
 
   void keep(Index i, const Response& response) {
@@ -96,22 +155,25 @@ class FreeBatchSource final : public FreeLanesSource {
   const BatchOptions& options_;
   BatchResult& result_;
   EntryThreads& work_;
+  DampedCycle cycle_;
+  EntryRange range_{0, 0};  ///< left for the lanes with damping
+  std::array<Running, most_damped_lanes> running_{};
 };
 
 void run(BatchEntries entries, const BatchOptions& options, BatchResult& result) {
   require_within("half_cycle_limit", options.half_cycle_limit, 1, 1e15);
   damp(entries, options.zeta);
-  const bool in_lanes = options.zeta.size() == 0 && options.breakaway == 1;
+  const bool damped = options.zeta.size() != 0 || options.breakaway != 1;
   resize(result, entries.size, options);
   const FreeLanesOutput output{result.peak_amplitude.data(), result.half_cycles.data(),
                                result.outcome.data(), result.stop_position.data(),
                                options.times ? result.stop_time.data() : nullptr};
   run_batch(entries, block, options.threads, options.go_on, [&](EntryThreads& work) {
     FreeBatchSource source(entries, options, result, work);
-    if (in_lanes) {
-      run_free_lanes(entries, options.half_cycle_limit, output, source);
+    if (damped) {
+      run_damped_lanes(source);
     } else {
-      source.run_each_alone();
+      run_free_lanes(entries, options.half_cycle_limit, output, source);
     }
   });
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "damped_free.hpp"
 #include "forced_response_of_valid.hpp"
 #include "kernel/free_run.hpp"
 #include "kernel/margin_keeper.hpp"
@@ -9,6 +10,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <optional>
 
 namespace stillpoint {
 
@@ -45,6 +47,10 @@ double stop_time(const PhaseClock<double>& clock, const FreeRun<double>& run, do
 /// Damped, or held by more than f at rest: half-cycle by half-cycle.
 Response beyond_the_paper(const Oscillator& oscillator, const Start& start,
                           const FreeOptions& options) {
+  if (const std::optional<DampedFree> motion =
+          damped_free(oscillator, start, damped_cycle(oscillator.zeta))) {
+    return damped_response(*motion, options);
+  }
   Response response = forced_response_of_valid(oscillator, start, NoExcitation(),
                                                {.half_cycle_limit = options.half_cycle_limit}, {});
   if (!options.times) {
@@ -86,6 +92,10 @@ Response free_response(const Oscillator& oscillator, const Start& start,
 double free_peak(const Oscillator& oscillator, const Start& start) {
   require_valid(oscillator, start);
   if (!oscillator.coulomb()) {
+    if (const std::optional<DampedFree> motion =
+            damped_free(oscillator, start, damped_cycle(oscillator.zeta))) {
+      return first_peak(*motion);
+    }
     return forced_response_of_valid(oscillator, start, NoExcitation(), {}, {}).peak_amplitude;
   }
   const HalfCycleMap<double> map(oscillator);

@@ -210,20 +210,60 @@ BOOST_AUTO_TEST_CASE(results_go_where_the_caller_keeps_them) {
   }
 }
 
+void is_identical_damped(const Batch& batch, double breakaway, const Threads& threads, Dice& dice) {
+  const Eigen::Index size = batch.f.size();
+  BatchOptions options{.breakaway = breakaway, .threads = threads};
+  options.zeta.resize(size);
+  std::vector<Response> alone;
+  for (Eigen::Index i = 0; i < size; ++i) {
+    double& zeta = options.zeta[i];
+    zeta = dice.once_in(20)  ? 0
+           : dice.once_in(3) ? dice.power_of_ten(-12, -1)
+                             : dice.below(999) / 1e3;
+    const Scene<> scene = batch.scene(i);
+    const Oscillator oscillator{scene.p, scene.f, scene.delta, std::nullopt, zeta, breakaway};
+    alone.push_back(free_response(oscillator, {0, scene.v0}, {.margin = false}));
+  }
+  with_each_instruction_set([&] {
+    for (const bool times : {false, true}) {
+      options.times = options.acceleration = times;
+      const BatchResult result = batch.run(options);
+      for (Eigen::Index i = 0; i < size; ++i) {
+        is_that_of(alone[static_cast<std::size_t>(i)], result, i, batch.scene(i));
+      }
+    }
+  });
+}
+
 BOOST_AUTO_TEST_CASE(each_oscillator_has_a_damping_of_its_own) {
   Dice dice(908);
-  const Batch batch = batch_of(300, [&] { return any_scene(dice); });
-  BatchOptions options{.breakaway = 1.2, .times = true, .acceleration = true};
-  options.zeta.resize(300);
-  for (double& zeta : options.zeta) {
-    zeta = dice.power_of_ten(-2, -0.1);
+  const auto any = [&] { return any_scene(dice); };
+  is_identical_damped(batch_of(10000, any), 1, 2, dice);
+  is_identical_damped(batch_of(1000, any), 1.2, 1, dice);
+  is_identical_damped(batch_of(1000, [&] { return extreme_scene(dice); }), 1, 1, dice);
+  for (const Eigen::Index size : {1, 63, 64, 65, 129}) {
+    is_identical_damped(batch_of(size, any), 1, 1, dice);
   }
-  const BatchResult result = batch.run(options);
-  for (Eigen::Index i = 0; i < result.size(); ++i) {
-    const Scene<> scene = batch.scene(i);
-    const Oscillator oscillator{scene.p, scene.f, scene.delta, std::nullopt, options.zeta[i], 1.2};
-    is_that_of(free_response(oscillator, {0, scene.v0}, {.margin = false}), result, i, scene);
-  }
+}
+
+BOOST_AUTO_TEST_CASE(a_damped_batch_refuses_what_a_motion_refuses) {
+  const Eigen::ArrayXd f = Eigen::ArrayXd::Constant(70, 0.1);
+  const Eigen::ArrayXd delta = Eigen::ArrayXd::Constant(70, 0.01);
+  BatchOptions options{.zeta = Eigen::ArrayXd::Constant(70, 0.05)};
+  const auto refused = [&](const std::string& words) {
+    BOOST_CHECK_EXCEPTION((void)free_batch(1, 1, f, delta, options), InputError,
+                          [&](const InputError& error) {
+                            return std::string(error.what()).find(words) != std::string::npos;
+                          });
+  };
+  options.zeta[66] = 1.5;
+  refused("damping");
+  options.zeta[66] = 0.05;
+  options.breakaway = 0.5;
+  refused("breakaway");
+  options.breakaway = 1;
+  options.half_cycle_limit = 2;
+  BOOST_CHECK_THROW((void)free_batch(1, 1, f, delta, options), TooManyHalfCycles);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

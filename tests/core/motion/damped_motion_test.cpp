@@ -9,8 +9,10 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/trajectory.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <vector>
 
@@ -84,6 +86,90 @@ BOOST_AUTO_TEST_CASE(a_slow_start_against_much_friction_keeps_its_digits) {
   const double peak = v * v / 2 - 2 * .3 * v * v * v / 3;
   BOOST_TEST(std::abs(found.peak_amplitude / peak - 1) <= 1e-13);
   BOOST_TEST((found.outcome == Outcome::stopped_in_dead_zone));
+  // it takes the integral of 1/(1 + 2 zeta u + u^2)
+  BOOST_TEST(std::abs(*found.stop_time / (v - .3 * v * v) - 1) <= 1e-13);
+}
+
+/// Backwards from the rest, X = (X' + (1 + E) phi)/E, and each swing takes pi/omega.
+BOOST_AUTO_TEST_CASE(a_decay_ends_where_its_closed_form_does) {
+  constexpr double phi = 0.01;
+  for (const double zeta : {1e-9, .01, .2, .6, .95}) {
+    const double swing = pi / std::sqrt((1 - zeta) * (1 + zeta));
+    const double e = std::exp(-zeta * swing);
+    for (const double rest : {.4 * phi, .9 * phi, -.3 * e * phi}) {  // < 0: after a swing back
+      double x = rest;
+      for (int i = 0; i < 5; ++i) {
+        x = (x + (1 + e) * phi) / e;
+      }
+      const Response found = free_response(damped(zeta, phi, 0), {x, 0});
+      const double tolerance = 32 * sixteen_digits * x;
+      BOOST_TEST(std::abs(*found.stop_position - -rest) <= tolerance);
+      BOOST_TEST(*found.half_cycles == (rest < 0 ? 5 : 6));
+      BOOST_TEST(*found.turning_points == 5);
+      BOOST_TEST(std::abs(*found.stop_time / (5 * swing) - 1) <= sixteen_digits);
+      BOOST_TEST(found.peak_amplitude == x);
+      BOOST_TEST(found.peak_absolute_acceleration == x - phi);
+    }
+  }
+}
+
+/// The map of half-cycles is what the rules make of the motion, piece by piece.
+BOOST_AUTO_TEST_CASE(the_map_is_the_motion_piece_by_piece) {
+  constexpr std::uint64_t seed = 20267;
+  BOOST_TEST_MESSAGE("seed " << seed);
+  Dice dice(seed);
+  const int scenes = 4 * forced_scene_count();
+  int compared = 0;
+  for (int i = 0; i < scenes; ++i) {
+    const double zeta = dice.once_in(3)   ? dice.power_of_ten(-12, -1)
+                        : dice.once_in(2) ? 1 - dice.power_of_ten(-3, -0.1)
+                                          : dice.uniform(0.01, 0.99);
+    const double v = dice.power_of_ten(-2, 2);
+    const double p = dice.power_of_ten(-2, 2);
+    const double phi = dice.once_in(7) ? 0 : v * dice.power_of_ten(-2, dice.once_in(9) ? 2 : 0.3);
+    const double notch =
+        dice.once_in(6) && phi > 0 ? 0 : v * v * dice.power_of_ten(phi > 0 ? -6 : -3, 0.1);
+    Oscillator oscillator = damped(std::max(zeta, 1e-12), phi * p, notch / 2, p);
+    oscillator.breakaway = dice.once_in(5) ? dice.power_of_ten(0, 1) : 1;
+    const double sign = dice.once_in(2) ? -1 : 1;
+    const Start start = dice.once_in(4) ? Start{sign * v / p, 0} : Start{0, sign * v};
+    const Response found = free_response(oscillator, start);
+    const Response slow = forced_response(oscillator, start, NoExcitation(), {}, {});
+    const double margin = slow.decision_margin.value_or(1);
+    if (margin < 1e-11) {
+      BOOST_TEST(found.decision_margin.value() < 2e-11);
+      continue;
+    }
+    ++compared;
+    BOOST_TEST_CONTEXT("zeta " << zeta << ", R " << oscillator.breakaway << ", phi/v " << phi / v
+                               << ", notch/v^2 " << notch / (v * v) << ", scene " << i) {
+      BOOST_TEST((found.outcome == slow.outcome));
+      BOOST_TEST((found.half_cycles == slow.half_cycles));
+      BOOST_TEST((found.turning_points == slow.turning_points));
+      BOOST_TEST((found.zero_passages == slow.zero_passages));
+      const auto near = [&](const char* what, double one, double other, double size, double lost) {
+        if (!(std::abs(one - other) <= lost * size)) {
+          BOOST_ERROR(what << ": " << one << ", by pieces " << other);
+        }
+      };
+      // Pieces lose the time of a short slide, and with a small omega.
+      const double rough = (1 + phi / v) / (1 - zeta);
+      const double lost = 1e-15 * (2 + *slow.half_cycles) / margin;
+      near("peak", found.peak_amplitude, slow.peak_amplitude, slow.peak_amplitude, 1e-14);
+      near("acceleration", found.peak_acceleration, slow.peak_acceleration, slow.peak_acceleration,
+           1e-14);
+      near("felt", found.peak_absolute_acceleration, slow.peak_absolute_acceleration,
+           slow.peak_absolute_acceleration, 1e-14);
+      near("time", *found.stop_time, *slow.stop_time, *slow.stop_time, lost * rough);
+      near("place", *found.stop_position, *slow.stop_position, slow.peak_amplitude, lost);
+      near("jump", found.jump, slow.jump, v, lost);
+      near("margin", *found.decision_margin, margin, margin, 1e-2);
+      BOOST_TEST(found.arrival_speed.has_value() == slow.arrival_speed.has_value());
+      near("arrival", found.arrival_speed.value_or(0), slow.arrival_speed.value_or(0), v, lost);
+      BOOST_TEST(std::abs(free_peak(oscillator, start) - found.peak_amplitude) == 0);
+    }
+  }
+  BOOST_TEST(compared > scenes / 2);
 }
 
 BOOST_AUTO_TEST_CASE(little_damping_is_next_to_none) {
@@ -146,7 +232,7 @@ BOOST_AUTO_TEST_CASE(the_structure_feels_the_most_before_the_turn) {
 }
 
 /// Published by a public code for its friction element: mass 1, stiffness 1e4, N mu = 1, from
-/// 0.85 mm (docs/damping.md section 4): with a breakaway of up to 2, nothing changes.
+/// 0.85 mm (docs/damping.md section 5): with a breakaway of up to 2, nothing changes.
 BOOST_AUTO_TEST_CASE(breakaway_holds_where_friction_alone_would_not) {
   Oscillator oscillator{.p = 100, .f = 1};
   for (const double breakaway : {1., 1.5, 2.}) {

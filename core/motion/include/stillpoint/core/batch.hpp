@@ -46,8 +46,7 @@ struct BatchResult {
 /// if its size differs, so a large sweep in blocks reuses the same memory.
 ///
 /// Counts, outcomes and values are bit for bit those of free_response, for every instruction set
-/// and number of threads: docs/batch.md. With damping or a breakaway friction they run without
-/// lanes.
+/// and number of threads: docs/batch.md. With a breakaway friction alone they run without lanes.
 ///
 /// Throws InputError for input that free_response refuses, with the entry in the field ("f[17]"),
 /// for arrays of different lengths, and for threads < 1; TooManyHalfCycles, naming the entry, as
