@@ -20,21 +20,24 @@ void near(const char* what, double value, double expected, double tolerance) {
 
 void check(const ReferenceRow& row) {
   BOOST_TEST_CONTEXT(row.cells[0]) {
-    const bool wave = row.cells[6] != "record";
     const Record record = rounded_record_s5();
+    const bool shaken = row.cells[8] == "record";
     const double t_end =
-        wave ? row[9] : record.step * static_cast<double>(record.values.size() - 1);
-    const Excitation excitation =
-        wave ? Excitation(Harmonic{row[6], row[7], row[8]}) : Excitation(record);
+        shaken ? record.step * static_cast<double>(record.values.size() - 1) : row[11];
+    const Excitation excitation = shaken        ? Excitation(record)
+                                  : row[8] == 0 ? Excitation(NoExcitation{})
+                                                : Harmonic{row[8], row[9], row[10]};
     const ForcedResponse response =
-        until(t_end, {row[3], row[4], row[5]}, {row[1], row[2]}, excitation);
-    near("peak", response.peak_amplitude, row[10], position_tolerance);
-    near("final position", *response.final_position, row[11], position_tolerance);
-    near("final velocity", *response.final_velocity, row[12], position_tolerance);
-    BOOST_TEST(*response.zero_passages == row[13]);
-    BOOST_TEST(*response.turning_points == row[14]);
-    BOOST_TEST(response.sticks == row[15]);
-    near("stick time", response.stick_time, row[16], time_tolerance);
+        until(t_end, {row[3], row[4], row[5], {}, row[6], row[7]}, {row[1], row[2]}, excitation);
+    near("peak", response.peak_amplitude, row[12], position_tolerance);
+    near("final position", *response.final_position, row[13], position_tolerance);
+    near("final velocity", *response.final_velocity, row[14], position_tolerance);
+    BOOST_TEST(*response.zero_passages == row[15]);
+    BOOST_TEST(*response.turning_points == row[16]);
+    BOOST_TEST(response.sticks == row[17]);
+    near("stick time", response.stick_time, row[18], time_tolerance);
+    near("peak absolute acceleration", response.peak_absolute_acceleration, row[19],
+         position_tolerance);
   }
 }
 
@@ -48,9 +51,9 @@ BOOST_AUTO_TEST_CASE(scene_s5_has_its_known_peak_end_and_count) {
 BOOST_AUTO_TEST_CASE(every_motion_of_the_reference_file_is_reproduced) {
   const std::vector<ReferenceRow> all = reference_rows(
       "forced_motion.csv",
-      "name,x0,v0,p,f,delta,k,lambda,phase,t_end,peak_amplitude,final_position,final_velocity,"
-      "zero_passages,turning_points,sticks,stick_time");
-  BOOST_TEST(all.size() == 10U);
+      "name,x0,v0,p,f,delta,zeta,breakaway,k,lambda,phase,t_end,peak_amplitude,final_position,"
+      "final_velocity,zero_passages,turning_points,sticks,stick_time,peak_absolute_acceleration");
+  BOOST_TEST(all.size() == 24U);
   for (const ReferenceRow& row : all) {
     check(row);
   }
