@@ -20,7 +20,8 @@ ExitCode exit_code(const report::DesignReport& report) {
 
 ExitCode exit_code(const report::RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;
-  return result.search.interrupted             ? exit_interrupted
+  return result.region               ? result.region->f.empty() ? exit_infeasible : exit_done
+         : result.search.interrupted ? exit_interrupted
          : report.of_region && !result.finding ? exit_done
                                                : of_design(result.finding);
 }

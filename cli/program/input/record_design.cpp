@@ -56,7 +56,8 @@ MotionInput suite_motion(const Settings& settings, const std::vector<GivenCase>&
 /// Without any that is asked for there is one only under records, and where it is enlarged.
 design::SuiteTolerance tolerances(const Settings& settings,
                                   const design::RecordDesignRequest& request) {
-  const bool grows = !request.judges && request.objective == design::SuiteObjective::robust;
+  const bool grows =
+      !request.judges && !request.maps && request.objective == design::SuiteObjective::robust;
   const bool usual = grows || std::ranges::any_of(request.cases, &design::LoadCase::of_records);
   design::SuiteTolerance of =
       usual ? design::SuiteTolerance() : design::SuiteTolerance{{}, {}, {}, {}};
@@ -154,19 +155,29 @@ void add_given(design::RecordDesignRequest& request, const Settings& settings,
     }
     request.parts = catalogue_input(settings, units_of_parts(request.p.high, start.physical));
   } else if (command == Command::region) {
-    const std::string_view beyond = beyond_closed_forms(settings);
-    const std::string why =
-        fmt::format("give a damper to judge, --f and --delta or --delta-m, or a --catalogue: {}",
-                    beyond.empty() ? "the region itself is for a hit or a pulse"
-                                   : fmt::format("with {} the region has no closed form", beyond));
     const auto f = settings.number("f");
     const auto delta = point_friction(settings, "delta", start.physical);
-    if (!f || !delta) {
-      throw InputError::missing(f ? "delta" : "f", why);
+    const bool alone = !settings.has("cases") && !asks_for_records(settings);
+    request.maps = alone && !delta;
+    if (!request.maps && (!f || !delta)) {
+      throw InputError::missing(
+          f ? "delta" : "f",
+          alone ? "delta alone is no damper"
+                : "give a damper to judge, --f and --delta or --delta-m, or a --catalogue: the "
+                  "region itself is for a hit or a pulse");
     }
-    request.f = Interval{*f, *f};
-    request.delta = Interval{*delta, *delta};
-    request.judges = true;
+    if (f) {
+      request.f = Interval{*f, *f};
+    }
+    if (delta) {
+      request.delta = Interval{*delta, *delta};
+    }
+    request.judges = !request.maps;
+    if (request.maps && request.cases.front().weakest == 0) {
+      throw InputError(settings.has("pulse") ? "k" : "v0", 0.0,
+                       "must not be where a range begins without a damper to judge: of weaker and "
+                       "weaker hits one moves the mass hardly");
+    }
   }
 }
 

@@ -211,6 +211,51 @@ std::string no_damper(const design::RecordDesign& result, const Physical& physic
                       one_way_out(result.mends, physical));
 }
 
+constexpr int region_digits = 6;
+
+/// "Feasible f: 0.0043 or 0.0106 to 0.0236."
+std::string feasible_words(const design::RecordDesign& result) {
+  std::string words;
+  for (const auto& [low, high] : result.region->f) {
+    words += (words.empty() ? "" : " or ") + interval_digits(low, high, region_digits);
+  }
+  return words.empty()
+             ? no_damper(result, {})
+             : format("Feasible f{}: {}.",
+                      result.request.tolerance.exact() ? "" : " with the tolerance asked for",
+                      words);
+}
+
+/// Which delta each f may have.
+Document region_document(const RecordDesignReport& report) {
+  const design::RecordDesign& result = report.result;
+  const FigureUnits units = units_of(report.physical);
+  Document document =
+      answered("Admissible region", report, result.region->f.empty() ? Tone::bad : Tone::good);
+  add_damping(document.answer, oscillator_of(result.request, {}), result.request.zeta.high);
+  if (result.region->f.empty()) {
+    document.answer.row("way out", "design says what would make it feasible");
+    return document;
+  }
+  Table table{{"f", in("feasible delta", units.length)}, {}};
+  constexpr std::size_t every = 5;  // of the f
+  std::size_t values = 0;
+  double last = -1;
+  for (const auto& [f, delta] : result.region->deltas) {
+    values += f == std::exchange(last, f) ? 0U : 1U;
+    if (values % every != 1) {
+      continue;
+    }
+    const std::string range =
+        interval_digits(delta.low * units.length, delta.high * units.length, region_digits);
+    const bool at_end = delta.high >= result.request.delta->high;
+    table.rows.push_back(
+        {{format("{:.{}g}", f, region_digits), range + (at_end ? " or more" : "")}});
+  }
+  document.section("Feasible dampers", {std::move(table)});
+  return document;
+}
+
 }  // namespace
 
 std::string scaled_name(std::string_view file, double scale) {
@@ -243,6 +288,9 @@ std::string verdict(const RecordDesignReport& report) {
   if (result.request.judges && parts.empty()) {
     return judgement(report);
   }
+  if (result.region) {
+    return feasible_words(result);
+  }
   if (!result.finding) {
     return parts.empty() ? no_damper(result, physical)
                          : format("{}.", parts.size() == 1
@@ -270,6 +318,9 @@ Document document(const RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;
   const Physical& physical = report.physical;
   const bool good = result.finding && result.finding->admissible;
+  if (result.region) {
+    return region_document(report);
+  }
   Document document = answered(!report.of_region           ? "Damper design"
                                : report.parts_file.empty() ? "Given damper"
                                                            : "Given parts",

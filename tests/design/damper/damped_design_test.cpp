@@ -46,6 +46,12 @@ std::optional<double> tolerance_of(const RecordDesignRequest& request, double f,
   return design::design(judge(request, f, delta)).largest_tolerance;
 }
 
+RecordDesignRequest map_of(RecordDesignRequest request) {
+  request.maps = true;
+  request.tolerance = {{}, {}, {}, {}};
+  return request;
+}
+
 struct FirstReturnRow {
   double zeta, r, b;
 };
@@ -56,6 +62,31 @@ constexpr std::array first_returns{FirstReturnRow{0, .35355339059327376, .707106
                                    FirstReturnRow{.05, .31559999698522502, .68495266613546249},
                                    FirstReturnRow{.2, .21491715844561354, .62302340935741052},
                                    FirstReturnRow{.5, .072182882760396119, .5149315653513191}};
+
+/// f2 to f3 and Delta1(f) to V0^2/2 without damping, and with it r as the largest f.
+BOOST_AUTO_TEST_CASE(the_region_has_the_edges_of_the_closed_forms) {
+  for (const auto& [zeta, r, b] : first_returns) {
+    const Problem problem{.beta = 0.9, .criterion = Criterion::exact};
+    const auto region = design::design(map_of(under_hit({zeta, zeta}, problem.beta))).region;
+    BOOST_TEST_REQUIRE((region && region->f.size() == 1 && region->deltas.size() == 61));
+    BOOST_TEST(std::abs(region->f.front().high - r) <= beside * r);
+    if (zeta > 0) {
+      continue;
+    }
+    const double f2 = admissible_region(problem).f2;
+    BOOST_TEST(std::abs(region->f.front().low - f2) <= beside * f2);
+    for (const auto& [f, delta] : region->deltas) {
+      BOOST_TEST(std::abs(delta.low - delta1_exact(problem, f).value_or(0)) <= beside);
+      BOOST_TEST(std::abs(delta.high - 0.5) <= beside);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_region_may_be_empty) {
+  const auto region = design::design(map_of(under_hit({0.05, 0.05}, 0.68))).region;
+  BOOST_TEST_REQUIRE(region.has_value());
+  BOOST_TEST((region->f.empty() && region->deltas.empty()));
+}
 
 BOOST_AUTO_TEST_CASE(a_first_return_ends_where_the_closed_forms_say) {
   constexpr double delta = 0.01;  // more than what is left there

@@ -172,11 +172,65 @@ std::string beyond_words(const design::RecordDesignRequest& task, const SuiteVie
   return ends.empty() ? "" : "the search went beyond this map, over " + ends;
 }
 
+/// The feasible delta of each f, joined to that of the next.
+Figure region_outline(const design::FeasibleRegion& region, const FigureUnits& units) {
+  constexpr double beyond = 1.15;
+  const Unit& unit = units.length;
+  std::vector<std::vector<Interval>> columns;
+  std::vector<double> places;
+  double most = 0;
+  for (const auto& [f, delta] : region.deltas) {
+    if (places.empty() || places.back() != f) {
+      places.push_back(f);
+      columns.emplace_back();
+    }
+    columns.back().push_back({delta.low * unit, delta.high * unit});
+    most = std::max(most, delta.high * unit);
+  }
+  Figure figure;
+  figure.id = "region";
+  figure.title = "Which dampers are feasible";
+  figure.description = "The plane of f and Δ, and the part in which every limit is met.";
+  figure.clauses = {format("Through the feasible Δ of {} values of f", places.size())};
+  figure.x = {units.f_label, 0, beyond * region.f.back().high};
+  figure.y = {units.delta_label, 0, beyond * most};
+  const double half = (places.back() - places.front()) / static_cast<double>(places.size() - 1) / 2;
+  for (std::size_t from = 0, end = 0; from < columns.size(); from = end) {
+    const std::size_t ranges = columns[from].size();
+    while (end < columns.size() && columns[end].size() == ranges) {
+      ++end;
+    }
+    // Halfway to where there are more ranges, or fewer.
+    const double left = places[from] - (from > 0 ? half : 0);
+    const double right = places[end - 1] + (end < columns.size() ? half : 0);
+    for (std::size_t k = 0; k < ranges; ++k) {
+      Points outline{{left, columns[from][k].low}};
+      for (std::size_t i = from; i < end; ++i) {
+        outline.push_back({places[i], columns[i][k].low});
+      }
+      outline.push_back({right, columns[end - 1][k].low});
+      outline.push_back({right, columns[end - 1][k].high});
+      for (std::size_t i = end; i-- > from;) {
+        outline.push_back({places[i], columns[i][k].high});
+      }
+      outline.push_back({left, columns[from][k].high});
+      figure.areas.push_back({"feasible", std::move(outline), Ink::sky});
+    }
+  }
+  return figure;
+}
+
 }  // namespace
 
 std::vector<Figure> record_maps(const design::RecordDesign& result, const FigureUnits& units) {
   const design::RecordDesignRequest& task = result.request;
   std::vector<Figure> maps;
+  if (result.region) {
+    if (!result.region->f.empty() && result.region->f.front().low < result.region->f.back().high) {
+      maps.push_back(region_outline(*result.region, units));
+    }
+    return maps;
+  }
   if (const auto view = overview(result)) {
     Figure& figure = maps.emplace_back(drawn_map(result, *view, true, units));
     figure.id = "map";

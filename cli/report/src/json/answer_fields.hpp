@@ -224,6 +224,15 @@ struct ShownNotch {
       Field{"largest_acceleration", worst(&Worst::felt), "the notch included"}};
 };
 
+/// A range in which each delta is feasible with that f.
+struct ShownFeasible {
+  double f{0};
+  Interval delta{};
+
+  static constexpr std::tuple field_table{Field{"f", &ShownFeasible::f},
+                                          Field{"delta", &ShownFeasible::delta, "", in_metres}};
+};
+
 struct AnswerSi;
 
 struct ShownAnswer {
@@ -239,6 +248,7 @@ struct ShownAnswer {
   IfReal largest_tolerance{};
   const design::RegionVerdict* region{nullptr};
   const std::vector<design::Strip>* strips{nullptr};
+  std::optional<std::vector<ShownFeasible>> feasible{};
   std::span<const design::Mend> mends{};
   const design::SuitePoint* nearest{nullptr};
   std::optional<std::vector<design::Hits>> hits{};
@@ -273,6 +283,8 @@ struct ShownAnswer {
       Field{"strips", &Now::strips,
             "of a region, one for each arrival up to input.arrivals at which some damper can "
             "stop; else null"},
+      Field{"feasible", &Now::feasible,
+            "of a region that has no closed form, for some f from end to end", unless(0)},
       Field{"largest_tolerance", &Now::largest_tolerance,
             "without a design: the largest tolerance of any damper, if that is less than asked "
             "for; after a hit only if no single input makes it feasible"},

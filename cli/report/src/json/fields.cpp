@@ -54,7 +54,7 @@ std::string si_name(std::string_view name, const Measure& measure) {
 
 void put(ordered_json& object, std::string_view name, ordered_json value, const Measure& measure,
          Scales scales) {
-  if (measure.usual && value == *measure.usual) {
+  if (measure.usual && (value.is_null() || value == *measure.usual)) {
     return;
   }
   const bool apart = measure.si == InSi::apart;

@@ -149,6 +149,12 @@ ShownAnswer shown(const RecordDesignReport& report) {
   } else if (request.judges) {
     now.admissible = result.finding && result.finding->admissible;
   }
+  if (result.region) {
+    now.search = nullptr;
+    now.feasible = mapped(result.region->deltas, [](const design::FeasibleDelta& each) {
+      return ShownFeasible{each.f, each.delta};
+    });
+  }
   if (const auto& finding = result.finding) {
     if (finding->works_for) {
       now.works_for = ShownServed{*finding->works_for};

@@ -61,7 +61,7 @@ void add_property(ordered_json& properties, std::string_view name, std::string_v
     now["description"] = words;
   }
   if (measure.usual) {
-    now["default"] = *measure.usual;
+    now["default"] = can_be_null ? ordered_json(nullptr) : ordered_json(*measure.usual);
   }
   if (measure.si == InSi::beside) {
     properties[si_name(name, measure)] = in_si;

@@ -5,6 +5,7 @@
 #include "record/suite_check.hpp"
 #include "record/suite_judge.hpp"
 #include "record/suite_outlook.hpp"
+#include "record/suite_region.hpp"
 #include "record/suite_request.hpp"
 #include "record/suite_served.hpp"
 #include "record/suite_task_search.hpp"
@@ -137,6 +138,10 @@ RecordDesign design(const RecordDesignRequest& request, const RecordWatch& go_on
   result.request = completed(request);
   const RecordDesignRequest& task = result.request;
   const Suites suites(task);
+  if (task.maps) {
+    result.region = feasible_region(suites, task);
+    return result;
+  }
   SuiteWatch watch(go_on);
   const std::optional<ChosenBox> chosen = found(suites, result, watch);
   result.search.evaluations = watch.evaluations();

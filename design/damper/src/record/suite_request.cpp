@@ -187,7 +187,8 @@ void require_valid(const RecordDesignRequest& request) {
   require_spread("spring", request.spring);
   require_range("damping", request.zeta, 0, largest_zeta);
   require_within("breakaway", request.breakaway, 1, largest_breakaway);
-  if (request.objective == SuiteObjective::robust && !request.judges && request.parts.empty()) {
+  if (request.objective == SuiteObjective::robust && !request.judges && !request.maps &&
+      request.parts.empty()) {
     require_growth(request);
   }
   if (request.objective == SuiteObjective::time &&

@@ -46,12 +46,23 @@ struct RecordFinding {
   std::string part{};     ///< of the catalogue
 };
 
+/// Of a damper with that f, a range in which each delta is feasible.
+struct FeasibleDelta {
+  double f{0};
+  Interval delta;
+};
+struct FeasibleRegion {
+  std::vector<Interval> f;
+  std::vector<FeasibleDelta> deltas;  ///< of some f from end to end
+};
+
 struct RecordDesign {
   RecordDesignRequest request;  ///< with the ranges and the combination that were chosen
   std::optional<RecordFinding> finding;
   /// That of the finding, or else the one whose box violates the limits least; with the worst of
   /// its box.
   SuitePoint nearest;
+  std::optional<FeasibleRegion> region;  ///< where that is what is asked for, and nothing else
   /// The largest tolerance that was found within the limits, if that was searched: with the
   /// objective `robust`, or because no damper has the box.
   std::optional<double> largest_tolerance;

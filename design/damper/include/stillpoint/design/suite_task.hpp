@@ -148,6 +148,7 @@ struct RecordDesignRequest {
   Interval zeta{};             ///< anywhere in which the damping may be, with every damper
   double breakaway{1};         ///< as that of Oscillator
   bool judges{false};          ///< f and delta are those of a damper that is judged as it is
+  bool maps{false};            ///< nothing is searched: which f and delta are feasible
   std::vector<Part> parts{};   ///< of a catalogue: f and delta are those of one of them
   std::int64_t trade_offs{0};  ///< dampers along the front of stroke and acceleration
 };
