@@ -23,14 +23,14 @@ struct DampedCycle {
 
 /// A motion from x = 0 or from a turn, on the paper's surface.
 struct DampedFree {
-  double p;
-  int side;      ///< of x on its first half-cycle
-  double phi;    ///< f / p
-  double held;   ///< the dead zone: friction at rest over p
-  double notch;  ///< 2 Delta
+  double p{1};
+  int side{1};      ///< of x on its first half-cycle
+  double phi{0};    ///< f / p
+  double held{0};   ///< the dead zone: friction at rest over p
+  double notch{0};  ///< 2 Delta
   DampedCycle cycle;
-  double speed;  ///< with which it leaves x = 0; 0 if it begins at a turn
-  double peak;   ///< |x| of that turn; 0 if it begins at x = 0
+  double speed{0};  ///< with which it leaves x = 0; 0 if it begins at a turn
+  double peak{0};   ///< |x| of that turn; 0 if it begins at x = 0
 };
 
 /// What its half-cycles leave; the last one has no passage.

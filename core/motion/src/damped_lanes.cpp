@@ -69,7 +69,7 @@ HWY_INLINE std::uint64_t positive(Wide x) {
 
 constexpr Index step = 2 * width;
 constexpr Index lanes = 4 * step;
-static_assert(lanes <= static_cast<Index>(most_damped_lanes));
+static_assert(lanes <= 64);                                // one bit each
 constexpr std::uint64_t rounds_between_looks = 1U << 12U;  // some milliseconds
 
 class DampedLanes {

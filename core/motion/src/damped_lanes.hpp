@@ -10,8 +10,6 @@
 
 namespace stillpoint {
 
-inline constexpr std::size_t most_damped_lanes = 64;
-
 /// The numbers of a lane.
 enum class LaneValue : std::size_t {
   phi,

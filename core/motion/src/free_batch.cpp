@@ -10,10 +10,10 @@
 #include <stillpoint/core/input_error.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace stillpoint {
 
@@ -63,6 +63,7 @@ class FreeBatchSource final : public FreeLanesSource, public DampedLanesSource {
       }
       const std::optional<DampedFree> motion = damped_free(oscillator(i), start(i), cycle_);
       if (motion && ordinary(*motion)) {
+        running_.resize(std::max(running_.size(), lane + 1));
         running_[lane] = {i, *motion};
         values = {motion->phi, motion->held, motion->notch,
                   cycle_.zeta, cycle_.decay, motion->speed};
@@ -100,7 +101,7 @@ class FreeBatchSource final : public FreeLanesSource, public DampedLanesSource {
 
  private:
   struct Running {
-    Index entry;
+    Index entry{0};
     DampedFree motion;
   };
 
@@ -157,7 +158,7 @@ class FreeBatchSource final : public FreeLanesSource, public DampedLanesSource {
   EntryThreads& work_;
   DampedCycle cycle_;
   EntryRange range_{0, 0};  ///< left for the lanes with damping
-  std::array<Running, most_damped_lanes> running_{};
+  std::vector<Running> running_;
 };
 
 void run(BatchEntries entries, const BatchOptions& options, BatchResult& result) {
