@@ -52,7 +52,8 @@ class Recorder {
     times.push_back(now.value());
   }
   template <class Piece>
-  void piece(const ExactSum<Real>& begin, int /*direction*/, const Piece& piece) {
+  void piece(const ExactSum<Real>& begin, int /*direction*/, const Piece& piece,
+             const Real& /*length*/, const Real& /*load*/) {
     if constexpr (requires { piece.flow(); }) {
       pieces.push_back({piece.flow(), begin.value()});
     } else {

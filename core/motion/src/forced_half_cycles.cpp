@@ -52,15 +52,6 @@ class HalfCycleCollector final : public MotionWatcher {
     }
   }
 
-  void piece(const ExactSum<double>& /*begin*/, int /*direction*/,
-             const HarmonicPiece<double>& /*piece*/) override {}
-  void piece(const ExactSum<double>& /*begin*/, int /*direction*/,
-             const LinearPiece<double>& /*piece*/) override {}
-  void piece(const ExactSum<double>& /*begin*/, int /*direction*/,
-             const DampedPiece<double>& /*piece*/) override {}
-  void piece(const ExactSum<double>& /*begin*/, int /*direction*/,
-             const DampedHarmonicPiece<double>& /*piece*/) override {}
-
   /// The half-cycle that is under way when the motion ends or the run stops.
   void finish(double tau, double u) {
     if (!over_) {
@@ -142,7 +133,8 @@ std::vector<HalfCycle> forced_half_cycles(const Oscillator& oscillator, const St
     return !collector.full() && asked.lasts([tau] { return tau; });
   };
   const ForcedState<double> state =
-      watched_motion(oscillator, surface, start, excitation, t_end, collector, {goes_on, 1});
+      watched_motion(oscillator, surface, start, excitation,
+                     {.t_end = t_end, .go_on = goes_on, .ask_every = 1}, collector);
   if (!state.moved) {
     return {};
   }

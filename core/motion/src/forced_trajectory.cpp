@@ -24,12 +24,12 @@ class ForcedTrajectory::Pieces {
   struct Rest {
     double u;
   };
+  using Motion = std::variant<Rest, HarmonicFlow<double>, LinearPiece<double>, DampedPiece<double>,
+                              DampedCurve<double>>;
   struct Piece {
     ExactSum<double> begin;  ///< p tau
     int direction;
-    std::variant<Rest, HarmonicFlow<double>, LinearPiece<double>, DampedPiece<double>,
-                 DampedCurve<double>>
-        motion;
+    Motion motion;
   };
 
   Pieces(double p, std::int64_t most) : p_(p), most_(most) {}
@@ -91,24 +91,9 @@ class ForcedTrajectory::Watcher final : public MotionWatcher {
     }
   }
 
-  void piece(const ExactSum<double>& begin, int direction,
-             const HarmonicPiece<double>& piece) override {
-    keep({begin, direction, piece.flow()});
-  }
-
-  void piece(const ExactSum<double>& begin, int direction,
-             const LinearPiece<double>& piece) override {
-    keep({begin, direction, piece});
-  }
-
-  void piece(const ExactSum<double>& begin, int direction,
-             const DampedPiece<double>& piece) override {
-    keep({begin, direction, piece});
-  }
-
-  void piece(const ExactSum<double>& begin, int direction,
-             const DampedHarmonicPiece<double>& piece) override {
-    keep({begin, direction, piece.flow()});
+  void follow(const WatchedPiece& piece) override {
+    const auto copy = [](const auto* motion) { return Pieces::Motion(*motion); };
+    keep({piece.begin, piece.direction, std::visit(copy, piece.motion)});
   }
 
  private:
@@ -129,8 +114,8 @@ ForcedTrajectory::ForcedTrajectory(const Oscillator& oscillator, const Start& st
   pieces_ = pieces;
   Watcher watcher(*this, *pieces);
   const ForcedState<double> state =
-      watched_motion(oscillator, surface, start, excitation, options.horizon, watcher,
-                     {options.go_on, ForcedOptions().ask_every});
+      watched_motion(oscillator, surface, start, excitation,
+                     {.t_end = options.horizon, .go_on = options.go_on}, watcher);
   if (options.to_rest && state.outcome && state.rest_begin.value() > 0) {
     horizon_ = state.rest_begin.value() / p;
     std::erase_if(events_, [this](const Event& event) { return event.state.tau > horizon_; });

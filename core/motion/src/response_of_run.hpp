@@ -126,14 +126,20 @@ void end_free(ForcedResponse& response, const Run& run, const Oscillator& oscill
   end_at_rest(response, free.outcome, stop_time, free.rest / p);
 }
 
-/// Before the run begins: its limit, and what is requested.
+/// Before the run begins.
 template <class Run>
-[[gnu::noinline]] void prepare(Run& run, const Oscillator& oscillator, const Excitation& excitation,
-                               const ForcedOptions& options) {
+void limit(Run& run, const ForcedOptions& options) {
   constexpr bool in_zones = std::decay_t<decltype(run.law())>::in_zones;
   if (options.half_cycle_limit || (in_zones && !options.t_end)) {
     run.allow_half_cycles(options.half_cycle_limit.value_or(FreeOptions().half_cycle_limit));
   }
+}
+
+/// The same, and what is requested.
+template <class Run>
+[[gnu::noinline]] void prepare(Run& run, const Oscillator& oscillator, const Excitation& excitation,
+                               const ForcedOptions& options) {
+  limit(run, options);
   run.state().transmitted.largest_load = load_while_held(excitation, oscillator.p);
 }
 
@@ -158,10 +164,9 @@ template <class Run>
   return response;
 }
 
+/// To t_end or, without it, as far as a run goes.
 template <class Run>
-ForcedResponse response_of(Run& run, const Oscillator& oscillator, const Excitation& excitation,
-                           const ForcedOptions& options) {
-  prepare(run, oscillator, excitation, options);
+void take_through(Run& run, const Excitation& excitation, const ForcedOptions& options) {
   std::visit(
       [&](const auto& kind) {
         if (options.t_end) {
@@ -171,6 +176,13 @@ ForcedResponse response_of(Run& run, const Oscillator& oscillator, const Excitat
         }
       },
       excitation);
+}
+
+template <class Run>
+ForcedResponse response_of(Run& run, const Oscillator& oscillator, const Excitation& excitation,
+                           const ForcedOptions& options) {
+  prepare(run, oscillator, excitation, options);
+  take_through(run, excitation, options);
   const double end = options.t_end ? *options.t_end : duration(excitation).value();
   return response_to(run, end, oscillator, options);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/core/half_cycles.hpp>
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/motion_energies.hpp>
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/core/trajectory.hpp>
 
@@ -20,11 +21,26 @@ double ten_periods(const SimulationRequest& request) {
   return periods_of_endless_motion * 2 * std::numbers::pi / request.oscillator.p;
 }
 
+/// The end of the run, if given; the t_end of a free motion is that of its trajectory.
+std::optional<double> run_end(const SimulationRequest& request) {
+  return is_forced(request) ? request.t_end : std::nullopt;
+}
+
+/// What `answer` finds: the response or the energies.
+template <class Answer>
+auto answered(const SimulationRequest& request, const Answer& answer,
+              const std::function<bool(double)>& go_on = {}) {
+  const ForcedOptions options{
+      .t_end = run_end(request), .half_cycle_limit = request.half_cycle_limit, .go_on = go_on};
+  return answer(request.oscillator, request.start, request.excitation, options, request.surface);
+}
+
 Simulation free_simulation(const SimulationRequest& request) {
   FreeOptions options;
   options.half_cycle_limit = request.half_cycle_limit.value_or(options.half_cycle_limit);
   Simulation result;
   result.response = free_response(request.oscillator, request.start, options);
+  result.energies = answered(request, motion_energies);
   result.half_cycles =
       first_half_cycles(request.oscillator, request.start, request.max_half_cycles);
   if (request.samples) {
@@ -34,11 +50,6 @@ Simulation free_simulation(const SimulationRequest& request) {
     result.trajectory = path.sampled(*request.samples);
   }
   return result;
-}
-
-/// The end of the run, if given; the t_end of a free motion is that of its trajectory.
-std::optional<double> run_end(const SimulationRequest& request) {
-  return is_forced(request) ? request.t_end : std::nullopt;
 }
 
 /// Until the rest is known to be final; if the motion never stops, ten periods more.
@@ -63,14 +74,6 @@ double horizon_of(const SimulationRequest& request, const ForcedResponse& respon
   return horizon;
 }
 
-ForcedResponse response_of(const SimulationRequest& request,
-                           const std::function<bool(double)>& go_on) {
-  return forced_response(
-      request.oscillator, request.start, request.excitation,
-      {.t_end = run_end(request), .half_cycle_limit = request.half_cycle_limit, .go_on = go_on},
-      request.surface);
-}
-
 void trace(Simulation& result, const SimulationRequest& request, double horizon,
            const std::function<bool(double)>& go_on) {
   if (request.samples) {
@@ -81,7 +84,7 @@ void trace(Simulation& result, const SimulationRequest& request, double horizon,
   }
 }
 
-/// The three passes over one forced motion, or one on a surface of its own.
+/// The four passes over one forced motion, or one on a surface of its own.
 Simulation simulate_forced(const SimulationRequest& request,
                            const std::function<bool(double)>& asked) {
   Simulation result;
@@ -94,7 +97,7 @@ Simulation simulate_forced(const SimulationRequest& request,
     trace(result, request, *end, go_on);  // first: if it is too long, nothing else is computed
   }
   if (!result.cancelled) {
-    result.forced = response_of(request, go_on);
+    result.forced = answered(request, forced_response, go_on);
     result.response = static_cast<const Response&>(*result.forced);
   }
   if (!result.cancelled) {
@@ -102,6 +105,9 @@ Simulation simulate_forced(const SimulationRequest& request,
   }
   if (!result.cancelled && !end) {
     trace(result, request, request.t_end.value_or(*result.horizon), go_on);
+  }
+  if (!result.cancelled) {
+    result.energies = answered(request, motion_energies, go_on);
   }
   if (!result.cancelled) {
     result.half_cycles =

@@ -49,7 +49,8 @@ class Finder {
     }
   }
   template <class Piece>
-  void piece(const ExactSum<Real>& begin, int /*direction*/, const Piece& piece) {
+  void piece(const ExactSum<Real>& begin, int /*direction*/, const Piece& piece,
+             const Real& /*length*/, const Real& /*load*/) {
     flow_.reset();
     if constexpr (std::is_same_v<Piece, HarmonicPiece<Real>>) {
       flow_.emplace(piece.flow());

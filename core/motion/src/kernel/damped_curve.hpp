@@ -37,6 +37,7 @@ class DampedCurve {
         margin_(margin) {}
 
   [[nodiscard]] const Point& start() const { return start_; }
+  [[nodiscard]] const Real& r() const { return r_; }
   [[nodiscard]] const Real& time_scale() const { return time_scale_; }
 
   /// Of a motion like this one.

@@ -33,6 +33,8 @@ class DampedPiece {
         zeta_(std::move(zeta)),
         omega_(swing_rate(zeta_)) {}
 
+  [[nodiscard]] const Real& rate() const { return rate_; }
+
   /// (D3).
   [[nodiscard]] Point at(const Real& h) const {
     const DampedTerms<Real> t(h, zeta_);
@@ -61,6 +63,14 @@ class DampedPiece {
   [[nodiscard]] Real largest_acceleration(const End& end, const Real& so_far) const {
     const auto size = [](const Point& at) { return magnitude(at.a); };
     return largest(size, jerk(), end, so_far, Real(0));
+  }
+
+  /// The largest v, which stays above 0.
+  [[nodiscard]] Real largest_speed(const End& end, const Real& so_far) const {
+    using std::max;
+    const auto speed = [](const Point& at) { return at.v; };
+    const Mix a{Real(0), Real(1), Real(0)};
+    return at_crests(speed, a, end, max(so_far, max(start_.v, end.at.v)));
   }
 
   /// The largest |y + phi + 2 zeta v|, which the structure feels.
@@ -249,13 +259,7 @@ class DampedPiece {
       return most;
     }
     if (swings(mix)) {
-      if (!may_vanish(mix, {end.h, end.at})) {
-        return most;
-      }
-      for (Real h = first_zero_of_swing(mix); h < end.h; h += pi<Real>() / omega_) {
-        most = max(most, size(at(h)));
-      }
-      return most;
+      return at_crests(size, mix, end, most);
     }
     const Mix bend = slope(mix);
     stretches(mix, {end.h, end.at}, [&](const Moment& left, const Moment& right) {
@@ -265,6 +269,18 @@ class DampedPiece {
       }
       return true;
     });
+    return most;
+  }
+
+  /// The largest `size` at the zeros of a sine that decays, and `most`.
+  template <class Size>
+  [[nodiscard]] Real at_crests(const Size& size, const Mix& swing, const End& end,
+                               Real most) const {
+    if (may_vanish(swing, {end.h, end.at})) {
+      for (Real h = first_zero_of_swing(swing); h < end.h; h += pi<Real>() / omega_) {
+        most = std::max(most, size(at(h)));
+      }
+    }
     return most;
   }
 

@@ -307,7 +307,7 @@ class ForcedRun {
     }
     s_.acceleration = piece.largest_acceleration(end, s_.acceleration);
     if constexpr (Watcher::watches) {
-      watcher_.piece(s_.now, from.direction, piece);
+      watcher_.piece(s_.now, from.direction, piece, end.h, drive.w());
     }
     if (map_.notch == 0 && inward &&
         (end.at.y > 0 || (end.at.y == 0 && end.event != PieceEvent::turn))) {

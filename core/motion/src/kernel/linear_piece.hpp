@@ -95,6 +95,8 @@ class LinearPiece {
   LinearPiece(Point start, Real rate, Real load = Real(0))
       : start_(std::move(start)), rate_(std::move(rate)), load_(std::move(load)) {}
 
+  [[nodiscard]] const Real& rate() const { return rate_; }
+
   /// (F16).
   [[nodiscard]] Point at(const Real& h) const { return after(LinearTerms<Real>(h)); }
 

@@ -145,7 +145,8 @@ template <bool even, class Run, class Real, class AnyCrossing>
     }
     if constexpr (Run::AnyWatcher::watches) {
       if (next.y < edge) {
-        run.watcher().piece(samples.times().at(i), s.direction, now.piece_to(next, t));
+        run.watcher().piece(samples.times().at(i), s.direction, now.piece_to(next, t), t.h,
+                            Real(sign * now.w));
       }
     }
     if (next.y >= look) [[unlikely]] {

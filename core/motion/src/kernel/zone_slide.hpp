@@ -118,7 +118,7 @@ void slide_in_zone(Run& run, Drive& drive, ExactSum<Real>& left,
     s.transmitted.slides(whole.y, phi);
   }
   if constexpr (Run::AnyWatcher::watches) {
-    run.watcher().piece(s.now, whole.direction, run.piece(drive, whole));
+    run.watcher().piece(s.now, whole.direction, run.piece(drive, whole), end.h, drive.w());
   }
   Real y = end.at.y;
   if (end.event == PieceEvent::arrival) {

@@ -98,6 +98,9 @@ class ZonedFriction {
     return leaving_ ? zone.phi_leaving : zone.phi;
   }
 
+  /// The same without the notch.
+  [[nodiscard]] const Real& phi_alone(const Real& y) const { return zones_[ahead(y)].phi_leaving; }
+
   /// What friction loses as the mass sets off from y: rule 2 of docs/damping.md.
   [[nodiscard]] Real lost_ahead(const Real& y) const {
     const Zone& zone = zones_[ahead(y)];

@@ -4,6 +4,7 @@
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/half_cycles.hpp>
+#include <stillpoint/core/motion_energies.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/core/state.hpp>
 #include <stillpoint/core/surface.hpp>
@@ -31,6 +32,7 @@ struct SimulationRequest {
 struct Simulation {
   Response response;
   std::optional<ForcedResponse> forced;  ///< if there is an excitation; response is its part
+  MotionEnergies energies;
   std::vector<HalfCycle> half_cycles;
   /// States at evenly spaced instants and at every event; a passage has two, before and after the
   /// notch. They go up to t_end, or without it to the end of the motion, or for ten periods if the
@@ -46,7 +48,7 @@ struct Simulation {
 [[nodiscard]] bool has_closed_form(const SimulationRequest& request);
 
 /// Metrics, half-cycles and trajectory of the motion. A forced run calls `go_on` now and then, in
-/// each of its up to three passes, with the tau reached; false ends it. Throws InputError as
+/// each of its up to four passes, with the tau reached; false ends it. Throws InputError as
 /// free_response and forced_response do, and about t_end if the motion rests too late to be listed
 /// up to then; TooManyHalfCycles.
 [[nodiscard]] Simulation simulate(const SimulationRequest& request,
