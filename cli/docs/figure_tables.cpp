@@ -51,7 +51,9 @@ std::string table_of(const Fields& all) {
 }  // namespace
 
 std::string motion_tables() {
-  return table_of<Response>(fields<Response>) + "\n" + table_of<ForcedResponse>(forced_fields);
+  return table_of<Response>(fields<Response>) + "\n" +
+         table_of<MotionEnergies>(fields<MotionEnergies>) + "\n" +
+         table_of<ForcedResponse>(forced_fields);
 }
 
 std::string sweep_columns_row() {

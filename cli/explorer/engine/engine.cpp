@@ -140,10 +140,10 @@ void motion(const json& options, int points) {
   Settings settings = given(Command::simulate, options);
   settings.set("samples", static_cast<std::int64_t>(points));
   const report::MotionReport report = motion_report(settings, always);
-  const std::vector<State>& states = report.answer.trajectory;
+  const std::vector<TracedState>& states = report.answer.trajectory;
   numbers.clear();
-  for (double State::*const value : {&State::tau, &State::x, &State::v}) {
-    for (const State& state : states) {
+  for (double TracedState::*const value : {&TracedState::tau, &TracedState::x, &TracedState::v}) {
+    for (const TracedState& state : states) {
       numbers.push_back(state.*value);
     }
   }

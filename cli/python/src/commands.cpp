@@ -28,21 +28,21 @@ struct Motion final : Result {
 py::object trajectory(const std::shared_ptr<const answers::Answer>& answer) {
   const report::MotionReport& found =
       static_cast<const answers::AnswerOf<report::MotionReport>&>(*answer).made();
-  const std::vector<State>& states = found.answer.trajectory;
+  const std::vector<TracedState>& states = found.answer.trajectory;
   if (states.empty()) {
     return py::none();
   }
   py::array rows;
   if (found.physical) {
     std::vector<report::PhysicalState> physical(states.size());
-    std::ranges::transform(states, physical.begin(), [&](const State& state) {
+    std::ranges::transform(states, physical.begin(), [&](const TracedState& state) {
       return report::physical_state(state, found.physical->scales);
     });
     rows = to_array(std::move(physical));
   } else {
-    rows =
-        py::array_t<State>(static_cast<py::ssize_t>(states.size()), states.data(),
-                           kept(std::make_unique<std::shared_ptr<const answers::Answer>>(answer)));
+    rows = py::array_t<TracedState>(
+        static_cast<py::ssize_t>(states.size()), states.data(),
+        kept(std::make_unique<std::shared_ptr<const answers::Answer>>(answer)));
   }
   rows.attr("flags").attr("writeable") = false;
   return rows;
@@ -93,7 +93,8 @@ constexpr std::array rows{
         "damper stands in it."},
     Row{Command::simulate, found_motion,
         "One motion, free or forced: metrics and half-cycles. With samples, or t_end of a free "
-        "motion, the result has a trajectory: an array of (tau, x, v)."},
+        "motion, the result has a trajectory: an array of (tau, x, v, w, absolute_acceleration, "
+        "friction)."},
     Row{Command::spectrum, found_spectrum,
         "Peak, residual and transmitted acceleration of one damper under records over the period, "
         "an axis as of sweep, beside the same damper without its notch."},
@@ -116,14 +117,16 @@ std::unique_ptr<Result> run(const Row& row, const py::object& scene, const py::d
 }  // namespace
 
 void add_commands(py::module_& module) {
-  PYBIND11_NUMPY_DTYPE(State, tau, x, v);
-  PYBIND11_NUMPY_DTYPE(report::PhysicalState, tau, x, v, t_s, x_m, v_m_per_s);
+  PYBIND11_NUMPY_DTYPE(TracedState, tau, x, v, w, absolute_acceleration, friction);
+  PYBIND11_NUMPY_DTYPE(report::PhysicalState, tau, x, v, w, absolute_acceleration, friction, t_s,
+                       x_m, v_m_per_s, w_m_per_s2, absolute_acceleration_m_per_s2,
+                       friction_m_per_s2);
   result_class<Motion, Result>(
       module, "Motion",
       "What simulate found: the fields of its report as attributes, and trajectory.")
       .def_property_readonly("trajectory", &Result::rows,
-                             "a structured array of tau, x and v, with physical input also of t_s, "
-                             "x_m and v_m_per_s, read-only; None if neither samples nor the end of "
+                             "a structured array of tau, x, v, w, absolute_acceleration and "
+                             "friction, with physical input also of t_s, x_m and so on, read-only; None if neither samples nor the end of "
                              "a free motion was given");
   for (const Row& row : rows) {
     module.def(

@@ -47,6 +47,11 @@ void add_answer(Section& answer, const MotionReport& report) {
     answer.row("acceleration",
                format("{} transmitted{}", acceleration_shown(felt), felt_where(report, felt)));
   }
+  if (const auto& energies = report.answer.energies.energies; energies && energies->friction > 0) {
+    answer.row("energy", format("friction takes {} over a path of {}",
+                                units_of(physical).energy.words(energies->friction),
+                                length_shown(physical, energies->slip_path)));
+  }
   if (report.answer.forced && report.answer.forced->left_notch_from_rest) {
     const double load = design::largest_load(report.request.excitation);
     add_start(answer, design::least_width(design::holding_friction(report.request), delta, load),
@@ -125,20 +130,37 @@ Document document(const MotionReport& report) {
   return document;
 }
 
-PhysicalState physical_state(const State& state, const design::Scales& scales) {
-  const auto& [tau, x, v] = state;
-  return {tau, x, v, tau * scales.time_s, x * scales.length_m, v * scales.velocity_m_per_s};
+PhysicalState physical_state(const TracedState& state, const design::Scales& scales) {
+  const auto& [tau, x, v, w, felt, friction] = state;
+  const double g = scales.gravity_m_per_s2;
+  return {tau,
+          x,
+          v,
+          w,
+          felt,
+          friction,
+          tau * scales.time_s,
+          x * scales.length_m,
+          v * scales.velocity_m_per_s,
+          w * g,
+          felt * g,
+          friction * g};
 }
 
-std::string trajectory_csv(const std::vector<State>& states,
+std::string trajectory_csv(const std::vector<TracedState>& states,
                            const std::optional<design::PhysicalInput>& physical) {
-  std::string text = physical ? "tau,x,v,t_s,x_m,v_m_per_s\n" : "tau,x,v\n";
+  std::string text = "tau,x,v,w,absolute_acceleration,friction";
+  text += physical ? ",t_s,x_m,v_m_per_s,w_m_per_s2,absolute_acceleration_m_per_s2,"
+                     "friction_m_per_s2\n"
+                   : "\n";
   auto end = std::back_inserter(text);
-  for (const State& state : states) {
-    fmt::format_to(end, "{},{},{}", state.tau, state.x, state.v);
+  for (const TracedState& state : states) {
+    const auto& [tau, x, v, w, felt, friction] = state;
+    fmt::format_to(end, "{},{},{},{},{},{}", tau, x, v, w, felt, friction);
     if (physical) {
       const PhysicalState now = physical_state(state, physical->scales);
-      fmt::format_to(end, ",{},{},{}", now.t_s, now.x_m, now.v_m_per_s);
+      fmt::format_to(end, ",{},{},{},{},{},{}", now.t_s, now.x_m, now.v_m_per_s, now.w_m_per_s2,
+                     now.absolute_acceleration_m_per_s2, now.friction_m_per_s2);
     }
     text += '\n';
   }

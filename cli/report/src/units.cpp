@@ -71,6 +71,11 @@ Unit in_joules(double energy) {
                        : Unit{1e3 * energy, "mJ"};
 }
 
+/// The forces of an isolator are some hundredths of its weight.
+Unit in_newtons(double weight) {
+  return weight >= 1e4 ? Unit{1e-3 * weight, "kN"} : Unit{weight, "N"};
+}
+
 }  // namespace
 
 FigureUnits units_of(const Physical& physical) {
@@ -84,7 +89,8 @@ FigureUnits units_of(const Physical& physical) {
               scales.length_m > 10 ? Unit{scales.length_m, "m"} : Unit{scales.length_m * 1e3, "mm"},
           .time = {scales.time_s, "s"},
           .velocity = {speed, "m/s"},
-          .energy = scales.mass_kg ? in_joules(energy) : Unit{energy, "J/kg"}};
+          .energy = scales.mass_kg ? in_joules(energy) : Unit{energy, "J/kg"},
+          .force = scales.mass_kg ? in_newtons(*scales.friction_force_n(1)) : Unit{}};
 }
 
 Unit FigureUnits::of(Dimension dimension) const {

@@ -53,12 +53,14 @@ struct FigureUnits {
   Unit time{};
   Unit velocity{};
   Unit energy{};
+  Unit force{};  ///< over the weight, without a mass
   std::string f_label{"constant friction f"};
   std::string delta_label{in("point friction Δ", length)};
   std::string x_label{in("displacement x", length)};
   std::string time_label{time.name.empty() ? "time τ" : "time, s"};
   std::string velocity_label{velocity.name.empty() ? "velocity x′" : "velocity, m/s"};
   std::string energy_label{in("energy", energy)};
+  std::string force_label{force.name.empty() ? "force / weight" : in("force", force)};
 
   [[nodiscard]] Unit of(Dimension dimension) const;
   /// "0" alone of that x.

@@ -11,6 +11,7 @@
 #include <numbers>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace stillpoint {
 
@@ -26,13 +27,15 @@ std::optional<double> run_end(const SimulationRequest& request) {
   return is_forced(request) ? request.t_end : std::nullopt;
 }
 
-/// What `answer` finds: the response or the energies.
-template <class Answer>
-auto answered(const SimulationRequest& request, const Answer& answer,
-              const std::function<bool(double)>& go_on = {}) {
-  const ForcedOptions options{
-      .t_end = run_end(request), .half_cycle_limit = request.half_cycle_limit, .go_on = go_on};
-  return answer(request.oscillator, request.start, request.excitation, options, request.surface);
+ForcedOptions options_of(const SimulationRequest& request,
+                         const std::function<bool(double)>& go_on) {
+  return {.t_end = run_end(request), .half_cycle_limit = request.half_cycle_limit, .go_on = go_on};
+}
+
+template <class Path>
+std::vector<TracedState> traced(const SimulationRequest& request, const Path& path) {
+  return stillpoint::traced(request.oscillator, request.surface, request.excitation,
+                            path.sampled(*request.samples));
 }
 
 Simulation free_simulation(const SimulationRequest& request) {
@@ -40,14 +43,14 @@ Simulation free_simulation(const SimulationRequest& request) {
   options.half_cycle_limit = request.half_cycle_limit.value_or(options.half_cycle_limit);
   Simulation result;
   result.response = free_response(request.oscillator, request.start, options);
-  result.energies = answered(request, motion_energies);
+  result.energies = energies_of(request);
   result.half_cycles =
       first_half_cycles(request.oscillator, request.start, request.max_half_cycles);
   if (request.samples) {
     const bool ends = request.t_end || result.response.stop_time;
     const Trajectory path(request.oscillator, request.start,
                           {ends ? request.t_end : ten_periods(request)});
-    result.trajectory = path.sampled(*request.samples);
+    result.trajectory = traced(request, path);
   }
   return result;
 }
@@ -80,7 +83,7 @@ void trace(Simulation& result, const SimulationRequest& request, double horizon,
     const ForcedTrajectory path(request.oscillator, request.start, request.excitation,
                                 {.horizon = horizon, .go_on = go_on, .to_rest = !request.t_end},
                                 request.surface);
-    result.trajectory = path.sampled(*request.samples);
+    result.trajectory = traced(request, path);
   }
 }
 
@@ -97,7 +100,8 @@ Simulation simulate_forced(const SimulationRequest& request,
     trace(result, request, *end, go_on);  // first: if it is too long, nothing else is computed
   }
   if (!result.cancelled) {
-    result.forced = answered(request, forced_response, go_on);
+    result.forced = forced_response(request.oscillator, request.start, request.excitation,
+                                    options_of(request, go_on), request.surface);
     result.response = static_cast<const Response&>(*result.forced);
   }
   if (!result.cancelled) {
@@ -107,7 +111,7 @@ Simulation simulate_forced(const SimulationRequest& request,
     trace(result, request, request.t_end.value_or(*result.horizon), go_on);
   }
   if (!result.cancelled) {
-    result.energies = answered(request, motion_energies, go_on);
+    result.energies = energies_of(request, go_on);
   }
   if (!result.cancelled) {
     result.half_cycles =
@@ -125,6 +129,12 @@ bool is_forced(const SimulationRequest& request) {
 
 bool has_closed_form(const SimulationRequest& request) {
   return !is_forced(request) && paper_motion(request.oscillator, request.surface);
+}
+
+MotionEnergies energies_of(const SimulationRequest& request,
+                           const std::function<bool(double)>& go_on) {
+  return motion_energies(request.oscillator, request.start, request.excitation,
+                         options_of(request, go_on), request.surface);
 }
 
 Simulation simulate(const SimulationRequest& request, const std::function<bool(double)>& go_on) {

@@ -212,9 +212,47 @@ std::vector<ShownEnergy> shown_energies(const ShownMotion& motion) {
     notch.passes(*before, state);
     before = &state;
     const double left = energy(state);
-    const double rest = whole - left - friction;  // a free motion loses it to nothing else
-    const double taken = damped ? notch.done() : motion.oscillator.delta > 0 ? rest : 0;
-    all.push_back({state.tau, left, friction, seen(taken), damped ? seen(rest - taken) : 0});
+    const double taken = notch.done();
+    const double rest = whole - left - friction - taken;  // it loses energy to nothing else
+    all.push_back({state.tau, left, friction, seen(taken), damped ? seen(rest) : 0});
+  }
+  return all;
+}
+
+std::vector<ShownForce> shown_forces(const ShownMotion& motion, const Excitation& excitation,
+                                     const std::vector<State>& states) {
+  const double p = motion.oscillator.p;
+  const auto traced_states = traced(motion.oscillator, motion.surface, excitation, states);
+  std::vector<ShownForce> all;
+  TracedState before = traced_states.front();
+  for (const TracedState& now : traced_states) {
+    const double drag = 2 * motion.oscillator.zeta * p * now.v;
+    const auto add = [&](double friction) {
+      all.push_back({now.tau, now.x, friction + drag, friction + drag + p * p * now.x});
+    };
+    const bool rests = motion.rest && now.tau >= motion.rest->tau && now.v == 0;
+    if (now.x != before.x && (rests || now.friction != before.friction)) {
+      add(before.friction);  // up to here
+    }
+    if (rests) {
+      break;
+    }
+    add(now.friction);
+    before = now;
+  }
+  return all;
+}
+
+std::vector<ShownLoad> shown_transmitted(const ShownMotion& motion, const Excitation& excitation) {
+  std::vector<ShownLoad> all;
+  for (const ShownForce& now : shown_forces(motion, excitation, motion.states)) {
+    all.push_back({now.tau, -now.whole});
+  }
+  if (const auto& rest = motion.rest) {
+    all.push_back(
+        {rest->tau, traced(motion.oscillator, motion.surface, excitation, {*rest}).front().w});
+    std::ranges::copy_if(shown_load(excitation, motion.shown_to), std::back_inserter(all),
+                         [&](const ShownLoad& now) { return now.tau > rest->tau; });
   }
   return all;
 }

@@ -96,7 +96,7 @@ def test_trajectory_matches_the_program(program):
     program.run("simulate", trajectory="rows.csv", samples=50, **motion)
     wanted = np.loadtxt("rows.csv", delimiter=",", skiprows=1)
     found = stillpoint.simulate(samples=50, **motion)
-    for column, name in enumerate(("tau", "x", "v")):
+    for column, name in enumerate(("tau", "x", "v", "w", "absolute_acceleration", "friction")):
         assert np.array_equal(found.trajectory[name], wanted[:, column])
     assert stillpoint.simulate(**motion).trajectory is None
     assert stillpoint.simulate(t_end=3, **motion).trajectory["tau"][-1] == 3
@@ -107,7 +107,9 @@ def test_trajectory_of_physical_input_is_in_metres_and_seconds(program):
     program.run("simulate", trajectory="rows.csv", samples=50, **motion)
     wanted = np.genfromtxt("rows.csv", delimiter=",", names=True)
     found = stillpoint.simulate(samples=50, **motion)
-    assert found.trajectory.dtype.names == wanted.dtype.names == ("tau", "x", "v", "t_s", "x_m", "v_m_per_s")
+    dimensionless = ("tau", "x", "v", "w", "absolute_acceleration", "friction")
+    physical = ("t_s", "x_m", "v_m_per_s", "w_m_per_s2", "absolute_acceleration_m_per_s2", "friction_m_per_s2")
+    assert found.trajectory.dtype.names == wanted.dtype.names == dimensionless + physical
     for name in wanted.dtype.names:
         assert np.array_equal(found.trajectory[name], wanted[name])
     assert (found.trajectory["t_s"][0], found.trajectory["v_m_per_s"][0]) == (0, 0.4)

@@ -122,10 +122,13 @@ BOOST_AUTO_TEST_CASE(damping_takes_its_part_of_the_energy) {
     }
     double damping = 0;
     for (std::size_t i = 1; i < answer.trajectory.size(); ++i) {
-      const State& from = answer.trajectory[i - 1];
-      const State& to = answer.trajectory[i];
+      const TracedState& from = answer.trajectory[i - 1];
+      const TracedState& to = answer.trajectory[i];
       damping += 2 * zeta * 2 * (from.v * from.v + to.v * to.v) / 2 * (to.tau - from.tau);
     }
+    const Energies& energies = answer.energies.energies.value();
+    BOOST_TEST(energies.slip_path == path, tt::tolerance(1e-12));
+    BOOST_TEST(energies.damping == damping, tt::tolerance(1e-7));
     const Figure drawn = figure(page(MotionReport{request, answer}), "energy");
     const auto last = [&](std::size_t curve) { return drawn.curves[curve].strokes[0].back().y; };
     BOOST_TEST(contains(drawn.caption(), ", damping 0.1"));
@@ -135,6 +138,34 @@ BOOST_AUTO_TEST_CASE(damping_takes_its_part_of_the_energy) {
     const double inside = wide ? std::max(0.01 - rest, 0.0) / 0.02 : 0;
     BOOST_TEST(last(3) - last(2) == 0.02 * (2 + inside), tt::tolerance(1e-9));
   }
+}
+
+/// What friction and damping take is the area that their curve has gone round.
+BOOST_AUTO_TEST_CASE(the_loop_encloses_what_the_damper_takes) {
+  for (const double zeta : {0.0, 0.1}) {
+    SimulationRequest request = simulation_of({.p = 1, .f = 0.2, .zeta = zeta}, {0, 1});
+    request.excitation = HalfSine{0.3, 2};
+    const Simulation answer = simulate(request);
+    const Figure drawn = figure(page(MotionReport{request, answer}), "loop");
+    const Energies& energies = answer.energies.energies.value();
+    double area = 0;
+    for (const auto& arc : drawn.curves[0].strokes) {
+      for (std::size_t i = 1; i < arc.size(); ++i) {
+        area += (arc[i].x - arc[i - 1].x) * (arc[i].y + arc[i - 1].y) / 2;
+      }
+    }
+    const double by_trapezoids = zeta > 0 ? 1e-4 : 1e-12;
+    BOOST_TEST(area == energies.friction + energies.damping, tt::tolerance(by_trapezoids));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_locked_mass_transmits_the_load_but_exerts_no_friction_in_its_loop) {
+  const HtmlPage drawn = motion({1, 0.1, 1}, HalfSine{0.5, 0.7}, {1, 0});
+  const auto& felt = figure(drawn, "transmitted").curves[0].strokes[0];
+  BOOST_TEST(std::ranges::max(felt, {}, &figures::FigurePoint::y).y == 0.5, tt::tolerance(1e-3));
+  BOOST_TEST(std::abs(felt.back().y) <= 1e-15);
+  const auto& friction = figure(drawn, "loop").curves[0].strokes[0];
+  BOOST_TEST(std::ranges::min(friction, {}, &figures::FigurePoint::y).y == -0.1);
 }
 
 /// x = V0/(p w) exp(-zeta p tau) sin(p w tau), w^2 = 1 - zeta^2, is largest where tan(w p tau) =

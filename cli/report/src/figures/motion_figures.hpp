@@ -59,6 +59,12 @@ void add_lock(Figure& figure, const DrawnMotion& motion, const FigureUnits& unit
 [[nodiscard]] Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units);
 /// For a free motion: the energy left, and what each friction took.
 [[nodiscard]] Figure energy_figure(const DrawnMotion& motion, const FigureUnits& units);
+/// Friction and damping over the displacement, alone and with the spring.
+[[nodiscard]] Figure loop_figure(const Excitation& excitation, const DrawnMotion& motion,
+                                 const FigureUnits& units);
+/// What the structure feels, below the motion.
+[[nodiscard]] Figure transmitted_figure(const Excitation& excitation, const DrawnMotion& motion,
+                                        const FigureUnits& units);
 /// W, below the motion.
 [[nodiscard]] Figure excitation_figure(const Excitation& excitation, const DrawnMotion& motion,
                                        const FigureUnits& units);

@@ -11,9 +11,10 @@ using figures::HtmlPage;
 
 namespace {
 
-/// Of one that moves; of a mass that stands still, only a load that it withstands.
+/// Of one that moves; of a mass that stands still, only a load that it withstands. `with_forces`:
+/// also what it transmits.
 std::vector<Figure> drawn(const DrawnMotion& motion, const Excitation& load,
-                          const FigureUnits& units) {
+                          const FigureUnits& units, bool with_forces) {
   const bool forced = !std::holds_alternative<NoExcitation>(load);
   std::vector<Figure> figures;
   if (motion.states.back().tau == 0) {
@@ -22,6 +23,10 @@ std::vector<Figure> drawn(const DrawnMotion& motion, const Excitation& load,
   figures.push_back(motion_figure(motion, units));
   if (forced) {
     figures.push_back(excitation_figure(load, motion, units));
+  }
+  if (motion.moves() && with_forces) {
+    figures.push_back(transmitted_figure(load, motion, units));
+    figures.push_back(loop_figure(load, motion, units));
   }
   if (motion.moves()) {
     figures.push_back(phase_figure(motion, units));
@@ -53,7 +58,7 @@ std::vector<Figure> told_figures(const DesignReport& report, const FigureUnits& 
                                .dash = Dash::dashed});
     }
   }
-  std::vector<Figure> figures = drawn(motion, request.excitation, units);
+  std::vector<Figure> figures = drawn(motion, request.excitation, units, false);
   if (shown.pulse) {
     figures.front().id = "pulse";
     figures.front().title = "Motion under the pulse itself";
@@ -104,13 +109,13 @@ std::vector<Figure> drawings(const RegionReport& report) {
 
 std::vector<Figure> drawings(const MotionReport& report) {
   return drawn(DrawnMotion(design::shown_motion(report.request, report.answer)),
-               report.request.excitation, units_of(report.physical));
+               report.request.excitation, units_of(report.physical), true);
 }
 
 HtmlPage page(const MotionReport& report) {
   HtmlPage page = page_of(document(report, Verbosity::full));
   const DrawnMotion motion(design::shown_motion(report.request, report.answer));
-  page.figures = drawn(motion, report.request.excitation, units_of(report.physical));
+  page.figures = drawn(motion, report.request.excitation, units_of(report.physical), true);
   page.verdict += page.figures.empty() ? " Nothing moves, so there is nothing to draw."
                   : motion.whole       ? ""
                                        : " The figures show the beginning of the motion.";

@@ -92,8 +92,9 @@ struct ShownLoaded {
   std::optional<bool> from_inside{};
 
   /// The same load, but another response.
-  [[nodiscard]] ShownLoaded with(const ForcedResponse& other) const {
-    return {v0, p, pulse, ShownResponse(other), record, from_inside};
+  [[nodiscard]] ShownLoaded with(const ForcedResponse& other,
+                                 std::optional<MotionEnergies> of = {}) const {
+    return {v0, p, pulse, ShownResponse(other, of), record, from_inside};
   }
   [[nodiscard]] std::string what() const {
     return record != nullptr ? record->name : std::string(pulse ? design::name(*pulse) : "hit");

@@ -3,6 +3,8 @@
 
 #include "json/answer_fields.hpp"
 
+#include <stillpoint/design/shown_damper.hpp>
+
 namespace stillpoint::report {
 
 namespace {
@@ -117,12 +119,15 @@ void add_worst(ShownCase& now, const ShownTask& task, const BoxedDamper& damper,
 
 /// The motion of the damper, under a pulse if there is one, and the damper with its box.
 void add_damper(ShownAnswer& now, const ShownTask& task, const IfReal& f, const IfReal& delta,
-                const Response* response, const design::PulseMotion* under) {
+                const std::optional<design::ShownDamper>& shown) {
   ShownCase& only = now.cases.front();
+  const design::PulseMotion* const under = shown ? shown->under_pulse : nullptr;
+  const auto energies = shown ? energies_of(motion_of(*shown)) : MotionEnergies();
   if (under != nullptr) {
-    only.motions.push_back({{}, under->p, under->pulse, ShownResponse(under->response)});
-  } else if (response != nullptr) {
-    only.motions.push_back({task.problem.v0, task.problem.p, task.pulse, ShownResponse(*response)});
+    only.motions.push_back({{}, under->p, under->pulse, ShownResponse(under->response, energies)});
+  } else if (shown) {
+    only.motions.push_back(
+        {task.problem.v0, task.problem.p, task.pulse, ShownResponse(shown->response, energies)});
   }
   if (f && delta) {
     now.design = boxed_damper(task, *f, *delta);
@@ -137,7 +142,7 @@ void add_found(ShownAnswer& now, const DesignReport& report, const design::Found
   const ShownTask task = task_of(report);
   const auto& [f, delta, tolerance] = found.point;
   now.pulse = found.pulse ? &*found.pulse : nullptr;
-  add_damper(now, task, f, delta, &found.response, now.pulse);
+  add_damper(now, task, f, delta, shown_damper(report.result, {}));
   BoxedDamper& damper = *now.design;
   damper.name =
       report.catalogue ? std::optional(report.catalogue->parts.front().part.name) : std::nullopt;
@@ -147,7 +152,9 @@ void add_found(ShownAnswer& now, const DesignReport& report, const design::Found
   now.search = found.search ? &*found.search : nullptr;
   now.cross_check = &found.cross_check;
   if (const auto& built = report.built_notch) {
-    now.built_notch = {&*built, now.cases.front().motions.front().with(built->response)};
+    now.built_notch = {
+        &*built, now.cases.front().motions.front().with(
+                     built->response, energies_of(motion_of(shown_damper(report.result, built))))};
     damper.width = built->shape.width.value_or(0);
     now.input.hold = built->shape.hold;
     now.input.notch_width = built->shape.width;
@@ -198,8 +205,8 @@ ShownAnswer shown(const RegionReport& report) {
   }
   now.input.f = request.f;
   now.input.delta = request.delta;
-  add_damper(now, task, request.f, request.delta, answer.response ? &*answer.response : nullptr,
-             answer.response && answer.under_pulse ? &*answer.under_pulse : nullptr);
+  add_damper(now, task, request.f, request.delta,
+             answer.response ? std::optional(shown_damper(request, answer)) : std::nullopt);
   if (now.design) {
     now.design->tolerance = answer.tolerance;
     now.design->arrival = answer.arrival;

@@ -49,8 +49,9 @@ struct MotionSi : Si {
 };
 
 ShownResponse response_of(const MotionReport& report) {
-  return report.answer.forced ? ShownResponse(*report.answer.forced)
-                              : ShownResponse(report.answer.response);
+  const Simulation& answer = report.answer;
+  return answer.forced ? ShownResponse(*answer.forced, answer.energies)
+                       : ShownResponse(answer.response, answer.energies);
 }
 
 std::optional<double> caught(const MotionReport& report) {

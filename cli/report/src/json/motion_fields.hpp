@@ -134,13 +134,16 @@ inline constexpr auto motion_input = [](const auto& report) {
 struct ShownResponse {
   const Response* response;
   const ForcedResponse* forced;
+  std::optional<MotionEnergies> energies;  ///< empty of one that was only tried
 
-  explicit ShownResponse(const Response& free) : response(&free), forced(nullptr) {}
-  explicit ShownResponse(const ForcedResponse& under_load)
-      : response(&under_load), forced(&under_load) {}
+  explicit ShownResponse(const Response& free, std::optional<MotionEnergies> of = {})
+      : response(&free), forced(nullptr), energies(of) {}
+  explicit ShownResponse(const ForcedResponse& under_load, std::optional<MotionEnergies> of = {})
+      : response(&under_load), forced(&under_load), energies(of) {}
 
   static constexpr auto field_table = std::tuple_cat(
       fields_in([](const auto& now) -> const Response& { return *now.response; }, fields<Response>),
+      fields_in(&ShownResponse::energies, fields<MotionEnergies>),
       fields_in(&ShownResponse::forced, forced_fields));
 };
 

@@ -111,7 +111,9 @@ ShownCase shown_case(const design::RecordDesign& result, std::size_t index) {
     const design::CaseMotion& motion = motions[i];
     shown.motions.push_back({load_case.v0 ? std::optional(motion.start.v0) : std::nullopt,
                              finding->point.damper.p, motion.pulse,
-                             ShownResponse(finding->responses[index][i]),
+                             ShownResponse(finding->responses[index][i],
+                                           energies_of(design::motion_of(
+                                               result.request, finding->point.damper, motion))),
                              load_case.of_records() ? &load_case.records[i] : nullptr});
   }
   return shown;

@@ -13,6 +13,7 @@
 #include <stillpoint/core/half_cycles.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/interval.hpp>
+#include <stillpoint/core/motion_energies.hpp>
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/core/nearby_ends.hpp>
 #include <stillpoint/core/oscillator.hpp>
@@ -21,4 +22,5 @@
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/core/state.hpp>
 #include <stillpoint/core/surface.hpp>
+#include <stillpoint/core/traced_state.hpp>
 #include <stillpoint/core/trajectory.hpp>

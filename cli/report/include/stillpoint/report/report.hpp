@@ -112,14 +112,21 @@ struct PhysicalState {
   double tau{0};
   double x{0};
   double v{0};
+  double w{0};
+  double absolute_acceleration{0};
+  double friction{0};
   double t_s{0};
   double x_m{0};
   double v_m_per_s{0};
+  double w_m_per_s2{0};
+  double absolute_acceleration_m_per_s2{0};
+  double friction_m_per_s2{0};  ///< the force over the mass
 };
-[[nodiscard]] PhysicalState physical_state(const State& state, const design::Scales& scales);
+[[nodiscard]] PhysicalState physical_state(const TracedState& state, const design::Scales& scales);
 
-/// A line for each state, with the columns of PhysicalState, or tau,x,v without physical input.
-[[nodiscard]] std::string trajectory_csv(const std::vector<State>& states,
+/// A line for each state, with the columns of PhysicalState, or those of TracedState
+/// without physical input.
+[[nodiscard]] std::string trajectory_csv(const std::vector<TracedState>& states,
                                          const std::optional<design::PhysicalInput>& physical);
 
 }  // namespace stillpoint::report

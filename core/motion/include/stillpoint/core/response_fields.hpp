@@ -6,6 +6,7 @@
 #include <stillpoint/core/field.hpp>
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/motion_energies.hpp>
 
 #include <string_view>
 #include <tuple>
@@ -86,6 +87,31 @@ inline constexpr auto forced_fields = std::tuple{
           "the largest |W| from there, in g, which the structure then feels; null where the mass "
           "does not lock",
           si_apart(Dimension::gravities, "largest_load_while_locked_m_per_s2")}};
+
+/// Where the energy goes: of the motions that reports show.
+template <>
+inline constexpr auto fields<MotionEnergies> = [] {
+  const auto part = [](auto member) { return in(&MotionEnergies::energies, member); };
+  return std::tuple{
+      Field{"peak_velocity", &MotionEnergies::peak_velocity,
+            "largest |x'| relative to the base, the start included",
+            si_apart(Dimension::velocity, "peak_velocity_m_per_s")},
+      Field{"slip_path", part(&Energies::slip_path),
+            "the distance slid up to the end; null if the motion has no end, like the next four",
+            si_apart(Dimension::length, "slip_path_m")},
+      Field{"friction_energy", part(&Energies::friction),
+            "what constant friction took, f times the slip path, per mass (forced.md section 11)",
+            si_apart(Dimension::energy, "friction_energy_j")},
+      Field{"notch_energy", part(&Energies::notch),
+            "what the notch took, of a stop and of a caught start as well",
+            si_apart(Dimension::energy, "notch_energy_j")},
+      Field{"damping_energy", part(&Energies::damping), "what damping took",
+            si_apart(Dimension::energy, "damping_energy_j")},
+      Field{"load_energy", part(&Energies::load),
+            "what the load gave, its work on the mass as seen from the base; the four and the "
+            "energy left at the end balance that of the start",
+            si_apart(Dimension::energy, "load_energy_j", Numbers::all)}};
+}();
 
 template <>
 inline constexpr auto fields<ForcedResponse> = std::tuple_cat(fields<Response>, forced_fields);

@@ -6,8 +6,8 @@
 #include <stillpoint/core/half_cycles.hpp>
 #include <stillpoint/core/motion_energies.hpp>
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/core/state.hpp>
 #include <stillpoint/core/surface.hpp>
+#include <stillpoint/core/traced_state.hpp>
 
 #include <cstdint>
 #include <functional>
@@ -37,7 +37,7 @@ struct Simulation {
   /// States at evenly spaced instants and at every event; a passage has two, before and after the
   /// notch. They go up to t_end, or without it to the end of the motion, or for ten periods if the
   /// motion never ends (a forced motion: ten periods after the excitation).
-  std::vector<State> trajectory;
+  std::vector<TracedState> trajectory;
   /// The tau where half-cycles and trajectory of a forced motion end; empty for a free one.
   std::optional<double> horizon{};
   bool cancelled{false};  ///< go_on returned false: the rest is incomplete
@@ -47,10 +47,14 @@ struct Simulation {
 /// A free motion of the paper.
 [[nodiscard]] bool has_closed_form(const SimulationRequest& request);
 
-/// Metrics, half-cycles and trajectory of the motion. A forced run calls `go_on` now and then, in
-/// each of its up to four passes, with the tau reached; false ends it. Throws InputError as
-/// free_response and forced_response do, and about t_end if the motion rests too late to be listed
-/// up to then; TooManyHalfCycles.
+/// The energies alone.
+[[nodiscard]] MotionEnergies energies_of(const SimulationRequest& request,
+                                         const std::function<bool(double)>& go_on = {});
+
+/// Metrics, energies, half-cycles and trajectory of the motion. A forced run calls `go_on` now and
+/// then, in each of its up to four passes, with the tau reached; false ends it. Throws InputError
+/// as free_response and forced_response do, and about t_end if the motion rests too late to be
+/// listed up to then; TooManyHalfCycles.
 [[nodiscard]] Simulation simulate(const SimulationRequest& request,
                                   const std::function<bool(double)>& go_on = {});
 

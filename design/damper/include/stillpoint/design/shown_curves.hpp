@@ -58,11 +58,27 @@ struct ShownEnergy {
 };
 [[nodiscard]] std::vector<ShownEnergy> shown_energies(const ShownMotion& motion);
 
+/// What resists the displacement at tau, over the weight: friction and damping, and all that the
+/// structure feels. Where friction changes at once, an instant has both values.
+struct ShownForce {
+  double tau{0};
+  double x{0};
+  double damper{0};
+  double whole{0};
+};
+/// Of states of the motion in order of time, from its start or a turn on, to its rest.
+[[nodiscard]] std::vector<ShownForce> shown_forces(const ShownMotion& motion,
+                                                   const Excitation& excitation,
+                                                   const std::vector<State>& states);
+
 /// W at the instants that show it, from 0 to the horizon.
 struct ShownLoad {
   double tau{0};
   double load{0};
 };
 [[nodiscard]] std::vector<ShownLoad> shown_load(const Excitation& excitation, double horizon);
+/// What the structure feels, as far as the motion is shown: at rest W.
+[[nodiscard]] std::vector<ShownLoad> shown_transmitted(const ShownMotion& motion,
+                                                       const Excitation& excitation);
 
 }  // namespace stillpoint::design
