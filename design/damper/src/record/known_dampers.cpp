@@ -47,7 +47,7 @@ TaskFigures KnownDampers::worst(const SuiteDamper& nominal) const {
       inside = low[i] <= values_[k][i] && values_[k][i] <= high[i];
     }
     if (inside) {
-      all = worse(all, figures_[k]);
+      worsen(all, figures_[k]);
     }
   }
   return all;

@@ -67,7 +67,7 @@ double points_of(const SuiteGrid& grid) {
 }
 
 /// Along one axis of an array with these numbers of points, the worst of each window.
-std::vector<TaskFigures> slide(const std::vector<TaskFigures>& figures, std::size_t inner,
+std::vector<TaskFigures> slide(std::vector<TaskFigures> figures, std::size_t inner,
                                std::size_t points, std::size_t window) {
   if (window == 0) {
     return figures;
@@ -75,21 +75,31 @@ std::vector<TaskFigures> slide(const std::vector<TaskFigures>& figures, std::siz
   const std::size_t boxes = points - window;
   const std::size_t outer = figures.size() / (inner * points);
   std::vector<TaskFigures> list(outer * boxes * inner);
+  std::vector<TaskFigures> to_end(points);  // here, and changed in place: there are many
+  TaskFigures from_begin;
   for (std::size_t o = 0; o < outer; ++o) {
     for (std::size_t i = 0; i < inner; ++i) {
-      const auto at = [&](std::size_t k) { return figures[(o * points + k) * inner + i]; };
+      const auto at = [&](std::size_t k) -> const TaskFigures& {
+        return figures[(o * points + k) * inner + i];
+      };
       // The worst from each point to the end of its stretch of window + 1, and from its beginning.
       const std::size_t stretch = window + 1;
-      std::vector<TaskFigures> to_end(points);
       for (std::size_t k = points; k-- > 0;) {
-        const bool last = (k + 1) % stretch == 0 || k + 1 == points;
-        to_end[k] = last ? at(k) : worse(at(k), to_end[k + 1]);
+        to_end[k] = at(k);
+        if ((k + 1) % stretch != 0 && k + 1 != points) {
+          worsen(to_end[k], to_end[k + 1]);
+        }
       }
-      TaskFigures from_begin;
       for (std::size_t k = 0; k < points; ++k) {
-        from_begin = k % stretch == 0 ? at(k) : worse(from_begin, at(k));
+        if (k % stretch == 0) {
+          from_begin = at(k);
+        } else {
+          worsen(from_begin, at(k));
+        }
         if (k >= window) {
-          list[(o * boxes + k - window) * inner + i] = worse(to_end[k - window], from_begin);
+          TaskFigures& worst = list[(o * boxes + k - window) * inner + i];
+          worst = to_end[k - window];
+          worsen(worst, from_begin);
         }
       }
     }
@@ -201,7 +211,7 @@ BoxMap::BoxMap(const SuiteSpace& space, const SuiteGrid& grid, std::vector<TaskF
   std::size_t inner = 1;
   for (std::size_t i = space.size(); i > 0; --i) {
     const GridSide& side = grid.at(i - 1);
-    worst_ = slide(worst_, inner, static_cast<std::size_t>(side.points),
+    worst_ = slide(std::move(worst_), inner, static_cast<std::size_t>(side.points),
                    static_cast<std::size_t>(side.window));
     inner *= static_cast<std::size_t>(side.boxes());
   }

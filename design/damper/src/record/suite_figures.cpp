@@ -51,13 +51,17 @@ SuiteFigures worse(const SuiteFigures& one, const SuiteFigures& other) {
           one.settled && other.settled};
 }
 
-TaskFigures worse(const TaskFigures& one, const TaskFigures& other) {
-  const bool longer = one.size() >= other.size();
-  TaskFigures all = longer ? one : other;
-  for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i) {
-    all[i] = worse(one[i], other[i]);
+void worsen(TaskFigures& worst, const TaskFigures& other) {
+  const std::size_t both = std::min(worst.size(), other.size());
+  for (std::size_t i = 0; i < both; ++i) {
+    worst[i] = worse(worst[i], other[i]);
   }
-  return all;
+  worst.insert(worst.end(), other.begin() + static_cast<std::ptrdiff_t>(both), other.end());
+}
+
+TaskFigures worse(TaskFigures one, const TaskFigures& other) {
+  worsen(one, other);
+  return one;
 }
 
 SuiteFigures largest(const TaskFigures& figures) {

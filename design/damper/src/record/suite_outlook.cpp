@@ -35,7 +35,7 @@ SuiteOutlook outlook(const RecordDesignRequest& task, const SuiteDamper& damper,
   const auto worst_of = [&](const RecordDesignRequest& request,
                             const std::vector<SuiteDamper>& dampers, TaskFigures& worst) {
     for (const TaskFigures& figures : Suites(request).figures(dampers, task.threads)) {
-      worst = worse(worst, figures);
+      worsen(worst, figures);
     }
   };
   SuiteOutlook result;

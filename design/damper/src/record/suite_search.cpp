@@ -134,7 +134,7 @@ std::vector<BoxedDamper> SuiteSearch::roughly(const std::vector<BoxedDamper>& fo
   for (std::size_t k = 0; k < found.size(); ++k) {
     TaskFigures worst;
     for (std::size_t i = 0; i < places.size(); ++i) {
-      worst = worse(worst, all[k * places.size() + i]);
+      worsen(worst, all[k * places.size() + i]);
     }
     list.push_back(boxed(found[k].damper, worst));
   }
@@ -198,7 +198,7 @@ BoxedDamper SuiteSearch::best_of(const std::vector<SuiteDamper>& dampers, const 
     std::size_t next = 0;
     for (BoxedDamper& each : left) {
       for (std::size_t i = begin; i < end; ++i) {
-        each.worst = worse(each.worst, all[next++]);
+        worsen(each.worst, all[next++]);
       }
       each.rank = rank(each.worst, goal_);
     }

@@ -252,7 +252,9 @@ inline constexpr double least_suite_margin = 1e-6;
 [[nodiscard]] double excess(const SuiteFigures& figures, const SuiteLimits& limits);
 /// The larger of each.
 [[nodiscard]] SuiteFigures worse(const SuiteFigures& one, const SuiteFigures& other);
-[[nodiscard]] TaskFigures worse(const TaskFigures& one, const TaskFigures& other);
+[[nodiscard]] TaskFigures worse(TaskFigures one, const TaskFigures& other);
+/// The same in place.
+void worsen(TaskFigures& worst, const TaskFigures& other);
 
 /// The figures are those of the damper or the worst over its box.
 struct SuitePoint {
