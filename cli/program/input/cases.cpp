@@ -66,7 +66,8 @@ void require_one_load(const Settings& settings) {
   const Option* const stray = settings.first([&](const Option& option) {
     return (option.traits.load == Load::record && !load->names_records()) ||
            (option.shapes(Load::pulse) && load->name != "pulse") ||
-           (option.name == "arrivals" && load->names_records());
+           (option.name == "arrivals" && load->names_records()) ||
+           (option.name == "combine" && !load->names_records());
   });
   if (stray != nullptr) {
     throw UsageError(fmt::format("{} means nothing with {}", stray->name, load->name));
@@ -84,10 +85,10 @@ Settings completed(Settings own, const Settings& common) {
   for (const Option& option : options()) {
     const bool rival =
         option.traits.rivals != Rivals::none && own.given(option.traits.rivals) != nullptr;
-    const bool of_load =
-        is_load(option) || option.traits.load == Load::record || option.shapes(Load::pulse);
+    const bool of_record = option.traits.load == Load::record || option.name == "combine";
+    const bool of_load = is_load(option) || of_record || option.shapes(Load::pulse);
     if (rival || (of_records && option.names_records()) ||
-        (has_load && of_load && !(of_records && option.traits.load == Load::record)) ||
+        (has_load && of_load && !(of_records && of_record)) ||
         (of_records && option.name == "arrivals")) {
       rest.drop(option.name);
     }

@@ -119,6 +119,7 @@ std::optional<design::RecordDesignRequest> simulated_request(
       .objective = *parse<design::SuiteObjective>(name(asked.search.objective))};
   request.tolerance =
       tolerance_of(asked.limits, request.objective == design::SuiteObjective::robust);
+  request.requires_tolerance = asked.limits.tolerance > 0;
   request.threads = 1;
   request.printed = design::PrintedUnits();
   request.spring = {1 - problem.p / problem.stiffest_p(), 0};

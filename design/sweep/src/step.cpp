@@ -161,17 +161,17 @@ std::optional<Designed> designed(const design::Problem& problem,
 }
 
 /// Of a mass that is simulated. The largest tolerance is known only where it was searched.
-std::optional<Designed> designed(const design::RecordDesignRequest& request, double required,
+std::optional<Designed> designed(const design::RecordDesignRequest& request,
                                  const std::function<bool()>& go_on) {
   const auto result =
       design::design(request, [&](const design::RecordProgress& /*progress*/) { return go_on(); });
-  const double tolerance = result.largest_tolerance.value_or(absent);
-  if (!result.finding || tolerance < required) {
+  if (!result.finding) {
     return std::nullopt;
   }
   const design::SuiteDamper& damper = result.finding->point.damper;
-  return Designed{
-      {damper.f, damper.delta, tolerance}, {}, result.finding->responses.front().front()};
+  return Designed{{damper.f, damper.delta, result.largest_tolerance.value_or(absent)},
+                  {},
+                  result.finding->responses.front().front()};
 }
 
 }  // namespace
@@ -352,7 +352,7 @@ void SweepStep::run_design(SweepBlock& block) const {
                                           static_cast<std::int64_t>(block[trade_off][i]))
                    : point_of(request, spec_.parts);
     };
-    const auto found = simulated       ? designed(*simulated, spec_.limits.tolerance, go_on)
+    const auto found = simulated       ? designed(*simulated, go_on)
                        : request.pulse ? designed_for_pulse(request, spec_.parts)
                                        : designed(request.problem, damper(), options);
     block[feasible][i] = found ? 1 : 0;

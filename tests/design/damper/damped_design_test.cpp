@@ -52,6 +52,17 @@ RecordDesignRequest map_of(RecordDesignRequest request) {
   return request;
 }
 
+/// The best there is tolerates 44.2 %.
+BOOST_AUTO_TEST_CASE(a_tolerance_that_is_required_is_not_undercut) {
+  RecordDesignRequest request = under_hit({0.05, 0.05}, 1);
+  request.tolerance = {{0.6, 0.6}, {0.6, 0.6}, {}, {}};
+  request.requires_tolerance = true;
+  const RecordDesign found = design::design(request);
+  BOOST_TEST(!found.finding.has_value());
+  BOOST_TEST_REQUIRE(found.largest_tolerance.has_value());
+  BOOST_TEST(std::abs(*found.largest_tolerance - 0.442) <= of_searched_tolerance);
+}
+
 struct FirstReturnRow {
   double zeta, r, b;
 };

@@ -102,8 +102,8 @@ class TaskSearch {
 
   std::optional<ChosenBox> most_tolerant() {
     expect();
-    std::optional<LargestBox> best = largest(HUGE_VAL);
-    if (!best) {
+    const std::optional<LargestBox> best = largest(HUGE_VAL);
+    if (!best || (task_.requires_tolerance && best->scale < 1)) {
       const SuiteGoal goal{minimised(task_).value, task_.objective_case, limits_of(task_)};
       map_all();
       for (Mapped& here : maps_) {

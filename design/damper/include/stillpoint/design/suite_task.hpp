@@ -139,6 +139,7 @@ struct RecordDesignRequest {
   /// Every damper of this box must meet the limits. With the objective `robust`, the shape of the
   /// box that is enlarged.
   SuiteTolerance tolerance{};
+  bool requires_tolerance{false};    ///< with the objective `robust` the whole of it at least
   std::int64_t scan_points{10'000};  ///< of a scan at most, about, with two variables; in [1, 1e8]
   Threads threads{};
   /// If given, the variables of the design are rounded to the fewest digits in these units, at
