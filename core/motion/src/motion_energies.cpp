@@ -82,7 +82,6 @@ class EnergyWatcher final : public MotionWatcher {
     const auto from = motion.at(0.0);
     const auto to = motion.at(piece.length);
     const double middle = motion.at(piece.length / 2).y;
-    law_.reach(std::abs(middle));
     const double alone = law_.phi_alone(middle);
     const double slid = to.y - from.y;
     slid_.add(slid);

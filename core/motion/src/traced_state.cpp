@@ -71,7 +71,6 @@ std::vector<TracedState> traced(const Oscillator& oscillator, const Surface& sur
     const double w = loads.at(now.tau);
     const double pull = 0 - (w + p * u);
     const bool still = now.v == 0;
-    law.reach(std::abs(u));
     if (still) {
       law.rest();
     }
