@@ -126,7 +126,8 @@ void add_commands(py::module_& module) {
       "What simulate found: the fields of its report as attributes, and trajectory.")
       .def_property_readonly("trajectory", &Result::rows,
                              "a structured array of tau, x, v, w, absolute_acceleration and "
-                             "friction, with physical input also of t_s, x_m and so on, read-only; None if neither samples nor the end of "
+                             "friction, with physical input also of t_s, x_m and so on, read-only; "
+                             "None if neither samples nor the end of "
                              "a free motion was given");
   for (const Row& row : rows) {
     module.def(
