@@ -6,7 +6,7 @@ import { basename, join } from "node:path";
 import { load_engine } from "./load.mjs";
 
 const [module, page, scenes, out] = process.argv.slice(2);
-const largest_page = 640_000;
+const largest_page = 800_000;
 
 const read = (/** @type {string[]} */ ...path) => readFileSync(join(...path), "utf8");
 const files = (/** @type {string} */ folder, /** @type {string} */ ending) =>

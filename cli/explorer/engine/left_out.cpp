@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What the rooms call and a page never does: only sweeps have maps, and the engine of pulses would
-// be a tenth of all code here.
+// What the rooms call and a page never does: only sweeps have maps, fronts are not drawn, and the
+// engine of pulses would be a tenth of all code here.
 #include "options/settings.hpp"
 
 #include <stillpoint/design/catalogue.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/hits.hpp>
 #include <stillpoint/design/pulse.hpp>
+#include <stillpoint/design/record_design_result.hpp>
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/works_for.hpp>
 #include <stillpoint/figures/figure.hpp>
@@ -36,6 +37,10 @@ namespace stillpoint::report {
 void add_parts(figures::Figure& figure, const Catalogue& catalogue, const FigureUnits& units);
 void add_parts(figures::Figure& /*figure*/, const Catalogue& /*catalogue*/,
                const FigureUnits& /*units*/) {}
+figures::Figure front_figure(const design::RecordDesign& result, const FigureUnits& units);
+figures::Figure front_figure(const design::RecordDesign& /*result*/, const FigureUnits& /*units*/) {
+  return {};
+}
 
 }  // namespace stillpoint::report
 

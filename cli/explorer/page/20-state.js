@@ -11,8 +11,13 @@ const dimensionless_only = names_where(({ units }) => units === "dimensionless")
 /** What a design finds. */
 const damper_options = names_where(({ commands }) => !commands.includes("design"));
 
-/** What the program computes, but no region has: here it is taken, and refused by its name. */
-const without_closed_form = ["damping", "breakaway"];
+/** With these a damper is judged and its region found by simulation; the best one takes seconds. */
+const beyond_closed_forms = ["damping", "breakaway"];
+
+/** @param {Options} options */
+function is_simulated(options) {
+  return beyond_closed_forms.some((name) => name in options);
+}
 
 /** The others of a set from which only one may be given. @param {string} name */
 function rivals(name) {
@@ -69,6 +74,7 @@ function motion_options(options, report, damper) {
     p: input.p,
     velocity: physical?.velocity_m_per_s,
     period: physical?.period_s,
+    damping: input.damping,
   });
   for (const [name, text] of Object.entries(result)) {
     if (!text.includes(":")) continue;
@@ -173,7 +179,7 @@ function from_scene(scene) {
   const options = /** @type {Options} */ ({});
   for (const [key, value] of Object.entries(scene)) {
     const name = key.replaceAll("_", "-");
-    if (!known.includes(name) || without_closed_form.includes(name)) return null;
+    if (!known.includes(name)) return null;
     options[name] = Array.isArray(value) ? value.join(":") : String(value);
   }
   return "v0" in options || "velocity" in options ? options : null;

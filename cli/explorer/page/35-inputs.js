@@ -32,6 +32,9 @@ const two = { two: true };
 const absent = { absent_at_least: true };
 const arrivals = field("arrivals", "returns allowed", [1, 6], "", (of) => [of.input.arrivals]);
 
+/** In per cent, as it is given; no report of the undamped mass returns it. */
+const damping = field("damping", "damping", [0, 30], "%", () => [], absent);
+
 const physical_fields = [
   field("period", "natural period", [0.1, 10], "s", (of) => [of.physical?.period_s], log),
   field("mass", "mass", [1, 1e7], "kg", (of) => [of.physical?.mass_kg], log),
@@ -39,6 +42,7 @@ const physical_fields = [
   field("max-displacement", "stroke limit", [0.001, 1], "m", (of) => [limit_of(of)], stroke),
   arrivals,
   field("residual-m", "residual allowed", [0, 0.1], "m", (of) => [residual_of(of)], absent),
+  damping,
 ];
 
 const dimensionless_fields = [
@@ -47,6 +51,7 @@ const dimensionless_fields = [
   field("beta", "stroke limit β", [0.01, 10], "", (of) => [limit_of(of)], stroke),
   arrivals,
   field("residual", "residual allowed", [0, 1], "", (of) => [residual_of(of)], absent),
+  damping,
 ];
 
 /** The kinds of notch, each with its own slider. @type {Record<string, (physical: boolean) => Field | null>} */
@@ -59,6 +64,7 @@ const notch_fields = {
   "that lets go": () => field("hold", "hold of the notch", [0, 0.5], "g", () => []),
 };
 const notch_options = [...rivals("hold"), "hold"];
+const unreturned = [...notch_options, damping.name]; // by the report of the task
 const slider_steps = 1000;
 
 /** @param {Field} field @param {number} at of the slider, from 0 to 1 */

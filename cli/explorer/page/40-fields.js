@@ -153,7 +153,7 @@ class Fields {
     }
     text.placeholder = own ? "" : name === "mass" ? "none" : "0";
     const parsed =
-      values.length || !notch_options.includes(name) ? values : [this.number_of(options[name])];
+      values.length || !unreturned.includes(name) ? values : [this.number_of(options[name])];
     const [low, high] = [parsed[0], parsed[parsed.length - 1]];
     if (high !== null && high !== undefined && Number.isFinite(high)) {
       text.dataset.value = String(high);

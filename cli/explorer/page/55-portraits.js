@@ -73,11 +73,11 @@ function draw_phase({ t, x, v, limit }, units) {
 /**
  * @param {Series} series
  * @param {Motion} motion dimensionless
- * @param {{ p: number, f: number }} damper
+ * @param {{ p: number, f: number, zeta: number }} damper
  * @param {PlotUnits} units
  * @returns {(time: number) => void}
  */
-function draw_energy({ t, most }, motion, { p, f }, units) {
+function draw_energy({ t, most }, motion, { p, f, zeta }, units) {
   const count = t.length;
   const energy = (/** @type {number} */ i) => (motion.v[i] ** 2 + (p * motion.x[i]) ** 2) / 2;
   const all = energy(0);
@@ -130,7 +130,7 @@ function draw_energy({ t, most }, motion, { p, f }, units) {
       {},
       key("left", "kinetic and spring ", part(left[count])),
       key("friction", "constant friction ", part(took)),
-      key("notch", "notch ", part(notch)),
+      key("notch", zeta ? "notch and damping " : "notch ", part(notch)),
     ),
   );
   return (time) => now.setAttribute("transform", `translate(${plot.across(time)} 0)`);

@@ -34,8 +34,8 @@ class HitsView {
     const { physical } = report;
     this.unit = units_of(physical).velocity;
     this.hits = hits_of(report);
-    if (!this.hits.length) return;
-    this.most = this.hits[this.hits.length - 1].to;
+    const designed = velocities_of(report);
+    this.most = this.hits[this.hits.length - 1]?.to ?? 2 * designed[1]; // none of a simulated mass
     const percent = (/** @type {number} */ value) => `${(100 * value) / this.most}%`;
     const lane = el("lane");
     lane.replaceChildren(
@@ -48,7 +48,6 @@ class HitsView {
         return part;
       }),
     );
-    const designed = velocities_of(report);
     for (const hit of new Set(designed)) {
       const mark = make("div", { class: "designed" });
       mark.style.left = percent(hit);

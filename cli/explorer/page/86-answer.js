@@ -5,6 +5,7 @@
 /**
  * @typedef {object} Answered
  * @property {any} design report of the task's best damper
+ * @property {any} region report of that of a mass which is simulated; else null
  * @property {any} judged report of the damper that is shown
  * @property {any} motion its motion
  * @property {{ f: number, delta: number } | null} damper
@@ -14,9 +15,10 @@
  */
 
 class AnswerView {
-  /** @param {(options: Options) => void} go */
-  constructor(go) {
+  /** @param {(options: Options) => void} go @param {() => void} search of a mass that is simulated */
+  constructor(go, search) {
     this.go = go;
+    this.search = search;
   }
 
   /** @param {Answered} shown */
@@ -69,13 +71,21 @@ class AnswerView {
   }
 
   /** In the program's words. @param {Answered} shown */
-  show_verdict({ design, judged, damper, options }) {
-    const report = damper ? judged : design;
+  show_verdict({ design, region, judged, damper, options }) {
+    const report = damper ? judged : (region ?? design);
     const alarms = alarms_of(report);
-    fill(el("verdict"), report.verdict, ...(damper ? [] : this.mends(design, options)));
+    const more = region ? this.best() : damper ? [] : this.mends(design, options);
+    fill(el("verdict"), report.verdict, ...more);
     el("verdict").classList.toggle("broken", alarms);
     el("remarks").classList.toggle("broken", alarms);
     write(el("remarks"), remarks_of(report));
+  }
+
+  /** @returns {Part[]} */
+  best() {
+    const button = make("button", { type: "button" }, "Search the best damper (some seconds)");
+    button.addEventListener("click", () => this.search());
+    return [" ", button];
   }
 
   /** What would make it feasible, each to be applied. @param {any} design @param {Options} options @returns {Part[]} */

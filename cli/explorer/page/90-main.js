@@ -31,12 +31,18 @@ class Bench {
     /** @type {string[]} */
     this.unknown = [];
     /** @type {any} */ this.design = null;
+    /** @type {any} */ this.region_found = null; // of a mass that is simulated
+    /** @type {Figure | undefined} */ this.region_drawn = undefined; // the same
+    this.waits = false; // a mass that is simulated: while a slider moves only its motion follows
     /** @type {any} */ this.judged = null;
     /** @type {any} */ this.motion = null;
     /** @type {{ f: number, delta: number } | null} */ this.damper = null;
     this.tolerance = /** @type {number | null} */ (null);
     this.admissible = false;
-    this.answer = new AnswerView((options) => this.go(options));
+    this.answer = new AnswerView(
+      (options) => this.go(options),
+      () => this.search(),
+    );
     this.fields = new Fields((change, done, source) => this.edit(change, done, source ?? ""));
     this.region = new RegionView((f, delta, done, source) => this.move(f, delta, done, source));
     this.motion_view = new MotionView();
@@ -90,6 +96,7 @@ class Bench {
     this.unknown = unknown;
     this.hit = null;
     this.opened = true;
+    this.source = "";
     this.options = Object.keys(options).length ? options : (from_scene(scenes.isolator) ?? {});
     this.frames.ask(Level.task);
   }
@@ -183,6 +190,7 @@ class Bench {
     input("dimensionless").disabled = message !== null; // its numbers are not known
     const set = damper_options.some((name) => name in this.options);
     /** @type {HTMLButtonElement} */ (el("release")).disabled = !set;
+    write(el("release"), `Back to ${this.region_found ? "the middle" : "the best damper"}`);
     if (level === Level.task || message) {
       this.fields.show(this.options, message ? null : this.design);
       this.frames.put_off("preset", () => this.show_preset());
@@ -200,15 +208,31 @@ class Bench {
   ask(level) {
     const { engine, options } = this;
     if (level === Level.task) {
-      const design = engine.run("design", options_of("design", options));
+      const plain = without(options, beyond_closed_forms);
+      const design = engine.run("design", options_of("design", plain));
       if ("error" in design) return design.error;
       this.keep_damper(design.report);
       this.design = design.report;
       this.doubts = design.doubts;
+      this.waits =
+        this.region_found !== null &&
+        is_simulated(options) &&
+        this.source.startsWith("slide") &&
+        !this.finished;
+      if (!this.waits) this.region_found = null;
+      if (is_simulated(options) && !this.waits) {
+        const region = engine.run("region", this.task(), { figures: ["region"] });
+        if ("error" in region) return region.error;
+        this.region_found = region.report;
+        this.region_drawn = region.figures[0];
+      }
     }
-    if (level >= Level.damper) {
+    if (level >= Level.damper && !(level === Level.task && this.waits)) {
       this.judged = this.design;
-      if (damper_options.some((name) => name in this.options)) {
+      if (this.region_found) {
+        const error = this.judge_simulated();
+        if (error) return error;
+      } else if (damper_options.some((name) => name in this.options)) {
         const judged = engine.run("region", options_of("region", this.options));
         if ("error" in judged) return judged.error;
         if (has_damper(this.options)) this.judged = judged.report;
@@ -224,6 +248,57 @@ class Bench {
     if ("error" in motion) return motion.error;
     this.motion = motion.report;
     return null;
+  }
+
+  /** The task without a damper. */
+  task() {
+    return without(options_of("region", this.options), damper_options);
+  }
+
+  /** The damper that is set, or one from the middle of the region; returns what is wrong with it. */
+  judge_simulated() {
+    const { feasible } = this.region_found;
+    const middle = feasible?.[feasible.length >> 1];
+    this.judged = this.region_found;
+    if (!middle && !has_damper(this.options)) return null;
+    const damper = has_damper(this.options)
+      ? options_of("region", this.options)
+      : {
+          ...this.task(),
+          f: digits(middle.f),
+          delta: digits((middle.delta[0] + middle.delta[1]) / 2),
+        };
+    const judged = this.engine.run("region", damper);
+    if ("error" in judged) return judged.error;
+    const { report } = judged;
+    const { input, physical } = this.design;
+    const { v0, p, v0_range, p_range } = input;
+    this.judged = {
+      ...report,
+      input: { ...report.input, v0, p, v0_range, p_range },
+      physical: physical && {
+        ...physical,
+        delta_m: report.design?.delta_m,
+        friction_force_n: null,
+      },
+    };
+    return null;
+  }
+
+  /** The best damper of a mass that is simulated. */
+  search() {
+    fill(el("verdict"), "Searching.");
+    setTimeout(() => {
+      const found = this.engine.run(
+        "design",
+        options_of("design", without(this.options, damper_options)),
+      );
+      if ("error" in found) return fill(el("verdict"), found.error);
+      const { design, verdict } = found.report;
+      if (!design) return fill(el("verdict"), verdict);
+      const damper = { f: String(design.f), delta: String(design.delta) };
+      this.go({ ...without(this.options, damper_options), ...damper });
+    }, 50); // the word is seen first
   }
 
   /** A damper that is already built keeps its length when the unit of length changes with the task. @param {any} next */
@@ -256,15 +331,15 @@ class Bench {
   /** @param {number} level */
   show(level) {
     const chosen = this.judged !== this.design;
-    if (level === Level.task) {
-      const task = without(options_of("region", this.options), damper_options);
+    if (level === Level.task && !this.waits) {
+      const task = this.task();
       const { design } = this;
       this.frames.put_off("region", () => this.draw_region(task, design), region_wait);
       this.frames.put_off("end", () => this.fields.show_end(this.least_stroke()));
     }
     document.body.classList.toggle("nothing", !this.damper);
     if (level >= Level.damper) {
-      this.answer.show({ ...this, chosen });
+      this.answer.show({ ...this, region: this.region_found, chosen });
     }
     if (!this.damper || !this.motion) return this.show_nothing();
     if (level >= Level.damper) {
@@ -280,7 +355,9 @@ class Bench {
 
   /** The region of a task, and the damper in it. @param {Options} task @param {any} design */
   draw_region(task, design) {
-    const region = this.engine.run("region", task, { figures: ["region"], report: false });
+    const region = this.region_found
+      ? { figures: this.region_drawn ? [this.region_drawn] : [] }
+      : this.engine.run("region", task, { figures: ["region"], report: false });
     if ("error" in region) return fill(el("region"), region.error);
     this.region.draw(region.figures[0], design);
     this.show_damper();
@@ -310,6 +387,7 @@ class Bench {
 
   /** The stroke below which no damper works, for a task with a far smaller one. */
   least_stroke() {
+    if (this.region_found) return null;
     const { physical: units, region: bounds } = this.design;
     const [name, small] = units
       ? ["max-displacement", 0.2 * units.max_displacement_min_m]
@@ -366,11 +444,14 @@ class Bench {
 
   commands() {
     const design = without(this.options, damper_options);
-    if (!has_damper(this.options))
-      return command_line("design", options_of("design", design)) + "\n";
-    const judged = command_line("region", options_of("region", this.options));
-    const run =
-      this.damper && motion_options(this.options, this.judged, { ...this.damper, hit: null });
+    const { damper } = this;
+    const given =
+      this.region_found && damper && !has_damper(this.options)
+        ? { ...design, f: String(damper.f), delta: String(damper.delta) }
+        : this.options;
+    if (!has_damper(given)) return command_line("design", options_of("design", design)) + "\n";
+    const judged = command_line("region", options_of("region", given));
+    const run = damper && motion_options(given, this.judged, { ...damper, hit: null });
     return `${judged}\n${run ? command_line("simulate", run) : ""}\n`;
   }
 

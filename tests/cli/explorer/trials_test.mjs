@@ -230,6 +230,24 @@ test("what the program says of the damper, the page says too", () =>
     }
   }));
 
+test("of a damped mass the region and its damper are shown, and the best is searched if asked", () =>
+  with_page(`${isolator}&damping=5%`, {}, async (page) => {
+    const said = async () =>
+      (await words(page, "#verdict")).replace(/ Search the best damper .*$/, "").trim();
+    assert.equal(await notice(page), "");
+    assert.match(await said(), /^The damper is admissible: /);
+    assert.equal(await page.inputValue("#in-damping"), "5%");
+    await page.click("#verdict button");
+    await page.waitForFunction(() => location.hash.includes("delta="), null, { timeout: 60e3 });
+    await settle(page);
+    const state = await page.evaluate(() => decodeURIComponent(location.hash.slice(1)));
+    const best = bench.told("design", `${isolator}&damping=5%`);
+    const text = bench.told("region", state);
+    assert.ok(text.includes(await said()), `${await said()} in ${text}`);
+    const f = state.match(/&f=([\d.]+)/)?.[1] ?? "none";
+    assert.ok(best.includes(f), `f = ${f} in ${best}`);
+  }));
+
 test("a record may have any name, and doubts of its units are told", () =>
   with_page(isolator, {}, async (page) => {
     const values = (/** @type {number} */ peak) =>
