@@ -19,14 +19,24 @@ using enum Dimension;
 
 constexpr std::string_view percent = "%";
 
+constexpr double pound = 0.45359237;  // in kg, an inch in cm and a pound-force in N: exact
+constexpr double inch = 2.54;
+constexpr double foot = 12 * inch;
+constexpr double pound_force = pound * standard_gravity_m_per_s2;
+constexpr double in_g = 1 / standard_gravity_m_per_s2;
+
 constexpr std::array unit_table{
     // name, dimension, power of ten; the SI unit of each dimension first
     Unit{"m", length, 0},
     Unit{"cm", length, -2},
     Unit{"mm", length, -3},
+    Unit{"in", length, -2, inch},
+    Unit{"ft", length, -2, foot},
     Unit{"m/s", velocity, 0},
     Unit{"cm/s", velocity, -2},
     Unit{"mm/s", velocity, -3},
+    Unit{"in/s", velocity, -2, inch},
+    Unit{"ft/s", velocity, -2, foot},
     Unit{"s", time, 0},
     Unit{"ms", time, -3},
     Unit{"Hz", frequency, 0},
@@ -35,18 +45,30 @@ constexpr std::array unit_table{
     Unit{"kg", mass, 0},
     Unit{"g", mass, -3},
     Unit{"t", mass, 3},
+    Unit{"lb", mass, 0, pound},
+    Unit{"kip", mass, 3, pound},  // of weight
     Unit{"N/m", stiffness, 0},
     Unit{"kN/m", stiffness, 3},
     Unit{"MN/m", stiffness, 6},
     Unit{"N/mm", stiffness, 3},
     Unit{"kN/mm", stiffness, 6},
+    Unit{"lbf/in", stiffness, 2, pound_force / inch},
+    Unit{"kip/in", stiffness, 5, pound_force / inch},
     Unit{"m/s2", acceleration, 0},
     Unit{"cm/s2", acceleration, -2},
     Unit{"mm/s2", acceleration, -3},
+    Unit{"gal", acceleration, -2},
+    Unit{"in/s2", acceleration, -2, inch},
     Unit{"g", gravities, 0},
+    Unit{"m/s2", gravities, 0, in_g},
+    Unit{"cm/s2", gravities, -2, in_g},
+    Unit{"gal", gravities, -2, in_g},
+    Unit{"in/s2", gravities, -2, inch* in_g},
     Unit{"N", force, 0},
     Unit{"kN", force, 3},
     Unit{"MN", force, 6},
+    Unit{"lbf", force, 0, pound_force},
+    Unit{"kip", force, 3, pound_force},
     Unit{percent, share, -2},
 };
 
@@ -134,7 +156,7 @@ double parse_value(std::string_view field, Dimension dimension, std::string_view
     throw InputError(std::string(field), std::string(text),
                      "must have a magnitude that a double can hold, 2.2e-308 to 1.8e308");
   }
-  return scanned.value;
+  return scanned.value * unit->times;
 }
 
 void require_physical(std::string_view field, Dimension dimension, double value, double least) {

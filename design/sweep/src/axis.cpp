@@ -172,7 +172,7 @@ Interval parse_range(std::string_view field, std::string_view text, const Number
   const Interval range{number(ends[0]), number(ends[1])};
   if (!(range.low <= range.high && range.low >= 0)) {
     throw InputError(std::string(field), std::string(text),
-                     "must be a range LOW:HIGH with 0 <= LOW <= HIGH");
+                     "must be a range LOW:HIGH with 0 <= LOW <= HIGH, each with its unit, if any");
   }
   return range;
 }

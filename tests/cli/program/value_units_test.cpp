@@ -34,7 +34,7 @@ BOOST_AUTO_TEST_CASE(scales_decimal_digits_not_doubles) {
                                               : fmt::format("{}", digits);
         const int power = unit.power_of_ten + (how == 3 ? 0 : e);
         const std::string plain = fmt::format("{}e{}", digits, power);
-        const double expected = std::strtod(plain.c_str(), nullptr);
+        const double expected = std::strtod(plain.c_str(), nullptr) * unit.times;
         BOOST_TEST(cli::parse_value(option, number + std::string(unit.name)) == expected,
                    option.name << " " << number << unit.name << ", seed " << seed);
         BOOST_TEST(cli::parse_value(option, number + " " + std::string(unit.name)) == expected);
@@ -44,14 +44,36 @@ BOOST_AUTO_TEST_CASE(scales_decimal_digits_not_doubles) {
   BOOST_TEST(tried > 3000);
 }
 
+// By definition: an inch is 25.4 mm, a pound 0.45359237 kg, and weighs that times 9.80665 m/s2.
+BOOST_AUTO_TEST_CASE(of_inches_and_pounds_are_exact) {
+  const auto value = [](const char* option, const char* text) {
+    return cli::parse_value(*cli::find_option(option), text);
+  };
+  BOOST_TEST(near(value("max-displacement", "10in"), 0.254, conversion_tolerance));
+  BOOST_TEST(near(value("max-displacement", "0.5ft"), 0.1524, conversion_tolerance));
+  BOOST_TEST(
+      near(value("velocity", "1ft/s"), 12 * value("velocity", "1in/s"), conversion_tolerance));
+  BOOST_TEST(near(value("mass", "1000lb"), 453.59237, conversion_tolerance));
+  BOOST_TEST(near(value("mass", "1kip"), 453.59237, conversion_tolerance));
+  BOOST_TEST(near(value("friction-force", "1kip"), 4448.2216152605, conversion_tolerance));
+  BOOST_TEST(near(value("f-max", "1000lbf"), value("f-max", "1kip"), conversion_tolerance));
+  BOOST_TEST(near(value("stiffness", "1kip/in"), 4448.2216152605 / 0.0254, conversion_tolerance));
+  BOOST_TEST(
+      near(value("stiffness", "1000lbf/in"), value("stiffness", "1kip/in"), conversion_tolerance));
+  BOOST_TEST(near(value("gravity", "980.665gal"), 9.80665, conversion_tolerance));
+  BOOST_TEST(near(value("k", "294.1995m/s2"), 30, conversion_tolerance));
+  BOOST_TEST(near(value("hold", "98.0665gal"), 0.1, conversion_tolerance));
+  BOOST_TEST(near(value("acceleration-max", "9.80665in/s2"), 0.0254, conversion_tolerance));
+}
+
 BOOST_FIXTURE_TEST_CASE(trajectories_end_at_the_given_second, Sandbox) {
   const ProgramRun answer = succeed(
       "simulate --velocity 0.4 --period 2.8 --f 0.02 --delta-m 1mm --trajectory - --end-time "
       "1s --samples 11");
-  BOOST_TEST(answer.out.starts_with("tau,x,v,t_s,x_m,v_m_per_s\n"));
+  BOOST_TEST(answer.out.starts_with("tau,x,v,w,absolute_acceleration,friction,t_s,x_m,"));
   const std::size_t last = answer.out.rfind('\n', answer.out.size() - 2) + 1;
   std::string line = answer.out.substr(last);
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 6; ++i) {
     line.erase(0, line.find(',') + 1);
   }
   BOOST_TEST(near(std::stod(line), 1, conversion_tolerance), line);

@@ -12,20 +12,21 @@ namespace stillpoint::records {
 
 using stillpoint::Dimension;
 
-/// A unit is a power of ten of the SI unit of its dimension.
+/// A unit is a power of ten of the SI unit of its dimension, or of what that is multiplied by.
 struct Unit {
   std::string_view name;
   Dimension dimension;
   int power_of_ten;
+  double times{1};
 };
+
+/// One g where nothing else is given, that of the SI.
+inline constexpr double standard_gravity_m_per_s2 = 9.80665;
 
 /// Bounds of the positive values of anything that is built or recorded, in SI units and in g, with
 /// room to spare. The dimensionless values that follow from them are valid as well.
 inline constexpr double smallest_physical = 1e-30;
 inline constexpr double largest_physical = 1e30;
-
-/// One g where nothing else is given, that of the SI.
-inline constexpr double standard_gravity_m_per_s2 = 9.80665;
 
 /// The units of a dimension, the SI unit first; for gravities, g. None for a plain number.
 [[nodiscard]] std::vector<Unit> units_of(Dimension dimension);
