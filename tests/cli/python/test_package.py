@@ -6,6 +6,7 @@ import inspect
 import re
 import subprocess
 import sys
+import zipfile
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -81,3 +82,16 @@ def test_page_shows_what_happens(monkeypatch):
                 assert repr(eval(code, names)) == said, code
             else:
                 exec(code, names)
+
+
+def test_wheel_holds_the_package(tmp_path):
+    subprocess.run(["cmake", f"-DPACKAGE={FOLDER}", f"-DOUTPUT={tmp_path / 'wheel'}", "-DVERSION=1.2", "-DTAG=a-b-c",
+                    f"-DLICENSE={ROOT / 'LICENSE'}", "-P", ROOT / "cli" / "python" / "wheel.cmake"],
+                   check=True, capture_output=True)
+    with zipfile.ZipFile(tmp_path / "wheel" / "stillpoint-1.2-a-b-c.whl") as wheel:
+        record = wheel.read("stillpoint-1.2.dist-info/RECORD").decode().split(",,\n")[:-1]
+        assert sorted(record) == sorted(wheel.namelist())
+        wheel.extractall(tmp_path / "site")
+    path = subprocess.run([sys.executable, "-c", "import stillpoint; print(stillpoint.__file__)"], check=True,
+                          capture_output=True, text=True, env={"PYTHONPATH": str(tmp_path / "site")}).stdout
+    assert path.startswith(str(tmp_path))
