@@ -224,7 +224,7 @@ inline ForcedScene<> random_damped_scene(Dice& dice) {
   ForcedScene<> scene = dice.once_in(2) ? random_forced_scene(dice) : random_notched_scene(dice);
   const unsigned kind = dice.below(4);
   if (kind > 0) {
-    scene.zeta = dice.once_in(4) ? 1 - dice.power_of_ten(-3, -0.3) : dice.power_of_ten(-10, -0.3);
+    scene.zeta = dice.once_in(4) ? 1 - dice.power_of_ten(-2, -0.3) : dice.power_of_ten(-10, -0.3);
   }
   if (kind < 2) {
     scene.breakaway = 1 + dice.power_of_ten(-2, 0.5);

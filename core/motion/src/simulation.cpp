@@ -38,11 +38,15 @@ std::vector<TracedState> traced(const SimulationRequest& request, const Path& pa
                             path.sampled(*request.samples));
 }
 
-Simulation free_simulation(const SimulationRequest& request) {
+FreeOptions options_of(const SimulationRequest& request) {
   FreeOptions options;
   options.half_cycle_limit = request.half_cycle_limit.value_or(options.half_cycle_limit);
+  return options;
+}
+
+Simulation free_simulation(const SimulationRequest& request) {
   Simulation result;
-  result.response = free_response(request.oscillator, request.start, options);
+  result.response = free_response(request.oscillator, request.start, options_of(request));
   result.energies = energies_of(request);
   result.half_cycles =
       first_half_cycles(request.oscillator, request.start, request.max_half_cycles);
@@ -145,6 +149,9 @@ Simulation simulate(const SimulationRequest& request, const std::function<bool(d
   if (!is_forced(request)) {
     result.forced.reset();
     result.horizon.reset();
+    if (request.surface.plain() && !result.cancelled) {  // the bits of a batch
+      result.response = free_response(request.oscillator, request.start, options_of(request));
+    }
   }
   return result;
 }

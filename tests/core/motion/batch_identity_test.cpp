@@ -219,7 +219,7 @@ void is_identical_damped(const Batch& batch, double breakaway, const Threads& th
     double& zeta = options.zeta[i];
     zeta = dice.once_in(20)  ? 0
            : dice.once_in(3) ? dice.power_of_ten(-12, -1)
-                             : dice.below(999) / 1e3;
+                             : dice.below(991) / 1e3;
     const Scene<> scene = batch.scene(i);
     const Oscillator oscillator{scene.p, scene.f, scene.delta, std::nullopt, zeta, breakaway};
     alone.push_back(free_response(oscillator, {0, scene.v0}, {.margin = false}));

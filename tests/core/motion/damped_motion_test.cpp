@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(the_map_is_the_motion_piece_by_piece) {
   int compared = 0;
   for (int i = 0; i < scenes; ++i) {
     const double zeta = dice.once_in(3)   ? dice.power_of_ten(-12, -1)
-                        : dice.once_in(2) ? 1 - dice.power_of_ten(-3, -0.1)
+                        : dice.once_in(2) ? 1 - dice.power_of_ten(-2, -0.1)
                                           : dice.uniform(0.01, 0.99);
     const double v = dice.power_of_ten(-2, 2);
     const double p = dice.power_of_ten(-2, 2);

@@ -52,8 +52,9 @@ inline constexpr double smallest_friction_speed = 1e-307;
 inline constexpr double smallest_peak_speed = 1e-300;
 /// The largest delta and |x0|; the first is compared with squares of speeds.
 inline constexpr double largest_square = 1e300;
-/// The largest damping: beyond it a motion hardly swings, and its formulas lose digits.
-inline constexpr double largest_zeta = 0.999;
+/// The largest damping: beyond it the mass returns with less than 1e-10 of its speed, which
+/// rounding may turn into another return.
+inline constexpr double largest_zeta = 0.99;
 /// The largest static over sliding friction.
 inline constexpr double largest_breakaway = 1e6;
 
@@ -78,7 +79,7 @@ void require_friction(const std::string& field, double f, double p);
 
 /// Throws InputError, naming the field, unless
 ///   p in [1e-150, 1e150]; f is 0 or f / p in [1e-307, 1e150]; 0 <= delta <= 1e300; hold is
-///   empty, 0, or hold / p in [1e-307, 1e150]; zeta in [0, 0.999]; breakaway in [1, 1e6].
+///   empty, 0, or hold / p in [1e-307, 1e150]; zeta in [0, 0.99]; breakaway in [1, 1e6].
 void require_valid(const Oscillator& oscillator);
 
 /// Throws InputError, naming the field, unless the oscillator is valid, v0 and p * x0 are 0 or have
