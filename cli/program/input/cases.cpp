@@ -101,8 +101,9 @@ Settings completed(Settings own, const Settings& common) {
 /// The length of a pulse is one in a case: which one is worst only its closed forms know.
 void refuse_range(const Settings& settings, const Option& option) {
   if (const auto range = settings.range(option.name)) {
-    throw InputError(std::string(option.name), fmt::format("{}:{}", range->low, range->high),
-                     "must be one number in a case; give a case for each");
+    throw InputError(
+        std::string(option.name), fmt::format("{}:{}", range->low, range->high),
+        "must be one number where motions are simulated; give a case for each in --cases");
   }
 }
 

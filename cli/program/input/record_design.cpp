@@ -231,9 +231,9 @@ report::RecordDesignInput record_design_input(const Settings& given, Command com
   request.trade_offs = settings.integer("trade-off").value_or(0);
   add_given(request, settings, start, command);
   request.tolerance = tolerances(settings, request);
-  request.requires_tolerance =
-      std::ranges::none_of(request.cases, &design::LoadCase::of_records) &&
-      (settings.has("tolerance") || settings.has("tolerance-f") || settings.has("tolerance-delta"));
+  request.requires_tolerance = settings.first([](const Option& option) {
+    return option.name.starts_with("tolerance");
+  }) != nullptr;
   input.parts_file = settings.text("catalogue").value_or("");
   input.of_region = command == Command::region;
   request.scan_points = settings.integer("scan-points").value_or(request.scan_points);

@@ -99,6 +99,7 @@ std::string broken(std::span<const design::Constraint> constraints, const Physic
         now.name == "start"
             ? format("the {} does not start the mass", what == "f" ? "pulse" : "hit")
         : amount.empty()             ? std::string("it never comes to rest")
+        : now.name == "dead_zone"    ? std::string("friction could hold the mass beyond its stroke")
         : now.name == "stop"         ? std::string("it passes x = 0 too often")
         : now.name.ends_with("_max") ? format("{} may be {}", what, amount)
                                      : format("the {} is {}", figure_words(now.name), amount);
@@ -112,7 +113,7 @@ std::string broken(std::span<const design::Constraint> constraints, const Physic
   for (std::size_t i = 0; i < told; ++i) {
     text += (i == 0 ? "" : told == all.size() ? " and " : ", ") + all[i];
   }
-  return text + (told < all.size() ? format(" and {} more", all.size() - told) : "");
+  return text + (told < all.size() ? format(", and {} more", all.size() - told) : "");
 }
 
 void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& task) {

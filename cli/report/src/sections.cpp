@@ -72,17 +72,22 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
   if (!served) {
     return;
   }
+  const auto more = [](const design::ServedInterval& interval) {
+    return interval.ends_search ? " at least" : "";
+  };
   const auto works = physical ? physical_works_for(physical->scales, *served)
                               : design::PhysicalWorksFor{served->hit, served->p};
   using enum design::ServedLoad;
-  section.row("works for",
-              served->load == k ? format("k of {} g", interval_text(served->hit))
-              : served->load == scale
-                  ? format("{} times the loads", interval_text(served->hit))
-                  : format("{} of {}{}", physical ? "hits" : "v0",
-                           interval_text(works.velocity_m_per_s), physical ? " m/s" : ""));
-  section.row("", format("{} of {}{}, each with the other as given", physical ? "periods" : "p",
-                         interval_text(works.period_s), physical ? " s" : ""));
+  section.row(
+      "works for",
+      served->load == k ? format("k of {} g{}", interval_text(served->hit), more(served->hit))
+      : served->load == scale
+          ? format("{} times the loads{}", interval_text(served->hit), more(served->hit))
+          : format("{} of {}{}{}", physical ? "hits" : "v0", interval_text(works.velocity_m_per_s),
+                   physical ? " m/s" : "", more(served->hit)));
+  section.row("", format("{} of {}{}{}, {}the other as given", physical ? "periods" : "p",
+                         interval_text(works.period_s), physical ? " s" : "", more(served->p),
+                         served->p.ends_search ? "" : "each with "));
 }
 
 void add_check(Section& answer, const design::CrossCheck& check) {

@@ -142,9 +142,10 @@ PhysicalWorksFor physical_works_for(const Scales& scales, const WorksFor& served
   const double period = 2 * std::numbers::pi * scales.time_s;
   PhysicalWorksFor physical;
   physical.velocity_m_per_s = {served.hit.low * velocity * (1 + conversion_safety),
-                               *served.hit.high * velocity * (1 - conversion_safety)};
+                               *served.hit.high * velocity * (1 - conversion_safety),
+                               served.hit.ends_search};
   physical.period_s = {served.p.high ? period / *served.p.high * (1 + conversion_safety) : 0,
-                       period / served.p.low * (1 - conversion_safety)};
+                       period / served.p.low * (1 - conversion_safety), served.p.ends_search};
   for (ServedInterval* const interval : {&physical.velocity_m_per_s, &physical.period_s}) {
     interval->low = std::min(interval->low, *interval->high);  // of a single value
   }

@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(shipped_with_the_project_all_work) {
         BOOST_TEST(motion.json()["input"]["excitation"].is_object() == text.contains("pulse"));
       }
       const ProgramRun region = run({"region", entry.path().string(), "--json"});
-      BOOST_TEST(region.exit_code == (!closed_forms ? 2 : infeasible ? 3 : 0));
+      BOOST_TEST(region.exit_code == (infeasible ? 3 : 0));
     }
   }
   BOOST_TEST(scenes >= 6);

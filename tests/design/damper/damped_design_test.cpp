@@ -56,6 +56,7 @@ RecordDesignRequest map_of(RecordDesignRequest request) {
 BOOST_AUTO_TEST_CASE(a_tolerance_that_is_required_is_not_undercut) {
   RecordDesignRequest request = under_hit({0.05, 0.05}, 1);
   request.tolerance = {{0.6, 0.6}, {0.6, 0.6}, {}, {}};
+  BOOST_TEST(design::design(request).finding.has_value());
   request.requires_tolerance = true;
   const RecordDesign found = design::design(request);
   BOOST_TEST(!found.finding.has_value());
@@ -365,6 +366,36 @@ BOOST_AUTO_TEST_CASE(a_pulse_must_overcome_the_friction_that_holds) {
   BOOST_TEST(!judged.constraints.back().satisfied);
 }
 
+// More friction would hold the mass anywhere within its stroke: a brake.
+BOOST_AUTO_TEST_CASE(a_residual_asks_for_no_brake) {
+  RecordDesignRequest request = under_hit({1e-9, 1e-9}, 0.9);
+  request.cases.front().limits.residual = 0.05;
+  request.cases.front().limits.passages = std::nullopt;
+  const RecordDesign found = design::design(request);
+  BOOST_REQUIRE(found.finding.has_value());
+  const DesignResult closed = design::design(
+      {.problem = {.v0 = 1, .p = 1, .beta = 0.9, .criterion = Criterion::exact, .residual = 0.05}});
+  BOOST_TEST(std::abs(*found.largest_tolerance - closed.finding->point.tolerance) <=
+             of_searched_tolerance);
+  BOOST_TEST(found.finding->box.f.high < 0.9);
+  const RecordDesign brake = design::design(judge(request, 20, 0.001));
+  BOOST_TEST(!brake.finding->admissible);
+  const auto held =
+      std::ranges::find(brake.constraints, std::string_view("dead_zone"), &Constraint::name);
+  BOOST_REQUIRE((held != brake.constraints.end()));
+  BOOST_TEST(!held->satisfied);
+}
+
+BOOST_AUTO_TEST_CASE(what_would_help_needs_no_tolerance) {
+  constexpr double least = .68495266613546249;  // first_returns
+  const RecordDesign none = design::design(under_hit({0.05, 0.05}, 0.68));
+  BOOST_REQUIRE(!none.finding);
+  const auto beta = std::ranges::find(none.mends, std::string_view("beta"), &Mend::field);
+  BOOST_REQUIRE((beta != none.mends.end()));
+  BOOST_TEST(beta->value >= least);
+  BOOST_TEST(beta->value <= 1.004 * least);  // 2e-3 above the best that was found
+}
+
 BOOST_AUTO_TEST_CASE(wrong_damping_is_refused) {
   const auto refused = [](const std::string& field, const auto& spoil) {
     RecordDesignRequest request = under_hit({0, 0}, 1);
@@ -374,6 +405,7 @@ BOOST_AUTO_TEST_CASE(wrong_damping_is_refused) {
   refused("damping", [](auto& request) { request.zeta = {-0.1, 0.1}; });
   refused("damping", [](auto& request) { request.zeta = {0.1, 0.05}; });
   refused("damping", [](auto& request) { request.zeta = {0.1, 1}; });
+  refused("damping", [](auto& request) { request.zeta = {0.1, 0.95}; });  // it would creep
   refused("breakaway", [](auto& request) { request.breakaway = 0.9; });
 }
 

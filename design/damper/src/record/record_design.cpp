@@ -177,10 +177,10 @@ std::optional<Governing> governing(const RecordDesign& result, std::size_t in_ca
   std::optional<Governing> least;
   for (const Constraint& now : result.constraints) {
     const double left = now.limit > 0 ? now.slack / now.limit : now.slack;
-    if (now.in_case == result.request.cases[in_case].name && (now.limit > 0 || left < 0) &&
-        (!least || left < least->part_left)) {
-      const auto* const kind =
-          std::ranges::find(suite_figure_kinds, now.name, &SuiteFigureKind::constraint);
+    const auto* const kind =
+        std::ranges::find(suite_figure_kinds, now.name, &SuiteFigureKind::constraint);
+    if (kind != suite_figure_kinds.end() && now.in_case == result.request.cases[in_case].name &&
+        (now.limit > 0 || left < 0) && (!least || left < least->part_left)) {
       least.emplace(Governing{now, left,
                               result.finding->box.of[in_case].at(
                                   static_cast<std::size_t>(kind - suite_figure_kinds.begin()))});

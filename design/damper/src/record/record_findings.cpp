@@ -89,6 +89,17 @@ void add_motions(std::vector<Finding>& all, const RecordDesign& result, std::siz
       lock.add("pulses", static_cast<double>(count));
     }
   }
+  const SuiteDamper& damper = result.nearest.damper;
+  if (load_case.pulse && damper.delta > 0 && damper.width == 0 && moves) {
+    const double width = least_width(result.request.breakaway * damper.f, damper.delta,
+                                     load_case.weakest * peak_load(*load_case.pulse));
+    const double peak = responses.front().peak_amplitude;
+    if (load_case.weakest > 0 && width >= 2 * peak) {
+      all.push_back(no_notch(width, peak));
+    } else {
+      add(all, acts_late, load_case);
+    }
+  }
   if (const double jump = result.finding->box.worst[in_case].jump; jump > 0) {
     add(all, jolts, load_case).add("jump", jump, Dimension::velocity);
   }
@@ -198,7 +209,7 @@ std::vector<Finding> findings_of(const RecordDesign& result, const RecordDesignR
   if (printed && printed->time && damper.f > 1) {  // without units f has no weight
     all.emplace_back(friction_above_weight).add("f", damper.f);
   }
-  if (found.box.samples == 1) {
+  if (found.box.samples == 1 && !result.largest_tolerance) {
     all.emplace_back(exact_only);
   }
   if (!asked.judges) {

@@ -2,8 +2,10 @@
 #include "record/suite_judge.hpp"
 
 #include "ranking.hpp"
+#include "record/suite_request.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -79,6 +81,8 @@ std::vector<Constraint> constraints_on(const RecordDesignRequest& task, const Su
   };
   const auto& [f, delta, width, period] = task.tolerance;
   add("start", "f", damper.f, f, task.f_start);
+  const double held = most_in_dead_zone(task, softest(task, damper.p));
+  add("dead_zone", "f", damper.f, f, held < HUGE_VAL ? std::optional(held) : std::nullopt);
   add("start", "delta", damper.delta, delta, task.delta_start);
   add("f_max", "f", damper.f, f, task.f_max);
   add("delta_max", "delta", damper.delta, delta, task.delta_max);

@@ -123,6 +123,10 @@ void require_growth(const RecordDesignRequest& request) {
   }
 }
 
+/// With more damping a mass returns with less than a thousandth of its speed, and a friction of a
+/// millionth of its load decides whether it does.
+constexpr double most_damped_return = 0.9;
+
 /// Whether a friction at a passage counts in what is asked.
 bool asks_for_acceleration(const RecordDesignRequest& request) {
   return request.objective == SuiteObjective::acceleration ||
@@ -191,6 +195,16 @@ void require_valid(const RecordDesignRequest& request) {
       request.parts.empty()) {
     require_growth(request);
   }
+  if (request.zeta.high > most_damped_return &&
+      std::ranges::any_of(request.cases, [](const LoadCase& each) {
+        return !each.of_records() && each.limits.residual == 0.0;
+      })) {
+    throw InputError(
+        "damping", request.zeta.high,
+        fmt::format("must be at most {} where the mass must rest at x = 0, to which it "
+                    "would creep: allow a residual",
+                    most_damped_return));
+  }
   if (request.objective == SuiteObjective::time &&
       std::ranges::any_of(request.cases, &LoadCase::of_records)) {
     throw InputError("objective", "time",
@@ -201,6 +215,21 @@ void require_valid(const RecordDesignRequest& request) {
     require_range("notch-width", *request.width, 1e-150, 1e150);
   }
   require_within("scan_points", static_cast<double>(request.scan_points), 1, 1e8);
+}
+
+double most_in_dead_zone(const RecordDesignRequest& request, double p) {
+  double most = HUGE_VAL;
+  for (const LoadCase& each : request.cases) {
+    if (each.v0 && each.limits.residual.value_or(0) > 0 && each.limits.peak) {
+      constexpr double below = 1 - 1e-9;
+      most = std::min(most, below * p * *each.limits.peak * p / request.breakaway);
+    }
+  }
+  return most;
+}
+
+double softest(const RecordDesignRequest& request, double p) {
+  return p / (1 + combined(request.spring, request.tolerance.period).above);
 }
 
 void bound_starts(RecordDesignRequest& request) {

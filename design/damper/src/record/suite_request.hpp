@@ -12,6 +12,12 @@ namespace stillpoint::design {
 /// Sets the frictions with which the loads that must start the mass do. Throws InputError.
 void bound_starts(RecordDesignRequest& request);
 
+/// The largest f with which a mass that may rest off centre after a hit is not held beyond its
+/// stroke, whose spring has that p; HUGE_VAL without such a case. More of it is a brake.
+[[nodiscard]] double most_in_dead_zone(const RecordDesignRequest& request, double p);
+/// The softest p of the box of a damper.
+[[nodiscard]] double softest(const RecordDesignRequest& request, double p);
+
 /// A valid request with the ranges and the combination that it leaves open. Throws InputError.
 [[nodiscard]] RecordDesignRequest completed(RecordDesignRequest request);
 

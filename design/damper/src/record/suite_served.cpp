@@ -54,7 +54,9 @@ double reach(const Keeps& keeps, double end) {
 }
 
 ServedInterval about(double value, const Keeps& keeps, const Interval& ends) {
-  return {value * reach(keeps, ends.low), value * reach(keeps, ends.high)};
+  const double low = reach(keeps, ends.low);
+  const double high = reach(keeps, ends.high);
+  return {value * low, value * high, low == ends.low || high == ends.high};
 }
 
 /// With the least and the most damping.
@@ -74,6 +76,7 @@ std::vector<TaskFigures> figures_of(const Suites& suites, std::vector<SuiteDampe
 /// Whether the loads that must move the mass do.
 bool starts(const RecordDesignRequest& task, const SuiteDamper& damper) {
   return damper.f <= task.f_start.value_or(HUGE_VAL) &&
+         damper.f <= most_in_dead_zone(task, damper.p) &&
          damper.delta <= task.delta_start.value_or(HUGE_VAL);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "record/suite_space.hpp"
 
+#include "record/suite_request.hpp"
+
 #include <stillpoint/core/elementary.hpp>
 
 #include <algorithm>
@@ -94,7 +96,9 @@ SuiteSpace::SuiteSpace(const RecordDesignRequest& task, SuiteFrictions frictions
   const SuiteTolerance& tolerance = task.tolerance;
   const bool notch = frictions != SuiteFrictions::constant;
   add(SuiteAxis::Variable::f, frictions == SuiteFrictions::point ? none : *task.f, tolerance.f,
-      scale, least_of(task.f_max, task.f_start));
+      scale,
+      least_of(least_of(task.f_max, task.f_start),
+               most_in_dead_zone(task, softest(task, task.p.low))));
   possible_ = possible_ && (frictions != SuiteFrictions::point || task.f->low == 0);
   add(SuiteAxis::Variable::delta, notch ? *task.delta : none, tolerance.delta, scale,
       least_of(task.delta_max, task.delta_start));

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <utility>
 
 namespace stillpoint::design {
 
@@ -103,7 +104,11 @@ class TaskSearch {
   std::optional<ChosenBox> most_tolerant() {
     expect();
     const std::optional<LargestBox> best = largest(HUGE_VAL);
-    if (!best || (task_.requires_tolerance && best->scale < 1)) {
+    constexpr double whole = 1 - 1e-9;
+    if (!best && !task_.requires_tolerance) {
+      return without_tolerance();
+    }
+    if (!best || (task_.requires_tolerance && best->scale < whole)) {
       const SuiteGoal goal{minimised(task_).value, task_.objective_case, limits_of(task_)};
       map_all();
       for (Mapped& here : maps_) {
@@ -134,6 +139,16 @@ class TaskSearch {
     result_.search.scan->points += here.scan.computed();
     result_.search.scan->feasible += std::ranges::count_if(
         map.worst(), [&](const TaskFigures& figures) { return admissible(figures, goal.limits); });
+  }
+
+  /// Of a task that asks for none: why there is no damper at all, or one that must be exact.
+  std::optional<ChosenBox> without_tolerance() {
+    RecordDesign exact;
+    exact.request = task_;
+    exact.request.tolerance = {{}, {}, {}, {}};
+    std::optional<ChosenBox> found = TaskSearch(suite_, exact, watch_).within_tolerance();
+    result_ = std::move(exact);
+    return found;
   }
 
   /// On the maps that there are, or looked for by itself. No part is off by all of itself.

@@ -137,9 +137,9 @@ struct RecordDesignRequest {
   /// Of the notch; low = high fixes it. Not beside a hold. Empty: a notch without a width.
   std::optional<Interval> width{};
   /// Every damper of this box must meet the limits. With the objective `robust`, the shape of the
-  /// box that is enlarged.
+  /// box that is enlarged; a smaller one is an answer unless `requires_tolerance`.
   SuiteTolerance tolerance{};
-  bool requires_tolerance{false};    ///< with the objective `robust` the whole of it at least
+  bool requires_tolerance{false};
   std::int64_t scan_points{10'000};  ///< of a scan at most, about, with two variables; in [1, 1e8]
   Threads threads{};
   /// If given, the variables of the design are rounded to the fewest digits in these units, at

@@ -13,6 +13,7 @@ namespace stillpoint::design {
 struct ServedInterval {
   double low{0};
   std::optional<double> high;
+  bool ends_search{false};  ///< one end is where the search ended, beyond which it may work as well
 };
 
 /// What of a load: V0 of a hit, k of a pulse, a factor on records or on all loads of several cases.
