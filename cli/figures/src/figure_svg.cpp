@@ -79,9 +79,10 @@ std::string_view dark_figure_style() noexcept {
 }
 
 std::string paper(double wide, double high) {
-  return fmt::format("<style>{}@media screen and (prefers-color-scheme: dark){{\n{}}}</style>\n"
-                     "<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n",
-                     figure_style(), dark_figure_style(), wide, high);
+  return fmt::format(
+      "<style>{}@media screen and (prefers-color-scheme: dark){{\n{}}}</style>\n"
+      "<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n",
+      figure_style(), dark_figure_style(), wide, high);
 }
 
 std::string size_alone(double wide, double high) {
