@@ -36,20 +36,28 @@ void add_frame(figures::HtmlPage& page, const PageFrame& frame) {
 }
 
 std::vector<std::string> figure_ids(std::string_view command) {
+  const bool of_dampers = command == "design" || command == "region";
   const auto words = records::words_of(
-      command == "design"
-          ? "region trade-off trade-off-tolerance hits pulses motion phase energy pulse excitation "
-            "map map-near worst worst-load spectrum-acceleration spectrum-peak spectrum-residual"
-      : command == "region"   ? "region hits pulses"
-      : command == "simulate" ? "motion phase energy excitation"
+      of_dampers ? "region trade-off trade-off-tolerance hits pulses motion phase energy pulse "
+                   "excitation map map-near worst worst-load spectrum-acceleration spectrum-peak "
+                   "spectrum-residual"
+      : command == "simulate" ? "motion phase energy loop excitation transmitted"
       : command == "spectrum" ? "spectrum-acceleration spectrum-peak spectrum-residual"
       : command == "sweep"    ? "map"
                               : "",
       " ");
   std::vector<std::string> ids(words.begin(), words.end());
-  for (int record = 1; command == "design" && record <= most_drawn_records; ++record) {
+  for (int record = 1; of_dampers && record <= most_drawn_records; ++record) {
     ids.push_back(fmt::format("record-{}", record));
     ids.push_back(ids.back() + "-load");
+  }
+  const std::vector<std::string> of_one = ids;
+  for (int number = 1; of_dampers && number <= most_drawn_cases; ++number) {
+    for (const std::string& id : of_one) {
+      if (id.starts_with("worst") || id.starts_with("record")) {
+        ids.push_back(fmt::format("case-{}-{}", number, id));
+      }
+    }
   }
   return ids;
 }
