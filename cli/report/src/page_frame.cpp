@@ -51,14 +51,6 @@ std::vector<std::string> figure_ids(std::string_view command) {
     ids.push_back(fmt::format("record-{}", record));
     ids.push_back(ids.back() + "-load");
   }
-  const std::vector<std::string> of_one = ids;
-  for (int number = 1; of_dampers && number <= most_drawn_cases; ++number) {
-    for (const std::string& id : of_one) {
-      if (id.starts_with("worst") || id.starts_with("record")) {
-        ids.push_back(fmt::format("case-{}-{}", number, id));
-      }
-    }
-  }
   return ids;
 }
 

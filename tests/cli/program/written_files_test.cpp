@@ -34,7 +34,6 @@ BOOST_AUTO_TEST_CASE(are_written_where_nothing_is_lost) {
   BOOST_TEST(read("r.txt") == small_record);
 }
 
-// An assertion in the program compares their names with those that no file that is read may have.
 BOOST_AUTO_TEST_CASE(figures_of_each_case_have_names) {
   const Arguments damper("region --period 2.8 --f 0.02 --delta-m 2mm --svg d --cases");
   (void)succeed(damper + Arguments{R"([{"name": "a", "velocity": 0.2, "max_displacement": 0.3},

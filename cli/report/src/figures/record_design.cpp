@@ -89,8 +89,7 @@ std::vector<Figure> drawings(const RecordDesignReport& report) {
     figures.push_back(front_figure(result, units));
   }
   const std::vector<design::LoadCase>& cases = result.request.cases;
-  const std::size_t drawn = std::min<std::size_t>(most_drawn_cases, cases.size());
-  for (std::size_t in_case = 0; in_case < drawn; ++in_case) {
+  for (std::size_t in_case = 0; in_case < cases.size(); ++in_case) {
     const std::size_t worst = worst_motion(result, in_case);
     const std::size_t count =
         cases[in_case].of_records() ? result.finding->responses[in_case].size() : 0;

@@ -51,6 +51,5 @@ struct RecordDesignReport {
 [[nodiscard]] std::vector<figures::Figure> drawings(const RecordDesignReport& report);
 
 inline constexpr int most_drawn_records = 11;
-inline constexpr int most_drawn_cases = 100;
 
 }  // namespace stillpoint::report
