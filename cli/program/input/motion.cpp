@@ -31,13 +31,6 @@ MotionInput physical_motion(const Settings& settings, bool from_rest) {
   isolator.stiffness_n_per_m = settings.number("stiffness");
   isolator.mass_kg = settings.number("mass");
   isolator.gravity_m_per_s2 = settings.number("gravity").value_or(isolator.gravity_m_per_s2);
-  for (const auto& [name, entry] : settings.entries()) {
-    if (settings.has("gravity") && find_option(name)->traits.dimension == Dimension::gravities &&
-        entry.with_unit && !entry.with_unit->ends_with('g')) {
-      throw InputError(std::string(name), *entry.with_unit,
-                       "cannot be combined with gravity: give it in g");
-    }
-  }
   const double x0_m = settings.number("x0-m").value_or(0);
   const double velocity =
       x0_m != 0 || from_rest

@@ -210,6 +210,11 @@ Settings Settings::with_forces_as_f() const {
   Settings all = *this;
   for (auto& [name, entry] : all.entries_) {
     const Option& option = *find_option(name);
+    if (has("gravity") && option.traits.dimension == Dimension::gravities && entry.with_unit &&
+        !entry.with_unit->ends_with('g')) {
+      throw InputError(std::string(name), *entry.with_unit,
+                       "cannot be combined with gravity: give it in g");
+    }
     if (option.traits.dimension == Dimension::force ||
         (option.traits.or_force && entry.with_unit)) {
       const auto mass = number("mass");

@@ -119,7 +119,8 @@ class Settings {
   [[nodiscard]] InputError as_given(const InputError& error) const;
 
   /// The same, but each friction that is a force is the f = F/(m g), --friction-force too unless
-  /// --f is also given. Throws InputError for a wrong force, and for one without a mass.
+  /// --f is also given. Throws InputError for a wrong force, for one without a mass, and for a load
+  /// in m/s2 beside another g.
   [[nodiscard]] Settings with_forces_as_f() const;
 
   void drop(std::string_view name) { entries_.erase(name); }

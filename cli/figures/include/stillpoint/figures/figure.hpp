@@ -163,10 +163,9 @@ struct Figure {
 /// Whether that is enough to be seen; a box may be small, since it is enlarged.
 [[nodiscard]] bool is_seen(const Figure& figure, const FigureArea& area);
 
-/// The figure as SVG with its title, description and legend. Alone it is a file that is
-/// light or dark as its reader's screen, otherwise it takes the colours of a page with
-/// figure_style(). The plot begins at `left`, or
-/// farther right if its tick labels need the room.
+/// The figure as SVG with its title, description and legend. Alone it is a file that is light or
+/// dark as its reader's screen, otherwise it takes the colours of a page with figure_style(). The
+/// plot begins at `left`, or farther right if its tick labels need the room.
 enum class Frame { alone, in_page };
 [[nodiscard]] std::string svg(const Figure& figure, Frame frame, double left = 0);
 /// The least `left` of its plot.
