@@ -113,7 +113,7 @@ struct SuiteGoal {
   std::vector<SuiteLimits> limits{};     ///< of each case
 
   /// Of what settles.
-  [[nodiscard]] double value(const TaskFigures& figures) const;
+  [[nodiscard]] double value(EachFigures figures) const;
 };
 
 /// The limits of each case.
@@ -123,9 +123,9 @@ struct SuiteGoal {
 inline constexpr SuiteFigures unsettled{.settled = false};
 
 /// The sum over all cases; 1e9 if a motion never rests. Nothing is known against no figures.
-[[nodiscard]] double excess(const TaskFigures& figures, const std::vector<SuiteLimits>& limits);
+[[nodiscard]] double excess(EachFigures figures, const std::vector<SuiteLimits>& limits);
 /// Whether it is 0: the damper rests and meets the limits.
-[[nodiscard]] bool admissible(const TaskFigures& figures, const std::vector<SuiteLimits>& limits);
+[[nodiscard]] bool admissible(EachFigures figures, const std::vector<SuiteLimits>& limits);
 
 /// The rank of a damper or of its box: the less, the better. Any admissible one is better than any
 /// other.
@@ -137,7 +137,7 @@ struct SuiteRank {
   [[nodiscard]] auto operator<=>(const SuiteRank&) const = default;
 };
 /// The largest part of a limit that is used.
-[[nodiscard]] double use(const TaskFigures& figures, const std::vector<SuiteLimits>& limits);
-[[nodiscard]] SuiteRank rank(const TaskFigures& figures, const SuiteGoal& goal);
+[[nodiscard]] double use(EachFigures figures, const std::vector<SuiteLimits>& limits);
+[[nodiscard]] SuiteRank rank(EachFigures figures, const SuiteGoal& goal);
 
 }  // namespace stillpoint::design

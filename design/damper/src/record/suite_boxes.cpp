@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <functional>
 #include <utility>
 
 namespace stillpoint::design {
@@ -66,45 +66,41 @@ double points_of(const SuiteGrid& grid) {
   return all;
 }
 
-/// Along one axis of an array with these numbers of points, the worst of each window.
-std::vector<TaskFigures> slide(std::vector<TaskFigures> figures, std::size_t inner,
-                               std::size_t points, std::size_t window) {
+/// Along one axis of an array with these numbers of points, the worst of each window. In place: a
+/// line is written where those before it and it itself were read.
+void slide(GridFigures& figures, std::size_t inner, std::size_t points, std::size_t window) {
   if (window == 0) {
-    return figures;
+    return;
   }
   const std::size_t boxes = points - window;
+  const std::size_t stretch = window + 1;
   const std::size_t outer = figures.size() / (inner * points);
-  std::vector<TaskFigures> list(outer * boxes * inner);
-  std::vector<TaskFigures> to_end(points);  // here, and changed in place: there are many
-  TaskFigures from_begin;
+  // The worst from each point to the end of its stretch, and from its beginning.
+  GridFigures to_end(points, figures.cases());
+  GridFigures from_begin(points, figures.cases());
   for (std::size_t o = 0; o < outer; ++o) {
     for (std::size_t i = 0; i < inner; ++i) {
-      const auto at = [&](std::size_t k) -> const TaskFigures& {
-        return figures[(o * points + k) * inner + i];
-      };
-      // The worst from each point to the end of its stretch of window + 1, and from its beginning.
-      const std::size_t stretch = window + 1;
-      for (std::size_t k = points; k-- > 0;) {
-        to_end[k] = at(k);
-        if ((k + 1) % stretch != 0 && k + 1 != points) {
-          worsen(to_end[k], to_end[k + 1]);
+      for (std::size_t k = 0; k < points; ++k) {
+        const EachFigures here = std::as_const(figures)[(o * points + k) * inner + i];
+        to_end.set(k, here);
+        from_begin.set(k, here);
+        if (k % stretch != 0) {
+          worsen(from_begin[k], std::as_const(from_begin)[k - 1]);
         }
       }
-      for (std::size_t k = 0; k < points; ++k) {
-        if (k % stretch == 0) {
-          from_begin = at(k);
-        } else {
-          worsen(from_begin, at(k));
+      for (std::size_t k = points - 1; k-- > 0;) {
+        if ((k + 1) % stretch != 0) {
+          worsen(to_end[k], std::as_const(to_end)[k + 1]);
         }
-        if (k >= window) {
-          TaskFigures& worst = list[(o * boxes + k - window) * inner + i];
-          worst = to_end[k - window];
-          worsen(worst, from_begin);
-        }
+      }
+      for (std::size_t k = 0; k < boxes; ++k) {
+        const std::size_t box = (o * boxes + k) * inner + i;
+        figures.set(box, to_end[k]);
+        worsen(figures[box], std::as_const(from_begin)[k + window]);
       }
     }
   }
-  return list;
+  figures.resize(outer * boxes * inner);
 }
 
 }  // namespace
@@ -168,12 +164,14 @@ SuiteGrid finer(const SuiteSpace& space, const SuiteGrid& grid, std::int64_t mos
   return fine;
 }
 
-std::vector<TaskFigures> grid_figures(const Suites& suite, const SuiteSpace& space,
-                                      const SuiteGrid& grid, const Threads& threads,
-                                      SuiteWatch& watch) {
+void GridFigures::set(std::size_t point, EachFigures figures) {
+  std::ranges::copy(figures, (*this)[point].begin());
+}
+
+GridFigures grid_figures(const Suites& suite, const SuiteSpace& space, const SuiteGrid& grid,
+                         const Threads& threads, SuiteWatch& watch) {
   const auto count = static_cast<std::int64_t>(points_of(grid));
-  std::vector<TaskFigures> all;
-  all.reserve(static_cast<std::size_t>(count));
+  GridFigures all(static_cast<std::size_t>(count), suite.cases().size());
   std::vector<SuiteDamper> block;
   for (std::int64_t begin = 0; begin < count && !watch.stopped(); begin += grid_block) {
     block.clear();
@@ -188,7 +186,9 @@ std::vector<TaskFigures> grid_figures(const Suites& suite, const SuiteSpace& spa
       block.push_back(space.at(logs));
     }
     const std::vector<TaskFigures> figures = suite.figures(block, threads);
-    all.insert(all.end(), figures.begin(), figures.end());
+    for (std::size_t k = 0; k < figures.size(); ++k) {
+      all.set(static_cast<std::size_t>(begin) + k, figures[k]);
+    }
     watch.evaluated(std::ssize(block));
   }
   return all;
@@ -205,14 +205,13 @@ bool are_near(const SuitePlace& one, const SuitePlace& other, const SuiteGrid& g
   return true;
 }
 
-BoxMap::BoxMap(const SuiteSpace& space, const SuiteGrid& grid, std::vector<TaskFigures> figures)
+BoxMap::BoxMap(const SuiteSpace& space, const SuiteGrid& grid, GridFigures figures)
     : space_(space), grid_(grid), worst_(std::move(figures)) {
-  worst_.resize(static_cast<std::size_t>(points_of(grid)), TaskFigures(1, unsettled));
   std::size_t inner = 1;
   for (std::size_t i = space.size(); i > 0; --i) {
     const GridSide& side = grid.at(i - 1);
-    worst_ = slide(std::move(worst_), inner, static_cast<std::size_t>(side.points),
-                   static_cast<std::size_t>(side.window));
+    slide(worst_, inner, static_cast<std::size_t>(side.points),
+          static_cast<std::size_t>(side.window));
     inner *= static_cast<std::size_t>(side.boxes());
   }
 }
@@ -228,27 +227,34 @@ SuitePlace BoxMap::logs(std::size_t box) const {
   return place;
 }
 
-std::vector<BoxedDamper> BoxMap::best(const SuiteGoal& goal, std::size_t most, double part) const {
-  std::vector<SuiteRank> ranks;
-  ranks.reserve(worst_.size());
-  for (const TaskFigures& figures : worst_) {
-    ranks.push_back(rank(figures, goal));
+std::int64_t BoxMap::admissible(const SuiteGoal& goal) const {
+  std::int64_t count = 0;
+  for (std::size_t box = 0; box < worst_.size(); ++box) {
+    count += design::admissible(worst_[box], goal.limits) ? 1 : 0;
   }
-  std::vector<std::size_t> order(worst_.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return ranks[i]; });
+  return count;
+}
+
+std::vector<BoxedDamper> BoxMap::best(const SuiteGoal& goal, std::size_t most, double part) const {
+  using Ranked = std::pair<SuiteRank, std::size_t>;
+  std::vector<Ranked> left;  // a heap, for few of them are looked at
+  left.reserve(worst_.size());
+  for (std::size_t box = 0; box < worst_.size(); ++box) {
+    left.emplace_back(rank(worst_[box], goal), box);
+  }
+  std::ranges::make_heap(left, std::greater());
   std::vector<BoxedDamper> list;
   std::vector<SuitePlace> places;
-  for (const std::size_t box : order) {
+  for (; !left.empty() && list.size() < most; left.pop_back()) {
+    std::ranges::pop_heap(left, std::greater());
+    const auto& [of_box, box] = left.back();
     const SuitePlace here = logs(box);
-    if (list.size() == most) {
-      break;
-    }
     if (space_.includes(here) && std::ranges::none_of(places, [&](const SuitePlace& other) {
           return are_near(here, other, grid_, part);
         })) {
       places.push_back(here);
-      list.push_back({space_.at(here), worst_[box], ranks[box]});
+      const EachFigures worst = worst_[box];
+      list.push_back({space_.at(here), {worst.begin(), worst.end()}, of_box});
     }
   }
   return list;

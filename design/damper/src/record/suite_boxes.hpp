@@ -48,10 +48,35 @@ using SuiteGrid = std::array<GridSide, most_axes>;
 /// With half the step, or smaller; windows of at most `most`.
 [[nodiscard]] SuiteGrid finer(const SuiteSpace& space, const SuiteGrid& grid, std::int64_t most);
 
-/// Of the whole grid, the last axis running fastest; fewer after a stop.
-[[nodiscard]] std::vector<TaskFigures> grid_figures(const Suites& suite, const SuiteSpace& space,
-                                                    const SuiteGrid& grid, const Threads& threads,
-                                                    SuiteWatch& watch);
+/// The figures of all points of a grid, the last axis running fastest. They lie one behind the
+/// other: a grid may have a million points.
+class GridFigures {
+ public:
+  GridFigures() = default;
+  /// Unsettled all.
+  GridFigures(std::size_t points, std::size_t cases)
+      : cases_(cases), all_(points * cases, unsettled) {}
+
+  [[nodiscard]] std::size_t size() const { return all_.size() / cases_; }
+  [[nodiscard]] std::size_t cases() const { return cases_; }
+  [[nodiscard]] EachFigures operator[](std::size_t point) const {
+    return EachFigures(all_).subspan(point * cases_, cases_);
+  }
+  [[nodiscard]] std::span<SuiteFigures> operator[](std::size_t point) {
+    return std::span(all_).subspan(point * cases_, cases_);
+  }
+  void set(std::size_t point, EachFigures figures);
+  void resize(std::size_t points) { all_.resize(points * cases_); }
+
+ private:
+  std::size_t cases_{1};
+  std::vector<SuiteFigures> all_;
+};
+
+/// Of the whole grid; after a stop the rest is unsettled.
+[[nodiscard]] GridFigures grid_figures(const Suites& suite, const SuiteSpace& space,
+                                       const SuiteGrid& grid, const Threads& threads,
+                                       SuiteWatch& watch);
 
 /// Whether two designs are closer than that part of a box along every axis.
 [[nodiscard]] bool are_near(const SuitePlace& one, const SuitePlace& other, const SuiteGrid& grid,
@@ -60,19 +85,20 @@ using SuiteGrid = std::array<GridSide, most_axes>;
 /// The boxes of a grid whose points have been computed.
 class BoxMap {
  public:
-  BoxMap(const SuiteSpace& space, const SuiteGrid& grid, std::vector<TaskFigures> figures);
+  BoxMap(const SuiteSpace& space, const SuiteGrid& grid, GridFigures figures);
 
   /// The best that are apart from each other by more than that part of a box, best first.
   [[nodiscard]] std::vector<BoxedDamper> best(const SuiteGoal& goal, std::size_t most,
                                               double part = 1) const;
-  [[nodiscard]] const std::vector<TaskFigures>& worst() const { return worst_; }
+  /// How many keep the limits.
+  [[nodiscard]] std::int64_t admissible(const SuiteGoal& goal) const;
 
  private:
   [[nodiscard]] SuitePlace logs(std::size_t box) const;
 
   const SuiteSpace& space_;
   SuiteGrid grid_;
-  std::vector<TaskFigures> worst_;
+  GridFigures worst_;
 };
 
 }  // namespace stillpoint::design

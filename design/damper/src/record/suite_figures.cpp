@@ -51,11 +51,15 @@ SuiteFigures worse(const SuiteFigures& one, const SuiteFigures& other) {
           one.settled && other.settled};
 }
 
-void worsen(TaskFigures& worst, const TaskFigures& other) {
-  const std::size_t both = std::min(worst.size(), other.size());
-  for (std::size_t i = 0; i < both; ++i) {
+void worsen(std::span<SuiteFigures> worst, EachFigures other) {
+  for (std::size_t i = 0; i < worst.size(); ++i) {
     worst[i] = worse(worst[i], other[i]);
   }
+}
+
+void worsen(TaskFigures& worst, EachFigures other) {
+  const std::size_t both = std::min(worst.size(), other.size());
+  worsen(std::span(worst).first(both), other);
   worst.insert(worst.end(), other.begin() + static_cast<std::ptrdiff_t>(both), other.end());
 }
 
@@ -64,12 +68,12 @@ TaskFigures worse(TaskFigures one, const TaskFigures& other) {
   return one;
 }
 
-SuiteFigures largest(const TaskFigures& figures) {
+SuiteFigures largest(EachFigures figures) {
   return std::accumulate(figures.begin(), figures.end(), SuiteFigures(),
                          [](const SuiteFigures& a, const SuiteFigures& b) { return worse(a, b); });
 }
 
-bool settled(const TaskFigures& figures) {
+bool settled(EachFigures figures) {
   return !figures.empty() && std::ranges::all_of(figures, &SuiteFigures::settled);
 }
 
@@ -117,7 +121,7 @@ double excess(const SuiteFigures& figures, const SuiteLimits& limits) {
   return std::min(off, never_rests);
 }
 
-double excess(const TaskFigures& figures, const std::vector<SuiteLimits>& limits) {
+double excess(EachFigures figures, const std::vector<SuiteLimits>& limits) {
   double off = 0;
   for (std::size_t i = 0; i < figures.size(); ++i) {
     off += excess(figures[i], limits[i]);
@@ -125,7 +129,7 @@ double excess(const TaskFigures& figures, const std::vector<SuiteLimits>& limits
   return std::min(off, never_rests);
 }
 
-double use(const TaskFigures& figures, const std::vector<SuiteLimits>& limits) {
+double use(EachFigures figures, const std::vector<SuiteLimits>& limits) {
   double most = 0;
   for (std::size_t i = 0; i < figures.size(); ++i) {
     for (const SuiteFigureKind& kind : suite_figure_kinds) {
@@ -138,7 +142,7 @@ double use(const TaskFigures& figures, const std::vector<SuiteLimits>& limits) {
   return most;
 }
 
-double SuiteGoal::value(const TaskFigures& figures) const {
+double SuiteGoal::value(EachFigures figures) const {
   if (figure == nullptr) {
     return use(figures, limits);
   }
@@ -149,14 +153,14 @@ double SuiteGoal::value(const TaskFigures& figures) const {
   return most;
 }
 
-SuiteRank rank(const TaskFigures& figures, const SuiteGoal& goal) {
+SuiteRank rank(EachFigures figures, const SuiteGoal& goal) {
   if (!figures.empty() && !settled(figures)) {
     return {never_rests, 0, 0};
   }
   return {excess(figures, goal.limits), goal.value(figures), largest(figures).peak};
 }
 
-bool admissible(const TaskFigures& figures, const std::vector<SuiteLimits>& limits) {
+bool admissible(EachFigures figures, const std::vector<SuiteLimits>& limits) {
   return excess(figures, limits) == 0;
 }
 

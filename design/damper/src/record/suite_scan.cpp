@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace stillpoint::design {
 
@@ -14,7 +15,7 @@ constexpr double first_step = 0.21;
 
 /// Whether a design as far off as `part` of each value may be within the limits and better than
 /// `bar`: a figure other than a residual or a jump changes by hardly more than its damper does.
-bool promising(const TaskFigures& figures, const SuiteGoal& goal, double bar, double part) {
+bool promising(EachFigures figures, const SuiteGoal& goal, double bar, double part) {
   const auto is_smooth = [](double SuiteFigures::*figure) {
     return figure == &SuiteFigures::peak || figure == &SuiteFigures::acceleration;
   };
@@ -55,8 +56,7 @@ SuiteScan::SuiteScan(const Suites& suite, const SuiteSpace& space, std::int64_t 
   for (const GridSide& side : finest_) {
     all *= static_cast<std::size_t>(side.points);
   }
-  figures_.resize(all);
-  known_.resize(all, false);
+  row_.resize(all, -1);
 }
 
 double SuiteScan::longest_step() const {
@@ -118,9 +118,14 @@ bool SuiteScan::has_promising_neighbour(const Index& index, std::int64_t stride,
     }
   }
   return std::ranges::any_of(corners, [&](const Index& corner) {
-    const std::size_t at = flat(corner);
-    return known_[at] && promising(figures_[at], goal, bar, part);
+    const TaskFigures* const figures = known(corner);
+    return figures != nullptr && promising(*figures, goal, bar, part);
   });
+}
+
+const TaskFigures* SuiteScan::known(const Index& index) const {
+  const std::int64_t row = row_[flat(index)];
+  return row < 0 ? nullptr : &figures_[static_cast<std::size_t>(row)];
 }
 
 SuitePlace SuiteScan::place(const Index& index) const {
@@ -140,13 +145,10 @@ void SuiteScan::compute(const std::vector<Index>& list) {
     for (std::size_t k = begin; k < end; ++k) {
       dampers.push_back(space_.at(place(list[k])));
     }
-    const std::vector<TaskFigures> figures = suite_.figures(dampers, threads_);
     for (std::size_t k = begin; k < end; ++k) {
-      const std::size_t at = flat(list[k]);
-      figures_[at] = figures[k - begin];
-      known_[at] = true;
+      row_[flat(list[k])] = std::ssize(figures_) + static_cast<std::int64_t>(k - begin);
     }
-    computed_ += std::ssize(dampers);
+    std::ranges::move(suite_.figures(dampers, threads_), std::back_inserter(figures_));
     watch_.evaluated(std::ssize(dampers));
   }
 }
@@ -157,7 +159,7 @@ void SuiteScan::look(const SuiteGoal& goal, double bar) {
   for (std::int64_t stride = first_stride_; stride > 0 && !watch_.stopped(); stride /= 2) {
     std::vector<Index> list = of_stride(stride);
     std::erase_if(list, [&](const Index& index) {
-      return known_[flat(index)] ||
+      return known(index) != nullptr ||
              (stride < first_stride_ && !has_promising_neighbour(index, stride, goal, bar));
     });
     used += std::ssize(list);
@@ -171,21 +173,18 @@ void SuiteScan::look(const SuiteGoal& goal, double bar) {
 
 bool SuiteScan::may_have(const SuiteGoal& goal) const {
   const double part = static_cast<double>(stride_) * longest_step();
-  for (std::size_t i = 0; i < figures_.size(); ++i) {
-    if (known_[i] && promising(figures_[i], goal, HUGE_VAL, part)) {
-      return true;
-    }
-  }
-  return false;
+  return std::ranges::any_of(figures_, [&](const TaskFigures& figures) {
+    return promising(figures, goal, HUGE_VAL, part);
+  });
 }
 
 std::optional<SuiteDamper> SuiteScan::nearest(const SuiteGoal& goal) const {
   SuitePlace best{};
   std::optional<SuiteRank> least;
   for (const Index& index : of_stride(1)) {
-    const std::size_t at = flat(index);
-    if (known_[at] && (!least || rank(figures_[at], goal) < *least)) {
-      least = rank(figures_[at], goal);
+    const TaskFigures* const figures = known(index);
+    if (figures != nullptr && (!least || rank(*figures, goal) < *least)) {
+      least = rank(*figures, goal);
       best = place(index);
     }
   }
@@ -208,13 +207,20 @@ SuiteGrid SuiteScan::grid() const {
   return grid;
 }
 
-std::vector<TaskFigures> SuiteScan::figures() const {
-  std::vector<TaskFigures> list;
-  const TaskFigures unknown(1, unsettled);
+/// Of the points of that grid.
+GridFigures SuiteScan::figures() const {
+  std::size_t points = 1;
+  for (const GridSide& side : grid()) {
+    points *= static_cast<std::size_t>(side.points);
+  }
+  GridFigures list(points, suite_.cases().size());
+  std::size_t point = 0;
   for (const Index& index : of_stride(stride_)) {
     if (std::ranges::all_of(index, [&](std::int64_t k) { return k % stride_ == 0; })) {
-      const std::size_t at = flat(index);
-      list.push_back(known_[at] ? figures_[at] : unknown);
+      if (const TaskFigures* const figures = known(index)) {
+        list.set(point, *figures);
+      }
+      ++point;
     }
   }
   return list;

@@ -33,9 +33,9 @@ class SuiteScan {
   /// The grid of the last look, its points, where those that were not computed count as unsettled,
   /// and its boxes.
   [[nodiscard]] SuiteGrid grid() const;
-  [[nodiscard]] std::vector<TaskFigures> figures() const;
+  [[nodiscard]] GridFigures figures() const;
   [[nodiscard]] BoxMap map() const { return {space_, grid(), figures()}; }
-  [[nodiscard]] std::int64_t computed() const { return computed_; }
+  [[nodiscard]] std::int64_t computed() const { return std::ssize(figures_); }
 
  private:
   using Index = std::array<std::int64_t, most_axes>;
@@ -48,6 +48,8 @@ class SuiteScan {
                                              const SuiteGoal& goal, double bar) const;
   [[nodiscard]] SuitePlace place(const Index& index) const;
   void compute(const std::vector<Index>& list);
+  /// Null if the point was not computed.
+  [[nodiscard]] const TaskFigures* known(const Index& index) const;
 
   const Suites& suite_;
   const SuiteSpace& space_;
@@ -57,9 +59,8 @@ class SuiteScan {
   SuiteGrid finest_;
   std::int64_t first_stride_{1};
   std::int64_t stride_{1};
-  std::int64_t computed_{0};
-  std::vector<TaskFigures> figures_;
-  std::vector<bool> known_;
+  std::vector<TaskFigures> figures_;  // of the points that were computed
+  std::vector<std::int64_t> row_;     // of each point in these; -1: it was not
 };
 
 }  // namespace stillpoint::design

@@ -137,8 +137,7 @@ class TaskSearch {
 
   void count(const Mapped& here, const BoxMap& map, const SuiteGoal& goal) {
     result_.search.scan->points += here.scan.computed();
-    result_.search.scan->feasible += std::ranges::count_if(
-        map.worst(), [&](const TaskFigures& figures) { return admissible(figures, goal.limits); });
+    result_.search.scan->feasible += map.admissible(goal);
   }
 
   /// Of a task that asks for none: why there is no damper at all, or one that must be exact.

@@ -283,7 +283,7 @@ class Growth {
   KnownDampers breaking_;
   std::optional<LargestBox> best_;
   SuiteGrid grid_{};
-  std::vector<TaskFigures> figures_;
+  GridFigures figures_;
 };
 
 }  // namespace

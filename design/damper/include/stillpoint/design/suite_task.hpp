@@ -188,11 +188,12 @@ struct SuiteFigures {
 
 /// Those of each case; none: not known.
 using TaskFigures = std::vector<SuiteFigures>;
+using EachFigures = std::span<const SuiteFigures>;  ///< the same where they lie
 
 /// Whether they are known and all motions come to rest.
-[[nodiscard]] bool settled(const TaskFigures& figures);
+[[nodiscard]] bool settled(EachFigures figures);
 /// The worst of each figure in all cases.
-[[nodiscard]] SuiteFigures largest(const TaskFigures& figures);
+[[nodiscard]] SuiteFigures largest(EachFigures figures);
 
 /// The part of its strongest load that a case has with a damper.
 [[nodiscard]] double load_part(const RecordDesignRequest& request, std::size_t in_case,
@@ -254,8 +255,9 @@ inline constexpr double least_suite_margin = 1e-6;
 /// The larger of each.
 [[nodiscard]] SuiteFigures worse(const SuiteFigures& one, const SuiteFigures& other);
 [[nodiscard]] TaskFigures worse(TaskFigures one, const TaskFigures& other);
-/// The same in place.
-void worsen(TaskFigures& worst, const TaskFigures& other);
+/// The same in place; those of as many cases.
+void worsen(TaskFigures& worst, EachFigures other);
+void worsen(std::span<SuiteFigures> worst, EachFigures other);
 
 /// The figures are those of the damper or the worst over its box.
 struct SuitePoint {
