@@ -152,6 +152,14 @@ inline Record random_record(Dice& dice, double k) {
   return record;
 }
 
+/// A pulse with a peak that it does not leave as steeply as it reaches it, or the other way round.
+inline Excitation random_shape(Dice& dice, double k, double lambda) {
+  const unsigned kind = dice.below(3);
+  return kind == 0   ? Excitation(Sawtooth{k, lambda})
+         : kind == 1 ? Excitation(Trapezoid{k, lambda})
+                     : Excitation(Haversine{k, lambda});
+}
+
 /// 1 where nothing was close.
 inline double margin_of(const ForcedState<double>& state) {
   return state.margin.any() ? state.margin.value() : 1;
@@ -171,7 +179,7 @@ inline ForcedScene<> random_forced_scene(Dice& dice) {
   }
   const double lambda = dice.once_in(4) ? p * (1 + dice.sign() * dice.power_of_ten(-13, -1))
                                         : p * dice.power_of_ten(-1, 1);
-  switch (dice.below(6)) {
+  switch (dice.below(7)) {
     case 0:
     case 1:
       scene.excitation = Harmonic{dice.sign() * k, lambda, dice.uniform(-4, 4)};
@@ -185,6 +193,9 @@ inline ForcedScene<> random_forced_scene(Dice& dice) {
       break;
     case 4:
       scene.excitation = Rectangle{k, lambda};
+      break;
+    case 5:
+      scene.excitation = random_shape(dice, dice.sign() * k, lambda);
       break;
     default:
       scene.excitation = random_record(dice, k);

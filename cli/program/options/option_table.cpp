@@ -249,8 +249,8 @@ constexpr auto in_shaking = std::to_array<Option>(
      row("pulse-duration", number, "S", "with physical input: how long the pulse lasts, in s",
          of_waves, Load::pulse, swept, Rivals::frequency, InSi{Dimension::time}, RangeEnd::high),
      row("lambda", number, "L",
-         "dimensionless angular frequency, L/p times the natural one; half-sine and rectangle "
-         "last pi/L, full-sine 2 pi/L",
+         "dimensionless angular frequency, L/p times the natural one; a pulse lasts pi/L, a "
+         "full-sine 2 pi/L",
          of_waves, Load::wave, swept, Rivals::frequency, RangeEnd::low),
      row("phase", number, "PHI", "of a harmonic, W = K sin(L tau + PHI); default 0", of_excitations,
          Load::harmonic, Instead{"only a harmonic has a phase"}),

@@ -88,6 +88,7 @@ class EnergyWatcher final : public MotionWatcher {
     friction_.add(alone * slid);
     notch_.add((law_.phi_ahead(middle) - alone) * slid);
     if constexpr (requires { from.w; }) {
+      load_.add(-(piece.direction * piece.load - from.w) * slid);  // of a constant load besides
       under_sine(motion, from, to, piece.length);
     } else {
       under_line(motion, from, to, piece);

@@ -83,7 +83,7 @@ std::vector<ShownLoad> loads(const NoExcitation& /*none*/, double /*horizon*/) {
 template <class Law>
 std::vector<ShownLoad> loads(const Law& law, double horizon) {
   const double last = std::min(duration(law).value_or(horizon), horizon);
-  const std::int64_t count = IsLine<Law> ? 1 : sample_count(law.lambda, last);
+  const std::int64_t count = sample_count(law.lambda, last);
   std::vector<ShownLoad> all;
   for (std::int64_t i = 0; i <= count; ++i) {
     const double tau = last * static_cast<double>(i) / static_cast<double>(count);
@@ -107,6 +107,10 @@ std::vector<ShownLoad> loads(const Record& record, double horizon) {
     all.push_back({tau, record.values[i]});
   }
   return all;
+}
+template <IsPolygon Polygon>
+std::vector<ShownLoad> loads(const Polygon& pulse, double horizon) {
+  return loads(record_of(pulse, *duration(pulse)), horizon);
 }
 
 }  // namespace

@@ -75,7 +75,8 @@ ForcedScene<> constructed_scene(Dice& dice) {
       scene.excitation = Rectangle{k, lambda};
       break;
     case 2:
-      scene.excitation = HalfSine{k, lambda};
+      scene.excitation =
+          dice.once_in(2) ? Excitation(HalfSine{k, lambda}) : random_shape(dice, k, lambda);
       break;
     case 3:
       scene.excitation =

@@ -38,12 +38,12 @@ double peak_from(double v, double f) {
 /// From k to a quarter of it.
 struct Ramp {
   static constexpr double turns = 0.5;
-  static constexpr PulseLine line{1, 0.25};
+  static constexpr std::array<PulseCorner, 2> corners{{{0, 1}, {1, 0.25}}};
   double k;
   double lambda;
 };
 
-// The table of excitations has no pulse with a slope: a new one is a struct like Ramp.
+// A new pulse is a struct like Ramp.
 BOOST_AUTO_TEST_CASE(a_straight_pulse_is_a_record_of_two_samples) {
   for (const double k : {0.5, -0.8}) {
     for (const double lambda : {0.4, 3.0}) {
@@ -88,6 +88,84 @@ BOOST_AUTO_TEST_CASE(without_friction_each_pulse_leaves_its_closed_form) {
       BOOST_TEST(std::abs(free_amplitude(HalfSine{k, lambda}) - half) <= 1e-14);
       BOOST_TEST(std::abs(free_amplitude(FullSine{k, lambda}) - full) <= 1e-14);
       BOOST_TEST(std::abs(free_amplitude(Rectangle{k, lambda}) - flat) <= 1e-14);
+      // |integral of W exp(i tau)|
+      const double lasts = pi * eps;
+      const double sine = std::sin(lasts);
+      const double bend = 2 * std::sin(lasts / 2) * std::sin(lasts / 2);
+      const double tooth =
+          k / lasts * std::hypot(lasts * sine - bend, sine - lasts * std::cos(lasts));
+      const double flanks = 2 * k * std::sin(0.45 * lasts) * std::sin(lasts / 20) / (lasts / 20);
+      const double squared = k * std::sin(lasts / 2) / (1 - eps * eps / 4);
+      BOOST_TEST(std::abs(free_amplitude(Sawtooth{k, lambda}) - tooth) <= 1e-14);
+      BOOST_TEST(std::abs(free_amplitude(Trapezoid{k, lambda}) - flanks) <= 1e-14);
+      BOOST_TEST(std::abs(free_amplitude(Haversine{k, lambda}) - squared) <= 1e-14);
+    }
+  }
+}
+
+// The shock spectrum while the load acts. A sawtooth moves the mass by k (tau - sin tau)/D. With
+// D = 4 pi a haversine moves it by k/2 (1 + cos(tau)/3 - 4/3 cos(tau/2)), which is largest, 4 k/3,
+// at 2 pi. With D = 10 pi the flank of a trapezoid lasts for half a swing, pi, and leaves it at
+// x = k with the speed 2 k/pi.
+BOOST_AUTO_TEST_CASE(the_peak_under_a_long_pulse_has_its_closed_form) {
+  const auto peak = [](const Excitation& pulse, double end) {
+    return forced_response({1, 0, 0}, {0, 0}, pulse, {.t_end = end}).peak_amplitude;
+  };
+  constexpr double k = 0.5;
+  const auto close = tt::tolerance(1e-14);
+  BOOST_TEST(peak(Sawtooth{k, 0.4}, 2.5 * pi) == k * (1 - 1 / (2.5 * pi)), close);
+  BOOST_TEST(peak(Haversine{k, 0.25}, 4 * pi) == 4 * k / 3, close);
+  BOOST_TEST(peak(Trapezoid{k, 0.1}, 9 * pi) == k * (1 + 2 / pi), close);
+}
+
+template <class Pulse>
+void check_is_record(const ForcedScene<>& scene, const Pulse& pulse, double rounding) {
+  ForcedScene<> same = scene;
+  same.excitation = pulse;
+  const ForcedState<double> state = run_forced(same).state;
+  same.excitation = record_of(pulse, *duration(pulse));
+  const ForcedState<double> as_record = run_forced(same).state;
+  const double scale = std::abs(state.u) + std::abs(state.v);
+  BOOST_TEST_CONTEXT(same) {
+    BOOST_TEST(std::abs(state.u - as_record.u) <= rounding * scale);
+    BOOST_TEST(std::abs(state.v - as_record.v) <= rounding * scale);
+    BOOST_TEST(state.passages == as_record.passages);
+    BOOST_TEST(state.sticks == as_record.sticks);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(trapezoid_and_sawtooth_are_records_of_their_corners) {
+  Dice dice(20261128);
+  for (int i = 0; i < 500; ++i) {
+    const ForcedScene<> scene = random_damped_scene(dice);
+    const double k = dice.sign() * dice.power_of_ten(-1, 1);
+    const double lambda = scene.motion.p * dice.power_of_ten(-1, 1);
+    check_is_record(scene, Trapezoid{k, lambda}, 0);
+    check_is_record(scene, Sawtooth{k, lambda}, 1e-9);
+  }
+}
+
+// A constant load moves the centre of the motion, (F39), and no rule if x = 0 is not special.
+BOOST_AUTO_TEST_CASE(a_haversine_is_a_harmonic_and_a_constant) {
+  Dice dice(20261129);
+  for (int i = 0; i < 500; ++i) {
+    ForcedScene<> scene = random_forced_scene(dice);
+    scene.motion.delta = 0;
+    scene.zeta = dice.once_in(2) ? 0 : dice.uniform(0, 0.5);
+    const double p = scene.motion.p;
+    const Haversine pulse{dice.sign() * dice.power_of_ten(-1, 1), p * dice.power_of_ten(-1, 1)};
+    const double shift = pulse.k / 2 / p;
+    scene.excitation = pulse;
+    scene.t_end = *duration(pulse) * dice.uniform(0.05, 0.99);
+    const ForcedState<double> state = run_forced(scene).state;
+    scene.excitation = Harmonic{pulse.k / 2, 2 * pulse.lambda, -pi / 2};
+    scene.motion.x0 += shift / p;
+    const ForcedState<double> shifted = run_forced(scene).state;
+    const double scale = std::abs(shift) + state.farthest + std::abs(scene.motion.v0);
+    BOOST_TEST_CONTEXT(scene) {
+      BOOST_TEST(std::abs(state.u + shift - shifted.u) <= 1e-11 * scale);
+      BOOST_TEST(std::abs(state.v - shifted.v) <= 1e-11 * scale);
+      BOOST_TEST(state.sticks == shifted.sticks);
     }
   }
 }

@@ -56,12 +56,16 @@ bool mirrors(ForcedScene<>& scene) {
   scene.motion.v0 = -scene.motion.v0;
   if (auto* record = std::get_if<Record>(&scene.excitation)) {
     std::ranges::transform(record->values, record->values.begin(), std::negate());
-  } else if (auto* pulse = std::get_if<Rectangle>(&scene.excitation)) {
-    pulse->k = -pulse->k;
-  } else {
-    return std::holds_alternative<NoExcitation>(scene.excitation);
+    return true;
   }
-  return true;
+  return std::visit(
+      []<class Kind>(Kind& kind) {
+        if constexpr (IsPolygon<Kind>) {
+          kind.k = -kind.k;
+        }
+        return IsPolygon<Kind> || std::is_same_v<Kind, NoExcitation>;
+      },
+      scene.excitation);
 }
 
 BOOST_AUTO_TEST_CASE(random_motions_keep_their_energy_in_balance) {

@@ -19,6 +19,9 @@ BOOST_AUTO_TEST_CASE(other_excitations_follow_the_same_rules) {
       with(HalfSine{0.5, 2}, {1, 0.05, 0.01}, {0, 0}, 20),
       with(FullSine{0.5, 1.5}, {1.3, 0.04, 0}, {0, 0.3}, 20),
       with(Rectangle{0.4, 1}, {0.8, 0.06, 0.02}, {0.5, -0.2}, 20),
+      with(Sawtooth{0.7, 0.6}, {1, 0.08, 0.01}, {0, 0}, 20),
+      with(Trapezoid{-0.6, 0.4}, {1, 0.05, 0.01}, {0, 0.1}, 20),
+      with(Haversine{0.9, 0.3}, {1.1, 0.09, 0.005}, {0, 0}, 20),
       with(Harmonic{0.3, 0.9, 0.7, 12}, {1, 0.05, 0.005}, {-0.4, 0}, 40),
       with(uneven, {1, 0.04, 0.001}, {0, 0.5}, 12),
       with(Harmonic{0.05, 1.3}, {1, 0.1, 0.01}, {0, 1}, 60),  // held for ever in the end: k < f

@@ -14,8 +14,13 @@
 
 namespace stillpoint::report {
 
-inline constexpr auto load_types =
-    std::to_array<std::string_view>({"hit", "half-sine", "full-sine", "rectangle", "records"});
+inline constexpr auto load_types = [] {
+  constexpr const auto& pulses = kind_names<design::Pulse>;
+  std::array<std::string_view, pulses.size() + 2> types{"hit"};
+  std::ranges::copy(pulses, types.begin() + 1);
+  types.back() = "records";
+  return types;
+}();
 
 /// The dampers that the answer is about: the sides of a box that are not exact.
 struct ShownBox {

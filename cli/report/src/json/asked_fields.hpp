@@ -13,8 +13,6 @@ using IfRange = std::optional<Interval>;
 
 inline constexpr auto objectives =
     std::to_array<std::string_view>({"robust", "amplitude", "time", "acceleration", "residual"});
-inline constexpr auto pulse_names =
-    std::to_array<std::string_view>({"half-sine", "full-sine", "rectangle"});
 
 inline constexpr auto shape_of = [](const design::Pulse& pulse) { return design::name(pulse); };
 inline constexpr auto k_of = [](const design::Pulse& pulse) { return design::peak_load(pulse); };
@@ -60,7 +58,7 @@ struct AskedTask {
       Field{"delta_max", in(&Now::limits, &Limits::delta_max)},
       Field{"acceleration_max", in(&Now::limits, &Limits::acceleration_max)},
       Field{"jump_max", &Now::jump_max, "", with_si(Dimension::velocity)},
-      Field{"pulse", in(&Now::pulse, shape_of), "", one_of(pulse_names)},
+      Field{"pulse", in(&Now::pulse, shape_of), "", one_of(kind_names<design::Pulse>)},
       Field{"k", in(&Now::pulse, k_of)},
       Field{"k_range", &Now::k_range},
       Field{"lambda", in(&Now::pulse, lambda_of)},

@@ -59,8 +59,8 @@ inline constexpr auto fields<design::Practice> = [] {
 
 namespace stillpoint::report {
 
-inline constexpr auto excitation_types =
-    std::to_array<std::string_view>({"harmonic", "half-sine", "full-sine", "rectangle", "record"});
+/// All but the first, which is no excitation.
+inline constexpr auto excitation_types = std::span(kind_names<Excitation>).subspan<1>();
 inline constexpr auto record_units =
     std::to_array<std::string_view>({"g", "m/s2", "cm/s2", "mm/s2"});
 

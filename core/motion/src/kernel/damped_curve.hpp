@@ -96,10 +96,11 @@ class DampedCurve {
   }
 
   /// The largest |y| up to the point `to`, a time h after the start, or `so_far` where that is
-  /// larger; for a motion with y'' + 2 zeta y' + y = -w.
-  [[nodiscard]] Real largest(const Point& to, Real h, Real so_far) const {
+  /// larger; for a motion with y'' + 2 zeta y' + y = -w, or with a constant load beside w.
+  [[nodiscard]] Real largest(const Point& to, Real h, Real so_far,
+                             const Real& constant = Real(0)) const {
     so_far = std::max({so_far, magnitude(start_.y), magnitude(to.y)});
-    if (bound(to, h) <= so_far * (1 + 4 * std::numeric_limits<Real>::epsilon()) ||
+    if (bound(to, h, constant) <= so_far * (1 + 4 * std::numeric_limits<Real>::epsilon()) ||
         monotone(to, h)) {
       return so_far;
     }
@@ -160,10 +161,10 @@ class DampedCurve {
   }
 
   /// (D14).
-  [[nodiscard]] Real bound(const Point& to, const Real& h) const {
+  [[nodiscard]] Real bound(const Point& to, const Real& h, const Real& constant) const {
     const Real eighth = h * h / 8;
     const Real ends = std::max(magnitude(start_.y), magnitude(to.y));
-    return exponential_high(Real(zeta_ * h)) * (ends + eighth * k_) / (1 - eighth);
+    return exponential_high(Real(zeta_ * h)) * (ends + eighth * (k_ + constant)) / (1 - eighth);
   }
 
   /// v keeps its sign.

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace stillpoint {
 
@@ -20,9 +21,10 @@ class DampedHarmonicPiece {
   using Point = HarmonicPoint<Real>;
   using End = PieceEnd<Real, Point>;
 
+  /// `constant` is the size of a load besides.
   DampedHarmonicPiece(const Point& start, const Real& r, const Real& zeta,
-                      TippingMargin<Real>& margin)
-      : r_(r), zeta_(zeta), motion_(start, r, zeta, &margin) {}
+                      TippingMargin<Real>& margin, Real constant = Real(0))
+      : r_(r), zeta_(zeta), constant_(std::move(constant)), motion_(start, r, zeta, &margin) {}
 
   [[nodiscard]] const Point& start() const { return motion_.start(); }
   [[nodiscard]] Point at(const Real& h) const { return motion_.at(h); }
@@ -64,11 +66,12 @@ class DampedHarmonicPiece {
  private:
   [[nodiscard]] Real largest(const Point& from, const Point& to, const Real& h,
                              const Real& so_far) const {
-    return DampedCurve<Real>(from, r_, zeta_).largest(to, h, so_far);
+    return DampedCurve<Real>(from, r_, zeta_).largest(to, h, so_far, constant_);
   }
 
   Real r_;
   Real zeta_;
+  Real constant_;
   DampedCurve<Real> motion_;
 };
 

@@ -52,9 +52,9 @@ class DrivePhase {
     return angle.value();
   }
 
-  /// sin psi and cos psi change their signs.
-  void turn_by_half() {
-    psi_.add(pi<Real>(), two_pi_rest() / 2);
+  /// By a quarter of a turn or a half: then sin psi and cos psi change their signs.
+  void turn_by(const Real& turns) {
+    psi_.add(turns * 2 * pi<Real>(), turns * two_pi_rest());
     reduce();
   }
 

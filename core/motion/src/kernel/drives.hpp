@@ -120,15 +120,18 @@ class LinearDrive {
   ExactSum<Real> elapsed_;  ///< or times below its ulp would be lost, and with them a tie
 };
 
-/// W = K sin psi; K >= 0.
+/// W = K sin psi + C; K >= 0.
 template <class Real>
 class HarmonicDrive {
  public:
-  /// `k` is its amplitude.
-  HarmonicDrive(const DrivePhase<Real>& phase, Load<Real> k, TippingMargin<Real>& margin)
+  /// `k` is K and `constant` C.
+  HarmonicDrive(const DrivePhase<Real>& phase, Load<Real> k, Load<Real> constant,
+                TippingMargin<Real>& margin)
       : phase_(phase),
         k_(std::move(k.w)),
         full_k_(k.full.value()),
+        c_(std::move(constant.w)),
+        full_c_(constant.full.value()),
         inverse_k_(k_ == 0 ? Real(0) : Real(1 / k_)),
         margin_(margin),
         now_(phase.sin_cos()) {}
@@ -136,9 +139,9 @@ class HarmonicDrive {
   /// The factor on an error of the phase.
   [[nodiscard]] const Real& amplitude() const { return k_; }
 
-  [[nodiscard]] Real w() const { return k_ * now_.sine; }
+  [[nodiscard]] Real w() const { return k_ * now_.sine + c_; }
   [[nodiscard]] Load<Real> load() const {
-    return {k_ * now_.sine, ExactSum<Real>(full_k_ * now_.sine)};
+    return {w(), ExactSum<Real>(Real(full_k_ * now_.sine + full_c_))};
   }
 
   template <class Time>  // a number or an exact sum
@@ -167,10 +170,10 @@ class HarmonicDrive {
 
   [[nodiscard]] DampedHarmonicPiece<Real> damped_piece(const Sliding<Real>& from,
                                                        const Real& zeta) const {
-    return {start_of(from), phase_.ratio(), zeta, margin_};
+    return {start_of(from), phase_.ratio(), zeta, margin_, magnitude(c_)};
   }
 
-  /// Where a piece from there begins.
+  /// Where a piece from there begins. The flow does not see C, which only moves its centre: (F39).
   [[nodiscard]] HarmonicPoint<Real> start_of(const Sliding<Real>& from) const {
     const Real k = Real(from.direction) * k_;
     HarmonicPoint<Real> start{from.y, from.v, from.a, k * now_.sine, k * now_.cosine};
@@ -208,7 +211,7 @@ class HarmonicDrive {
       DrivePhase<Real> there = phase_;
       there.advance(first.wait);
       if (direction_ > 0) {
-        there.turn_by_half();
+        there.turn_by(Real(0.5));
       }
       wait.add(there.short_of_crest(first.to_crest) / phase_.ratio());
     }
@@ -225,13 +228,13 @@ class HarmonicDrive {
     const auto decide = [&](int sign, const Real& room, const Real& ahead) {
       const Real to_crest = ahead < 0 ? Real(ahead + 2 * pi<Real>()) : ahead;
       if ((released && sign == -direction_) || to_crest < angle) {
-        margin_.decide(room < 0 ? Real(-room) : room, hold.size(k_));
+        margin_.decide(room < 0 ? Real(-room) : room, hold.size(Real(k_ + magnitude(c_))));
       }
     };
     decide(1, room_up_, Real(pi<Real>() / 2 - phase_.psi()));
     decide(-1, room_down_, Real(-pi<Real>() / 2 - phase_.psi()));
   }
-  [[nodiscard]] Real largest_load(const Real& u) const { return magnitude(u) + k_; }
+  [[nodiscard]] Real largest_load(const Real& u) const { return magnitude(u) + k_ + magnitude(c_); }
   template <class AnyHold>
   [[nodiscard]] Real largest_excess(const AnyHold& hold) const {
     if constexpr (AnyHold::symmetric) {
@@ -250,10 +253,12 @@ class HarmonicDrive {
   /// By how much the crest of the load in the direction `sign` exceeds friction.
   template <class AnyHold>
   [[nodiscard]] Real room(const AnyHold& hold, int sign) const {
-    const Real spare = hold.beyond(k_, sign);  // first, or u would be rounded away
+    const Real most = crest(sign);
+    const Real spare = hold.beyond(most, sign);  // first, or u would be rounded away
     return hold.sharpened(Real(spare + Real(sign) * hold.u()),
-                          {k_, ExactSum<Real>(Real(sign) * full_k_)}, sign);
+                          {most, ExactSum<Real>(Real(Real(sign) * full_k_ + full_c_))}, sign);
   }
+  [[nodiscard]] Real crest(int sign) const { return k_ + Real(sign) * c_; }
 
   /// When the rising load first passes the level that its crest exceeds by `room`. `grows`: it is
   /// rising now.
@@ -285,6 +290,8 @@ class HarmonicDrive {
   DrivePhase<Real> phase_;
   Real k_;
   Real full_k_;
+  Real c_;
+  Real full_c_;
   Real inverse_k_;  ///< unused where k = 0
   TippingMargin<Real>& margin_;
   typename DrivePhase<Real>::SinCos now_;

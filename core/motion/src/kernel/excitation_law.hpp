@@ -86,20 +86,8 @@ Real largest_load(const Sine& sine, const Real& p, const ExactSum<Real>& from,
   }
   const Real begin = magnitude(psi.sin_cos().sine);
   psi.advance(length);
-  return magnitude(sine.k) * max(begin, magnitude(psi.sin_cos().sine));
-}
-
-template <class Real, IsLine Line>
-Real largest_load(const Line& pulse, const Real& p, const ExactSum<Real>& from,
-                  const ExactSum<Real>& until) {
-  using std::max;
-  const Real per_turn = pulse.lambda / (p * Real(2 * Line::turns) * pi<Real>());
-  const auto load = [&](const ExactSum<Real>& at) {
-    const Real part = at.value() * per_turn;
-    return magnitude(
-        Real(pulse.k * (Real(Line::line.begin) + Real(Line::line.end - Line::line.begin) * part)));
-  };
-  return max(load(from), load(until));
+  const Real most = max(begin, magnitude(psi.sin_cos().sine));
+  return magnitude(sine.k) * (IsSquare<Sine> ? Real(most * most) : most);
 }
 
 /// At a sample, or at an end, which may lie between two.
@@ -134,6 +122,12 @@ Real largest_load(const BasicRecord<Real>& record, const Real& p, const ExactSum
     most[0] = max(most[0], magnitude(record.values[i]));
   }
   return *std::max_element(most.begin(), most.end());
+}
+
+template <class Real, IsPolygon Polygon>
+Real largest_load(const Polygon& pulse, const Real& p, const ExactSum<Real>& from,
+                  const ExactSum<Real>& until) {
+  return largest_load(record_of(pulse, duration_of<Real>(pulse)), p, from, until);
 }
 
 /// For any kind of excitation, for Transmitted. It refers to the excitation.

@@ -18,20 +18,19 @@ namespace stillpoint {
 
 namespace detail {
 
-/// The load at its end.
+/// k sin psi and, beside it, a constant load; that at its end.
 template <class Real, class Watcher, class Law>
-Load<Real> harmonic(ForcedRun<Real, Watcher, Law>& run, const Real& k, const Real& lambda,
-                    const Real& phase, const ExactSum<Real>& length, bool for_ever) {
+Load<Real> harmonic(ForcedRun<Real, Watcher, Law>& run, const Real& k, DrivePhase<Real> psi,
+                    const Real& beside, const ExactSum<Real>& length, bool for_ever) {
   const Real& p = run.map().p;
   const Real size = k / p;
   // sin(psi + pi) in place of a negative k
-  DrivePhase<Real> psi(lambda, p, phase);
   if (size < 0) {
-    psi.turn_by_half();
+    psi.turn_by(Real(0.5));
   }
   const Load<Real> crest =
       size < 0 ? Load<Real>{-size, ExactSum<Real>(-k)} : Load<Real>{size, ExactSum<Real>(k)};
-  HarmonicDrive<Real> drive(psi, crest, run.state().margin);
+  HarmonicDrive<Real> drive(psi, crest, {beside / p, ExactSum<Real>(beside)}, run.state().margin);
   run.through(drive, length, for_ever);
   return drive.load();
 }
@@ -47,28 +46,40 @@ Load<Real> excite(ForcedRun<Real, Watcher, Law>& /*run*/, const NoExcitation& /*
 
 template <class Real, class Watcher, class Law, IsSine Sine>
 Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const Sine& sine, const ExactSum<Real>& end) {
-  const Real lasts = duration_of<Real>(sine);
-  return detail::harmonic(run, sine.k, sine.lambda, Real(sine.phase),
-                          detail::earlier(run.map().p, lasts, end),
-                          lasts == std::numeric_limits<Real>::infinity());
-}
-
-template <class Real, class Watcher, class Law, IsLine Line>
-Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const Line& pulse,
-                  const ExactSum<Real>& end) {
   const Real& p = run.map().p;
-  const Real lasts = duration_of<Real>(pulse);
-  const Real first = Real(Line::line.begin) * pulse.k;
-  const Real last = Real(Line::line.end) * pulse.k;
-  LinearDrive<Real> drive(Real(first / p), first, Real(last / p), last, Real(p * lasts));
-  run.through(drive, detail::earlier(p, lasts, end), false);
-  return drive.load();
+  const Real lasts = duration_of<Real>(sine);
+  const ExactSum<Real> length = detail::earlier(p, lasts, end);
+  if constexpr (IsSquare<Sine>) {  // (F39)
+    DrivePhase<Real> psi(2 * sine.lambda, p, Real(0));
+    psi.turn_by(Real(-0.25));
+    const Real half = sine.k / 2;
+    return detail::harmonic(run, half, psi, half, length, false);
+  } else {
+    return detail::harmonic(run, sine.k, {sine.lambda, p, Real(sine.phase)}, Real(0), length,
+                            lasts == std::numeric_limits<Real>::infinity());
+  }
 }
 
 template <class Real, class Watcher, class Law>
 Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const BasicRecord<Real>& record,
                   const ExactSum<Real>& end) {
   return RecordRun<Real, Watcher, Law>(run, record).through(end);
+}
+
+template <class Real, class Watcher, class Law, IsPolygon Polygon>
+Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const Polygon& pulse,
+                  const ExactSum<Real>& end) {
+  const Real lasts = duration_of<Real>(pulse);
+  if constexpr (Polygon::corners.size() > 2) {
+    return excite(run, record_of(pulse, lasts), end);
+  } else {
+    const Real& p = run.map().p;
+    const Real first = Real(Polygon::corners.front().load) * pulse.k;
+    const Real last = Real(Polygon::corners.back().load) * pulse.k;
+    LinearDrive<Real> drive(Real(first / p), first, Real(last / p), last, Real(p * lasts));
+    run.through(drive, detail::earlier(p, lasts, end), false);
+    return drive.load();
+  }
 }
 
 /// The whole motion up to tau = t_end.

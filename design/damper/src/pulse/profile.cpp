@@ -17,15 +17,18 @@ namespace stillpoint::design {
 
 namespace {
 
-/// The integral of |W|; a line does not change its sign.
+/// The integral of |W|; a polygon does not change its sign.
 double impulse(const Pulse& pulse) {
   return std::visit(
       []<class Kind>(const Kind& kind) {
-        if constexpr (IsLine<Kind>) {
-          const auto& [begin, end] = Kind::line;
-          return (begin + end) * Kind::turns * std::numbers::pi / kind.lambda;
+        if constexpr (IsPolygon<Kind>) {
+          double twice = 0;  // of its mean
+          for (const auto* to = Kind::corners.begin() + 1; to != Kind::corners.end(); ++to) {
+            twice += (to->time - (to - 1)->time) * (to->load + (to - 1)->load);
+          }
+          return twice * Kind::turns * std::numbers::pi / kind.lambda;
         } else {
-          return 4 * Kind::turns / kind.lambda;
+          return (IsSquare<Kind> ? std::numbers::pi : 4) * Kind::turns / kind.lambda;
         }
       },
       pulse);

@@ -3,10 +3,12 @@
 
 // The base acceleration W(tau) in units of g, tau >= 0. Outside the stated intervals W = 0.
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -23,14 +25,14 @@ struct BasicHarmonic {
 };
 using Harmonic = BasicHarmonic<double>;
 
-// A pulse lasts `turns` times 2 pi / lambda. It is a sine with that `phase` or, with a `line`,
-// straight from one part of k to another. What computes with it follows from these; a load with
-// another law also needs its load_at here and its part of src/kernel.
+// A pulse lasts `turns` times 2 pi / lambda. It is a sine with that `phase`, or the square of one
+// if `squared`, or straight between `corners`. What computes with it follows from these; a load
+// with another law also needs its load_at here and its part of src/kernel.
 
-/// The load at the beginning and at the end, as parts of k.
-struct PulseLine {
-  double begin;
-  double end;
+/// The first is at 0, the last at 1; the load jumps from 0 and to 0 there.
+struct PulseCorner {
+  double time;  ///< as a part of the duration
+  double load;  ///< as a part of k
 };
 
 template <class Real>
@@ -57,11 +59,45 @@ template <class Real>
 struct BasicRectangle {
   static constexpr std::string_view name = "rectangle";
   static constexpr double turns = 0.5;
-  static constexpr PulseLine line{1, 1};
+  static constexpr std::array<PulseCorner, 2> corners{{{0, 1}, {1, 1}}};
   Real k{0};
   Real lambda{1};
 };
 using Rectangle = BasicRectangle<double>;
+
+/// It rises to k and then drops to 0: with a terminal peak.
+template <class Real>
+struct BasicSawtooth {
+  static constexpr std::string_view name = "sawtooth";
+  static constexpr double turns = 0.5;
+  static constexpr std::array<PulseCorner, 2> corners{{{0, 0}, {1, 1}}};
+  Real k{0};
+  Real lambda{1};
+};
+using Sawtooth = BasicSawtooth<double>;
+
+/// It rises in a tenth of its duration and falls in a tenth: IEC 60068-2-27.
+template <class Real>
+struct BasicTrapezoid {
+  static constexpr std::string_view name = "trapezoid";
+  static constexpr double turns = 0.5;
+  static constexpr std::array<PulseCorner, 4> corners{{{0, 0}, {0.1, 1}, {0.9, 1}, {1, 0}}};
+  Real k{0};
+  Real lambda{1};
+};
+using Trapezoid = BasicTrapezoid<double>;
+
+/// k sin^2(lambda tau) = k (1 - cos(2 lambda tau))/2.
+template <class Real>
+struct BasicHaversine {
+  static constexpr std::string_view name = "haversine";
+  static constexpr double turns = 0.5;
+  static constexpr double phase = 0;
+  static constexpr bool squared = true;
+  Real k{0};
+  Real lambda{1};
+};
+using Haversine = BasicHaversine<double>;
 
 /// W is linear between samples. It is 0 before the first and after the last sample, where it may
 /// jump; a single sample has no duration.
@@ -82,7 +118,8 @@ struct NoExcitation {
 /// A new kind of excitation is one of these.
 template <class Real>
 using BasicExcitation = std::variant<NoExcitation, BasicHarmonic<Real>, BasicHalfSine<Real>,
-                                     BasicFullSine<Real>, BasicRectangle<Real>, BasicRecord<Real>>;
+                                     BasicFullSine<Real>, BasicRectangle<Real>, BasicSawtooth<Real>,
+                                     BasicTrapezoid<Real>, BasicHaversine<Real>, BasicRecord<Real>>;
 using Excitation = BasicExcitation<double>;
 
 template <class Kind>
@@ -93,21 +130,52 @@ template <class Kind>
 concept IsSine = requires(const Kind& kind) {
   kind.phase;
 };
+/// The square of a sine.
 template <class Kind>
-concept IsLine = requires {
-  Kind::line;
+concept IsSquare = requires {
+  Kind::squared;
 };
+template <class Kind>
+concept IsPolygon = requires {
+  Kind::corners;
+};
+
+/// The same load as a record, which ends at `duration`.
+template <class Real, IsPolygon Polygon>
+[[nodiscard]] BasicRecord<Real> record_of(const Polygon& pulse, const Real& duration) {
+  BasicRecord<Real> record;
+  for (const auto& [time, load] : Polygon::corners) {
+    record.times.push_back(Real(time) * duration);
+    record.values.push_back(Real(load) * pulse.k);
+  }
+  return record;
+}
 
 /// W(tau) for 0 <= tau < duration, for figures and for integrators to compare with: the kernels,
 /// which do not use it, are more exact.
-[[nodiscard]] double load_at(const IsSine auto& sine, double tau) {
-  return sine.k * std::sin(sine.lambda * tau + sine.phase);
+template <IsSine Sine>
+[[nodiscard]] double load_at(const Sine& wave, double tau) {
+  const double sine = std::sin(wave.lambda * tau + wave.phase);
+  return wave.k * (IsSquare<Sine> ? sine * sine : sine);
 }
-template <IsLine Line>
-[[nodiscard]] double load_at(const Line& pulse, double tau) {
-  const double part = pulse.lambda * tau / (2 * Line::turns * std::numbers::pi);
-  return pulse.k * (Line::line.begin + (Line::line.end - Line::line.begin) * part);
+template <IsPolygon Polygon>
+[[nodiscard]] double load_at(const Polygon& pulse, double tau) {
+  const double part = pulse.lambda * tau / (2 * Polygon::turns * std::numbers::pi);
+  const auto* to = Polygon::corners.begin() + 1;
+  while (to + 1 != Polygon::corners.end() && to->time <= part) {
+    ++to;
+  }
+  const auto* const from = to - 1;
+  return pulse.k *
+         (from->load + (to->load - from->load) * ((part - from->time) / (to->time - from->time)));
 }
+
+/// "half-sine" and so on, of all kinds in a variant.
+template <class Kinds>
+inline constexpr auto kind_names =
+    []<class... Kind>(std::type_identity<std::variant<Kind...>> /*kinds*/) {
+      return std::array<std::string_view, sizeof...(Kind)>{Kind::name...};
+    }(std::type_identity<Kinds>());
 
 /// That of its kind.
 [[nodiscard]] inline std::string_view name(const Excitation& excitation) {

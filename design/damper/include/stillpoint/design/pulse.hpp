@@ -15,7 +15,7 @@
 
 namespace stillpoint::design {
 
-using Pulse = std::variant<HalfSine, FullSine, Rectangle>;
+using Pulse = std::variant<HalfSine, FullSine, Rectangle, Sawtooth, Trapezoid, Haversine>;
 
 /// With these, every requirement holds for each k from k_low to that of the pulse and for each
 /// lambda from that of the pulse to lambda_high.

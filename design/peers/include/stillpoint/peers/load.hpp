@@ -25,6 +25,15 @@ struct NoLoad {
   static bool next_stretch() { return false; }
 };
 
+/// Any sine, or its square: one kind, since integrators compile for long.
+struct Wave : Harmonic {
+  bool squared{false};
+};
+inline double load_at(const Wave& wave, double t) {
+  const double sine = std::sin(wave.lambda * t + wave.phase);
+  return wave.k * (wave.squared ? sine * sine : sine);
+}
+
 /// By the formula of the excitation up to its end, then 0.
 template <class Law>
 class LawLoad {
@@ -37,7 +46,7 @@ class LawLoad {
   [[nodiscard]] double largest() const { return end_ == for_ever ? std::abs(law_.k) : for_ever; }
   /// When to look again at the load of a mass at rest: each crest is among the looks.
   [[nodiscard]] double next_look(double t) const {
-    if constexpr (IsLine<Law>) {
+    if constexpr (IsPolygon<Law>) {
       return for_ever;
     } else {
       constexpr double apart = std::numbers::pi / 16;
@@ -106,10 +115,14 @@ auto with_load(const Excitation& excitation, Action action) {
           return action(NoLoad());
         } else if constexpr (std::is_same_v<Kind, Record>) {
           return action(RecordLoad(kind));
-        } else if constexpr (IsSine<Kind>) {  // as one kind, since integrators compile for long
-          return action(LawLoad(Harmonic{kind.k, kind.lambda, kind.phase, duration(kind)}));
-        } else {
+        } else if constexpr (IsSine<Kind>) {
+          return action(
+              LawLoad(Wave{{kind.k, kind.lambda, kind.phase, duration(kind)}, IsSquare<Kind>}));
+        } else if constexpr (std::is_same_v<Kind, Rectangle>) {
           return action(LawLoad(kind));
+        } else {
+          const Record record = record_of(kind, *duration(kind));
+          return action(RecordLoad(record));
         }
       },
       excitation);
