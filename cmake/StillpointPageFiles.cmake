@@ -1,7 +1,6 @@
 # STILLPOINT_LEFT_OUT: the files of the rooms that the page does without. They do what a page does not do, need what its library lacks, or
-# take long to compile: the engine of pulses, sweeps, the comparison with other integrators, the command line.
-set(STILLPOINT_LEFT_OUT "src/pulse/([^p].*|posed|profile|pulse_run)"
-  "src/(comparison|exact|kernel|reference|regularised)|src/figure_map"
+# take long to compile: sweeps, the comparison with other integrators, the command line.
+set(STILLPOINT_LEFT_OUT "src/(comparison|exact|kernel|reference|regularised)|src/figure_map"
   "src/(run|rows|map|merge|reducer|reduction|step|checkpoint|sink|state|list_source|request_of|grid|npy|part_label)|src/posix/(open_part|output|output_file|open_rows|part_file)"
   "src/(accuracy|browser|sweep|terminal)|src/figures/(choices|sweep)|src/json/(accuracy|reduction.*|sweep)"
   "accuracy|commands|messages|output|progress|standard_streams|sweep|written_files|input/sweep|options/command_line")

@@ -34,7 +34,7 @@ foreach(line IN LISTS versions)
   list(APPEND nlopt_definitions ${definition})
 endforeach()
 file(WRITE "${PROJECT_BINARY_DIR}/nlopt/nlopt_config.h" "")
-# Those that a design can ask for; left_out.js says what happens to the rest. The headers are those of all.
+# Those that a design can ask for; engine/library.js says what happens to the rest. The headers are those of all.
 set(algorithms cdirect cobyla crs mma neldermead slsqp)
 foreach(algorithm IN ITEMS ${algorithms} auglag bobyqa direct esch isres luksan mlsl newuoa praxis)
   list(APPEND nlopt_folders "${STILLPOINT_NLOPT_SOURCE}/src/algs/${algorithm}")

@@ -56,10 +56,10 @@ std::string task_of(const Settings& settings, Command command) {
 /// there.
 void link_explorer(const Settings& settings, Command command, figures::HtmlPage& page) {
   const auto explorer = report::installed_explorer();
-  // The page can leave out a front, but neither the hit nor a file.
+  // The page can leave out a front, but neither cases nor a file.
   const auto is_beyond = [command](const Option& option) {
-    return option.serves(command) && option.is_echoed() && !option.is_explored() &&
-           (option.traits.rivals == Rivals::hit || option.takes_file());
+    return option.serves(command) && option.is_echoed() &&
+           (option.takes_file() || option.traits.in_scene == InScene::cases);
   };
   if (explorer && settings.first(is_beyond) == nullptr) {
     const std::string link = report::explorer_link(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What engine.js calls: requests and answers are texts of JSON, columns of numbers are memory.
 
+#include "input/excitation.hpp"
 #include "input/motion.hpp"
 #include "input/request.hpp"
 #include "options/scene.hpp"
@@ -23,12 +24,18 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <exception>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
+
+extern "C" {
+/// How far a search is, in words; of library.js.
+void stillpoint_progress(const char* words);
+}
 
 namespace stillpoint::cli {
 
@@ -111,33 +118,36 @@ Settings within_limits(Settings settings) {
   return settings;
 }
 
-/// Of a mass that closed forms do not know, which is simulated.
+/// Of records, and of what closed forms do not know: each damper is simulated.
 ordered_json said_of_cases(Command command, const Settings& settings, const json& request) {
+  using Clock = std::chrono::steady_clock;
   report::RecordDesignInput input = record_design_input(settings, command);
   input.request.threads = 1;
-  return said_of(report::RecordDesignReport(design::design(input.request), input), request);
+  Clock::time_point told = Clock::now();
+  const auto tell = [&](const design::RecordProgress& now) {
+    if (Clock::now() - told > std::chrono::milliseconds(100)) {
+      told = Clock::now();
+      stillpoint_progress(report::progress_words(now, input.physical).c_str());
+    }
+    return true;
+  };
+  return said_of(report::RecordDesignReport(design::design(input.request, tell), input), request);
 }
 
-/// Suites of records and sweeps need the installed program.
 ordered_json said_by(Command command, const Settings& settings, const json& request) {
-  const bool simulated = command != Command::simulate && !settings.has("pulse") &&
-                         !asks_for_records(settings) && takes_cases(settings);
-  switch (command) {
-    case Command::design:
-      if (asks_for_records(settings)) {
-        throw UsageError(
-            "a design under records needs the installed program: stillpoint design --record");
-      }
-      return simulated ? said_of_cases(command, settings, request)
-                       : said_of(answers::answer(design_input(settings)), request);
-    case Command::region:
-      return simulated ? said_of_cases(command, settings, request)
-                       : said_of(answers::answer(region_input(settings)), request);
-    case Command::simulate:
-      return said_of(motion_report(settings, always), request);
-    default:
-      throw UsageError(fmt::format("{} works only on the command line", name(command)));
+  if (command == Command::simulate) {
+    return said_of(motion_report(settings, always), request);
   }
+  if (command != Command::design && command != Command::region) {
+    throw UsageError(fmt::format("{} works only on the command line", name(command)));
+  }
+  if (takes_cases(settings)) {
+    return command == Command::design && request.at("quick").get<bool>()
+               ? ordered_json{{"exit", 0}, {"figures", json::array()}, {"searches", true}}
+               : said_of_cases(command, settings, request);
+  }
+  return command == Command::design ? said_of(answers::answer(design_input(settings)), request)
+                                    : said_of(answers::answer(region_input(settings)), request);
 }
 
 ordered_json run(const json& request) {
@@ -162,20 +172,34 @@ void motion(const json& options, int points) {
   }
 }
 
-/// The results of free_batch, without its lanes, which would be a tenth of all code here.
+/// The results of free_batch, without its lanes, which would be a tenth of all code here; of a
+/// pulse the last column is its peak.
 void batch(const json& options, std::size_t size, const double* columns) {
   const Settings settings = given(Command::simulate, options);
   const MotionInput input = motion_input(settings, Command::simulate, true);
   const Surface surface = surface_input(settings, input.physical);
   Oscillator oscillator = mass_input(settings, input.p);
+  auto load = excitation_input(settings, input.physical, input.p);
   numbers.resize(3 * size);
   for (std::size_t i = 0; i < size; ++i) {
     oscillator.f = columns[i];
     oscillator.delta = columns[size + i];
-    const Start start{.x0 = 0, .v0 = columns[2 * size + i]};
-    const Response found = surface.plain()
-                               ? free_response(oscillator, start, {.times = false, .margin = false})
-                               : forced_response(oscillator, start, NoExcitation{}, {}, surface);
+    const double strength = columns[2 * size + i];
+    const Start start{.x0 = 0, .v0 = load ? 0 : strength};
+    if (load) {
+      std::visit(
+          [strength](auto& wave) {
+            if constexpr (requires { wave.k; }) {
+              wave.k = strength;
+            }
+          },
+          load->excitation);
+    }
+    const Response found =
+        !load && surface.plain()
+            ? free_response(oscillator, start, {.times = false, .margin = false})
+            : forced_response(oscillator, start, load ? load->excitation : NoExcitation{}, {},
+                              surface);
     numbers[i] = found.peak_amplitude;
     numbers[size + i] = found.stop_position.value_or(0);
     numbers[2 * size + i] = static_cast<double>(found.outcome);
@@ -196,12 +220,23 @@ ordered_json option_rows() {
       }
     }
     const Units units = option.traits.units;
+    const auto in_units = records::units_of(option.traits.dimension);
     rows.push_back({{"name", option.name},
+                    {"help", option.help},
+                    {"values", option.values()},
+                    {"unit", in_units.empty() ? "" : in_units.front().name},
+                    {"range", option.takes_range_in(Command::design)},
                     {"units", units == Units::any             ? "any"
                               : units == Units::dimensionless ? "dimensionless"
                                                               : "physical"},
                     {"commands", takers},
-                    {"set", static_cast<int>(option.traits.rivals)}});
+                    {"set", static_cast<int>(option.traits.rivals)},
+                    {"load", option.names_records()                                 ? "record"
+                             : option.name == "pulse" || option.shapes(Load::pulse) ? "pulse"
+                             : option.traits.rivals == Rivals::hit                  ? "hit"
+                             : option.design_for() == DesignFor::records            ? "record"
+                                                                                    : ""},
+                    {"simulated", option.traits.design == DesignFor::cases}});
   }
   return rows;
 }
@@ -230,13 +265,15 @@ extern "C" {
 
 /// {version, style, outcomes, options}.
 const char* stillpoint_about();
-/// Of {command, options, figures, report, document}, the ids of the figures to draw and whether a
-/// report and its sections as HTML are wanted: {exit, figures, doubts, document}, the report and
-/// the drawings, each after a separator; or {error}.
+/// Of {command, options, figures, report, document, quick}, the ids of the figures to draw and
+/// whether a report and its sections as HTML are wanted: {exit, figures, doubts, document}, the
+/// report and the drawings, each after a separator; or {error}. A quick design that would simulate
+/// dampers to find the best answers only {searches}.
 const char* stillpoint_run(const char* request);
 /// "{}" or {error}; then the columns tau, x and v are in stillpoint_numbers().
 const char* stillpoint_motion(const char* options, int points);
-/// The same of the columns f, delta and v0: peak, position of rest and outcome.
+/// The same of the columns f, delta and v0, or the k of a pulse: peak, position of rest and
+/// outcome.
 const char* stillpoint_batch(const char* options, int size, const double* columns);
 const double* stillpoint_numbers();
 int stillpoint_count();

@@ -1,9 +1,9 @@
 // The engine of the page, see page/engine.d.ts. `createModule` and `stillpointWasm`, the bytes of the
 // WebAssembly, come before it in the file that join.mjs writes.
 
-/** @returns {Promise<Engine>} */
-async function createEngine() {
-  const module = await createModule({ wasmBinary: stillpointWasm });
+/** @param {(words: string) => void} [progress] hears how far a search is @returns {Promise<Engine>} */
+async function createEngine(progress) {
+  const module = await createModule({ wasmBinary: stillpointWasm, progress });
   // Apart from what the file system has of its own.
   module.FS.mkdir("/files");
   module.FS.chdir("/files");
@@ -40,7 +40,15 @@ async function createEngine() {
           }
           written.push(name);
         }
-        const request = { command, options, figures: [], report: true, document: false, ...ask };
+        const request = {
+          command,
+          options,
+          figures: [],
+          report: true,
+          document: false,
+          quick: false,
+          ...ask,
+        };
         const { answer, behind } = withText(JSON.stringify(request), module._stillpoint_run);
         if (answer.error !== undefined) return answer;
         const [json, ...drawn] = behind;

@@ -98,7 +98,7 @@ constexpr auto in_motion = std::to_array<Option>(
          "--excitation-frequency or --lambda",
          of_designs, Rivals::hit, Values{[] { return design::excitation_names(true); }},
          Excludes{sweep, "residual residual-m", "in a sweep a design for a pulse stops at x = 0"},
-         Instead{"a motion takes --excitation"}, not_explored),
+         Instead{"a motion takes --excitation"}),
      row("x0", number, "X", "initial displacement (default 0)", motions | sweep, swept,
          Units::dimensionless, Rivals::start)});
 
@@ -126,7 +126,7 @@ constexpr auto in_damper = std::to_array<Option>(
          swept, Rivals::friction, Also{"friction mu"}, Instead{"region judges a given damper"}),
      row("friction-force", number, "N", "the same as a force in N; needs --mass: f = N/(m g)",
          region | motions | sweep | spectrum, swept, Rivals::friction, InSi{Dimension::force},
-         Also{"force"}, Instead{"region judges a given damper"}, not_explored),
+         Also{"force"}, Instead{"region judges a given damper"}),
      row("delta", number, "D", "point friction", region | motions | sweep, swept,
          Rivals::point_friction, Also{"notch"}),
      row("delta-m", number, "M", "point friction in m, with physical input",

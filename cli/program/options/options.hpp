@@ -261,11 +261,10 @@ struct Option {
   [[nodiscard]] bool takes_file() const {
     return traits.file == FileUse::read || traits.file == FileUse::written;
   }
-  /// Whether the page with the program in it takes it. That designs for a hit, without files.
+  /// Whether the page with the program in it takes it.
   [[nodiscard]] bool is_explored() const {
-    return traits.explored && is_echoed() && !takes_file() && traits.load == Load::none &&
-           traits.design != DesignFor::cases && design_for() != DesignFor::records &&
-           (serves(Command::design) || serves(Command::region));
+    return traits.explored && is_echoed() && (serves(Command::design) || serves(Command::region)) &&
+           (!takes_file() || name == "record");
   }
   [[nodiscard]] bool names_records() const {
     return traits.file == FileUse::read && design_for() == DesignFor::records;

@@ -1,3 +1,9 @@
+// What the engine calls of the page.
+mergeInto(LibraryManager.library, {
+  stillpoint_progress:
+    "(words) => { if (Module['progress']) Module['progress'](UTF8ToString(words)); }",
+});
+
 // Functions that NLopt calls for algorithms that no design can request (nlopt_algorithms() lists those that it
 // can): half of its code, and a table of 130 kB.
 mergeInto(
