@@ -6,7 +6,7 @@ import { basename, join } from "node:path";
 import { load_engine } from "./load.mjs";
 
 const [module, page, scenes, out] = process.argv.slice(2);
-const largest_page = 800_000;
+const largest_page = 900_000;
 
 const read = (/** @type {string[]} */ ...path) => readFileSync(join(...path), "utf8");
 const files = (/** @type {string} */ folder, /** @type {string} */ ending) =>
@@ -60,22 +60,21 @@ const presets = Object.fromEntries(
   files(scenes, ".json").map((name) => [basename(name, ".json"), JSON.parse(read(scenes, name))]),
 );
 const parts = files(page, ".js").filter((name) => /^\d\d-/.test(name));
+const scripts = Buffer.from([glue, engine, ""].join("\n")); // which a worker runs too
 const script = Buffer.from(
   [
     `const scenes = ${JSON.stringify(presets)};`,
     `const option_rows = ${JSON.stringify(options)};`,
-    glue,
-    engine,
     ...parts.map((name) => stripped(read(page, name))),
   ].join("\n"),
 );
-const plain = Buffer.concat([script, wasm]);
+const plain = Buffer.concat([scripts, script, wasm]);
 const packed = execFileSync("xz", ["--format=lzma", "-9e", "--stdout"], {
   input: plain,
   maxBuffer: plain.length,
 });
 const loader = `${stripped(read(page, "loader.js"))}
-start_page(\`${dense(packed)}\`, ${packed.length}, ${plain.length}, ${script.length});`;
+start_page(\`${dense(packed)}\`, ${packed.length}, ${plain.length}, ${scripts.length}, ${scripts.length + script.length});`;
 const style = files(page, ".css").map((name) =>
   stripped(read(page, name))
     .replace(/(?<=^[a-z-]+:) | (?=\{$)/gm, "")

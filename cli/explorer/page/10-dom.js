@@ -20,6 +20,9 @@ function input(id) {
   return /** @type {HTMLInputElement} */ (el(id));
 }
 
+/** @param {Node} node @returns {HTMLInputElement} */
+const input_of = (node) => /** @type {HTMLInputElement} */ (node);
+
 /** @typedef {Node | string} Part */
 
 /**

@@ -8,6 +8,7 @@ const ends_words = /** @type {Record<string, string>} */ ({
   within_residual: "within the residual",
   off_centre: "off centre",
   alternating: "alternately centred and off centre",
+  passes: "passes x = 0",
   too_far: "too far",
   never_stops: "never stops",
 });
@@ -45,6 +46,17 @@ function alarms_of({ admissible, findings }) {
   return admissible === false || findings.some((/** @type {any} */ now) => now.severity !== "info");
 }
 
+/** The worst figures of a suite. @param {any} report of design or region under records */
+function suite_of({ cases: [{ worst }] }) {
+  return {
+    peak: worst.peak_m ?? worst.peak_amplitude,
+    rest: worst.residual_m ?? worst.residual,
+    stop_time: null,
+    acceleration: worst.peak_absolute_acceleration,
+    felt: "the worst within the tolerance",
+  };
+}
+
 /** What is to be known beyond the numbers. @param {any} report @returns {string} */
 function remarks_of({ findings }) {
   return findings.map((/** @type {any} */ now) => now.text).join(" ");
@@ -60,23 +72,25 @@ function residual_of({ input, physical }) {
   return (input.residual ?? 0) * (physical?.length_unit_m ?? 1);
 }
 
-/** The weakest and the strongest hit of the task. @param {any} report @param {number} unit */
-function ends(report, unit = 1) {
-  const [low, high] = report.input.v0_range ?? [report.input.v0, report.input.v0];
+/** The weakest and the strongest hit of the task, or the peaks of its pulse in g. @param {any} report @param {number} unit */
+function ends({ input }, unit = 1) {
+  const { k, k_range, v0, v0_range, pulse } = input;
+  if (pulse) return k_range ?? [k, k];
+  const [low, high] = v0_range ?? [v0, v0];
   return [low * unit, high * unit];
 }
 
 /** The same in the unit of the task. @param {any} report */
-function velocities_of(report) {
+function strengths_of(report) {
   return ends(report, report.physical?.velocity_unit_m_per_s);
 }
 
 /** How hits of each strength end. @param {any} report */
 function hits_of({ hits, physical }) {
-  const suffix = physical ? "_m_per_s" : "";
+  const suffix = physical?.hits ? "_m_per_s" : "";
   const parts = /** @type {{ ends: string, from: number, to: number }[]} */ ([]);
   (hits ?? []).forEach((/** @type {any} */ hit, /** @type {number} */ i) => {
-    const { [`from${suffix}`]: from, [`to${suffix}`]: to } = physical?.hits[i] ?? hit;
+    const { [`from${suffix}`]: from, [`to${suffix}`]: to } = physical?.hits?.[i] ?? hit;
     const last = parts[parts.length - 1];
     // Of a range of springs two neighbours may end alike.
     if (last?.ends === hit.ends) last.to = to;

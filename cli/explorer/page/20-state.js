@@ -11,12 +11,30 @@ const dimensionless_only = names_where(({ units }) => units === "dimensionless")
 /** What a design finds. */
 const damper_options = names_where(({ commands }) => !commands.includes("design"));
 
-/** With these a damper is judged and its region found by simulation; the best one takes seconds. */
-const beyond_closed_forms = ["damping", "breakaway"];
+/** What gives the load and shapes it. */
+const load_options = names_where(({ load }) => load !== "");
+const of_records = names_where(({ load }) => load === "record");
 
-/** @param {Options} options */
-function is_simulated(options) {
-  return beyond_closed_forms.some((name) => name in options);
+/** @param {Options} options @returns {"hit" | "pulse" | "record"} */
+function load_of(options) {
+  return "record" in options ? "record" : "pulse" in options ? "pulse" : "hit";
+}
+
+/**
+ * A task that closed forms know, with the same units: with damping, say, a damper is judged and its region found by
+ * simulation, and under records there is no region.
+ * @param {Options} options
+ */
+function plain_task(options) {
+  const beyond = names_where(({ simulated }) => simulated);
+  const load = load_of(options);
+  const left_out = [...beyond, ...of_records, "damping", "breakaway", "objective", "criterion"];
+  if (load !== "hit") left_out.push("residual", "residual-m", "arrivals");
+  const task = without(options_of("design", options), left_out);
+  if (load !== "record") return task;
+  const hit = is_physical(options) ? "velocity" : "v0";
+  const stroke = is_physical(options) ? "max-displacement" : "beta";
+  return { [stroke]: "1", ...task, [hit]: "1" };
 }
 
 /** The others of a set from which only one may be given. @param {string} name */
@@ -33,7 +51,8 @@ function is_physical(options) {
 
 /** @param {Options} options */
 function has_damper(options) {
-  return "f" in options && ("delta" in options || "delta-m" in options);
+  const has = (/** @type {string[]} */ ...names) => names.some((name) => name in options);
+  return has("f", "friction-force") && has("delta", "delta-m");
 }
 
 /**
@@ -50,9 +69,12 @@ function without(options, names) {
  * @param {Options} options
  */
 function options_of(command, options) {
+  const records = load_of(options) === "record";
   return without(
     options,
-    names_where(({ commands }) => !commands.includes(command)),
+    names_where(
+      ({ commands, load }) => !commands.includes(command) || (load === "record" && !records),
+    ),
   );
 }
 
@@ -60,7 +82,7 @@ function options_of(command, options) {
  * A motion of this damper. It has one hit and one spring: of ranges, those that the report names.
  * @param {Options} options
  * @param {any} report of design or region
- * @param {{ f: number, delta: number, hit: number | null }} damper hit: another velocity than the task's
+ * @param {{ f: number, delta: number, hit: number | null }} damper hit: another strength than the task's
  */
 function motion_options(options, report, damper) {
   const { physical, input } = report;
@@ -69,8 +91,11 @@ function motion_options(options, report, damper) {
     delta: String(damper.delta),
     ...without(options_of("simulate", options), ["title", ...damper_options]),
   });
+  if ("pulse" in options) result.excitation = options.pulse;
   const shown = /** @type {Record<string, number | undefined>} */ ({
     v0: input.v0,
+    k: input.k,
+    lambda: input.lambda,
     p: input.p,
     velocity: physical?.velocity_m_per_s,
     period: physical?.period_s,
@@ -79,11 +104,13 @@ function motion_options(options, report, damper) {
   for (const [name, text] of Object.entries(result)) {
     if (!text.includes(":")) continue;
     delete result[name];
-    const one = name in shown ? name : "period"; // for a spring given in another way
+    // For a spring or a length of a pulse that are given in another way.
+    const one = name in shown ? name : load_options.includes(name) ? "lambda" : "period";
     result[one] = String(shown[one]);
   }
-  if (damper.hit !== null && !physical) result.v0 = String(damper.hit);
-  if (damper.hit !== null && physical) {
+  if (damper.hit !== null && "pulse" in options) result.k = String(damper.hit);
+  else if (damper.hit !== null && !physical) result.v0 = String(damper.hit);
+  else if (damper.hit !== null) {
     // The length unit depends on the velocity, so a damper that is already built is given in metres.
     delete result.delta;
     result["delta-m"] = String(physical.delta_m);
@@ -102,7 +129,9 @@ function to_plain(options, { input }, damper) {
   /** @param {number} value @param {number[] | null} range */
   const text = (value, range) => (range ?? [value]).join(":");
   const result = without(options, [...physical_only, ...damper_options]);
-  result.v0 = text(input.v0, input.v0_range);
+  const load = load_of(options);
+  if (load === "hit") result.v0 = text(input.v0, input.v0_range);
+  if (load === "pulse") result.lambda = text(input.lambda, input.lambda_range);
   result.p = text(input.p, input.p_range);
   result.beta = String(input.beta);
   if (input.residual !== null) result.residual = String(input.residual);
@@ -128,10 +157,15 @@ function to_physical(options, { input }) {
   const velocities = (input.v0_range ?? [input.v0]).map((/** @type {number} */ v) =>
     short(v * Math.sqrt(gravity * length)),
   );
-  const dropped = [...dimensionless_only, ...damper_options, "delta-max"];
+  const dropped = [...dimensionless_only, ...damper_options, "delta-max", "lambda"];
+  const frequencies = (input.lambda_range ?? [input.lambda]).map((/** @type {number} */ lambda) =>
+    short(lambda / input.p / period),
+  );
+  const load = load_of(options);
   return {
     ...without(options, dropped),
-    velocity: velocities.join(":"),
+    ...(load === "hit" ? { velocity: velocities.join(":") } : {}),
+    ...(load === "pulse" ? { "excitation-frequency": `${frequencies.join("Hz:")}Hz` } : {}),
     period: `${period}s`,
     "max-displacement": `${short(input.beta * length * 1000)}mm`,
   };
@@ -165,7 +199,7 @@ function from_fragment(fragment) {
       // Not encoded, or badly: taken as it is.
     }
     name = name.replaceAll("_", "-");
-    if (known.includes(name) && value !== "") options[name] = value;
+    if (known.includes(name) && (value !== "" || name === "record")) options[name] = value;
     else unknown.push(part);
   }
   return { options, unknown };
@@ -182,7 +216,7 @@ function from_scene(scene) {
     if (!known.includes(name)) return null;
     options[name] = Array.isArray(value) ? value.join(":") : String(value);
   }
-  return "v0" in options || "velocity" in options ? options : null;
+  return ["v0", "velocity", "pulse"].some((name) => name in options) ? options : null;
 }
 
 /** @param {string} text */
@@ -195,7 +229,9 @@ function shell_word(text) {
  * @param {Options} options
  */
 function command_line(command, options) {
-  const flags = Object.entries(options).map(([name, value]) => ` --${name} ${shell_word(value)}`);
+  const flags = Object.entries(options).flatMap(([name, value]) =>
+    value.split("\n").map((one) => ` --${name} ${shell_word(one)}`),
+  );
   return `stillpoint ${command}${flags.join("")}`;
 }
 
@@ -203,6 +239,7 @@ function command_line(command, options) {
 function to_scene(options) {
   const numeric = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i;
   const entries = Object.entries(options).map(([name, value]) => {
+    if (name === "record") return [name, value.split("\n")];
     const ends = value.split(":");
     if (ends.length === 2 && ends.every((end) => numeric.test(end)))
       return [name, ends.map(Number)];

@@ -29,16 +29,79 @@ function field(name, label, [least, most], unit, read, more = {}) {
 const log = { log: true };
 const stroke = { log: true, stroke: true };
 const two = { two: true };
+const duration_of = (/** @type {any} */ { physical }) => [physical?.excitation_duration_s];
 const absent = { absent_at_least: true };
 const arrivals = field("arrivals", "returns allowed", [1, 6], "", (of) => [of.input.arrivals]);
 
 /** In per cent, as it is given; no report of the undamped mass returns it. */
 const damping = field("damping", "damping", [0, 30], "%", () => [], absent);
 
+/** What gives the load, and how strong it is. @type {Record<string, (physical: boolean) => Field[]>} */
+const load_fields = {
+  hit: (physical) => [
+    physical
+      ? field("velocity", "hit velocity", [0, 2], "m/s", strengths_of, two)
+      : field("v0", "velocity of the hit V₀", [0, 5], "", strengths_of, two),
+  ],
+  pulse: (physical) => [
+    field("k", "pulse peak", [0.05, 100], "g", strengths_of, { two: true, log: true }),
+    physical
+      ? field("pulse-duration", "pulse duration", [0.001, 10], "s", duration_of, log)
+      : field("lambda", "angular frequency λ", [0.1, 1000], "", (of) => [of.input.lambda], log),
+  ],
+  record: () => [],
+};
+const pulse_kinds = option_rows.find(({ name }) => name === "pulse")?.values ?? [];
+const records_kind = "records";
+/** The standard shock's length, and in natural periods the most. */
+const [shock_s, shock_periods] = [0.005, 0.02];
+
+/** The load of a kind, as strong as the one of the report. @param {string} kind @param {any} report @returns {Options} */
+function load_like(kind, { input, physical }) {
+  const short = (/** @type {number} */ value) => String(Number(value.toPrecision(3)));
+  const v0 = input.v0 ?? 0.9 * input.p * input.beta;
+  const velocity = v0 * (physical?.velocity_unit_m_per_s ?? 1);
+  if (!pulse_kinds.includes(kind)) {
+    return physical ? { velocity: `${short(velocity)}m/s` } : { v0: short(v0) };
+  }
+  // A half-sine of peak k changes the velocity by 2 k duration/pi.
+  if (!physical) {
+    const lambda = (0.5 * input.p) / shock_periods;
+    return { pulse: kind, k: short((v0 * lambda) / 2), lambda: short(lambda) };
+  }
+  const duration = Math.min(shock_s, shock_periods * physical.period_s);
+  const k = (velocity * Math.PI) / 2 / duration / physical.gravity_m_per_s2;
+  return { pulse: kind, k: `${short(k)}g`, "pulse-duration": `${short(1000 * duration)}ms` };
+}
+
+/** What may be required besides the stroke, without a slider: of each line the one in the units of the task. */
+const requirements = [
+  ["tolerance-f"],
+  ["tolerance-delta"],
+  ["tolerance-period"],
+  ["tolerance-width"],
+  ["acceleration-max"],
+  ["f-max"],
+  ["delta-max-m", "delta-max"],
+  ["jump-max", "jump-max-v"],
+  ["objective"],
+  ["combine"],
+].map(([first, other]) => [first, other ?? first]);
+
+/** The requirements that this task can have. @param {Options} options */
+function requirements_of(options) {
+  const has_width = ["notch-width", "notch-width-m"].some((name) => name in options);
+  return requirements
+    .map(([first, other]) => (is_physical(options) ? first : other))
+    .filter((name) => name !== "tolerance-width" || has_width)
+    .filter((name) => name !== "combine" || load_of(options) === "record")
+    .map((name) => option_rows.find((row) => row.name === name))
+    .flatMap((row) => row ?? []);
+}
+
 const physical_fields = [
   field("period", "natural period", [0.1, 10], "s", (of) => [of.physical?.period_s], log),
   field("mass", "mass", [1, 1e7], "kg", (of) => [of.physical?.mass_kg], log),
-  field("velocity", "hit velocity", [0, 2], "m/s", velocities_of, two),
   field("max-displacement", "stroke limit", [0.001, 1], "m", (of) => [limit_of(of)], stroke),
   arrivals,
   field("residual-m", "residual allowed", [0, 0.1], "m", (of) => [residual_of(of)], absent),
@@ -47,7 +110,6 @@ const physical_fields = [
 
 const dimensionless_fields = [
   field("p", "square root of the stiffness p", [0.05, 20], "", (of) => [of.input.p], log),
-  field("v0", "velocity of the hit V₀", [0, 5], "", velocities_of, two),
   field("beta", "stroke limit β", [0.01, 10], "", (of) => [limit_of(of)], stroke),
   arrivals,
   field("residual", "residual allowed", [0, 1], "", (of) => [residual_of(of)], absent),
@@ -86,5 +148,6 @@ function slider_text(field, value) {
   const short = (/** @type {number} */ x) => String(Number(x.toPrecision(3)));
   if (field.unit === "m") return `${short(value * 1000)}mm`;
   if (field.unit === "kg" && value >= 1000) return `${short(value / 1000)}t`;
+  if (field.unit === "s" && value < 0.1) return `${short(value * 1000)}ms`;
   return short(value) + field.unit;
 }

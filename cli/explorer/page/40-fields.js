@@ -6,9 +6,13 @@
 class Fields {
   /**
    * @param {(change: (options: Options) => Options, done: boolean, source?: string) => void} edit
+   * @param {(kind: string) => void} choose_load
    */
-  constructor(edit) {
+  constructor(edit, choose_load) {
     this.edit = edit;
+    this.choose_load = choose_load;
+    /** @type {OptionRow[]} */
+    this.limits = [];
     /** @type {Field[]} */
     this.list = [];
     this.shape = "";
@@ -22,11 +26,67 @@ class Fields {
   show(options, report) {
     const physical = is_physical(options);
     const notch = this.notch_of(options);
-    const shape = `${physical} ${notch}`;
-    if (shape !== this.shape) this.build(physical, notch);
+    const load = load_of(options);
+    const shape = `${physical} ${notch} ${load}`;
+    if (shape !== this.shape) {
+      this.build(physical, notch, load);
+      this.build_limits(options);
+    }
     this.shape = shape;
     for (const field of this.list) this.show_field(field, options, report);
+    input("load-kind").value =
+      load === "hit" ? load : load === "pulse" ? options.pulse : records_kind;
+    this.show_limits(options);
     this.show_extras(options);
+  }
+
+  /** A text, or a choice, for each requirement that the option table has of them. @param {Options} options */
+  build_limits(options) {
+    this.limits = requirements_of(options);
+    const nodes = this.limits.map(({ name, help, values, unit }) => {
+      const own = { id: `in-${name}` };
+      const control = values.length
+        ? make(
+            "select",
+            own,
+            ...["", ...values].map((value) => make("option", { value }, value || "as usual")),
+          )
+        : make("input", { type: "text", spellcheck: "false", placeholder: unit || "none", ...own });
+      control.addEventListener("change", () => this.set(name, input_of(control).value.trim()));
+      const label = make("label", { for: own.id }, option_words(name));
+      return make(
+        "div",
+        { class: "field", title: help },
+        make("div", { class: "top" }, label, control),
+        make("div", { class: "hint", id: `hint-${name}` }),
+      );
+    });
+    fill(el("limits"), ...nodes);
+  }
+
+  /** @param {Options} options */
+  show_limits(options) {
+    for (const { name, values, unit } of this.limits) {
+      const control = input(`in-${name}`);
+      const value = options[name] ?? "";
+      if (document.activeElement !== control || control.getAttribute("aria-invalid") !== "true") {
+        if (values.length) control.value = value;
+        else write(control, value);
+      }
+      const number = unit || !values.length ? this.number_of(value) : null;
+      if (number === null) delete control.dataset.value;
+      else control.dataset.value = String(number);
+    }
+    const count = this.limits.filter(({ name }) => name in options).length;
+    write(el("limits-title"), count ? `Requirements (${count})` : "Requirements");
+  }
+
+  /** @param {string} name @param {string} value empty: without it */
+  set(name, value) {
+    this.edit((options) => {
+      const rest = without(options, [name, ...rivals(name)]);
+      return value === "" ? rest : { ...rest, [name]: value };
+    }, true);
   }
 
   /** @param {Options} options */
@@ -39,9 +99,13 @@ class Fields {
         : none;
   }
 
-  /** @param {boolean} physical @param {string} notch */
-  build(physical, notch) {
-    this.list = [...(physical ? physical_fields : dimensionless_fields)];
+  /** @param {boolean} physical @param {string} notch @param {string} load */
+  build(physical, notch, load) {
+    const own = physical ? physical_fields : dimensionless_fields;
+    const rest = load === "record" ? own.filter((one) => one !== arrivals) : own;
+    const before = rest.findIndex((one) => one.stroke);
+    const of_load = load_fields[load](physical);
+    this.list = [...rest.slice(0, before), ...of_load, ...rest.slice(before)];
     const focused = document.activeElement?.id;
     const kind = make("select", { id: "notch-kind" });
     for (const name of Object.keys(notch_fields)) {
@@ -64,8 +128,23 @@ class Fields {
       make("div", { class: "top" }, make("label", { for: "notch-kind" }, "notch"), kind),
     );
     nodes.splice(notch_field ? -1 : nodes.length, 0, chooser);
+    nodes.splice(before, 0, this.build_load());
     el("fields").replaceChildren(...nodes);
     if (focused) document.getElementById(focused)?.focus();
+  }
+
+  build_load() {
+    const kinds = ["hit", ...pulse_kinds, records_kind];
+    const words = (/** @type {string} */ kind) =>
+      pulse_kinds.includes(kind) ? `${kind} pulse` : kind;
+    const chooser = make(
+      "select",
+      { id: "load-kind" },
+      ...kinds.map((kind) => make("option", { value: kind }, words(kind))),
+    );
+    chooser.addEventListener("change", () => this.choose_load(input_of(chooser).value));
+    const label = make("label", { for: "load-kind" }, "load");
+    return make("div", { class: "field" }, make("div", { class: "top" }, label, chooser));
   }
 
   /** @param {Field} field */
@@ -108,12 +187,11 @@ class Fields {
 
   /** @param {Field} field @param {string} value */
   type(field, value) {
-    // A frequency in the field of the period is the natural frequency.
-    const name = field.name === "period" && /hz$/i.test(value) ? "natural-frequency" : field.name;
-    this.edit((options) => {
-      const rest = without(options, [field.name, ...rivals(name)]);
-      return value === "" ? rest : { ...rest, [name]: value };
-    }, true);
+    // A frequency in the field of a time is that of its motion.
+    const frequency = /hz$/i.test(value)
+      ? { period: "natural-frequency", "pulse-duration": "excitation-frequency" }[field.name]
+      : undefined;
+    this.set(frequency ?? field.name, value);
   }
 
   /** @param {Field} field @param {string} end @param {boolean} done */
@@ -144,16 +222,22 @@ class Fields {
 
   /** @param {Field} field @param {Options} options @param {any} report */
   show_field(field, options, report) {
-    const { name } = field;
+    const { name, two } = field;
     const text = input(`in-${name}`);
     const own = [name, ...rivals(name)].find((key) => key in options);
-    const values = report ? field.read(report) : [];
+    const values = (report ? field.read(report) : []).filter((one) => one !== null);
     if (document.activeElement !== text || text.getAttribute("aria-invalid") !== "true") {
       write(text, own ? options[own] : name === "arrivals" ? "1" : "");
     }
     text.placeholder = own ? "" : name === "mass" ? "none" : "0";
+    // Of a mass that is simulated the report is that of a task without some.
+    const given = own === name && load_of(options) !== "hit" ? this.number_of(options[name]) : null;
     const parsed =
-      values.length || !unreturned.includes(name) ? values : [this.number_of(options[name])];
+      given !== null && !two
+        ? [given]
+        : values.length || !unreturned.includes(name)
+          ? values
+          : [this.number_of(options[name])];
     const [low, high] = [parsed[0], parsed[parsed.length - 1]];
     if (high !== null && high !== undefined && Number.isFinite(high)) {
       text.dataset.value = String(high);
@@ -186,8 +270,14 @@ class Fields {
   number_of(text = "") {
     const value = parseFloat(text);
     if (Number.isNaN(value)) return null;
-    const in_one_metre = /** @type {Record<string, number>} */ ({ mm: 1000, cm: 100 });
-    return value / (in_one_metre[text.match(/[a-z]+$/)?.[0] ?? ""] ?? 1);
+    const in_one = /** @type {Record<string, number>} */ ({
+      mm: 1000,
+      cm: 100,
+      ms: 1000,
+      t: 1e-3,
+      kN: 1e-3,
+    });
+    return value / (in_one[text.match(/[a-zA-Z%]+$/)?.[0] ?? ""] ?? 1);
   }
 
   /** Where designs end, on the slider of the stroke. @param {number | null} least */
@@ -197,6 +287,7 @@ class Fields {
     if (!bar || !field) return;
     const at = least ? slider_place(field, least) : 0;
     bar.style.width = `${100 * at}%`;
+    bar.hidden = at === 0;
     const hint = el(`hint-${field.name}`);
     if (least) fill(hint, "designs end at ", number(least, field.unit));
     else hint.textContent = "";
@@ -210,15 +301,23 @@ class Fields {
       input(`in-${name}`).toggleAttribute("aria-invalid", false);
       if (wrong) input(`in-${name}`).setAttribute("aria-invalid", "true");
     }
+    for (const { name } of this.limits) {
+      const wrong = about === name;
+      input(`in-${name}`).toggleAttribute("aria-invalid", false);
+      if (wrong) input(`in-${name}`).setAttribute("aria-invalid", "true");
+      write(el(`hint-${name}`), wrong && message ? message : "");
+      if (wrong) el("requirements").setAttribute("open", "");
+    }
   }
 
   /** Options without a field of their own, each to be removed. @param {Options} options */
   show_extras(options) {
     const shown = [
       ...this.list.flatMap(({ name }) => [name, ...rivals(name)]),
+      ...this.limits.map(({ name }) => name),
       ...damper_options,
       ...notch_options,
-      "title",
+      ...["title", "pulse", "record", "record-units", "record-step"],
     ];
     const chips = Object.keys(options)
       .filter((name) => !shown.includes(name))

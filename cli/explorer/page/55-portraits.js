@@ -40,11 +40,11 @@ function wider(least, most, label) {
  * @returns {(x: number, v: number) => void}
  */
 function draw_phase({ t, x, v, limit }, units) {
-  const most = Math.max(...x);
+  const [least, most] = [Math.min(...x), Math.max(...x)];
   const plot = new Plot(
     wider(
-      Math.min(...x, 0),
-      most > 0.6 * limit || most === 0 ? Math.max(most, limit) : most,
+      least < -0.6 * limit ? Math.min(least, -limit) : Math.min(least, 0),
+      most > 0.6 * limit || least === most ? Math.max(most, limit) : most,
       units.length_label,
     ),
     wider(Math.min(...v), Math.max(...v), units.velocity_label),
@@ -134,4 +134,17 @@ function draw_energy({ t, most }, motion, { p, f, zeta }, units) {
     ),
   );
   return (time) => now.setAttribute("transform", `translate(${plot.across(time)} 0)`);
+}
+
+/** Where a load feeds the motion: what is transmitted, as the engine draws it. @param {() => Figure | undefined} figure @returns {(time: number) => void} */
+function draw_load(figure) {
+  const drawn = figure();
+  const node = put_figure(el("energy"), drawn);
+  el("energy").append(make("p", { class: "faint" }, drawn?.caption ?? ""));
+  const frame = node && frame_of(node);
+  if (!node || !frame) return () => {};
+  const { left, top, width, height, across } = frame;
+  const mark = svg("path", { class: "now-line", d: `M0 0V${height}` });
+  node.append(svg("svg", { x: left, y: top, width, height }, mark));
+  return (time) => mark.setAttribute("transform", `translate(${across(time)} 0)`);
 }

@@ -5,26 +5,32 @@
 /**
  * @typedef {object} DrawnMotion
  * @property {Motion} motion dimensionless
+ * @property {Motion} free the same without friction
  * @property {number} limit
  * @property {number} p
  * @property {number} zeta of the damping
  * @property {number} width of the notch
  * @property {number} f
  * @property {PlotUnits} units
+ * @property {(() => Figure | undefined) | null} load a figure of what is transmitted under a pulse, whose energy is not there at once
  */
 
 const seconds_of_play = 3; // where time has no unit
 const shown_after_rest = 1.12; // of the time to the rest
 
+/** How much of a motion is shown: a little more than until it rests. @param {Motion} motion @param {number} p */
+function shown_time({ t, v }, p) {
+  const last = t.length - 1;
+  return (t[last] || (2 * Math.PI) / p) * (v[last] === 0 ? shown_after_rest : 1);
+}
+
 /** In the units that are shown. @param {DrawnMotion} drawn @returns {Series} */
 function series_of({ motion, limit, p, units }) {
-  const last = motion.t.length - 1;
-  const end = motion.t[last] || (2 * Math.PI) / p;
   return {
     t: Float64Array.from(motion.t, (t) => t * units.time),
     x: Float64Array.from(motion.x, (x) => x * units.length),
     v: Float64Array.from(motion.v, (v) => v * units.velocity),
-    most: end * (motion.v[last] === 0 ? shown_after_rest : 1) * units.time,
+    most: shown_time(motion, p) * units.time,
     limit: limit * units.length,
   };
 }
@@ -121,16 +127,12 @@ function between(list, t, time) {
  * @param {Series} series
  * @returns {(time: number) => void} moves the mass and the mark on the curve
  */
-function draw_motion({ p, zeta, units, width }, series) {
-  const { t, x, v, most, limit } = series;
-  // Without friction a hit gives V0/(p w) exp(-zeta p tau) sin(p w tau).
-  const w = Math.sqrt(1 - zeta * zeta);
-  const amplitude = (v[0] / units.velocity / p) * units.length;
-  const ghost = (/** @type {number} */ time) => {
-    const phase = (p * time) / units.time;
-    return (amplitude / w) * Math.exp(-zeta * phase) * Math.sin(w * phase);
-  };
-  const ghost_peak = amplitude * Math.exp((-zeta / w) * Math.acos(zeta));
+function draw_motion({ free, units, width }, series) {
+  const { t, x, most, limit } = series;
+  const free_t = free.t.map((tau) => tau * units.time);
+  const free_x = free.x.map((of) => of * units.length);
+  const ghost = (/** @type {number} */ time) => between(free_x, free_t, time);
+  const ghost_peak = Math.max(...free_x);
   const plot = new Plot(
     { least: 0, most, label: units.time_label },
     { ...displacement_axis(series, ghost_peak), label: units.length_label },
@@ -189,7 +191,9 @@ class MotionView {
     const { drawn, series, marks } = this.shown;
     const { t, x, v } = series;
     const to_state = draw_phase(series, drawn.units);
-    const to_time = draw_energy(series, drawn.motion, drawn, drawn.units);
+    const to_time = drawn.load
+      ? draw_load(drawn.load)
+      : draw_energy(series, drawn.motion, drawn, drawn.units);
     marks.push((time) => to_state(between(x, t, time), between(v, t, time)), to_time);
     this.seek(this.at);
   }

@@ -11,6 +11,7 @@ class HitsView {
     this.hits = [];
     this.most = 1;
     this.unit = "";
+    this.what = "hit";
     el("strip").replaceChildren(
       make("div", { class: "lane", id: "lane" }),
       make("input", {
@@ -18,7 +19,7 @@ class HitsView {
         id: "hit",
         min: "0",
         max: "2000",
-        "aria-label": "velocity of the hit to try",
+        "aria-label": "strength of the hit to try",
       }),
       make("div", { class: "ends", id: "hit-ends" }),
       make("p", { id: "hit-key" }),
@@ -32,9 +33,13 @@ class HitsView {
   /** @param {any} report with the damper's hits */
   draw(report) {
     const { physical } = report;
-    this.unit = units_of(physical).velocity;
+    const { pulse } = report.input;
+    this.unit = pulse ? "g" : units_of(physical).velocity;
+    this.what = pulse ? "pulse" : "hit";
+    write(el("hits-heading"), `Other ${pulse ? "pulses" : "hits"} on this damper`);
+    write(el("design-hit"), `Back to the design ${this.what}`);
     this.hits = hits_of(report);
-    const designed = velocities_of(report);
+    const designed = strengths_of(report);
     this.most = this.hits[this.hits.length - 1]?.to ?? 2 * designed[1]; // none of a simulated mass
     const percent = (/** @type {number} */ value) => `${(100 * value) / this.most}%`;
     const lane = el("lane");
@@ -87,7 +92,7 @@ class HitsView {
     const reached = [": peak ", number(peak, length), " of ", number(limit, length), ". "];
     fill(
       el("hit-words"),
-      hit === null ? "The design hit of " : "A hit of ",
+      hit === null ? `The design ${this.what} of ` : `A ${this.what} of `,
       number(value, this.unit),
       ...(motion.response.half_cycles > 0 ? reached : [". "]),
       make("span", { id: "hit-verdict" }, motion.verdict),

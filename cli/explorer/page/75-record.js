@@ -1,53 +1,88 @@
 // SPDX-License-Identifier: MIT
-// A record dropped on the page: the damper under it.
+// Records dropped on the page, each with its factor: the damper under one of them or, if they are the load of the
+// task, under all.
 "use strict";
 
 const largest_record = 20e6; // bytes; a record of an hour at 200 values a second has 10 MB
+const record_list = "records.csv"; // with the factors, as the program reads them
+
+/** @typedef {{ name: string, bytes: Uint8Array, factor: string }} Recorded */
 
 class RecordView {
-  /** @param {() => void} changed */
-  constructor(changed) {
+  /** @param {() => void} changed @param {(name: string, text: string) => void} set an option */
+  constructor(changed, set) {
     this.changed = changed;
-    /** @type {{ name: string, bytes: Uint8Array } | null} */
-    this.record = null;
+    /** @type {Recorded[]} */
+    this.list = [];
+    this.chosen = 0;
     input("record-file").addEventListener("change", () =>
-      this.take(input("record-file").files?.[0]),
+      this.take([...(input("record-file").files ?? [])]),
     );
-    for (const id of ["record-units", "record-step"]) el(id).addEventListener("change", changed);
-    el("record-away").addEventListener("click", () => {
-      this.record = null;
-      input("record-file").value = "";
-      changed();
-    });
+    for (const name of ["record-units", "record-step"]) {
+      el(name).addEventListener("change", () => set(name, input(name).value.trim()));
+    }
+    el("record-away").addEventListener("click", () => this.put([]));
     for (const kind of ["dragover", "dragleave", "drop"]) {
       document.addEventListener(kind, (event) => {
         const files = /** @type {DragEvent} */ (event).dataTransfer;
         if (!files?.types.includes("Files")) return;
         event.preventDefault();
         document.body.classList.toggle("dropping", kind === "dragover");
-        if (kind === "drop") this.take(files.files[0]);
+        if (kind === "drop") this.take([...files.files]);
       });
     }
   }
 
-  /** @param {File | undefined} file */
-  async take(file) {
-    if (!file) return;
-    if (file.size > largest_record) {
-      this.record = null;
-      this.changed();
+  /** @param {Recorded[]} list */
+  put(list) {
+    this.list = list;
+    this.chosen = Math.max(0, list.length - 1);
+    input("record-file").value = "";
+    this.changed();
+  }
+
+  /** @param {File[]} files */
+  async take(files) {
+    const large = files.find(({ size }) => size > largest_record);
+    if (large) {
+      this.put([]);
       this.refuse(
-        `${file.name} has ${digits(file.size / 1e6, 3)} MB; this page reads at most ${largest_record / 1e6} MB. ` +
+        `${large.name} has ${digits(large.size / 1e6, 3)} MB; this page reads at most ${largest_record / 1e6} MB. ` +
           `The program reads up to 67 MB: stillpoint simulate --record.`,
       );
       return;
     }
-    this.record = {
-      name: file.name.replace(/[#,]/g, "_").replace(/^\.*$/, "record"),
-      bytes: new Uint8Array(await file.arrayBuffer()),
-    };
-    this.changed();
+    const taken = await Promise.all(
+      files.map(async (file) => ({
+        name: file.name.replace(/[#,\n"]/g, "_").replace(/^\.*$/, "record"),
+        bytes: new Uint8Array(await file.arrayBuffer()),
+        factor: "1",
+      })),
+    );
+    const is_new = (/** @type {Recorded} */ { name }) => !taken.some((one) => one.name === name);
+    if (taken.length) this.put([...this.list.filter(is_new), ...taken]);
     el("record-heading").scrollIntoView({ block: "nearest" });
+  }
+
+  /** What the option record has of them. */
+  names() {
+    return this.list.map(({ name }) => name).join("\n");
+  }
+
+  /** The options that name them, and their files. */
+  given() {
+    const files = Object.fromEntries(this.list.map(({ name, bytes }) => [name, bytes]));
+    /** @type {Options} */
+    const named = { record: this.names() };
+    if (this.list.every(({ factor }) => factor === "1")) return { named, files, table: "" };
+    const rows = this.list.map(({ name, factor }) => `${name},${factor}\n`);
+    const table = `file,scale\n${rows.join("")}`;
+    const bytes = new TextEncoder().encode(table);
+    return {
+      named: /** @type {Options} */ ({ "records-list": record_list }),
+      files: { ...files, [record_list]: bytes },
+      table,
+    };
   }
 
   /** @param {string} words */
@@ -56,28 +91,58 @@ class RecordView {
     clear("record-figures");
   }
 
+  /** @param {Options} options @param {boolean} all the task is for all of them */
+  show_list(options, all) {
+    el("record-away").hidden = this.list.length === 0;
+    for (const name of ["record-units", "record-step"]) {
+      if (document.activeElement !== el(name)) input(name).value = options[name] ?? "";
+    }
+    const rows = this.list.map((record, i) => {
+      const factor = make("input", {
+        type: "text",
+        size: "5",
+        "aria-label": `factor of ${record.name}`,
+      });
+      input_of(factor).value = record.factor;
+      factor.addEventListener("change", () => {
+        record.factor = input_of(factor).value.trim() || "1";
+        this.changed();
+      });
+      const away = make("button", { type: "button", "aria-label": `Remove ${record.name}` }, "×");
+      away.addEventListener("click", () => this.put(this.list.filter((one) => one !== record)));
+      const is_shown = all || i === this.chosen;
+      const name = is_shown
+        ? make("span", {}, record.name)
+        : make("button", { type: "button" }, record.name);
+      if (!is_shown) {
+        name.addEventListener("click", () => {
+          this.chosen = i;
+          this.changed();
+        });
+      }
+      return make("li", {}, name, make("label", {}, " × ", factor), " ", away);
+    });
+    const open = document.activeElement?.closest("#record-list");
+    if (!open || rows.length !== el("record-list").children.length)
+      fill(el("record-list"), ...rows);
+  }
+
   /**
    * @param {Engine} engine
-   * @param {Options} damper the options of the motion that it is put under the record
+   * @param {Options} damper the options of the motion that is put under the chosen record
    */
   draw(engine, damper) {
-    el("record-away").hidden = this.record === null;
-    if (!this.record) {
-      return clear("record-answer", "record-figures");
-    }
-    const { name, bytes } = this.record;
-    /** @type {Options} */
-    const options = { ...without(damper, ["velocity", "v0"]), record: name };
-    const units = /** @type {HTMLSelectElement} */ (el("record-units"));
-    if (units.selectedIndex > 0) options["record-units"] = units.value;
-    if (input("record-step").value.trim())
-      options["record-step"] = input("record-step").value.trim();
-    const answer = engine.run(
-      "simulate",
-      options,
-      { figures: ["motion", "excitation"] },
-      { [name]: bytes },
-    );
+    const record = this.list[this.chosen];
+    if (!record) return clear("record-answer", "record-figures");
+    const { name, bytes, factor } = record;
+    const left_out = names_where(({ load }) => load === "hit" || load === "pulse");
+    const options = /** @type {Options} */ ({
+      ...without(damper, [...left_out, "excitation"]),
+      record: name,
+      ...(factor === "1" ? {} : { "record-scale": factor }),
+    });
+    const figures = ["motion", "excitation"];
+    const answer = engine.run("simulate", options, { figures }, { [name]: bytes });
     if ("error" in answer) return this.refuse(answer.error);
     this.show(name, answer);
   }
@@ -101,10 +166,7 @@ class RecordView {
     const locked = value("locked_from_s", "locked_from");
     fill(
       el("record-answer"),
-      make("p", { id: "record-verdict", class: alarms_of(report) ? "bad" : "" }, report.verdict),
-      ...report.findings.map((/** @type {any} */ now) =>
-        make("p", { class: now.severity }, now.text),
-      ),
+      ...this.said(report),
       make(
         "dl",
         { class: "facts" },
@@ -136,6 +198,57 @@ class RecordView {
       ),
       ...doubts.map((text) => make("p", { class: "bad" }, text.replace("--", ""))),
     );
+    this.show_figures(figures);
+  }
+
+  /** The verdict and what is to be known besides. @param {any} report */
+  said(report) {
+    return [
+      make("p", { id: "record-verdict", class: alarms_of(report) ? "bad" : "" }, report.verdict),
+      ...report.findings.map((/** @type {any} */ now) =>
+        make("p", { class: now.severity }, now.text),
+      ),
+    ];
+  }
+
+  /** A damper under all of them: a row for each, with the largest of each column in bold. @param {Answer} answer */
+  show_suite({ report, figures, doubts }) {
+    const [{ motions, worst }] = report.cases;
+    const { length } = units_of(report.physical);
+    const figure = (/** @type {any} */ of, /** @type {string} */ name) => of[name];
+    const columns = /** @type {[string, string, string, string][]} */ ([
+      ["peak", length ? "peak_m" : "peak_amplitude", length, "peak_amplitude"],
+      ["residual", length ? "final_position_m" : "final_position", length, "residual"],
+      ["transmitted", "peak_absolute_acceleration", "g", "peak_absolute_acceleration"],
+    ]);
+    const head = ["record", "factor", "largest load", ...columns.map(([title]) => title)];
+    const rows = motions.map((/** @type {any} */ motion) => {
+      const cells = columns.map(([, name, unit, of]) => {
+        const value = figure(motion.physical ?? {}, name) ?? motion.response[name];
+        const governs = worst?.of?.[of]?.motion === motion.what;
+        return make("td", governs ? { class: "governs" } : {}, number(Math.abs(value), unit));
+      });
+      const plain = [number(motion.scale), number(motion.pga, "g")].map((node) =>
+        make("td", {}, node),
+      );
+      return make("tr", {}, make("th", {}, motion.what), ...plain, ...cells);
+    });
+    const title = make("tr", {}, ...head.map((text) => make("th", {}, text)));
+    fill(
+      el("record-answer"),
+      make("table", {}, title, ...rows),
+      make(
+        "p",
+        { class: "faint" },
+        "Of the damper itself; in bold what governs within the tolerance.",
+      ),
+      ...doubts.map((text) => make("p", { class: "bad" }, text.replace("--", ""))),
+    );
+    this.show_figures(figures);
+  }
+
+  /** @param {Figure[]} figures */
+  show_figures(figures) {
     const plates = figures.map((figure) => {
       const plate = make("div", { class: "plate" });
       put_figure(plate, {

@@ -6,6 +6,7 @@
  * @typedef {object} Answered
  * @property {any} design report of the task's best damper
  * @property {any} region report of that of a mass which is simulated; else null
+ * @property {boolean} searches the best damper is searched when it is asked for
  * @property {any} judged report of the damper that is shown
  * @property {any} motion its motion
  * @property {{ f: number, delta: number } | null} damper
@@ -15,7 +16,7 @@
  */
 
 class AnswerView {
-  /** @param {(options: Options) => void} go @param {() => void} search of a mass that is simulated */
+  /** @param {(options: Options) => void} go @param {() => void} search where dampers are simulated */
   constructor(go, search) {
     this.go = go;
     this.search = search;
@@ -32,8 +33,9 @@ class AnswerView {
     const { physical } = judged;
     const { length, time } = units_of(physical);
     // The design's own numbers are those of its report.
-    const shown = chosen ? motion : judged.design && judged;
-    const of_motion = shown && motion_of(shown);
+    const suite = judged.cases?.[0].worst && !motion;
+    const shown = suite ? judged : chosen ? motion : judged.design && judged;
+    const of_motion = shown && (suite ? suite_of(judged) : motion_of(shown));
     show(el("f"), damper?.f);
     show(el("delta"), physical ? physical.delta_m : damper?.delta, length);
     show(el("tolerance"), tolerance, "%", "±");
@@ -41,20 +43,31 @@ class AnswerView {
     show(el("stop-time"), of_motion?.stop_time, time);
     show(el("acceleration"), of_motion?.acceleration, "g");
     write(el("acceleration-sub"), of_motion?.felt ?? "");
-    const force = physical?.friction_force_n;
+    const { friction_force_n: force, energy_per_passage_j: energy } =
+      motion?.physical ?? physical ?? {};
     fill(el("f-sub"), ...(force ? [number(force, "N")] : []));
-    fill(el("delta-sub"), ...(physical && damper ? ["dimensionless ", number(damper.delta)] : []));
-    const peak = shown && response_of(shown).peak_amplitude;
+    const plain = ["dimensionless ", number(damper?.delta)];
+    fill(
+      el("delta-sub"),
+      ...(energy ? [number(energy, "J"), " a passage, "] : []),
+      ...(physical && damper ? plain : []),
+    );
+    const limit = limit_of(judged);
     fill(
       el("peak-sub"),
-      ...(shown
-        ? [number(peak / judged.input.beta, "%"), " of ", number(limit_of(judged), length)]
+      ...(shown && limit
+        ? [number(of_motion.peak / limit, "%"), " of ", number(limit, length)]
         : []),
     );
     const rest = of_motion?.rest;
     const built_rest = motion?.input.notch_width ? motion_of(motion).rest : null;
-    const at =
-      rest === 0 ? ["at x = 0"] : typeof rest === "number" ? ["at x = ", number(rest, length)] : [];
+    const at = suite
+      ? ["residual ", number(rest, length)]
+      : rest === 0
+        ? ["at x = 0"]
+        : typeof rest === "number"
+          ? ["at x = ", number(rest, length)]
+          : [];
     const as_built =
       typeof built_rest === "number" && !chosen
         ? ["; as built at ", number(built_rest, length)]
@@ -71,10 +84,10 @@ class AnswerView {
   }
 
   /** In the program's words. @param {Answered} shown */
-  show_verdict({ design, region, judged, damper, options }) {
+  show_verdict({ design, region, searches, judged, damper, options }) {
     const report = damper ? judged : (region ?? design);
     const alarms = alarms_of(report);
-    const more = region ? this.best() : damper ? [] : this.mends(design, options);
+    const more = searches ? this.best() : damper ? [] : this.mends(design, options);
     fill(el("verdict"), report.verdict, ...more);
     el("verdict").classList.toggle("broken", alarms);
     el("remarks").classList.toggle("broken", alarms);
@@ -105,7 +118,7 @@ class AnswerView {
       )
         return;
       // On the edge itself only one damper is left, without any tolerance: a fiftieth beyond it, there are more.
-      const least = name === "max-displacement" || name === "beta" || name === "p";
+      const least = ["max-displacement", "beta", "p", "lambda"].includes(name);
       const better = Number((value * (least ? 1.02 : 0.98)).toPrecision(3));
       const button = make("button", { type: "button" }, `${title} `, number(better, unit));
       button.addEventListener("click", () => this.go({ ...options, [name]: `${better}${unit}` }));
@@ -115,11 +128,17 @@ class AnswerView {
       offer("max-displacement", physical.max_displacement_mend_m, "m", "Use a limit of");
       offer("velocity", physical.velocity_mend_m_per_s, "m/s", "a hit of");
       offer("period", physical.period_mend_s, "s", "a period of");
-    } else {
-      const names = { beta: "Use a limit of", v0: "a hit of", p: "p =" };
-      for (const [name, title] of Object.entries(names)) {
-        offer(name, mends.find((/** @type {any} */ one) => one.input === name)?.value, "", title);
-      }
+    }
+    const names = {
+      beta: "Use a limit of",
+      v0: "a hit of",
+      k: "a peak of",
+      p: "p =",
+      lambda: "λ =",
+    };
+    for (const [name, title] of Object.entries(names)) {
+      const { value } = mends.find((/** @type {any} */ one) => one.input === name) ?? {};
+      if (!physical || name === "k") offer(name, value, name === "k" ? "g" : "", title);
     }
     return buttons;
   }

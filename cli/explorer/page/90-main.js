@@ -5,6 +5,7 @@
 /** How much is drawn anew: another hit, another damper, another task. */
 const Level = { hit: 1, damper: 2, task: 3 };
 const points = 400; // of a motion
+const free_points = 160; // of the one without friction
 const region_wait = 10; // ms, less than a frame: the region follows a slider
 const most_half_cycles = 2000; // that are drawn: each is as wide as a fifth of a pixel
 
@@ -31,6 +32,7 @@ class Bench {
     /** @type {string[]} */
     this.unknown = [];
     /** @type {any} */ this.design = null;
+    this.searches = false; // dampers are simulated, so the best one is found only on request
     /** @type {any} */ this.region_found = null; // of a mass that is simulated
     /** @type {Figure | undefined} */ this.region_drawn = undefined; // the same
     this.waits = false; // a mass that is simulated: while a slider moves only its motion follows
@@ -43,11 +45,19 @@ class Bench {
       (options) => this.go(options),
       () => this.search(),
     );
-    this.fields = new Fields((change, done, source) => this.edit(change, done, source ?? ""));
+    this.fields = new Fields(
+      (change, done, source) => this.edit(change, done, source ?? ""),
+      (kind) => this.choose_load(kind),
+    );
+    this.beside = new Beside(engine);
     this.region = new RegionView((f, delta, done, source) => this.move(f, delta, done, source));
     this.motion_view = new MotionView();
     this.hits = new HitsView((hit) => this.try_hit(hit));
-    this.record = new RecordView(() => this.draw_record());
+    this.record = new RecordView(
+      () => this.take_records(),
+      (name, text) => this.fields.set(name, text),
+    );
+    el("record-design").addEventListener("click", () => this.choose_load(records_kind));
     this.listen();
     this.open();
   }
@@ -143,13 +153,41 @@ class Bench {
     this.frames.ask(Level.damper);
   }
 
-  /** What was typed for the damper: with a unit it is a length. */
+  /** What was typed for the damper: with a unit it is a force, and a length or the energy of a passage. */
   set_damper() {
     const f = input("set-f").value.trim();
     const delta = input("set-delta").value.trim();
     if (!f || !delta) return;
-    const name = /[a-zµ]\s*$/i.test(delta) ? "delta-m" : "delta";
-    this.go({ ...without(this.options, damper_options), f, [name]: delta });
+    const friction = /N\s*$/.test(f) ? "friction-force" : "f";
+    const energy = delta.match(/^(.*?)\s*(k?)J$/);
+    const { mass_kg, gravity_m_per_s2 } = this.design?.physical ?? {};
+    const notch = energy
+      ? {
+          "delta-m": `${(Number(energy[1]) * (energy[2] ? 1000 : 1)) / mass_kg / gravity_m_per_s2}m`,
+        }
+      : { [/[a-zµ]\s*$/i.test(delta) ? "delta-m" : "delta"]: delta };
+    this.go({ ...without(this.options, damper_options), [friction]: f, ...notch });
+  }
+
+  /** Another load, about as strong. @param {string} kind */
+  choose_load(kind) {
+    const { options, design } = this;
+    const old = load_of(options);
+    if (old === "pulse" && pulse_kinds.includes(kind)) return this.go({ ...options, pulse: kind });
+    const rest = without(options, [...load_options, ...damper_options]);
+    if (kind === records_kind) {
+      return this.go({ ...without(rest, ["arrivals"]), record: this.record.names() });
+    }
+    const { input, physical } = design ?? { input: { v0: 1, p: 1, beta: 1 } };
+    const v0 = old === "record" ? null : input.v0;
+    this.go({ ...rest, ...load_like(kind, { input: { ...input, v0 }, physical }) });
+  }
+
+  /** The records have changed. */
+  take_records() {
+    if (load_of(this.options) !== "record") return this.draw_record();
+    this.fields.set("record", "");
+    this.options = { ...this.options, record: this.record.names() };
   }
 
   /** @param {number | null} hit */
@@ -190,7 +228,12 @@ class Bench {
     input("dimensionless").disabled = message !== null; // its numbers are not known
     const set = damper_options.some((name) => name in this.options);
     /** @type {HTMLButtonElement} */ (el("release")).disabled = !set;
-    write(el("release"), `Back to ${this.region_found ? "the middle" : "the best damper"}`);
+    const under_records = load_of(this.options) === "record";
+    const back = this.region_found ? "the middle" : "the best damper";
+    write(el("release"), under_records ? "Remove this damper" : `Back to ${back}`);
+    document.body.classList.toggle("of-records", under_records);
+    this.record.show_list(this.options, under_records);
+    el("record-design").hidden = !this.record.list.length || under_records || message !== null;
     if (level === Level.task || message) {
       this.fields.show(this.options, message ? null : this.design);
       this.frames.put_off("preset", () => this.show_preset());
@@ -208,24 +251,13 @@ class Bench {
   ask(level) {
     const { engine, options } = this;
     if (level === Level.task) {
-      const plain = without(options, beyond_closed_forms);
-      const design = engine.run("design", options_of("design", plain));
-      if ("error" in design) return design.error;
-      this.keep_damper(design.report);
-      this.design = design.report;
-      this.doubts = design.doubts;
-      this.waits =
-        this.region_found !== null &&
-        is_simulated(options) &&
-        this.source.startsWith("slide") &&
-        !this.finished;
-      if (!this.waits) this.region_found = null;
-      if (is_simulated(options) && !this.waits) {
-        const region = engine.run("region", this.task(), { figures: ["region"] });
-        if ("error" in region) return region.error;
-        this.region_found = region.report;
-        this.region_drawn = region.figures[0];
-      }
+      const error = this.ask_task();
+      if (error !== null) return error;
+    }
+    if (load_of(options) === "record") {
+      this.judged = this.design;
+      this.damper = this.motion = null;
+      return null;
     }
     if (level >= Level.damper && !(level === Level.task && this.waits)) {
       this.judged = this.design;
@@ -247,6 +279,34 @@ class Bench {
     const motion = engine.run("simulate", run);
     if ("error" in motion) return motion.error;
     this.motion = motion.report;
+    return null;
+  }
+
+  /** The best damper, or the region where the best is searched on request; returns what is wrong with the input. */
+  ask_task() {
+    const { engine, options } = this;
+    const under_records = load_of(options) === "record";
+    this.beside.cancel();
+    const plain = plain_task(options);
+    const asked = under_records ? plain : options_of("design", options);
+    const quick = engine.run("design", asked, { quick: true });
+    if ("error" in quick) return quick.error;
+    const design = quick.searches ? engine.run("design", plain) : quick;
+    if ("error" in design) return design.error;
+    this.keep_damper(design.report);
+    this.design = design.report;
+    this.doubts = under_records ? [] : quick.doubts;
+    this.searches = under_records || quick.searches === true;
+    const simulated = this.searches && !under_records;
+    this.waits =
+      this.region_found !== null && simulated && this.source.startsWith("slide") && !this.finished;
+    if (!this.waits) this.region_found = null;
+    if (simulated && !this.waits) {
+      const region = engine.run("region", this.task(), { figures: ["region"] });
+      if ("error" in region) return region.error;
+      this.region_found = region.report;
+      this.region_drawn = region.figures[0];
+    }
     return null;
   }
 
@@ -285,20 +345,69 @@ class Bench {
     return null;
   }
 
-  /** The best damper of a mass that is simulated. */
-  search() {
-    fill(el("verdict"), "Searching.");
-    setTimeout(() => {
-      const found = this.engine.run(
-        "design",
-        options_of("design", without(this.options, damper_options)),
-      );
-      if ("error" in found) return fill(el("verdict"), found.error);
-      const { design, verdict } = found.report;
-      if (!design) return fill(el("verdict"), verdict);
-      const damper = { f: String(design.f), delta: String(design.delta) };
-      this.go({ ...without(this.options, damper_options), ...damper });
-    }, 50); // the word is seen first
+  /** The best damper where dampers are simulated, beside the page. */
+  async search() {
+    const options = without(this.options, [...damper_options, "search-period"]);
+    const found = await this.ask_beside("design", "Searching.", {});
+    if (found === null) return this.frames.ask(Level.damper);
+    if ("error" in found) return fill(el("verdict"), found.error);
+    const { design, verdict } = found.report;
+    if (!design) return fill(el("verdict"), verdict);
+    const damper = /** @type {Options} */ ({ f: String(design.f) });
+    if ("search-period" in this.options) damper.period = `${design.period_s}s`;
+    if (load_of(options) !== "record" || design.delta_m === null)
+      damper.delta = String(design.delta);
+    else damper["delta-m"] = String(design.delta_m);
+    this.go({ ...options, ...damper });
+  }
+
+  /** Asks the engine beside the page; until it answers the verdict says how far it is. @param {"design" | "region"} command @param {string} word @param {Ask} ask */
+  ask_beside(command, word, ask) {
+    const given = options_of(
+      command,
+      command === "design" ? without(this.options, damper_options) : this.options,
+    );
+    const under_records = load_of(given) === "record";
+    const { named, files } = under_records ? this.record.given() : { named: {}, files: {} };
+    const cancel = make("button", { type: "button" }, "Cancel");
+    cancel.addEventListener("click", () => this.beside.cancel());
+    const how_far = make("span", { id: "progress" }, word);
+    fill(el("verdict"), how_far, " ", cancel);
+    const options = { ...without(given, ["record"]), ...named };
+    // The length unit of records is another than that of the hit that stands for them here.
+    const unit = this.design.physical?.length_unit_m;
+    if (under_records && unit && "delta" in options) {
+      options["delta-m"] = String(Number(options.delta) * unit);
+      delete options.delta;
+    }
+    return this.beside.run([command, options, ask, files], (words) => write(how_far, words));
+  }
+
+  /** Under records the damper is judged beside the page, and the answer is shown when it comes. */
+  async judge_suite() {
+    const { record, options } = this;
+    const missing = options.record
+      ? `A link has only the names of records: drop ${options.record.replaceAll("\n", ", ")} here again.`
+      : "Drop the records that the damper must withstand anywhere on this page.";
+    this.answer.show_numbers({ ...this, region: null, chosen: false });
+    clear("remarks", "record-figures", "record-answer");
+    if (!record.list.length) return fill(el("verdict"), missing);
+    if (!has_damper(options)) {
+      const many = `${record.list.length} record${record.list.length > 1 ? "s" : ""}: search the best damper, or type one below.`;
+      return fill(el("verdict"), many, ...this.answer.best());
+    }
+    const figures = ["worst", "worst-load", "record-1", "record-1-load"];
+    const found = await this.ask_beside("region", "Each record is simulated.", { figures });
+    if (found === null) return;
+    if ("error" in found) return record.refuse(found.error);
+    const { physical, design } = found.report;
+    this.judged = {
+      ...found.report,
+      physical: physical && { ...physical, delta_m: design.delta_m },
+    };
+    this.take_damper();
+    this.answer.show({ ...this, region: null, chosen: true });
+    record.show_suite(found);
   }
 
   /** A damper that is already built keeps its length when the unit of length changes with the task. @param {any} next */
@@ -331,13 +440,19 @@ class Bench {
   /** @param {number} level */
   show(level) {
     const chosen = this.judged !== this.design;
-    if (level === Level.task && !this.waits) {
+    if (level === Level.task && !this.waits && load_of(this.options) !== "record") {
       const task = this.task();
       const { design } = this;
       this.frames.put_off("region", () => this.draw_region(task, design), region_wait);
       this.frames.put_off("end", () => this.fields.show_end(this.least_stroke()));
     }
-    document.body.classList.toggle("nothing", !this.damper);
+    const under_records = load_of(this.options) === "record";
+    document.body.classList.toggle("nothing", !this.damper && !under_records);
+    write(el("region-heading"), under_records ? "The damper" : "Which dampers work");
+    if (under_records) {
+      this.motion_view.draw_nothing();
+      return this.frames.put_off("suite", () => this.judge_suite());
+    }
     if (level >= Level.damper) {
       this.answer.show({ ...this, region: this.region_found, chosen });
     }
@@ -376,11 +491,17 @@ class Bench {
 
   /** The motion shown, dimensionless. @returns {Options} */
   plain_motion() {
-    const { notch_width, ...input } = this.motion.input;
+    const { notch_width, excitation, ...input } = this.motion.input;
     /** @type {Options} */
     const options = notch_width === null ? {} : { "notch-width": String(notch_width) };
     for (const name of ["v0", "p", "f", "delta", "damping", "breakaway"]) {
       if (name in input) options[name] = String(input[name]);
+    }
+    if (excitation) {
+      delete options.v0;
+      options.excitation = excitation.type;
+      options.k = String(excitation.k);
+      options.lambda = String(excitation.lambda);
     }
     return options;
   }
@@ -413,11 +534,26 @@ class Bench {
       return this.motion_view.draw_nothing(
         make("p", {}, "It moves for ", number(half_cycles), " half-cycles, too many to draw."),
       );
-    const motion = this.engine.motion(this.plain_motion(), points);
+    const plain = this.plain_motion();
+    const motion = this.engine.motion(plain, points);
     if ("error" in motion) return fill(el("motion"), motion.error);
     const { physical, input: run } = this.motion;
+    const end = String(shown_time(motion, run.p));
+    const rest = without(plain, ["breakaway", "notch-width"]);
+    const alone = { ...rest, f: "0", delta: "0", "t-end": end };
+    const free = this.engine.motion(alone, free_points);
+    if ("error" in free) return fill(el("motion"), free.error);
+    const transmitted = () => {
+      const { damper, options, judged, hit } = this;
+      if (!damper) return undefined;
+      const shown = motion_options(options, judged, { ...damper, hit });
+      const drawn = this.engine.run("simulate", shown, { figures: ["transmitted"], report: false });
+      return "figures" in drawn ? drawn.figures[0] : undefined;
+    };
     this.motion_view.draw({
       motion,
+      free,
+      load: run.excitation ? transmitted : null,
       p: run.p,
       zeta: run.damping ?? 0,
       f: run.f,
@@ -430,21 +566,36 @@ class Bench {
 
   draw_record() {
     if (!this.motion || !this.damper) return;
-    this.record.draw(
-      this.engine,
-      motion_options(this.options, this.judged, { ...this.damper, hit: 0 }),
+    const read = without(
+      this.options,
+      Object.keys(this.options).filter((name) => !["record-units", "record-step"].includes(name)),
     );
+    const { excitation, ...damper } = motion_options(this.options, this.judged, {
+      ...this.damper,
+      hit: 0,
+    });
+    this.record.show_list(this.options, false);
+    el("record-design").hidden = !this.record.list.length;
+    this.record.draw(this.engine, { ...damper, ...read });
   }
 
   /** A record takes longer than a frame, so it waits until the damper stops moving. */
   draw_later() {
     clearTimeout(this.record_timer);
-    if (this.record.record) this.record_timer = setTimeout(() => this.draw_record(), 120);
+    if (this.record.list.length) this.record_timer = setTimeout(() => this.draw_record(), 120);
   }
 
   commands() {
-    const design = without(this.options, damper_options);
     const { damper } = this;
+    const { named, table } = this.record.given();
+    const design = without(this.options, damper_options);
+    if (load_of(design) === "record") {
+      const list =
+        table && `printf ${shell_word(table.replaceAll("\n", "\\n"))} > ${record_list}\n`;
+      const command = has_damper(this.options) ? "region" : "design";
+      const given = { ...without(options_of(command, this.options), ["record"]), ...named };
+      return `${list}${command_line(command, given)}\n`;
+    }
     const given =
       this.region_found && damper && !has_damper(this.options)
         ? { ...design, f: String(damper.f), delta: String(damper.delta) }

@@ -5,6 +5,17 @@ type Options = Record<string, string>;
 
 interface OptionRow {
   name: string;
+  help: string;
+  /** All that a text may have; empty: any. */
+  values: string[];
+  /** Of a bare number; empty without a dimension. */
+  unit: string;
+  /** Whether a design takes LOW:HIGH. */
+  range: boolean;
+  /** The load that it gives or shapes. */
+  load: "" | "hit" | "pulse" | "record";
+  /** Each damper is simulated if it is given. */
+  simulated: boolean;
   units: "any" | "dimensionless" | "physical";
   /** Of design, region and simulate, those that take it. */
   commands: string[];
@@ -28,8 +39,19 @@ interface Answer {
   /** Values that are absurd together, each with what may have been meant. */
   doubts: string[];
   figures: Figure[];
+  /** A quick design that would simulate dampers, and is not made. */
+  searches?: boolean;
   /** The sections of the report as HTML, of a design or a region if they are asked for. */
   document?: string;
+}
+
+/** The ids of the figures to draw; whether a report (the default) and its sections as HTML are wanted; whether a
+ * design may only say that it searches. */
+interface Ask {
+  figures?: string[];
+  report?: boolean;
+  document?: boolean;
+  quick?: boolean;
 }
 
 /** Wrong input: the program's one line. */
@@ -59,7 +81,7 @@ interface Engine {
   run(
     command: string,
     options: Options,
-    ask?: { figures?: string[]; report?: boolean; document?: boolean },
+    ask?: Ask,
     files?: Record<string, Uint8Array>,
   ): Answer | Refusal;
   motion(options: Options, points: number): Motion | Refusal;
@@ -88,7 +110,10 @@ interface Module {
   _stillpoint_count(): number;
 }
 
-declare function createModule(settings: { wasmBinary: Uint8Array }): Promise<Module>;
+declare function createModule(settings: {
+  wasmBinary: Uint8Array;
+  progress?: (words: string) => void;
+}): Promise<Module>;
 
 /** Of Emscripten's compiler, which reads left_out.js. */
 declare const LibraryManager: { library: Record<string, unknown> };
@@ -100,5 +125,6 @@ declare const scenes: Record<string, Record<string, string | number | Array<stri
 /** Those of the program's options that the page takes. */
 declare const option_rows: OptionRow[];
 
-/** Of the engine, unpacked by loader.js. */
+/** Of the engine, unpacked by loader.js: its module, and the scripts around it. */
 declare var stillpointWasm: Uint8Array;
+declare var stillpointEngine: string;

@@ -152,11 +152,16 @@ function lzma_bytes(packed, length) {
   return out;
 }
 
-/** @param {string} text @param {number} packed @param {number} length @param {number} end Of the scripts. */
-function start_page(text, packed, length, end) {
+/** @param {string} text @param {number} packed @param {number} length @param {number} engine Where its scripts end.
+ * @param {number} page The same. */
+function start_page(text, packed, length, engine, page) {
   const bytes = lzma_bytes(dense_bytes(text, packed), length);
-  globalThis.stillpointWasm = bytes.slice(end);
-  const script = document.createElement("script");
-  script.textContent = new TextDecoder().decode(bytes.subarray(0, end));
-  document.body.append(script);
+  globalThis.stillpointWasm = bytes.slice(page);
+  const decoder = new TextDecoder();
+  globalThis.stillpointEngine = decoder.decode(bytes.subarray(0, engine));
+  for (const code of [globalThis.stillpointEngine, decoder.decode(bytes.subarray(engine, page))]) {
+    const script = document.createElement("script");
+    script.textContent = code;
+    document.body.append(script);
+  }
 }
