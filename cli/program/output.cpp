@@ -117,6 +117,22 @@ void write_page(const Settings& settings, Command command, figures::HtmlPage pag
   }
 }
 
+report::SheetFrame sheet_frame(const Settings& settings, Command command) {
+  return {{settings.text("title").value_or(""), name(command), task_of(settings, command)},
+          settings.text("revision").value_or(""),
+          report::sheet_date()};
+}
+
+void write_sheet(const Settings& settings, const std::optional<std::string>& sheet,
+                 Output& output) {
+  if (sheet) {
+    const std::string title = settings.text("title").value_or("Damper specification");
+    output.write_file("sheet", *settings.text("sheet"), figures::sheet_html(title, *sheet));
+  } else {
+    remark("note: no sheet is written, for there is no admissible damper");
+  }
+}
+
 void remark_on(std::span<const design::Finding> findings,
                const std::optional<design::PhysicalInput>& physical) {
   for (const design::Finding& now : findings) {

@@ -9,6 +9,7 @@
 #include <stillpoint/figures/html_page.hpp>
 #include <stillpoint/report/document.hpp>
 #include <stillpoint/report/report.hpp>
+#include <stillpoint/report/sheet.hpp>
 #include <stillpoint/report/terminal.hpp>
 #include <stillpoint/sweep/output.hpp>
 
@@ -67,13 +68,23 @@ void write_page(const Settings& settings, Command command, figures::HtmlPage pag
 void remark_on(std::span<const design::Finding> findings,
                const std::optional<design::PhysicalInput>& physical);
 
-/// The page if asked for, and the report; if `print` is false, only its file. Returns the report's
-/// exit code.
+[[nodiscard]] report::SheetFrame sheet_frame(const Settings& settings, Command command);
+
+/// The sheet if --sheet asks for one, without which a remark says why there is none.
+void write_sheet(const Settings& settings, const std::optional<std::string>& sheet, Output& output);
+
+/// The page and the sheet if asked for, and the report; if `print` is false, only its file. Returns
+/// the report's exit code.
 template <class Report>
 answers::ExitCode finish(const Report& report, Command command, const Settings& settings,
                          Output& output, bool print = true) {
   if (wants_page(settings)) {
     write_page(settings, command, page(report), output);
+  }
+  if constexpr (requires { sheet(report, report::SheetFrame()); }) {
+    if (settings.has("sheet")) {
+      write_sheet(settings, sheet(report, sheet_frame(settings, command)), output);
+    }
   }
   print_report(report, settings, output, print);
   if constexpr (requires { findings(report); }) {

@@ -19,6 +19,7 @@
 #include <stillpoint/report/document.hpp>
 #include <stillpoint/report/page_frame.hpp>
 #include <stillpoint/report/record_design.hpp>
+#include <stillpoint/report/sheet.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -94,9 +95,13 @@ ordered_json said_of(const Report& report, const json& request) {
   }
   ordered_json answer{{"exit", static_cast<int>(answers::exit_code(report))}, {"figures", drawn}};
   if constexpr (!std::is_same_v<Report, report::MotionReport>) {
-    if (request.at("document").get<bool>()) {
-      const report::Document shown = document(report, report::Verbosity::full);
-      answer["document"] = report::html(shown.answer) + report::html(shown);
+    if (const auto asked = request.find("sheet"); asked != request.end()) {
+      const auto command = request.at("command").get<std::string>();
+      const auto made = sheet(report, {{asked->at("title").get<std::string>(), command,
+                                        asked->at("scene").get<std::string>()},
+                                       "",
+                                       report::sheet_date()});
+      answer["sheet"] = made ? ordered_json(*made) : ordered_json();
     }
   }
   return answer;
@@ -265,8 +270,8 @@ extern "C" {
 
 /// {version, style, outcomes, options}.
 const char* stillpoint_about();
-/// Of {command, options, figures, report, document, quick}, the ids of the figures to draw and
-/// whether a report and its sections as HTML are wanted: {exit, figures, doubts, document}, the
+/// Of {command, options, figures, report, sheet, quick}, the ids of the figures to draw, whether a
+/// report is wanted, and title and scene of a specification: {exit, figures, doubts, sheet}, the
 /// report and the drawings, each after a separator; or {error}. A quick design that would simulate
 /// dampers to find the best answers only {searches}.
 const char* stillpoint_run(const char* request);
@@ -284,12 +289,13 @@ const char* stillpoint_about() {
     for (int i = 0; i <= static_cast<int>(Outcome::stopped_in_notch); ++i) {
       outcomes.push_back(std::string(name(static_cast<Outcome>(i))));
     }
-    return nlohmann::ordered_json{{"version", report::program_version()},
-                                  {"style", std::string(figures::figure_style()) +
-                                                "@media screen and (prefers-color-scheme: dark){" +
-                                                std::string(figures::dark_figure_style()) + "}"},
-                                  {"outcomes", outcomes},
-                                  {"options", cli::option_rows()}};
+    return nlohmann::ordered_json{
+        {"version", report::program_version()},
+        {"style", std::string(figures::figure_style()) + std::string(figures::sheet_style()) +
+                      "@media screen and (prefers-color-scheme: dark){" +
+                      std::string(figures::dark_figure_style()) + "}"},
+        {"outcomes", outcomes},
+        {"options", cli::option_rows()}};
   });
 }
 

@@ -45,7 +45,6 @@ async function createEngine(progress) {
           options,
           figures: [],
           report: true,
-          document: false,
           quick: false,
           ...ask,
         };

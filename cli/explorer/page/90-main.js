@@ -37,6 +37,7 @@ class Bench {
     /** @type {Figure | undefined} */ this.region_drawn = undefined; // the same
     this.waits = false; // a mass that is simulated: while a slider moves only its motion follows
     /** @type {any} */ this.judged = null;
+    /** @type {string | null} */ this.suite_sheet = null; // under records
     /** @type {any} */ this.motion = null;
     /** @type {{ f: number, delta: number } | null} */ this.damper = null;
     this.tolerance = /** @type {number | null} */ (null);
@@ -256,7 +257,7 @@ class Bench {
     }
     if (load_of(options) === "record") {
       this.judged = this.design;
-      this.damper = this.motion = null;
+      this.damper = this.motion = this.suite_sheet = null;
       return null;
     }
     if (level >= Level.damper && !(level === Level.task && this.waits)) {
@@ -397,7 +398,8 @@ class Bench {
       return fill(el("verdict"), many, ...this.answer.best());
     }
     const figures = ["worst", "worst-load", "record-1", "record-1-load"];
-    const found = await this.ask_beside("region", "Each record is simulated.", { figures });
+    const sheet = sheet_of({ ...options, ...record.given().named });
+    const found = await this.ask_beside("region", "Each record is simulated.", { figures, sheet });
     if (found === null) return;
     if ("error" in found) return record.refuse(found.error);
     const { physical, design } = found.report;
@@ -405,6 +407,7 @@ class Bench {
       ...found.report,
       physical: physical && { ...physical, delta_m: design.delta_m },
     };
+    this.suite_sheet = found.sheet ?? null;
     this.take_damper();
     this.answer.show({ ...this, region: null, chosen: true });
     record.show_suite(found);
@@ -585,6 +588,18 @@ class Bench {
     if (this.record.list.length) this.record_timer = setTimeout(() => this.draw_record(), 120);
   }
 
+  /** With the damper from the middle of the region, where none is set. */
+  with_damper() {
+    const { options, damper } = this;
+    return this.region_found && damper && !has_damper(options)
+      ? {
+          ...without(options, damper_options),
+          f: String(damper.f),
+          delta: String(damper.delta),
+        }
+      : options;
+  }
+
   commands() {
     const { damper } = this;
     const { named, table } = this.record.given();
@@ -596,10 +611,7 @@ class Bench {
       const given = { ...without(options_of(command, this.options), ["record"]), ...named };
       return `${list}${command_line(command, given)}\n`;
     }
-    const given =
-      this.region_found && damper && !has_damper(this.options)
-        ? { ...design, f: String(damper.f), delta: String(damper.delta) }
-        : this.options;
+    const given = this.with_damper();
     if (!has_damper(given)) return command_line("design", options_of("design", design)) + "\n";
     const judged = command_line("region", options_of("region", given));
     const run = damper && motion_options(given, this.judged, { ...damper, hit: null });
@@ -612,29 +624,28 @@ class Bench {
     this.try_hit(null);
     this.frames.finish();
     this.hit = tried;
-    if (this.refusal !== null || !this.motion || !this.damper) {
-      const words = this.refusal ?? el("verdict").textContent ?? "";
-      fill(el("sheet"), make("h1", {}, "No damper"), make("p", {}, words));
+    const sheet = this.refusal === null && this.damper && this.sheet();
+    if (sheet) {
+      el("sheet").innerHTML = sheet;
       return;
     }
-    const { engine, options, damper } = this;
-    const command = has_damper(options) ? "region" : "design";
-    const ask = { report: false, document: true };
-    const said = engine.run(command, options_of(command, options), ask);
-    const f_delta = { f: String(damper.f), delta: String(damper.delta) };
-    const task = { ...without(options_of("region", options), damper_options), ...f_delta };
-    const others = engine.run("region", task, { report: false, figures: ["hits"] });
-    draw_sheet({
-      options,
-      verdict: this.judged.verdict,
-      document: ("document" in said && said.document) || "",
-      hits: "figures" in others ? others.figures : [],
-      command: this.commands().trim(),
-      link: to_fragment(options),
-      version: engine.version,
-    });
+    const words = this.refusal ?? this.judged?.verdict ?? el("verdict").textContent ?? "";
+    fill(el("sheet"), make("h1", {}, "No damper"), make("p", {}, words));
+  }
+
+  /** The specification of the damper shown; under records it came with its answer. */
+  sheet() {
+    if (load_of(this.options) === "record") return this.suite_sheet;
+    const given = this.with_damper();
+    const command = has_damper(given) ? "region" : "design";
+    const sheet = sheet_of(given);
+    const said = this.engine.run(command, options_of(command, given), { report: false, sheet });
+    return "sheet" in said ? said.sheet : null;
   }
 }
+
+/** What a specification says of its task. @param {Options} options */
+const sheet_of = (options) => ({ title: options.title ?? "", scene: to_scene(options) });
 
 createEngine().then(
   (engine) => {

@@ -41,16 +41,16 @@ interface Answer {
   figures: Figure[];
   /** A quick design that would simulate dampers, and is not made. */
   searches?: boolean;
-  /** The sections of the report as HTML, of a design or a region if they are asked for. */
-  document?: string;
+  /** The specification as HTML if it is asked for; null without an admissible damper. */
+  sheet?: string | null;
 }
 
-/** The ids of the figures to draw; whether a report (the default) and its sections as HTML are wanted; whether a
- * design may only say that it searches. */
+/** The ids of the figures to draw; whether a report is wanted (the default); title and scene of a specification; whether
+ * a design may only say that it searches. */
 interface Ask {
   figures?: string[];
   report?: boolean;
-  document?: boolean;
+  sheet?: { title: string; scene: string };
   quick?: boolean;
 }
 
@@ -75,7 +75,7 @@ interface Batch {
 interface Engine {
   version: string;
   options: OptionRow[];
-  /** The style sheet of its figures. */
+  /** The style sheet of its figures and its specification. */
   style: string;
   outcomes: string[];
   run(

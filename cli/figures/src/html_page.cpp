@@ -69,18 +69,26 @@ std::string figures(std::span<const Figure> list) {
                      fmt::join(odd, columns.end(), ""));
 }
 
-}  // namespace
-
-std::string html(const HtmlPage& page) {
-  std::string text = fmt::format(
+std::string file_begin(std::string_view title, std::string_view style) {
+  return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\"/>\n"
-      "<title>{}</title>\n<style>{}{}@media screen and (prefers-color-scheme: dark){{{}{}}}\n"
-      "@media print{{{}}}</style>\n</head>\n<body>\n<h1>{}</h1>\n<p class=\"answer{}\">{}</p>\n",
-      security_policy, escaped(page.title), page_css, figure_style(), page_dark_css,
-      dark_figure_style(), print_css, prose(page.title), page.alarming ? " bad" : "",
-      prose(page.verdict));
+      "<title>{}</title>\n<style>{}</style>\n</head>\n",
+      security_policy, escaped(title), style);
+}
+
+}  // namespace
+
+std::string html(const HtmlPage& page) {
+  std::string text =
+      file_begin(
+          page.title,
+          fmt::format("{}{}@media screen and (prefers-color-scheme: dark){{{}{}}}"
+                      "\n@media print{{{}}}",
+                      page_css, figure_style(), page_dark_css, dark_figure_style(), print_css)) +
+      fmt::format("<body>\n<h1>{}</h1>\n<p class=\"answer{}\">{}</p>\n", prose(page.title),
+                  page.alarming ? " bad" : "", prose(page.verdict));
   text += page.answer + "<main>\n" + figures(page.figures) + page.body;
   if (!page.report.empty()) {
     text += fmt::format(
@@ -91,6 +99,16 @@ std::string html(const HtmlPage& page) {
       "<footer>{}</footer>\n</main>\n<script>//<![CDATA[{}//]]></script>\n</body>\n</html>\n",
       escaped(page.footer), figures_js);
   return text;
+}
+
+std::string_view sheet_style() noexcept {
+  return sheet_css;
+}
+
+std::string sheet_html(std::string_view title, std::string_view body) {
+  return file_begin(title, fmt::format("{}{}@media screen and (prefers-color-scheme: dark){{{}}}",
+                                       figure_style(), sheet_style(), dark_figure_style())) +
+         fmt::format("<body class=\"sheet\">\n{}</body>\n</html>\n", body);
 }
 
 }  // namespace stillpoint::figures

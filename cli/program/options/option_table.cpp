@@ -346,6 +346,12 @@ constexpr auto in_writing = std::to_array<Option>(
          spectrum, output, FileUse::written),
      row("html", text, "FILE", "write a page with figures that needs no network", drawn, output,
          FileUse::written),
+     row("sheet", text, "FILE",
+         "write the specification of the damper for those who build it, a page that prints on two "
+         "sheets of A4",
+         design | region, output, FileUse::written),
+     row("revision", text, "TEXT", "of the specification; else it has a blank to fill in",
+         design | region, output, Needs{design | region, "sheet", "a specification"}),
      row("svg", text, "DIR", "write each figure to this directory", drawn, output,
          FileUse::directory),
      row("open", flag, "", "open the page of --html, or a temporary one, in a browser", drawn,

@@ -7,10 +7,6 @@ using design::ShownDamper;
 
 namespace {
 
-double peak_of(const ShownDamper& shown) {
-  return (shown.tried() != nullptr ? shown.tried()->peak.response : shown.response).peak_amplitude;
-}
-
 /// Of a figure of several motions; under pulses, whose ranges have one, empty.
 std::string_view of_ranges(const ShownDamper& shown) {
   const design::Problem& problem = shown.problem;
@@ -96,7 +92,7 @@ std::string does_words(const ShownDamper& shown, const Physical& physical) {
   if (!moves(shown.response)) {
     return format("the mass never moves, {} transmitted", felt);
   }
-  return format("peak {}, {}, {} transmitted{}", length_shown(physical, peak_of(shown)),
+  return format("peak {}, {}, {} transmitted{}", length_shown(physical, shown.peak()),
                 shown.response.stop_time ? "at rest " + stop_words(shown, physical) : "no rest",
                 felt, shown.built == nullptr && shown.point.delta > 0 ? " outside the notch" : "");
 }
@@ -108,7 +104,7 @@ void add_motion(Section& answer, const ShownDamper& shown, const Physical& physi
     return;
   }
   const double beta = shown.problem.beta;
-  const double peak = peak_of(shown);
+  const double peak = shown.peak();
   const bool swings_on = shown.pulse && response.zero_passages.value_or(0) > 0;
   answer.row("peak",
              format("{}, {:.4g} % of the {} allowed{}{}", length_shown(physical, peak),

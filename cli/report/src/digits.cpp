@@ -57,19 +57,22 @@ double decimal_within(double low, double high) {
   return rounded(digits_until(6, [&](int digits) { return rounded(digits) >= low; }));
 }
 
-std::string interval_digits(double low, double high, int fewest) {
+int interval_places(double low, double high, int fewest) {
   constexpr double lost = 0.02;
+  return digits_until(fewest, [&](int digits) {
+    return std::max(decimal(low, digits, Rounding::up) - low,
+                    high - decimal(high, digits, Rounding::down)) <= lost * (high - low);
+  });
+}
+
+std::string interval_digits(double low, double high, int fewest) {
   if (!(low < high)) {
     return fmt::format("{}", high);
   }
-  const auto from = [low](int digits) { return decimal(low, digits, Rounding::up); };
-  const auto to = [high](int digits) { return decimal(high, digits, Rounding::down); };
-  const int shown = digits_until(fewest, [&](int digits) {
-    return std::max(from(digits) - low, high - to(digits)) <= lost * (high - low);
-  });
-  return begins_at_nothing(low, high)
-             ? fmt::format("up to {:.{}g}", to(shown), shown)
-             : fmt::format("{0:.{2}g} to {1:.{2}g}", from(shown), to(shown), shown);
+  const int shown = interval_places(low, high, fewest);
+  const std::string to = limit_digits(high, false, shown);
+  return begins_at_nothing(low, high) ? "up to " + to
+                                      : fmt::format("{} to {}", limit_digits(low, true, shown), to);
 }
 
 std::string plural(const std::optional<double>& count, std::string_view one) {

@@ -38,9 +38,10 @@ void add_frame(figures::HtmlPage& page, const PageFrame& frame) {
 std::vector<std::string> figure_ids(std::string_view command) {
   const bool of_dampers = command == "design" || command == "region";
   const auto words = records::words_of(
-      of_dampers ? "region trade-off trade-off-tolerance hits pulses motion phase energy pulse "
-                   "excitation map map-near worst worst-load spectrum-acceleration spectrum-peak "
-                   "spectrum-residual"
+      of_dampers
+          ? "region trade-off trade-off-tolerance hits pulses motion phase energy loop pulse "
+            "excitation map map-near worst worst-load spectrum-acceleration spectrum-peak "
+            "spectrum-residual"
       : command == "simulate" ? "motion phase energy loop excitation transmitted"
       : command == "spectrum" ? "spectrum-acceleration spectrum-peak spectrum-residual"
       : command == "sweep"    ? "map"

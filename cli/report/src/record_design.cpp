@@ -143,12 +143,6 @@ std::string judgement(const RecordDesignReport& report) {
                 figures_words(largest(result.finding->box.worst), report.physical));
 }
 
-/// "0.31 %", "42 %"
-std::string part_words(double part) {
-  constexpr double whole = 0.1;
-  return part < whole ? format("{:.2g} %", 100 * part) : format("{:.0f} %", 100 * part);
-}
-
 /// What governs each case, and under which motion and damper of the box.
 void add_cases(Document& document, const design::RecordDesign& result, const Physical& physical) {
   const std::vector<design::LoadCase>& cases = result.request.cases;
@@ -257,6 +251,11 @@ Document region_document(const RecordDesignReport& report) {
 }
 
 }  // namespace
+
+std::string part_words(double part) {
+  constexpr double whole = 0.1;
+  return part < whole ? format("{:.2g} %", 100 * part) : format("{:.0f} %", 100 * part);
+}
 
 std::string scaled_name(std::string_view file, double scale) {
   return (scale == 1 ? "" : format("{:.4g} x ", scale)) +

@@ -74,6 +74,8 @@ void add_motion(Section& answer, const design::ShownDamper& shown, const Physica
 /// "2 x a.AT2": the factor and the file of a record of a suite.
 [[nodiscard]] std::string record_label(const design::SuiteRecord& record);
 [[nodiscard]] std::string scaled_name(std::string_view file, double scale);
+/// "0.31 %", "42 %"
+[[nodiscard]] std::string part_words(double part);
 /// "2 x a.AT2, in g (assumed), peak 0.3 g".
 [[nodiscard]] std::string record_words(std::string_view file, double scale, std::string_view units,
                                        bool assumed, double peak);

@@ -125,7 +125,12 @@ BuiltNotch built_notch(const DesignResult& design, const NotchShape& shape) {
                            Surface{notch.width, {}});
   };
   shown.response = motion(shape, shown);
-  BuiltNotch built{shape, {}, shown.response};
+  BuiltNotch built{shape,
+                   {},
+                   shown.response,
+                   motion_energies({shown.p, f, delta, shape.hold}, {0, shown.v0},
+                                   shown.pulse ? excitation(*shown.pulse) : NoExcitation(), {},
+                                   Surface{shape.width, {}})};
   built.changes_nothing = same_motion(built.response, motion({}, shown));
   if (shape.width) {
     built.friction = f + delta / *shape.width;

@@ -5,7 +5,9 @@
 
 #include "pulse/first_return.hpp"
 
+#include <stillpoint/core/elementary.hpp>
 #include <stillpoint/design/admissible_region.hpp>
+#include <stillpoint/design/box_shape.hpp>
 #include <stillpoint/design/design_result.hpp>
 #include <stillpoint/design/practice.hpp>
 
@@ -31,6 +33,14 @@ inline void add_delta1(Judged& answer, PulseProblem problem, double f) {
   answer.delta1_published = least_delta(problem, f);
   problem.criterion = Criterion::exact;
   answer.delta1_exact = least_delta(problem, f);
+}
+
+/// The farthest that the weakest friction of its box lets the mass go after the hit.
+inline void add_stroke(Judged& answer, const Problem& problem, const Limits& limits,
+                       const DesignPoint& point) {
+  const double f = box_about(granted(point, limits), limits.shape).f.low;
+  answer.stroke_worst =
+      problem.v0 / (f + elementary::hypot(f, problem.p * problem.v0)) * problem.v0;
 }
 
 /// The practice of a motion, and over the ranges of its hit.

@@ -14,12 +14,6 @@ std::optional<double> finite(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// (43), (2 f A + Delta)/(pi A (p^2 A + f)); above 1 nothing would swing.
-std::optional<double> equivalent_damping(double f, double delta, double peak, double base_shear) {
-  const double ratio = (2 * f + delta / peak) / (std::numbers::pi * base_shear);
-  return ratio <= 1 ? std::optional(ratio) : std::nullopt;
-}
-
 /// v- - v+ = 2 Delta / (v- + v+) of a passage that leaves with v+. It grows as the motion slows
 /// down.
 double impulse_of_passage(double delta, double departure) {
@@ -68,6 +62,24 @@ void worsen(Practice& worst, const Practice& now) {
 }
 
 }  // namespace
+
+std::optional<FullCycle> full_cycle(const Oscillator& oscillator, double peak,
+                                    const std::optional<double>& notch_width) {
+  const auto& [p, all_f, all_delta, hold, zeta, breakaway] = oscillator;
+  // A cycle inside a notch with a width crosses it nowhere, and has its friction everywhere.
+  const bool inside = notch_width && 2 * peak < *notch_width;
+  const double f = inside ? all_f + all_delta / *notch_width : all_f;
+  const double delta = inside ? 0 : all_delta;
+  const double stiffness = p * p + f / peak;
+  if (!(peak > 0) || !std::isfinite(stiffness)) {
+    return std::nullopt;
+  }
+  const double damped = zeta > 0 ? zeta * p / std::sqrt(stiffness) : 0;  // (74)
+  const double ratio = (2 * f + delta / peak) / (std::numbers::pi * (f + p * peak * p)) + damped;
+  return FullCycle{
+      stiffness, 4 * f * peak + 2 * delta + 2 * std::numbers::pi * damped * stiffness * peak * peak,
+      ratio <= 1 ? std::optional(ratio) : std::nullopt};
+}
 
 double notch_acceleration(double f, double delta, double width, double p) {
   return f + delta / width + p * p * width / 2;
@@ -150,8 +162,10 @@ std::optional<Practice> practice(const Oscillator& oscillator, const Response& r
   Practice lines;
   lines.restoring = p * peak * p;
   lines.base_shear = f + lines.restoring;
-  lines.secant_stiffness = finite(p * p + f / peak);
-  lines.equivalent_damping = equivalent_damping(f, delta, peak, lines.base_shear);
+  if (const auto cycle = full_cycle(oscillator, peak)) {
+    lines.secant_stiffness = cycle->secant_stiffness;
+    lines.equivalent_damping = cycle->equivalent_damping;
+  }
   lines.energy_ratio = finite(lines.restoring / f / 2);
   lines.residual_ratio = finite(lines.restoring / f);
   lines.notch_capacity = delta;

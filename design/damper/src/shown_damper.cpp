@@ -14,6 +14,10 @@ const WorstMotions* ShownDamper::tried() const {
   return built != nullptr && built->worst ? &*built->worst : nullptr;
 }
 
+double ShownDamper::peak() const {
+  return (tried() != nullptr ? tried()->peak.response : response).peak_amplitude;
+}
+
 double ShownDamper::felt() const {
   return tried() != nullptr   ? figures_of(tried()->felt.response).acceleration
          : worst() != nullptr ? worst()->acceleration
@@ -39,6 +43,7 @@ ShownDamper shown_damper(const DesignResult& design, const std::optional<BuiltNo
           .point = found.point,
           .judged = found,
           .response = built ? built->response : found.response,
+          .energies = built ? built->energies : *found.energies,
           .under_pulse = found.pulse ? &*found.pulse : nullptr,
           .built = built ? &*built : nullptr};
 }
@@ -51,6 +56,7 @@ ShownDamper shown_damper(const RegionRequest& request, const RegionAnswer& answe
           .point = {*request.f, *request.delta, answer.tolerance.value_or(0)},
           .judged = answer,
           .response = *answer.response,
+          .energies = *answer.energies,
           .under_pulse = answer.under_pulse ? &*answer.under_pulse : nullptr,
           .admissible = answer.tolerance.has_value()};
 }

@@ -5,10 +5,8 @@
 namespace stillpoint::report {
 
 Points tolerance_box(const DrawnDamper& damper, const design::BoxShape& shape, double unit) {
-  const double r = damper.tolerance;
-  const double delta = damper.delta * unit;
-  return rectangle(damper.f * (1 - r * shape.f_low), damper.f * (1 + r * shape.f_high),
-                   delta * (1 - r * shape.delta_low), delta * (1 + r * shape.delta_high));
+  const auto& [f, delta] = box_about({damper.f, damper.delta * unit, damper.tolerance}, shape);
+  return rectangle(f.low, f.high, delta.low, delta.high);
 }
 
 std::string tolerance_words(const design::BoxShape& shape, double tolerance) {

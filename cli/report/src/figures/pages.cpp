@@ -11,10 +11,9 @@ using figures::HtmlPage;
 
 namespace {
 
-/// Of one that moves; of a mass that stands still, only a load that it withstands. `with_forces`:
-/// also what it transmits.
+/// Of one that moves; of a mass that stands still, only a load that it withstands.
 std::vector<Figure> drawn(const DrawnMotion& motion, const Excitation& load,
-                          const FigureUnits& units, bool with_forces) {
+                          const FigureUnits& units, bool with_transmitted) {
   const bool forced = !std::holds_alternative<NoExcitation>(load);
   std::vector<Figure> figures;
   if (motion.states.back().tau == 0) {
@@ -24,11 +23,11 @@ std::vector<Figure> drawn(const DrawnMotion& motion, const Excitation& load,
   if (forced) {
     figures.push_back(excitation_figure(load, motion, units));
   }
-  if (motion.moves() && with_forces) {
+  if (motion.moves() && with_transmitted) {
     figures.push_back(transmitted_figure(load, motion, units));
-    figures.push_back(loop_figure(load, motion, units));
   }
   if (motion.moves()) {
+    figures.push_back(loop_figure(load, motion, units));
     figures.push_back(phase_figure(motion, units));
   }
   if (!forced) {

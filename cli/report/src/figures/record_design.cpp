@@ -12,6 +12,21 @@ namespace stillpoint::report {
 
 namespace {
 
+/// The load below its motion.
+void add_load(std::vector<Figure>& figures, const DrawnMotion& motion, const Excitation& excitation,
+              const FigureUnits& units, bool worst, std::string id) {
+  Figure load = excitation_figure(excitation, motion, units);
+  load.id = std::move(id);
+  if (!worst) {
+    load.height = 70;
+    load.y.label = "W, g";
+    for (FigureArea& band : load.areas) {
+      band.name.clear();  // it stands above
+    }
+  }
+  figures.push_back(std::move(load));
+}
+
 /// The motion of a case and its load below it; the worst one is large.
 void add_motion(std::vector<Figure>& figures, const design::RecordDesign& result,
                 std::size_t in_case, std::size_t index, const FigureUnits& units) {
@@ -61,19 +76,16 @@ void add_motion(std::vector<Figure>& figures, const design::RecordDesign& result
     drawn.height = 130;
   }
   figures.push_back(std::move(drawn));
-  if (load_case.v0) {
-    return;
+  if (!load_case.v0) {
+    add_load(figures, motion, request.excitation, units, worst,
+             (worst ? of_case + "worst" : id) + "-load");
   }
-  Figure load = excitation_figure(request.excitation, motion, units);
-  load.id = (worst ? of_case + "worst" : id) + "-load";
-  if (!worst) {
-    load.height = 70;
-    load.y.label = "W, g";
-    for (FigureArea& band : load.areas) {
-      band.name.clear();  // it stands above
-    }
+  if (worst && motion.moves()) {
+    figures.push_back(loop_figure(request.excitation, motion, units));
+    figures.back().id = of_case + "loop";
+    figures.back().title =
+        (load_case.name.empty() ? "" : load_case.name + ": ") + figures.back().title;
   }
-  figures.push_back(std::move(load));
 }
 
 }  // namespace

@@ -141,6 +141,7 @@ struct ShownCase {
   std::optional<Worst> nominal{};
   std::optional<WorstInBox> worst{};
   std::vector<ShownLoaded> motions{};
+  std::optional<design::Duty> duty{};
 
   using Now = ShownCase;
   static constexpr std::tuple field_table{
@@ -153,6 +154,7 @@ struct ShownCase {
       Field{"worst", &Now::worst,
             "the same over the box that was required; null without a damper and of a figure that "
             "is not known"},
+      Field{"duty", &Now::duty, "what the damper itself has to stand; null without one"},
       Field{"motions", &Now::motions, "of the damper itself"}};
 };
 

@@ -78,17 +78,15 @@ ShownAnswer answer_of(const Report& report, const ShownTask& task,
 
 /// In which it keeps every requirement, as its corners prove, or a scan of a pulse's ranges.
 BoxedDamper boxed_damper(const ShownTask& task, double f, double delta) {
-  const double tolerance = task.limits.tolerance;
   const auto& [f_low, f_high, delta_low, delta_high] = task.limits.shape;
-  const auto side = [&](double value, double below, double above) {
-    return tolerance * std::max(below, above) > 0
-               ? std::optional(
-                     Interval{value * (1 - tolerance * below), value * (1 + tolerance * above)})
-               : std::nullopt;
+  const design::DamperBox box =
+      design::box_about({f, delta, task.limits.tolerance}, task.limits.shape);
+  const auto side = [&](const Interval& range, double off) {
+    return task.limits.tolerance * off > 0 ? std::optional(range) : std::nullopt;
   };
   return {{task.problem.p, f, delta},
-          {.f = side(f, f_low, f_high),
-           .delta = side(delta, delta_low, delta_high),
+          {.f = side(box.f, std::max(f_low, f_high)),
+           .delta = side(box.delta, std::max(delta_low, delta_high)),
            .exact = !(task.pulse && has_ranges(task))}};
 }
 
@@ -122,12 +120,15 @@ void add_damper(ShownAnswer& now, const ShownTask& task, const IfReal& f, const 
                 const std::optional<design::ShownDamper>& shown) {
   ShownCase& only = now.cases.front();
   const design::PulseMotion* const under = shown ? shown->under_pulse : nullptr;
-  const auto energies = shown ? energies_of(motion_of(*shown)) : MotionEnergies();
   if (under != nullptr) {
-    only.motions.push_back({{}, under->p, under->pulse, ShownResponse(under->response, energies)});
-  } else if (shown) {
     only.motions.push_back(
-        {task.problem.v0, task.problem.p, task.pulse, ShownResponse(shown->response, energies)});
+        {{}, under->p, under->pulse, ShownResponse(under->response, shown->energies)});
+  } else if (shown) {
+    only.motions.push_back({task.problem.v0, task.problem.p, task.pulse,
+                            ShownResponse(shown->response, shown->energies)});
+  }
+  if (shown) {
+    only.duty = duty_of(*shown);
   }
   if (f && delta) {
     now.design = boxed_damper(task, *f, *delta);
@@ -152,9 +153,9 @@ void add_found(ShownAnswer& now, const DesignReport& report, const design::Found
   now.search = found.search ? &*found.search : nullptr;
   now.cross_check = &found.cross_check;
   if (const auto& built = report.built_notch) {
-    now.built_notch = {
-        &*built, now.cases.front().motions.front().with(
-                     built->response, energies_of(motion_of(shown_damper(report.result, built))))};
+    now.built_notch = {&*built,
+                       now.cases.front().motions.front().with(built->response, built->energies)};
+    now.cases.front().duty = duty_of(shown_damper(report.result, built));
     damper.width = built->shape.width.value_or(0);
     now.input.hold = built->shape.hold;
     now.input.notch_width = built->shape.width;

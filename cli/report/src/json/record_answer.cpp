@@ -105,16 +105,15 @@ ShownCase shown_case(const design::RecordDesign& result, std::size_t index) {
     return shown;
   }
   const std::vector<design::CaseMotion> motions = design::motions_of(load_case);
+  shown.duty = duties_of(result)[index];
   shown.nominal = worst_of(finding->point.figures[index]);
   shown.worst = shown_worst(result.request, finding->box, index, motions);
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const design::CaseMotion& motion = motions[i];
-    shown.motions.push_back({load_case.v0 ? std::optional(motion.start.v0) : std::nullopt,
-                             finding->point.damper.p, motion.pulse,
-                             ShownResponse(finding->responses[index][i],
-                                           energies_of(design::motion_of(
-                                               result.request, finding->point.damper, motion))),
-                             load_case.of_records() ? &load_case.records[i] : nullptr});
+    shown.motions.push_back(
+        {load_case.v0 ? std::optional(motion.start.v0) : std::nullopt, finding->point.damper.p,
+         motion.pulse, ShownResponse(finding->responses[index][i], finding->energies[index][i]),
+         load_case.of_records() ? &load_case.records[i] : nullptr});
   }
   return shown;
 }

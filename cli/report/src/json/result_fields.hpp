@@ -5,6 +5,7 @@
 
 #include "json/motion_fields.hpp"
 
+#include <stillpoint/design/duty.hpp>
 #include <stillpoint/design/hits.hpp>
 #include <stillpoint/design/record_design_result.hpp>
 #include <stillpoint/report/page_frame.hpp>
@@ -73,6 +74,33 @@ inline constexpr auto fields<design::SuiteDamper> = std::tuple{
     Field{"period_s", [](const design::SuiteDamper& now) { return turn(now.p); },
           "without friction", si_alone(Dimension::time)},
     Field{"notch_width", &design::SuiteDamper::notch_width, "null without a width", in_metres}};
+
+template <>
+inline constexpr auto fields<design::Duty> = [] {
+  using Now = design::Duty;
+  using Cycle = design::FullCycle;
+  const auto most = [](auto part) { return in(&Now::most, part); };
+  const auto cycle = [](auto part) { return in(&Now::cycle, part); };
+  constexpr Measure in_joules = with_si(Dimension::energy);
+  return std::tuple{
+      Field{"motion", &Now::motion, "of several, the one that moves the mass farthest", any_number},
+      Field{"stroke", &Now::stroke, "of several records combined as asked", in_metres},
+      Field{"stroke_worst", &Now::stroke_worst,
+            "of the dampers within the tolerance that was asked for or, without one, within the "
+            "largest; null if there is none",
+            in_metres},
+      Field{"peak_velocity", &Now::peak_velocity, "of any motion, like the next four",
+            with_si(Dimension::velocity)},
+      Field{"slip_path", most(&Energies::slip_path), "", in_metres},
+      Field{"friction_energy", most(&Energies::friction), "", in_joules},
+      Field{"notch_energy", most(&Energies::notch), "", in_joules},
+      Field{"damping_energy", most(&Energies::damping), "", in_joules},
+      Field{"secant_stiffness", cycle(&Cycle::secant_stiffness),
+            "at the stroke (theory.md section 11); null, like the next two, if nothing moves"},
+      Field{"equivalent_damping", cycle(&Cycle::equivalent_damping),
+            "of a full cycle between plus and minus the stroke; null above 1"},
+      Field{"cycle_energy", cycle(&Cycle::energy), "what that cycle takes", in_joules}};
+}();
 
 template <>
 inline constexpr auto fields<design::DesignPoint> =

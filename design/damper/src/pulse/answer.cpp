@@ -38,6 +38,13 @@ std::optional<PulseWorst> worst_of(const PulseProblem& problem, const PulseRegio
                               : std::nullopt;
 }
 
+/// As after a hit, of all pulses and springs.
+void add_stroke(Judged& answer, const Limits& limits, const DesignPoint& point,
+                const PulseRegion& region) {
+  const double f = box_about(granted(point, limits), limits.shape).f.low;
+  answer.stroke_worst = motion_at(region, f / region.f_unit()).peak * region.length_unit();
+}
+
 void judge(RegionAnswer& answer, const PulseRequest& request, const PulseRegion& region, double f,
            double delta) {
   const auto& [problem, limits, options] = request;
@@ -50,6 +57,7 @@ void judge(RegionAnswer& answer, const PulseRequest& request, const PulseRegion&
   answer.under_pulse = {shown.pulse, shown.p,
                         forced_response(oscillator, {}, excitation(shown.pulse))};
   answer.response = answer.under_pulse->response;
+  answer.energies = motion_energies(oscillator, {}, excitation(shown.pulse));
   if (!*answer.admissible) {
     return;
   }
@@ -60,6 +68,7 @@ void judge(RegionAnswer& answer, const PulseRequest& request, const PulseRegion&
   // side.
   constexpr double edge = 1e-12;
   answer.admissible = limits.tolerance <= widest + edge;
+  add_stroke(answer, limits, {f, delta, *answer.tolerance}, region);
   add_practice(answer, problem, limits, shown, oscillator, *answer.response);
   answer.under_pulse->worst = worst_of(problem, region, motion);
   answer.works_for = works_for(problem, limits, f, delta);
@@ -132,6 +141,8 @@ void add_finding(DesignResult& result, const PulseRequest& request, const PulseR
   result.finding->pulse->worst = worst_of(problem, region, worst);
   result.finding->works_for = works_for(problem, limits, point.f, point.delta);
   const Oscillator damper{shown.p, point.f, point.delta};
+  result.finding->energies = motion_energies(damper, {}, excitation(shown.pulse));
+  add_stroke(*result.finding, limits, point, region);
   add_practice(*result.finding, problem, limits, shown, damper, result.finding->response);
   add_delta1(*result.finding, problem, point.f);
 }

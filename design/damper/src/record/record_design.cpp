@@ -153,6 +153,10 @@ RecordDesign design(const RecordDesignRequest& request, const RecordWatch& go_on
     finding.point = {damper, suites.figures(damper)};
     for (const Suite& each : suites.cases()) {
       finding.responses.push_back(each.responses(damper));
+      finding.energies.emplace_back();
+      for (const CaseMotion& motion : each.motions()) {
+        finding.energies.back().push_back(energies_of(motion_of(task, damper, motion)));
+      }
     }
     finding.box = promised(task, *chosen);
     finding.outlook = outlook(task, damper, chosen->scale);
@@ -176,7 +180,7 @@ RecordDesign design(const RecordDesignRequest& request, const RecordWatch& go_on
 std::optional<Governing> governing(const RecordDesign& result, std::size_t in_case) {
   std::optional<Governing> least;
   for (const Constraint& now : result.constraints) {
-    const double left = now.limit > 0 ? now.slack / now.limit : now.slack;
+    const double left = part_left(now);
     const auto* const kind =
         std::ranges::find(suite_figure_kinds, now.name, &SuiteFigureKind::constraint);
     if (kind != suite_figure_kinds.end() && now.in_case == result.request.cases[in_case].name &&

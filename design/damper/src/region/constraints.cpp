@@ -153,4 +153,15 @@ std::vector<Constraint> constraints(const Problem& problem, const Limits& limits
   return list;
 }
 
+const Constraint* governing(std::span<const Constraint> constraints) {
+  const Constraint* least = nullptr;
+  for (const Constraint& now : constraints) {
+    const bool bounds = now.known && now.limit > 0 && std::isfinite(now.limit);
+    if (bounds && (least == nullptr || part_left(now) < part_left(*least))) {
+      least = &now;
+    }
+  }
+  return least;
+}
+
 }  // namespace stillpoint::design

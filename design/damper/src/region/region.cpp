@@ -105,7 +105,11 @@ RegionAnswer answer(const RegionRequest& request) {
     answer.works_for = works_for(problem, limits, *f, *delta);
     const Oscillator oscillator{problem.p, *f, *delta};
     answer.response = response_of(oscillator, problem.v0);
+    if (answer.response) {
+      answer.energies = motion_energies(oscillator, {0, problem.v0}, NoExcitation());
+    }
     if (answer.works_for && answer.response) {
+      add_stroke(answer, problem, limits, {*f, *delta, answer.tolerance.value_or(0)});
       add_practice(answer, problem, limits, oscillator, *answer.response);
     }
   }

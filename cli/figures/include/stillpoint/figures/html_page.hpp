@@ -25,4 +25,9 @@ struct HtmlPage {
 /// One self-contained file.
 [[nodiscard]] std::string html(const HtmlPage& page);
 
+/// The style of a sheet to be printed, for what is inside an element of the class "sheet", and the
+/// file of one.
+[[nodiscard]] std::string_view sheet_style() noexcept;
+[[nodiscard]] std::string sheet_html(std::string_view title, std::string_view body);
+
 }  // namespace stillpoint::figures

@@ -21,8 +21,10 @@ namespace stillpoint::report {
 inline constexpr int every_digit = 10;
 /// That many digits, rounded up or down so that an input set to them meets the limit.
 [[nodiscard]] std::string limit_digits(double value, bool upwards, int shown = every_digit);
-/// "0.341 to 0.429": rounded inwards to that many digits, or as many as hold both ends to 2 % of
-/// the width; "up to 0.429" if it begins at nothing.
+/// As many digits as hold both ends of an interval, rounded inwards, to 2 % of its width, at least
+/// the fewest.
+[[nodiscard]] int interval_places(double low, double high, int fewest = 3);
+/// "0.341 to 0.429": rounded inwards to that many; "up to 0.429" if it begins at nothing.
 [[nodiscard]] std::string interval_digits(double low, double high, int fewest = 3);
 inline constexpr int digits_of_double = 17;
 /// The least number of digits, from `fewest` on, that is enough; else all that a double has.

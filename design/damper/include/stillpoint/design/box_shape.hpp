@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/core/interval.hpp>
 #include <stillpoint/design/problem.hpp>
 
 #include <optional>
@@ -19,6 +20,22 @@ struct Spread {
 /// Of a value that may be off by both.
 [[nodiscard]] constexpr Spread combined(const Spread& one, const Spread& other) {
   return {1 - (1 - one.below) * (1 - other.below), (1 + one.above) * (1 + other.above) - 1};
+}
+
+/// The dampers that the tolerance of a damper allows.
+struct DamperBox {
+  Interval f;
+  Interval delta;
+};
+[[nodiscard]] constexpr DamperBox box_about(const DesignPoint& damper, const BoxShape& shape) {
+  const auto& [f, delta, r] = damper;
+  return {{f * (1 - r * shape.f_low), f * (1 + r * shape.f_high)},
+          {delta * (1 - r * shape.delta_low), delta * (1 + r * shape.delta_high)}};
+}
+/// With what may be used of its tolerance: what was asked for, else all that it has.
+[[nodiscard]] constexpr DesignPoint granted(DesignPoint damper, const Limits& limits) {
+  damper.tolerance = limits.tolerance > 0 ? limits.tolerance : damper.tolerance;
+  return damper;
 }
 
 /// Each throws InputError, naming `field`: for R unless 0 <= R < 1, for the factors LOW:HIGH unless

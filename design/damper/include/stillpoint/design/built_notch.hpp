@@ -38,6 +38,7 @@ struct BuiltNotch {
   NotchShape shape;
   std::optional<double> friction{};  ///< within |x| < width / 2: f + delta / width
   ForcedResponse response;
+  MotionEnergies energies{};
   bool changes_nothing{false};  ///< compared with the same motion with the paper's notch
   /// After a hit, with a width: the motion if the notch acts on the way out too, as a strip of that
   /// friction does. v0 is otherwise the speed with which the mass leaves it.

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,6 +54,13 @@ struct Constraint {
   /// Of the variable.
   [[nodiscard]] Dimension dimension() const;
 };
+
+/// The part of its limit that it leaves; where that is 0, and broken, the slack.
+[[nodiscard]] inline double part_left(const Constraint& now) {
+  return now.limit > 0 ? now.slack / now.limit : now.slack;
+}
+/// The one that leaves the least part of a limit above 0; none if there is none.
+[[nodiscard]] const Constraint* governing(std::span<const Constraint> constraints);
 
 /// In the order of the table. Throws InputError for a wrong problem and f or delta not in [0,
 /// 1e300].

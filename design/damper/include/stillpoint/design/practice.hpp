@@ -34,6 +34,16 @@ struct Practice {
   std::optional<double> notch_width_min;
 };
 
+/// A full cycle between plus and minus a peak, as of other isolators: docs/theory.md (43), (74).
+struct FullCycle {
+  double secant_stiffness{0};  ///< (f + p^2 A)/A
+  double energy{0};            ///< that it takes, with both of its passages through the notch
+  std::optional<double> equivalent_damping{};  ///< at most 1
+};
+/// Empty without a peak, and if a double cannot hold the stiffness.
+[[nodiscard]] std::optional<FullCycle> full_cycle(const Oscillator& oscillator, double peak,
+                                                  const std::optional<double>& notch_width = {});
+
 /// For a motion with that response. Empty if nothing moves. A hit leaves the notch freely; a load,
 /// of which `load` is the largest, must move the mass out of its notch from rest.
 [[nodiscard]] std::optional<Practice> practice(const Oscillator& oscillator,

@@ -4,6 +4,7 @@
 // What a design under records is: docs/records-design.md.
 
 #include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/motion_energies.hpp>
 #include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/finding.hpp>
 #include <stillpoint/design/region_result.hpp>
@@ -37,6 +38,7 @@ struct SuiteBox {
 struct RecordFinding {
   SuitePoint point;                                    ///< the damper itself with its own figures
   std::vector<std::vector<ForcedResponse>> responses;  ///< of each motion of each case
+  std::vector<std::vector<MotionEnergies>> energies;   ///< the same
   SuiteBox box;
   SuiteOutlook outlook;
   CrossCheck cross_check;

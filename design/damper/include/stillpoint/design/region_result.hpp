@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/motion_energies.hpp>
 #include <stillpoint/design/admissible_region.hpp>
 #include <stillpoint/design/constraints.hpp>
 #include <stillpoint/design/practice.hpp>
@@ -67,6 +68,8 @@ struct Judged {
   std::optional<double> delta1_published{};  ///< the least Delta for this f; of a pulse as the next
   std::optional<double> delta1_exact{};      ///< also empty if the motion does not return
   std::optional<WorksFor> works_for{};
+  std::optional<MotionEnergies> energies{};  ///< of the motion, wherever there is one
+  std::optional<double> stroke_worst{};      ///< of the box that its tolerance grants
   std::optional<Practice> practice{};        ///< of the motion
   std::optional<Practice> practice_worst{};  ///< for ranges of a hit, of their ends
   std::optional<double> notch_width_min{};   ///< as in practice, enough for all ranges

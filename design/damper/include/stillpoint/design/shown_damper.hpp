@@ -20,7 +20,8 @@ struct ShownDamper {
   const PulseRanges& ranges;
   DesignPoint point;
   const Judged& judged;
-  const Response& response;  ///< with the notch that will be built, if there is one
+  const Response& response;        ///< with the notch that will be built, if there is one
+  const MotionEnergies& energies;  ///< the same
   const PulseMotion* under_pulse{nullptr};
   const BuiltNotch* built{nullptr};
   bool admissible{true};
@@ -31,6 +32,8 @@ struct ShownDamper {
   [[nodiscard]] const WorstMotions* tried() const;
   /// Of ranges, the spring of the motion.
   [[nodiscard]] double p() const { return under_pulse != nullptr ? under_pulse->p : problem.p; }
+  /// The largest |x|.
+  [[nodiscard]] double peak() const;
   /// What the mass feels: outside the notch, of one as built inside it as well.
   [[nodiscard]] double felt() const;
   /// What it feels outside one as built, if that is less.
