@@ -67,4 +67,24 @@ BOOST_AUTO_TEST_CASE(gives_a_few_light_pages) {
   }
 }
 
+/// Of a hit, with units and without, of a pulse, of records and of cases.
+BOOST_AUTO_TEST_CASE(gives_at_most_two_pages_of_a_specification) {
+  const auto& sandbox = pages().sandbox;
+  for (const char* const name :
+       {"isolator", "plain", "pulse", "records", "building", "near_fault_pulse"}) {
+    BOOST_TEST_CONTEXT(name) {
+      const std::string scene = std::string(STILLPOINT_DATA_DIR) + "/scenes/" + name + ".json";
+      sandbox.succeed({"design", scene, "--sheet", "sheet.html"});
+      const Visit visited =
+          visit(sandbox, "sheet.html",
+                {"--print-to-pdf=" + sandbox.path("sheet.pdf").string(), "--no-pdf-header-footer"});
+      BOOST_TEST(visited.exit_code == 0);
+      BOOST_TEST(visited.console.empty(), visited.console);
+      const auto sheets = count(sandbox.read("sheet.pdf"), R"(/Type /Page\b)");
+      BOOST_TEST(sheets >= 1);
+      BOOST_TEST(sheets <= 2);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,7 @@
 #include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/doubtful_values.hpp>
+#include <stillpoint/design/duty.hpp>
 #include <stillpoint/design/hits.hpp>
 #include <stillpoint/design/motion_findings.hpp>
 #include <stillpoint/design/physical.hpp>
