@@ -169,7 +169,7 @@ void AlongLeg::raise(const Figure& figure, const Threshold& threshold) {
       const auto top = top_of({before.s, values[0]}, {now.s, values[1]}, {after.s, values[2]});
       const auto [least, most] = std::ranges::minmax(values);
       if (!top || !(top->value + unsure_top * (most - least) > threshold(nullptr)) ||
-          std::abs(top->at - now.s) <= apart * now.s) {
+          std::abs(top->at - now.s) <= apart * now.s || top->at == before.s || top->at == after.s) {
         break;
       }
       const Spot found = spot(top->at);

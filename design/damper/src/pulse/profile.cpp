@@ -73,7 +73,9 @@ std::vector<double> first_grid(const Pulse& pulse) {
 
 PulseProfile::PulseProfile(At at, const std::array<Pulse, 2>& between, Criterion criterion,
                            bool k_varies, const Interval& window)
-    : at_(std::move(at)), criterion_(criterion) {
+    : at_(std::move(at)),
+      criterion_(criterion),
+      has_flat_(std::holds_alternative<Trapezoid>(between.front())) {
   std::vector<double> grid = first_grid(between.front());
   if (angular_frequency(between.front()) != angular_frequency(between.back())) {
     const std::vector<double> more = first_grid(between.back());
@@ -117,7 +119,9 @@ void PulseProfile::add_between(const FirstReturn& a, const FirstReturn& b, int d
   const Rated from = need_of(a, criterion_);
   const Rated to = need_of(b, criterion_);
   const bool has_top = from.slope > 0 && to.slope < 0;
-  if (smooth && has_top) {
+  if (has_top && has_flat_ && (smooth || depth == deepest)) {
+    add_kink(a, b);
+  } else if (has_top && smooth) {
     const FirstReturn top = maximum(
         a, b, [this](double f) { return at(f); },
         [this](const FirstReturn& now) { return need_of(now, criterion_); });
@@ -160,6 +164,16 @@ void PulseProfile::add_edge(const FirstReturn& a, const FirstReturn& b, int dept
     samples_.push_back(high);
   }
   add_between(high, b, depth + 1);
+}
+
+/// Where the need is largest, without slopes: near a kink they are differences across it.
+void PulseProfile::add_kink(const FirstReturn& a, const FirstReturn& b) {
+  constexpr double across = 4e-6;
+  const auto need = [this](double f) { return at(f).need(criterion_); };
+  const auto done = [](const Interval& span, double, double) {
+    return span.high - span.low <= edge_width(span.low, span.high);
+  };
+  samples_.push_back(at(golden_sections({a.f * (1 - across), b.f}, need, done)));
 }
 
 /// Between three motions that arrive one may miss x = 0: where the clearance has a minimum below 0.

@@ -36,12 +36,16 @@ class PulseProfile {
  private:
   void add_between(const FirstReturn& a, const FirstReturn& b, int depth);
   void add_edge(const FirstReturn& a, const FirstReturn& b, int depth);
+  void add_kink(const FirstReturn& a, const FirstReturn& b);
   void add_misses(bool one_pulse);
   void add_maxima_over_square();
   void add_slowest();
 
   At at_;
   Criterion criterion_;
+  /// The load is constant for a time that is not all of the pulse: the need has a kink where it
+  /// begins to hold the mass at a turn, at an f that is not known beforehand.
+  bool has_flat_{false};
   double largest_{0};  ///< need so far
   std::vector<FirstReturn> samples_;
 };

@@ -189,7 +189,9 @@ BOOST_AUTO_TEST_CASE(slopes_are_those_of_differences) {
     }
     ++compared;
     const double slope = (above.exact_need - below.exact_need) / (2 * aside);
-    BOOST_TEST(std::abs(now.need_slope - slope) <= 1e-5 * (std::abs(slope) + now.exact_need / f),
+    // The one of a kind without a closed form is a difference as well, but to one side.
+    const double close = closed_return(pulse, f) ? 1e-5 : 1e-4;
+    BOOST_TEST(std::abs(now.need_slope - slope) <= close * (std::abs(slope) + now.exact_need / f),
                name(pulse) << ", p/lambda " << slowness << ", f " << f);
   }
   BOOST_TEST(compared >= 1500);

@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(random_tasks_have_one_optimum_by_both_ways) {
 BOOST_AUTO_TEST_CASE(parts_within_delta_max_are_those_of_a_scan) {
   RandomSource random(20261125);
   int divided = 0;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 600; ++i) {
     PulseRequest request =
         request_of(random_pulse(random, 1, 1 / random.log_uniform(0.02, 5)), HUGE_VAL);
     const WorstReturn profile(request.problem);

@@ -146,13 +146,19 @@ inline design::Pulse pulse_of(int kind, double k, double lambda) {
       return HalfSine{k, lambda};
     case 1:
       return Rectangle{k, lambda};
-    default:
+    case 2:
       return FullSine{k, lambda};
+    case 3:
+      return Sawtooth{k, lambda};
+    case 4:
+      return Trapezoid{k, lambda};
+    default:
+      return Haversine{k, lambda};
   }
 }
 
 inline design::Pulse random_pulse(RandomSource& random, double k, double lambda) {
-  return pulse_of(random.pick(3), k, lambda);
+  return pulse_of(random.pick(6), k, lambda);
 }
 
 inline design::PulseRequest random_request(RandomSource& random) {
