@@ -13,7 +13,6 @@ const damper_options = names_where(({ commands }) => !commands.includes("design"
 
 /** What gives the load and shapes it. */
 const load_options = names_where(({ load }) => load !== "");
-const of_records = names_where(({ load }) => load === "record");
 
 /** @param {Options} options @returns {"hit" | "pulse" | "record"} */
 function load_of(options) {
@@ -28,13 +27,13 @@ function load_of(options) {
 function plain_task(options) {
   const beyond = names_where(({ simulated }) => simulated);
   const load = load_of(options);
-  const left_out = [...beyond, ...of_records, "damping", "breakaway", "objective", "criterion"];
-  if (load !== "hit") left_out.push("residual", "residual-m", "arrivals");
-  const task = without(options_of("design", options), left_out);
-  if (load !== "record") return task;
-  const hit = is_physical(options) ? "velocity" : "v0";
-  const stroke = is_physical(options) ? "max-displacement" : "beta";
-  return { [stroke]: "1", ...task, [hit]: "1" };
+  const left_out = [...beyond, "damping", "breakaway", "objective", "criterion"];
+  if (load === "pulse") left_out.push("residual", "residual-m", "arrivals");
+  if (load !== "record") return without(options_of("design", options), left_out);
+  const [hit, stroke] = is_physical(options) ? ["velocity", "max-displacement"] : ["v0", "beta"];
+  const kept = [stroke, "period", ...rivals("period"), "mass", "gravity"];
+  const others = Object.keys(options).filter((name) => !kept.includes(name));
+  return { [stroke]: "1", ...without(options, others), [hit]: "1" };
 }
 
 /** The others of a set from which only one may be given. @param {string} name */

@@ -90,11 +90,12 @@ const requirements = [
 
 /** The requirements that this task can have. @param {Options} options */
 function requirements_of(options) {
+  const under_records = load_of(options) === "record";
   const has_width = ["notch-width", "notch-width-m"].some((name) => name in options);
   return requirements
     .map(([first, other]) => (is_physical(options) ? first : other))
-    .filter((name) => name !== "tolerance-width" || has_width)
-    .filter((name) => name !== "combine" || load_of(options) === "record")
+    .filter((name) => name !== "tolerance-width" || (under_records && has_width))
+    .filter((name) => name !== "combine" || under_records)
     .map((name) => option_rows.find((row) => row.name === name))
     .flatMap((row) => row ?? []);
 }

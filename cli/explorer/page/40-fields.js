@@ -175,7 +175,7 @@ class Fields {
       slider.addEventListener("change", () => this.slid(field, end, true));
       slide.append(slider);
     }
-    if (stroke) slide.append(make("div", { class: "barred", id: "barred" }));
+    if (stroke) slide.append(make("div", { class: "barred", id: "barred", hidden: "" }));
     return make(
       "div",
       { class: "field" },

@@ -29,7 +29,7 @@ class AnswerView {
   }
 
   /** @param {Answered} shown */
-  show_numbers({ motion, damper, judged, tolerance, chosen }) {
+  show_numbers({ motion, damper, judged, tolerance, chosen, options }) {
     const { physical } = judged;
     const { length, time } = units_of(physical);
     // The design's own numbers are those of its report.
@@ -79,7 +79,11 @@ class AnswerView {
     ])) {
       if (document.activeElement === el(id)) continue;
       input(id).value =
-        value === undefined ? "" : digits(value, 6) + (id === "set-delta" && physical ? "mm" : "");
+        value === undefined
+          ? ""
+          : id === "set-f" && "friction-force" in options
+            ? options["friction-force"]
+            : digits(value, 6) + (id === "set-delta" && physical ? "mm" : "");
     }
   }
 
@@ -91,7 +95,20 @@ class AnswerView {
     fill(el("verdict"), report.verdict, ...more);
     el("verdict").classList.toggle("broken", alarms);
     el("remarks").classList.toggle("broken", alarms);
-    write(el("remarks"), remarks_of(report));
+    fill(el("remarks"), remarks_of(report), ...this.smaller(report, options));
+  }
+
+  /** The bound of Delta that the program proposes where nothing else bounds it. @param {any} report @param {Options} options @returns {Part[]} */
+  smaller({ findings }, options) {
+    const found = findings.find((/** @type {any} */ now) => now.kind === "delta_unbounded");
+    if (!found) return [];
+    const in_metres = is_physical(options);
+    const value = Number((in_metres ? found.proposed_m : found.proposed).toPrecision(3));
+    const unit = in_metres ? "m" : "";
+    const button = make("button", { type: "button" }, "Use a delta max of ", number(value, unit));
+    const name = in_metres ? "delta-max-m" : "delta-max";
+    button.addEventListener("click", () => this.go({ ...options, [name]: `${value}${unit}` }));
+    return [" ", button];
   }
 
   /** @returns {Part[]} */

@@ -32,6 +32,7 @@ class Bench {
     /** @type {string[]} */
     this.unknown = [];
     /** @type {any} */ this.design = null;
+    this.turn = 0; // of what is asked beside the page
     this.searches = false; // dampers are simulated, so the best one is found only on request
     /** @type {any} */ this.region_found = null; // of a mass that is simulated
     /** @type {Figure | undefined} */ this.region_drawn = undefined; // the same
@@ -202,7 +203,9 @@ class Bench {
     const on = input("dimensionless").checked;
     this.frames.finish(); // what was typed last may be refused
     if (this.refusal !== null || on === !is_physical(this.options)) return;
-    const { options, design, damper } = this;
+    const { options, damper } = this;
+    const residual = this.region_found?.input.residual || this.design.input.residual;
+    const design = { ...this.design, input: { ...this.design.input, residual } };
     this.go(on ? to_plain(options, design, damper) : to_physical(options, design));
   }
 
@@ -226,7 +229,8 @@ class Bench {
     el("notice").classList.toggle("doubt", message === null);
     if (el("notice").textContent !== notice) el("notice").textContent = notice;
     input("dimensionless").checked = !is_physical(this.options);
-    input("dimensionless").disabled = message !== null; // its numbers are not known
+    // Its numbers are not known; the times of records are in seconds.
+    input("dimensionless").disabled = message !== null || load_of(this.options) === "record";
     const set = damper_options.some((name) => name in this.options);
     /** @type {HTMLButtonElement} */ (el("release")).disabled = !set;
     const under_records = load_of(this.options) === "record";
@@ -287,6 +291,7 @@ class Bench {
   ask_task() {
     const { engine, options } = this;
     const under_records = load_of(options) === "record";
+    this.turn++;
     this.beside.cancel();
     const plain = plain_task(options);
     const asked = under_records ? plain : options_of("design", options);
@@ -350,8 +355,9 @@ class Bench {
   async search() {
     const options = without(this.options, [...damper_options, "search-period"]);
     const found = await this.ask_beside("design", "Searching.", {});
+    if (found === undefined) return;
     if (found === null) return this.frames.ask(Level.damper);
-    if ("error" in found) return fill(el("verdict"), found.error);
+    if ("error" in found) return this.refuse(found.error);
     const { design, verdict } = found.report;
     if (!design) return fill(el("verdict"), verdict);
     const damper = /** @type {Options} */ ({ f: String(design.f) });
@@ -362,14 +368,22 @@ class Bench {
     this.go({ ...options, ...damper });
   }
 
-  /** Asks the engine beside the page; until it answers the verdict says how far it is. @param {"design" | "region"} command @param {string} word @param {Ask} ask */
-  ask_beside(command, word, ask) {
+  /** What the engine beside the page refuses. @param {string} error */
+  refuse(error) {
+    fill(el("verdict"), error);
+    el("verdict").classList.add("broken");
+    this.fields.blame(error);
+  }
+
+  /** Asks the engine beside the page; until it answers the verdict says how far it is. @param {"design" | "region"} command @param {string} word @param {Ask} ask @returns {Promise<Answer | Refusal | null | undefined>} null: cancelled; undefined: overtaken by another task */
+  async ask_beside(command, word, ask) {
     const given = options_of(
       command,
       command === "design" ? without(this.options, damper_options) : this.options,
     );
     const under_records = load_of(given) === "record";
     const { named, files } = under_records ? this.record.given() : { named: {}, files: {} };
+    const turn = ++this.turn;
     const cancel = make("button", { type: "button" }, "Cancel");
     cancel.addEventListener("click", () => this.beside.cancel());
     const how_far = make("span", { id: "progress" }, word);
@@ -381,7 +395,10 @@ class Bench {
       options["delta-m"] = String(Number(options.delta) * unit);
       delete options.delta;
     }
-    return this.beside.run([command, options, ask, files], (words) => write(how_far, words));
+    const found = await this.beside.run([command, options, ask, files], (words) =>
+      write(how_far, words),
+    );
+    return turn === this.turn ? found : undefined;
   }
 
   /** Under records the damper is judged beside the page, and the answer is shown when it comes. */
@@ -400,8 +417,9 @@ class Bench {
     const figures = ["worst", "worst-load", "record-1", "record-1-load"];
     const sheet = sheet_of({ ...options, ...record.given().named });
     const found = await this.ask_beside("region", "Each record is simulated.", { figures, sheet });
-    if (found === null) return;
-    if ("error" in found) return record.refuse(found.error);
+    if (found === undefined) return;
+    if (found === null) return fill(el("verdict"), "Cancelled.", ...this.answer.best());
+    if ("error" in found) return this.refuse(found.error);
     const { physical, design } = found.report;
     this.judged = {
       ...found.report,
