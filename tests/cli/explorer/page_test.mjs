@@ -292,11 +292,11 @@ test("while each frame has a change, what is postponed is drawn too, one after t
   }));
 
 test("a redraw while dragging takes less than a frame", async () => {
-  /** @param {string} state @param {string} selector of the sliders @param {boolean} handle */
-  const drag_in = (state, selector, handle = false) =>
-    with_page(state, {}, (page) => drag_all(page, state, selector, handle));
-  /** @param {Page} page @param {string} state @param {string} selector @param {boolean} handle */
-  const drag_all = async (page, state, selector, handle) => {
+  /** @param {string} state @param {string} selector of the sliders */
+  const drag_in = (state, selector) =>
+    with_page(state, {}, (page) => drag_all(page, state, selector));
+  /** @param {Page} page @param {string} state @param {string} selector */
+  const drag_all = async (page, state, selector) => {
     /** @param {string} name @param {Place} from @param {number} least of frames @param {(step: number) => Place} place */
     const measure = async (name, from, least, place) => {
       await page.mouse.move(from.x, from.y);
@@ -331,12 +331,13 @@ test("a redraw while dragging takes less than a frame", async () => {
       await measure(id, from, Math.min(30, 0.4 * most), (step) => ({ x: step * way, y: 0 }));
       await bench.go(page, state);
     }
-    if (!handle) return;
     await page.locator(".handle .grip").scrollIntoViewIfNeeded();
     await measure("the damper", await handle_place(page), 30, (step) => ({
       x: -step,
       y: 30 * Math.sin(step / 6),
     }));
   };
-  await drag_in(isolator, "#bench [type=range]:not(#time)", true);
+  await drag_in(isolator, "#bench [type=range]:not(#time)");
+  const shock = "pulse=half-sine&k=30g&pulse-duration=5ms&period=0.5s&max-displacement=100mm";
+  await drag_in(shock, "#slide-k-high, #slide-pulse-duration-low, #hit");
 });
