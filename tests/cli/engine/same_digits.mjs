@@ -84,7 +84,14 @@ function task(number) {
     Object.assign(options, { f: between(0, 0.5), delta: between(0, 0.3) });
     if (options.v0 !== undefined && random() < 0.4) {
       Object.assign(options, {
-        excitation: one_of(["harmonic", "half-sine", "full-sine", "sawtooth", "trapezoid", "haversine"]),
+        excitation: one_of([
+          "harmonic",
+          "half-sine",
+          "full-sine",
+          "sawtooth",
+          "trapezoid",
+          "haversine",
+        ]),
         k: between(0.2, 2),
         lambda: between(0.3, 3),
       });

@@ -190,7 +190,7 @@ test("printed, it is a specification of two pages", () =>
     await type(page, "period", "soon");
     await page.pdf();
     assert.match(await words(page, "#sheet"), /^No damperperiod = "soon": must be/);
-    // Still two with a hundred ranges of hits, and with many options and conditions.
+    // No more with a hundred ranges of hits, and with many options and conditions.
     const options =
       "criterion=exact&tolerance-f=0.05&f-max=0.03&delta-max-m=8mm&acceleration-max=0.2g&arrivals=4";
     for (const state of [
@@ -200,7 +200,8 @@ test("printed, it is a specification of two pages", () =>
     ]) {
       await go(page, state);
       const long = (await page.pdf({ preferCSSPageSize: true })).toString("latin1");
-      assert.equal(long.match(/\/Type\s*\/Page\b/g)?.length, 2, state);
+      const pages = long.match(/\/Type\s*\/Page\b/g)?.length ?? 0;
+      assert.ok(pages >= 1 && pages <= 2, `${pages}: ${state}`);
     }
   }));
 
@@ -326,7 +327,7 @@ test("the specification is the program's, with the figures of practice at the wo
       shows(/residual ratio ([\d.]+)/, practice_worst.residual_ratio);
       const [{ duty }] = cases;
       shows(/taken by a cycle, kJ\s+([\d.]+)/, duty.friction_energy_j, 1e3);
-      shows(/slip path, mm\s+([\d.]+)/, duty.stroke_m, 1e-3);
+      shows(/slip path, mm\s+[^\t]*\t([\d.]+)/, duty.stroke_m, 1e-3);
     },
   ));
 
