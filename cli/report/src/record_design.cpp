@@ -74,10 +74,14 @@ void add_answer(Section& answer, const RecordDesignReport& report) {
                format("{:.3g} %, the largest that was found", 100 * *result.largest_tolerance));
   }
   if (const std::int64_t samples = result.finding->box.samples; samples > 1) {
-    answer.row("tried",
-               format("{} {} dampers within the tolerance, corners and "
-                      "boundary included",
-                      result.finding->admissible ? "no failure in" : "the worst of", samples));
+    if (result.finding->box.exact) {
+      answer.row("proved", "no damper within the tolerance is worse than at its corners");
+    } else {
+      answer.row("tried",
+                 format("{} {} dampers within the tolerance, corners and "
+                        "boundary included",
+                        result.finding->admissible ? "no failure in" : "the worst of", samples));
+    }
     answer.row("exact", "without any error: " + figures_words(largest(point.figures), physical));
   }
   add_works_for(answer, result.finding->works_for, physical);

@@ -232,7 +232,7 @@ BOOST_AUTO_TEST_CASE(the_structure_feels_the_most_before_the_turn) {
 }
 
 /// Published by a public code for its friction element: mass 1, stiffness 1e4, N mu = 1, from
-/// 0.85 mm (docs/damping.md section 5): with a breakaway of up to 2, nothing changes.
+/// 0.85 mm (docs/damping.md section 6): with a breakaway of up to 2, nothing changes.
 BOOST_AUTO_TEST_CASE(breakaway_holds_where_friction_alone_would_not) {
   Oscillator oscillator{.p = 100, .f = 1};
   for (const double breakaway : {1., 1.5, 2.}) {

@@ -64,6 +64,63 @@ BOOST_AUTO_TEST_CASE(a_tolerance_that_is_required_is_not_undercut) {
   BOOST_TEST(std::abs(*found.largest_tolerance - 0.442) <= of_searched_tolerance);
 }
 
+BOOST_AUTO_TEST_CASE(no_damper_of_a_box_is_worse_than_its_corners) {
+  constexpr double of_rounding = 1e-12;
+  RandomSource random(4206);
+  int boxes = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double zeta = random.uniform(0, 1) < 0.3 ? 0 : std::pow(10, random.uniform(-3, -0.3));
+    RecordDesignRequest request = under_hit({zeta, zeta}, 10);
+    request.cases.front().weakest = random.uniform(0.7, 1);
+    request.cases.front().combine = Combine::max;
+    const SuiteDamper middle{random.uniform(0.7, 1.4), random.uniform(0, 0.3),
+                             random.uniform(0, 0.4)};
+    const double off = random.uniform(0.01, 0.4);
+    const auto damper = [&](const auto& part) {  // each part from -1 to 1
+      SuiteDamper now = middle;
+      now.f *= 1 + off * part();
+      now.delta *= 1 + off * part();
+      now.p *= 1 + off / 3 * part();
+      now.load = std::lerp(request.cases.front().weakest, 1, (1 + part()) / 2);
+      return now;
+    };
+    TaskFigures worst;
+    bool all_move = true;  // as the bounds of a start require
+    for (unsigned corner = 0; corner < 16; ++corner) {
+      unsigned left = corner;
+      const auto end = [&left] {
+        const double part = (left & 1U) != 0 ? 1 : -1;
+        left >>= 1U;
+        return part;
+      };
+      const TaskFigures now = figures_of(request, damper(end));
+      all_move = all_move && now.front().peak > 0;
+      worst = worse(worst, now);
+    }
+    if (!all_move || !settled(worst) || worst.front().passages > 0 || worst.front().residual > 0) {
+      continue;
+    }
+    ++boxes;
+    for (int k = 0; k < 40; ++k) {
+      const SuiteFigures now =
+          figures_of(request, damper([&] { return random.uniform(-1, 1); })).front();
+      BOOST_TEST_CONTEXT("box " << i << ", zeta = " << zeta) {
+        BOOST_TEST(now.settled);
+        BOOST_TEST(now.passages == 0);
+        BOOST_TEST(now.residual == 0);
+        BOOST_TEST(now.peak <= (1 + of_rounding) * worst.front().peak);
+        BOOST_TEST(now.acceleration <= (1 + of_rounding) * worst.front().acceleration);
+        BOOST_TEST(now.jump <= (1 + of_rounding) * worst.front().jump);
+      }
+    }
+  }
+  BOOST_TEST(boxes > 50);
+  RecordDesignRequest request = under_hit({0.05, 0.05}, 0.9);
+  BOOST_TEST(design::design(request).finding.value().box.exact);
+  request.zeta = {0.04, 0.06};
+  BOOST_TEST(!design::design(request).finding.value().box.exact);
+}
+
 struct FirstReturnRow {
   double zeta, r, b;
 };
@@ -394,6 +451,39 @@ BOOST_AUTO_TEST_CASE(what_would_help_needs_no_tolerance) {
   BOOST_REQUIRE((beta != none.mends.end()));
   BOOST_TEST(beta->value >= least);
   BOOST_TEST(beta->value <= 1.004 * least);  // 2e-3 above the best that was found
+}
+
+// A weaker hit, and a stiffer spring, only change the scale of the motion.
+BOOST_AUTO_TEST_CASE(a_weaker_hit_and_a_stiffer_spring_help) {
+  const RecordDesignRequest request = under_hit({0.05, 0.05}, 0.5);
+  const RecordDesign none = design::design(request);
+  const auto mended = [&](std::string_view field) {
+    const auto mend = std::ranges::find(none.mends, field, &Mend::field);
+    BOOST_REQUIRE((mend != none.mends.end()));
+    return mend->value;
+  };
+  constexpr double of_rounding = 1e-12;
+  BOOST_TEST(std::abs(mended("v0") - 0.5 / mended("beta")) <= of_rounding);
+  BOOST_TEST(std::abs(mended("p") - mended("beta") / 0.5) <= of_rounding);
+  RecordDesignRequest weaker = request;
+  weaker.cases.front().v0 = mended("v0");
+  BOOST_TEST(design::design(weaker).finding.has_value());
+  RecordDesignRequest stiffer = request;
+  stiffer.p = {mended("p"), mended("p")};
+  BOOST_TEST(design::design(stiffer).finding.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(a_weaker_hit_helps_where_no_single_limit_does) {
+  RecordDesignRequest request = under_hit({0.05, 0.05}, 0.5);
+  request.cases.front().limits.acceleration = 0.6;
+  const RecordDesign none = design::design(request);
+  BOOST_TEST_REQUIRE(none.mends.size() == 1U);
+  BOOST_TEST(none.mends.front().field == "v0");
+  BOOST_TEST(!none.mends.front().upwards);
+  request.cases.front().v0 = none.mends.front().value;
+  BOOST_TEST(design::design(request).finding.has_value());
+  request.cases.front().v0 = 1.01 * none.mends.front().value;  // 2e-3 below the best that was found
+  BOOST_TEST(!design::design(request).finding.has_value());
 }
 
 BOOST_AUTO_TEST_CASE(wrong_damping_is_refused) {

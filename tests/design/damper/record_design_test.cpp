@@ -188,6 +188,12 @@ BOOST_AUTO_TEST_CASE(each_suggested_limit_suffices) {
     mended.cases.front().limits.*kind.limit = mend->value;
     BOOST_TEST(design::design(mended).finding.has_value());
   }
+  const auto scale = std::ranges::find(none.mends, std::string_view("scale"), &Mend::field);
+  BOOST_REQUIRE((scale != none.mends.end()));
+  BOOST_TEST(scale->value < 1);
+  RecordDesignRequest weaker = request;
+  weaker.cases.front().records.front().scale *= scale->value;
+  BOOST_TEST(design::design(weaker).finding.has_value());
 }
 
 BOOST_AUTO_TEST_CASE(only_the_limit_in_the_way_is_suggested) {

@@ -17,7 +17,13 @@ IfRange unless_exact(const Interval& side) {
 }
 
 AskedTask asked_task(const design::RecordDesignRequest& task) {
-  const auto& [f, delta, width, period] = task.tolerance;
+  // Without any that was asked for, that of the largest box of hits and pulses is only its shape.
+  const bool of_shape = task.objective == design::SuiteObjective::robust &&
+                        !task.requires_tolerance &&
+                        std::ranges::none_of(task.cases, &design::LoadCase::of_records);
+  const design::SuiteTolerance asked_for =
+      of_shape ? design::SuiteTolerance{{}, {}, {}, {}} : task.tolerance;
+  const auto& [f, delta, width, period] = asked_for;
   // Of several each has its own, which the constraints tell.
   const design::SuiteLimits limits =
       task.cases.size() == 1 ? task.cases.front().limits : design::SuiteLimits();
@@ -66,8 +72,8 @@ BoxedDamper boxed_damper(const design::RecordFinding& finding, const IfReal& tol
   const design::SuiteBox& box = finding.box;
   return {finding.point.damper,
           {unless_exact(box.f), unless_exact(box.delta), unless_exact(box.p),
-           unless_exact({turn(box.p.high), turn(box.p.low)}), unless_exact(box.width), box.samples,
-           false},
+           unless_exact({turn(box.p.high), turn(box.p.low)}), unless_exact(box.width),
+           box.exact ? IfCount() : IfCount(box.samples), box.exact},
           tolerance,
           {},
           {},

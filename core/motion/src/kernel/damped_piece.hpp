@@ -149,8 +149,10 @@ class DampedPiece {
       return {PieceEvent::turn, Real(0), start_};
     }
     const bool still = start_.v == 0 && start_.a == 0;
-    if (const Real turn = first_zero_of_swing(v); swings(v) && !still && turn <= limit) {
-      return {PieceEvent::turn, turn, at(turn)};
+    if (swings(v) && !still) {
+      if (const Real turn = first_zero_of_swing(v); turn <= limit) {
+        return {PieceEvent::turn, turn, at(turn)};
+      }
     }
     const Moment last{limit, at(limit)};
     End end{PieceEvent::none, last.h, last.at};

@@ -42,6 +42,7 @@ SuiteBox promised(const RecordDesignRequest& task, const ChosenBox& chosen) {
           {1 / periods.high, 1 / periods.low},
           interval_about(damper.width, times(of.width, chosen.scale)),
           chosen.verified.samples,
+          worst_at_corners(task),
           worst,
           chosen.verified.of,
           {}};

@@ -100,7 +100,8 @@ void add_motions(std::vector<Finding>& all, const RecordDesign& result, std::siz
       add(all, acts_late, load_case);
     }
   }
-  if (const double jump = result.finding->box.worst[in_case].jump; jump > 0) {
+  // After a hit, as everywhere in the paper, it does at every notch.
+  if (const double jump = result.finding->box.worst[in_case].jump; jump > 0 && !load_case.v0) {
     add(all, jolts, load_case).add("jump", jump, Dimension::velocity);
   }
 }
@@ -215,7 +216,10 @@ std::vector<Finding> findings_of(const RecordDesign& result, const RecordDesignR
   if (!asked.judges) {
     add_notch(all, result, asked);
   }
-  for (std::size_t i = 0; i < cases.size() && found.admissible; ++i) {
+  // Beyond the largest box of hits and pulses everything fails; works_for says what else does.
+  const bool largest_of_hits =
+      result.largest_tolerance && std::ranges::none_of(cases, &LoadCase::of_records);
+  for (std::size_t i = 0; i < cases.size() && found.admissible && !largest_of_hits; ++i) {
     add_outlook(all, cases[i], "period", found.outlook.period[i]);
     add_outlook(all, cases[i], "scale", found.outlook.scale[i]);
   }

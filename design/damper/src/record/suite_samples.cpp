@@ -71,6 +71,9 @@ std::vector<SuitePlace> box_samples(const SuiteSpace& space, std::size_t count) 
   }
   std::vector<SuitePlace> list;
   add_corners(list, axes);
+  if (space.corners_suffice()) {
+    return list;
+  }
   if (axes.size() == 1) {
     add_even(list, axes.front(), count);
   } else if (axes.size() > 1) {

@@ -90,8 +90,17 @@ double SuiteAxis::up() const {
   return elementary::log(1 + spread_.above);
 }
 
+bool worst_at_corners(const RecordDesignRequest& task) {
+  const auto stops_at_once = [](const LoadCase& each) {
+    return each.v0 && each.weakest > 0 && each.limits.passages == 0.0 &&
+           each.limits.residual == 0.0 && !each.limits.stop_time;
+  };
+  return !task.hold && !task.width && task.zeta.low == task.zeta.high &&
+         std::ranges::all_of(task.cases, stops_at_once);
+}
+
 SuiteSpace::SuiteSpace(const RecordDesignRequest& task, SuiteFrictions frictions, double scale)
-    : fixed_{task.p.low, 0, 0, 0} {
+    : corners_suffice_(worst_at_corners(task)), fixed_{task.p.low, 0, 0, 0} {
   const Interval none;
   const SuiteTolerance& tolerance = task.tolerance;
   const bool notch = frictions != SuiteFrictions::constant;

@@ -44,6 +44,10 @@ class SuiteAxis {
   Spread spread_;
 };
 
+/// Whether no damper of a box is worse than the worst of its corners: docs/damping.md section 5. So
+/// it is of hits at whose first return every damper must stop, with a notch that needs no width.
+[[nodiscard]] bool worst_at_corners(const RecordDesignRequest& task);
+
 /// The dampers that a search may choose, each with the box of its tolerance.
 class SuiteSpace {
  public:
@@ -53,6 +57,7 @@ class SuiteSpace {
   /// False if the friction is not within the ranges, or no box of that size fits below what can be
   /// manufactured.
   [[nodiscard]] bool possible() const { return possible_; }
+  [[nodiscard]] bool corners_suffice() const { return corners_suffice_; }
   [[nodiscard]] const std::vector<SuiteAxis>& axes() const { return axes_; }
   [[nodiscard]] std::size_t size() const { return axes_.size(); }
   [[nodiscard]] std::size_t toleranced() const;
@@ -71,6 +76,7 @@ class SuiteSpace {
            const std::optional<double>& most, const Spread& always = {});
 
   bool possible_{true};
+  bool corners_suffice_;
   SuiteDamper fixed_;
   std::vector<SuiteAxis> axes_;
 };

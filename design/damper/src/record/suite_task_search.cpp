@@ -250,6 +250,60 @@ class TaskSearch {
         }
       }
     }
+    weaken();
+  }
+
+  /// The largest part of the load of a single case with which there is a damper: the figures of any
+  /// damper under it, and the damper itself, are those of the whole load times that part. If only
+  /// the stroke grows with a hit, the spring helps as well: as much stiffer it turns the mass
+  /// there.
+  void weaken() {
+    const LoadCase& only = task_.cases.front();
+    const bool scales = task_.cases.size() == 1 && only.weakest == 1 && !task_.hold &&
+                        !task_.width && !task_.f_max && !task_.delta_max && task_.f->low == 0 &&
+                        task_.delta->low == 0 && !only.limits.stop_time &&
+                        only.limits.passages.value_or(0) == 0;
+    std::vector<const SuiteFigureKind*> limited;
+    for (const SuiteFigureKind& kind : suite_figure_kinds) {
+      if ((only.limits.*kind.limit).value_or(0) > 0) {
+        limited.push_back(&kind);
+      }
+    }
+    if (!scales || limited.empty()) {
+      return;
+    }
+    const auto in_the_way = std::ranges::find(result_.mends, limited.front()->field, &Mend::field);
+    const double part = limited.size() > 1 ? most_of_load()
+                        : in_the_way == result_.mends.end()
+                            ? 0
+                            : *(only.limits.*limited.front()->limit) / in_the_way->value;
+    if (part == 0) {
+      return;
+    }
+    const bool of_stroke = limited.front()->limit == &SuiteLimits::peak && limited.size() == 1;
+    if (only.v0 && of_stroke && task_.p.low == task_.p.high) {
+      result_.mends.insert(result_.mends.begin(), {"p", task_.p.low / part, true});
+    }
+    if (only.of_records()) {
+      result_.mends.push_back({"scale", part});
+    } else {
+      const double load = only.v0 ? *only.v0 : peak_load(*only.pulse);
+      result_.mends.insert(result_.mends.begin(), {only.v0 ? "v0" : "k", part * load});
+    }
+  }
+
+  /// Within several limits at once: the least part of them that some damper uses, which may be more
+  /// than all. 0 if that is not found.
+  double most_of_load() {
+    constexpr double any = 1e6;  // so much of the load passes for no limit
+    SuiteGoal goal{nullptr, {}, limits_of(task_)};
+    for (const SuiteFigureKind& kind : suite_figure_kinds) {
+      if (std::optional<double>& limit = goal.limits.front().*kind.limit) {
+        *limit *= any;
+      }
+    }
+    const std::optional<VerifiedBox> found = least(goal, true);
+    return found && !watch_.stopped() ? 1 / (any * found->box.rank.value * (1 + relaxed_by)) : 0;
   }
 
   /// The least limit of that kind with which there is a damper.

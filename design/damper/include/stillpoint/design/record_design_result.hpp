@@ -23,13 +23,14 @@ namespace stillpoint::design {
 /// In which motion of its case each figure is the largest there, as suite_figure_kinds.
 using MotionsOfWorst = std::array<std::size_t, suite_figure_kinds.size()>;
 
-/// The dampers that were tried around a design: a sample, not a proof.
+/// The dampers that were tried around a design: a sample, no proof unless `exact`.
 struct SuiteBox {
   Interval f;
   Interval delta;
   Interval p;
   Interval width;
   std::int64_t samples{0};
+  bool exact{false};  ///< whether none can be worse
   TaskFigures worst;  ///< the largest of each figure
   std::vector<WorstDampers> of{};
   std::vector<MotionsOfWorst> in{};
