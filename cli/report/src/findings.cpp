@@ -31,8 +31,9 @@ constexpr auto wordings = [] {
   using enum FindingKind;
   return std::to_array<Wording>({
       {acts_late,
-       "This is for a notch that acts only after the start; design --notch-width[{physical?}-m] "
-       "shows what a real one does."},
+       "This is for a notch that acts only after the start; [one {width} wide, which acts "
+       "throughout, stops the mass too|design --notch-width[{physical?}-m] shows what a real one "
+       "does]."},
       {catches_hit,
        "The notch catches the hit, as it does any below {least_velocity}: the structure feels it "
        "in full, {caught_impulse} times the mass."},
@@ -56,6 +57,9 @@ constexpr auto wordings = [] {
       {fails_if_off,
        "If [{input=period?}the period|{input=load?}the load|the scale of all records] is off by "
        "{off:%} as well, the [{figure} may be {beyond}|mass may never come to rest]."},
+      {felt_in_notch,
+       "In the notch the structure feels up to {peak_absolute_acceleration}, outside it "
+       "{outside}: --objective acceleration looks for a gentler one."},
       {friction_above_weight,
        "The friction is more than the weight: that takes a brake, not a bearing."},
       {interrupted, "The search was interrupted: a complete one may find a better damper."},
@@ -81,6 +85,11 @@ constexpr auto wordings = [] {
        "No notch with this delta works: only one wider than {least_width:least} would let the load "
        "move the mass, "
        "but the peak is {peak_amplitude}."},
+      {no_width_found,
+       "This is for a notch that acts only after the start. Of {widths} that act throughout, "
+       "{least_width} "
+       "to {most_width} wide, none lets the mass out and stops it: --hold is another notch[, and "
+       "--search-notch-width-m with --residual-m{physical?} looks for another damper]."},
       {notch_changes_nothing, "With this notch the mass moves as with the paper's."},
       {notch_fails,
        "[{what=held?}With this notch a pulse of {k} never moves the mass|{what=moving?}With this "

@@ -24,13 +24,10 @@ void add_pulse_notch(std::vector<Finding>& all, const ShownDamper& now) {
   if (!now.pulse || now.point.delta == 0 || now.built != nullptr || !moves(now.response)) {
     return;
   }
-  const double width =
-      least_width(now.point.f, now.point.delta, now.ranges.k_low.value_or(peak_load(*now.pulse)));
-  if (width < 2 * now.response.peak_amplitude) {
-    all.emplace_back(acts_late);
-  } else {
-    all.push_back(no_notch(width, now.response.peak_amplitude));
-  }
+  const SimulationRequest motion = motion_of(now);
+  all.push_back(late_notch(motion.oscillator, motion.excitation,
+                           now.ranges.k_low.value_or(peak_load(*now.pulse)),
+                           now.response.peak_amplitude));
 }
 
 /// The requirements on peak and acceleration under a pulse end with the first swing.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/design/motion_findings.hpp>
 
+#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/nearby_ends.hpp>
 #include <stillpoint/records/record_scaling.hpp>
 
@@ -26,6 +27,17 @@ using records::Dimension;
 double load_end(const SimulationRequest& request) {
   return std::min(duration(request.excitation).value_or(HUGE_VAL),
                   request.t_end.value_or(HUGE_VAL));
+}
+
+/// Empty if it is never told where it rests.
+std::optional<ForcedResponse> with_width(const Oscillator& damper, const Excitation& pulse,
+                                         double width) {
+  constexpr double most = 1000;
+  try {
+    return forced_response(damper, {}, pulse, {.half_cycle_limit = most}, {width, {}});
+  } catch (const TooManyHalfCycles&) {
+    return std::nullopt;
+  }
 }
 
 void add_lock(std::vector<Finding>& all, const SimulationRequest& request,
@@ -184,6 +196,28 @@ Finding no_notch(double width, double peak) {
   return Finding(no_notch_works)
       .add("least_width", width, Dimension::length)
       .add("peak_amplitude", peak, Dimension::length);
+}
+
+Finding late_notch(const Oscillator& damper, const Excitation& pulse, double least_load,
+                   double peak) {
+  const double least = least_width(damper.breakaway * damper.f, damper.delta, least_load);
+  const double most = 2 * peak;
+  if (least >= most) {
+    return no_notch(least, peak);
+  }
+  constexpr int widths = 24;
+  for (int i = 1; i <= widths; ++i) {  // the widest first, which is felt least
+    const double width = most * std::pow(least / most, static_cast<double>(i) / (widths + 1));
+    const auto motion = with_width(damper, pulse, width);
+    if (motion && motion->stop_position && motion->peak_amplitude > width / 2 &&
+        std::abs(*motion->stop_position) <= width / 2) {
+      return Finding(acts_late).add("width", width, Dimension::length);
+    }
+  }
+  Finding none(no_width_found);
+  none.values.push_back({"widths", std::int64_t{widths}});
+  return none.add("least_width", least, Dimension::length)
+      .add("most_width", most, Dimension::length);
 }
 
 std::optional<double> caught_impulse(const SimulationRequest& request, const Response& response) {

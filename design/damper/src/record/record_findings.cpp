@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <string>
 
 namespace stillpoint::design {
@@ -47,6 +48,21 @@ Finding& add(std::vector<Finding>& all, FindingKind kind, const LoadCase& load_c
     finding.values.push_back({"case", load_case.name});
   }
   return finding;
+}
+
+/// A notch that is narrow for what it takes; where nothing limits or minimises that.
+void add_felt(std::vector<Finding>& all, const RecordDesign& result, std::size_t in_case) {
+  constexpr double far_more = 2;  // times
+  const auto& [damper, worst] = result.nearest;
+  const LoadCase& load_case = result.request.cases[in_case];
+  const double outside = damper.p * damper.p * worst[in_case].peak + damper.f;
+  if (damper.width > 0 && !load_case.limits.acceleration &&
+      result.request.objective != SuiteObjective::acceleration &&
+      worst[in_case].acceleration > far_more * outside) {
+    add(all, felt_in_notch, load_case)
+        .add(transmitted_name, worst[in_case].acceleration, Dimension::gravities)
+        .add("outside", outside, Dimension::gravities);
+  }
 }
 
 void add_motions(std::vector<Finding>& all, const RecordDesign& result, std::size_t in_case) {
@@ -90,16 +106,15 @@ void add_motions(std::vector<Finding>& all, const RecordDesign& result, std::siz
     }
   }
   const SuiteDamper& damper = result.nearest.damper;
-  if (load_case.pulse && damper.delta > 0 && damper.width == 0 && moves) {
-    const double width = least_width(result.request.breakaway * damper.f, damper.delta,
-                                     load_case.weakest * peak_load(*load_case.pulse));
-    const double peak = responses.front().peak_amplitude;
-    if (load_case.weakest > 0 && width >= 2 * peak) {
-      all.push_back(no_notch(width, peak));
-    } else {
-      add(all, acts_late, load_case);
-    }
+  if (load_case.pulse && damper.delta > 0 && damper.width == 0 && !result.request.hold && moves) {
+    Finding late =
+        late_notch(oscillator_of(result.request, damper), excitation(*load_case.pulse),
+                   (load_case.weakest > 0 ? load_case.weakest : 1) * peak_load(*load_case.pulse),
+                   responses.front().peak_amplitude);
+    Finding& added = add(all, late.kind, load_case);
+    std::ranges::move(late.values, std::back_inserter(added.values));
   }
+  add_felt(all, result, in_case);
   // After a hit, as everywhere in the paper, it does at every notch.
   if (const double jump = result.finding->box.worst[in_case].jump; jump > 0 && !load_case.v0) {
     add(all, jolts, load_case).add("jump", jump, Dimension::velocity);

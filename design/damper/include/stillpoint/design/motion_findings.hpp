@@ -27,6 +27,11 @@ void add_failed(std::vector<Finding>& all, const CrossCheck& check);
 /// motion.
 [[nodiscard]] Finding no_notch(double width, double peak);
 
+/// Of a pulse after which a notch stops the mass that does not act at the start: whether one with a
+/// width, which does, stops it as well. `least_load` is the weakest that must move the mass.
+[[nodiscard]] Finding late_notch(const Oscillator& damper, const Excitation& pulse,
+                                 double least_load, double peak);
+
 /// |v0| of a hit that the notch catches, which the structure then feels in full, per mass.
 [[nodiscard]] std::optional<double> caught_impulse(const SimulationRequest& request,
                                                    const Response& response);
