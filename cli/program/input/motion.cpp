@@ -24,7 +24,15 @@ const Option* first_in(Units units, const Settings& settings) {
   });
 }
 
-MotionInput physical_motion(const Settings& settings, bool from_rest) {
+/// Without a load.
+std::string missing_load(Command command, std::string_view hit) {
+  return fmt::format("give {}{}", hit,
+                     command == Command::design || command == Command::region
+                         ? "; other loads are --pulse and --record"
+                         : "");
+}
+
+MotionInput physical_motion(const Settings& settings, Command command, bool from_rest) {
   design::PhysicalIsolator isolator;
   isolator.period_s = settings.number("period");
   isolator.natural_frequency_hz = settings.number("natural-frequency");
@@ -35,7 +43,8 @@ MotionInput physical_motion(const Settings& settings, bool from_rest) {
   const double velocity =
       x0_m != 0 || from_rest
           ? settings.number("velocity").value_or(0)
-          : settings.required("velocity", "give --velocity, the initial velocity in m/s");
+          : settings.required("velocity",
+                              missing_load(command, "--velocity, the initial velocity in m/s"));
   const design::PhysicalInput physical = design::physical_input(isolator, velocity, x0_m);
   const design::Scales& scales = physical.scales;
   MotionInput motion;
@@ -65,23 +74,25 @@ bool is_physical(const Settings& settings, Command command) {
   const Option* const plain = first_in(Units::dimensionless, settings);
   const Option* const physical = first_in(Units::physical, settings);
   if (plain != nullptr && physical != nullptr) {
-    throw UsageError(
-        fmt::format("{} and {} cannot be combined: give everything in metres and seconds, or "
-                    "everything dimensionless",
-                    plain->name, physical->name));
+    const std::string in_metres = fmt::format("{}-m", plain->name);
+    throw UsageError(fmt::format(
+        "{} and {} cannot be combined: give {}", plain->name, physical->name,
+        find_option(in_metres) != nullptr
+            ? fmt::format("{}, or everything dimensionless", in_metres)
+            : std::string("everything in metres and seconds, or everything dimensionless")));
   }
   return physical != nullptr;
 }
 
 MotionInput motion_input(const Settings& settings, Command command, bool from_rest) {
   if (is_physical(settings, command)) {
-    return physical_motion(settings, from_rest);
+    return physical_motion(settings, command, from_rest);
   }
   MotionInput motion;
   motion.x0 = settings.number("x0").value_or(0);
   motion.v0 = motion.x0 != 0 || from_rest
                   ? settings.number("v0").value_or(0)
-                  : settings.required("v0", "give --v0, or --velocity in m/s");
+                  : settings.required("v0", missing_load(command, "--v0, or --velocity in m/s"));
   motion.p = settings.required("p", "give --p, or --period in s");
   if (const auto range = settings.range("v0")) {
     motion.v0_low = range->low;

@@ -115,7 +115,8 @@ MergeFiles whole_merge(MergeFiles files, const std::vector<std::string>& operand
 /// The second word of "--velocity 400 mm/s".
 void refuse_unit(const std::string& word) {
   if (records::is_unit(word) && !std::filesystem::exists(word)) {
-    throw UsageError(fmt::format("{0}: a unit must follow its number without a space: 1{0}", word));
+    throw UsageError(fmt::format(
+        "{0}: a unit must follow its number without a space: 1{0}, or \"1 {0}\" in quotes", word));
   }
 }
 

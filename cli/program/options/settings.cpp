@@ -72,7 +72,8 @@ std::string force_text(const Settings::Entry& entry) {
 double parse_value(const Option& option, std::string_view text) {
   if (text.find(':') != std::string_view::npos) {
     throw InputError(std::string(option.name), records::quoted(text),
-                     "must be one number, not a range");
+                     "must be one number, not a range, which only some options of design, region "
+                     "and sweep take");
   }
   const bool force = option.traits.or_force;
   const Dimension dimension = force && records::has_unit(text, Dimension::force)

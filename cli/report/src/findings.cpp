@@ -97,7 +97,8 @@ constexpr auto wordings = [] {
        "rests at x = {value}]|[{what=peak?}With this notch the peak is|{what=rest?}With this notch "
        "the mass rests off centre by|In this notch the structure feels] [{beyond}|{value}][ after "
        "a hit of {v0}[{from?} from inside the notch]| after a pulse of {k}[ and {duration}]][, "
-       "with {p:spring}]]."},
+       "with {p:spring}]]"
+       "[{what=rest?}{limit?}|{what=rest?}: --residual[{physical?}-m] admits that]."},
       {notch_gains_little, "The notch is left out: it would gain less than one per cent."},
       {notch_needs_width,
        "No notch was searched: without a width nobody knows what the mass feels in it. "

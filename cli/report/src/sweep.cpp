@@ -91,7 +91,11 @@ Document document(const SweepReport& report) {
   if (summary.resumed_at > 0) {
     document.answer.row("resumed at", fmt::format("{} rows", summary.resumed_at));
   }
-  document.answer.row("time", fmt::format("{:.2g} s on {} thread{}", summary.wall_time_s,
+  const double took = summary.wall_time_s;
+  document.answer.row("time", fmt::format("{:.{}f} s on {} thread{}", took,
+                                          took < 0.1  ? 4
+                                          : took < 10 ? 2
+                                                      : 0,
                                           spec.threads, spec.threads == 1 ? "" : "s"));
   return document;
 }

@@ -144,7 +144,8 @@ double parse_value(std::string_view field, Dimension dimension, std::string_view
   if (unit == accepted.end()) {
     throw InputError(std::string(field), quoted(text),
                      accepted.empty() ? fmt::format("must be a number without a unit{}", instead)
-                     : dimension == share ? "must be a number, or one in %: 5% is 0.05"
+                     : dimension == share
+                         ? "must be a number, or one in %: 5% is 0.05; a range is 5%:10%"
                      : accepted.size() == 1
                          ? fmt::format("must be a number in {0}, with or without the unit {0}",
                                        accepted.front().name)

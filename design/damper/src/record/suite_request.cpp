@@ -160,8 +160,9 @@ void require_valid(const LoadCase& load_case, const RecordDesignRequest& request
   require_limit("arrivals", limits.passages, 0);
   if (request.width && !load_case.of_records() && limits.residual == 0.0) {
     throw InputError("residual", 0.0,
-                     "must be greater than 0 with a notch that has a width, which stops the mass "
-                     "beside x = 0");
+                     fmt::format("must be greater than 0{} with a notch that has a width, which "
+                                 "stops the mass beside x = 0: give a residual",
+                                 load_case.name.empty() ? "" : " in the case " + load_case.name));
   }
   if (request.width && limits.jump) {
     throw InputError("jump-max", *limits.jump,
