@@ -411,7 +411,7 @@ class Bench {
     clear("remarks", "record-figures", "record-answer");
     if (!record.list.length) return fill(el("verdict"), missing);
     if (!has_damper(options)) {
-      const many = `${record.list.length} record${record.list.length > 1 ? "s" : ""}: search the best damper, or type one below.`;
+      const many = `${record.list.length} record${record.list.length > 1 ? "s" : ""}: type a damper below, or`;
       return fill(el("verdict"), many, ...this.answer.best());
     }
     const figures = ["worst", "worst-load", "record-1", "record-1-load"];

@@ -191,7 +191,7 @@ test("a suite of records is searched beside the page, judged, and told record by
         "#record-file",
         records.map((name) => folder + name),
       );
-      await until(/^2 records: search the best damper/);
+      await until(/^2 records: type a damper below, or Search the best/);
       await page.fill("#record-list li:nth-child(2) input", "1.2");
       await page.press("#record-list li:nth-child(2) input", "Enter");
       await settle(page);
