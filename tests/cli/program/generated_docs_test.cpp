@@ -81,7 +81,8 @@ BOOST_AUTO_TEST_CASE(offers_files_for_file_options_and_nothing_for_numbers) {
 
 BOOST_AUTO_TEST_CASE(offers_the_values_of_an_option) {
   write_script(*this);
-  const std::set<std::string> pulses{"half-sine", "full-sine", "rectangle"};
+  const std::set<std::string> pulses{"half-sine", "full-sine", "rectangle",
+                                     "sawtooth",  "trapezoid", "haversine"};
   BOOST_TEST(offered(*this, "stillpoint design --pulse \"\"") == pulses);
   BOOST_TEST(offered(*this, "stillpoint design --objective=a") == std::set<std::string>());
   const std::set<std::string> with_a{"amplitude", "acceleration"};
