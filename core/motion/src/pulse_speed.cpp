@@ -2,9 +2,12 @@
 #include <stillpoint/core/elementary.hpp>
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/interval.hpp>
 #include <stillpoint/core/oscillator.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 namespace stillpoint {
@@ -25,23 +28,79 @@ struct Push {
     const double since = t - begin;
     return cosine * since - elementary::sin_cos(t).sine + ratio - ratio * since * since / 2;
   }
+  [[nodiscard]] double falls() const { return std::numbers::pi - begin; }
+};
 
-  /// The end of the pulse, or the turn where friction stops the mass before it.
-  [[nodiscard]] double end() const {
-    double low = std::numbers::pi - begin;  // where the load falls below friction
-    double high = std::numbers::pi;
-    if (speed(high) >= 0) {
-      return high;
-    }
-    for (double middle = low; low < high; (speed(middle) > 0 ? low : high) = middle) {
-      middle = low + (high - low) / 2;
-      if (middle == low || middle == high) {
-        break;
-      }
-    }
+/// The integral of a load from 0, in units of k and lambda, and the integral of that.
+struct LoadIntegrals {
+  double once;
+  double twice;
+};
+
+LoadIntegrals integrals(const Haversine& /*shape*/, double t) {
+  const auto [sine, cosine] = elementary::sin_cos(t);
+  return {(t - sine * cosine) / 2, (t - sine) * (t + sine) / 4};
+}
+template <IsPolygon Polygon>
+LoadIntegrals integrals(const Polygon& /*shape*/, double t) {
+  LoadIntegrals sum{0, 0};
+  for (std::size_t i = 1; i < Polygon::corners.size(); ++i) {
+    const auto& [from, load] = Polygon::corners.at(i - 1);
+    const auto& [to, next] = Polygon::corners.at(i);
+    const double h = std::clamp(t / std::numbers::pi - from, 0.0, to - from) * std::numbers::pi;
+    const double rate = (next - load) / ((to - from) * std::numbers::pi);
+    sum.twice += h * (sum.once + h * (load / 2 + h * rate / 6));
+    sum.once += h * (load + h * rate / 2);
+  }
+  return sum;
+}
+
+/// The first and the last t at which the load is `ratio`, or has jumped across it.
+Interval exceeds(const Haversine& /*shape*/, double ratio) {
+  const double begin = elementary::asin(std::sqrt(ratio));
+  return {begin, std::numbers::pi - begin};
+}
+template <IsPolygon Polygon>
+Interval exceeds(const Polygon& /*shape*/, double ratio) {
+  const auto& corners = Polygon::corners;
+  const double rise = corners[1].time * ratio;
+  const double fall = corners.back().load < ratio ? 1 - rise : 1;
+  return {rise * std::numbers::pi, fall * std::numbers::pi};
+}
+
+/// The same for a shape that rises from 0 and may fall as it rises.
+template <class Shape>
+struct ShapedPush {
+  double ratio{0};
+  Interval above{exceeds(Shape(), ratio)};
+  LoadIntegrals start{integrals(Shape(), above.low)};
+
+  [[nodiscard]] double speed(double t) const {
+    return integrals(Shape(), t).once - start.once - ratio * (t - above.low);
+  }
+  [[nodiscard]] double distance(double t) const {
+    const double since = t - above.low;
+    return integrals(Shape(), t).twice - start.twice - since * (start.once + ratio * since / 2);
+  }
+  [[nodiscard]] double falls() const { return above.high; }
+};
+
+/// The end of the pulse, or the turn where friction stops the mass before it.
+template <class AnyPush>
+double end_of(const AnyPush& push) {
+  double low = push.falls();
+  double high = std::numbers::pi;
+  if (push.speed(high) >= 0) {
     return high;
   }
-};
+  for (double middle = low; low < high; (push.speed(middle) > 0 ? low : high) = middle) {
+    middle = low + (high - low) / 2;
+    if (middle == low || middle == high) {
+      break;
+    }
+  }
+  return high;
+}
 
 /// (F22) and (F23) in the units of Push: the pulse, or the turn, at `end`, with `speed` there and
 /// `distance` so far.
@@ -53,6 +112,12 @@ std::optional<EquivalentStart> carried_back(double ratio, double end, double spe
   }
   const double start_speed = std::sqrt(square);
   return EquivalentStart{start_speed, end - 2 * distance / (start_speed + speed)};
+}
+
+template <class AnyPush>
+std::optional<EquivalentStart> carried_back(const AnyPush& push) {
+  const double end = end_of(push);
+  return carried_back(push.ratio, end, push.speed(end), push.distance(end));
 }
 
 /// `carried` gives the start in the units of Push, for a ratio below 1.
@@ -70,11 +135,21 @@ std::optional<EquivalentStart> start_of(const Pulse& pulse, double f, const Carr
 }  // namespace
 
 std::optional<EquivalentStart> equivalent_start(const HalfSine& pulse, double f) {
-  return start_of(pulse, f, [](double ratio) {
-    const Push push{ratio};
-    const double end = push.end();
-    return carried_back(ratio, end, push.speed(end), push.distance(end));
-  });
+  return start_of(pulse, f, [](double ratio) { return carried_back(Push{ratio}); });
+}
+
+std::optional<EquivalentStart> equivalent_start(const Sawtooth& pulse, double f) {
+  return start_of(pulse, f, [](double ratio) { return carried_back(ShapedPush<Sawtooth>{ratio}); });
+}
+
+std::optional<EquivalentStart> equivalent_start(const Trapezoid& pulse, double f) {
+  return start_of(pulse, f,
+                  [](double ratio) { return carried_back(ShapedPush<Trapezoid>{ratio}); });
+}
+
+std::optional<EquivalentStart> equivalent_start(const Haversine& pulse, double f) {
+  return start_of(pulse, f,
+                  [](double ratio) { return carried_back(ShapedPush<Haversine>{ratio}); });
 }
 
 std::optional<EquivalentStart> equivalent_start(const Rectangle& pulse, double f) {

@@ -201,6 +201,9 @@ BOOST_AUTO_TEST_CASE(the_equivalent_velocity_of_a_rectangle_is_right_to_second_o
 BOOST_AUTO_TEST_CASE(without_friction_the_free_motion_starts_at_the_centroid) {
   BOOST_TEST(equivalent_start(HalfSine{0.5, 20}, 0)->tau == pi / 40, tt::tolerance(1e-15));
   BOOST_TEST(equivalent_start(Rectangle{0.5, 20}, 0)->tau == pi / 40, tt::tolerance(1e-15));
+  BOOST_TEST(equivalent_start(Sawtooth{0.5, 20}, 0)->tau == pi / 30, tt::tolerance(1e-14));
+  BOOST_TEST(equivalent_start(Trapezoid{0.5, 20}, 0)->tau == pi / 40, tt::tolerance(1e-14));
+  BOOST_TEST(equivalent_start(Haversine{0.5, 20}, 0)->tau == pi / 40, tt::tolerance(1e-14));
 }
 
 // (F23): tau_s and the free stop time against the true one. The free motion rests at its turn,
@@ -225,6 +228,34 @@ BOOST_AUTO_TEST_CASE(the_equivalent_start_is_right_to_second_order) {
   };
   check([](double lambda) { return HalfSine{0.5, lambda}; });
   check([](double lambda) { return Rectangle{0.5, lambda}; });
+  check([](double lambda) { return Sawtooth{0.5, lambda}; });
+  check([](double lambda) { return Trapezoid{0.5, lambda}; });
+  check([](double lambda) { return Haversine{0.5, lambda}; });
+}
+
+// A sawtooth moves the mass from f/k of its duration on: v1 = (1 - f/k)^2 pi/2 and
+// x1 = (1 - f/k)^3 pi^2/6 in units of k and lambda.
+BOOST_AUTO_TEST_CASE(the_equivalent_velocity_of_a_sawtooth_has_its_closed_form) {
+  for (const double ratio : {0.0, 0.04, 0.5, 0.9}) {
+    const double rest = 1 - ratio;
+    const double square = pi * pi * std::pow(rest, 3) * (rest / 4 + ratio / 3);
+    BOOST_TEST(
+        equivalent_start(Sawtooth{0.5, 20}, 0.5 * ratio)->speed == 0.5 / 20 * std::sqrt(square),
+        tt::tolerance(1e-12));
+  }
+  BOOST_TEST(equivalent_start(Trapezoid{0.5, 20}, 0)->speed == 0.5 / 20 * 0.9 * pi,
+             tt::tolerance(1e-14));
+  BOOST_TEST(equivalent_start(Haversine{0.5, 20}, 0)->speed == 0.5 / 20 * pi / 2,
+             tt::tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(friction_stops_the_mass_on_the_flank_of_a_haversine) {
+  const double last = last_of_second_order(0.1, 4, [](double eps) {
+    const Haversine pulse{0.5, 1 / eps};
+    const double right = forced_response({1, 0.45, 0}, {0, 0}, pulse).peak_amplitude;
+    return std::abs(peak_from(equivalent_start(pulse, 0.45)->speed, 0.45) / right - 1);
+  });
+  BOOST_TEST(last <= 1e-4);
 }
 
 BOOST_AUTO_TEST_CASE(strong_friction_stops_the_mass_during_the_pulse) {

@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(of_a_case_is_the_largest_of_its_motions) {
   request.delta = Interval{0.25, 0.25};
   request.tolerance = {{}, {}, {}, {}};
   request.judges = true;
-  const std::vector<Duty> duties = duties_of(design(request));
+  const std::vector<Duty> duties = duties_of(design::design(request));
   BOOST_TEST_REQUIRE(duties.size() == 2U);
   BOOST_TEST(duties[0].stroke == 0.75, tt::tolerance(1e-9));  // forced runs
   BOOST_TEST(duties[0].most.notch == 1.0 / 16, tt::tolerance(1e-9));

@@ -207,5 +207,8 @@ struct EquivalentStart {
 /// does, and unless f >= 0.
 [[nodiscard]] std::optional<EquivalentStart> equivalent_start(const HalfSine& pulse, double f);
 [[nodiscard]] std::optional<EquivalentStart> equivalent_start(const Rectangle& pulse, double f);
+[[nodiscard]] std::optional<EquivalentStart> equivalent_start(const Sawtooth& pulse, double f);
+[[nodiscard]] std::optional<EquivalentStart> equivalent_start(const Trapezoid& pulse, double f);
+[[nodiscard]] std::optional<EquivalentStart> equivalent_start(const Haversine& pulse, double f);
 
 }  // namespace stillpoint
