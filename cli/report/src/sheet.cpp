@@ -11,6 +11,8 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <functional>
+#include <initializer_list>
 #include <numbers>
 
 namespace stillpoint::report {
@@ -64,51 +66,48 @@ struct Column {
 
 /// "0.260", "1250": all digits that an end deserves, of which the last may be zeros.
 std::string padded(double rounded, int digits) {
-  constexpr int plain = 6;
-  std::string text = format("{:.{}g}", rounded, std::max(plain, digits));
-  const std::size_t first = text.find_first_of("123456789");
-  if (first == std::string::npos || text.find('e') != std::string::npos) {
-    return text;
+  int places = digits - 1;
+  for (double left = rounded; left >= 10; left /= 10) {
+    --places;
   }
-  const bool whole = text.find('.') == std::string::npos;
-  const std::size_t significant = text.size() - first - (!whole && rounded >= 1 ? 1 : 0);
-  const auto wanted = static_cast<std::size_t>(digits);
-  return significant >= wanted ? text
-                               : text + (whole ? "." : "") + std::string(wanted - significant, '0');
+  for (double left = rounded; left > 0 && left < 1 && places < digits_of_double; left *= 10) {
+    ++places;
+  }
+  return places < digits_of_double ? format("{:.{}f}", rounded, std::max(places, 0))
+                                   : format("{:.{}g}", rounded, digits);
 }
 
 Column column(std::string_view name, const Unit& unit, double value, const Interval& range) {
   return {in(name, unit), value * unit, {range.low * unit, range.high * unit}};
 }
 
-/// Friction over the weight has a force only with a mass; else it is one per mass.
-Unit friction_unit(const Physical& physical) {
-  return !physical                  ? Unit{}
-         : physical->scales.mass_kg ? units_of(physical).force
-                                    : Unit{physical->scales.gravity_m_per_s2, "m/s²"};
+bool has_mass(const Physical& physical) {
+  return physical && physical->scales.mass_kg;
 }
 
+/// Friction over the weight has a force only with a mass; else it is one per mass.
+Unit friction_unit(const Physical& physical) {
+  return !physical            ? Unit{}
+         : has_mass(physical) ? units_of(physical).force
+                              : Unit{physical->scales.gravity_m_per_s2, "m/s²"};
+}
+
+/// Per mass without one.
 Unit stiffness_unit(const Physical& physical) {
   if (!physical) {
     return {};
   }
   const design::Scales& scales = physical->scales;
   const double per_mass = scales.gravity_m_per_s2 / scales.length_m;
-  const double spring = scales.stiffness_n_per_m().value_or(0);
-  constexpr double mega = 1e6;
-  constexpr double kilo = 1e3;
-  return !scales.mass_kg  ? Unit{per_mass, "1/s²"}
-         : spring >= mega ? Unit{*scales.mass_kg * per_mass / mega, "MN/m"}
-         : spring >= kilo ? Unit{*scales.mass_kg * per_mass / kilo, "kN/m"}
-                          : Unit{*scales.mass_kg * per_mass, "N/m"};
+  return has_mass(physical) ? Unit{1e-3 * *scales.mass_kg * per_mass, "kN/m"}
+                            : Unit{per_mass, "1/s²"};
 }
 
 Table damper_table(const Specified& of) {
   const FigureUnits units = units_of(of.physical);
-  const bool forces = of.physical && of.physical->scales.mass_kg;
-  std::vector<Column> all{column(forces        ? "friction force"
-                                 : of.physical ? "friction per mass"
-                                               : "friction f",
+  std::vector<Column> all{column(has_mass(of.physical) ? "friction force"
+                                 : of.physical         ? "friction per mass"
+                                                       : "friction f",
                                  friction_unit(of.physical), of.damper.f, of.f),
                           column(of.physical ? "notch energy" : "notch energy Δ", units.energy,
                                  of.damper.delta, of.delta)};
@@ -128,14 +127,16 @@ Table damper_table(const Specified& of) {
     table.head.push_back(now.head);
     for (TableRow& row : table.rows) {
       const std::string& which = row.cells.front();
+      constexpr double conversion = 1e-12;  // the rounding of 25 mm to dimensionless and back
       const auto& [low, high] = now.range;
+      const int shown = now.shown();
       row.cells.push_back(
-          now.exact() ? format("{:.{}g}", now.value, now.shown())
-                      : padded(which == "least"  ? decimal(low, now.shown(), Rounding::up)
-                               : which == "most" ? decimal(high, now.shown(), Rounding::down)
-
-                                                 : decimal(now.value, now.shown()),
-                               now.shown()));
+          now.exact()
+              ? format("{:.{}g}", now.value, shown)
+              : padded(which == "least"  ? decimal(low * (1 - conversion), shown, Rounding::up)
+                       : which == "most" ? decimal(high * (1 + conversion), shown, Rounding::down)
+                                         : decimal(now.value, shown),
+                       shown));
     }
   }
   return table;
@@ -161,41 +162,58 @@ void specify_damper(Document& sheet, const Specified& of) {
   add_damping(section, mass);
 }
 
+/// A figure of each case.
+struct CaseColumn {
+  std::string_view name;
+  Unit unit;
+  std::function<std::optional<double>(const SheetCase&)> figure;
+};
+
+void specify_cases(Document& sheet, const Specified& of, std::string heading, Table table,
+                   const std::vector<CaseColumn>& columns) {
+  for (const SheetCase& now : of.cases) {
+    table.rows.push_back({{now.name}});
+    if (table.head.size() > 1) {
+      table.rows.back().cells.push_back(now.under);
+    }
+  }
+  for (const auto& [name, unit, figure] : columns) {
+    table.head.push_back(in(name, unit));
+    for (std::size_t i = 0; i < of.cases.size(); ++i) {
+      const auto value = figure(of.cases[i]);
+      table.rows[i].cells.push_back(value ? few_digits(*value * unit) : "");
+    }
+  }
+  sheet.section(std::move(heading), {without_empty_columns(std::move(table))});
+}
+
 void specify_duties(Document& sheet, const Specified& of) {
   const FigureUnits units = units_of(of.physical);
-  const Unit stiffness = stiffness_unit(of.physical);
-  const auto number = [](const std::optional<double>& value, const Unit& unit) {
-    return value ? few_digits(*value * unit) : "";
-  };
-  Table motion{
-      {"case", "farthest under", in("stroke", units.length), in("worst stroke", units.length),
-       in("allowed", units.length), in("worst residual", units.length), "worst transmitted, g",
-       in("peak velocity", units.velocity), in("slip path", units.length)},
-      {}};
-  Table energy{{"case", in("friction heat", units.energy), in("notch", units.energy),
-                in("damping", units.energy), in("secant stiffness", stiffness),
-                "equivalent damping, %", in("taken by a cycle", units.energy)},
-               {}};
-  for (const SheetCase& now : of.cases) {
-    const Duty& duty = now.duty;
-    const auto& worst = now.worst;
-    motion.rows.push_back(
-        {{now.name, now.under, number(duty.stroke, units.length),
-          number(duty.stroke_worst, units.length), number(now.allowed, units.length),
-          number(worst ? std::optional(worst->residual) : std::nullopt, units.length),
-          number(worst ? std::optional(worst->acceleration) : std::nullopt, {}),
-          number(duty.peak_velocity, units.velocity), number(duty.most.slip_path, units.length)}});
-    const auto& cycle = duty.cycle;
-    constexpr double per_cent = 100;
-    energy.rows.push_back(
-        {{now.name, number(duty.most.friction, units.energy), number(duty.most.notch, units.energy),
-          duty.most.damping > 0 ? number(duty.most.damping, units.energy) : "",
-          cycle ? number(cycle->secant_stiffness, stiffness) : "",
-          number(cycle ? cycle->equivalent_damping : std::nullopt, {per_cent}),
-          cycle ? number(cycle->energy, units.energy) : ""}});
-  }
-  sheet.section("Stroke, speed and path", {without_empty_columns(std::move(motion))});
-  sheet.section("Energy and stiffness", {without_empty_columns(std::move(energy))});
+  const auto duty = [](auto... part) { return stillpoint::in(&SheetCase::duty, part...); };
+  const auto cycle = [&](auto part) { return duty(&Duty::cycle, part); };
+  const auto worst = [](auto part) { return stillpoint::in(&SheetCase::worst, part); };
+  using design::FullCycle;
+  using design::SuiteFigures;
+  specify_cases(sheet, of, "Stroke, speed and path", {{"case", "farthest under"}, {}},
+                {{"stroke", units.length, duty(&Duty::stroke)},
+                 {"worst stroke", units.length, duty(&Duty::stroke_worst)},
+                 {"allowed", units.length, &SheetCase::allowed},
+                 {"worst residual", units.length, worst(&SuiteFigures::residual)},
+                 {"worst transmitted", {1, "g"}, worst(&SuiteFigures::acceleration)},
+                 {"peak velocity", units.velocity, duty(&Duty::peak_velocity)},
+                 {"slip path", units.length, duty(&Duty::most, &Energies::slip_path)}});
+  specify_cases(
+      sheet, of, "Energy and stiffness", {{"case"}, {}},
+      {{"friction heat", units.energy, duty(&Duty::most, &Energies::friction)},
+       {"notch", units.energy, duty(&Duty::most, &Energies::notch)},
+       {"damping", units.energy,
+        [](const SheetCase& now) {
+          const double taken = now.duty.most.damping;
+          return taken > 0 ? std::optional(taken) : std::nullopt;
+        }},
+       {"secant stiffness", stiffness_unit(of.physical), cycle(&FullCycle::secant_stiffness)},
+       {"equivalent damping", {100, "%"}, cycle(&FullCycle::equivalent_damping)},
+       {"taken by a cycle", units.energy, cycle(&FullCycle::energy)}});
 }
 
 void specify_limits(Document& sheet, const Specified& of) {
@@ -249,52 +267,54 @@ void specify_checks(Document& sheet, const Specified& of) {
   }
 }
 
+/// Those that hold.
+using Sentences = std::initializer_list<std::pair<bool, std::string_view>>;
+void specify(Document& sheet, std::string heading, const Sentences& all) {
+  Section& section = sheet.section(std::move(heading));
+  for (const auto& [holds, text] : all) {
+    if (holds) {
+      section.line(std::string(text));
+    }
+  }
+}
+
 void specify_assumptions(Document& sheet, const Specified& of) {
   const Oscillator& mass = of.cases.front().motion.oscillator;
-  const auto any = [&](const auto& holds) {
-    return std::ranges::any_of(of.cases, [&](const SheetCase& now) { return holds(now.motion); });
-  };
-  Section& section = sheet.section("Assumptions");
-  section.line(
-      format("One rigid mass moves in one direction on a linear spring, {}.",
-             mass.zeta > 0 ? "with the viscous damping given here" : "without viscous damping"));
-  section.line(
-      format("The constant friction is {} in motion, whatever the speed, the pressure and the "
-             "temperature. Their effect belongs to the tolerance.",
-             mass.breakaway > 1 ? "larger at rest, by the factor given here, than"
-                                : "the same at rest and"));
-  if (of.damper.delta > 0) {
-    section.line("The notch takes the same energy at every passage through x = 0.");
-  }
-  if (any([](const SimulationRequest& now) { return !is_forced(now); })) {
-    section.line(
-        "A hit is a velocity at x = 0, where the mass has left the notch. That is valid for pulses "
-        "much shorter than the natural period.");
-  }
-  if (any([](const SimulationRequest& now) { return is_forced(now); })) {
-    section.line("Under a pulse or a record the mass starts at rest at x = 0.");
-  }
-  section.line("Nothing stops the mass at the stroke limit: farther out the motion goes on.");
-  section.line("One load: each later one starts where the mass came to rest after the one before.");
+  const auto forced =
+      std::ranges::count_if(of.cases, [](const SheetCase& now) { return is_forced(now.motion); });
+  specify(sheet, "Assumptions",
+          {{true, "One rigid mass moves in one direction on a linear spring."},
+           {mass.zeta == 0, "There is no viscous damping."},
+           {true,
+            "The constant friction is the same whatever the speed, the pressure and the "
+            "temperature. Their effect belongs to the tolerance."},
+           {mass.breakaway == 1, "It is the same at rest and in motion."},
+           {of.damper.delta > 0, "The notch takes the same energy at every passage through x = 0."},
+           {static_cast<std::size_t>(forced) < of.cases.size(),
+            "A hit is a velocity at x = 0, where the mass has left the notch. That is valid for "
+            "pulses much shorter than the natural period."},
+           {forced > 0, "Under a pulse or a record the mass starts at rest at x = 0."},
+           {true, "Nothing stops the mass at the stroke limit: farther out the motion goes on."},
+           {true, "Each later load starts where the mass came to rest after the one before."}});
 }
 
 void specify_meanings(Document& sheet, const Specified& of) {
-  const bool damped = of.cases.front().motion.oscillator.zeta > 0;
-  Section& section = sheet.section("What the figures mean");
-  section.line(format(
-      "The friction {}acts wherever the mass slides; each passage through x = 0 costs the notch "
-      "energy besides. Least and most are the ends of the tolerance, rounded inwards.",
-      of.physical && of.physical->scales.mass_kg ? "force " : ""));
-  section.line(
-      "The stroke is of the nominal damper, the worst stroke of any damper within the tolerance. "
-      "Velocity, path and energies are of the nominal damper up to its rest, of several motions "
-      "each the largest. Friction heat is friction times the slip path, all of it in the damper.");
-  section.line(format(
-      "The secant stiffness is the force of spring and friction at the stroke over the stroke. The "
-      "equivalent damping is what one full cycle between plus and minus the stroke takes, over 2 "
-      "pi times secant stiffness times stroke squared: four strokes of friction and two passages "
-      "of the notch{}. The motion here is no such cycle: use it to compare devices.",
-      damped ? ", and viscous damping at the frequency of the secant stiffness" : ""));
+  specify(sheet, "What the figures mean",
+          {{true,
+            "Friction acts wherever the mass slides; each passage through x = 0 costs the notch "
+            "energy besides. Least and most are the ends of the tolerance, rounded inwards."},
+           {true,
+            "The stroke is of the nominal damper, the worst stroke of any damper within the "
+            "tolerance. Velocity, path and energies are of the nominal damper up to its rest, of "
+            "several motions each the largest. Friction heat is friction times the slip path."},
+           {true,
+            "The secant stiffness is the force of spring and friction at the stroke over the "
+            "stroke. The equivalent damping is what one full cycle between plus and minus the "
+            "stroke takes, over 2 pi times secant stiffness times stroke squared: four strokes "
+            "of friction and two passages of the notch. The motion here is no such cycle: use it "
+            "to compare devices."},
+           {of.cases.front().motion.oscillator.zeta > 0,
+            "Viscous damping in it is at the frequency of the secant stiffness."}});
 }
 
 /// Where it does not fit, the page is longer.

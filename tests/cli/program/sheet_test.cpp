@@ -44,15 +44,15 @@ BOOST_AUTO_TEST_CASE(has_the_figures_worked_out_by_hand) {
   succeed(task + "--mass 1000");
   const std::string sheet = read("sheet.html");
   check_told(sheet, "Damper",
-             {"friction force, N|notch energy, J", "|least|263|225|", "|nominal|292|250|",
-              "|most|320|275|"});
+             {"friction force, kN|notch energy, kJ", "|least|0.263|0.225|", "|nominal|0.292|0.250|",
+              "|most|0.320|0.275|"});
   check_told(sheet, "Stroke, speed and path",
              {"stroke, mm|worst stroke, mm|allowed, mm|peak velocity, m/s|slip path, mm",
               "|750|771.4|900|1|1500|"});  // sqrt(1 + (0.2625)^2) - 0.2625 = 0.77138
   check_told(sheet, "Energy and stiffness",
-             {"friction heat, J|notch, J|secant stiffness, kN/m|equivalent damping, %|taken by a "
-              "cycle, J",
-              "|437.5|62.5|1.389|28.01|1375|"});
+             {"friction heat, kJ|notch, kJ|secant stiffness, kN/m|equivalent damping, %|taken by a "
+              "cycle, kJ",
+              "|0.4375|0.0625|1.389|28.01|1.375|"});
 }
 
 BOOST_AUTO_TEST_CASE(has_only_units_that_were_given) {

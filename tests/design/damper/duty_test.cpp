@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(within_a_tolerance_has_the_stroke_of_the_weakest_friction) 
 
 /// A rectangle of k longer than the way out pushes until it turns: A = 2 (k - f) for p = 1.
 BOOST_AUTO_TEST_CASE(under_a_pulse_is_that_of_the_forced_motion) {
-  RegionRequest request{{.p = 1, .beta = 2}, {}, 0.25, 0.5};
+  RegionRequest request{{.p = 1, .beta = 2}, {}, 0.25, 1};
   request.limits.tolerance = 0.2;
   request.pulse = Rectangle{1, 0.9};
   const Duty duty = duty_of_task(request);
@@ -87,17 +87,17 @@ BOOST_AUTO_TEST_CASE(within_a_notch_has_its_friction_and_no_passage) {
 BOOST_AUTO_TEST_CASE(of_a_case_is_the_largest_of_its_motions) {
   RecordDesignRequest request;
   request.cases = {{.name = "strong", .v0 = 1, .limits = {.peak = 0.9}},
-                   {.name = "weak", .v0 = 0.8, .limits = {.peak = 0.9}}};
+                   {.name = "weak", .v0 = 0.9, .limits = {.peak = 0.9}}};
   request.f = Interval{7.0 / 24, 7.0 / 24};
   request.delta = Interval{0.25, 0.25};
   request.tolerance = {{}, {}, {}, {}};
   request.judges = true;
-  const std::vector<Duty> duties = duties_of(design::design(request));
+  const std::vector<Duty> duties = duties_of(stillpoint::design::design(request));
   BOOST_TEST_REQUIRE(duties.size() == 2U);
   BOOST_TEST(duties[0].stroke == 0.75, tt::tolerance(1e-9));  // forced runs
   BOOST_TEST(duties[0].most.notch == 1.0 / 16, tt::tolerance(1e-9));
   BOOST_TEST(!duties[0].stroke_worst.has_value());
-  const double a = std::hypot(7.0 / 24, 0.8) - 7.0 / 24;
+  const double a = std::hypot(7.0 / 24, 0.9) - 7.0 / 24;
   BOOST_TEST(duties[1].stroke == a, tt::tolerance(1e-9));
   BOOST_TEST(duties[1].most.friction == 7.0 / 24 * 2 * a, tt::tolerance(1e-9));
 }
