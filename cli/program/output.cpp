@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cassert>
 #include <filesystem>
-#include <functional>
 #include <vector>
 
 namespace stillpoint::cli {
@@ -61,10 +60,13 @@ void link_explorer(const Settings& settings, Command command, figures::HtmlPage&
     return option.serves(command) && option.is_echoed() &&
            (option.takes_file() || option.traits.in_scene == InScene::cases);
   };
+  // Of a scene for several commands k and lambda may be those of a simulation.
+  const auto is_shown = [&settings](const Option& option) {
+    return option.is_explored() && (settings.has("pulse") || !option.shapes(Load::pulse));
+  };
   if (explorer && settings.first(is_beyond) == nullptr) {
-    const std::string link = report::explorer_link(
-        *explorer,
-        scene_of(settings.with_forces_as_f(), command, std::mem_fn(&Option::is_explored)));
+    const std::string link =
+        report::explorer_link(*explorer, scene_of(settings.with_forces_as_f(), command, is_shown));
     page.answer +=
         fmt::format("<p><a href=\"{}\">Explore this task</a></p>\n", figures::escaped(link));
   }

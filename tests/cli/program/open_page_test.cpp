@@ -105,9 +105,10 @@ BOOST_FIXTURE_TEST_CASE(links_only_what_the_page_can_show, InstalledProgram) {
       "scene.json",
       R"({"v0": 1, "p": 1, "beta": 0.8, "excitation": {"type": "harmonic", "k": 0.1, "lambda": 2}})");
   BOOST_TEST(contains(page_of("scene.json"), shown + "&amp;v0=1.0\""));
-  for (const std::string& beyond :
-       {task + " --catalogue parts.csv",
-        std::string("--pulse half-sine --k 6 --lambda 10 --p 1 --beta 1")}) {
+  BOOST_TEST(contains(page_of("--pulse half-sine --k 6 --lambda 10 --p 1 --beta 1"),
+                      "#beta=1.0&amp;k=6.0&amp;lambda=10.0&amp;p=1.0&amp;pulse=half-sine\""));
+  write("cases.json", R"({"p": 1, "beta": 2, "cases": [{"name": "A", "v0": 1}]})");
+  for (const std::string& beyond : {task + " --catalogue parts.csv", std::string("cases.json")}) {
     BOOST_TEST(page_of(beyond).find("stillpoint.html#") == std::string::npos, beyond);
   }
 }
