@@ -18,16 +18,16 @@ namespace {
 using enum FindingKind;
 
 constexpr double buildable = 0.01;  // a smaller tolerance is too little for a real damper
-constexpr double off_centre = 0.1;  // a rest beyond that share of the peak, without a residual
 
 void add_pulse_notch(std::vector<Finding>& all, const ShownDamper& now) {
   if (!now.pulse || now.point.delta == 0 || now.built != nullptr || !moves(now.response)) {
     return;
   }
   const SimulationRequest motion = motion_of(now);
+  const double peak = now.response.peak_amplitude;
   all.push_back(late_notch(motion.oscillator, motion.excitation,
-                           now.ranges.k_low.value_or(peak_load(*now.pulse)),
-                           now.response.peak_amplitude));
+                           now.ranges.k_low.value_or(peak_load(*now.pulse)), peak,
+                           now.problem.residual.value_or(off_centre * peak)));
 }
 
 /// The requirements on peak and acceleration under a pulse end with the first swing.

@@ -199,7 +199,7 @@ Finding no_notch(double width, double peak) {
 }
 
 Finding late_notch(const Oscillator& damper, const Excitation& pulse, double least_load,
-                   double peak) {
+                   double peak, double rest) {
   const double least = least_width(damper.breakaway * damper.f, damper.delta, least_load);
   const double most = 2 * peak;
   if (least >= most) {
@@ -210,7 +210,7 @@ Finding late_notch(const Oscillator& damper, const Excitation& pulse, double lea
     const double width = most * std::pow(least / most, static_cast<double>(i) / (widths + 1));
     const auto motion = with_width(damper, pulse, width);
     if (motion && motion->stop_position && motion->peak_amplitude > width / 2 &&
-        std::abs(*motion->stop_position) <= width / 2) {
+        std::abs(*motion->stop_position) <= std::min(width / 2, rest)) {
       return Finding(acts_late).add("width", width, Dimension::length);
     }
   }

@@ -107,10 +107,12 @@ void add_motions(std::vector<Finding>& all, const RecordDesign& result, std::siz
   }
   const SuiteDamper& damper = result.nearest.damper;
   if (load_case.pulse && damper.delta > 0 && damper.width == 0 && !result.request.hold && moves) {
+    const double peak = responses.front().peak_amplitude;
+    const double residual = load_case.limits.residual.value_or(0);
     Finding late =
         late_notch(oscillator_of(result.request, damper), excitation(*load_case.pulse),
                    (load_case.weakest > 0 ? load_case.weakest : 1) * peak_load(*load_case.pulse),
-                   responses.front().peak_amplitude);
+                   peak, residual > 0 ? residual : off_centre * peak);
     Finding& added = add(all, late.kind, load_case);
     std::ranges::move(late.values, std::back_inserter(added.values));
   }

@@ -27,10 +27,14 @@ void add_failed(std::vector<Finding>& all, const CrossCheck& check);
 /// motion.
 [[nodiscard]] Finding no_notch(double width, double peak);
 
+/// Where a mass may rest in a notch with a width, as a share of the peak, if no residual is given.
+inline constexpr double off_centre = 0.1;
+
 /// Of a pulse after which a notch stops the mass that does not act at the start: whether one with a
-/// width, which does, stops it as well. `least_load` is the weakest that must move the mass.
+/// width, which does, stops it as well, at most `rest` off centre. `least_load` is the weakest that
+/// must move the mass.
 [[nodiscard]] Finding late_notch(const Oscillator& damper, const Excitation& pulse,
-                                 double least_load, double peak);
+                                 double least_load, double peak, double rest);
 
 /// |v0| of a hit that the notch catches, which the structure then feels in full, per mass.
 [[nodiscard]] std::optional<double> caught_impulse(const SimulationRequest& request,
