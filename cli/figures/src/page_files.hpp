@@ -14,7 +14,8 @@
 // print.css: everything flows through the columns, the input as small print at the end. Letters are
 // as large as those of the figures: 10 pixels are 7.5 points.
 //
-// sheet.css: of a specification, also inside the explorer's page. It is as wide as paper on a screen.
+// sheet.css: of a specification, also inside the explorer's page. It is as wide as paper on a
+// screen.
 //
 // figures.js: values under the pointer come from the drawing, by the mapping of the axes that the
 // figure carries. Zooming changes the view of the plot and its ticks.

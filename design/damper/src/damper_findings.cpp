@@ -27,7 +27,7 @@ void add_pulse_notch(std::vector<Finding>& all, const ShownDamper& now) {
   const double peak = now.response.peak_amplitude;
   all.push_back(late_notch(motion.oscillator, motion.excitation,
                            now.ranges.k_low.value_or(peak_load(*now.pulse)), peak,
-                           now.problem.residual.value_or(off_centre * peak)));
+                           now.problem.residual.value_or(rest_share * peak)));
 }
 
 /// The requirements on peak and acceleration under a pulse end with the first swing.
@@ -140,7 +140,7 @@ void add_built(std::vector<Finding>& all, const DesignRequest& request, const Bu
     tell("peak", peak, problem.beta, Dimension::length, &WorstMotions::peak);
     return;
   }
-  const double allowed = problem.residual.value_or(off_centre * response.peak_amplitude);
+  const double allowed = problem.residual.value_or(rest_share * response.peak_amplitude);
   const double farthest = built.worst ? std::abs(built.worst->farthest.rest()) : rest;
   const bool stops =
       response.outcome == Outcome::stopped_at_zero || response.outcome == Outcome::stopped_in_notch;

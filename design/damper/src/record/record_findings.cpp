@@ -112,7 +112,7 @@ void add_motions(std::vector<Finding>& all, const RecordDesign& result, std::siz
     Finding late =
         late_notch(oscillator_of(result.request, damper), excitation(*load_case.pulse),
                    (load_case.weakest > 0 ? load_case.weakest : 1) * peak_load(*load_case.pulse),
-                   peak, residual > 0 ? residual : off_centre * peak);
+                   peak, residual > 0 ? residual : rest_share * peak);
     Finding& added = add(all, late.kind, load_case);
     std::ranges::move(late.values, std::back_inserter(added.values));
   }

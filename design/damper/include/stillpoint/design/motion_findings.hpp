@@ -28,7 +28,7 @@ void add_failed(std::vector<Finding>& all, const CrossCheck& check);
 [[nodiscard]] Finding no_notch(double width, double peak);
 
 /// Where a mass may rest in a notch with a width, as a share of the peak, if no residual is given.
-inline constexpr double off_centre = 0.1;
+inline constexpr double rest_share = 0.1;
 
 /// Of a pulse after which a notch stops the mass that does not act at the start: whether one with a
 /// width, which does, stops it as well, at most `rest` off centre. `least_load` is the weakest that
