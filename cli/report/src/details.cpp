@@ -76,10 +76,10 @@ void add_fields(Section& section, const ordered_json& object, const std::string&
     const SiUnit unit = unit_of(name);
     const bool passed_over = name == "response" || name == "motions";
     const std::string inside = passed_over ? before : before + name + "_";
-    // The name of a part stands before its fields; times differ from run to run; the verdict says
-    // the reason, in the units of the task.
-    const bool left_out = name == "of" || name == "physical" || name == "wall_time_s" ||
-                          name == "rows_per_s" || name == "reason" ||
+    // The name of a part stands before its fields, that of a motion may be a long path; times
+    // differ from run to run; the verdict says the reason, in the units of the task.
+    const bool left_out = name == "of" || name == "motion" || name == "physical" ||
+                          name == "wall_time_s" || name == "rows_per_s" || name == "reason" ||
                           (name == "name" && !before.empty());
     if (value.is_null() || left_out || has_twin(object, name)) {
       continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/design/motion_findings.hpp>
 
+#include <stillpoint/core/elementary.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/nearby_ends.hpp>
 #include <stillpoint/records/record_scaling.hpp>
@@ -207,7 +208,7 @@ Finding late_notch(const Oscillator& damper, const Excitation& pulse, double lea
   }
   constexpr int widths = 24;
   for (int i = 1; i <= widths; ++i) {  // the widest first, which is felt least
-    const double width = most * std::pow(least / most, static_cast<double>(i) / (widths + 1));
+    const double width = most * elementary::exp(elementary::log(least / most) * i / (widths + 1));
     const auto motion = with_width(damper, pulse, width);
     if (motion && motion->stop_position && motion->peak_amplitude > width / 2 &&
         std::abs(*motion->stop_position) <= std::min(width / 2, rest)) {
