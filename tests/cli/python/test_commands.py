@@ -125,7 +125,7 @@ def test_text_matches_the_program(program):
 
 
 @pytest.mark.parametrize("command,options,figures", [
-    ("design", {"v0": 1, "p": 1, "beta": 0.9}, 5), ("region", {"v0": 1.0, "p": 1.0, "beta": 0.9}, 1),
+    ("design", {"v0": 1, "p": 1, "beta": 0.9}, 6), ("region", {"v0": 1.0, "p": 1.0, "beta": 0.9}, 1),
     ("simulate", {"v0": 1, "p": 1, "f": 0.02, "delta": 0.02}, 5),
     ("spectrum", {"record": str(RECORD), "period": "2:3:5", "f": 0.05, "delta_m": 0.01}, 3),
     ("sweep", {"v0": 1, "p": 1, "f": "0:0.3:20", "delta": "0:0.4:20"}, 1)])

@@ -15,7 +15,7 @@ from conftest import ROOT
 import stillpoint
 
 FOLDER = Path(stillpoint.__file__).parent
-LARGEST_MODULE = 3_200_000  # bytes, with what Ubuntu's GCC adds to each function: see docs/python.md
+LARGEST_MODULE = 3_300_000  # bytes, with what Ubuntu's GCC adds to each function: see docs/python.md
 
 
 def test_stub_has_every_name_and_argument():
