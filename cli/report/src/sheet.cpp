@@ -431,12 +431,12 @@ std::string specified(const design::ShownDamper& shown, const Physical& physical
 }  // namespace
 
 std::string sheet_date() {
-  using namespace std::chrono;
-  auto now = floor<seconds>(system_clock::now()).time_since_epoch();
+  namespace chrono = std::chrono;
+  auto now = chrono::floor<chrono::seconds>(chrono::system_clock::now()).time_since_epoch();
   if (const char* const fixed = std::getenv("SOURCE_DATE_EPOCH"); fixed != nullptr) {
-    now = seconds(records::parse_integer("SOURCE_DATE_EPOCH", fixed));
+    now = chrono::seconds(records::parse_integer("SOURCE_DATE_EPOCH", fixed));
   }
-  const year_month_day date(sys_days(floor<days>(now)));
+  const chrono::year_month_day date(chrono::sys_days(chrono::floor<chrono::days>(now)));
   return format("{:04}-{:02}-{:02}", static_cast<int>(date.year()),
                 static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()));
 }
