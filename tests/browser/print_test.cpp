@@ -67,14 +67,20 @@ BOOST_AUTO_TEST_CASE(gives_a_few_light_pages) {
   }
 }
 
-/// Of a hit, with units and without, of a pulse, of records and of cases.
+/// Of a hit, with units and without, of a pulse, of records and of cases, where a search takes
+/// long.
 BOOST_AUTO_TEST_CASE(gives_at_most_two_pages_of_a_specification) {
   const auto& sandbox = pages().sandbox;
   for (const char* const name :
-       {"isolator", "plain", "pulse", "records", "building", "near_fault_pulse"}) {
+       {"isolator", "plain", "pulse", "records", "near_fault_pulse", "building"}) {
     BOOST_TEST_CONTEXT(name) {
       const std::string scene = std::string(STILLPOINT_DATA_DIR) + "/scenes/" + name + ".json";
-      sandbox.succeed({"design", scene, "--sheet", "sheet.html"});
+      if (std::string_view(name) == "building") {
+        sandbox.succeed({"region", scene, "--f", "0.04", "--delta-m", "29mm", "--notch-width-m",
+                         "295mm", "--sheet", "sheet.html"});
+      } else {
+        sandbox.succeed({"design", scene, "--sheet", "sheet.html"});
+      }
       const Visit visited =
           visit(sandbox, "sheet.html",
                 {"--print-to-pdf=" + sandbox.path("sheet.pdf").string(), "--no-pdf-header-footer"});
