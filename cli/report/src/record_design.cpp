@@ -73,15 +73,9 @@ void add_answer(Section& answer, const RecordDesignReport& report) {
     answer.row("tolerance",
                format("{:.3g} %, the largest that was found", 100 * *result.largest_tolerance));
   }
-  if (const std::int64_t samples = result.finding->box.samples; samples > 1) {
-    if (result.finding->box.exact) {
-      answer.row("proved", "no damper within the tolerance is worse than at its corners");
-    } else {
-      answer.row("tried",
-                 format("{} {} dampers within the tolerance, corners and "
-                        "boundary included",
-                        result.finding->admissible ? "no failure in" : "the worst of", samples));
-    }
+  if (result.finding->box.samples > 1) {
+    answer.row(result.finding->box.exact ? "proved" : "tried",
+               box_words(result.finding->box, result.finding->admissible));
     answer.row("exact", "without any error: " + figures_words(largest(point.figures), physical));
   }
   add_works_for(answer, result.finding->works_for, physical);

@@ -90,6 +90,12 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
                          served->p.ends_search ? "" : "each with "));
 }
 
+std::string box_words(const design::SuiteBox& box, bool holds) {
+  return box.exact ? "no damper within the tolerance is worse than at its corners"
+                   : format("{} {} dampers within the tolerance, corners and boundary included",
+                            holds ? "no failure in" : "the worst of", box.samples);
+}
+
 void add_check(Section& answer, const design::CrossCheck& check) {
   const double most =
       std::ranges::max(check.methods, {}, &design::CheckMethod::relative_error).relative_error;

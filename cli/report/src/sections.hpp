@@ -12,6 +12,7 @@
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/motion_findings.hpp>
 #include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/record_design_result.hpp>
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/shown_damper.hpp>
 #include <stillpoint/design/suite_task.hpp>
@@ -121,6 +122,9 @@ void add_mends(Document& document, const design::RegionVerdict& empty, const Sho
 [[nodiscard]] std::string in_words(std::string_view name);
 /// How independent methods agree: "2 independent methods agree to within 1.3e-12".
 void add_check(Section& answer, const design::CrossCheck& check);
+
+/// What is known of the dampers of a box: proved of all, or tried of some.
+[[nodiscard]] std::string box_words(const design::SuiteBox& box, bool holds);
 /// Of one that is damped, by up to `most_zeta` where that varies, or holds more at rest.
 void add_damping(Section& answer, const Oscillator& oscillator, double most_zeta = 0);
 /// How wide a notch must be for the load to move the mass, unless none is.

@@ -491,10 +491,7 @@ std::optional<std::string> sheet(const RecordDesignReport& report, const SheetFr
        .delta = box.delta,
        .width = box.width,
        .p = box.p,
-       .tolerance = box.samples > 1
-                        ? format("no failure in {} dampers within it, corners and boundary "
-                                 "included",
-                                 box.samples)
+       .tolerance = box.samples > 1 ? box_words(box, true)
                     : result.largest_tolerance
                         ? format("none was asked for; the largest that was found is {}",
                                  percent_digits(*result.largest_tolerance))
