@@ -83,7 +83,8 @@ std::string units() {
         std::pair{"time", Dimension::time}, std::pair{"frequency", Dimension::frequency},
         std::pair{"mass", Dimension::mass}, std::pair{"stiffness", Dimension::stiffness},
         std::pair{"acceleration", Dimension::acceleration},
-        std::pair{"peak of a load", Dimension::gravities}}) {
+        std::pair{"peak of a load", Dimension::gravities}, std::pair{"force", Dimension::force},
+        std::pair{"energy", Dimension::energy}}) {
     entries += fmt::format(".TP\n{}\n{}\n", what, records::unit_names(dimension));
   }
   return entries;

@@ -14,14 +14,16 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// A number, or a string with a number and its unit.
-ordered_json number_type(Dimension dimension) {
-  if (dimension == Dimension::none) {
-    return {{"type", "number"}};
-  }
+/// A number, or a string with a number and its unit, of one or the other dimension.
+ordered_json number_type(Dimension dimension, Dimension other = Dimension::none) {
   std::string names;
-  for (const records::Unit& unit : records::units_of(dimension)) {
-    names += fmt::format("{}{}", names.empty() ? "" : "|", unit.name);
+  for (const Dimension each : {dimension, other}) {
+    for (const records::Unit& unit : records::units_of(each)) {
+      names += fmt::format("{}{}", names.empty() ? "" : "|", unit.name);
+    }
+  }
+  if (names.empty()) {
+    return {{"type", "number"}};
   }
   return {{"type", {"number", "string"}},
           {"pattern",
@@ -50,11 +52,11 @@ ordered_json type_of_case() {
 
 ordered_json type_of(const Option& option) {
   const bool ranges = option.traits.range != RangeEnd::none;
-  ordered_json number =
-      number_type(option.traits.or_force ? Dimension::force : option.traits.dimension);
+  const Dimension per_weight = option.traits.or_per_weight.dimension;
+  ordered_json number = number_type(option.traits.dimension, per_weight);
   if (ranges && !sweeps(option)) {
     return {{"type", {"number", "string", "array"}},
-            {"items", option.traits.or_force ? number : number_type(Dimension::none)},
+            {"items", per_weight != Dimension::none ? number : number_type(Dimension::none)},
             {"minItems", 2}};
   }
   if (sweeps(option)) {
@@ -96,10 +98,16 @@ ordered_json type_of(const Option& option) {
   return {};
 }
 
-/// "; may have a unit: m, cm or mm"
+/// "; in a string it may have a unit: m, cm or mm; with a mass J, kJ or MJ"
 std::string units_text(const Option& option) {
-  const std::string names = records::unit_names(option.traits.dimension);
-  return names.empty() ? "" : "; in a string it may have a unit: " + names;
+  std::string text;
+  for (const auto& [dimension, condition] :
+       {std::pair{option.traits.dimension, "in a string it may have a unit:"},
+        std::pair{option.traits.or_per_weight.dimension, "in a string, with a mass, also"}}) {
+    const std::string names = records::unit_names(dimension);
+    text += names.empty() ? "" : fmt::format("; {} {}", condition, names);
+  }
+  return text;
 }
 
 ordered_json described(const Option& option) {

@@ -66,7 +66,7 @@ void link_explorer(const Settings& settings, Command command, figures::HtmlPage&
   };
   if (explorer && settings.first(is_beyond) == nullptr) {
     const std::string link =
-        report::explorer_link(*explorer, scene_of(settings.with_forces_as_f(), command, is_shown));
+        report::explorer_link(*explorer, scene_of(settings.over_weight(), command, is_shown));
     page.answer +=
         fmt::format("<p><a href=\"{}\">Explore this task</a></p>\n", figures::escaped(link));
   }

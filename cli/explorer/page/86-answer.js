@@ -78,11 +78,12 @@ class AnswerView {
       ["set-delta", damper && physical ? physical.delta_m * 1000 : damper?.delta],
     ])) {
       if (document.activeElement === el(id)) continue;
+      const typed = id === "set-f" ? options["friction-force"] : options["delta-m"];
       input(id).value =
         value === undefined
           ? ""
-          : id === "set-f" && "friction-force" in options
-            ? options["friction-force"]
+          : /[NJbpnt]$/.test(typed ?? "")
+            ? typed
             : digits(value, 6) + (id === "set-delta" && physical ? "mm" : "");
     }
   }

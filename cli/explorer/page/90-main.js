@@ -160,15 +160,9 @@ class Bench {
     const f = input("set-f").value.trim();
     const delta = input("set-delta").value.trim();
     if (!f || !delta) return;
-    const friction = /N\s*$/.test(f) ? "friction-force" : "f";
-    const energy = delta.match(/^(.*?)\s*(k?)J$/);
-    const { mass_kg, gravity_m_per_s2 } = this.design?.physical ?? {};
-    const notch = energy
-      ? {
-          "delta-m": `${(Number(energy[1]) * (energy[2] ? 1000 : 1)) / mass_kg / gravity_m_per_s2}m`,
-        }
-      : { [/[a-zµ]\s*$/i.test(delta) ? "delta-m" : "delta"]: delta };
-    this.go({ ...without(this.options, damper_options), [friction]: f, ...notch });
+    const friction = /[a-z]\s*$/i.test(f) ? "friction-force" : "f";
+    const notch = /[a-zµ]\s*$/i.test(delta) ? "delta-m" : "delta";
+    this.go({ ...without(this.options, damper_options), [friction]: f, [notch]: delta });
   }
 
   /** Another load, about as strong. @param {string} kind */

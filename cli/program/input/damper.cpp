@@ -115,7 +115,7 @@ design::Objective objective(const Settings& settings) {
 }
 
 answers::DesignTask design_input(const Settings& asked) {
-  const Settings settings = asked.with_forces_as_f();
+  const Settings settings = asked.over_weight();
   require_options_for(settings, DesignFor::hit);
   const Task given = read_task(settings, Command::design);
   answers::DesignTask task{{given.problem,
@@ -131,7 +131,7 @@ answers::DesignTask design_input(const Settings& asked) {
 }
 
 answers::RegionTask region_input(const Settings& asked) {
-  const Settings settings = asked.with_forces_as_f();
+  const Settings settings = asked.over_weight();
   require_options_for(settings, DesignFor::hit);
   if (const Option* const notch = settings.given(Rivals::notch)) {
     throw UsageError(fmt::format(

@@ -182,7 +182,7 @@ void add_given(design::RecordDesignRequest& request, const Settings& settings,
 }
 
 report::RecordDesignInput record_design_input(const Settings& given, Command command) {
-  const Settings settings = given.with_forces_as_f();
+  const Settings settings = given.over_weight();
   require_options_for(settings, DesignFor::records);
   const auto periods = search_range(settings, "search-period");
   const std::vector<GivenCase> cases = cases_of(settings);

@@ -37,7 +37,7 @@ std::optional<double> half_cycle_limit(const Settings& settings) {
 }
 
 report::MotionReport simulate_input(const Settings& given) {
-  const Settings settings = given.with_forces_as_f();
+  const Settings settings = given.over_weight();
   // A motion needs a start, unless an excitation moves it from rest.
   const bool from_rest = settings.first([](const Option& option) {
     return option.traits.load != Load::none;

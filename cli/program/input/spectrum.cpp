@@ -37,7 +37,7 @@ std::vector<double> periods(const Settings& settings) {
 }  // namespace
 
 report::SpectrumReport spectrum_input(const Settings& given) {
-  const Settings settings = given.with_forces_as_f();
+  const Settings settings = given.over_weight();
   static_cast<void>(is_physical(settings, Command::spectrum));
   const std::vector<double> list = periods(settings);
   design::PhysicalIsolator isolator;

@@ -255,7 +255,7 @@ void resolve_part(Settings& settings) {
 }
 
 SweepSpec sweep_request(const Settings& given) {
-  const Settings settings = given.with_forces_as_f();
+  const Settings settings = given.over_weight();
   SweepSpec spec;
   spec.output = settings.text("output");
   spec.format = row_format(settings);

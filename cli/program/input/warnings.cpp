@@ -41,7 +41,7 @@ std::optional<double> spectrum_p(const Settings& settings, Command command) {
 
 std::vector<std::string> warnings(const Settings& settings, Command command) {
   std::vector<std::string> sentences =
-      doubts(settings.with_forces_as_f(), command, load_of(settings, command));
+      doubts(settings.over_weight(), command, load_of(settings, command));
   if (find_option("record")->serves(command)) {
     for (const std::string& doubt : records::suite_doubts(
              suite_files(settings), record_scale(settings, {}, spectrum_p(settings, command)),

@@ -83,6 +83,8 @@ constexpr Option row(std::string_view name, OptionKind kind, std::string_view pl
 }
 
 constexpr Swept swept{sweep};
+constexpr OrPerWeight or_force{Dimension::force};
+constexpr OrPerWeight or_energy{Dimension::energy};
 constexpr Needs of_a_reduction{sweep, "reduce", "a sweep without rows"};
 
 // name, kind, placeholder, help, commands, facts
@@ -129,9 +131,11 @@ constexpr auto in_damper = std::to_array<Option>(
          Also{"force"}, Instead{"region judges a given damper"}),
      row("delta", number, "D", "point friction", region | motions | sweep, swept,
          Rivals::point_friction, Also{"notch"}),
-     row("delta-m", number, "M", "point friction in m, with physical input",
+     row("delta-m", number, "M",
+         "point friction in m, with physical input; with --mass it may be the energy of a passage, "
+         "60kJ",
          region | motions | sweep | spectrum, swept, Rivals::point_friction,
-         InSi{Dimension::length}),
+         InSi{Dimension::length}, or_energy),
      row("damping", number, "Z",
          "viscous damping as a share of critical damping, 0.05 or 5%; default 0", every | spectrum,
          swept, Dimension::share, RangeEnd::low),
@@ -178,8 +182,9 @@ constexpr auto in_damper = std::to_array<Option>(
          or_force),
      row("delta-max", number, "D", "largest delta that can be manufactured", of_designs,
          Rivals::point_friction_limit),
-     row("delta-max-m", number, "M", "the same in m, with physical input", of_designs,
-         InSi{Dimension::length}, Rivals::point_friction_limit),
+     row("delta-max-m", number, "M",
+         "the same in m, with physical input; with --mass it may be an energy, 80kJ", of_designs,
+         InSi{Dimension::length}, or_energy, Rivals::point_friction_limit),
      row("acceleration-max", number, "A",
          "largest acceleration in g that the mass may feel outside the notch", of_designs,
          Dimension::gravities, limits_case),
@@ -223,9 +228,9 @@ constexpr auto in_searching = std::to_array<Option>(
          "default: from 0 to the largest load",
          design, DesignFor::cases, RangeEnd::high, or_force),
      row("search-delta-m", number, "LOW:HIGH",
-         "delta in m, or the range LOW:HIGH to search; default: from 0 to what "
-         "stops every return",
-         design, DesignFor::cases, InSi{Dimension::length}, RangeEnd::high),
+         "delta in m, or the range LOW:HIGH to search; with --mass they may be energies, "
+         "40kJ:90kJ; default: from 0 to what stops every return",
+         design, DesignFor::cases, InSi{Dimension::length}, RangeEnd::high, or_energy),
      row("search-period", number, "LOW:HIGH", "search the period too, in this range LOW:HIGH in s",
          design, DesignFor::cases, InSi{Dimension::time}, RangeEnd::high),
      row("search-notch-width-m", number, "LOW:HIGH",

@@ -144,8 +144,11 @@ struct Also {
 struct Instead {
   std::string_view words{};
 };
-/// A friction `or_force` may have a unit of force, which the mass makes the number that it is.
-enum class Trait { repeats, limits_case, not_explored, or_force };
+/// It may also have a unit of that dimension, force or energy, and is that over the weight then.
+struct OrPerWeight {
+  Dimension dimension{Dimension::none};
+};
+enum class Trait { repeats, limits_case, not_explored };
 
 /// What an option is besides its name and help: any of these facts, each of a type of its own.
 struct OptionTraits {
@@ -153,6 +156,7 @@ struct OptionTraits {
   Rivals rivals{Rivals::none};
   Units units{Units::any};
   Dimension dimension{Dimension::none};
+  OrPerWeight or_per_weight{};
   Role role{Role::input};
   FileUse file{FileUse::none};
   Values values{};                    ///< all that a text may have; none: any text
@@ -169,7 +173,6 @@ struct OptionTraits {
   Instead instead{};
   std::optional<InPython> python{};  ///< empty: what its role says
   bool repeats{false};  ///< may be given several times; a file, to commands that take a suite
-  bool or_force{false};
   bool explored{true};  ///< if the page with the program in it can take it
 
   template <class... Facts>
@@ -180,8 +183,9 @@ struct OptionTraits {
  private:
   template <class Fact>
   constexpr void set(const Fact& fact) {
-    std::get<Fact&>(std::tie(axis, rivals, units, dimension, role, file, values, in_help, range,
-                             design, load, bounds, in_scene, needs, also, instead)) = fact;
+    std::get<Fact&>(std::tie(axis, rivals, units, dimension, or_per_weight, role, file, values,
+                             in_help, range, design, load, bounds, in_scene, needs, also,
+                             instead)) = fact;
   }
   constexpr void set(const InSi& fact) {
     units = Units::physical;
@@ -192,7 +196,6 @@ struct OptionTraits {
   constexpr void set(Trait fact) {
     repeats = repeats || fact == Trait::repeats;
     limits_case = limits_case || fact == Trait::limits_case;
-    or_force = or_force || fact == Trait::or_force;
     explored = explored && fact != Trait::not_explored;
   }
 };

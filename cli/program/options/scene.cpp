@@ -44,7 +44,8 @@ bool is_text_of(const nlohmann::json& value, char character) {
 }
 
 bool has_its_unit(const Option& option, const nlohmann::json& value) {
-  return (option.traits.dimension != Dimension::none || option.traits.or_force) &&
+  return (option.traits.dimension != Dimension::none ||
+          option.traits.or_per_weight.dimension != Dimension::none) &&
          value.is_string() && has_unit(value.get<std::string>());
 }
 

@@ -23,8 +23,32 @@ std::string with_a_unit(const Option& option) {
   return found;
 }
 
-sweep::NumberReader reader(const Option& option) {
-  return [&option](std::string_view number) { return parse_value(option, number); };
+/// Whether it is a force or an energy, to be divided by the weight.
+bool is_per_weight(const Option& option, std::string_view number) {
+  const Dimension dimension = option.traits.or_per_weight.dimension;
+  return dimension != Dimension::none && records::has_unit(number, dimension);
+}
+
+/// How many numbers were read and are not 0, and how many of them are over the weight.
+struct Read {
+  int numbers{0};
+  int per_weight{0};
+};
+
+/// Of the numbers in this text.
+sweep::NumberReader reader(const Option& option, std::string_view text, Read& count) {
+  return [&option, text, &count](std::string_view number) {
+    const double value = parse_value(option, number);
+    count.numbers += value != 0 ? 1 : 0;
+    count.per_weight += value != 0 && is_per_weight(option, number) ? 1 : 0;
+    if (count.per_weight != 0 && count.per_weight != count.numbers) {
+      const bool force = option.traits.or_per_weight.dimension == Dimension::force;
+      throw InputError(
+          std::string(option.name), std::string(text),
+          fmt::format("must have units of {} throughout, or nowhere", force ? "force" : "energy"));
+    }
+    return value;
+  };
 }
 
 std::int64_t integer_value(const Option& option, std::string_view text) {
@@ -59,12 +83,14 @@ Settings::Value over(double divisor, const Settings::Value& value) {
   return std::get<double>(value) / divisor;
 }
 
-/// As it was given, in newtons where that was without a unit.
-std::string force_text(const Settings::Entry& entry) {
+/// As it was given, in the SI unit where that was without one.
+std::string weighed_text(const Settings::Entry& entry, Dimension dimension) {
   const Axis* const axis = std::get_if<Axis>(&entry.value);
   return entry.with_unit
              ? *entry.with_unit
-             : (axis != nullptr ? axis->text() : fmt::format("{}", least(entry.value))) + " N";
+             : fmt::format("{} {}",
+                           axis != nullptr ? axis->text() : fmt::format("{}", least(entry.value)),
+                           records::units_of(dimension).front().name);
 }
 
 }  // namespace
@@ -75,23 +101,20 @@ double parse_value(const Option& option, std::string_view text) {
                      "must be one number, not a range, which only some options of design, region "
                      "and sweep take");
   }
-  const bool force = option.traits.or_force;
-  const Dimension dimension = force && records::has_unit(text, Dimension::force)
-                                  ? Dimension::force
-                                  : option.traits.dimension;
-  return records::parse_value(option.name, dimension, text,
-                              force ? ", or a force in " + records::unit_names(Dimension::force)
-                              : dimension == Dimension::none ? with_a_unit(option)
-                                                             : "");
+  const Dimension other = option.traits.or_per_weight.dimension;
+  const Dimension dimension = is_per_weight(option, text) ? other : option.traits.dimension;
+  return records::parse_value(
+      option.name, dimension, text,
+      other != Dimension::none
+          ? fmt::format(", or {} in {}", other == Dimension::force ? "a force" : "an energy",
+                        records::unit_names(other))
+      : dimension == Dimension::none ? with_a_unit(option)
+                                     : "");
 }
 
 std::string whole_number(const Option& option) {
   const auto [least, most] = option.traits.bounds;
   return fmt::format("a whole number from {} to {}", least, most);
-}
-
-Interval range_value(const Option& option, std::string_view text) {
-  return sweep::parse_range(option.name, text, reader(option));
 }
 
 std::optional<double> Settings::number(std::string_view name) const {
@@ -128,24 +151,25 @@ void Settings::set_text(const Option& option, const std::string& text, Command c
     throw InputError(std::string(option.name), records::quoted(text), "must not contain a NUL");
   }
   const bool takes_range = option.takes_range_in(command);
+  const bool is_axis = option.kind_in(command) == OptionKind::axis;
+  Read count;
   switch (option.kind_in(command)) {
     case OptionKind::axis:
-      return set(option, sweep::parse_axis(option.name, text, reader(option),
-                                           takes_range ? option.traits.range : RangeEnd::none));
     case OptionKind::number: {
+      const auto read = reader(option, text, count);
       const std::size_t colon = takes_range ? text.find(':') : std::string::npos;
       const bool is_range = colon != std::string::npos;
-      const bool low_has_unit = has_unit(text.substr(0, colon));
-      const bool high_has_unit = is_range ? has_unit(text.substr(colon + 1)) : low_has_unit;
-      if (option.traits.or_force && low_has_unit != high_has_unit) {
-        throw InputError(std::string(option.name), text,
-                         "must have a unit at both ends, or at neither");
-      }
-      Entry& entry = entries_[option.name] =
-          is_range ? Entry{range_value(option, text)} : Entry{parse_value(option, text)};
-      if (low_has_unit || high_has_unit) {
+      Entry entry{is_axis
+                      ? Value(sweep::parse_axis(option.name, text, read,
+                                                takes_range ? option.traits.range : RangeEnd::none))
+                  : is_range ? Value(sweep::parse_range(option.name, text, read))
+                             : Value(read(text))};
+      entry.per_weight = count.per_weight != 0;
+      if (!is_axis &&
+          (has_unit(text.substr(0, colon)) || (is_range && has_unit(text.substr(colon + 1))))) {
         entry.with_unit = text;
       }
+      entries_[option.name] = std::move(entry);
       return;
     }
     case OptionKind::integer:
@@ -207,7 +231,7 @@ double Settings::required(std::string_view name, std::string_view hint) const {
   throw InputError::missing(std::string(name), std::string(hint));
 }
 
-Settings Settings::with_forces_as_f() const {
+Settings Settings::over_weight() const {
   Settings all = *this;
   for (auto& [name, entry] : all.entries_) {
     const Option& option = *find_option(name);
@@ -216,19 +240,24 @@ Settings Settings::with_forces_as_f() const {
       throw InputError(std::string(name), *entry.with_unit,
                        "cannot be combined with gravity: give it in g");
     }
-    if (option.traits.dimension == Dimension::force ||
-        (option.traits.or_force && entry.with_unit)) {
+    const Dimension dimension =
+        entry.per_weight ? option.traits.or_per_weight.dimension : option.traits.dimension;
+    const bool force = dimension == Dimension::force;
+    if (force || dimension == Dimension::energy) {
       const auto mass = number("mass");
       if (!mass || !(least(entry.value) >= 0)) {
-        throw InputError(std::string(name), force_text(entry),
-                         mass ? "must be a force of 0 or more"
-                              : "needs a mass: give --mass as well, f is F/(m g)");
+        throw InputError(
+            std::string(name), weighed_text(entry, dimension),
+            mass ? fmt::format("must be {} of 0 or more", force ? "a force" : "an energy")
+                 : fmt::format("needs a mass: give --mass as well, {}",
+                               force ? "f is F/(m g)" : "delta is the energy over m g"));
       }
       const double gravity = number("gravity").value_or(design::Scales().gravity_m_per_s2);
       records::require_physical("mass", Dimension::mass, *mass);
       records::require_physical("gravity", Dimension::acceleration, gravity);
       entry.value = over(*mass * gravity, entry.value);
       entry.with_unit.reset();
+      entry.per_weight = false;
     }
   }
   if (has("friction-force") && !has("f")) {

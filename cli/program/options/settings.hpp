@@ -43,9 +43,6 @@ using sweep::Axis;
 /// "a whole number from 1 to 1000", of an integer option.
 [[nodiscard]] std::string whole_number(const Option& option);
 
-/// LOW:HIGH. Throws InputError.
-[[nodiscard]] Interval range_value(const Option& option, std::string_view text);
-
 /// What was set, by a flag or by a scene; keys are option names.
 class Settings {
  public:
@@ -55,6 +52,7 @@ class Settings {
     Value value;
     std::optional<std::string> with_unit{};     ///< as given, if that was with a unit: "150mm"
     std::optional<records::FilePlace> place{};  ///< in a scene
+    bool per_weight{false};                     ///< a force or an energy, see OrPerWeight
   };
 
   void set(const Option& option, Value value) { entries_[option.name].value = std::move(value); }
@@ -119,9 +117,9 @@ class Settings {
   [[nodiscard]] InputError as_given(const InputError& error) const;
 
   /// The same, but each friction that is a force is the f = F/(m g), --friction-force too unless
-  /// --f is also given. Throws InputError for a wrong force, for one without a mass, and for a load
-  /// in m/s2 beside another g.
-  [[nodiscard]] Settings with_forces_as_f() const;
+  /// --f is also given, and each notch that is an energy the delta = E/(m g). Throws InputError for
+  /// a wrong force or energy, for one without a mass, and for a load in m/s2 beside another g.
+  [[nodiscard]] Settings over_weight() const;
 
   void drop(std::string_view name) { entries_.erase(name); }
 

@@ -69,6 +69,13 @@ constexpr std::array unit_table{
     Unit{"MN", force, 6},
     Unit{"lbf", force, 0, pound_force},
     Unit{"kip", force, 3, pound_force},
+    Unit{"J", energy, 0},
+    Unit{"kJ", energy, 3},
+    Unit{"MJ", energy, 6},
+    Unit{"lbf-in", energy, -2, pound_force* inch},
+    Unit{"kip-in", energy, 1, pound_force* inch},
+    Unit{"lbf-ft", energy, -2, pound_force* foot},
+    Unit{"kip-ft", energy, 1, pound_force* foot},
     Unit{percent, share, -2},
 };
 
@@ -149,8 +156,8 @@ double parse_value(std::string_view field, Dimension dimension, std::string_view
                      : accepted.size() == 1
                          ? fmt::format("must be a number in {0}, with or without the unit {0}",
                                        accepted.front().name)
-                         : fmt::format("must be a number in {}, or have the unit {}",
-                                       accepted.front().name, unit_names(dimension)));
+                         : fmt::format("must be a number in {}, or have the unit {}{}",
+                                       accepted.front().name, unit_names(dimension), instead));
   }
   const auto scanned = scan_number(moved(parts->number, unit->power_of_ten));
   if (scanned.fault != NumberFault::none) {

@@ -60,6 +60,8 @@ BOOST_AUTO_TEST_CASE(of_inches_and_pounds_are_exact) {
   BOOST_TEST(near(value("stiffness", "1kip/in"), 4448.2216152605 / 0.0254, conversion_tolerance));
   BOOST_TEST(
       near(value("stiffness", "1000lbf/in"), value("stiffness", "1kip/in"), conversion_tolerance));
+  BOOST_TEST(near(value("delta-m", "1kip-ft"), 4448.2216152605 * 0.3048, conversion_tolerance));
+  BOOST_TEST(near(value("delta-m", "12lbf-in"), value("delta-m", "1lbf-ft"), conversion_tolerance));
   BOOST_TEST(near(value("gravity", "980.665gal"), 9.80665, conversion_tolerance));
   BOOST_TEST(near(value("k", "294.1995m/s2"), 30, conversion_tolerance));
   BOOST_TEST(near(value("hold", "98.0665gal"), 0.1, conversion_tolerance));
@@ -79,8 +81,9 @@ BOOST_FIXTURE_TEST_CASE(trajectories_end_at_the_given_second, Sandbox) {
   BOOST_TEST(near(std::stod(line), 1, conversion_tolerance), line);
 }
 
-// With 1 t and 10 m/s2 the weight is 10 kN, so 200 N is f = 0.02: one division, correctly rounded.
-BOOST_FIXTURE_TEST_CASE(friction_is_given_as_a_force, Sandbox) {
+// With 1 t and 10 m/s2 the weight is 10 kN, so 200 N is f = 0.02 and 50 J is delta = 5 mm: one
+// division, correctly rounded.
+BOOST_FIXTURE_TEST_CASE(friction_is_given_as_a_force_and_the_notch_as_an_energy, Sandbox) {
   const std::string hit = " --velocity 0.4 --period 2.8 --mass 1t --gravity 10 ";
   const auto same = [&](const std::string& command, const std::string& force,
                         const std::string& f) {
@@ -98,6 +101,13 @@ BOOST_FIXTURE_TEST_CASE(friction_is_given_as_a_force, Sandbox) {
   same("sweep", "--delta-m 5mm --friction-force 100,0.2kN", "--delta-m 5mm --f 0.01,0.02");
   same("sweep", "--delta-m 5mm --friction-force 100N:0.4kN:4", "--delta-m 5mm --f 0.01:0.04:4");
   same("design", "--max-displacement 0.15 --f-max 200N", "--max-displacement 0.15 --f-max 0.02");
+  same("simulate", "--delta-m 50J --f 0.02", "--delta-m 5mm --f 0.02");
+  same("sweep", "--delta-m 50J,0.1kJ --f 0.02", "--delta-m 5mm,10mm --f 0.02");
+  same("sweep", "--delta-m 0:0.1kJ:3 --f 0.02", "--delta-m 0:10mm:3 --f 0.02");
+  same("design", "--max-displacement 0.15 --delta-max-m 40J",
+       "--max-displacement 0.15 --delta-max-m 4mm");
+  same("design", "--max-displacement 0.15 --search-delta-m 0:0.00005MJ --scan-points 100",
+       "--max-displacement 0.15 --search-delta-m 0:5mm --scan-points 100");
   same("design", "--max-displacement 0.15 --search-f 200N:300N --scan-points 100",
        "--max-displacement 0.15 --search-f 0.02:0.03 --scan-points 100");
   same("sweep", "--max-displacement 0.15,0.2 --f-max 200N",

@@ -36,8 +36,8 @@ inline constexpr double largest_physical = 1e30;
 
 /// "150mm" is 0.15 for a length: the number is scaled as decimal digits before it is rounded, so
 /// 150mm and 0.15 are the same double. A bare number is in the SI unit. Throws InputError, which
-/// names the field, the text and the units that it accepts; for a plain number it ends in
-/// `instead`, the option to give with a unit.
+/// names the field, the text and the units that it accepts, and ends in `instead`, what else may
+/// have a unit.
 [[nodiscard]] double parse_value(std::string_view field, Dimension dimension, std::string_view text,
                                  std::string_view instead = "");
 
