@@ -141,25 +141,38 @@ std::string judgement(const RecordDesignReport& report) {
                 figures_words(largest(result.finding->box.worst), report.physical));
 }
 
-/// What governs each case, and under which motion and damper of the box.
+/// The worst of each case within the tolerance, and what governs it, under which motion and damper
+/// of the box.
 void add_cases(Document& document, const design::RecordDesign& result, const Physical& physical) {
   const std::vector<design::LoadCase>& cases = result.request.cases;
   const FigureUnits units = units_of(physical);
-  Table table{{"case", "governed by", "slack", "under", "f", in("delta", units.length)}, {}};
+  const auto number = [](double value) { return format("{:.4g}", value); };
+  Table worst{{"case", in("stroke", units.length), in("residual", units.length), "transmitted, g",
+               "governed by", "slack"},
+              {}};
+  Table governs{{"case", "under", "f", in("delta", units.length), "damping, %"}, {}};
   for (std::size_t i = 0; i < cases.size(); ++i) {
+    const design::SuiteFigures& figures = result.finding->box.worst[i];
     const auto now = design::governing(result, i);
-    if (!now) {
-      table.rows.push_back({{cases[i].name, "nothing", "", "", "", ""}});
-      continue;
+    const bool rests_at_0 = begins_at_nothing(figures.residual, figures.peak);
+    worst.rows.push_back(
+        {{cases[i].name, number(figures.peak * units.length),
+          number(rests_at_0 ? 0 : figures.residual * units.length), number(figures.acceleration),
+          now ? requirement(now->constraint, units) : "nothing",
+          now ? part_words(now->part_left) : ""},
+         !now                        ? Tone::plain
+         : now->constraint.satisfied ? Tone::good
+                                     : Tone::bad});
+    if (now) {
+      const auto& motion = now->constraint.motion;
+      const double zeta = oscillator_of(result.request, now->damper).zeta;
+      governs.rows.push_back(
+          {{cases[i].name, scaled_name(motion->file, motion->scale), number(now->damper.f),
+            number(now->damper.delta * units.length), zeta > 0 ? number(100 * zeta) : ""}});
     }
-    const design::Constraint& limit = now->constraint;
-    table.rows.push_back(
-        {{cases[i].name, requirement(limit, units), part_words(now->part_left),
-          scaled_name(limit.motion->file, limit.motion->scale), format("{:.4g}", now->damper.f),
-          format("{:.4g}", now->damper.delta * units.length)},
-         limit.satisfied ? Tone::good : Tone::bad});
   }
-  document.section("Cases", {std::move(table)});
+  document.section("Cases", {std::move(worst)});
+  document.section("What governs", {without_empty_columns(std::move(governs))}).detail = true;
 }
 
 void add_motions(Document& document, const design::RecordDesign& result, const Physical& physical) {
