@@ -161,9 +161,10 @@ void add_trade_off(Document& document, const std::vector<design::TradeOff>& fron
           aligned(damper.f), aligned(damper.delta * units.length)}});
   }
   const std::size_t shown = table.rows.size();
-  document.section("Trade-off of stroke, acceleration and tolerance", {std::move(table)})
-      .line(format("{} of {} dampers; accelerations are those outside the notch.", shown,
-                   front.size()),
+  document
+      .section("Trade-off of stroke, acceleration outside the notch and tolerance",
+               {std::move(table)})
+      .line(shown < front.size() ? format("{} of {} dampers.", shown, front.size()) : "",
             Tone::faint);
 }
 

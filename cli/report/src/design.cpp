@@ -21,6 +21,9 @@ void add_answer(Section& answer, const DesignReport& report) {
              !f && leaves_any(tolerance)
                  ? format("delta may be off by +-{} with next to no f", percent_digits(tolerance))
                  : tolerance_words(shown.limits, tolerance, shown.point.delta));
+  if (f) {
+    add_buildable(answer, report.physical, shown.point, shown.limits);
+  }
   add_works_for(answer, shown.judged.works_for, report.physical);
   add_check(answer, report.result.finding->cross_check);
 }

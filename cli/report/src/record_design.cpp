@@ -76,6 +76,7 @@ void add_answer(Section& answer, const RecordDesignReport& report) {
   if (result.finding->box.samples > 1) {
     answer.row(result.finding->box.exact ? "proved" : "tried",
                box_words(result.finding->box, result.finding->admissible));
+    add_buildable(answer, physical, result.finding->box.f, result.finding->box.delta);
     answer.row("exact", "without any error: " + figures_words(largest(point.figures), physical));
   }
   add_works_for(answer, result.finding->works_for, physical);

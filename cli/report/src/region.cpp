@@ -122,6 +122,9 @@ Document document(const RegionReport& report) {
                           length_limit(physical, *answer.delta1_exact, true))
                  : "none is enough: the motion does not return");
   }
+  if (f && delta && answer.tolerance) {
+    add_buildable(rows, physical, {*f, *delta, *answer.tolerance}, limits);
+  }
   if (region.conflict != design::Conflict::no_arrival) {  // where no stroke helps
     constexpr int digits_of_tables = 7;  // which round: a stroke must not be below the least
     rows.row(physical ? "least stroke" : "least beta",

@@ -102,6 +102,13 @@ inline constexpr int usual_digits = 4;
 [[nodiscard]] std::string tolerance_words(const design::Limits& limits, double tolerance,
                                           double delta);
 
+/// Between which forces and energies of a passage it may be built, if the mass is known.
+void add_buildable(Section& answer, const Physical& physical, const Interval& f,
+                   const Interval& delta);
+/// The same of its tolerance, or of the one that was asked for.
+void add_buildable(Section& answer, const Physical& physical, const design::DesignPoint& damper,
+                   const design::Limits& limits);
+
 /// The hits or pulses, and the periods, for which it works, if known.
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
                    const Physical& physical);

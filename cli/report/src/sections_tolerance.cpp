@@ -47,6 +47,31 @@ std::string tolerance_cell(const design::Limits& limits, const std::optional<dou
                                               : tolerance_text(limits, *tolerance, few);
 }
 
+void add_buildable(Section& answer, const Physical& physical, const Interval& f,
+                   const Interval& delta) {
+  if (!physical || !physical->scales.mass_kg || !(f.low < f.high || delta.low < delta.high)) {
+    return;
+  }
+  const auto words = [](const Interval& of, const Unit& unit) {
+    return of.low < of.high
+               ? format("{} {}", interval_digits(of.low * unit, of.high * unit), unit.name)
+               : unit.words(of.high);
+  };
+  const FigureUnits units = units_of(physical);
+  answer.row("may be built",
+             format("friction {}{}", words(f, units.force),
+                    delta.high > 0 ? format(", notch {}", words(delta, units.energy)) : ""));
+}
+
+void add_buildable(Section& answer, const Physical& physical, const design::DesignPoint& damper,
+                   const design::Limits& limits) {
+  const design::DesignPoint allowed = design::granted(damper, limits);
+  if (leaves_any(allowed.tolerance)) {
+    const design::DamperBox box = box_about(allowed, limits.shape);
+    add_buildable(answer, physical, box.f, box.delta);
+  }
+}
+
 std::string tolerance_words(const design::Limits& limits, double tolerance, double delta) {
   const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
   const bool notch = delta > 0;
