@@ -54,12 +54,9 @@ Simulation watched(const SimulationRequest& request) {
       [end](double tau, double) { return report::progress_in_tau(tau, tau <= end ? end : 0); },
       end);
   double reached = 0;
-  // A trajectory up to t_end comes first. It exceeds its limit before it takes minutes.
-  bool traced = !(request.t_end && request.samples);
   Simulation answer = simulate(request, [&](double tau) {
-    traced = traced || tau < reached;
     reached = tau;
-    if (traced) {
+    if (!request.samples) {  // a trajectory exceeds its limit before it takes minutes
       progress.announce_minutes(tau);
     }
     return progress.goes_on(tau);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "watched_motion.hpp"
+#include "motion_watchers.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/half_cycles.hpp>
@@ -14,10 +14,10 @@ namespace stillpoint {
 namespace {
 
 /// Builds half-cycles from the events it sees.
-class HalfCycleCollector final : public MotionWatcher {
+class HalfCycleWatcher final : public Finder<std::vector<HalfCycle>> {
  public:
   /// `notch` is 2 delta at x = 0; empty where the notch has a width.
-  HalfCycleCollector(double p, std::optional<double> notch, std::int64_t most)
+  HalfCycleWatcher(double p, std::optional<double> notch, std::int64_t most)
       : p_(p), notch_(notch), most_(most) {}
 
   void event(EventKind kind, const ExactSum<double>& now, double u, double v) override {
@@ -52,6 +52,21 @@ class HalfCycleCollector final : public MotionWatcher {
     }
   }
 
+  void end(const ForcedState<double>& state) override {
+    if (state.moved) {
+      finish(state.now.value() / p_, state.u);
+    } else {
+      list_.clear();
+    }
+  }
+
+  [[nodiscard]] bool full() const override {
+    return static_cast<std::int64_t>(list_.size()) >= most_;
+  }
+
+  [[nodiscard]] std::vector<HalfCycle> found() override { return std::move(list_); }
+
+ private:
   /// The half-cycle that is under way when the motion ends or the run stops.
   void finish(double tau, double u) {
     if (!over_) {
@@ -62,10 +77,6 @@ class HalfCycleCollector final : public MotionWatcher {
     }
   }
 
-  [[nodiscard]] bool full() const { return static_cast<std::int64_t>(list_.size()) >= most_; }
-  [[nodiscard]] std::vector<HalfCycle> take() { return std::move(list_); }
-
- private:
   void reach(double tau, double u) {
     const double x = std::abs(u) / p_;
     if (x > now_.peak) {
@@ -118,28 +129,24 @@ class HalfCycleCollector final : public MotionWatcher {
 
 }  // namespace
 
+std::unique_ptr<Finder<std::vector<HalfCycle>>> half_cycle_watcher(const Oscillator& oscillator,
+                                                                   const Surface& surface,
+                                                                   std::int64_t most) {
+  const auto notch =
+      surface.notch_width ? std::nullopt : std::optional<double>(2 * oscillator.delta);
+  return std::make_unique<HalfCycleWatcher>(oscillator.p, notch, most);
+}
+
 std::vector<HalfCycle> forced_half_cycles(const Oscillator& oscillator, const Start& start,
                                           const Excitation& excitation, double t_end,
                                           std::int64_t most,
                                           const std::function<bool(double)>& go_on,
                                           const Surface& surface) {
-  require_valid(oscillator, start, excitation, t_end);
-  require_valid(oscillator, surface);
-  const auto notch =
-      surface.notch_width ? std::nullopt : std::optional<double>(2 * oscillator.delta);
-  HalfCycleCollector collector(oscillator.p, notch, most);
-  Patience asked(go_on, ForcedOptions().ask_every);
-  const auto goes_on = [&](double tau) {
-    return !collector.full() && asked.lasts([tau] { return tau; });
-  };
-  const ForcedState<double> state =
-      watched_motion(oscillator, surface, start, excitation,
-                     {.t_end = t_end, .go_on = goes_on, .ask_every = 1}, collector);
-  if (!state.moved) {
-    return {};
-  }
-  collector.finish(state.now.value() / oscillator.p, state.u);
-  return collector.take();
+  const auto watcher = half_cycle_watcher(oscillator, surface, most);
+  WatchedOptions options{{.t_end = t_end, .go_on = go_on}};
+  options.listing = {watcher.get()};
+  watched_motion(oscillator, surface, start, excitation, options);
+  return watcher->found();
 }
 
 }  // namespace stillpoint

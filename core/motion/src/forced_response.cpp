@@ -7,14 +7,18 @@
 
 namespace stillpoint {
 
+void require_valid(const ForcedOptions& options) {
+  if (options.half_cycle_limit) {
+    require_within("half_cycle_limit", *options.half_cycle_limit, 1, 1e15);
+  }
+}
+
 ForcedResponse forced_response(const Oscillator& oscillator, const Start& start,
                                const Excitation& excitation, const ForcedOptions& options,
                                const Surface& surface) {
   require_valid(oscillator, start, excitation, options.t_end);
   require_valid(oscillator, surface);
-  if (options.half_cycle_limit) {
-    require_within("half_cycle_limit", *options.half_cycle_limit, 1, 1e15);
-  }
+  require_valid(options);
   return forced_response_of_valid(oscillator, start, excitation, options, surface);
 }
 

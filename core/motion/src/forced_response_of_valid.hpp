@@ -7,6 +7,9 @@
 
 namespace stillpoint {
 
+/// Its limit of half-cycles.
+void require_valid(const ForcedOptions& options);
+
 /// forced_response for input that has been checked.
 ForcedResponse forced_response_of_valid(const Oscillator& oscillator, const Start& start,
                                         const Excitation& excitation, const ForcedOptions& options,

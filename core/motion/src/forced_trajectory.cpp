@@ -2,8 +2,8 @@
 #include "kernel/exact_sum.hpp"
 #include "kernel/harmonic_flow.hpp"
 #include "kernel/linear_piece.hpp"
+#include "motion_watchers.hpp"
 #include "sampling.hpp"
-#include "watched_motion.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -32,20 +32,11 @@ class ForcedTrajectory::Pieces {
     Motion motion;
   };
 
-  Pieces(double p, std::int64_t most) : p_(p), most_(most) {}
+  explicit Pieces(double p) : p_(p) {}
 
   [[nodiscard]] double p() const { return p_; }
-
-  void add(const Piece& piece, double t_end) {
-    if (static_cast<std::int64_t>(pieces_.size()) >= most_) {
-      throw InputError(
-          "t_end", t_end,
-          fmt::format("the motion up to that time has more than {} pieces, too many for a "
-                      "trajectory",
-                      most_));
-    }
-    pieces_.push_back(piece);
-  }
+  [[nodiscard]] std::int64_t size() const { return static_cast<std::int64_t>(pieces_.size()); }
+  void add(const Piece& piece) { pieces_.push_back(piece); }
 
   [[nodiscard]] State at(double tau) const {
     const double phase = p_ * tau;
@@ -68,23 +59,32 @@ class ForcedTrajectory::Pieces {
 
  private:
   double p_;
-  std::int64_t most_;
   std::vector<Piece> pieces_;
 };
 
 /// Records what the run reports.
-class ForcedTrajectory::Watcher final : public MotionWatcher {
+class PathWatcher final : public Finder<ForcedTrajectory> {
  public:
-  Watcher(ForcedTrajectory& path, Pieces& pieces) : path_(path), pieces_(pieces) {}
+  PathWatcher(double p, std::int64_t most, bool to_rest)
+      : pieces_(std::make_shared<Pieces>(p)), most_(most), to_rest_(to_rest) {
+    path_.horizon_ = HUGE_VAL;
+    path_.pieces_ = pieces_;
+  }
+
+  void set_horizon(double tau) override {
+    path_.horizon_ = tau;
+    refuse_too_many();
+  }
 
   void event(EventKind kind, const ExactSum<double>& now, double u, double v) override {
+    auto& events = path_.events_;
     const Event event{kind,
-                      {std::min(now.value() / pieces_.p(), path_.horizon_), u / pieces_.p(), v}};
+                      {std::min(now.value() / pieces_->p(), path_.horizon_), u / pieces_->p(), v}};
     // Only the end of the excitation may show that a rest is final.
     const auto later =
-        std::upper_bound(path_.events_.begin(), path_.events_.end(), event,
+        std::upper_bound(events.begin(), events.end(), event,
                          [](const Event& a, const Event& b) { return a.state.tau < b.state.tau; });
-    path_.events_.insert(later, event);
+    events.insert(later, event);
     const bool rests = kind == EventKind::stick || kind == EventKind::rest;
     if (rests || kind == EventKind::start) {
       keep({now, 1, Pieces::Rest{u}});
@@ -96,33 +96,61 @@ class ForcedTrajectory::Watcher final : public MotionWatcher {
     keep({piece.begin, piece.direction, std::visit(copy, piece.motion)});
   }
 
- private:
-  void keep(const Pieces::Piece& piece) { pieces_.add(piece, path_.horizon_); }
+  void end(const ForcedState<double>& state) override {
+    const double p = pieces_->p();
+    if (to_rest_ && state.outcome && state.rest_begin.value() > 0) {
+      path_.horizon_ = state.rest_begin.value() / p;
+      std::erase_if(path_.events_,
+                    [this](const Event& event) { return event.state.tau > path_.horizon_; });
+    }
+    if (!state.outcome) {
+      path_.events_.push_back({EventKind::end, {path_.horizon_, state.u / p, state.v}});
+    }
+  }
 
-  ForcedTrajectory& path_;
-  Pieces& pieces_;
+  [[nodiscard]] ForcedTrajectory found() override { return std::move(path_); }
+
+ private:
+  using Pieces = ForcedTrajectory::Pieces;
+
+  void keep(const Pieces::Piece& piece) {
+    too_many_ = too_many_ || pieces_->size() >= most_;
+    if (!too_many_) {
+      pieces_->add(piece);
+    }
+    refuse_too_many();
+  }
+
+  /// The refusal names the horizon, so it waits until that is known.
+  void refuse_too_many() const {
+    if (too_many_ && path_.horizon_ < HUGE_VAL) {
+      throw InputError("t_end", path_.horizon_,
+                       fmt::format("the motion up to that time has more than {} pieces, too many "
+                                   "for a trajectory",
+                                   most_));
+    }
+  }
+
+  ForcedTrajectory path_;
+  std::shared_ptr<Pieces> pieces_;
+  std::int64_t most_;
+  bool to_rest_;
+  bool too_many_{false};
 };
+
+std::unique_ptr<Finder<ForcedTrajectory>> path_watcher(const Oscillator& oscillator,
+                                                       std::int64_t pieces, bool to_rest) {
+  return std::make_unique<PathWatcher>(oscillator.p, pieces, to_rest);
+}
 
 ForcedTrajectory::ForcedTrajectory(const Oscillator& oscillator, const Start& start,
                                    const Excitation& excitation,
-                                   const ForcedTrajectoryOptions& options, const Surface& surface)
-    : horizon_(options.horizon) {
-  require_valid(oscillator, start, excitation, options.horizon);
-  require_valid(oscillator, surface);
-  const double p = oscillator.p;
-  const auto pieces = std::make_shared<Pieces>(p, options.pieces);
-  pieces_ = pieces;
-  Watcher watcher(*this, *pieces);
-  const ForcedState<double> state =
-      watched_motion(oscillator, surface, start, excitation,
-                     {.t_end = options.horizon, .go_on = options.go_on}, watcher);
-  if (options.to_rest && state.outcome && state.rest_begin.value() > 0) {
-    horizon_ = state.rest_begin.value() / p;
-    std::erase_if(events_, [this](const Event& event) { return event.state.tau > horizon_; });
-  }
-  if (!state.outcome) {
-    events_.push_back({EventKind::end, {horizon_, state.u / p, state.v}});
-  }
+                                   const ForcedTrajectoryOptions& options, const Surface& surface) {
+  const auto watcher = path_watcher(oscillator, options.pieces, options.to_rest);
+  WatchedOptions wanted{{.t_end = options.horizon, .go_on = options.go_on}};
+  wanted.listing = {watcher.get()};
+  watched_motion(oscillator, surface, start, excitation, wanted);
+  *this = watcher->found();
 }
 
 State ForcedTrajectory::at(double tau) const {

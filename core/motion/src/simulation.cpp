@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "forced_response_of_valid.hpp"
+#include "motion_watchers.hpp"
+
 #include <stillpoint/core/half_cycles.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/motion_energies.hpp>
@@ -32,10 +35,8 @@ ForcedOptions options_of(const SimulationRequest& request,
   return {.t_end = run_end(request), .half_cycle_limit = request.half_cycle_limit, .go_on = go_on};
 }
 
-template <class Path>
-std::vector<TracedState> traced(const SimulationRequest& request, const Path& path) {
-  return stillpoint::traced(request.oscillator, request.surface, request.excitation,
-                            path.sampled(*request.samples));
+std::vector<TracedState> traced(const SimulationRequest& request, const std::vector<State>& path) {
+  return traced(request.oscillator, request.surface, request.excitation, path);
 }
 
 FreeOptions options_of(const SimulationRequest& request) {
@@ -47,14 +48,16 @@ FreeOptions options_of(const SimulationRequest& request) {
 Simulation free_simulation(const SimulationRequest& request) {
   Simulation result;
   result.response = free_response(request.oscillator, request.start, options_of(request));
-  result.energies = energies_of(request);
+  if (request.energies) {
+    result.energies = energies_of(request);
+  }
   result.half_cycles =
       first_half_cycles(request.oscillator, request.start, request.max_half_cycles);
   if (request.samples) {
     const bool ends = request.t_end || result.response.stop_time;
     const Trajectory path(request.oscillator, request.start,
                           {ends ? request.t_end : ten_periods(request)});
-    result.trajectory = traced(request, path);
+    result.trajectory = traced(request, path.sampled(*request.samples));
   }
   return result;
 }
@@ -81,46 +84,42 @@ double horizon_of(const SimulationRequest& request, const ForcedResponse& respon
   return horizon;
 }
 
-void trace(Simulation& result, const SimulationRequest& request, double horizon,
-           const std::function<bool(double)>& go_on) {
-  if (request.samples) {
-    const ForcedTrajectory path(request.oscillator, request.start, request.excitation,
-                                {.horizon = horizon, .go_on = go_on, .to_rest = !request.t_end},
-                                request.surface);
-    result.trajectory = traced(request, path);
-  }
-}
-
-/// The four passes over one forced motion, or one on a surface of its own.
+/// One run of a forced motion, or of one on a surface of its own.
 Simulation simulate_forced(const SimulationRequest& request,
-                           const std::function<bool(double)>& asked) {
-  Simulation result;
-  const std::function<bool(double)> go_on = [&](double tau) {
-    result.cancelled = result.cancelled || (asked && !asked(tau));
-    return !result.cancelled;
+                           const std::function<bool(double)>& go_on) {
+  WatchedOptions wanted{options_of(request, go_on)};
+  require_valid(wanted);
+  const auto energies = energy_watcher(request.oscillator, request.surface, request.start, wanted);
+  const auto half_cycles =
+      half_cycle_watcher(request.oscillator, request.surface, request.max_half_cycles);
+  const auto path =
+      path_watcher(request.oscillator, ForcedTrajectoryOptions().pieces, !request.t_end);
+  wanted.response = true;
+  if (request.energies) {
+    wanted.to_end.push_back(energies.get());
+  }
+  if (request.max_half_cycles > 0) {
+    wanted.listing.push_back(half_cycles.get());
+  }
+  if (request.samples) {
+    wanted.listing.push_back(path.get());
+  }
+  wanted.horizon = [&](const MotionWatcher& watcher, const ForcedResponse& response) {
+    const double horizon = horizon_of(request, response);
+    return &watcher == path.get() ? request.t_end.value_or(horizon) : horizon;
   };
-  const std::optional<double> end = run_end(request);
-  if (end) {
-    trace(result, request, *end, go_on);  // first: if it is too long, nothing else is computed
-  }
-  if (!result.cancelled) {
-    result.forced = forced_response(request.oscillator, request.start, request.excitation,
-                                    options_of(request, go_on), request.surface);
-    result.response = static_cast<const Response&>(*result.forced);
-  }
+  Simulation result;
+  result.forced = watched_motion(request.oscillator, request.surface, request.start,
+                                 request.excitation, wanted);
+  result.response = static_cast<const Response&>(*result.forced);
+  result.cancelled = result.forced->cancelled;
   if (!result.cancelled) {
     result.horizon = horizon_of(request, *result.forced);
-  }
-  if (!result.cancelled && !end) {
-    trace(result, request, request.t_end.value_or(*result.horizon), go_on);
-  }
-  if (!result.cancelled) {
-    result.energies = energies_of(request, go_on);
-  }
-  if (!result.cancelled) {
-    result.half_cycles =
-        forced_half_cycles(request.oscillator, request.start, request.excitation, *result.horizon,
-                           request.max_half_cycles, go_on, request.surface);
+    result.energies = energies->found();
+    result.half_cycles = half_cycles->found();
+    if (request.samples) {
+      result.trajectory = traced(request, path->found().sampled(*request.samples));
+    }
   }
   return result;
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A forced motion watched event by event and piece by piece. It is compiled once, for any watcher:
-// a virtual call costs little compared with a piece, while each copy of the kernel costs code.
+// A forced motion, run once and watched event by event and piece by piece. It is compiled once, for
+// any watcher: a virtual call costs little compared with a piece, while each copy of the kernel
+// costs code.
 
 #include "kernel/damped_curve.hpp"
 #include "kernel/damped_piece.hpp"
@@ -17,7 +18,9 @@
 #include <stillpoint/core/state.hpp>
 #include <stillpoint/core/surface.hpp>
 
+#include <functional>
 #include <variant>
+#include <vector>
 
 namespace stillpoint {
 
@@ -35,8 +38,6 @@ struct WatchedPiece {
 /// Units and symbols as in kernel/forced_run.hpp.
 class MotionWatcher {
  public:
-  static constexpr bool watches = true;
-
   MotionWatcher() = default;
   MotionWatcher(const MotionWatcher&) = delete;
   MotionWatcher& operator=(const MotionWatcher&) = delete;
@@ -44,23 +45,31 @@ class MotionWatcher {
 
   virtual void event(EventKind kind, const ExactSum<double>& now, double u, double v) = 0;
   virtual void follow(const WatchedPiece& /*piece*/) {}
-
-  /// As the run reports it.
-  template <class Piece>
-  void piece(const ExactSum<double>& begin, int direction, const Piece& piece, double length,
-             double load) {
-    if constexpr (requires { piece.flow(); }) {
-      follow({begin, direction, length, load, &piece.flow()});
-    } else {
-      follow({begin, direction, length, load, &piece});
-    }
-  }
+  /// It sees the motion up to this tau: known from the beginning, or where the load is over.
+  virtual void set_horizon(double /*tau*/) {}
+  /// Nothing more follows.
+  virtual void end(const ForcedState<double>& state) = 0;
+  /// Has seen all that it needs.
+  [[nodiscard]] virtual bool full() const { return false; }
 };
 
-/// The state at t_end or, without it, where forced_response goes on by the half-cycle map; or where
-/// the motion ends before. The input must be valid.
-ForcedState<double> watched_motion(const Oscillator& oscillator, const Surface& surface,
-                                   const Start& start, const Excitation& excitation,
-                                   const ForcedOptions& options, MotionWatcher& watcher);
+using MotionWatchers = std::vector<MotionWatcher*>;
+
+/// What is wanted of a run. Without t_end it is one until the load is over; from there on it is
+/// followed for each of what is wanted.
+struct WatchedOptions : ForcedOptions {
+  bool response{false};
+  /// See the motion as far as the response needs it: without t_end to where forced_response goes on
+  /// by the half-cycle map, or to its end.
+  MotionWatchers to_end{};
+  /// See it up to t_end or, without it, up to the horizon that each has for a response.
+  MotionWatchers listing{};
+  std::function<double(const MotionWatcher&, const ForcedResponse&)> horizon{};
+};
+
+/// If no response is wanted, only `cancelled` is set. Throws InputError as forced_response does.
+ForcedResponse watched_motion(const Oscillator& oscillator, const Surface& surface,
+                              const Start& start, const Excitation& excitation,
+                              const WatchedOptions& options);
 
 }  // namespace stillpoint

@@ -250,7 +250,10 @@ ShownMotion shown_motion(const SimulationRequest& request, const Simulation& ans
 }
 
 ShownMotion shown_motion(const SimulationRequest& request) {
-  return shown_motion(request, simulate(request));
+  SimulationRequest response = request;
+  response.energies = false;
+  response.max_half_cycles = 0;
+  return shown_motion(request, simulate(response));
 }
 
 }  // namespace stillpoint::design

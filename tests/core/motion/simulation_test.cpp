@@ -74,6 +74,45 @@ BOOST_AUTO_TEST_CASE(a_traced_state_transmits_no_more_than_the_response_says) {
   }
 }
 
+/// One run gives what each part gives by itself.
+BOOST_AUTO_TEST_CASE(a_run_has_the_bits_of_its_parts) {
+  test::Dice dice(7);
+  for (int i = 0; i < test::forced_scene_count() / 5; ++i) {
+    const test::ForcedScene<> scene = test::random_damped_scene(dice);
+    SimulationRequest request{.oscillator = scene.oscillator(),
+                              .start = scene.motion.start(),
+                              .excitation = scene.excitation,
+                              .surface = scene.surface,
+                              .t_end = {},
+                              .half_cycle_limit = {}};
+    if (i % 2 == 0 || !duration(scene.excitation)) {
+      request.t_end = scene.t_end;
+    }
+    if (has_closed_form(request)) {
+      continue;
+    }
+    const auto end = is_forced(request) ? request.t_end : std::nullopt;
+    const Oscillator oscillator = request.oscillator;
+    const Simulation motion = simulate(request);
+    const ForcedResponse response =
+        forced_response(oscillator, request.start, request.excitation, {end}, request.surface);
+    BOOST_TEST_CONTEXT("scene " << i << ": " << scene) {
+      if (motion.forced) {
+        BOOST_TEST((*motion.forced == response));
+      }
+      // Without t_end a record ends where its duration is rounded to, not at its last sample.
+      if (motion.forced && (end || !std::holds_alternative<Record>(request.excitation))) {
+        BOOST_TEST(
+            (motion.half_cycles == forced_half_cycles(oscillator, request.start, request.excitation,
+                                                      *motion.horizon, request.max_half_cycles, {},
+                                                      request.surface)));
+      }
+      BOOST_TEST((motion.energies == motion_energies(oscillator, request.start, request.excitation,
+                                                     {end}, request.surface)));
+    }
+  }
+}
+
 /// p tau is at most 1e15: with so little friction the rest lies far beyond.
 BOOST_AUTO_TEST_CASE(a_rest_too_late_to_be_listed_is_refused) {
   SimulationRequest request = forced();

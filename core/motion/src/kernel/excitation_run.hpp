@@ -82,23 +82,21 @@ Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const Polygon& pulse,
   }
 }
 
-/// The whole motion up to tau = t_end.
+/// The load there.
 template <class Real, class Watcher, class Law, class AnyExcitation>
-void run_until(ForcedRun<Real, Watcher, Law>& run, const AnyExcitation& excitation,
-               const Real& t_end) {
-  const ExactSum<Real> end = ExactSum<Real>::product(run.map().p, t_end);
+Load<Real> excite_whole(ForcedRun<Real, Watcher, Law>& run, const AnyExcitation& excitation) {
+  return excite(run, excitation,
+                ExactSum<Real>::product(run.map().p, duration_of<Real>(excitation)));
+}
+
+/// The motion after an excitation that ended with `load`, up to p tau = `end`.
+template <class Real, class Watcher, class Law>
+void free_until(ForcedRun<Real, Watcher, Law>& run, const Load<Real>& load,
+                const ExactSum<Real>& end) {
+  if (run.over()) {
+    return;
+  }
   LinearDrive<Real> nothing;
-  if (run.over()) {
-    return;
-  }
-  const Load<Real> load = excite(run, excitation, end);
-  if (run.over()) {
-    return;
-  }
-  if (t_end < duration_of<Real>(excitation)) {
-    decide_end(run, load);
-    return;
-  }
   decide_jump(run, load, nothing.load());
   run.event(EventKind::excitation_end);
   run.settle();
@@ -107,6 +105,22 @@ void run_until(ForcedRun<Real, Watcher, Law>& run, const AnyExcitation& excitati
   left.add(-run.state().now.low());
   run.through(nothing, left, true);
   decide_end(run, nothing.load());
+}
+
+/// The whole motion up to tau = t_end.
+template <class Real, class Watcher, class Law, class AnyExcitation>
+void run_until(ForcedRun<Real, Watcher, Law>& run, const AnyExcitation& excitation,
+               const Real& t_end) {
+  if (run.over()) {
+    return;
+  }
+  const ExactSum<Real> end = ExactSum<Real>::product(run.map().p, t_end);
+  const Load<Real> load = excite(run, excitation, end);
+  if (t_end < duration_of<Real>(excitation)) {
+    decide_end(run, load);
+  } else {
+    free_until(run, load, end);
+  }
 }
 
 /// The motion after an excitation that ended with `load`, up to the next turn or to its rest; in
@@ -131,8 +145,7 @@ template <class Real, class Watcher, class Law>
 template <class Real, class Watcher, class Law, class AnyExcitation>
 void run_to_free_turn(ForcedRun<Real, Watcher, Law>& run, const AnyExcitation& excitation) {
   if (!run.over()) {
-    to_free_turn(run, excite(run, excitation,
-                             ExactSum<Real>::product(run.map().p, duration_of<Real>(excitation))));
+    to_free_turn(run, excite_whole(run, excitation));
   }
 }
 

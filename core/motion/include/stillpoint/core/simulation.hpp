@@ -24,8 +24,9 @@ struct SimulationRequest {
   Surface surface{};                       ///< under the mass
   std::optional<double> t_end{};           ///< of a forced run, and of any trajectory
   std::optional<double> half_cycle_limit;  ///< as in FreeOptions and ForcedOptions
-  std::int64_t max_half_cycles{1000};      ///< listed at most
-  std::optional<std::int64_t> samples{};   ///< of the trajectory, >= 2; empty: no trajectory
+  bool energies{true};
+  std::int64_t max_half_cycles{1000};     ///< listed at most
+  std::optional<std::int64_t> samples{};  ///< of the trajectory, >= 2; empty: no trajectory
 };
 
 /// The results.
@@ -51,10 +52,10 @@ struct Simulation {
 [[nodiscard]] MotionEnergies energies_of(const SimulationRequest& request,
                                          const std::function<bool(double)>& go_on = {});
 
-/// Metrics, energies, half-cycles and trajectory of the motion. A forced run calls `go_on` now and
-/// then, in each of its up to four passes, with the tau reached; false ends it. Throws InputError
-/// as free_response and forced_response do, and about t_end if the motion rests too late to be
-/// listed up to then; TooManyHalfCycles.
+/// Metrics, energies, half-cycles and trajectory of the motion, which is run once: what is not
+/// requested costs nothing. A forced run calls `go_on` now and then with the tau reached; false
+/// ends it. Throws InputError as free_response and forced_response do, and about t_end if the
+/// motion rests too late to be listed up to then; TooManyHalfCycles.
 [[nodiscard]] Simulation simulate(const SimulationRequest& request,
                                   const std::function<bool(double)>& go_on = {});
 

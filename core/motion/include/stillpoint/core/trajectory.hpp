@@ -86,10 +86,12 @@ class ForcedTrajectory {
   [[nodiscard]] double horizon() const { return horizon_; }
 
  private:
+  friend class PathWatcher;
   class Pieces;
-  class Watcher;
 
-  double horizon_;
+  ForcedTrajectory() = default;
+
+  double horizon_{0};
   std::vector<Event> events_;
   std::shared_ptr<const Pieces> pieces_;
 };

@@ -2,7 +2,7 @@
 #include "kernel/free_run.hpp"
 #include "kernel/slip_keeper.hpp"
 #include "kernel/zoned_friction.hpp"
-#include "watched_motion.hpp"
+#include "motion_watchers.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/motion_energies.hpp>
@@ -43,11 +43,53 @@ void by_gauss(double length, double steps, const Use& use) {
   }
 }
 
+double limit_of(const ForcedOptions& options) {
+  return options.half_cycle_limit.value_or(FreeOptions().half_cycle_limit);
+}
+
+MotionEnergies free_energies(const Oscillator& oscillator, const Start& start, double limit) {
+  SlipKeeper keeper;
+  const FreeRun<double> run = free_run(oscillator, start, limit, keeper);
+  if (run.outcome == Outcome::never_stops) {
+    return {keeper.fastest(), {}};
+  }
+  Energies energies;
+  energies.start = energy(oscillator.p * start.x0, start.v0);
+  energies.end = energy(run.rest, 0);
+  const double slid = keeper.slid(run);
+  energies.slip_path = slid / oscillator.p;
+  energies.friction = oscillator.f / oscillator.p * slid;
+  energies.notch = oscillator.delta * run.passages;
+  if (run.outcome == Outcome::caught_at_start) {
+    energies.notch = energies.start;
+  } else if (run.outcome == Outcome::stopped_at_zero) {
+    energies.notch += run.arrival.value_or(0) / 2;
+  }
+  return {keeper.fastest(), energies};
+}
+
+/// The largest speed from a turn on where only damping takes energy.
+double fastest_from(double u, double zeta) {
+  return std::abs(u) * elementary::exp(-zeta * elementary::acos(zeta) / swing_rate(zeta));
+}
+
+void add(Energies& sum, const Energies& more) {
+  for (const auto part : {&Energies::friction, &Energies::notch, &Energies::slip_path}) {
+    sum.*part += more.*part;
+  }
+  sum.end = more.end;
+}
+
 /// Adds up the energies of a run, piece by piece.
-class EnergyWatcher final : public MotionWatcher {
+class EnergyWatcher final : public Finder<MotionEnergies> {
  public:
-  EnergyWatcher(const Oscillator& oscillator, const Start& start, const Surface& surface)
-      : zeta_(oscillator.zeta),
+  EnergyWatcher(const Oscillator& oscillator, const Surface& surface, const Start& start,
+                const ForcedOptions& options)
+      : oscillator_(oscillator),
+        free_to_end_(!options.t_end),
+        limit_(limit_of(options)),
+        zeta_(oscillator.zeta),
+        start_(energy(oscillator.p * start.x0, start.v0)),
         delta_(surface.notch_width ? 0 : oscillator.delta),
         fastest_(std::abs(start.v0)),
         law_(oscillator, surface, start) {
@@ -69,12 +111,28 @@ class EnergyWatcher final : public MotionWatcher {
     std::visit([&](const auto* motion) { slide_along(*motion, piece); }, piece.motion);
   }
 
-  /// Without the energies at both ends.
-  [[nodiscard]] Energies energies(double p) const {
-    return {friction_.value(), notch_.value(), damping_.value(), load_.value(), 0, 0,
-            slid_.value() / p};
+  void end(const ForcedState<double>& state) override {
+    result_.peak_velocity = fastest_;
+    if (state.outcome == Outcome::never_stops) {
+      result_.peak_velocity = std::max(fastest_, fastest_from(state.u, zeta_));
+      return;
+    }
+    const double p = oscillator_.p;
+    Energies all{friction_.value(), notch_.value(), damping_.value(),
+                 load_.value(),     start_,         energy(state.u, state.v),
+                 slid_.value() / p};
+    if (free_to_end_ && state.mode == ForcedMode::resting) {
+      const MotionEnergies rest = free_energies(oscillator_, {state.u / p, 0}, limit_);
+      result_.peak_velocity = std::max(fastest_, rest.peak_velocity);
+      if (!rest.energies) {
+        return;
+      }
+      add(all, *rest.energies);
+    }
+    result_.energies = all;
   }
-  [[nodiscard]] double fastest() const { return fastest_; }
+
+  [[nodiscard]] MotionEnergies found() override { return result_; }
 
  private:
   template <class Motion>
@@ -161,7 +219,11 @@ class EnergyWatcher final : public MotionWatcher {
 
   static constexpr double longest_step = 2;  // ten points leave 1e-17 of the product of two sines
 
+  const Oscillator& oscillator_;
+  bool free_to_end_;  ///< where the run ends the map goes on
+  double limit_;
   double zeta_;
+  double start_;
   double delta_;  ///< of a notch without width
   double fastest_;
   ZonedFriction<double> law_;
@@ -170,74 +232,31 @@ class EnergyWatcher final : public MotionWatcher {
   ExactSum<double> notch_;
   ExactSum<double> damping_;
   ExactSum<double> load_;
+  MotionEnergies result_;
 };
 
-MotionEnergies free_energies(const Oscillator& oscillator, const Start& start, double limit) {
-  SlipKeeper keeper;
-  const FreeRun<double> run = free_run(oscillator, start, limit, keeper);
-  if (run.outcome == Outcome::never_stops) {
-    return {keeper.fastest(), {}};
-  }
-  Energies energies;
-  energies.start = energy(oscillator.p * start.x0, start.v0);
-  energies.end = energy(run.rest, 0);
-  const double slid = keeper.slid(run);
-  energies.slip_path = slid / oscillator.p;
-  energies.friction = oscillator.f / oscillator.p * slid;
-  energies.notch = oscillator.delta * run.passages;
-  if (run.outcome == Outcome::caught_at_start) {
-    energies.notch = energies.start;
-  } else if (run.outcome == Outcome::stopped_at_zero) {
-    energies.notch += run.arrival.value_or(0) / 2;
-  }
-  return {keeper.fastest(), energies};
-}
-
-/// The largest speed from a turn on where only damping takes energy.
-double fastest_from(double u, double zeta) {
-  return std::abs(u) * elementary::exp(-zeta * elementary::acos(zeta) / swing_rate(zeta));
-}
-
-void add(Energies& sum, const Energies& more) {
-  for (const auto part : {&Energies::friction, &Energies::notch, &Energies::slip_path}) {
-    sum.*part += more.*part;
-  }
-  sum.end = more.end;
-}
-
 }  // namespace
+
+std::unique_ptr<Finder<MotionEnergies>> energy_watcher(const Oscillator& oscillator,
+                                                       const Surface& surface, const Start& start,
+                                                       const ForcedOptions& options) {
+  return std::make_unique<EnergyWatcher>(oscillator, surface, start, options);
+}
 
 MotionEnergies motion_energies(const Oscillator& oscillator, const Start& start,
                                const Excitation& excitation, const ForcedOptions& options,
                                const Surface& surface) {
   require_valid(oscillator, start, excitation, options.t_end);
   require_valid(oscillator, surface);
-  const double limit = options.half_cycle_limit.value_or(FreeOptions().half_cycle_limit);
   const bool paper = paper_motion(oscillator, surface);
   if (paper && !options.t_end && std::holds_alternative<NoExcitation>(excitation)) {
-    return free_energies(oscillator, start, limit);
+    return free_energies(oscillator, start, limit_of(options));
   }
-  EnergyWatcher watcher(oscillator, start, surface);
-  const ForcedState<double> state =
-      watched_motion(oscillator, surface, start, excitation, options, watcher);
-  MotionEnergies result{watcher.fastest(), {}};
-  if (state.outcome == Outcome::never_stops) {
-    result.peak_velocity = std::max(result.peak_velocity, fastest_from(state.u, oscillator.zeta));
-    return result;
-  }
-  Energies energies = watcher.energies(oscillator.p);
-  energies.start = energy(oscillator.p * start.x0, start.v0);
-  energies.end = energy(state.u, state.v);
-  if (!options.t_end && state.mode == ForcedMode::resting) {
-    const MotionEnergies rest = free_energies(oscillator, {state.u / oscillator.p, 0}, limit);
-    result.peak_velocity = std::max(result.peak_velocity, rest.peak_velocity);
-    if (!rest.energies) {
-      return result;
-    }
-    add(energies, *rest.energies);
-  }
-  result.energies = energies;
-  return result;
+  const auto watcher = energy_watcher(oscillator, surface, start, options);
+  WatchedOptions wanted{options};
+  wanted.to_end = {watcher.get()};
+  watched_motion(oscillator, surface, start, excitation, wanted);
+  return watcher->found();
 }
 
 }  // namespace stillpoint
