@@ -8,10 +8,16 @@ const record_list = "records.csv"; // with the factors, as the program reads the
 
 /** @typedef {{ name: string, bytes: Uint8Array, factor: string }} Recorded */
 
+/** The factors of "a.AT2*0.7", a line each. @param {string} listed @returns {Record<string, string>} */
+function factors_in(listed) {
+  return Object.fromEntries(listed.split("\n").map((line) => line.split("*")));
+}
+
 class RecordView {
-  /** @param {() => void} changed @param {(name: string, text: string) => void} set an option */
-  constructor(changed, set) {
+  /** @param {() => void} changed @param {(name: string, text: string) => void} set an option @param {() => string} listed what names() was */
+  constructor(changed, set, listed) {
     this.changed = changed;
+    this.listed = listed;
     /** @type {Recorded[]} */
     this.list = [];
     this.chosen = 0;
@@ -52,28 +58,31 @@ class RecordView {
       );
       return;
     }
+    const factors = factors_in(this.listed());
     const taken = await Promise.all(
-      files.map(async (file) => ({
-        name: file.name.replace(/[#,\n"]/g, "_").replace(/^\.*$/, "record"),
-        bytes: new Uint8Array(await file.arrayBuffer()),
-        factor: "1",
-      })),
+      files.map(async (file) => {
+        const name = file.name.replace(/[#*,\n"]/g, "_").replace(/^\.*$/, "record");
+        const bytes = new Uint8Array(await file.arrayBuffer());
+        return { name, bytes, factor: factors[name] ?? "1" };
+      }),
     );
     const is_new = (/** @type {Recorded} */ { name }) => !taken.some((one) => one.name === name);
     if (taken.length) this.put([...this.list.filter(is_new), ...taken]);
     el("record-heading").scrollIntoView({ block: "nearest" });
   }
 
-  /** What the option record has of them. */
+  /** What the link has of them, each with its factor. */
   names() {
-    return this.list.map(({ name }) => name).join("\n");
+    return this.list
+      .map(({ name, factor }) => name + (factor === "1" ? "" : `*${factor}`))
+      .join("\n");
   }
 
   /** The options that name them, and their files. */
   given() {
     const files = Object.fromEntries(this.list.map(({ name, bytes }) => [name, bytes]));
     /** @type {Options} */
-    const named = { record: this.names() };
+    const named = { record: this.list.map(({ name }) => name).join("\n") };
     if (this.list.every(({ factor }) => factor === "1")) return { named, files, table: "" };
     const rows = this.list.map(({ name, factor }) => `${name},${factor}\n`);
     const table = `file,scale\n${rows.join("")}`;

@@ -58,6 +58,7 @@ class Bench {
     this.record = new RecordView(
       () => this.take_records(),
       (name, text) => this.fields.set(name, text),
+      () => this.options.record ?? "",
     );
     el("record-design").addEventListener("click", () => this.choose_load(records_kind));
     this.listen();
@@ -399,7 +400,7 @@ class Bench {
   async judge_suite() {
     const { record, options } = this;
     const missing = options.record
-      ? `A link has only the names of records: drop ${options.record.replaceAll("\n", ", ")} here again.`
+      ? `A link has only the names and factors of records: drop ${Object.keys(factors_in(options.record)).join(", ")} here again.`
       : "Drop the records that the damper must withstand anywhere on this page.";
     this.answer.show_numbers({ ...this, region: null, chosen: false });
     clear("remarks", "record-figures", "record-answer");
@@ -409,7 +410,7 @@ class Bench {
       return fill(el("verdict"), many, ...this.answer.best());
     }
     const figures = ["worst", "worst-load", "record-1", "record-1-load"];
-    const sheet = sheet_of({ ...options, ...record.given().named });
+    const sheet = sheet_of({ ...without(options, ["record"]), ...record.given().named });
     const found = await this.ask_beside("region", "Each record is simulated.", { figures, sheet });
     if (found === undefined) return;
     if (found === null) return fill(el("verdict"), "Cancelled.", ...this.answer.best());

@@ -178,6 +178,12 @@ test("a suite of records is searched beside the page, judged, and told record by
     const rows = [`${folder}${records[0]},1`, `${folder}${records[1]},1.2`];
     writeFileSync(list, `file,scale\n${rows.join("\n")}\n`);
     const task = "period=2.8s&max-displacement=300mm";
+    const drop = (/** @type {bench.Page} */ page) =>
+      page.setInputFiles(
+        "#record-file",
+        records.map((name) => folder + name),
+      );
+    let link = "";
     await with_page(`${task}&record=`, {}, async (page) => {
       const until = (/** @type {RegExp} */ said) =>
         page.waitForFunction(
@@ -187,10 +193,7 @@ test("a suite of records is searched beside the page, judged, and told record by
           { timeout: 60e3 },
         );
       assert.match(await words(page, "#verdict"), /^Drop the records/);
-      await page.setInputFiles(
-        "#record-file",
-        records.map((name) => folder + name),
-      );
+      await drop(page);
       await until(/^2 records: type a damper below, or Search the best/);
       await page.fill("#record-list li:nth-child(2) input", "1.2");
       await page.press("#record-list li:nth-child(2) input", "Enter");
@@ -232,6 +235,7 @@ test("a suite of records is searched beside the page, judged, and told record by
       assert.match(command, /^printf .*near_fault_pulse.txt,1\\nstrong_motion.AT2,1.2/);
       assert.match(command, /stillpoint region .*--records-list records.csv/);
       await page.keyboard.press("Escape");
+      link = await state(page);
       // What the program refuses stands at its field.
       await page.click("#limits-title");
       await type(page, "tolerance-f", "7");
@@ -247,6 +251,17 @@ test("a suite of records is searched beside the page, judged, and told record by
       await until(/Cancel$/);
       await page.click("#verdict button");
       await until(/Search the best damper/);
+    });
+    // Its link gives the records their factors when they are dropped again.
+    await with_page(link, {}, async (page) => {
+      assert.match(
+        await words(page, "#verdict"),
+        /names and factors of records: drop near_fault_pulse.txt, strong_motion.AT2 here/,
+      );
+      await drop(page);
+      await page.waitForSelector("#record-list li:nth-child(2) input");
+      assert.equal(await page.inputValue("#record-list li:nth-child(1) input"), "1");
+      assert.equal(await page.inputValue("#record-list li:nth-child(2) input"), "1.2");
     });
   } finally {
     rmSync(temporary, { recursive: true });
