@@ -54,12 +54,11 @@ inline void add_practice(Judged& answer, const Problem& problem, const Limits& l
     answer.notch_width_min = told->notch_width_min;
   }
 }
-/// Under `shown`, the pulse of `problem` and its ranges that moves the mass farthest.
+/// Of the motion under the pulse of `problem` and its ranges that moves the mass farthest.
 inline void add_practice(Judged& answer, const PulseProblem& problem, const Limits& limits,
-                         const PulseProblem& shown, const Oscillator& damper,
-                         const Response& motion) {
+                         const PulseMotion& motion, const Oscillator& damper) {
   const auto& limit = limits.acceleration_max;
-  answer.practice = practice(damper, motion, limit, peak_load(shown.pulse));
+  answer.practice = practice(damper, motion.response, limit, peak_load(motion.pulse));
   if (answer.practice && answer.practice->notch_width_min) {
     answer.notch_width_min = least_notch_width_from_rest(
         damper.f, damper.delta, *limit, problem.p_high.value_or(problem.p),

@@ -29,20 +29,19 @@ std::optional<DesignPoint> most_tolerant(const PulseRegion& region, const PulseP
   return region.in_units(best->found.point);
 }
 
-/// Without ranges empty.
-std::optional<PulseWorst> worst_of(const PulseProblem& problem, const PulseRegion& region,
-                                   const FirstReturn& worst) {
-  return problem.has_ranges() ? std::optional(PulseWorst{worst.peak * region.length_unit(),
-                                                         worst.acceleration * region.f_unit(),
-                                                         worst.time / problem.p})
-                              : std::nullopt;
-}
-
-/// As after a hit, of all pulses and springs.
-void add_stroke(Judged& answer, const Limits& limits, const DesignPoint& point,
-                const PulseRegion& region) {
+/// What an answer tells of an admissible damper beside its own motion, which moves the mass
+/// farthest; `worst` is that of all pulses and springs.
+void tell(Judged& answer, PulseMotion& motion, const PulseRequest& request,
+          const PulseRegion& region, const DesignPoint& point, const FirstReturn& worst) {
+  const auto& [problem, limits, options] = request;
   const double f = box_about(granted(point, limits), limits.shape).f.low;
   answer.stroke_worst = motion_at(region, f / region.f_unit()).peak * region.length_unit();
+  add_practice(answer, problem, limits, motion, {motion.p, point.f, point.delta});
+  if (problem.has_ranges()) {
+    motion.worst = {worst.peak * region.length_unit(), worst.acceleration * region.f_unit(),
+                    worst.time / problem.p};
+  }
+  answer.works_for = works_for(problem, limits, point.f, point.delta);
 }
 
 void judge(RegionAnswer& answer, const PulseRequest& request, const PulseRegion& region, double f,
@@ -68,10 +67,7 @@ void judge(RegionAnswer& answer, const PulseRequest& request, const PulseRegion&
   // side.
   constexpr double edge = 1e-12;
   answer.admissible = limits.tolerance <= widest + edge;
-  add_stroke(answer, limits, {f, delta, *answer.tolerance}, region);
-  add_practice(answer, problem, limits, shown, oscillator, *answer.response);
-  answer.under_pulse->worst = worst_of(problem, region, motion);
-  answer.works_for = works_for(problem, limits, f, delta);
+  tell(answer, *answer.under_pulse, request, region, {f, delta, *answer.tolerance}, motion);
 }
 
 }  // namespace
@@ -135,16 +131,12 @@ void add_finding(DesignResult& result, const PulseRequest& request, const PulseR
   const PulseProblem shown = region.profile()->largest_peak(problem, unit_f);
   const FirstReturn motion = first_return(shown.pulse, shown.p, unit_f);
   result.reduced_v0 = reduced_v0(shown.pulse, point.f);
-  result.finding = finding_under_pulse(shown, point, motion);
-  result.finding->constraints = constraints_of(request, point, worst, region);
-  result.finding->pulse->even_tolerance = even_tolerance(request, region, point, unit_f);
-  result.finding->pulse->worst = worst_of(problem, region, worst);
-  result.finding->works_for = works_for(problem, limits, point.f, point.delta);
-  const Oscillator damper{shown.p, point.f, point.delta};
-  result.finding->energies = motion_energies(damper, {}, excitation(shown.pulse));
-  add_stroke(*result.finding, limits, point, region);
-  add_practice(*result.finding, problem, limits, shown, damper, result.finding->response);
-  add_delta1(*result.finding, problem, point.f);
+  Found& found = result.finding.emplace(finding_under_pulse(shown, point, motion));
+  found.constraints = constraints_of(request, point, worst, region);
+  found.pulse->even_tolerance = even_tolerance(request, region, point, unit_f);
+  found.energies = motion_energies({shown.p, point.f, point.delta}, {}, excitation(shown.pulse));
+  tell(found, *found.pulse, request, region, point, worst);
+  add_delta1(found, problem, point.f);
 }
 
 }  // namespace stillpoint::design

@@ -36,15 +36,18 @@ std::vector<Island> PulseRegion::parts(const Island& island, double tolerance, d
   if (std::ranges::all_of(points, [&](const FirstReturn& now) { return left(now) >= 0; })) {
     return {island};
   }
-  if (!profile_->is_single()) {
+  // It may be enough between two f where it is not.
+  if (profile_->is_single()) {
+    add_maxima(
+        points, at,
+        [&](const FirstReturn& now) {
+          return Rated{left(now), -now.slope(criterion_)};
+        },
+        [&](const FirstReturn& a, const FirstReturn& b) { return left(a) < 0 && left(b) < 0; });
+  } else {
     add_minima(points, at, need, most);
-    return where(points, at, left);
   }
-  const auto rated = [&](const FirstReturn& now) {
-    return Rated{left(now), -now.slope(criterion_)};
-  };
-  add_maxima(points, at, rated);
-  return where_by_slopes(points, at, rated);
+  return where(points, at, left);
 }
 
 bool PulseRegion::feasible() const {

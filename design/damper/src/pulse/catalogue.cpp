@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -20,26 +21,29 @@ namespace stillpoint::design {
 
 namespace {
 
-/// A part with what its whole box requires, in the units of the request, without the limits.
+/// Of beta, and of each row of the table of limits, in the units of the request.
+using OfLimits = std::array<double, 1 + limit_table.size()>;
+
 struct TriedPart {
   RatedPart rated;
-  bool returns{false};
-  double peak{0};
-  std::array<double, limit_table.size()> limited{};  ///< what each of the limits bounds
   bool stops{false};
+  OfLimits used{};  ///< by its box
 };
 
 /// The figures of a motion are kept away from their limits like the edges of the region.
 constexpr double within_limits = 1 - 2e-13;
 
-/// The part with its box, for another beta or other limits than those asked for.
-bool part_fits(const TriedPart& now, double beta, const Limits& limits) {
-  bool kept = now.returns && now.stops && now.peak <= beta * within_limits;
+OfLimits allowed(const PulseRequest& request) {
+  OfLimits most{request.problem.beta * within_limits};
   for (std::size_t i = 0; i < limit_table.size(); ++i) {
-    kept = kept && now.limited[i] <= limit_or_infinity(limit_table[i], limits) *
-                                         (limit_table[i].figure ? within_limits : 1);
+    most[i + 1] = limit_or_infinity(limit_table[i], request.limits) *
+                  (limit_table[i].figure ? within_limits : 1);
   }
-  return kept;
+  return most;
+}
+
+bool part_fits(const TriedPart& now, const OfLimits& most) {
+  return now.stops && std::equal(now.used.begin(), now.used.end(), most.begin(), std::less_equal());
 }
 
 TriedPart tried(const PulseRequest& request, const PulseRegion& region, const Part& part) {
@@ -53,22 +57,17 @@ TriedPart tried(const PulseRequest& request, const PulseRegion& region, const Pa
     const double high = region.high_of(unit_f, tolerance);
     const FirstReturn box =
         region.profile()->between(region.low_of(unit_f, tolerance), std::min(1.0, high));
-    now.returns = box.returns && high < 1;
-    now.peak = box.peak * region.length_unit();
-    for (std::size_t i = 0; i < limit_table.size(); ++i) {
-      if (const auto& figure = limit_table[i].figure) {
-        now.limited[i] = box.*figure->under_pulse * region.f_unit();
-      }
-    }
     now.stops =
+        box.returns && high < 1 &&
         box.need(problem.criterion) <= unit_delta * (1 - limits.shape.delta_low * tolerance);
-    now.rated.tolerance = region.tolerance_of(unit_f, unit_delta);
-  }
-  for (std::size_t i = 0; i < limit_table.size(); ++i) {
-    if (const LimitKind& kind = limit_table[i]; !kind.figure) {
-      now.limited[i] = kind.bounds_f() ? region.high_of(part.f, tolerance)
-                                       : part.delta * (1 + limits.shape.delta_high * tolerance);
+    now.used[0] = box.peak * region.length_unit();
+    for (std::size_t i = 0; i < limit_table.size(); ++i) {
+      const LimitKind& kind = limit_table[i];
+      now.used[i + 1] = kind.figure       ? box.*kind.figure->under_pulse * region.f_unit()
+                        : kind.bounds_f() ? region.high_of(part.f, tolerance)
+                                          : part.delta * (1 + limits.shape.delta_high * tolerance);
     }
+    now.rated.tolerance = region.tolerance_of(unit_f, unit_delta);
   }
   if (!now.rated.tolerance) {
     now.rated.violated =
@@ -78,7 +77,7 @@ TriedPart tried(const PulseRequest& request, const PulseRegion& region, const Pa
       now.rated.tolerance = 0;
     }
   }
-  now.rated.admissible = now.rated.tolerance && part_fits(now, problem.beta, limits);
+  now.rated.admissible = now.rated.tolerance && part_fits(now, allowed(request));
   return now;
 }
 
@@ -91,38 +90,31 @@ double cost_under_pulse(const PulseRegion& region, Objective objective, const Ra
 /// A limit bounds one figure of a box, and its least change is the smallest such figure among the
 /// parts that meet all the other limits.
 std::vector<Mend> mends_of_parts(const PulseRequest& request, const std::vector<TriedPart>& parts) {
-  const auto& [problem, limits, options] = request;
+  const Limits& limits = request.limits;
   std::vector<Mend> list;
-  const auto add = [&](std::string_view field, double beta, const Limits& others,
-                       const auto& figure) {
+  const auto add = [&](std::size_t row, std::string_view field) {
+    OfLimits others = allowed(request);
+    others[row] = HUGE_VAL;
     double least = HUGE_VAL;
     for (const TriedPart& now : parts) {
-      if (part_fits(now, beta, others)) {
-        least = std::min(least, figure(now));
-      }
+      least = part_fits(now, others) ? std::min(least, now.used[row]) : least;
     }
     constexpr double outside = 1 + 1e-11;
     if (std::isfinite(least)) {
       list.push_back({field, least / within_limits * outside, true});
     }
   };
-  add("beta", HUGE_VAL, limits, [](const TriedPart& now) { return now.peak; });
-  if (limits.tolerance > 0) {
-    std::optional<double> most;
-    for (const TriedPart& now : parts) {
-      most = std::max(most, now.rated.tolerance);
-    }
+  add(0, "beta");
+  const auto most = std::ranges::max(parts, {}, [](const TriedPart& now) {
+                      return now.rated.tolerance;
+                    }).rated.tolerance;
+  if (most && *most < limits.tolerance) {
     constexpr double less = 1 - 1e-10;
-    if (most && *most < limits.tolerance) {
-      list.push_back({"tolerance", *most * less, false});
-    }
+    list.push_back({"tolerance", *most * less, false});
   }
   for (std::size_t i = 0; i < limit_table.size(); ++i) {
-    const LimitKind& kind = limit_table[i];
-    if (limits.*kind.value) {
-      Limits others = limits;
-      others.*kind.value = std::nullopt;
-      add(kind.field, problem.beta, others, [i](const TriedPart& now) { return now.limited[i]; });
+    if (limits.*limit_table[i].value) {
+      add(i + 1, limit_table[i].field);
     }
   }
   return list;

@@ -83,38 +83,4 @@ double last_not_negative(double holds_at, double fails_at, const Function& funct
   return last_not_negative(holds_at, fails_at, function, [](double, double) { return false; });
 }
 
-/// A quantity and its slope over f.
-struct Rated {
-  double value;
-  double slope;
-};
-
-/// The same to a relative 1e-13, in a third of the steps, where the slope is known as well: by the
-/// cubic of f over the value, which both ends determine.
-template <class Function>
-double last_not_negative_by_slopes(double holds, double fails, const Function& function) {
-  constexpr double close = 1e-13;
-  Rated at_holds = function(holds);
-  Rated at_fails = function(fails);
-  constexpr int patience = 20;
-  for (int step = 0; std::abs(fails - holds) > edge_width(holds, fails) &&
-                     at_holds.value > close * holds * std::abs(at_holds.slope);
-       ++step) {
-    const double width = fails - holds;
-    const double fall = at_holds.value - at_fails.value;
-    const double x = at_holds.value / fall;
-    const double by_holds = -fall / at_holds.slope / width;
-    const double by_fails = -fall / at_fails.slope / width;
-    const double part = x * x * (3 - 2 * x) + x * (1 - x) * ((1 - x) * by_holds - x * by_fails);
-    // Just inside, so that rounding does not take it across the edge.
-    const double inside = part - close / 2 * holds / std::abs(width);
-    const bool trusted = step < patience && inside > 0 && inside < 1;
-    const double now = holds + (trusted ? inside : 0.5) * width;
-    const Rated at_now = function(now);
-    (at_now.value >= 0 ? holds : fails) = now;
-    (at_now.value >= 0 ? at_holds : at_fails) = at_now;
-  }
-  return holds;
-}
-
 }  // namespace stillpoint::design

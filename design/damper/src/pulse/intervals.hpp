@@ -22,10 +22,12 @@ using Island = Interval;
 /// More than the rounding of a motion in other units, and less than any manufacturing accuracy.
 inline constexpr double edge_rounding = 1e-13;
 
-/// Where `room` is >= 0, a little inside of the edges; `edge` finds one between two motions.
-template <class Room, class Edge>
-std::vector<Island> intervals(const std::vector<FirstReturn>& points, const Room& room,
-                              const Edge& edge) {
+/// Where `room` is >= 0, a little inside of the edges. `at` gives the motion of an f.
+template <class At, class Room>
+std::vector<Island> where(const std::vector<FirstReturn>& points, const At& at, const Room& room) {
+  const auto edge = [&](double inside, double outside) {
+    return last_not_negative(inside, outside, [&](double f) { return room(at(f)); });
+  };
   std::vector<Island> found;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (room(points[i]) < 0) {
@@ -41,39 +43,6 @@ std::vector<Island> intervals(const std::vector<FirstReturn>& points, const Room
     }
   }
   return found;
-}
-
-/// `at` gives the motion of an f.
-template <class At, class Room>
-std::vector<Island> where(const std::vector<FirstReturn>& points, const At& at, const Room& room) {
-  return intervals(points, room, [&](double inside, double outside) {
-    return last_not_negative(inside, outside, [&](double f) { return room(at(f)); });
-  });
-}
-
-/// The same if the slope of the room is known as well.
-template <class At, class Room>
-std::vector<Island> where_by_slopes(const std::vector<FirstReturn>& points, const At& at,
-                                    const Room& room) {
-  return intervals(
-      points, [&](const FirstReturn& now) { return room(now).value; },
-      [&](double inside, double outside) {
-        return last_not_negative_by_slopes(inside, outside, [&](double f) { return room(at(f)); });
-      });
-}
-
-/// It may be >= 0 between two points where it is not.
-template <class At, class Room>
-void add_maxima(std::vector<FirstReturn>& points, const At& at, const Room& room) {
-  std::vector<FirstReturn> found;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const Rated a = room(points[i - 1]);
-    const Rated b = room(points[i]);
-    if (a.value < 0 && b.value < 0 && a.slope > 0 && b.slope < 0) {
-      found.push_back(maximum(points[i - 1], points[i], at, room));
-    }
-  }
-  insert(points, found);
 }
 
 /// A figure may be within its limit between two points where it is not.

@@ -26,6 +26,12 @@ inline void insert(std::vector<FirstReturn>& motions, const std::vector<FirstRet
 /// where it does not, by what it is short of.
 [[nodiscard]] double clearance_of(const FirstReturn& motion, double turns);
 
+/// A quantity and its slope over f.
+struct Rated {
+  double value;
+  double slope;
+};
+
 /// What a box asks for.
 [[nodiscard]] Rated need_of(const FirstReturn& motion, Criterion criterion);
 /// Of need/f^2: section 15.
@@ -83,6 +89,21 @@ FirstReturn maximum(FirstReturn low, FirstReturn high, const At& at, const Figur
     (figure(now).slope > 0 ? low : high) = now;
   }
   return figure(low).value > figure(high).value ? low : high;
+}
+
+/// Adds those of which the neighbours on both sides are `wanted`.
+template <class At, class Figure, class Wanted>
+void add_maxima(std::vector<FirstReturn>& points, const At& at, const Figure& figure,
+                const Wanted& wanted) {
+  std::vector<FirstReturn> found;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const FirstReturn& a = points[i - 1];
+    const FirstReturn& b = points[i];
+    if (wanted(a, b) && figure(a).slope > 0 && figure(b).slope < 0) {
+      found.push_back(maximum(a, b, at, figure));
+    }
+  }
+  insert(points, found);
 }
 
 /// The need neither jumps nor turns unseen between the two: their slopes explain what it changes by

@@ -218,18 +218,11 @@ void PulseProfile::add_misses(bool one_pulse) {
 }
 
 void PulseProfile::add_maxima_over_square() {
-  const auto figure = [this](const FirstReturn& now) { return need_over_square(now, criterion_); };
-  std::vector<FirstReturn> found;
-  for (std::size_t i = 1; i < samples_.size(); ++i) {
-    const FirstReturn& a = samples_[i - 1];
-    const FirstReturn& b = samples_[i];
-    if (a.returns && b.returns && b.f - a.f > 2 * edge_width(a.f, b.f) && figure(a).slope > 0 &&
-        figure(b).slope < 0) {
-      found.push_back(maximum(
-          a, b, [this](double f) { return at(f); }, figure));
-    }
-  }
-  insert(samples_, found);
+  add_maxima(
+      samples_, at_, [this](const FirstReturn& now) { return need_over_square(now, criterion_); },
+      [](const FirstReturn& a, const FirstReturn& b) {
+        return a.returns && b.returns && b.f - a.f > 2 * edge_width(a.f, b.f);
+      });
 }
 
 /// Between three samples of which the middle one returns last.

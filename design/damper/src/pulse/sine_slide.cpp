@@ -2,9 +2,7 @@
 #include "pulse/sine_slide.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 
 namespace stillpoint::design {
@@ -12,10 +10,6 @@ namespace stillpoint::design {
 namespace {
 
 using std::numbers::pi;
-
-/// 1/n, from n = 1.
-constexpr std::array reciprocal{0.0,     1.0,     1.0 / 2, 1.0 / 3, 1.0 / 4,
-                                1.0 / 5, 1.0 / 6, 1.0 / 7, 1.0 / 8};
 
 struct Swing {
   double sine;
@@ -61,36 +55,6 @@ void SineSlide::add_near_resonance(SlideMotion& now, double h, const elementary:
   now.v += slow * (sine_a * cosine + cosine_a * sine) + fast * (sine_b * cosine + cosine_b * sine);
 }
 
-/// Eight terms, good to a rounding within 1/16 of 1 and of 1/lambda. The load and its slope are
-/// those of the motion: sin psi = a - c + y, lambda cos psi = j + v. A short full sine leaves a
-/// small difference of speeds, which has no digits to spare.
-SlideMotion SineSlide::near(double h, SlideMoment& last) const {
-  constexpr double part = 1.0 / 16;
-  const double d = h - last.h;
-  constexpr double short_sine = 100;
-  if (!(std::abs(d) * std::max(1.0, lambda_) <= part && lambda_ <= short_sine)) {
-    last = {h, at(h)};
-    return last.motion;
-  }
-  constexpr std::size_t terms = 8;
-  const auto& [y, v, a, j] = last.motion;
-  std::array<double, terms + 2> rate{y, v, a, j};
-  std::array<double, 2> load{a - c_ + y, j + v};
-  for (std::size_t n = 2; n + 2 < rate.size(); ++n) {
-    load[n % 2] *= -lambda_ * lambda_;
-    rate[n + 2] = load[n % 2] - rate[n];
-  }
-  const auto sum = [&](std::size_t first, std::size_t count) {
-    double value = 0;
-    for (std::size_t n = count; n > 0; --n) {
-      value = d * reciprocal[n] * (rate[first + n] + value);
-    }
-    return rate[first] + value;
-  };
-  constexpr std::size_t steer = 6;  // a and j only say where to search next, to 1e-10
-  return {sum(0, terms), sum(1, terms), sum(2, steer), sum(3, steer)};
-}
-
 namespace {
 
 struct Taylor {
@@ -124,19 +88,18 @@ SlideMoment zero(const SineSlide& slide, double positive, const SlideMoment& not
                  const Figure& figure) {
   double other = not_positive.h;
   SlideMoment now = not_positive;
-  SlideMoment last = not_positive;
   for (int i = 0; i < most_steps; ++i) {
     const Taylor here = figure(now.motion);
     const double step = step_of(here);
     if (std::abs(here.value) <= last_step * now.h * std::abs(here.slope)) {
       now.h += step;
-      now.motion = slide.near(now.h, last);
+      now.motion = slide.at(now.h);
       return now;
     }
     (here.value > 0 ? positive : other) = now.h;
     const double next = now.h + step;
     now.h = (next - positive) * (next - other) < 0 ? next : positive + (other - positive) / 2;
-    now.motion = slide.near(now.h, last);
+    now.motion = slide.at(now.h);
   }
   return now;
 }
@@ -158,7 +121,6 @@ Slid slid(const SineSlide& slide, bool outwards, double last) {
   double from = 0;
   double step = pi;
   SlideMoment now{-HUGE_VAL, {}};
-  SlideMoment known = now;
   for (const double quarter : {pi / 2, LoadPhase::second_crest, 2 * pi}) {
     const double end = slide.time_to(std::min(quarter, last));
     const bool driven = (quarter == LoadPhase::second_crest) != outwards;
@@ -169,7 +131,7 @@ Slid slid(const SineSlide& slide, bool outwards, double last) {
         step = pi / 2;  // at most pi, where it usually turns
         break;
       }
-      now = {to, slide.near(to, known)};
+      now = {to, slide.at(to)};
       const Taylor here = speed(now.motion);
       const double u = here.value;
       if (!outwards && now.motion.y <= 0 && u >= 0) {
@@ -183,7 +145,7 @@ Slid slid(const SineSlide& slide, bool outwards, double last) {
       if (here.slope < 0 && is_near(here, -u / here.slope)) {
         step = step_of(here);
         if (step <= last_step * to) {
-          return turned_or_arrived({to + step, slide.near(to + step, known)});
+          return turned_or_arrived({to + step, slide.at(to + step)});
         }
       } else {
         step = elementary::atan2(u, -here.slope);

@@ -65,8 +65,6 @@ class SineSlide {
         y_(y) {}
 
   [[nodiscard]] SlideMotion at(double h) const;
-  /// The same by Taylor's series, if h is close to the last instant that was not computed by it.
-  [[nodiscard]] SlideMotion near(double h, SlideMoment& last) const;
   /// (68), with c moving by `sign`.
   [[nodiscard]] MotionByF by_f(double h, double sign, const SlideBeginByF& begin) const {
     const auto [sine, cosine] = elementary::sin_cos(h);
