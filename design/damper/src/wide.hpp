@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <compare>
 
 namespace stillpoint::design {
 
@@ -17,46 +18,37 @@ class Wide {
   Wide() = default;
   Wide(double value)  // NOLINT(google-explicit-constructor): exact
       : pair_{value, 0} {}
+
   /// The nearest.
   [[nodiscard]] explicit operator double() const { return pair_.high; }
   /// What is beyond that.
   [[nodiscard]] double rest() const { return pair_.low; }
+
   /// To the last digit, unless it is below 1e-290; those of * end at 2^-106. The fused operation
   /// has the same bits on every machine, but is slow where it is not the processor's.
   [[nodiscard]] static Wide exact_product(double a, double b) {
     const double product = a * b;
     return {DoublePair{product, std::fma(a, b, -product)}};
   }
+
   /// By a power of two, exactly.
   [[nodiscard]] Wide times(double power) const {
     return {DoublePair{pair_.high * power, pair_.low * power}};
   }
 
-  friend Wide operator-(Wide a) { return {DoublePair{-a.pair_.high, -a.pair_.low}}; }
+  friend Wide operator-(Wide a) { return a.times(-1); }
   friend Wide operator+(Wide a, Wide b) {
     const DoublePair high = two_sum(a.pair_.high, b.pair_.high);
     const DoublePair low = two_sum(a.pair_.low, b.pair_.low);
     const DoublePair sum = ordered_sum(high.high, high.low + low.high);
     return {ordered_sum(sum.high, sum.low + low.low)};
   }
-  friend Wide operator+(Wide a, double b) {
-    const DoublePair sum = two_sum(a.pair_.high, b);
-    return {ordered_sum(sum.high, sum.low + a.pair_.low)};
-  }
-  friend Wide operator+(double a, Wide b) { return b + a; }
   friend Wide operator-(Wide a, Wide b) { return a + -b; }
-  friend Wide operator-(Wide a, double b) { return a + -b; }
-  friend Wide operator-(double a, Wide b) { return -b + a; }
   friend Wide operator*(Wide a, Wide b) {
     const DoublePair product = two_product(a.pair_.high, b.pair_.high);
     const double cross = a.pair_.high * b.pair_.low + a.pair_.low * b.pair_.high;
     return {ordered_sum(product.high, product.low + cross)};
   }
-  friend Wide operator*(Wide a, double b) {
-    const DoublePair product = two_product(a.pair_.high, b);
-    return {ordered_sum(product.high, product.low + a.pair_.low * b)};
-  }
-  friend Wide operator*(double a, Wide b) { return b * a; }
   friend Wide operator/(Wide a, Wide b) {
     const double inverse = 1 / b.pair_.high;  // beside the other division, which it does not delay
     const double quotient = a.pair_.high / b.pair_.high;
@@ -65,18 +57,8 @@ class Wide {
         ((a.pair_.high - product.high) - product.low) + (a.pair_.low - quotient * b.pair_.low);
     return {ordered_sum(quotient, left * inverse)};
   }
-  friend Wide operator/(Wide a, double b) {
-    const double inverse = 1 / b;
-    const double quotient = a.pair_.high / b;
-    const DoublePair product = two_product(quotient, b);
-    const double left = ((a.pair_.high - product.high) - product.low) + a.pair_.low;
-    return {ordered_sum(quotient, left * inverse)};
-  }
   friend Wide twice(Wide a) { return a.times(2); }
-  friend Wide square(Wide a) {
-    const DoublePair product = two_product(a.pair_.high, a.pair_.high);
-    return {ordered_sum(product.high, product.low + 2 * (a.pair_.high * a.pair_.low))};
-  }
+  friend Wide square(Wide a) { return a * a; }
   friend Wide root(Wide square) {
     const double root = std::sqrt(square.pair_.high);
     if (!(root > 0)) {
@@ -88,19 +70,11 @@ class Wide {
     return {ordered_sum(root, left * inverse)};
   }
 
-  friend bool operator==(Wide a, Wide b) {
-    return a.pair_.high == b.pair_.high && a.pair_.low == b.pair_.low;
+  friend auto operator<=>(Wide a, Wide b) {
+    return a.pair_.high == b.pair_.high ? a.pair_.low <=> b.pair_.low
+                                        : a.pair_.high <=> b.pair_.high;
   }
-  friend bool operator<(Wide a, Wide b) {
-    return a.pair_.high < b.pair_.high ||
-           (a.pair_.high == b.pair_.high && a.pair_.low < b.pair_.low);
-  }
-  friend bool operator>(Wide a, Wide b) { return b < a; }
-  friend bool operator<=(Wide a, Wide b) {
-    return a.pair_.high < b.pair_.high ||
-           (a.pair_.high == b.pair_.high && a.pair_.low <= b.pair_.low);
-  }
-  friend bool operator>=(Wide a, Wide b) { return b <= a; }
+  friend bool operator==(Wide a, Wide b) { return (a <=> b) == 0; }
 
  private:
   // NOLINTNEXTLINE(google-explicit-constructor): the operators above return pairs
@@ -148,33 +122,18 @@ inline constexpr std::array root8{0x1.6a09e667f3bcdp+1, -0x1.bdd3413b26456p-53,
          Wide::exact_product(root8[1], f) - root8[2] * f;
 }
 
-[[nodiscard]] inline double twice(double value) {
-  return 2 * value;
-}
-[[nodiscard]] inline double square(double value) {
-  return value * value;
-}
-[[nodiscard]] inline double root(double value) {
-  return std::sqrt(value);
-}
+/// One half-cycle back, (39), in speeds: phi = f/p, d = 2 Delta.
+struct WideNotch {
+  Wide phi;
+  Wide d;
 
-// One half-cycle back, (39), for decisions that are right to the last bit, and in doubles where the
-// last bits do not decide.
-
-/// In speeds: phi = f/p, d = 2 Delta.
-template <class Number>
-struct NotchOf {
-  Number phi;
-  Number d;
-
-  [[nodiscard]] Number before(Number radius) const { return twice(phi) + root(square(radius) + d); }
-  [[nodiscard]] Number square_before(Number radius, int steps) const {
+  [[nodiscard]] Wide before(Wide radius) const { return twice(phi) + root(square(radius) + d); }
+  [[nodiscard]] Wide square_before(Wide radius, int steps) const {
     for (int i = 0; i < steps; ++i) {
       radius = before(radius);
     }
     return (radius - phi) * (radius + phi);
   }
 };
-using WideNotch = NotchOf<Wide>;
 
 }  // namespace stillpoint::design

@@ -17,49 +17,38 @@ namespace stillpoint::design {
 
 namespace {
 
-template <class Number>
-Number widened_reach(const Way& way, double f) {
-  const Number phi = Number(f) / way.problem.p;
-  return std::max(twice(phi), 3 * phi - Number(way.problem.p) * residual_of(way.problem));
+Wide widened_reach(const Way& way, double f) {
+  const Wide phi = Wide(f) / way.problem.p;
+  return std::max(twice(phi), 3 * phi - Wide(way.problem.p) * residual_of(way.problem));
 }
 
 /// The square of V0 that reaches, or twice the Delta that sends every hit back.
-template <class Number>
-Number reach_square(const Way& way, double f, double delta) {
-  const NotchOf<Number> corner{Number(f) / way.problem.p, 2 * delta};
-  return corner.square_before(widened_reach<Number>(way, f),
-                              way.returns_by_delta() ? 0 : way.n - 1);
+Wide reach_square(const Way& way, double f, double delta) {
+  const WideNotch corner{Wide(f) / way.problem.p, 2 * delta};
+  return corner.square_before(widened_reach(way, f), way.returns_by_delta() ? 0 : way.n - 1);
 }
 
-template <class Number>
-Number pass_speed(const Way& way, double f, double delta) {
+Wide pass_speed(const Way& way, double f, double delta) {
   const Problem& problem = way.problem;
   const double p = problem.stiffest_p();
   const double r = residual_of(problem);
   const double c = stop_radius(problem);
-  const auto speed = [&](Number phi, Number radius, int steps) {
-    return root(NotchOf<Number>{phi, 2 * delta}.square_before(radius, steps));
+  const auto speed = [&](Wide phi, Wide radius, int steps) {
+    return root(WideNotch{phi, 2 * delta}.square_before(radius, steps));
   };
-  Number least = HUGE_VAL;
+  Wide least = HUGE_VAL;
   if (way.stops_last()) {
-    const Number phi = Number(f) / p;
+    const Wide phi = Wide(f) / p;
     least = speed(phi, c * phi, way.passages());
   }
   if (way.stops_early()) {
     const double soft = way.problem.p;
-    const Number at = r > 0 ? std::max<Number>(f, Number(r) * soft * soft) : f;
-    const Number spring = r > 0 ? std::min<Number>(p, root(at / r)) : p;
-    const Number phi = at / spring;
+    const Wide at = r > 0 ? std::max(Wide(f), Wide(r) * soft * soft) : Wide(f);
+    const Wide spring = r > 0 ? std::min(Wide(p), root(at / r)) : Wide(p);
+    const Wide phi = at / spring;
     least = std::min(least, speed(phi, c * phi + r * spring, way.n));
   }
   return least;
-}
-
-/// v0 < speed, where `speed` is known in doubles, and `exact` only where its last digits decide.
-template <class Exact>
-bool is_below(double v0, double speed, const Exact& exact) {
-  constexpr double rounding = 1e-11;  // a few ulps at each of a thousand arrivals
-  return std::abs(speed - v0) > rounding * v0 ? v0 < speed : v0 < rounded_up(exact());
 }
 
 }  // namespace
@@ -77,18 +66,15 @@ bool admissible(const Way& way, double f, double delta, double tolerance) {
   if (way.is_papers()) {  // by the edges that the region reports, themselves
     return most_f <= way.tip && least_delta > unchecked_delta1(problem, least_f);
   }
-  if (way.n > 0 && way.v_low == 0 &&
-      2 * least_delta < reach_square<Wide>(way, most_f, least_delta)) {
+  if (way.n > 0 && way.v_low == 0 && 2 * least_delta < reach_square(way, most_f, least_delta)) {
     return false;
   }
   if (way.n > 0 && way.v_low > 0 &&
-      is_below(problem.v0_low.value_or(problem.v0),
-               root(reach_square<double>(way, most_f, most_delta)),
-               [&] { return root(reach_square<Wide>(way, most_f, most_delta)); })) {
+      problem.v0_low.value_or(problem.v0) <
+          rounded_up(root(reach_square(way, most_f, most_delta)))) {
     return false;
   }
-  return is_below(problem.v0, pass_speed<double>(way, least_f, least_delta),
-                  [&] { return pass_speed<Wide>(way, least_f, least_delta); });
+  return problem.v0 < rounded_up(pass_speed(way, least_f, least_delta));
 }
 
 bool admissible(const Way& way, double f, double delta) {
@@ -96,9 +82,9 @@ bool admissible(const Way& way, double f, double delta) {
 }
 
 WaySpeeds way_speeds(const Way& way, double f, double delta) {
-  const Wide reach = way.n > 0 ? reach_square<Wide>(way, f, delta) : 0;
+  const Wide reach = way.n > 0 ? reach_square(way, f, delta) : 0;
   return {way.returns_by_delta() ? rounded_up(reach.times(0.5)) : rounded_up(root(reach)),
-          rounded_up(pass_speed<Wide>(way, f, delta))};
+          rounded_up(pass_speed(way, f, delta))};
 }
 
 Problem strongest_hit(Problem problem) {
