@@ -40,18 +40,6 @@ double delta1_slope(Criterion criterion, double a) {
   return 4 * a - 2 * s - 2 * a * a / s;
 }
 
-double delta1_inverse(Criterion criterion, double d) {
-  const double lost = 1 - 2 * d;
-  if (lost <= 0) {
-    return 0;
-  }
-  const double speed = std::sqrt(2 * d);
-  if (criterion == Criterion::published) {
-    return lost / (2 * speed + std::sqrt(2 * d + 3));
-  }
-  return lost / std::sqrt(8 * (1 + 2 * d));
-}
-
 double peak(double a) {
   return 1 / (radius(a) + a);
 }

@@ -28,9 +28,6 @@ inline constexpr double d2 = 0.5;
 /// Delta1 / V0^2 for 0 <= a <= a3, (26) or (27); decreasing in a.
 [[nodiscard]] double delta1(Criterion criterion, double a);
 [[nodiscard]] double delta1_slope(Criterion criterion, double a);
-/// The a in [0, a3] with delta1(a) = d, (28) or (29); 0 where d >= 1/2.
-[[nodiscard]] double delta1_inverse(Criterion criterion, double d);
-
 [[nodiscard]] double peak(double a);        ///< p A / V0, (24)
 [[nodiscard]] double peak_slope(double a);  ///< its derivative
 /// p T for 0 <= a <= a3, (25). The slope grows without bound towards a3 and is cut at 1e8 there.

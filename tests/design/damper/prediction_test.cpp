@@ -73,20 +73,6 @@ BOOST_AUTO_TEST_CASE(no_prediction_beyond_f3_or_below_zero) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_bounds_of_delta_invert) {
-  RandomSource random(804);
-  for (int i = 0; i < 5000; ++i) {
-    for (const Criterion criterion : {Criterion::published, Criterion::exact}) {
-      const double a = random.uniform(0, unit::a3);
-      const double d = unit::delta1(criterion, a);
-      // The inverse turns a rounding of d into one of a; the slope is at least 1 in size.
-      BOOST_TEST(std::abs(unit::delta1_inverse(criterion, d) - a) <= rounding);
-    }
-  }
-  BOOST_TEST(unit::delta1_inverse(Criterion::published, 0.5) == 0);
-  BOOST_TEST(unit::delta1_inverse(Criterion::exact, 0.6) == 0);
-}
-
 BOOST_AUTO_TEST_CASE(the_slope_of_the_stop_phase_is_cut_at_f3) {
   BOOST_TEST(std::isfinite(unit::stop_phase_slope(unit::a3)));
   BOOST_TEST(unit::stop_phase_slope(unit::a3) > 1e7);

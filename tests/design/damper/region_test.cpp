@@ -162,4 +162,26 @@ BOOST_AUTO_TEST_CASE(amplitude_does_not_bind_if_beta_p_is_at_least_v0) {
   }
 }
 
+// (28) and (29): of a box whose low corner needs the largest Delta that its high one may have.
+BOOST_AUTO_TEST_CASE(the_least_f_within_a_largest_delta_inverts_the_bound) {
+  constexpr double root_of_the_search = 1e-13;
+  RandomSource random(110);
+  for (int i = 0; i < problems; ++i) {
+    Problem problem = any_problem(random);
+    problem.beta = 2 * problem.v0 / problem.p;  // f2 < 0
+    problem.criterion = i % 2 == 0 ? Criterion::published : Criterion::exact;
+    const double allowed = random.uniform(0.1, 0.45);
+    const double t = random.uniform(0, 0.1);
+    const double d = allowed * (1 - t) / (1 + t);
+    const double a = i % 2 == 0 ? (1 - 2 * d) / (2 * std::sqrt(2 * d) + std::sqrt(3 + 2 * d))
+                                : (1 - 2 * d) / std::sqrt(8 * (1 + 2 * d));
+    if (a * (1 + t) / (1 - t) < 1 / std::sqrt(8.0)) {
+      const Region region = admissible_region(
+          problem, {.delta_max = allowed * problem.v0 * problem.v0, .tolerance = t});
+      BOOST_REQUIRE(region.feasible);
+      BOOST_TEST(close(*region.f_lower, a * problem.v0 * problem.p / (1 - t), root_of_the_search));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -84,16 +84,6 @@ double unchecked_delta1(const Problem& problem, double f) {
   return std::ldexp(static_cast<double>(twice_delta), 2 * unit - 1);
 }
 
-double lower_end_from_stop(const Problem& problem, const Limits& limits) {
-  // Delta2 is v0^2/2: dividing the rounded square by v0 twice may miss 1/2, and f = 0 with it.
-  const double delta_cap = edges(problem, limits).delta_cap;
-  const bool by_start = delta_cap == largest_delta_of_start(problem.v0);
-  const double highest = by_start ? 0.5 : delta_cap / problem.v0 / problem.v0;
-  const double t = limits.tolerance;
-  const double a = unit::delta1_inverse(problem.criterion, highest * (1 - t) / (1 + t));
-  return a * problem.v0 * problem.p / (1 - t);
-}
-
 bool stop_fits(const Problem& problem, const Edges& edges, const Limits& limits) {
   const double f = highest_centre(edges.f_cap, limits.tolerance);
   const double delta = highest_centre(edges.delta_cap, limits.tolerance);

@@ -41,9 +41,6 @@ struct Edges {
 /// not return. Nothing is checked.
 [[nodiscard]] double unchecked_delta1(const Problem& problem, double f);
 
-/// The infimum of f for which Delta1 of the box's low corner leaves room below the cap.
-[[nodiscard]] double lower_end_from_stop(const Problem& problem, const Limits& limits);
-
 /// The largest f whose box stays at or below the cap, and the smallest one at or above the floor,
 /// as double arithmetic evaluates f (1 + R) and f (1 - R).
 [[nodiscard]] double highest_centre(double cap, double tolerance);

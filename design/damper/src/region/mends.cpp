@@ -78,77 +78,6 @@ std::optional<LimitEdge> limited_figure(const HitCase& now) {
   return least;
 }
 
-/// The conditions that need more p, those that need less, and both.
-template <class Amplitude, class Strip, class All>
-std::optional<double> mended_p(const HitCase& base, const Amplitude& amplitude, const Strip& strip,
-                               const All& all) {
-  const auto [least, most] = valid_p(base.problem);
-  const auto with = [&](double p) { return with_p(base, p); };
-  // More p helps the amplitude and can only harm the stop, so both are tested one after the other.
-  // With a limit of a figure the p that fit are one interval; if it is not empty, the p
-  // with the most room is in it, as far as the other conditions let it.
-  if (const auto figure = limited_figure(base)) {
-    const double roomiest =
-        figure->kind->figure->roomiest_p(base.problem, base.limits, figure->limit);
-    const auto low = nearest_fit(least, most, [&](double p) { return amplitude(with(p)); });
-    const auto high = nearest_fit(most, least, [&](double p) { return strip(with(p)); });
-    if (!low || !high || *low > *high) {
-      return std::nullopt;
-    }
-    return nearest_fit(base.problem.p, std::clamp(roomiest, *low, *high),
-                       [&](double p) { return all(with(p)); });
-  }
-  const auto raised =
-      nearest_fit(base.problem.p, most, [&](double p) { return amplitude(with(p)); });
-  if (!raised) {
-    return std::nullopt;
-  }
-  const auto value = nearest_fit(*raised, least, [&](double p) { return strip(with(p)); });
-  return value && all(with(*value)) ? value : std::nullopt;
-}
-
-/// The same for a later arrival, whose strip in a = f/(V0 p) does not depend on p. That is a root,
-/// so the last bits are decided by the points themselves.
-std::optional<double> mended_p(const HitCase& base, int n) {
-  const double tolerance = base.limits.tolerance;
-  const auto in_strip = [&](const HitCase& now) { return Way(now.problem, now.limits, n); };
-  // Of the centres, over V0 p, whatever beta and the other limits are.
-  HitCase free = base;
-  free.problem.beta = 2 * base.problem.v0 / base.problem.p;
-  for (const LimitKind& kind : limit_table) {
-    if (kind.bounds_f()) {
-      free.limits.*kind.value = std::nullopt;
-    }
-  }
-  const auto centres = feasible_f(in_strip(free));
-  if (!centres) {
-    return std::nullopt;
-  }
-  const double part = (1 + tolerance) / (base.problem.v0 * base.problem.p);
-  const Interval corners{centres->low * part, centres->high * part};
-  const auto amplitude = [&](const HitCase& now) {
-    const Way strip = in_strip(now);
-    const double cap = std::min(strip.f_of(corners.high), least_limit(Bounded::f, now.limits));
-    return lowest_centre(strip.f2, tolerance) <= highest_centre(cap, tolerance);
-  };
-  const auto low_end = [&](const HitCase& now) {
-    const Way strip = in_strip(now);
-    return strip.f_cap >= 0 && strip.f_cap >= strip.f_of(corners.low);
-  };
-  const auto all = [&](const HitCase& now) { return any_point(in_strip(now)).has_value(); };
-  const auto nearly = [&](const HitCase& /*now*/) { return true; };
-  if (limited_figure(base)) {
-    return mended_p(base, amplitude, low_end, all);
-  }
-  const auto p = mended_p(base, amplitude, low_end, nearly);
-  if (!p) {
-    return std::nullopt;
-  }
-  constexpr double inside = 1e-9;  // on the edge itself, rounding may leave nothing
-  return nearest_fit(base.problem.p, *p * (*p > base.problem.p ? 1 + inside : 1 - inside),
-                     [&](double value) { return all(with_p(base, value)); });
-}
-
 /// More p helps the peak and the return and harms the stop.
 Input<HitCase> p_of(const Problem& problem) {
   constexpr double far = 1e6;
@@ -157,20 +86,27 @@ Input<HitCase> p_of(const Problem& problem) {
   return {"p", p, std::min(most, p * far), in_problem(&Problem::p), std::max(least, p / far)};
 }
 
-/// The nearest p for any arrival.
+/// The nearest p for the first arrival, to the last bit: more p helps the amplitude and can only
+/// harm the stop, so both are tested one after the other.
 std::optional<double> mended_p(const HitCase& base) {
-  std::optional<double> nearest = mended_p(base, amplitude_fits, strip_fits, first_fits);
-  const auto change = [&](double p) { return std::max(p / base.problem.p, base.problem.p / p); };
-  for (int n = 2; n <= base.problem.arrivals; ++n) {
-    const auto p = mended_p(base, n);
-    if (p && (!nearest || change(*p) < change(*nearest))) {
-      nearest = p;
-    }
-    if (base.limits.tolerance * (2 * n + 1) > 1) {
-      break;  // no later strip is that wide
-    }
+  const auto [least, most] = valid_p(base.problem);
+  const auto with = [&](const auto& condition) {
+    return [&](double p) { return condition(with_p(base, p)); };
+  };
+  // With a limit of a figure the p that fit are one interval; if it is not empty, the p with the
+  // most room is in it, as far as the other conditions let it.
+  if (const auto figure = limited_figure(base)) {
+    const double roomiest =
+        figure->kind->figure->roomiest_p(base.problem, base.limits, figure->limit);
+    const auto low = nearest_fit(least, most, with(amplitude_fits));
+    const auto high = nearest_fit(most, least, with(strip_fits));
+    return low && high && *low <= *high
+               ? nearest_fit(base.problem.p, std::clamp(roomiest, *low, *high), with(first_fits))
+               : std::nullopt;
   }
-  return nearest;
+  const auto raised = nearest_fit(base.problem.p, most, with(amplitude_fits));
+  const auto value = raised ? nearest_fit(*raised, least, with(strip_fits)) : std::nullopt;
+  return value && first_fits(with_p(base, *value)) ? value : std::nullopt;
 }
 
 std::optional<Mend> more_arrivals(const HitCase& base) {
@@ -219,7 +155,7 @@ std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
   if (problem.p_high) {
     add({"p_low", p, *problem.p_high, in_problem(&Problem::p)});
     add({"p_high", *problem.p_high, p, in_problem(&Problem::p_high)});
-  } else if (!is_plain(problem, limits)) {
+  } else if (!is_plain(problem, limits) || problem.arrivals > 1) {
     add(p_of(problem));
   } else if (const auto mended = mended_p(base)) {
     add_if(Mend{"p", *mended, *mended > p});

@@ -103,7 +103,7 @@ DesignPoint start_of(const Way& way, Objective objective, const DesignRange& ran
 /// Some box of that tolerance fits.
 bool has_box(Way way, double tolerance) {
   way.limits.tolerance = tolerance;
-  return tolerance < 1 && !clearly_empty(way) && any_point(way);
+  return tolerance < 1 && any_point(way);
 }
 
 struct WayResult {

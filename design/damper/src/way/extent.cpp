@@ -45,16 +45,6 @@ Interval scanned_f(const Way& way, const Interval& all) {
   return low <= high ? Interval{low, high} : all;
 }
 
-/// No f between these two has any room; shown for each part.
-bool no_room_in_parts(const Way& way, double a_low, double a_high, int deeper) {
-  if (no_room_between(way, a_low, a_high, way.limits.tolerance)) {
-    return true;
-  }
-  const double middle = std::midpoint(a_low, a_high);
-  return deeper > 0 && no_room_in_parts(way, a_low, middle, deeper - 1) &&
-         no_room_in_parts(way, middle, a_high, deeper - 1);
-}
-
 /// Nothing but the stop depends on f, and friction helps it.
 bool friction_makes_room(const Way& way) {
   return way.n == 0 || (way.n == 1 && way.v_low > 0);
@@ -74,16 +64,6 @@ double roomiest_f(const Way& way, const Interval& f) {
 }
 
 }  // namespace
-
-bool clearly_empty(const Way& way) {
-  constexpr int times_halved = 4;
-  const auto all = within_f(way, way.limits.tolerance);
-  if (!all) {
-    return true;
-  }
-  const Interval f = scanned_f(way, *all);
-  return no_room_in_parts(way, way.scaled(f.low), way.scaled(f.high), times_halved);
-}
 
 std::optional<WayPoint> any_point(const Way& way) {
   const double t = way.limits.tolerance;
@@ -128,10 +108,6 @@ Interval feasible_around(const Way& way, const WayPoint& inside) {
                                        at_inside, at_from));
     return std::clamp(at, all.low, all.high);
   };
-  if (way.is_papers_task()) {  // in closed form, (28), (29)
-    return {std::min(std::max(all.low, lower_end_from_stop(way.problem, way.limits)), all.high),
-            all.high};
-  }
   return {end(scanned.low, all.low), end(scanned.high, all.high)};
 }
 
@@ -217,12 +193,9 @@ DesignPoint most_tolerant_of_all(const Problem& problem, Limits limits, double l
     if (way.plain && best.tolerance * (2 * way.n - 1) >= 1) {
       return false;  // no later strip has more, (51)
     }
-    way.limits.tolerance = std::max(best.tolerance, least);
-    if (!clearly_empty(way)) {
-      way.limits.tolerance = 0;
-      const DesignPoint its = most_tolerant(way);
-      best = its.tolerance > best.tolerance ? its : best;
-    }
+    way.limits.tolerance = 0;
+    const DesignPoint its = most_tolerant(way);
+    best = its.tolerance > best.tolerance ? its : best;
     return true;
   };
   if (problem.residual.value_or(0) > 0) {  // usually the best: it saves the others

@@ -18,10 +18,6 @@ struct WayPoint {
 };
 [[nodiscard]] std::optional<WayPoint> any_point(const Way& way);
 
-/// True if the edges at a few f show that no box fits; if false there may still be none. Much
-/// cheaper than any_point.
-[[nodiscard]] bool clearly_empty(const Way& way);
-
 /// The f of the centres of all boxes that fit; a lower end of 0 is open. Empty as any_point.
 [[nodiscard]] std::optional<Interval> feasible_f(const Way& way);
 /// The same for a design: a relative 1e-9 away from where an arrival grazes x = 0 or Delta has no
