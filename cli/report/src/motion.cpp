@@ -35,9 +35,9 @@ void add_answer(Section& answer, const MotionReport& report) {
                                                 length_shown(physical, zones.back().to)));
   add_damping(answer, report.request.oscillator);
   if (report.record) {
-    answer.row("record", record_words(report.record->file, report.record->factor,
-                                      report.record->units_read, report.record->assumed,
-                                      design::largest_load(report.request.excitation)));
+    answer.row("record",
+               record_words(report.record->file, report.record->factor, report.record->units_read,
+                            report.record->assumed, design::peak_load(report.request.excitation)));
   }
   if (moves(response)) {
     answer.row("peak", length_shown(physical, response.peak_amplitude), Tone::heading);
@@ -53,7 +53,7 @@ void add_answer(Section& answer, const MotionReport& report) {
                                 length_shown(physical, energies->slip_path)));
   }
   if (report.answer.forced && report.answer.forced->left_notch_from_rest) {
-    const double load = design::largest_load(report.request.excitation);
+    const double load = design::peak_load(report.request.excitation);
     add_start(answer, design::least_width(design::holding_friction(report.request), delta, load),
               response, physical);
   }

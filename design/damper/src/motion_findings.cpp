@@ -4,7 +4,7 @@
 #include <stillpoint/core/elementary.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/nearby_ends.hpp>
-#include <stillpoint/records/record_scaling.hpp>
+#include <stillpoint/design/suite_task.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -153,20 +153,6 @@ bool moves(const Response& response) {
   return response.stop_time != 0.0;
 }
 
-double largest_load(const Excitation& excitation) {
-  return std::visit(
-      []<class Kind>(const Kind& kind) {
-        if constexpr (requires { kind.k; }) {
-          return std::abs(kind.k);
-        } else if constexpr (requires { kind.values; }) {
-          return records::peak_acceleration(kind);
-        } else {
-          return 0.0;
-        }
-      },
-      excitation);
-}
-
 double holding_friction(const SimulationRequest& request) {
   const auto& zones = request.surface.zones;
   return request.oscillator.breakaway * (zones.empty() ? request.oscillator.f : zones.front().f);
@@ -238,7 +224,7 @@ std::vector<Finding> findings_of(const SimulationRequest& request, const Simulat
   const double delta = request.oscillator.delta;
   if (forced && forced->left_notch_from_rest) {
     const double width =
-        least_width(holding_friction(request), delta, largest_load(request.excitation));
+        least_width(holding_friction(request), delta, peak_load(request.excitation));
     if (width >= 2 * response.peak_amplitude) {
       all.push_back(no_notch(width, response.peak_amplitude));
     }

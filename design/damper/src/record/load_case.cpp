@@ -75,12 +75,12 @@ std::vector<CaseMotion> motions_of(const LoadCase& load_case) {
 double peak_load(const Excitation& load) {
   return std::visit(
       []<class Kind>(const Kind& kind) {
-        if constexpr (std::is_same_v<Kind, Record>) {
-          return records::peak_acceleration(kind);
-        } else if constexpr (std::is_same_v<Kind, NoExcitation>) {
-          return 0.0;
-        } else {
+        if constexpr (requires { kind.k; }) {
           return std::abs(kind.k);
+        } else if constexpr (requires { kind.values; }) {
+          return records::peak_acceleration(kind);
+        } else {
+          return 0.0;
         }
       },
       load);

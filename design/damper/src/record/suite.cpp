@@ -2,6 +2,7 @@
 #include "record/suite.hpp"
 
 #include <stillpoint/core/for_each_entry.hpp>
+#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/record_batch.hpp>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <functional>
 #include <numbers>
 #include <numeric>
+#include <utility>
 #include <variant>
 
 namespace stillpoint::design {
@@ -56,18 +58,10 @@ std::vector<ForcedResponse> Suite::responses(const SuiteDamper& damper) const {
 }
 
 void Suite::add(SuiteFigures& all, const SuiteFigures& one) const {
-  const auto add = [this](double& figure, double value) {
-    figure = combine_ == Combine::max ? std::max(figure, value) : figure + value;
-  };
-  add(all.peak, one.peak);
-  add(all.acceleration, one.acceleration);
-  add(all.residual, one.residual);
-  add(all.jump, one.jump);
-  all.passages = std::max(all.passages, one.passages);
-  all.stop_time = std::max(all.stop_time, one.stop_time);
-  all.margin = std::min(all.margin, one.margin);
-  all.late = std::max(all.late, one.late);
-  all.settled = all.settled && one.settled;
+  const SuiteFigures before = std::exchange(all, worse(all, one));
+  for (const auto figure : figures_of_load) {
+    all.*figure = combine_ == Combine::max ? all.*figure : before.*figure + one.*figure;
+  }
 }
 
 double periods_after(const Excitation& load, double stop_time, double p) {
@@ -76,21 +70,14 @@ double periods_after(const Excitation& load, double stop_time, double p) {
 }
 
 void Suite::combine(SuiteFigures& all) const {
-  if (!all.settled) {
-    all = SuiteFigures();
-    all.settled = false;
-  } else if (combine_ == Combine::mean) {
-    const auto count = static_cast<double>(motions_.size());
-    all.peak /= count;
-    all.acceleration /= count;
-    all.residual /= count;
-    all.jump /= count;
+  for (const auto figure : figures_of_load) {
+    all.*figure /= combine_ == Combine::mean ? static_cast<double>(motions_.size()) : 1;
   }
+  all = all.settled ? all : unsettled;
 }
 
 SuiteFigures Suite::under(const CaseMotion& motion, const SuiteDamper& damper) const {
-  SuiteFigures figures;
-  figures.settled = false;
+  SuiteFigures figures = unsettled;
   try {
     const double of_load = part(damper);
     const ForcedResponse one = response(damper, of_load < 1 ? weakened(motion, of_load) : motion);

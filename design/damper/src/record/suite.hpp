@@ -4,6 +4,7 @@
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/design/suite_task.hpp>
 
+#include <array>
 #include <compare>
 #include <cstddef>
 #include <optional>
@@ -86,10 +87,17 @@ class Suite {
   double weakest_;
 };
 
+/// What grows with the load, and what a mean is taken of.
+inline constexpr std::array figures_of_load{&SuiteFigures::peak, &SuiteFigures::acceleration,
+                                            &SuiteFigures::residual, &SuiteFigures::jump};
+
 /// A load s times as large moves a damper s times as far as the load itself moves one with f/s,
 /// Delta/s^2 and width/s.
 [[nodiscard]] SuiteDamper relative_to(const SuiteDamper& damper, double factor);
 [[nodiscard]] SuiteFigures times(SuiteFigures figures, double factor);
+
+/// The worst of several dampers.
+[[nodiscard]] TaskFigures worst_of(std::span<const TaskFigures> all);
 
 /// Those of all cases of a request with its combinations.
 class Suites {

@@ -68,6 +68,14 @@ TaskFigures worse(TaskFigures one, const TaskFigures& other) {
   return one;
 }
 
+TaskFigures worst_of(std::span<const TaskFigures> all) {
+  TaskFigures worst;
+  for (const TaskFigures& each : all) {
+    worsen(worst, each);
+  }
+  return worst;
+}
+
 SuiteFigures largest(EachFigures figures) {
   return std::accumulate(figures.begin(), figures.end(), SuiteFigures(),
                          [](const SuiteFigures& a, const SuiteFigures& b) { return worse(a, b); });
@@ -86,9 +94,8 @@ SuiteDamper relative_to(const SuiteDamper& damper, double factor) {
 }
 
 SuiteFigures times(SuiteFigures figures, double factor) {
-  for (double* const figure :
-       {&figures.peak, &figures.acceleration, &figures.residual, &figures.jump}) {
-    *figure *= factor;
+  for (const auto figure : figures_of_load) {
+    figures.*figure *= factor;
   }
   return figures;
 }

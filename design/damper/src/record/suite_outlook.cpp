@@ -32,11 +32,9 @@ SuiteOutlook outlook(const RecordDesignRequest& task, const SuiteDamper& damper,
   for (const SuitePlace& place : box_samples(space, samples)) {
     box.push_back(space.off(damper, place));
   }
-  const auto worst_of = [&](const RecordDesignRequest& request,
-                            const std::vector<SuiteDamper>& dampers, TaskFigures& worst) {
-    for (const TaskFigures& figures : Suites(request).figures(dampers, task.threads)) {
-      worsen(worst, figures);
-    }
+  const auto add_worst = [&](const RecordDesignRequest& request,
+                             const std::vector<SuiteDamper>& dampers, TaskFigures& worst) {
+    worsen(worst, worst_of(Suites(request).figures(dampers, task.threads)));
   };
   SuiteOutlook result;
   for (const double factor : {1 - SuiteOutlook::off, 1 + SuiteOutlook::off}) {
@@ -44,8 +42,8 @@ SuiteOutlook outlook(const RecordDesignRequest& task, const SuiteDamper& damper,
     for (SuiteDamper& each : of_spring) {
       each.p /= factor;
     }
-    worst_of(task, of_spring, result.period);
-    worst_of(enlarged(task, factor), box, result.scale);
+    add_worst(task, of_spring, result.period);
+    add_worst(enlarged(task, factor), box, result.scale);
   }
   return result;
 }

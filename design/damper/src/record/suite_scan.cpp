@@ -36,6 +36,15 @@ bool promising(EachFigures figures, const SuiteGoal& goal, double bar, double pa
 
 }  // namespace
 
+std::int64_t points_of_scan(const RecordDesignRequest& task, const SuiteSpace& space,
+                            std::int64_t of_a_line) {
+  constexpr std::int64_t times_of_three = 4;
+  const std::size_t searched = space.searched();
+  return searched <= 1   ? std::min(of_a_line, task.scan_points)
+         : searched == 2 ? task.scan_points
+                         : times_of_three * task.scan_points;
+}
+
 SuiteScan::SuiteScan(const Suites& suite, const SuiteSpace& space, std::int64_t points,
                      const Threads& threads, SuiteWatch& watch)
     : suite_(suite),

@@ -101,9 +101,7 @@ BoxedDamper SuiteSearch::sampled(const SuiteDamper& damper) {
     dampers.push_back(space_.off(damper, unit));
   }
   const std::vector<TaskFigures> all = figures(dampers);
-  const TaskFigures worst =
-      std::accumulate(all.begin(), all.end(), TaskFigures(),
-                      [](const TaskFigures& a, const TaskFigures& b) { return worse(a, b); });
+  const TaskFigures worst = worst_of(all);
   std::vector<std::size_t> order(all.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, std::ranges::greater(), [&](std::size_t i) {
@@ -132,11 +130,8 @@ std::vector<BoxedDamper> SuiteSearch::roughly(const std::vector<BoxedDamper>& fo
   const std::vector<TaskFigures> all = figures(dampers);
   std::vector<BoxedDamper> list;
   for (std::size_t k = 0; k < found.size(); ++k) {
-    TaskFigures worst;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      worsen(worst, all[k * places.size() + i]);
-    }
-    list.push_back(boxed(found[k].damper, worst));
+    const auto of_box = std::span(all).subspan(k * places.size(), places.size());
+    list.push_back(boxed(found[k].damper, worst_of(of_box)));
   }
   return list;
 }

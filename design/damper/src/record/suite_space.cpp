@@ -6,6 +6,7 @@
 #include <stillpoint/core/elementary.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace stillpoint::design {
@@ -19,6 +20,10 @@ constexpr double least_part_searched = 1e-3;
 constexpr double least_factor = 0.02;
 /// Of logarithms, for rounding.
 constexpr double same_place = 1e-12;
+
+/// In the order of SuiteAxis::Variable.
+constexpr std::array values{&SuiteDamper::f,     &SuiteDamper::delta, &SuiteDamper::p,
+                            &SuiteDamper::width, &SuiteDamper::load,  &SuiteDamper::damping};
 
 std::optional<double> least_of(const std::optional<double>& one,
                                const std::optional<double>& other) {
@@ -34,44 +39,17 @@ SuiteFrictions frictions_of(const SuiteDamper& damper) {
 }
 
 double SuiteAxis::value(const SuiteDamper& damper) const {
-  switch (variable_) {
-    case Variable::f:
-      return damper.f;
-    case Variable::delta:
-      return damper.delta;
-    case Variable::period:
-      return 1 / damper.p;
-    case Variable::width:
-      return damper.width;
-    case Variable::load:
-      return damper.load;
-    case Variable::damping:
-      break;
-  }
-  return 1 + damper.damping;  // at least 1, as its logarithm is taken
+  const double value = damper.*values.at(static_cast<std::size_t>(variable_));
+  return variable_ == Variable::period    ? 1 / value
+         : variable_ == Variable::damping ? 1 + value  // at least 1, as its logarithm is taken
+                                          : value;
 }
 
 void SuiteAxis::set(SuiteDamper& damper, double value) const {
-  switch (variable_) {
-    case Variable::f:
-      damper.f = value;
-      break;
-    case Variable::delta:
-      damper.delta = value;
-      break;
-    case Variable::period:
-      damper.p = 1 / value;
-      break;
-    case Variable::width:
-      damper.width = value;
-      break;
-    case Variable::load:
-      damper.load = value;
-      break;
-    case Variable::damping:
-      damper.damping = value - 1;
-      break;
-  }
+  damper.*values.at(static_cast<std::size_t>(variable_)) = variable_ == Variable::period ? 1 / value
+                                                           : variable_ == Variable::damping
+                                                               ? value - 1
+                                                               : value;
 }
 
 double SuiteAxis::low() const {

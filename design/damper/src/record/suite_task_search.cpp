@@ -19,9 +19,8 @@ constexpr double least_gain = 0.01;
 /// A limit that was relaxed is this much above the worst of the box that was found, so that a
 /// search with it finds one as well.
 constexpr double relaxed_by = 2e-3;
-/// Dampers of a map with one variable, and with three and four in units of `scan_points`.
+/// Dampers of a map with one variable.
 constexpr std::int64_t line_points = 1000;
-constexpr std::int64_t more_points = 4;
 /// Part of a value by which a box that grew is moved at first.
 constexpr double grown_step = 0.0125;
 /// Than the required size, of a box that grew beyond it and fails with it.
@@ -44,14 +43,7 @@ struct Mapped {
          SuiteWatch& watch)
       : frictions(which),
         space(task, which),
-        scan(suite, space, points_for(task, space), task.threads, watch) {}
-
-  static std::int64_t points_for(const RecordDesignRequest& task, const SuiteSpace& space) {
-    const std::size_t searched = space.searched();
-    return searched <= 1   ? std::min(line_points, task.scan_points)
-           : searched == 2 ? task.scan_points
-                           : more_points * task.scan_points;
-  }
+        scan(suite, space, points_of_scan(task, space, line_points), task.threads, watch) {}
 
   SuiteFrictions frictions;
   SuiteSpace space;
@@ -129,7 +121,7 @@ class TaskSearch {
     for (const SuiteFrictions frictions : every_friction) {
       const SuiteSpace space(task_, frictions);
       if (has_friction(task_, frictions) && space.possible()) {
-        watch_.expect(Mapped::points_for(task_, space) +
+        watch_.expect(points_of_scan(task_, space, line_points) +
                       (space.searched() > 1 ? about_a_map : about_a_line));
       }
     }

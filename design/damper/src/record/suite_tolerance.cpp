@@ -90,7 +90,8 @@ class Growth {
     if (!exact_.possible()) {
       return std::nullopt;
     }
-    SuiteScan scan(suite_, exact_, points(), task_.threads, watch_);
+    constexpr std::int64_t of_a_line = 2000;
+    SuiteScan scan(suite_, exact_, points_of_scan(task_, exact_, of_a_line), task_.threads, watch_);
     scan.look(goal_, HUGE_VAL);
     return on(scan);
   }
@@ -213,15 +214,6 @@ class Growth {
   }
 
   [[nodiscard]] SuiteSpace space(double scale) const { return {task_, frictions_, scale}; }
-
-  [[nodiscard]] std::int64_t points() const {
-    constexpr std::int64_t of_a_line = 2000;
-    constexpr std::int64_t times_of_three = 4;
-    const std::size_t searched = exact_.searched();
-    return searched <= 1   ? std::min(of_a_line, task_.scan_points)
-           : searched == 2 ? task_.scan_points
-                           : times_of_three * task_.scan_points;
-  }
 
   /// The boxes of that size, rounded down to whole steps, on the grid of exact dampers.
   [[nodiscard]] std::vector<BoxedDamper> on_map(double scale, std::size_t most,

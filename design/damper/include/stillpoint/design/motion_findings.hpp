@@ -47,9 +47,6 @@ inline constexpr double rest_share = 0.1;
 /// holds it.
 [[nodiscard]] double least_width(double f, double delta, double load);
 
-/// No |W| is larger.
-[[nodiscard]] double largest_load(const Excitation& excitation);
-
 /// Of a rest from the start on.
 [[nodiscard]] bool moves(const Response& response);
 
