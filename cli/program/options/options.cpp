@@ -41,17 +41,4 @@ std::string suggestion(std::string_view wrong, std::optional<Command> command,
   return records::suggestion(wrong, known, prefix);
 }
 
-std::span<const Named<Command>> enumerators(Command) noexcept {
-  using enum Command;
-  static constexpr auto rows = std::to_array<Named<Command>>({{design, "design"},
-                                                              {region, "region"},
-                                                              {simulate, "simulate"},
-                                                              {spectrum, "spectrum"},
-                                                              {sweep, "sweep"},
-                                                              {accuracy, "accuracy"},
-                                                              {init, "init"},
-                                                              {explore, "explore"}});
-  return rows;
-}
-
 }  // namespace stillpoint::cli

@@ -19,7 +19,6 @@ namespace stillpoint::cli {
 
 enum class Command { design, region, simulate, spectrum, sweep, accuracy, init, explore };
 
-[[nodiscard]] std::span<const Named<Command>> enumerators(Command) noexcept;
 using stillpoint::name;
 
 /// Some of the commands: design | sweep.

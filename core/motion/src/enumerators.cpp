@@ -15,18 +15,4 @@ std::span<const Named<Outcome>> enumerators(Outcome) noexcept {
   return rows;
 }
 
-std::span<const Named<EventKind>> enumerators(EventKind) noexcept {
-  static constexpr auto rows =
-      std::to_array<Named<EventKind>>({{EventKind::start, "start"},
-                                       {EventKind::arrival, "arrival"},
-                                       {EventKind::passage, "passage"},
-                                       {EventKind::turn, "turn"},
-                                       {EventKind::excitation_end, "excitation_end"},
-                                       {EventKind::stick, "stick"},
-                                       {EventKind::release, "release"},
-                                       {EventKind::rest, "rest"},
-                                       {EventKind::end, "end"}});
-  return rows;
-}
-
 }  // namespace stillpoint

@@ -191,19 +191,6 @@ std::vector<OfSpring> decisive_springs(const Problem& problem, double f, double 
 
 }  // namespace
 
-std::span<const Named<HitEnd>> enumerators(HitEnd) noexcept {
-  static constexpr auto rows =
-      std::to_array<Named<HitEnd>>({{HitEnd::held, "held"},
-                                    {HitEnd::centred, "centred"},
-                                    {HitEnd::within_residual, "within_residual"},
-                                    {HitEnd::off_centre, "off_centre"},
-                                    {HitEnd::alternating, "alternating"},
-                                    {HitEnd::passes, "passes"},
-                                    {HitEnd::too_far, "too_far"},
-                                    {HitEnd::never_stops, "never_stops"}});
-  return rows;
-}
-
 std::vector<Hits> hits(const Oscillator& oscillator, double beta, double v0_most, double residual) {
   require_valid(oscillator);
   require_within("beta", beta, smallest_limit, largest_square);

@@ -201,9 +201,9 @@ Finding late_notch(const Oscillator& damper, const Excitation& pulse, double lea
       return Finding(acts_late).add("width", width, Dimension::length);
     }
   }
-  Finding none(no_width_found);
-  none.values.push_back({"widths", std::int64_t{widths}});
-  return none.add("least_width", least, Dimension::length)
+  return Finding(no_width_found)
+      .count("widths", widths)
+      .add("least_width", least, Dimension::length)
       .add("most_width", most, Dimension::length);
 }
 

@@ -73,12 +73,6 @@ Interval valid_p(const Problem& problem) {
           std::min({largest_speed, largest_speed / problem.beta, most})};
 }
 
-std::span<const Named<Criterion>> enumerators(Criterion) noexcept {
-  static constexpr auto rows = std::to_array<Named<Criterion>>(
-      {{Criterion::published, "published"}, {Criterion::exact, "exact"}});
-  return rows;
-}
-
 std::vector<Problem> ends_of_ranges(const Problem& problem) {
   Problem one = problem;
   one.v0_low = one.p_high = {};

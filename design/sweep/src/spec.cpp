@@ -61,18 +61,6 @@ std::vector<Quantity> all_columns(SweepKind kind) {
 
 }  // namespace
 
-std::span<const Named<SweepKind>> enumerators(SweepKind) noexcept {
-  static constexpr auto rows = std::to_array<Named<SweepKind>>(
-      {{SweepKind::free, "free"}, {SweepKind::forced, "forced"}, {SweepKind::design, "design"}});
-  return rows;
-}
-
-std::span<const Named<RowFormat>> enumerators(RowFormat) noexcept {
-  static constexpr auto rows =
-      std::to_array<Named<RowFormat>>({{RowFormat::csv, "csv"}, {RowFormat::npy, "npy"}});
-  return rows;
-}
-
 std::optional<std::int64_t> entries(const SweepSpec& spec) {
   if (spec.list) {
     return spec.listed ? std::optional(spec.listed->entries * dampers_of_each(spec)) : std::nullopt;

@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(each_kind_is_listed_with_its_severity) {
     }
   }
   std::map<std::string, std::string> all;
-  for (const auto& [kind, name] : design::enumerators(design::FindingKind())) {
+  for (const auto& [kind, name] : enumerators(design::FindingKind())) {
     all[std::string(name)] = design::name(design::Finding(kind).severity);
   }
   BOOST_TEST(listed == all);

@@ -84,11 +84,4 @@ std::optional<EquivalentStart> equivalent_start(const Pulse& pulse, double f) {
       pulse);
 }
 
-std::span<const Named<PulseWarning>> enumerators(PulseWarning) noexcept {
-  static constexpr auto rows = std::to_array<Named<PulseWarning>>(
-      {{PulseWarning::pulse_not_short, "pulse_not_short"},
-       {PulseWarning::friction_not_small, "friction_not_small"}});
-  return rows;
-}
-
 }  // namespace stillpoint::design

@@ -13,22 +13,6 @@
 
 namespace stillpoint::design {
 
-std::span<const Named<SuiteObjective>> enumerators(SuiteObjective) noexcept {
-  static constexpr auto rows =
-      std::to_array<Named<SuiteObjective>>({{SuiteObjective::acceleration, "acceleration"},
-                                            {SuiteObjective::amplitude, "amplitude"},
-                                            {SuiteObjective::residual, "residual"},
-                                            {SuiteObjective::robust, "robust"},
-                                            {SuiteObjective::time, "time"}});
-  return rows;
-}
-
-std::span<const Named<Combine>> enumerators(Combine) noexcept {
-  static constexpr auto rows =
-      std::to_array<Named<Combine>>({{Combine::max, "max"}, {Combine::mean, "mean"}});
-  return rows;
-}
-
 double peak_load(const SuiteRecord& record) {
   return std::abs(record.scale) * records::peak_acceleration(record.record);
 }

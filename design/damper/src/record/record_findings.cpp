@@ -19,10 +19,6 @@ namespace {
 using enum FindingKind;
 using records::Dimension;
 
-void add_count(Finding& finding, std::string_view name, std::size_t count) {
-  finding.values.push_back({name, static_cast<std::int64_t>(count)});
-}
-
 /// The load that the damper is compared with: combined as its figures.
 double load_of(const LoadCase& load_case, double p) {
   double sum = 0;
@@ -44,10 +40,7 @@ bool isolates(const RecordDesign& result, std::size_t in_case) {
 /// Of one case, which is named if there are several.
 Finding& add(std::vector<Finding>& all, FindingKind kind, const LoadCase& load_case) {
   Finding& finding = all.emplace_back(kind);
-  if (!load_case.name.empty()) {
-    finding.values.push_back({"case", load_case.name});
-  }
-  return finding;
+  return load_case.name.empty() ? finding : finding.tell("case", load_case.name);
 }
 
 /// A notch that is narrow for what it takes; where nothing limits or minimises that.
@@ -73,21 +66,20 @@ void add_motions(std::vector<Finding>& all, const RecordDesign& result, std::siz
   if (!moves) {
     Finding& still = add(all, never_moves, load_case);
     if (load_case.v0) {
-      still.values.push_back({"by", "notch"});
+      still.tell("by", "notch");
     } else {
       still.add("largest_load", peak_load(load_case, p), Dimension::gravities);
     }
     if (load_case.of_records()) {
-      add_count(still, "records", responses.size());
+      still.count("records", responses.size());
     } else if (load_case.pulse) {
-      still.values.push_back({"by", "friction"});
+      still.tell("by", "friction");
     }
   }
   if (!isolates(result) && !load_case.v0) {
-    Finding& useless = add(all, does_not_isolate, load_case);
-    useless.add(transmitted_name, result.nearest.figures[in_case].acceleration,
-                Dimension::gravities);
-    useless.add("largest_load", load_of(load_case, p), Dimension::gravities);
+    add(all, does_not_isolate, load_case)
+        .add(transmitted_name, result.nearest.figures[in_case].acceleration, Dimension::gravities)
+        .add("largest_load", load_of(load_case, p), Dimension::gravities);
   }
   std::size_t count = 0;
   double most = 0;
@@ -99,8 +91,7 @@ void add_motions(std::vector<Finding>& all, const RecordDesign& result, std::siz
     Finding& lock = add(all, locks, load_case);
     lock.add("largest_load_while_locked", most, Dimension::gravities);
     if (load_case.of_records()) {
-      add_count(lock, "records", count);
-      add_count(lock, "of_records", responses.size());
+      lock.count("records", count).count("of_records", responses.size());
     } else {
       lock.add("pulses", static_cast<double>(count));
     }
@@ -141,14 +132,14 @@ void add_hidden(std::vector<Finding>& all, const RecordDesign& result, std::size
     const auto worst = std::ranges::max_element(responses, {}, value);
     const SuiteRecord& record =
         load_case.records[static_cast<std::size_t>(worst - responses.begin())];
-    Finding& finding = add(all, records_exceed_limit, load_case);
-    finding.values.push_back({"figure", std::string(kind.words)});
-    finding.values.push_back({"record", record.name});
-    finding.add("scale", record.scale);
-    finding.add("value", value(*worst), kind.dimension);
-    finding.add("limit", limit, kind.dimension);
-    add_count(finding, "records", static_cast<std::size_t>(beyond));
-    add_count(finding, "of_records", responses.size());
+    add(all, records_exceed_limit, load_case)
+        .tell("figure", kind.words)
+        .tell("record", record.name)
+        .add("scale", record.scale)
+        .add("value", value(*worst), kind.dimension)
+        .add("limit", limit, kind.dimension)
+        .count("records", static_cast<std::size_t>(beyond))
+        .count("of_records", responses.size());
   }
 }
 
@@ -159,11 +150,10 @@ void add_outlook(std::vector<Finding>& all, const LoadCase& load_case, std::stri
     input = "load";
   }
   const auto fails = [&](std::string_view figure) -> Finding& {
-    Finding& finding = add(all, fails_if_off, load_case);
-    finding.values.push_back({"input", std::string(input)});
-    finding.add("off", SuiteOutlook::off);
-    finding.values.push_back({"figure", std::string(figure)});
-    return finding;
+    return add(all, fails_if_off, load_case)
+        .tell("input", input)
+        .add("off", SuiteOutlook::off)
+        .tell("figure", figure);
   };
   if (!worst.settled) {
     fails("rest");
@@ -172,9 +162,9 @@ void add_outlook(std::vector<Finding>& all, const LoadCase& load_case, std::stri
   for (const SuiteFigureKind& kind : suite_figure_kinds) {
     const std::optional<double>& limit = load_case.limits.*kind.limit;
     if (limit && worst.*kind.value > *limit) {
-      Finding& finding = fails(kind.words);
-      finding.add("value", worst.*kind.value, kind.dimension);
-      finding.add("limit", limit, kind.dimension);
+      fails(kind.words)
+          .add("value", worst.*kind.value, kind.dimension)
+          .add("limit", limit, kind.dimension);
     }
   }
 }

@@ -91,23 +91,23 @@ Figures combined(const std::vector<std::vector<SpectrumPoint>>& records, std::si
 /// Where the notch holds the mass while the load goes on. One that lets go, or has a width, is to
 /// hold it at the end, unless that is what the structure feels most.
 void add_lock(std::vector<Finding>& all, const Spectrum& spectrum) {
-  std::int64_t count = 0;
+  std::size_t count = 0;
   double most = 0;
   bool worst = true;
   for (const SpectrumPoint& point : spectrum.combined) {
     const auto& held = point.with_notch.largest_load_while_locked;
-    count += point.with_notch.locked ? 1 : 0;
+    count += point.with_notch.locked ? 1U : 0U;
     most = std::max(most, held.value_or(0));
     worst = worst && held == point.with_notch.acceleration;
   }
   if (count == 0) {
     return;
   }
-  Finding& lock = all.emplace_back(FindingKind::locks);
-  lock.add("largest_load_while_locked", most, records::Dimension::gravities);
-  lock.values.push_back({"of_records", static_cast<std::int64_t>(spectrum.records.size())});
-  lock.values.push_back({"periods", count});
-  lock.values.push_back({"of_periods", static_cast<std::int64_t>(spectrum.combined.size())});
+  Finding& lock = all.emplace_back(FindingKind::locks)
+                      .add("largest_load_while_locked", most, records::Dimension::gravities)
+                      .count("of_records", spectrum.records.size())
+                      .count("periods", count)
+                      .count("of_periods", spectrum.combined.size());
   const SpectrumRequest& task = spectrum.request;
   if ((task.damper.hold || task.notch_width) && !worst) {
     lock.severity = Severity::info;
@@ -120,9 +120,9 @@ std::vector<Finding> findings_of(const Spectrum& spectrum) {
   const auto jump = [](const SpectrumPoint& point) { return point.with_notch.jump; };
   const auto most = std::ranges::max_element(spectrum.combined, {}, jump);
   if (jump(*most) > 0) {
-    Finding& jolt = all.emplace_back(FindingKind::jolts);
-    jolt.add("jump", jump(*most), records::Dimension::velocity);
-    jolt.add("p", most->p);
+    all.emplace_back(FindingKind::jolts)
+        .add("jump", jump(*most), records::Dimension::velocity)
+        .add("p", most->p);
   }
   return all;
 }

@@ -20,7 +20,6 @@ struct ClosedForm {
 
 struct Row {
   Objective objective;
-  std::string_view name;
   ClosedForm form;
   double (*unit)(const Problem& problem);
   std::optional<double> (*of)(const Figures& motion);
@@ -41,18 +40,18 @@ constexpr ClosedForm time_form{
 constexpr ClosedForm acceleration_form{&unit::radius, [](double a) { return a / unit::radius(a); }};
 
 constexpr std::array rows{
-    Row{Objective::robust, "robust", no_form, [](const Problem&) { return -1.0; },
+    Row{Objective::robust, no_form, [](const Problem&) { return -1.0; },
         [](const Figures&) { return std::optional<double>(); }, nullptr,
         [](double value, double /*k*/, double /*p*/) { return -value; }},
-    Row{Objective::amplitude, "amplitude", peak_form,
+    Row{Objective::amplitude, peak_form,
         [](const Problem& problem) { return problem.v0 / problem.p; },
         [](const Figures& motion) { return std::optional(motion.peak); }, &FirstReturn::peak,
         [](double value, double k, double p) { return value * (k / p / p); }},
-    Row{Objective::time, "time", time_form,
+    Row{Objective::time, time_form,
         [](const Problem& problem) { return std::numbers::pi / problem.p; },
         [](const Figures& motion) { return motion.stop_time; }, &FirstReturn::time,
         [](double value, double /*k*/, double p) { return value / p; }},
-    Row{Objective::acceleration, "acceleration", acceleration_form,
+    Row{Objective::acceleration, acceleration_form,
         [](const Problem& problem) { return problem.v0 * problem.p; },
         [](const Figures& motion) { return std::optional(motion.acceleration); },
         &FirstReturn::acceleration, [](double value, double k, double /*p*/) { return value * k; }},
@@ -65,17 +64,6 @@ const Row& row_of(Objective objective) {
 }
 
 }  // namespace
-
-std::span<const Named<Objective>> enumerators(Objective) noexcept {
-  static constexpr auto named = [] {
-    std::array<Named<Objective>, rows.size()> list;
-    std::ranges::transform(rows, list.begin(), [](const Row& row) {
-      return Named<Objective>(row.objective, row.name);
-    });
-    return list;
-  }();
-  return named;
-}
 
 double objective_value(Objective objective, double given) {
   return row_of(objective).form.value(given);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -15,8 +17,41 @@ namespace stillpoint {
 template <class Enum>
 using Named = std::pair<Enum, std::string_view>;
 
-/// An enum with the table of its names beside it; the argument only selects the enum:
+/// An enumerator as the sources write it, which is what compilers call it; empty for a value that
+/// has none.
+template <auto Value>
+[[nodiscard]] constexpr std::string_view written() noexcept {
+  constexpr std::string_view before = "Value = ";
+  const std::string_view all = __PRETTY_FUNCTION__;
+  const std::size_t begin = all.find(before) + before.size();
+  const std::string_view value = all.substr(begin, all.find_first_of(";]", begin) - begin);
+  return value.front() == '(' ? std::string_view() : value.substr(value.rfind(':') + 1);
+}
+
+template <class Enum, std::size_t So_far = 0>
+[[nodiscard]] consteval std::size_t count_of_enumerators() {
+  if constexpr (written<static_cast<Enum>(So_far)>().empty()) {
+    return So_far;
+  } else {
+    return count_of_enumerators<Enum, So_far + 1>();
+  }
+}
+
+template <class Enum>
+inline constexpr auto all_enumerators = []<std::size_t... I>(std::index_sequence<I...> /*all*/) {
+  return std::array{Named<Enum>(static_cast<Enum>(I), written<static_cast<Enum>(I)>())...};
+}
+(std::make_index_sequence<count_of_enumerators<Enum>()>());
+
+/// The enumerators from 0 on with their names; the argument only selects the enum. An enum whose
+/// names are not those of its enumerators has a function of its own beside it:
 ///   std::span<const Named<Side>> enumerators(Side) noexcept;
+template <class Enum>
+requires std::is_enum_v<Enum>
+[[nodiscard]] constexpr std::span<const Named<Enum>> enumerators(Enum /*any*/) noexcept {
+  return all_enumerators<Enum>;
+}
+
 template <class Enum>
 concept HasNames = std::is_enum_v<Enum> && requires(Enum value) {
   { enumerators(value) } -> std::same_as<std::span<const Named<Enum>>>;

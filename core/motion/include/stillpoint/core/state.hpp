@@ -24,7 +24,7 @@ enum class Outcome {
   stopped_in_notch,      ///< rests at 0 < |x| <= w/2 in a notch of width w (surface.hpp)
 };
 
-/// Their names are those of the enumerators, here and below.
+/// In the order of reports.
 [[nodiscard]] std::span<const Named<Outcome>> enumerators(Outcome) noexcept;
 
 /// What happens in a motion, in the order in which simultaneous events take effect: docs/forced.md
@@ -40,8 +40,6 @@ enum class EventKind {
   rest,            ///< the final rest
   end,             ///< the end of the run, if the motion goes on
 };
-
-[[nodiscard]] std::span<const Named<EventKind>> enumerators(EventKind) noexcept;
 
 struct Event {
   EventKind kind{EventKind::start};

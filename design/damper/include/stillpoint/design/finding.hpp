@@ -57,8 +57,6 @@ enum class FindingKind {
   too_exact,
 };
 
-[[nodiscard]] std::span<const Named<Severity>> enumerators(Severity) noexcept;
-[[nodiscard]] std::span<const Named<FindingKind>> enumerators(FindingKind) noexcept;
 using stillpoint::name;
 
 /// Dimensionless, as all of an answer, but for what counts or names something.
@@ -78,6 +76,7 @@ struct Finding {
   Finding& add(std::string_view name, const std::optional<double>& value,
                records::Dimension dimension = records::Dimension::none);
   Finding& tell(std::string_view name, std::string_view text);
+  Finding& count(std::string_view name, std::size_t number);
 };
 
 }  // namespace stillpoint::design

@@ -24,8 +24,6 @@ enum class HitEnd {
   never_stops,      ///< there is no friction
 };
 
-/// "held", "centred" and so on.
-[[nodiscard]] std::span<const Named<HitEnd>> enumerators(HitEnd) noexcept;
 using stillpoint::name;
 
 /// The V0 between two edges, all of which end alike. The edges themselves belong to `centred`;

@@ -18,9 +18,6 @@ enum class Objective {
   acceleration,  ///< least acceleration of the free motion, transmitted and relative: smallest f
 };
 
-/// "robust", "amplitude", "time", "acceleration", in this order.
-[[nodiscard]] std::span<const Named<Objective>> enumerators(Objective) noexcept;
-
 /// The objective's value for a motion; empty for `robust`, which a motion does not have, and for
 /// the stop time of one that never stops.
 [[nodiscard]] std::optional<double> objective_of(Objective objective, const Response& motion);

@@ -106,8 +106,6 @@ inline constexpr double far_ratio = 1e99;  // of p beta to v0, or the other way 
 [[nodiscard]] Interval valid_v0(const Problem& problem);
 [[nodiscard]] Interval valid_p(const Problem& problem);
 
-/// "published" or "exact".
-[[nodiscard]] std::span<const Named<Criterion>> enumerators(Criterion) noexcept;
 using stillpoint::name;
 
 }  // namespace stillpoint::design

@@ -87,9 +87,6 @@ enum class PulseWarning {
   friction_not_small,  ///< f / k > 0.2
 };
 
-/// "pulse_not_short" and so on.
-[[nodiscard]] std::span<const Named<PulseWarning>> enumerators(PulseWarning) noexcept;
-
 /// The largest values for any pulse with any spring in the ranges: docs/theory.md section 15.
 struct PulseWorst {
   double peak{0};

@@ -29,14 +29,10 @@ namespace stillpoint::design {
 /// displacement, the residual one. Or the box to be the largest within the limits.
 enum class SuiteObjective { acceleration, amplitude, residual, robust, time };
 
-/// "acceleration", "amplitude", "residual" or "robust".
-[[nodiscard]] std::span<const Named<SuiteObjective>> enumerators(SuiteObjective) noexcept;
 using stillpoint::name;
 
 /// How the figures of all records are combined.
 enum class Combine { max, mean };
-
-[[nodiscard]] std::span<const Named<Combine>> enumerators(Combine) noexcept;
 
 using records::SuiteRecord;
 

@@ -30,12 +30,9 @@ enum class SweepKind {
   design,  ///< each entry is a design problem
 };
 
-[[nodiscard]] std::span<const Named<SweepKind>> enumerators(SweepKind) noexcept;
 using stillpoint::name;
 
 enum class RowFormat { csv, npy };
-
-[[nodiscard]] std::span<const Named<RowFormat>> enumerators(RowFormat) noexcept;
 
 struct NamedRecord {
   std::string name;
