@@ -88,27 +88,6 @@ constexpr std::array sources{
 /// A value this many powers of ten outside its usual range was probably given in another unit.
 constexpr double far_outside = 1;
 
-std::optional<double> number(const GivenValues& given, std::string_view name) {
-  const auto found = given.find(name);
-  return found == given.end() ? std::nullopt : std::optional(found->second.value);
-}
-
-bool with_unit(const GivenValues& given, std::string_view name) {
-  const auto found = given.find(name);
-  return found != given.end() && found->second.with_unit;
-}
-
-Values values_of(const GivenValues& given) {
-  Values values;
-  for (const Source& source : sources) {
-    if (source.value != nullptr) {
-      values.*source.value = number(given, source.name);
-    }
-  }
-  values.gravity = number(given, "gravity").value_or(values.gravity);
-  return values;
-}
-
 /// How many powers of ten a value is outside its usual range.
 double outside(const Source& source, double value) {
   return std::max({0.0, std::log10(source.least / value), std::log10(value / source.most)});
@@ -133,171 +112,6 @@ bool is_far(const Values& values, const Source* source) {
   return source != nullptr && outside(*source, std::abs(*(values.*source->value))) > far_outside;
 }
 
-/// The value given without a unit for which another unit makes `ratio` likely, in that unit; of
-/// several, the one furthest from the usual, then the one that brings the ratio closest to 1.
-template <class Ratio>
-std::optional<Doubt::Meant> likely_unit(const GivenValues& given, const Values& values,
-                                        double factor, const Ratio& ratio) {
-  std::optional<Doubt::Meant> found;
-  std::pair<double, double> best{-1, 0};
-  if (const Source* const at_fault = strangest(values);
-      at_fault != nullptr && with_unit(given, at_fault->name)) {
-    return found;
-  }
-  for (const Source& source : sources) {
-    const auto value = source.value == nullptr ? std::nullopt : values.*source.value;
-    if (!value || *value == 0 || with_unit(given, source.name)) {
-      continue;
-    }
-    for (const records::Unit& unit : records::units_of(source.dimension)) {
-      Values now = values;
-      now.*source.value = *value * std::pow(10, unit.power_of_ten);
-      const double then = std::abs(std::log(ratio(now)));
-      const std::pair rank{outside(source, std::abs(*value)), -then};
-      if (unit.power_of_ten != 0 && then < std::log(factor) && rank > best) {
-        best = rank;
-        found = Doubt::Meant{std::string(source.name), *value, std::string(unit.name)};
-      }
-    }
-  }
-  return found;
-}
-
-/// The number of a value without a unit, in a unit that makes it likely.
-std::optional<Doubt::Meant> in_unit(const GivenValues& given, std::string_view name, double value,
-                                    std::string_view unit, bool likely) {
-  return likely && !with_unit(given, name)
-             ? std::optional(Doubt::Meant{std::string(name), value, std::string(unit)})
-             : std::nullopt;
-}
-
-std::optional<Doubt> doubtful_stroke(const GivenValues& given, const Values& values) {
-  const auto reach = values.reach();
-  if (!values.stroke || !reach || *values.stroke <= 0) {
-    return std::nullopt;
-  }
-  const auto ratio = [](const Values& now) { return *now.stroke / *now.reach(); };
-  const double now = ratio(values);
-  const Source* const at_fault = strangest(values);
-  const bool said = is_far(values, at_fault) && at_fault->value != &Values::stroke &&
-                    with_unit(given, at_fault->name);
-  if (said || (now <= far_from_one && now >= 1 / far_from_one)) {
-    return std::nullopt;
-  }
-  return Doubt{"max-displacement",
-               fmt::format("max-displacement = {} m is {:.3g} times {}{:.3g} m, the stroke "
-                           "without friction",
-                           *values.stroke, now, values.load ? "" : "V0/omega = ", *reach),
-               likely_unit(given, values, near_one, ratio)};
-}
-
-std::optional<Doubt> doubtful_reach(const GivenValues& given, const Values& values) {
-  const auto ratio = [](const Values& now) {
-    return now.stroke.value_or(now.reach().value_or(likely_m)) / likely_m;
-  };
-  const double length = ratio(values) * likely_m;
-  if (length <= longest_m || (values.load && !values.stroke)) {
-    return std::nullopt;
-  }
-  return Doubt{values.stroke ? "max-displacement" : "",
-               values.stroke
-                   ? fmt::format("max-displacement = {} m is longer than any stroke", length)
-                   : fmt::format("the motion reaches {:.3g} m without friction", length),
-               likely_unit(given, values, likely_factor, ratio)};
-}
-
-/// The load itself; in a design the stroke is compared with what it does.
-std::optional<Doubt> doubtful_load(const GivenValues& given, const Values& values) {
-  const auto k = number(given, "k");
-  if (!k || !values.load || values.stroke || values.load->reach_m <= longest_under_load_m ||
-      is_far(values, strangest(values))) {
-    return std::nullopt;
-  }
-  return Doubt{"k", fmt::format("k = {} g moves the mass {:.3g} m without friction; more than {} m "
-                                "is doubtful",
-                                *k, values.load->reach_m, longest_under_load_m)};
-}
-
-/// The notch against the energy of the hit, g Delta against V0^2/2, or of any passage under the
-/// load.
-std::optional<Doubt> doubtful_notch(const GivenValues& given, const Values& values,
-                                    std::string_view name) {
-  const auto notch = number(given, name);
-  const double speed =
-      std::abs(values.velocity.value_or(0)) + (values.load ? values.load->speed_m_per_s : 0);
-  if (!notch || speed == 0 || values.x0.value_or(0) != 0) {
-    return std::nullopt;
-  }
-  const bool any_passage = values.load && !values.load->pulse;
-  const double hit = speed * speed / (2 * values.gravity);
-  if (*notch <= (any_passage ? 1 : far_beyond) * hit) {
-    return std::nullopt;
-  }
-  const std::string energy =
-      any_passage ? fmt::format("more than any passage under this load can have, {:.3g} m", hit)
-                  : fmt::format("{:.3g} times the energy of the {} at each passage", *notch / hit,
-                                values.load ? "pulse" : "hit");
-  return Doubt{std::string(name), fmt::format("{} = {} m takes {}", name, *notch, energy),
-               in_unit(given, name, *notch, "mm", *notch * 1e-3 <= near_one * hit)};
-}
-
-/// With a rest allowed wherever the mass may go nothing has to return.
-std::optional<Doubt> doubtful_residual(const GivenValues& given, const Values& values) {
-  constexpr std::string_view name = "residual-m";
-  const auto residual = number(given, name);
-  if (!residual || !values.stroke || *residual < *values.stroke) {
-    return std::nullopt;
-  }
-  return Doubt{
-      std::string(name),
-      fmt::format("residual-m = {} m allows a rest anywhere within max-displacement = {} m",
-                  *residual, *values.stroke),
-      in_unit(given, name, *residual, "mm", *residual >= 1 && *residual * 1e-3 < *values.stroke)};
-}
-
-/// A notch that the mass never leaves is not one.
-std::optional<Doubt> doubtful_width(const GivenValues& given, const Values& values) {
-  constexpr std::string_view name = "notch-width-m";
-  const auto width = number(given, name);
-  const auto reach = values.reach();
-  if (!width || !reach || *width <= 2 * *reach) {
-    return std::nullopt;
-  }
-  return Doubt{std::string(name),
-               fmt::format("{} = {} m is wider than the motion, which reaches {:.3g} m on either "
-                           "side without friction",
-                           name, *width, *reach),
-               in_unit(given, name, *width, "mm", *width * 1e-3 <= *reach)};
-}
-
-std::optional<Doubt> doubtful_pulse(const GivenValues& given, const Values& values) {
-  constexpr std::string_view name = "pulse-duration";
-  const auto pulse = number(given, name);
-  const auto omega = values.omega();
-  if (!pulse || !omega) {
-    return std::nullopt;
-  }
-  const double period = 2 * std::numbers::pi / *omega;
-  if (*pulse <= longest_pulse * period) {
-    return std::nullopt;
-  }
-  return Doubt{std::string(name),
-               fmt::format("{} = {} s is {:.3g} natural periods", name, *pulse, *pulse / period),
-               in_unit(given, name, *pulse, "ms", *pulse * 1e-3 <= period)};
-}
-
-/// g itself, within a percent, as a peak that should be in g.
-std::optional<Doubt> doubtful_peak(const GivenValues& given) {
-  const auto k = number(given, "k");
-  if (!k || std::abs(*k / standard_gravity_m_per_s2 - 1) > 0.01 || with_unit(given, "k")) {
-    return std::nullopt;
-  }
-  return Doubt{
-      "k",
-      fmt::format("k = {} is in g, so the load is {:.3g} m/s2", *k, *k * standard_gravity_m_per_s2),
-      Doubt::Meant{"k", 1, ""}};
-}
-
 /// The unit that brings a value closest to the middle of its usual range; of a plain number, per
 /// cent.
 std::optional<Doubt::Meant> usual_unit(const Source& source, double value) {
@@ -320,57 +134,236 @@ std::optional<Doubt::Meant> usual_unit(const Source& source, double value) {
   return found;
 }
 
-std::optional<Doubt> doubtful_size(const GivenValues& given, const Source& source) {
-  const auto value = number(given, source.name);
-  if (!value || *value == 0 || outside(source, std::abs(*value)) <= far_outside) {
-    return std::nullopt;
+/// Asks one question after the other.
+class Doubts {
+ public:
+  Doubts(const GivenValues& given, const std::optional<LoadReach>& load) : given_(given) {
+    for (const Source& source : sources) {
+      if (source.value != nullptr) {
+        values_.*source.value = number(source.name);
+      }
+    }
+    values_.gravity = number("gravity").value_or(values_.gravity);
+    values_.load = load;
   }
-  const auto units = records::units_of(source.dimension);
-  const std::string unit = units.empty() ? "" : fmt::format(" {}", units.front().name);
-  const std::string usual =
-      source.least > 0
-          ? fmt::format("far from the usual {:g} to {:g}{}", source.least, source.most, unit)
-          : fmt::format("far above the usual values, which are at most {:g}{}", source.most, unit);
-  return Doubt{std::string(source.name),
-               fmt::format("{} = {}{} is {}", source.name, *value, unit, usual),
-               with_unit(given, source.name) ? std::nullopt : usual_unit(source, *value)};
-}
 
-bool names(const Doubt& doubt, std::string_view name) {
-  return doubt.name == name || (doubt.meant && doubt.meant->name == name);
-}
+  [[nodiscard]] std::vector<Doubt> all() && {
+    if (!of_stroke()) {
+      of_reach();
+    }
+    of_load();
+    of_notch("delta-m");
+    of_notch("delta-max-m");
+    of_residual();
+    of_width();
+    of_pulse();
+    of_peak();
+    if (in_metres()) {
+      std::ranges::for_each(sources, [this](const Source& source) { of_size(source); });
+    }
+    return std::move(doubts_);
+  }
 
-bool in_metres(const GivenValues& given) {
-  return std::ranges::any_of(sources, [&](const Source& source) {
-    return source.dimension != Dimension::none && source.dimension != Dimension::gravities &&
-           given.contains(source.name);
-  });
-}
+ private:
+  [[nodiscard]] std::optional<double> number(std::string_view name) const {
+    const auto found = given_.find(name);
+    return found == given_.end() ? std::nullopt : std::optional(found->second.value);
+  }
+
+  [[nodiscard]] bool with_unit(std::string_view name) const {
+    const auto found = given_.find(name);
+    return found != given_.end() && found->second.with_unit;
+  }
+
+  void add(std::string_view name, std::string text, std::optional<Doubt::Meant> meant = {}) {
+    doubts_.push_back({std::string(name), std::move(text), std::move(meant)});
+  }
+
+  /// The value given without a unit for which another unit makes `ratio` likely, in that unit; of
+  /// several, the one furthest from the usual, then the one that brings the ratio closest to 1.
+  template <class Ratio>
+  [[nodiscard]] std::optional<Doubt::Meant> likely_unit(double factor, const Ratio& ratio) const {
+    std::optional<Doubt::Meant> found;
+    std::pair<double, double> best{-1, 0};
+    if (const Source* const at_fault = strangest(values_);
+        at_fault != nullptr && with_unit(at_fault->name)) {
+      return found;
+    }
+    for (const Source& source : sources) {
+      const auto value = source.value == nullptr ? std::nullopt : values_.*source.value;
+      if (!value || *value == 0 || with_unit(source.name)) {
+        continue;
+      }
+      for (const records::Unit& unit : records::units_of(source.dimension)) {
+        Values now = values_;
+        now.*source.value = *value * std::pow(10, unit.power_of_ten);
+        const double then = std::abs(std::log(ratio(now)));
+        const std::pair rank{outside(source, std::abs(*value)), -then};
+        if (unit.power_of_ten != 0 && then < std::log(factor) && rank > best) {
+          best = rank;
+          found = Doubt::Meant{std::string(source.name), *value, std::string(unit.name)};
+        }
+      }
+    }
+    return found;
+  }
+
+  /// The number of a value without a unit, in a unit that makes it likely.
+  [[nodiscard]] std::optional<Doubt::Meant> in_unit(std::string_view name, double value,
+                                                    std::string_view unit, bool likely) const {
+    return likely && !with_unit(name)
+               ? std::optional(Doubt::Meant{std::string(name), value, std::string(unit)})
+               : std::nullopt;
+  }
+
+  bool of_stroke() {
+    const auto reach = values_.reach();
+    if (!values_.stroke || !reach || *values_.stroke <= 0) {
+      return false;
+    }
+    const auto ratio = [](const Values& now) { return *now.stroke / *now.reach(); };
+    const double now = ratio(values_);
+    const Source* const at_fault = strangest(values_);
+    const bool said = is_far(values_, at_fault) && at_fault->value != &Values::stroke &&
+                      with_unit(at_fault->name);
+    if (said || (now <= far_from_one && now >= 1 / far_from_one)) {
+      return false;
+    }
+    add("max-displacement",
+        fmt::format("max-displacement = {} m is {:.3g} times {}{:.3g} m, the stroke without "
+                    "friction",
+                    *values_.stroke, now, values_.load ? "" : "V0/omega = ", *reach),
+        likely_unit(near_one, ratio));
+    return true;
+  }
+
+  void of_reach() {
+    const auto ratio = [](const Values& now) {
+      return now.stroke.value_or(now.reach().value_or(likely_m)) / likely_m;
+    };
+    const double length = ratio(values_) * likely_m;
+    if (length > longest_m && (!values_.load || values_.stroke)) {
+      add(values_.stroke ? "max-displacement" : "",
+          values_.stroke ? fmt::format("max-displacement = {} m is longer than any stroke", length)
+                         : fmt::format("the motion reaches {:.3g} m without friction", length),
+          likely_unit(likely_factor, ratio));
+    }
+  }
+
+  /// The load itself; in a design the stroke is compared with what it does.
+  void of_load() {
+    const auto k = number("k");
+    if (k && values_.load && !values_.stroke && values_.load->reach_m > longest_under_load_m &&
+        !is_far(values_, strangest(values_))) {
+      add("k", fmt::format("k = {} g moves the mass {:.3g} m without friction; more than {} m is "
+                           "doubtful",
+                           *k, values_.load->reach_m, longest_under_load_m));
+    }
+  }
+
+  /// The notch against the energy of the hit, g Delta against V0^2/2, or of any passage under the
+  /// load.
+  void of_notch(std::string_view name) {
+    const auto notch = number(name);
+    const double speed =
+        std::abs(values_.velocity.value_or(0)) + (values_.load ? values_.load->speed_m_per_s : 0);
+    const bool any_passage = values_.load && !values_.load->pulse;
+    const double hit = speed * speed / (2 * values_.gravity);
+    if (!notch || speed == 0 || values_.x0.value_or(0) != 0 ||
+        *notch <= (any_passage ? 1 : far_beyond) * hit) {
+      return;
+    }
+    const std::string energy =
+        any_passage ? fmt::format("more than any passage under this load can have, {:.3g} m", hit)
+                    : fmt::format("{:.3g} times the energy of the {} at each passage", *notch / hit,
+                                  values_.load ? "pulse" : "hit");
+    add(name, fmt::format("{} = {} m takes {}", name, *notch, energy),
+        in_unit(name, *notch, "mm", *notch * 1e-3 <= near_one * hit));
+  }
+
+  /// With a rest allowed wherever the mass may go nothing has to return.
+  void of_residual() {
+    const auto residual = number("residual-m");
+    const auto& stroke = values_.stroke;
+    if (residual && stroke && *residual >= *stroke) {
+      add("residual-m",
+          fmt::format("residual-m = {} m allows a rest anywhere within max-displacement = {} m",
+                      *residual, *stroke),
+          in_unit("residual-m", *residual, "mm", *residual >= 1 && *residual * 1e-3 < *stroke));
+    }
+  }
+
+  /// A notch that the mass never leaves is not one.
+  void of_width() {
+    const auto width = number("notch-width-m");
+    const auto reach = values_.reach();
+    if (width && reach && *width > 2 * *reach) {
+      add("notch-width-m",
+          fmt::format("notch-width-m = {} m is wider than the motion, which reaches {:.3g} m on "
+                      "either side without friction",
+                      *width, *reach),
+          in_unit("notch-width-m", *width, "mm", *width * 1e-3 <= *reach));
+    }
+  }
+
+  void of_pulse() {
+    const auto pulse = number("pulse-duration");
+    const double period = 2 * std::numbers::pi / values_.omega().value_or(0);
+    if (pulse && *pulse > longest_pulse * period) {
+      add("pulse-duration",
+          fmt::format("pulse-duration = {} s is {:.3g} natural periods", *pulse, *pulse / period),
+          in_unit("pulse-duration", *pulse, "ms", *pulse * 1e-3 <= period));
+    }
+  }
+
+  /// g itself, within a percent, as a peak that should be in g.
+  void of_peak() {
+    const auto k = number("k");
+    if (k && std::abs(*k / standard_gravity_m_per_s2 - 1) <= 0.01 && !with_unit("k")) {
+      add("k",
+          fmt::format("k = {} is in g, so the load is {:.3g} m/s2", *k,
+                      *k * standard_gravity_m_per_s2),
+          Doubt::Meant{"k", 1, ""});
+    }
+  }
+
+  [[nodiscard]] bool in_metres() const {
+    return std::ranges::any_of(sources, [this](const Source& source) {
+      return source.dimension != Dimension::none && source.dimension != Dimension::gravities &&
+             given_.contains(source.name);
+    });
+  }
+
+  /// Of one that nothing else was said about.
+  void of_size(const Source& source) {
+    const auto value = number(source.name);
+    const auto names_it = [&source](const Doubt& doubt) {
+      return doubt.name == source.name || (doubt.meant && doubt.meant->name == source.name);
+    };
+    if (!value || *value == 0 || outside(source, std::abs(*value)) <= far_outside ||
+        std::ranges::any_of(doubts_, names_it)) {
+      return;
+    }
+    const auto units = records::units_of(source.dimension);
+    const std::string unit = units.empty() ? "" : fmt::format(" {}", units.front().name);
+    const std::string usual =
+        source.least > 0
+            ? fmt::format("far from the usual {:g} to {:g}{}", source.least, source.most, unit)
+            : fmt::format("far above the usual values, which are at most {:g}{}", source.most,
+                          unit);
+    add(source.name, fmt::format("{} = {}{} is {}", source.name, *value, unit, usual),
+        with_unit(source.name) ? std::nullopt : usual_unit(source, *value));
+  }
+
+  const GivenValues& given_;
+  Values values_;
+  std::vector<Doubt> doubts_;
+};
 
 }  // namespace
 
 std::vector<Doubt> doubtful_values(const GivenValues& given, const std::optional<LoadReach>& load) {
-  Values values = values_of(given);
-  values.load = load;
-  const auto stroke = doubtful_stroke(given, values);
-  std::vector<Doubt> doubts;
-  for (const std::optional<Doubt>& doubt :
-       {stroke ? stroke : doubtful_reach(given, values), doubtful_load(given, values),
-        doubtful_notch(given, values, "delta-m"), doubtful_notch(given, values, "delta-max-m"),
-        doubtful_residual(given, values), doubtful_width(given, values),
-        doubtful_pulse(given, values), doubtful_peak(given)}) {
-    if (doubt) {
-      doubts.push_back(*doubt);
-    }
-  }
-  for (const Source& source : sources) {
-    const auto doubt = in_metres(given) ? doubtful_size(given, source) : std::nullopt;
-    if (doubt && std::ranges::none_of(
-                     doubts, [&](const Doubt& known) { return names(known, source.name); })) {
-      doubts.push_back(*doubt);
-    }
-  }
-  return doubts;
+  return Doubts(given, load).all();
 }
 
 }  // namespace stillpoint::design

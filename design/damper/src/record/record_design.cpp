@@ -111,10 +111,9 @@ struct Cells {
 
 std::optional<ChosenBox> found(const Suites& suites, RecordDesign& result, SuiteWatch& watch) {
   const RecordDesignRequest& task = result.request;
-  return !task.parts.empty()                        ? best_part(suites, result, watch)
-         : task.judges                              ? judged(suites, result, watch)
-         : task.objective == SuiteObjective::robust ? most_tolerant(suites, result, watch)
-                                                    : within_tolerance(suites, result, watch);
+  return !task.parts.empty() ? best_part(suites, result, watch)
+         : task.judges       ? judged(suites, result, watch)
+                             : searched(suites, result, watch);
 }
 
 }  // namespace

@@ -25,11 +25,6 @@ constexpr double same_place = 1e-12;
 constexpr std::array values{&SuiteDamper::f,     &SuiteDamper::delta, &SuiteDamper::p,
                             &SuiteDamper::width, &SuiteDamper::load,  &SuiteDamper::damping};
 
-std::optional<double> least_of(const std::optional<double>& one,
-                               const std::optional<double>& other) {
-  return one && other ? std::min(one, other) : one ? one : other;
-}
-
 }  // namespace
 
 SuiteFrictions frictions_of(const SuiteDamper& damper) {
@@ -84,24 +79,24 @@ SuiteSpace::SuiteSpace(const RecordDesignRequest& task, SuiteFrictions frictions
   const bool notch = frictions != SuiteFrictions::constant;
   add(SuiteAxis::Variable::f, frictions == SuiteFrictions::point ? none : *task.f, tolerance.f,
       scale,
-      least_of(least_of(task.f_max, task.f_start),
-               most_in_dead_zone(task, softest(task, task.p.low))));
+      std::min({task.f_max.value_or(HUGE_VAL), task.f_start.value_or(HUGE_VAL),
+                most_in_dead_zone(task, softest(task, task.p.low))}));
   possible_ = possible_ && (frictions != SuiteFrictions::point || task.f->low == 0);
   add(SuiteAxis::Variable::delta, notch ? *task.delta : none, tolerance.delta, scale,
-      least_of(task.delta_max, task.delta_start));
+      std::min(task.delta_max.value_or(HUGE_VAL), task.delta_start.value_or(HUGE_VAL)));
   possible_ = possible_ && (notch || task.delta->low == 0);
-  add(SuiteAxis::Variable::period, {1 / task.p.high, 1 / task.p.low}, tolerance.period, scale, {},
-      task.spring);
+  add(SuiteAxis::Variable::period, {1 / task.p.high, 1 / task.p.low}, tolerance.period, scale,
+      HUGE_VAL, task.spring);
   if (notch && task.width) {
-    add(SuiteAxis::Variable::width, *task.width, tolerance.width, scale, {});
+    add(SuiteAxis::Variable::width, *task.width, tolerance.width, scale, HUGE_VAL);
   }
-  add(SuiteAxis::Variable::load, {1, 1}, {}, scale, {}, {1 - weakest_load(task), 0});
-  add(SuiteAxis::Variable::damping, {1, 1}, {}, scale, {},
+  add(SuiteAxis::Variable::load, {1, 1}, {}, scale, HUGE_VAL, {1 - weakest_load(task), 0});
+  add(SuiteAxis::Variable::damping, {1, 1}, {}, scale, HUGE_VAL,
       {0, task.zeta.low < task.zeta.high ? 1.0 : 0.0});
 }
 
 void SuiteSpace::add(SuiteAxis::Variable variable, Interval range, const Spread& whole,
-                     double scale, const std::optional<double>& most, const Spread& always) {
+                     double scale, double most, const Spread& always) {
   if (range.high == 0) {
     return;
   }
@@ -110,7 +105,7 @@ void SuiteSpace::add(SuiteAxis::Variable variable, Interval range, const Spread&
   }
   const Spread spread =
       combined(always, {std::min(whole.below * scale, 1 - least_factor), whole.above * scale});
-  range.high = std::min(range.high, most.value_or(HUGE_VAL) / (1 + spread.above));
+  range.high = std::min(range.high, most / (1 + spread.above));
   possible_ = possible_ && range.low <= range.high;
   const SuiteAxis axis(variable, range, spread);
   if (axis.searched() || whole.below + whole.above + always.below + always.above > 0) {

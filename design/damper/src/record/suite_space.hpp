@@ -73,7 +73,7 @@ class SuiteSpace {
  private:
   /// With `scale` times its tolerance, besides what it varies by `always`.
   void add(SuiteAxis::Variable variable, Interval range, const Spread& whole, double scale,
-           const std::optional<double>& most, const Spread& always = {});
+           double most, const Spread& always = {});
 
   bool possible_{true};
   bool corners_suffice_;

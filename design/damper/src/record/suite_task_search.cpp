@@ -420,14 +420,10 @@ std::vector<Constraint> constraints_of(const RecordDesignRequest& task, const Ta
   return list;
 }
 
-std::optional<ChosenBox> within_tolerance(const Suites& suite, RecordDesign& result,
-                                          SuiteWatch& watch) {
-  return TaskSearch(suite, result, watch).within_tolerance();
-}
-
-std::optional<ChosenBox> most_tolerant(const Suites& suite, RecordDesign& result,
-                                       SuiteWatch& watch) {
-  return TaskSearch(suite, result, watch).most_tolerant();
+std::optional<ChosenBox> searched(const Suites& suite, RecordDesign& result, SuiteWatch& watch) {
+  TaskSearch search(suite, result, watch);
+  return result.request.objective == SuiteObjective::robust ? search.most_tolerant()
+                                                            : search.within_tolerance();
 }
 
 }  // namespace stillpoint::design

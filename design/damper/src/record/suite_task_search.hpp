@@ -17,12 +17,10 @@ struct ChosenBox {
   double scale{1};  ///< of the tolerance of the request
 };
 
-/// For the completed request of `result`, which gets what there is to say if no damper has the box.
-[[nodiscard]] std::optional<ChosenBox> within_tolerance(const Suites& suite, RecordDesign& result,
-                                                        SuiteWatch& watch);
-/// The same with the objective `robust`.
-[[nodiscard]] std::optional<ChosenBox> most_tolerant(const Suites& suite, RecordDesign& result,
-                                                     SuiteWatch& watch);
+/// The best for the completed request of `result`, which gets what there is to say if no damper has
+/// the box.
+[[nodiscard]] std::optional<ChosenBox> searched(const Suites& suite, RecordDesign& result,
+                                                SuiteWatch& watch);
 
 /// The limits that are given, as conditions on the worst of a box.
 [[nodiscard]] std::vector<Constraint> constraints_of(const RecordDesignRequest& task,

@@ -59,25 +59,6 @@ double call(const std::vector<double>& x, std::vector<double>& gradient, void* d
   }
 }
 
-std::string status_name(nlopt::result result) {
-  switch (result) {
-    case nlopt::SUCCESS:
-      return "SUCCESS";
-    case nlopt::STOPVAL_REACHED:
-      return "STOPVAL_REACHED";
-    case nlopt::FTOL_REACHED:
-      return "FTOL_REACHED";
-    case nlopt::XTOL_REACHED:
-      return "XTOL_REACHED";
-    case nlopt::MAXEVAL_REACHED:
-      return "MAXEVAL_REACHED";
-    case nlopt::MAXTIME_REACHED:
-      return "MAXTIME_REACHED";
-    default:
-      return fmt::format("FAILURE ({})", static_cast<int>(result));
-  }
-}
-
 /// A global algorithm finds the place of the optimum, not its value: after 20,000 points DIRECT_L
 /// is 1e-5 off. A local algorithm gets the last fifth of the budget and starts at the best point.
 /// A smaller share leaves it short of evaluations; a larger one takes them from the global search.
@@ -130,7 +111,7 @@ NloptOutcome minimise(const NloptProblem& problem, std::string_view algorithm,
   std::vector<double> x = to_vector(problem.start.cwiseMax(problem.lower).cwiseMin(problem.upper));
   double least = 0;
   try {
-    outcome.status = status_name(solver.optimize(x, least));
+    outcome.status = nlopt_result_to_string(static_cast<nlopt_result>(solver.optimize(x, least)));
   } catch (const nlopt::roundoff_limited&) {
     outcome.status = "ROUNDOFF_LIMITED";  // x is set all the same
   } catch (const std::exception& error) {
