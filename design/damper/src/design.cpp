@@ -18,8 +18,7 @@ Found finding_of(const Problem& problem, const Limits& limits, const DesignPoint
   const Oscillator oscillator{problem.p, point.f, point.delta};
   finding.response = free_response(oscillator, {0, problem.v0});
   finding.energies = motion_energies(oscillator, {0, problem.v0}, NoExcitation());
-  add_stroke(finding, problem, limits, point);
-  add_practice(finding, problem, limits, oscillator, finding.response);
+  add_practice(finding, problem, limits, point, finding.response);
   add_delta1(finding, problem, point.f);
   finding.works_for = works_for(problem, limits, point.f, point.delta);
   finding.cross_check =

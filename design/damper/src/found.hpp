@@ -35,20 +35,16 @@ inline void add_delta1(Judged& answer, PulseProblem problem, double f) {
   answer.delta1_exact = least_delta(problem, f);
 }
 
-/// The farthest that the weakest friction of its box lets the mass go after the hit.
-inline void add_stroke(Judged& answer, const Problem& problem, const Limits& limits,
-                       const DesignPoint& point) {
+/// The practice of a motion, and over the ranges of its hit; and the farthest that the weakest
+/// friction of its box lets the mass go.
+inline void add_practice(Judged& answer, const Problem& problem, const Limits& limits,
+                         const DesignPoint& point, const Response& motion) {
   const double f = box_about(granted(point, limits), limits.shape).f.low;
   answer.stroke_worst =
       problem.v0 / (f + elementary::hypot(f, problem.p * problem.v0)) * problem.v0;
-}
-
-/// The practice of a motion, and over the ranges of its hit.
-inline void add_practice(Judged& answer, const Problem& problem, const Limits& limits,
-                         const Oscillator& damper, const Response& motion) {
-  answer.practice = practice(damper, motion, limits.acceleration_max);
+  answer.practice = practice({problem.p, point.f, point.delta}, motion, limits.acceleration_max);
   if (answer.practice && (problem.p_high || problem.v0_low)) {
-    answer.practice_worst = worst_practice(problem, limits, damper.f, damper.delta);
+    answer.practice_worst = worst_practice(problem, limits, point.f, point.delta);
   }
   if (const auto& told = answer.practice_worst ? answer.practice_worst : answer.practice) {
     answer.notch_width_min = told->notch_width_min;

@@ -58,14 +58,6 @@ SuiteGrid grid_of(const SuiteSpace& space, std::int64_t window, double coarse) {
   return grid;
 }
 
-double points_of(const SuiteGrid& grid) {
-  double all = 1;
-  for (const GridSide& side : grid) {
-    all *= static_cast<double>(side.points);
-  }
-  return all;
-}
-
 /// Along one axis of an array with these numbers of points, the worst of each window. In place: a
 /// line is written where those before it and it itself were read.
 void slide(GridFigures& figures, std::size_t inner, std::size_t points, std::size_t window) {
@@ -104,6 +96,14 @@ void slide(GridFigures& figures, std::size_t inner, std::size_t points, std::siz
 }
 
 }  // namespace
+
+double points_of(const SuiteGrid& grid) {
+  double all = 1;
+  for (const GridSide& side : grid) {
+    all *= static_cast<double>(side.points);
+  }
+  return all;
+}
 
 SuiteGrid finest_grid(const SuiteSpace& space) {
   std::int64_t window = space.toleranced() > 0 ? least_windows.at(space.searched()) : 0;

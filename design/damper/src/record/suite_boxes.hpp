@@ -37,6 +37,8 @@ using SuiteGrid = std::array<GridSide, most_axes>;
 /// The whole space with the smallest steps that a scan may use.
 [[nodiscard]] SuiteGrid finest_grid(const SuiteSpace& space);
 
+/// How many there are.
+[[nodiscard]] double points_of(const SuiteGrid& grid);
 /// The most steps to a box.
 [[nodiscard]] std::int64_t window_of(const SuiteGrid& grid);
 

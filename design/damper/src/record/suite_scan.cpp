@@ -61,11 +61,7 @@ SuiteScan::SuiteScan(const Suites& suite, const SuiteSpace& space, std::int64_t 
   while (step > 0 && is_small(first_stride_)) {
     first_stride_ *= 2;
   }
-  std::size_t all = 1;
-  for (const GridSide& side : finest_) {
-    all *= static_cast<std::size_t>(side.points);
-  }
-  row_.resize(all, -1);
+  row_.resize(static_cast<std::size_t>(points_of(finest_)), -1);
 }
 
 double SuiteScan::longest_step() const {
@@ -218,11 +214,7 @@ SuiteGrid SuiteScan::grid() const {
 
 /// Of the points of that grid.
 GridFigures SuiteScan::figures() const {
-  std::size_t points = 1;
-  for (const GridSide& side : grid()) {
-    points *= static_cast<std::size_t>(side.points);
-  }
-  GridFigures list(points, suite_.cases().size());
+  GridFigures list(static_cast<std::size_t>(points_of(grid())), suite_.cases().size());
   std::size_t point = 0;
   for (const Index& index : of_stride(stride_)) {
     if (std::ranges::all_of(index, [&](std::int64_t k) { return k % stride_ == 0; })) {

@@ -109,8 +109,8 @@ RegionAnswer answer(const RegionRequest& request) {
       answer.energies = motion_energies(oscillator, {0, problem.v0}, NoExcitation());
     }
     if (answer.works_for && answer.response) {
-      add_stroke(answer, problem, limits, {*f, *delta, answer.tolerance.value_or(0)});
-      add_practice(answer, problem, limits, oscillator, *answer.response);
+      add_practice(answer, problem, limits, {*f, *delta, answer.tolerance.value_or(0)},
+                   *answer.response);
     }
   }
   return answer;

@@ -8,6 +8,7 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/design/box_shape.hpp>
 #include <stillpoint/design/strips.hpp>
 
 #include <algorithm>
@@ -55,26 +56,23 @@ Wide pass_speed(const Way& way, double f, double delta) {
 
 bool admissible(const Way& way, double f, double delta, double tolerance) {
   const Problem& problem = way.problem;
-  const auto [f_low, f_high, delta_low, delta_high] = sides(way.limits.shape, tolerance);
-  const double least_f = f * f_low;
-  const double most_f = f * f_high;
-  const double least_delta = delta * delta_low;
-  const double most_delta = delta * delta_high;
-  if (!(least_f >= way.f2 && most_f <= way.f_cap && most_delta <= way.delta_cap)) {
+  const auto [of_f, of_delta] = box_about({f, delta, tolerance}, way.limits.shape);
+  if (!(of_f.low >= way.f2 && of_f.high <= way.f_cap && of_delta.high <= way.delta_cap)) {
     return false;
   }
   if (way.is_papers()) {  // by the edges that the region reports, themselves
-    return most_f <= way.tip && least_delta > unchecked_delta1(problem, least_f);
+    return of_f.high <= way.tip && of_delta.low > unchecked_delta1(problem, of_f.low);
   }
-  if (way.n > 0 && way.v_low == 0 && 2 * least_delta < reach_square(way, most_f, least_delta)) {
+  if (way.n > 0 && way.v_low == 0 &&
+      2 * of_delta.low < reach_square(way, of_f.high, of_delta.low)) {
     return false;
   }
   if (way.n > 0 && way.v_low > 0 &&
       problem.v0_low.value_or(problem.v0) <
-          rounded_up(root(reach_square(way, most_f, most_delta)))) {
+          rounded_up(root(reach_square(way, of_f.high, of_delta.high)))) {
     return false;
   }
-  return problem.v0 < rounded_up(pass_speed(way, least_f, least_delta));
+  return problem.v0 < rounded_up(pass_speed(way, of_f.low, of_delta.low));
 }
 
 bool admissible(const Way& way, double f, double delta) {
