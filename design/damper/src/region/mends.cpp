@@ -109,25 +109,6 @@ std::optional<double> mended_p(const HitCase& base) {
   return value && first_fits(with_p(base, *value)) ? value : std::nullopt;
 }
 
-std::optional<Mend> more_arrivals(const HitCase& base) {
-  HitCase more = base;
-  if (base.problem.residual.value_or(0) > 0) {
-    return arrivals_mend(base.problem, [&](std::int64_t n) {
-      more.problem.arrivals = n;
-      return has_damper(more);
-    });
-  }
-  // A strip is the same whatever later ones are allowed, so the first that has a box is sought.
-  more.problem.arrivals = most_arrivals_offered;
-  int enough = 0;
-  for_each_way(more.problem, more.limits, [&](const Way& way) {
-    enough = way.n > base.problem.arrivals && any_point(way) ? way.n : 0;
-    return enough == 0;
-  });
-  return enough > 0 ? std::optional(Mend{"arrivals", static_cast<double>(enough), true})
-                    : std::nullopt;
-}
-
 }  // namespace
 
 std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
@@ -165,7 +146,11 @@ std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
     add({"residual", problem.residual.value_or(0), problem.beta, in_problem(&Problem::residual)});
   }
   std::ranges::for_each(limit_inputs<HitCase>(limits), add);
-  add_if(more_arrivals(base));
+  HitCase more = base;
+  add_if(arrivals_mend(problem, [&](std::int64_t n) {
+    more.problem.arrivals = n;
+    return has_damper(more);
+  }));
   return list;
 }
 
