@@ -5,8 +5,6 @@
 #include "way/highest.hpp"
 #include "way/room.hpp"
 
-#include <stillpoint/core/elementary.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -94,18 +92,16 @@ Interval feasible_around(const Way& way, const WayPoint& inside) {
   const double t = way.limits.tolerance;
   const Interval all = within_f(way, t).value();
   const Interval scanned = scanned_f(way, all);
-  const auto left = [&](double log_f) { return room(way, way.scaled(elementary::exp(log_f)), t); };
-  const double at_inside = left(elementary::log(inside.f));
+  const auto left = [&](double f) { return room(way, way.scaled(f), t); };
+  const double at_inside = left(inside.f);
   const auto end = [&](double from, double open) {
-    const double at_from = left(elementary::log(from));
+    const double at_from = left(from);
     if (at_from >= 0 || at_inside <= 0) {
       return at_from >= 0 ? open : inside.f;
     }
-    const double at = elementary::exp(
-        from < inside.f ? falling_root([&](double u) { return -left(u); }, elementary::log(from),
-                                       elementary::log(inside.f), -at_from, -at_inside)
-                        : falling_root(left, elementary::log(inside.f), elementary::log(from),
-                                       at_inside, at_from));
+    const double at = from < inside.f ? falling_root([&](double f) { return -left(f); }, from,
+                                                     inside.f, -at_from, -at_inside)
+                                      : falling_root(left, inside.f, from, at_inside, at_from);
     return std::clamp(at, all.low, all.high);
   };
   return {end(scanned.low, all.low), end(scanned.high, all.high)};
