@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sweeps over the dampers along the front of each design problem.
 #include "cli_test.hpp"
-#include "parts.hpp"
 
 BOOST_AUTO_TEST_SUITE(sweep_front_test)
 
@@ -56,8 +55,8 @@ BOOST_FIXTURE_TEST_CASE(has_the_dampers_that_design_reports, Sandbox) {
 const Arguments task("sweep --v0 1 --p 1 --tolerance 0.05 --trade-off 4");
 const std::string betas = "beta\n0.8\n0.5\n0.9\n0.95\n1.2\n";
 
-struct Listed : Parts {
-  Listed() : Parts("csv") { write("list.csv", betas); }
+struct Listed : Sandbox {
+  Listed() { write("list.csv", betas); }
 
   [[nodiscard]] std::string rows_of(const Arguments& more) const {
     succeed(task + "--output whole.csv" + more);
@@ -69,14 +68,6 @@ BOOST_FIXTURE_TEST_CASE(of_a_list_has_the_rows_of_the_grid, Listed) {
   const std::string expected = rows_of("--beta 0.8,0.5,0.9,0.95,1.2");
   BOOST_TEST(rows_of("--list list.csv") == expected);
   BOOST_TEST(rows_of("--list list.csv --threads 1") == expected);
-}
-
-BOOST_FIXTURE_TEST_CASE(is_split_anywhere_and_merged_into_the_same_bytes, Listed) {
-  // 20 rows in 3 and 7 parts: a part begins in the middle of a front.
-  for (const int n : {3, 7}) {
-    check_merged(task + "--beta 0.8:1.2:5", n);
-    check_merged(task + "--list list.csv", n);
-  }
 }
 
 BOOST_FIXTURE_TEST_CASE(of_a_list_is_resumed_where_a_line_was_wrong, Listed) {

@@ -18,29 +18,51 @@ struct SweepParts : Parts {
 
 BOOST_FIXTURE_TEST_SUITE(parts, SweepParts)
 
-BOOST_AUTO_TEST_CASE(of_a_grid_merge_to_the_bytes_of_the_whole) {
-  for (const char* extension : {"csv", "npy"}) {
-    for (const int n : {1, 4, 12}) {
-      check_merged(grid, n, extension);
+BOOST_AUTO_TEST_CASE(of_any_sweep_merge_to_the_bytes_of_the_whole) {
+  write("list.csv", "f,delta\n0.1,0.2\n\n0.3,0.1\n0.02,0.03\n0.05,0\n0.2,0.25\n");
+  write("betas.csv", "beta\n0.8\n0.5\n0.9\n0.95\n1.2\n");
+  write("a.txt", "0 0\n1 0.5\n2 -0.25\n3 0\n");
+  write("b, c.txt", "0 0\n1 -0.25\n2 0.75\n3 0\n");
+  const Arguments three("sweep --v0 1 --p 1 --f 0,0.1,0.2 --delta 0.3");
+  const Arguments front("sweep --v0 1 --p 1 --tolerance 0.05 --trade-off 4");
+  const Arguments reduced(
+      "sweep --v0 1 --p 1 --f 0:0.35:15 --delta 0:0.6:13 --times --reduce --histogram "
+      "peak_amplitude:0.7:0.95:6 --histogram stop_time:1:40:5:log --best stop_time:7 --best "
+      "half_cycles:4:largest");
+  struct Row {
+    Arguments sweep;
+    std::vector<std::string> extensions;
+    std::vector<int> counts;
+  };
+  for (const auto& [sweep, extensions, counts] : std::vector<Row>{
+           {grid, {"csv", "npy"}, {1, 4, 12}},
+           {three, {"csv", "npy"}, {5}},  // more than entries
+           {"sweep --v0 1 --p 1 --list list.csv", {"csv", "npy"}, {3}},
+           {"sweep --v0 1 --p 1 --beta 0.6:0.9:7", {"npy"}, {2}},
+           {"sweep --p 1 --f 0.05:0.2:5 --delta 0 --excitation harmonic --k 0.2 --lambda 0.35 "
+            "--t-end 20",
+            {"csv"},
+            {2}},
+           {"sweep --p 1 --f 0.03,0.1 --delta 0.02 --record a.txt --record 'b, c.txt' "
+            "--record-scale 0.5:2:4",
+            {"csv", "npy"},
+            {3}},
+           // 20 rows in 3 and 7 parts: a part begins in the middle of a front.
+           {front + "--beta 0.8:1.2:5", {"csv"}, {3, 7}},
+           {front + "--list betas.csv", {"csv"}, {3, 7}},
+           {reduced, {"json"}, {1, 2, 7}},
+           {"sweep --v0 0.5:1:4 --p 1 --beta 0.4:0.9:23 --reduce --best delta:5", {"json"}, {100}},
+           {"sweep --v0 1 --p 1 --list list.csv --reduce", {"json"}, {3}},
+           {"sweep --velocity 200mm/s:400mm/s:5 --period 2.8s --f 0.02 --delta-m 1mm:6mm:6 "
+            "--reduce --best peak_m:2",
+            {"json"},
+            {2}}}) {
+    for (const std::string& extension : extensions) {
+      for (const int count : counts) {
+        check_merged(sweep, count, extension);
+      }
     }
   }
-}
-
-BOOST_AUTO_TEST_CASE(may_outnumber_the_entries) {
-  const Arguments three("sweep --v0 1 --p 1 --f 0,0.1,0.2 --delta 0.3");
-  check_merged(three, 5, "csv");
-  check_merged(three, 5, "npy");
-}
-
-BOOST_AUTO_TEST_CASE(of_lists_designs_and_forced_motions_merge_too) {
-  write("list.csv", "f,delta\n0.1,0.2\n\n0.3,0.1\n0.02,0.03\n0.05,0\n0.2,0.25\n");
-  const Arguments v0_and_p("sweep --v0 1 --p 1");
-  check_merged(v0_and_p + "--list list.csv", 3, "csv");
-  check_merged(v0_and_p + "--list list.csv", 3, "npy");
-  check_merged(v0_and_p + "--beta 0.6:0.9:7", 2, "npy");
-  check_merged(
-      "sweep --p 1 --f 0.05:0.2:5 --delta 0 --excitation harmonic --k 0.2 --lambda 0.35 --t-end 20",
-      2, "csv");
 }
 
 BOOST_AUTO_TEST_CASE(may_go_to_standard_output) {

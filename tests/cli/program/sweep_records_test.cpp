@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Sweeps over several records and their scales.
 #include "cli_test.hpp"
-#include "parts.hpp"
 
 BOOST_AUTO_TEST_SUITE(sweep_records_test)
 
 using namespace stillpoint::cli_test;
 
 /// Times in tau and values in g, which a factor of a power of 2 scales without rounding.
-struct Records : Parts {
-  Records() : Parts("csv") {
+struct Records : Sandbox {
+  Records() {
     write("a.txt", "0 0\n1 0.5\n2 -0.25\n3 0\n");
     write("b, c.txt", "0 0\n1 -0.25\n2 0.75\n3 0\n");
   }
@@ -76,12 +75,6 @@ BOOST_AUTO_TEST_CASE(may_be_of_a_folder_or_a_list) {
   const std::string found = succeed(motions + "--record folder").out;
   BOOST_TEST((rows_of(found, "folder/1.txt,") == rows_of(succeed(motions + "--record a.txt").out)));
   BOOST_TEST(rows_of(found).size() == 4);
-}
-
-BOOST_AUTO_TEST_CASE(merge_from_parts_to_the_bytes_of_the_whole) {
-  for (const char* extension : {"csv", "npy"}) {
-    check_merged(both + "--record-scale 0.5:2:4", 3, extension);
-  }
 }
 
 BOOST_AUTO_TEST_CASE(are_named_in_the_report) {

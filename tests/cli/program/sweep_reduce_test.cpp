@@ -148,19 +148,6 @@ BOOST_AUTO_TEST_CASE(match_the_rows) {
       "--reduce --best final_velocity:3");
 }
 
-BOOST_AUTO_TEST_CASE(of_parts_merge_to_the_bytes_of_the_whole) {
-  for (const int n : {1, 2, 7}) {
-    check_merged(motions + asked, n);
-  }
-  check_merged(designs + "--reduce --best delta:5", 100);  // 92 entries
-  write("list.csv", "f,delta\n0.1,0.2\n0.3,0.1\n0.02,0.03\n0,0\n");
-  check_merged("sweep --v0 1 --p 1 --list list.csv --reduce", 3);
-  check_merged(
-      "sweep --velocity 200mm/s:400mm/s:5 --period 2.8s --f 0.02 --delta-m 1mm:6mm:6 --reduce "
-      "--best peak_m:2",
-      2);
-}
-
 BOOST_AUTO_TEST_CASE(of_wrong_parts_are_refused) {
   const Arguments sweep = motions + "--reduce";
   static_cast<void>(split(sweep, 2));
