@@ -33,17 +33,33 @@ bool has(const std::vector<Constraint>& list, const LimitKind& kind, bool satisf
   });
 }
 
-BOOST_AUTO_TEST_CASE(each_makes_a_region_empty_and_is_mended) {
-  const Problem problem{1, 1, 0.8};
-  for (const LimitKind& kind : limit_kinds()) {
-    BOOST_TEST_CONTEXT(kind.field) {
-      const Limits limits = limited(kind, too_small);
-      const Region region = admissible_region(problem, limits);
-      BOOST_TEST(!region.feasible);
-      BOOST_TEST(region.limit == &kind);
-      BOOST_TEST((reason(region, problem, limits)->find(kind.quantity) != std::string::npos));
-      check_mend(kind, mends(problem, limits),
-                 [&](const Limits& now) { return admissible_region(problem, now).feasible; });
+/// Of a design and of a part, after a hit and under a pulse.
+BOOST_AUTO_TEST_CASE(each_leaves_no_damper_and_is_mended) {
+  const std::vector<Part> parts{{"a", 0.24, 0.4}};
+  for (const bool pulsed : {false, true}) {
+    for (const LimitKind& kind : limit_kinds()) {
+      DesignRequest request{.problem = {1, 1, 0.8}};
+      if (pulsed) {
+        request = {.problem = {.p = 1, .beta = 0.8}, .pulse = stillpoint::Rectangle{0.5, 1}};
+      }
+      const auto with = [&](const Limits& limits) {
+        request.limits = limits;
+        return request;
+      };
+      BOOST_TEST_CONTEXT(kind.field << (pulsed ? ", pulsed" : "")) {
+        const DesignResult empty = design::design(with(limited(kind, too_small)));
+        BOOST_TEST(!empty.region.feasible);
+        BOOST_TEST(empty.region.limit == &kind);
+        BOOST_TEST((empty.reason->find(kind.quantity) != std::string::npos));
+        check_mend(kind, empty.mends, [&](const Limits& now) {
+          return design::design(with(now)).finding.has_value();
+        });
+        const Choice choice = choose(with(limited(kind, too_small)), parts);
+        BOOST_TEST(has(choice.parts.front().violated, kind, false));
+        check_mend(kind, choice.result.mends, [&](const Limits& now) {
+          return choose(with(now), parts).parts.front().admissible;
+        });
+      }
     }
   }
 }
@@ -63,44 +79,6 @@ BOOST_AUTO_TEST_CASE(each_is_a_condition_with_the_edge_of_the_region) {
       BOOST_TEST(has(at(outside), kind, false));
       BOOST_TEST((kind.bounds_f() ? largest_f_allowed(problem, limits)
                                   : largest_delta_allowed(limits)) == edge);
-    }
-  }
-}
-
-BOOST_AUTO_TEST_CASE(each_refuses_a_part_and_is_mended) {
-  const std::vector<Part> parts{{"a", 0.3, 0.3}};
-  for (const LimitKind& kind : limit_kinds()) {
-    BOOST_TEST_CONTEXT(kind.field) {
-      DesignRequest request{{1, 1, 0.8}, limited(kind, too_small)};
-      const Choice choice = choose(request, parts);
-      BOOST_TEST(has(choice.parts.front().violated, kind, false));
-      check_mend(kind, choice.result.mends, [&](const Limits& now) {
-        request.limits = now;
-        return choose(request, parts).parts.front().admissible;
-      });
-    }
-  }
-}
-
-BOOST_AUTO_TEST_CASE(each_does_the_same_under_a_pulse) {
-  const std::vector<Part> parts{{"a", 0.2, 0.5}};
-  for (const LimitKind& kind : limit_kinds()) {
-    BOOST_TEST_CONTEXT(kind.field) {
-      DesignRequest request{
-          {.p = 1, .beta = 0.8}, limited(kind, too_small), {}, stillpoint::Rectangle{0.5, 1}};
-      const DesignResult empty = design::design(request);
-      BOOST_TEST(empty.region.limit == &kind);
-      check_mend(kind, empty.mends, [&](const Limits& now) {
-        request.limits = now;
-        return design::design(request).finding.has_value();
-      });
-      request.limits = limited(kind, too_small);
-      const Choice choice = choose(request, parts);
-      BOOST_TEST(has(choice.parts.front().violated, kind, false));
-      check_mend(kind, choice.result.mends, [&](const Limits& now) {
-        request.limits = now;
-        return choose(request, parts).parts.front().admissible;
-      });
     }
   }
 }

@@ -76,41 +76,42 @@ BOOST_AUTO_TEST_CASE(a_limit_that_no_damper_meets_is_mended_in_its_case) {
   }
 }
 
-// The engine of hits knows the largest box by its corners.
-BOOST_AUTO_TEST_CASE(a_hit_as_a_case_has_the_box_of_the_design_for_the_hit) {
-  constexpr double beta = 0.9;
-  const DesignResult known = design::design(
-      DesignRequest{.problem = {.v0 = 1, .p = 1, .beta = beta, .criterion = Criterion::exact},
-                    .limits = {.delta_max = 0.5},
-                    .search = {.objective = Objective::robust}});
-  BOOST_REQUIRE(known.finding.has_value());
-  const RecordDesign found =
-      design::design(RecordDesignRequest{.cases = {under_hit(1, stopped_within(beta))},
-                                         .delta_max = 0.5,
-                                         .objective = SuiteObjective::robust});
-  BOOST_REQUIRE(found.finding.has_value());
-  const double most = known.finding->point.tolerance;
-  BOOST_TEST(std::abs(found.largest_tolerance.value() - most) <= of_tolerance,
-             *found.largest_tolerance << ", the hit has " << most);
-  BOOST_TEST(found.finding->cross_check.passed);
+/// Of length pi.
+Record rectangle(double k) {
+  constexpr double edge = 1e-9;
+  constexpr double pi = std::numbers::pi;
+  return {{k, k, 0, 0}, 0, {0, pi, pi + edge, 2 * pi}};
 }
 
-BOOST_AUTO_TEST_CASE(a_pulse_as_a_case_has_the_box_of_the_design_for_the_pulse) {
-  constexpr double beta = 0.8;
-  const DesignResult known =
-      design::design(DesignRequest{.problem = {.p = 1, .beta = beta},
-                                   .search = {.objective = Objective::robust},
-                                   .pulse = Rectangle{0.5, 1.3}});
-  BOOST_REQUIRE(known.finding.has_value());
-  const LoadCase pulse{
-      .name = "pulse", .pulse = Rectangle{0.5, 1.3}, .limits = stopped_within(beta)};
-  const RecordDesign found =
-      design::design(RecordDesignRequest{.cases = {pulse}, .objective = SuiteObjective::robust});
-  BOOST_REQUIRE(found.finding.has_value());
-  const double most = known.finding->point.tolerance;
-  BOOST_TEST(std::abs(found.largest_tolerance.value() - most) <= of_tolerance,
-             *found.largest_tolerance << ", the pulse has " << most);
-  BOOST_TEST(found.finding->cross_check.passed);
+// The engine of hits knows the largest box by its corners, that of pulses from one motion per f.
+// Under a pulse as a record a first return is a residual of 0, at any return; later ones have
+// smaller boxes here. docs/theory.md has 41.6 %.
+BOOST_AUTO_TEST_CASE(one_case_has_the_box_of_the_design_for_its_load) {
+  struct Row {
+    DesignRequest known;
+    LoadCase load;
+  };
+  const Pulse lasting = Rectangle{0.5, 1.3};
+  for (const auto& [known, load] :
+       {Row{{.problem = {.beta = 0.9, .criterion = Criterion::exact}, .limits = {.delta_max = 0.5}},
+            under_hit(1, stopped_within(0.9))},
+        Row{{.problem = {.beta = 0.8}, .pulse = lasting},
+            {.name = "pulse", .pulse = lasting, .limits = stopped_within(0.8)}},
+        Row{{.problem = {.beta = 0.8}, .pulse = Rectangle{0.5, 1}},
+            {.name = "record",
+            .records = {{"pulse", rectangle(0.5), 1}},
+            .limits = {.peak = 0.8, .residual = 0}}}}) {
+    const double most = design::design(known).finding.value().point.tolerance;
+    const RecordDesign found = design::design({.cases = {load},
+                                               .delta_max = known.limits.delta_max,
+                                               .objective = SuiteObjective::robust});
+    BOOST_TEST_CONTEXT(load.name) {
+      BOOST_REQUIRE(found.finding.has_value());
+      BOOST_TEST(std::abs(found.largest_tolerance.value() - most) <= of_tolerance,
+                 *found.largest_tolerance << ", the design for it has " << most);
+      BOOST_TEST(found.finding->cross_check.passed);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(figures_are_those_of_each_motion_by_itself) {

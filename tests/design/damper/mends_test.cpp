@@ -150,6 +150,7 @@ BOOST_AUTO_TEST_CASE(every_mend_mends_and_no_smaller_change_does) {
     now.problem.beta *= one_hit ? 1 : 0.8;
     const Region region = admissible_region(now.problem, now.limits);
     BOOST_TEST(reason(region, now.problem, now.limits).has_value() == !region.feasible);
+    BOOST_TEST((region.conflict == Conflict::none) == region.feasible);
     const auto list = mends_of(now);
     BOOST_TEST((list.empty() || !now.feasible()));
     for (const auto& [field, value] : list) {

@@ -53,13 +53,6 @@ void check_same(const RecordDesign& one, const RecordDesign& other) {
   BOOST_TEST(one.finding->box.worst.front().residual == other.finding->box.worst.front().residual);
 }
 
-/// Of length pi.
-Record rectangle(double k) {
-  constexpr double edge = 1e-9;
-  constexpr double pi = std::numbers::pi;
-  return {{k, k, 0, 0}, 0, {0, pi, pi + edge, 2 * pi}};
-}
-
 BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing) {
   RecordDesignRequest request = with_capacity();
   request.threads = 3;
@@ -242,27 +235,6 @@ BOOST_AUTO_TEST_CASE(the_largest_tolerance_of_a_mass_that_is_held_is_known) {
   BOOST_TEST(std::abs(held.largest_tolerance.value() - 0.5) <= of_tolerance,
              *held.largest_tolerance);
   BOOST_TEST(held.finding->box.f.low >= 0.4 * (1 - 1e-6));
-}
-
-// A damper that stops a pulse at x = 0 on its first return: the design for the pulse knows its box
-// from one motion per f. Under the pulse as a record it is a residual of 0, at any return; later
-// ones have smaller boxes here. docs/theory.md has 41.6 %.
-BOOST_AUTO_TEST_CASE(one_pulse_as_a_record_has_the_box_of_the_design_for_the_pulse) {
-  constexpr double beta = 0.8;
-  const DesignRequest pulse{.problem = {.p = 1, .beta = beta},
-                            .search = {.objective = Objective::robust},
-                            .pulse = Rectangle{0.5, 1}};
-  const DesignResult known = design::design(pulse);
-  BOOST_REQUIRE(known.finding.has_value());
-  const RecordDesignRequest request{
-      .cases = {{.records = {{"pulse", rectangle(0.5), 1}}, .limits = {beta, {}, 0, {}, {}}}},
-      .objective = SuiteObjective::robust};
-  const RecordDesign found = design::design(request);
-  BOOST_REQUIRE(found.finding.has_value());
-  constexpr double of_tolerance = 0.005;
-  const double most = known.finding->point.tolerance;
-  BOOST_TEST(std::abs(found.largest_tolerance.value() - most) <= of_tolerance,
-             *found.largest_tolerance << ", the pulse has " << most);
 }
 
 // Half of what the weak record asks for is enough, and it is the strong one that moves the mass.

@@ -70,13 +70,6 @@ BOOST_AUTO_TEST_CASE(at_beta_min_a_single_f_is_left) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_region_that_is_not_empty_has_no_reason) {
-  const Region region = admissible_region({1, 1, 0.8});
-  BOOST_TEST(region.feasible);
-  BOOST_TEST(region.conflict == Conflict::none);
-  BOOST_TEST(!reason(region, {1, 1, 0.8}).has_value());
-}
-
 BOOST_AUTO_TEST_CASE(every_conflict_is_explained) {
   const auto none = std::nullopt;
   // f2 = (1 - 0.25)/1 = 0.75, f3 = 0.353553.

@@ -85,18 +85,6 @@ double best_value(const std::vector<Scanned>& points, const PulseRequest& reques
   return best;
 }
 
-/// Each change makes it feasible, and a little less does not.
-void check_mends(const PulseRequest& request, const std::vector<Mend>& mends) {
-  constexpr double part = 1e-6;
-  for (const Mend& mend : mends) {
-    BOOST_TEST_CONTEXT(mend.field << " = " << mend.value) {
-      BOOST_TEST(design::design(mended(request, mend.field, mend.value)).finding.has_value());
-      const double less = mend.value * (mend.upwards ? 1 - part : 1 + part);
-      BOOST_TEST(!design::design(mended(request, mend.field, less)).finding.has_value());
-    }
-  }
-}
-
 // Known by hand: while the rectangle lasts the mass swings about k - f, so the peak is 2 (k - f) at
 // tau = pi = its end; from there it swings about f and reaches 4 f - 2 k, so it returns for
 // f <= k/2. With k = 1/2 and beta = 0.8 that leaves f from 0.1 to 0.25, whose middle has 3/7.

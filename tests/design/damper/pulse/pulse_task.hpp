@@ -44,6 +44,18 @@ inline design::PulseRequest mended(design::PulseRequest request, std::string_vie
   return request;
 }
 
+/// Each change makes it feasible, and one that is less by this part does not.
+inline void check_mends(const design::PulseRequest& request, const std::vector<design::Mend>& mends,
+                        double part = 1e-6) {
+  for (const design::Mend& mend : mends) {
+    BOOST_TEST_CONTEXT(mend.field << " = " << mend.value) {
+      const double less = mend.value * (mend.upwards ? 1 - part : 1 + part);
+      BOOST_TEST(design::damper(mended(request, mend.field, mend.value)).has_value());
+      BOOST_TEST(!design::damper(mended(request, mend.field, less)).has_value());
+    }
+  }
+}
+
 /// One pulse with one spring, at these parts of the ranges.
 inline design::PulseProblem at_parts(const design::PulseProblem& problem, double k, double lambda,
                                      double p) {

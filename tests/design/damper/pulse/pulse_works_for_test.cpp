@@ -131,20 +131,6 @@ BOOST_AUTO_TEST_CASE(of_a_rectangle_of_half_a_natural_period_the_ends_are_known)
   BOOST_TEST(*served_k(half_period(0.8, 0.55), f, 1).high == 0.55);
 }
 
-BOOST_AUTO_TEST_CASE(a_damper_that_does_not_do_for_the_pulse_works_for_none) {
-  const auto served = [](double f, double delta, const Limits& limits = {}) {
-    return works_for(half_period(0.8).problem, limits, f, delta);
-  };
-  BOOST_TEST(served(0.15, 1).has_value());
-  BOOST_TEST(!served(0.05, 1));    // amplitude
-  BOOST_TEST(!served(0.26, 1));    // return
-  BOOST_TEST(!served(0.15, 0.1));  // stop
-  BOOST_TEST(!served(0.5, 1));     // start
-  BOOST_TEST(!served(0.15, 1, {.f_max = 0.1}));
-  BOOST_TEST(!served(0.15, 1, {.delta_max = 0.9}));
-  BOOST_TEST(!served(0.15, 1, {.acceleration_max = 0.8}));
-}
-
 /// Held at 4 f from its second turn on where 3 f <= k <= 5 f, so that w^2 = 8 f^2 for all of them;
 /// below, it is held at its first turn, as after half a natural period.
 BOOST_AUTO_TEST_CASE(a_need_that_is_the_same_for_many_pulses_serves_them_all) {
