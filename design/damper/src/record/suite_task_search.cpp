@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "record/suite_task_search.hpp"
 
+#include "record/suite_request.hpp"
 #include "record/suite_scan.hpp"
 #include "record/suite_tolerance.hpp"
 
@@ -298,17 +299,47 @@ class TaskSearch {
     return found && !watch_.stopped() ? 1 / (any * found->box.rank.value * (1 + relaxed_by)) : 0;
   }
 
-  /// The least limit of that kind with which there is a damper.
+  /// The least limit of that kind with which there is a damper; of the residual, one that does more
+  /// than hold the mass.
   std::optional<double> relaxed(std::size_t in_case, const SuiteFigureKind& kind) {
     SuiteGoal goal{kind.value, in_case, limits_of(task_)};
     goal.limits[in_case].*kind.limit = std::nullopt;
-    const std::optional<VerifiedBox> found = least(goal);
+    std::optional<VerifiedBox> found = least(goal);
+    if (found && kind.limit == &SuiteLimits::residual) {
+      found = clamps(found->box.damper) ? std::nullopt : unless_held(*found, in_case, goal);
+    }
     if (!found || watch_.stopped()) {
       return std::nullopt;
     }
     const double value = found->box.worst[in_case].*kind.value;
     return kind.limit == &SuiteLimits::passages ? value + 1  // the last arrival rests
                                                 : value * (1 + relaxed_by);
+  }
+
+  /// Where the mass of a hit may rest off centre, friction must not hold it beyond its stroke: what
+  /// was found, or looked for again if that does.
+  std::optional<VerifiedBox> unless_held(const VerifiedBox& found, std::size_t in_case,
+                                         const SuiteGoal& goal) {
+    RecordDesign resting;
+    resting.request = task_;
+    SuiteLimits& limits = resting.request.cases[in_case].limits;
+    limits.residual = limits.peak;
+    const SuiteDamper& damper = found.box.damper;
+    if (damper.f * (1 + task_.tolerance.f.above) <=
+        most_in_dead_zone(resting.request, softest(task_, damper.p))) {
+      return found;
+    }
+    TaskSearch search(suite_, resting, watch_);
+    search.map_all();
+    return search.least(goal, true);
+  }
+
+  /// Whether friction alone holds almost all of every load.
+  [[nodiscard]] bool clamps(const SuiteDamper& damper) const {
+    constexpr double almost = 0.95;
+    return std::ranges::all_of(task_.cases, [&](const LoadCase& each) {
+      return !each.v0 && damper.f * task_.breakaway >= almost * peak_load(each, damper.p);
+    });
   }
 
   /// Those of frictions that have none.
