@@ -135,8 +135,8 @@ answers::RegionTask region_input(const Settings& asked) {
   require_options_for(settings, DesignFor::hit);
   if (const Option* const notch = settings.given(Rivals::notch)) {
     throw UsageError(fmt::format(
-        "{} needs records or cases, a pulse with a residual, or damping: else the region is that "
-        "of the paper's notch",
+        "{} needs records or cases, a pulse with a residual, or damping: otherwise region is for "
+        "an ideal notch, without a width, that holds any load; design checks a real one",
         notch->name));
   }
   const Task given = read_task(settings, Command::region);

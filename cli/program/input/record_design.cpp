@@ -137,8 +137,8 @@ void require_options_for(const Settings& settings, DesignFor design) {
         fmt::format("{} {}", wrong->name,
                     design != DesignFor::records ? "needs records: give --record as well"
                     : of_records                 ? "cannot be used under records"
-                                 : "is for the closed forms of a hit or a pulse, which the other "
-                                   "options given do not have"));
+                                 : "is for the closed forms of a hit or a pulse, and with the "
+                                   "other options given motions are simulated: leave it out"));
   }
 }
 
@@ -162,7 +162,7 @@ void add_given(design::RecordDesignRequest& request, const Settings& settings,
     if (!request.maps && (!f || !delta)) {
       throw InputError::missing(
           f ? "delta" : "f",
-          alone ? "delta alone is no damper"
+          alone ? "delta alone is not a damper: give f as well"
                 : "give a damper to judge, --f and --delta or --delta-m, or a --catalogue: the "
                   "region itself is for a hit or a pulse");
     }

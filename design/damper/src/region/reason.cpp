@@ -145,14 +145,14 @@ std::optional<std::string> reason(const Region& region, const Problem& problem,
       break;
     case Conflict::amplitude_against_return:
       return problem.residual ? too_much_friction(region, largest_f(problem), allowed,
-                                                  "if friction cannot hold it there, coming to "
-                                                  "rest within the residual needs f <=",
+                                                  "if friction cannot hold the mass there, coming "
+                                                  "to rest within the residual needs f <=",
                                                   box)
                               : too_much_friction(region, region.f3, allowed,
                                                   "coming back to x = 0 needs f <=", box);
     case Conflict::amplitude_against_dead_zone:
       return too_much_friction(region, region.f1, allowed,
-                               "friction could hold it at that limit unless f <", box);
+                               "friction could hold the mass there unless f <", box);
     case Conflict::amplitude_against_limit:
       return amplitude_against(*region.limit, region, problem, limit, allowed, box);
     case Conflict::limit_alone:
