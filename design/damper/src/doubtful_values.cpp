@@ -88,6 +88,10 @@ constexpr std::array sources{
 /// A value this many powers of ten outside its usual range was probably given in another unit.
 constexpr double far_outside = 1;
 
+double in_si(const records::Unit& unit) {
+  return std::pow(10, unit.power_of_ten) * unit.times;
+}
+
 /// How many powers of ten a value is outside its usual range.
 double outside(const Source& source, double value) {
   return std::max({0.0, std::log10(source.least / value), std::log10(value / source.most)});
@@ -124,7 +128,7 @@ std::optional<Doubt::Meant> usual_unit(const Source& source, double value) {
   std::optional<Doubt::Meant> found;
   double nearest = HUGE_VAL;
   for (const records::Unit& unit : records::units_of(source.dimension)) {
-    const double then = std::abs(value) * std::pow(10, unit.power_of_ten);
+    const double then = std::abs(value) * in_si(unit);
     const double apart = std::abs(std::log(then * then / source.least / source.most));
     if (outside(source, then) == 0 && apart < nearest) {
       nearest = apart;
@@ -196,10 +200,10 @@ class Doubts {
       }
       for (const records::Unit& unit : records::units_of(source.dimension)) {
         Values now = values_;
-        now.*source.value = *value * std::pow(10, unit.power_of_ten);
+        now.*source.value = *value * in_si(unit);
         const double then = std::abs(std::log(ratio(now)));
         const std::pair rank{outside(source, std::abs(*value)), -then};
-        if (unit.power_of_ten != 0 && then < std::log(factor) && rank > best) {
+        if (in_si(unit) != 1 && then < std::log(factor) && rank > best) {
           best = rank;
           found = Doubt::Meant{std::string(source.name), *value, std::string(unit.name)};
         }
