@@ -4,6 +4,7 @@
 #include "run_program.hpp"
 
 #include <iosfwd>
+#include <optional>
 
 namespace stillpoint::cli_test {
 
@@ -36,9 +37,9 @@ void write_files(const Sandbox& sandbox, const Wrong& wrong);
 /// Asserts exit code 2, one line on standard error with all of `says`, nothing on standard output.
 void check_refusal(const ProgramRun& run, const Texts& says);
 
-/// The same for a run in `sandbox`, alone and with --output on an old report, which must survive
-/// like everything else there.
+/// The same for a run in `sandbox` with --output on an old report, which must survive like
+/// everything else there; in given surroundings also without it.
 void check_refused(const Sandbox& sandbox, const Wrong& wrong,
-                   const Surroundings& surroundings = {});
+                   const std::optional<Surroundings>& surroundings = {});
 
 }  // namespace stillpoint::cli_test
