@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 namespace stillpoint::design {
@@ -38,100 +37,77 @@ struct Scaled {
   }
 };
 
+unit::EdgeSpeed less(unit::EdgeSpeed speed, double square) {
+  speed.square -= square;
+  return speed;
+}
+
+/// A side of x (0) or y (1), `outwards` = +1 or -1, is not beyond `limit`.
+Function side_of(const Scaled& scale, int which, double outwards, double part, double limit) {
+  return [=](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
+    const double side = 1 + outwards * part * scale.box(at);
+    const double along = outwards * side;
+    Scaled::scaled_slopes(gradient, which == 0 ? along : 0, which == 1 ? along : 0,
+                          at[which] * part);
+    return outwards * (at[which] * side - limit);
+  };
+}
+
+/// At a corner of the box: each side goes outwards, +1, or inwards, -1.
+template <class Value>
+Function edge_of(const Scaled& scale, const BoxShape& shape, double outwards_f, double outwards_d,
+                 double sign, const Value& value) {
+  const double f_part = outwards_f * (outwards_f > 0 ? shape.f_high : shape.f_low);
+  const double d_part = outwards_d * (outwards_d > 0 ? shape.delta_high : shape.delta_low);
+  return [=](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
+    const double t = scale.box(at);
+    const double a = at[0] * scale.a_cap;
+    const double d = at[1] * scale.d_cap;
+    const double f_corner = 1 + f_part * t;
+    const double d_corner = 1 + d_part * t;
+    const unit::EdgeSpeed now = value(a * f_corner, d * d_corner);
+    scale.slopes(gradient, sign * f_corner * now.by_a, sign * d_corner * now.by_d,
+                 sign * (f_part * a * now.by_a + d_part * d * now.by_d));
+    return sign * now.square;
+  };
+}
+
 /// The inequalities of space.hpp, each <= 0 inside.
-class Conditions {
- public:
-  Conditions(const Way& way, const Scaled& scale) : way_(way), scale_(scale) {}
-
-  [[nodiscard]] std::vector<Function> list() && { return std::move(list_); }
-
-  /// Of f at its low side, and of f and Delta at their high ones.
-  void add_sides() {
-    if (way_.a2 > 0) {
-      add_side(0, -1, shape_.f_low, way_.a2 / scale_.a_cap);
-    }
-    add_side(0, 1, shape_.f_high, 1);
-    add_side(1, 1, shape_.delta_high, 1);
-  }
-
-  void add_return() {
-    if (way_.delta_hinders_return()) {
-      add_edge(1, 1, 1, [&way = way_](double a, double d) {
-        return less(reach_edge(way, a, d), way.v_low * way.v_low);
-      });
-    } else if (way_.n > 0 && way_.v_low == 0) {
-      add_edge(1, -1, 1, [&way = way_](double a, double d) {
-        const unit::EdgeSpeed notch = returning_notch(way, a);
-        return unit::EdgeSpeed{notch.square - 2 * d, notch.by_a, -2};
-      });
-    }
-  }
-
-  void add_stop() {
-    if (way_.is_papers_task()) {  // (26), (27), which are linear in y
-      return add_edge(-1, -1, 1, [&way = way_](double a, double d) {
-        const Criterion criterion = way.problem.criterion;
-        return unit::EdgeSpeed{(unit::delta1(criterion, a) - d) / way.d_cap,
-                               unit::delta1_slope(criterion, a) / way.d_cap, -1 / way.d_cap};
-      });
-    }
-    if (way_.stops_last()) {
-      add_edge(-1, -1, -1,
-               [&way = way_](double a, double d) { return less(last_edge(way, a, d), 1); });
-    }
-    if (way_.stops_early()) {
-      add_edge(-1, -1, -1,
-               [&way = way_](double a, double d) { return less(stop_edge(way, a, d), 1); });
-    }
-  }
-
- private:
-  static unit::EdgeSpeed less(unit::EdgeSpeed speed, double square) {
-    speed.square -= square;
-    return speed;
-  }
-
-  /// A side of x (0) or y (1), `outwards` = +1 or -1, is not beyond `limit`.
-  void add_side(int which, double outwards, double part, double limit) {
-    list_.emplace_back([=, scale = scale_](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
-      const double side = 1 + outwards * part * scale.box(at);
-      const double along = outwards * side;
-      Scaled::scaled_slopes(gradient, which == 0 ? along : 0, which == 1 ? along : 0,
-                            at[which] * part);
-      return outwards * (at[which] * side - limit);
-    });
-  }
-
-  /// At a corner of the box: each side goes outwards, +1, or inwards, -1.
-  template <class Value>
-  void add_edge(double outwards_f, double outwards_d, double sign, const Value& value) {
-    const double f_part = outwards_f * (outwards_f > 0 ? shape_.f_high : shape_.f_low);
-    const double d_part = outwards_d * (outwards_d > 0 ? shape_.delta_high : shape_.delta_low);
-    list_.emplace_back([=, scale = scale_](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
-      const double t = scale.box(at);
-      const double a = at[0] * scale.a_cap;
-      const double d = at[1] * scale.d_cap;
-      const double f_corner = 1 + f_part * t;
-      const double d_corner = 1 + d_part * t;
-      const unit::EdgeSpeed now = value(a * f_corner, d * d_corner);
-      scale.slopes(gradient, sign * f_corner * now.by_a, sign * d_corner * now.by_d,
-                   sign * (f_part * a * now.by_a + d_part * d * now.by_d));
-      return sign * now.square;
-    });
-  }
-
-  const Way& way_;
-  Scaled scale_;
-  BoxShape shape_{way_.limits.shape};
-  std::vector<Function> list_;
-};
-
 std::vector<Function> conditions_of(const Way& way, const Scaled& scale) {
-  Conditions conditions(way, scale);
-  conditions.add_sides();
-  conditions.add_return();
-  conditions.add_stop();
-  return std::move(conditions).list();
+  const BoxShape& shape = way.limits.shape;
+  std::vector<Function> list;
+  const auto add = [&](double outwards_f, double outwards_d, double sign, const auto& value) {
+    list.push_back(edge_of(scale, shape, outwards_f, outwards_d, sign, value));
+  };
+  if (way.a2 > 0) {
+    list.push_back(side_of(scale, 0, -1, shape.f_low, way.a2 / scale.a_cap));
+  }
+  list.push_back(side_of(scale, 0, 1, shape.f_high, 1));
+  list.push_back(side_of(scale, 1, 1, shape.delta_high, 1));
+  if (way.delta_hinders_return()) {
+    add(1, 1, 1,
+        [&way](double a, double d) { return less(reach_edge(way, a, d), way.v_low * way.v_low); });
+  } else if (way.n > 0 && way.v_low == 0) {
+    add(1, -1, 1, [&way](double a, double d) {
+      const unit::EdgeSpeed notch = returning_notch(way, a);
+      return unit::EdgeSpeed{notch.square - 2 * d, notch.by_a, -2};
+    });
+  }
+  if (way.is_papers_task()) {  // (26), (27), which are linear in y
+    add(-1, -1, 1, [&way](double a, double d) {
+      const Criterion criterion = way.problem.criterion;
+      return unit::EdgeSpeed{(unit::delta1(criterion, a) - d) / way.d_cap,
+                             unit::delta1_slope(criterion, a) / way.d_cap, -1 / way.d_cap};
+    });
+    return list;
+  }
+  if (way.stops_last()) {
+    add(-1, -1, -1, [&way](double a, double d) { return less(last_edge(way, a, d), 1); });
+  }
+  if (way.stops_early()) {
+    add(-1, -1, -1, [&way](double a, double d) { return less(stop_edge(way, a, d), 1); });
+  }
+  return list;
 }
 
 /// p T / pi, and its slopes if they are wanted. Without a residual the hit stops at the n-th
