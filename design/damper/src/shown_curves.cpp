@@ -50,32 +50,6 @@ double friction_between(const ShownMotion& motion, const State& one, const State
   return zone != zones.end() ? zone->f : motion.oscillator.f;
 }
 
-/// What the notch of a free motion takes, from state to state.
-class NotchWork {
- public:
-  explicit NotchWork(const ShownMotion& motion)
-      : delta_(motion.oscillator.delta),
-        width_(motion.surface.notch_width.value_or(0)),
-        acts_(motion.states.front().x != 0 || motion.states.front().v == 0) {}
-
-  void passes(const State& from, const State& to) {
-    const double middle = std::abs(from.x + to.x) / 2;
-    acts_ = acts_ || std::abs(from.x) >= width_ / 2 || from.v == 0;
-    if (width_ == 0 && to.tau == from.tau) {
-      done_ += (from.v - to.v) * (from.v + to.v) / 2;
-    } else if (acts_ && middle < width_ / 2) {
-      done_ += delta_ / width_ * std::abs(to.x - from.x);
-    }
-  }
-  [[nodiscard]] double done() const { return done_; }
-
- private:
-  double delta_;
-  double width_;
-  bool acts_;  // not while a hit moves the mass out of it
-  double done_{0};
-};
-
 /// W at the instants that show it, up to its end.
 std::vector<ShownLoad> loads(const NoExcitation& /*none*/, double /*horizon*/) {
   return {};
@@ -208,15 +182,22 @@ std::vector<ShownEnergy> shown_energies(const ShownMotion& motion) {
   const double whole = energy(motion.states.front());
   const auto seen = [=](double part) { return part > rounding * whole ? part : 0; };
   std::vector<ShownEnergy> all;
-  double friction = 0;
-  NotchWork notch(motion);
+  const double width = motion.surface.notch_width.value_or(0);
   const State* before = &motion.states.front();
+  bool acts = before->x != 0;  // the notch: not while a hit moves the mass out of it
+  double friction = 0;
+  double taken = 0;
   for (const State& state : motion.states) {
-    friction += friction_between(motion, *before, state) * std::abs(state.x - before->x);
-    notch.passes(*before, state);
+    const double way = std::abs(state.x - before->x);
+    friction += friction_between(motion, *before, state) * way;
+    acts = acts || std::abs(before->x) >= width / 2 || before->v == 0;
+    if (width == 0 && state.tau == before->tau) {
+      taken += (before->v - state.v) * (before->v + state.v) / 2;
+    } else if (acts && std::abs(before->x + state.x) / 2 < width / 2) {
+      taken += motion.oscillator.delta / width * way;
+    }
     before = &state;
     const double left = energy(state);
-    const double taken = notch.done();
     const double rest = whole - left - friction - taken;  // it loses energy to nothing else
     all.push_back({state.tau, left, friction, seen(taken), damped ? seen(rest) : 0});
   }

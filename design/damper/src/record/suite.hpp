@@ -124,6 +124,9 @@ struct SuiteGoal {
   [[nodiscard]] double value(EachFigures figures) const;
 };
 
+/// Whether some case has that limit.
+[[nodiscard]] bool limits_any(const RecordDesignRequest& request,
+                              std::optional<double> SuiteLimits::*limit);
 /// The limits of each case.
 [[nodiscard]] std::vector<SuiteLimits> limits_of(const RecordDesignRequest& request);
 

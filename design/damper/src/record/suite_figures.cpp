@@ -28,15 +28,16 @@ SuiteFigures suite_figures(const ForcedResponse& response) {
           true};
 }
 
+bool limits_any(const RecordDesignRequest& request, std::optional<double> SuiteLimits::*limit) {
+  return std::ranges::any_of(
+      request.cases, [limit](const LoadCase& each) { return (each.limits.*limit).has_value(); });
+}
+
 const SuiteFigureKind& minimised(const RecordDesignRequest& request) {
-  const auto* const found = std::ranges::find_if(suite_figure_kinds, [&](const auto& kind) {
-    return request.objective == SuiteObjective::robust
-               ? std::ranges::any_of(
-                     request.cases,
-                     [&](const LoadCase& each) { return (each.limits.*kind.limit).has_value(); })
-               : kind.objective == request.objective;
+  return *std::ranges::find_if(suite_figure_kinds, [&](const SuiteFigureKind& kind) {
+    return request.objective == SuiteObjective::robust ? limits_any(request, kind.limit)
+                                                       : kind.objective == request.objective;
   });
-  return *found;
 }
 
 SuiteFigures worse(const SuiteFigures& one, const SuiteFigures& other) {

@@ -112,10 +112,8 @@ void require_growth(const RecordDesignRequest& request) {
     throw InputError("tolerance", 0.0,
                      "must be above 0 with the objective robust, which enlarges it");
   }
-  if (std::ranges::none_of(request.cases, [](const LoadCase& each) {
-        return std::ranges::any_of(suite_figure_kinds, [&](const SuiteFigureKind& kind) {
-          return (each.limits.*kind.limit).has_value();
-        });
+  if (std::ranges::none_of(suite_figure_kinds, [&](const SuiteFigureKind& kind) {
+        return limits_any(request, kind.limit);
       })) {
     throw InputError::missing("max-displacement",
                               "give a limit, of stroke, residual or acceleration, that bounds the "
@@ -126,19 +124,6 @@ void require_growth(const RecordDesignRequest& request) {
 /// With more damping a mass returns with less than a thousandth of its speed, and a friction of a
 /// millionth of its load decides whether it does.
 constexpr double most_damped_return = 0.9;
-
-/// Whether a friction at a passage counts in what is asked.
-bool asks_for_acceleration(const RecordDesignRequest& request) {
-  return request.objective == SuiteObjective::acceleration ||
-         std::ranges::any_of(request.cases, [](const LoadCase& each) {
-           return each.limits.acceleration.has_value();
-         });
-}
-
-bool limits_jumps(const RecordDesignRequest& request) {
-  return std::ranges::any_of(request.cases,
-                             [](const LoadCase& each) { return each.limits.jump.has_value(); });
-}
 
 void require_valid(const LoadCase& load_case, const RecordDesignRequest& request) {
   if (load_case.v0) {
@@ -173,7 +158,9 @@ void require_valid(const LoadCase& load_case, const RecordDesignRequest& request
 }  // namespace
 
 bool counts_the_notch(const RecordDesignRequest& request) {
-  return !asks_for_acceleration(request) || request.width || limits_jumps(request) ||
+  const bool asks = request.objective == SuiteObjective::acceleration ||
+                    limits_any(request, &SuiteLimits::acceleration);
+  return !asks || request.width || limits_any(request, &SuiteLimits::jump) ||
          std::ranges::none_of(request.cases, &LoadCase::of_records);
 }
 
