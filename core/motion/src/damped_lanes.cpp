@@ -55,15 +55,9 @@ HWY_INLINE Wide where_more(Wide left, Wide right, Wide x, Wide y) {
           hn::IfThenElse(hn::Gt(left.b, right.b), x.b, y.b)};
 }
 
-HWY_INLINE std::uint64_t bits(M mask) {
-  std::array<std::uint8_t, 8> found{};
-  hn::StoreMaskBits(D(), mask, found.data());
-  return found[0];
-}
-
 /// Where x > 0, one bit for each lane.
 HWY_INLINE std::uint64_t positive(Wide x) {
-  return bits(hn::Gt(x.a, hn::Zero(D()))) | bits(hn::Gt(x.b, hn::Zero(D())))
+  return bits(hn::Gt(x.a, hn::Zero(D()))) | std::uint64_t{bits(hn::Gt(x.b, hn::Zero(D())))}
                                                 << static_cast<unsigned>(width);
 }
 

@@ -4,6 +4,7 @@
 // The vector kernel of free batches with damping, damped_lanes.cpp, as the rest of core sees it.
 
 #include "batch_entries.hpp"
+#include "interface.hpp"
 
 #include <array>
 #include <cstddef>
@@ -30,13 +31,8 @@ enum class LaneValue : std::size_t {
 using LaneValues = std::array<double, static_cast<std::size_t>(LaneValue::count)>;
 
 /// Where the lanes get their work.
-class DampedLanesSource {
+class DampedLanesSource : public Interface {
  public:
-  DampedLanesSource() = default;
-  DampedLanesSource(const DampedLanesSource&) = delete;
-  DampedLanesSource& operator=(const DampedLanesSource&) = delete;
-  virtual ~DampedLanesSource() = default;
-
   /// Gives the lane the start of its next entry, after it has done with the ones not for lanes;
   /// false where there are no more.
   virtual bool begin(std::size_t lane, LaneValues& values) = 0;

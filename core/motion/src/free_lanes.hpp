@@ -4,19 +4,15 @@
 // The vector kernel of the free batch, free_lanes.cpp, as the rest of core sees it.
 
 #include "batch_entries.hpp"
+#include "interface.hpp"
 
 #include <cstddef>
 
 namespace stillpoint {
 
 /// Where the lanes get their work.
-class FreeLanesSource {
+class FreeLanesSource : public Interface {
  public:
-  FreeLanesSource() = default;
-  FreeLanesSource(const FreeLanesSource&) = delete;
-  FreeLanesSource& operator=(const FreeLanesSource&) = delete;
-  virtual ~FreeLanesSource() = default;
-
   /// The next entries to run; an empty range where there are no more.
   virtual EntryRange next() = 0;
 

@@ -56,14 +56,14 @@ class LaneMotion final : public RecordMotion {
 
   void feels(std::size_t i, const LanePoint& from, const LanePoint& to) override {
     if constexpr (Law::damped) {
-      const double sign = columns_.sign[lane_];
+      const double sign = my(Of::sign);
       const auto point = [&](std::size_t sample, const LanePoint& at) {
-        const double w = record_.values[sample] * columns_.inverse_p[lane_];
+        const double w = record_.values[sample] * my(Of::inverse_p);
         return SlidePoint<double, true>{sign * at.u, sign * at.v, sign * at.a, sign * w};
       };
       double& felt = run_.state().transmitted.slid;
-      point(i, from).feel(point(i + 1, to), terms_, sign * columns_.phi[lane_], felt);
-      columns_.felt[lane_] = felt;
+      point(i, from).feel(point(i + 1, to), terms_, sign * my(Of::phi), felt);
+      my(Of::felt) = felt;
     }
   }
 
@@ -90,6 +90,10 @@ class LaneMotion final : public RecordMotion {
  private:
   static constexpr double infinite = std::numeric_limits<double>::infinity();
 
+  using Of = RecordValue;
+
+  [[nodiscard]] double& my(RecordValue value) { return columns_[value][lane_]; }
+
   [[nodiscard]] ExactSum<double> reach() const {
     return ExactSum<double>::product(run_.map().p, end_);
   }
@@ -108,20 +112,13 @@ class LaneMotion final : public RecordMotion {
 
   void set_terms() {
     update(terms_, run_.map().p * record_.step, run_.law());
-    const IntervalTerms<double>& terms = terms_;
-    columns_.inverse_p[lane_] = 1 / run_.map().p;
-    columns_.sine[lane_] = terms.sine;
-    columns_.versine[lane_] = terms.versine;
-    columns_.lag[lane_] = terms.lag;
-    columns_.bend[lane_] = terms.bend;
-    columns_.pull[lane_] = terms.pull;
-    columns_.fall[lane_] = terms.fall;
-    columns_.least_v[lane_] = terms.least_v;
-    columns_.reach[lane_] = terms.reach;
-    columns_.drag[lane_] = terms.drag;
-    columns_.twice_zeta[lane_] = terms.twice_zeta;
-    columns_.swell[lane_] = terms.swell;
-    columns_.lift[lane_] = terms.lift;
+    const IntervalTerms<double>& t = terms_;
+    my(Of::inverse_p) = 1 / run_.map().p;
+    auto value = static_cast<std::size_t>(Of::sine);
+    for (const double term : {t.sine, t.versine, t.lag, t.bend, t.pull, t.fall, t.least_v, t.reach,
+                              t.drag, t.twice_zeta, t.swell, t.lift}) {
+      columns_.numbers[value++][lane_] = term;
+    }
   }
 
   /// Gives the state at sample i to the lane.
@@ -131,39 +128,39 @@ class LaneMotion final : public RecordMotion {
     const bool slides = s.mode == ForcedMode::sliding;
     const double sign = slides ? s.direction : 0;
     const double y = sign * s.u;
-    columns_.u[lane_] = s.u;
-    columns_.v[lane_] = s.v;
-    columns_.a[lane_] = 0;
-    columns_.sign[lane_] = sign;
-    columns_.phi[lane_] = sign * run_.law().phi_ahead(y);
-    columns_.edge[lane_] = run_.law().edge_ahead(y);
-    columns_.look[lane_] = y < 0 ? std::min(columns_.edge[lane_], 0.0) : columns_.edge[lane_];
-    columns_.certain[lane_] = columns_.crest[lane_] = never;  // for a motion that has ended
+    my(Of::u) = s.u;
+    my(Of::v) = s.v;
+    my(Of::a) = 0;
+    my(Of::sign) = sign;
+    my(Of::phi) = sign * run_.law().phi_ahead(y);
+    my(Of::edge) = run_.law().edge_ahead(y);
+    my(Of::look) = y < 0 ? std::min(my(Of::edge), 0.0) : my(Of::edge);
+    my(Of::certain) = my(Of::crest) = never;  // for a motion that has ended
     if (slides) {
-      const double w = record_.values[i] * columns_.inverse_p[lane_];
-      double force = s.u + columns_.phi[lane_] + w;
+      const double w = record_.values[i] * my(Of::inverse_p);
+      double force = s.u + my(Of::phi) + w;
       if constexpr (Law::damped) {
         force += run_.law().drag(s.v);
       }
-      columns_.a[lane_] = -force;
-      columns_.felt[lane_] = s.transmitted.slid;
+      my(Of::a) = -force;
+      my(Of::felt) = s.transmitted.slid;
     } else if (!run_.over()) {
       const auto hold = run_.law().hold_at(s.u);
       decided_ = !s.fresh && record_run_.held(i, hold);
-      columns_.certain[lane_] = decided_ ? hold.held_for_certain() : -1;
-      columns_.crest[lane_] = -1;
-      columns_.phi[lane_] = hold.phi(1);  // or (-1): at an edge the margin is 0 anyway
+      my(Of::certain) = decided_ ? hold.held_for_certain() : -1;
+      my(Of::crest) = -1;
+      my(Of::phi) = hold.phi(1);  // or (-1): at an edge the margin is 0 anyway
       give_margin();
     }
   }
 
   void give_margin() {
     const TippingMargin<double>& margin = run_.state().margin;
-    columns_.slack[lane_] = infinite;
-    columns_.scale[lane_] = 1;
+    my(Of::slack) = infinite;
+    my(Of::scale) = 1;
     if (margin.any()) {
-      columns_.slack[lane_] = margin.slack();
-      columns_.scale[lane_] = margin.scale();
+      my(Of::slack) = margin.slack();
+      my(Of::scale) = margin.scale();
     }
   }
 
@@ -171,10 +168,10 @@ class LaneMotion final : public RecordMotion {
   void leave() {
     ForcedState<double>& s = run_.state();
     if (begun_ && s.mode == ForcedMode::sliding) {
-      s.u = columns_.u[lane_];
-      s.v = columns_.v[lane_];
-    } else if (begun_ && s.mode == ForcedMode::resting && columns_.slack[lane_] < infinite) {
-      s.margin = {columns_.slack[lane_], columns_.scale[lane_]};
+      s.u = my(Of::u);
+      s.v = my(Of::v);
+    } else if (begun_ && s.mode == ForcedMode::resting && my(Of::slack) < infinite) {
+      s.margin = {my(Of::slack), my(Of::scale)};
     }
   }
 
@@ -185,7 +182,7 @@ class LaneMotion final : public RecordMotion {
       return false;
     }
     const auto hold = run_.law().hold_at(run_.state().u);
-    record_run_.look_at_crest(i, hold, columns_.crest[lane_]);
+    record_run_.look_at_crest(i, hold, my(Of::crest));
     give_margin();
     return record_run_.held(i + 1, hold);
   }

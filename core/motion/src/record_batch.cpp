@@ -84,7 +84,7 @@ class RecordBlock {
       count_ = static_cast<std::size_t>(rest - live_.data());
       // Groups those at rest, since they need less work.
       std::partition(live_.data(), rest,
-                     [&](std::size_t lane) { return columns_.sign[lane] != 0; });
+                     [&](std::size_t lane) { return columns_[RecordValue::sign][lane] != 0; });
     }
   }
 

@@ -54,6 +54,19 @@ class RecordGroup {
   }
 
  private:
+  using Of = RecordValue;
+  static constexpr double rests_for_ever = std::numeric_limits<double>::max();
+
+  HWY_INLINE V get(RecordValue value) const {
+    return at(numbers_[static_cast<std::size_t>(value)], 0);
+  }
+  HWY_INLINE void keep(V v, RecordValue value) {
+    put(v, numbers_[static_cast<std::size_t>(value)], 0);
+  }
+  HWY_INLINE double& number(RecordValue value, Index k) {
+    return numbers_[static_cast<std::size_t>(value)][k];
+  }
+
   /// (F16) and (F21) over an interval.
   struct Terms {
     V sine;
@@ -75,8 +88,8 @@ class RecordGroup {
   };
 
   HWY_INLINE Terms terms() const {
-    return {at(sine_, 0), at(versine_, 0), at(lag_, 0),   at(bend_, 0), at(pull_, 0),
-            at(fall_, 0), at(least_v_, 0), at(reach_, 0), at(drag_, 0), at(twice_zeta_, 0)};
+    return {get(Of::sine), get(Of::versine), get(Of::lag),   get(Of::bend), get(Of::pull),
+            get(Of::fall), get(Of::least_v), get(Of::reach), get(Of::drag), get(Of::twice_zeta)};
   }
 
   static HWY_INLINE V next_v(const Terms& t, const Point& s, V rise) {
@@ -117,22 +130,22 @@ class RecordGroup {
     }
     const V ends = hn::Max(hn::Abs(hn::Add(s.a, w)), hn::Abs(hn::Add(next.a, next_w)));
     const V load = hn::Max(hn::Abs(w), hn::Abs(next_w));
-    const V most = hn::Mul(at(swell_, 0), hn::Add(ends, hn::Mul(at(lift_, 0), load)));
-    return hn::And(turns, hn::Gt(most, at(felt_, 0)));
+    const V most = hn::Mul(get(Of::swell), hn::Add(ends, hn::Mul(get(Of::lift), load)));
+    return hn::And(turns, hn::Gt(most, get(Of::felt)));
   }
 
   /// From sample i on while all lanes are calm; returns the sample before the interval where one is
   /// not. The calm ones are past the interval, and `next_` says where the others would be.
   template <bool rests>
   HWY_INLINE std::size_t advance(std::size_t i, std::size_t end) {
-    const V inverse_p = at(inverse_p_, 0);
+    const V inverse_p = get(Of::inverse_p);
     const Terms t = terms();
-    const V sign = at(sign_, 0);
+    const V sign = get(Of::sign);
     const V mirror = hn::And(sign, hn::SignBit(D()));
-    const V phi = at(phi_, 0);
-    const V look = at(look_, 0);
+    const V phi = get(Of::phi);
+    const V look = get(Of::look);
     const M slides = hn::Ne(sign, hn::Zero(D()));
-    Point now{at(u_, 0), at(v_, 0), at(a_, 0)};
+    Point now{get(Of::u), get(Of::v), get(Of::a)};
     V w = hn::Mul(all(record_[i]), inverse_p);
     for (; i < end; ++i) {
       const V next_w = hn::Mul(all(record_[i + 1]), inverse_p);
@@ -164,16 +177,16 @@ class RecordGroup {
       now = next;
       w = next_w;
     }
-    put(now.u, u_, 0);
-    put(now.v, v_, 0);
-    put(now.a, a_, 0);
+    keep(now.u, Of::u);
+    keep(now.v, Of::v);
+    keep(now.a, Of::a);
     return i;
   }
 
   HWY_INLINE void stop(const Point& now, const Point& next, M calm, M goes_on) {
-    put(hn::IfThenElse(calm, next.u, now.u), u_, 0);
-    put(hn::IfThenElse(calm, next.v, now.v), v_, 0);
-    put(hn::IfThenElse(calm, next.a, now.a), a_, 0);
+    keep(hn::IfThenElse(calm, next.u, now.u), Of::u);
+    keep(hn::IfThenElse(calm, next.v, now.v), Of::v);
+    keep(hn::IfThenElse(calm, next.a, now.a), Of::a);
     put(next.u, next_u_, 0);
     put(next.v, next_v_, 0);
     put(next.a, next_a_, 0);
@@ -183,8 +196,8 @@ class RecordGroup {
 
   /// The same where all lanes rest.
   HWY_INLINE std::size_t rest(std::size_t i, std::size_t end) {
-    const V inverse_p = at(inverse_p_, 0);
-    const V u = at(u_, 0);
+    const V inverse_p = get(Of::inverse_p);
+    const V u = get(Of::u);
     V w = hn::Mul(all(record_[i]), inverse_p);
     for (; i < end; ++i) {
       const V next_w = hn::Mul(all(record_[i + 1]), inverse_p);
@@ -202,13 +215,13 @@ class RecordGroup {
   /// RecordRun::rest_from: where the load w + u is held for certain at both ends.
   HWY_INLINE M goes_on_resting(V u, V w, V next_w, M rests) {
     const V zero = hn::Zero(D());
-    const V certain = at(certain_, 0);
+    const V certain = get(Of::certain);
     const V load = hn::Add(u, w);
     const V rise = hn::Sub(next_w, w);
     const V growth = hn::IfThenElse(hn::Gt(load, zero), rise, hn::Neg(rise));
     const M held = hn::Le(hn::Abs(hn::Add(u, next_w)), certain);
     const M crest =
-        hn::And(hn::And(rests, hn::Le(growth, zero)), hn::Gt(hn::Abs(load), at(crest_, 0)));
+        hn::And(hn::And(rests, hn::Le(growth, zero)), hn::Gt(hn::Abs(load), get(Of::crest)));
     if (hn::AllFalse(D(), crest)) {
       return held;
     }
@@ -219,14 +232,14 @@ class RecordGroup {
 
   /// TippingMargin::decide with what the crest of a load lacks to friction.
   HWY_INLINE void decide_crest(V u, V w, V load, M crest) {
-    const V phi = at(phi_, 0);
+    const V phi = get(Of::phi);
     const V slack = hn::Abs(hn::Sub(hn::Abs(load), phi));
     const V scale = hn::Add(hn::Add(hn::Abs(u), hn::Abs(w)), phi);
     const M nearer =
-        hn::And(crest, hn::Lt(hn::Mul(slack, at(scale_, 0)), hn::Mul(at(slack_, 0), scale)));
-    put(hn::IfThenElse(crest, hn::Abs(load), at(crest_, 0)), crest_, 0);
-    put(hn::IfThenElse(nearer, slack, at(slack_, 0)), slack_, 0);
-    put(hn::IfThenElse(nearer, scale, at(scale_, 0)), scale_, 0);
+        hn::And(crest, hn::Lt(hn::Mul(slack, get(Of::scale)), hn::Mul(get(Of::slack), scale)));
+    keep(hn::IfThenElse(crest, hn::Abs(load), get(Of::crest)), Of::crest);
+    keep(hn::IfThenElse(nearer, slack, get(Of::slack)), Of::slack);
+    keep(hn::IfThenElse(nearer, scale, get(Of::scale)), Of::scale);
   }
 
   /// In the interval after sample i.
@@ -235,28 +248,30 @@ class RecordGroup {
       const auto k = static_cast<Index>(__builtin_ctz(waiting_));
       const std::size_t lane = lanes_[k];
       const unsigned bit = waiting_ & (0 - waiting_);
-      const double y = sign_[k] * next_u_[k];
-      const bool passes = !damped || !(y < look_[k]);
-      if ((goes_on_ & bit) != 0 && y < edge_[k] && (!passes || events_[lane]->passes())) {
+      const double y = number(Of::sign, k) * next_u_[k];
+      const bool passes = !damped || !(y < number(Of::look, k));
+      if ((goes_on_ & bit) != 0 && y < number(Of::edge, k) &&
+          (!passes || events_[lane]->passes())) {
         if (damped && (feels_more_ & bit) != 0) {
-          events_[lane]->feels(i, {u_[k], v_[k], a_[k]}, {next_u_[k], next_v_[k], next_a_[k]});
-          felt_[k] = columns_.felt[lane];
+          events_[lane]->feels(i, {number(Of::u, k), number(Of::v, k), number(Of::a, k)},
+                               {next_u_[k], next_v_[k], next_a_[k]});
+          number(Of::felt, k) = columns_[Of::felt][lane];
         }
-        u_[k] = next_u_[k];
-        v_[k] = next_v_[k];
-        a_[k] = next_a_[k];
-        look_[k] = passes ? edge_[k] : look_[k];
+        number(Of::u, k) = next_u_[k];
+        number(Of::v, k) = next_v_[k];
+        number(Of::a, k) = next_a_[k];
+        number(Of::look, k) = passes ? number(Of::edge, k) : number(Of::look, k);
       } else {
         store_state(k, lane);
         events_[lane]->through_interval(i);
-        load_state(k, lane);
+        load(k, lane, Of::inverse_p);
       }
     }
     look_for_rests();
   }
 
   HWY_INLINE void look_for_rests() {
-    const M rests = hn::Eq(at(sign_, 0), hn::Zero(D()));
+    const M rests = hn::Eq(get(Of::sign), hn::Zero(D()));
     any_rests_ = !hn::AllFalse(D(), rests);
     all_rest_ = hn::AllTrue(D(), rests);
   }
@@ -264,41 +279,18 @@ class RecordGroup {
   HWY_INLINE void load_all() {
     for (Index k = 0; k < width; ++k) {
       if (k < count_) {
-        const std::size_t lane = lanes_[k];
-        load_state(k, lane);
-        inverse_p_[k] = columns_.inverse_p[lane];
-        sine_[k] = columns_.sine[lane];
-        versine_[k] = columns_.versine[lane];
-        lag_[k] = columns_.lag[lane];
-        bend_[k] = columns_.bend[lane];
-        pull_[k] = columns_.pull[lane];
-        fall_[k] = columns_.fall[lane];
-        least_v_[k] = columns_.least_v[lane];
-        reach_[k] = columns_.reach[lane];
-        drag_[k] = columns_.drag[lane];
-        twice_zeta_[k] = columns_.twice_zeta[lane];
-        swell_[k] = columns_.swell[lane];
-        lift_[k] = columns_.lift[lane];
+        load(k, lanes_[k], Of::count);
       } else {
-        certain_[k] = crest_[k] = std::numeric_limits<double>::max();  // rests for ever
+        number(Of::certain, k) = number(Of::crest, k) = rests_for_ever;
       }
     }
     look_for_rests();
   }
 
-  HWY_INLINE void load_state(Index k, std::size_t lane) {
-    u_[k] = columns_.u[lane];
-    v_[k] = columns_.v[lane];
-    a_[k] = columns_.a[lane];
-    sign_[k] = columns_.sign[lane];
-    phi_[k] = columns_.phi[lane];
-    look_[k] = columns_.look[lane];
-    edge_[k] = columns_.edge[lane];
-    certain_[k] = columns_.certain[lane];
-    crest_[k] = columns_.crest[lane];
-    slack_[k] = columns_.slack[lane];
-    scale_[k] = columns_.scale[lane];
-    felt_[k] = columns_.felt[lane];
+  HWY_INLINE void load(Index k, std::size_t lane, RecordValue end) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(end); ++i) {
+      numbers_[i][k] = columns_.numbers[i][lane];
+    }
   }
 
   HWY_INLINE void store_all() {
@@ -308,19 +300,9 @@ class RecordGroup {
   }
 
   HWY_INLINE void store_state(Index k, std::size_t lane) {
-    columns_.u[lane] = u_[k];
-    columns_.v[lane] = v_[k];
-    columns_.a[lane] = a_[k];
-    columns_.look[lane] = look_[k];
-    columns_.crest[lane] = crest_[k];
-    columns_.slack[lane] = slack_[k];
-    columns_.scale[lane] = scale_[k];
-  }
-
-  static HWY_INLINE unsigned bits(M mask) {
-    std::array<std::uint8_t, 8> number{};
-    hn::StoreMaskBits(D(), mask, number.data());
-    return number[0];
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(Of::scale); ++i) {
+      columns_.numbers[i][lane] = numbers_[i][k];
+    }
   }
 
   const double* record_;
@@ -334,31 +316,7 @@ class RecordGroup {
   unsigned goes_on_{0};  ///< of those that slide: v > 0 throughout
   unsigned feels_more_{0};
 
-  Column<width> u_{};
-  Column<width> v_{};
-  Column<width> a_{};
-  Column<width> sign_{};
-  Column<width> phi_{};
-  Column<width> look_{};
-  Column<width> edge_{};
-  Column<width> certain_{};
-  Column<width> crest_{};
-  Column<width> slack_{};
-  Column<width> scale_{};
-  Column<width> inverse_p_{};
-  Column<width> sine_{};
-  Column<width> versine_{};
-  Column<width> lag_{};
-  Column<width> bend_{};
-  Column<width> pull_{};
-  Column<width> fall_{};
-  Column<width> least_v_{};
-  Column<width> reach_{};
-  Column<width> drag_{};
-  Column<width> twice_zeta_{};
-  Column<width> swell_{};
-  Column<width> lift_{};
-  Column<width> felt_{};
+  std::array<Column<width>, static_cast<std::size_t>(Of::count)> numbers_{};
   Column<width> next_u_{};
   Column<width> next_v_{};
   Column<width> next_a_{};

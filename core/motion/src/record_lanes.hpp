@@ -4,6 +4,8 @@
 // The vector kernel of the record batch, record_lanes.cpp, as the rest of core sees it. Plain
 // arrays only, as in batch_entries.hpp.
 
+#include "interface.hpp"
+
 #include <array>
 #include <cstddef>
 
@@ -14,39 +16,44 @@ namespace stillpoint {
 inline constexpr std::size_t record_lanes = 128;
 
 /// What the vectors know of each motion, in the units of forced_run.hpp; not mirrored: u = p x.
+enum class RecordValue : std::size_t {
+  u,
+  v,
+  a,
+  look,       ///< on a slide, the y from which it is examined: x = 0, the edge or never
+  crest,      ///< at rest: no smaller |w + u| matters to the margin
+  slack,      ///< of the margin, TippingMargin; infinite where nothing was decided
+  scale,      ///< the last that changes from sample to sample
+  sign,       ///< of v on a slide; 0 at rest
+  phi,        ///< friction, on a slide with that sign
+  edge,       ///< on a slide, the y where friction changes or a notch is; or never
+  certain,    ///< at rest: up to this, |w + u| is certainly held
+  felt,       ///< with damping: the most that the structure has felt while the mass slid, over p
+  inverse_p,  ///< the first that never changes; then (F16) over an interval, IntervalTerms
+  sine,
+  versine,
+  lag,
+  bend,
+  pull,
+  fall,
+  least_v,
+  reach,  ///< with damping, as the rest
+  drag,
+  twice_zeta,
+  swell,
+  lift,
+  count
+};
+
 struct RecordColumns {
   using Column = std::array<double, record_lanes>;
 
-  Column u;
-  Column v;
-  Column a;
-  Column sign;     ///< of v on a slide; 0 at rest
-  Column phi;      ///< friction, on a slide with that sign
-  Column look;     ///< on a slide, the y from which it is examined: x = 0, the edge or never
-  Column edge;     ///< on a slide, the y where friction changes or a notch is; or never
-  Column certain;  ///< at rest: up to this, |w + u| is certainly held
-  Column crest;    ///< at rest: no smaller |w + u| matters to the margin
-  Column slack;    ///< of the margin, TippingMargin; infinite where nothing was decided
-  Column scale;
+  [[nodiscard]] Column& operator[](RecordValue value) {
+    return numbers[static_cast<std::size_t>(value)];
+  }
 
-  // (F16) over an interval, IntervalTerms
-  Column inverse_p;
-  Column sine;
-  Column versine;
-  Column lag;
-  Column bend;
-  Column pull;
-  Column fall;
-  Column least_v;
-
-  // With damping
-  bool damped;  ///< all of them are, or none
-  Column reach;
-  Column drag;
-  Column twice_zeta;
-  Column swell;
-  Column lift;
-  Column felt;  ///< the most that the structure has felt while the mass slid, over p
+  bool damped{false};  ///< all of them are, or none
+  std::array<Column, static_cast<std::size_t>(RecordValue::count)> numbers{};
 };
 
 /// A sliding motion at a sample.
@@ -57,13 +64,8 @@ struct LanePoint {
 };
 
 /// Handles what the vectors do not decide for a motion.
-class LaneEvents {
+class LaneEvents : public Interface {
  public:
-  LaneEvents() = default;
-  LaneEvents(const LaneEvents&) = delete;
-  LaneEvents& operator=(const LaneEvents&) = delete;
-  virtual ~LaneEvents() = default;
-
   /// x = 0 is passed in an interval, without a notch there, and nothing else happens: whether the
   /// motion goes on.
   virtual bool passes() = 0;

@@ -5,6 +5,7 @@
 // any watcher: a virtual call costs little compared with a piece, while each copy of the kernel
 // costs code.
 
+#include "interface.hpp"
 #include "kernel/damped_curve.hpp"
 #include "kernel/damped_piece.hpp"
 #include "kernel/exact_sum.hpp"
@@ -36,13 +37,8 @@ struct WatchedPiece {
 };
 
 /// Units and symbols as in kernel/forced_run.hpp.
-class MotionWatcher {
+class MotionWatcher : public Interface {
  public:
-  MotionWatcher() = default;
-  MotionWatcher(const MotionWatcher&) = delete;
-  MotionWatcher& operator=(const MotionWatcher&) = delete;
-  virtual ~MotionWatcher() = default;
-
   virtual void event(EventKind kind, const ExactSum<double>& now, double u, double v) = 0;
   virtual void follow(const WatchedPiece& /*piece*/) {}
   /// It sees the motion up to this tau: known from the beginning, or where the load is over.

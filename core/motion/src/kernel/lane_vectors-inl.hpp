@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// Vectors of doubles for free_lanes.cpp, with short names.
+// Vectors of doubles for lanes, with short names.
 
 // Read once for each instruction set, as Highway requires.
 #if defined(STILLPOINT_LANE_VECTORS_INL) == defined(HWY_TARGET_TOGGLE)
@@ -69,6 +69,13 @@ HWY_INLINE void put(V v, Column<count>& column, Index i) {
   put(v, column.numbers.data() + i);
 }
 
+/// One for each lane.
+HWY_INLINE unsigned bits(M mask) {
+  std::array<std::uint8_t, 8> found{};
+  hn::StoreMaskBits(D(), mask, found.data());
+  return found[0];
+}
+
 HWY_INLINE M within(V v, double low, double high) {
   return hn::And(hn::Ge(v, all(low)), hn::Le(v, all(high)));
 }
@@ -95,12 +102,10 @@ inline constexpr auto chosen_first = [] {
 /// Brings the lanes of the mask to the front. Highway's Compress does the same, but copies its
 /// table at each call when compiled by GCC 12.
 HWY_INLINE Order to_front(M mask) {
-  const Bits bits;
-  std::array<std::uint8_t, 8> number{};
-  hn::StoreMaskBits(D(), mask, number.data());
-  const auto packed = hn::Set(bits, chosen_first[number[0]]);
-  const auto shift = hn::ShiftLeft<2>(hn::Iota(bits, 0));
-  return hn::IndicesFromVec(D(), hn::And(hn::Shr(packed, shift), hn::Set(bits, 15)));
+  const Bits whole;
+  const auto packed = hn::Set(whole, chosen_first[bits(mask)]);
+  const auto shift = hn::ShiftLeft<2>(hn::Iota(whole, 0));
+  return hn::IndicesFromVec(D(), hn::And(hn::Shr(packed, shift), hn::Set(whole, 15)));
 }
 
 HWY_INLINE V reordered(V v, Order order) {
