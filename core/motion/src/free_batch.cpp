@@ -191,18 +191,4 @@ void free_batch(const BatchValues& v0, const BatchValues& p, const BatchValues& 
   run(entries_of(v0, p, f, delta), options, result);
 }
 
-BatchResult free_batch(double v0, double p, const BatchValues& f, const BatchValues& delta,
-                       const BatchOptions& options) {
-  BatchResult result;
-  free_batch(v0, p, f, delta, options, result);
-  return result;
-}
-
-BatchResult free_batch(const BatchValues& v0, const BatchValues& p, const BatchValues& f,
-                       const BatchValues& delta, const BatchOptions& options) {
-  BatchResult result;
-  free_batch(v0, p, f, delta, options, result);
-  return result;
-}
-
 }  // namespace stillpoint

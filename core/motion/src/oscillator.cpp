@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/core/oscillator.hpp>
+#include "require.hpp"
 
-#include <fmt/format.h>
+#include <stillpoint/core/oscillator.hpp>
 
 #include <cmath>
 #include <string>
@@ -13,22 +12,17 @@ namespace {
 
 void require_speed(const char* field, double value, double speed, const char* what) {
   const double magnitude = std::abs(speed);
-  if (magnitude == 0 || (magnitude >= smallest_speed && magnitude <= largest_speed)) {
-    return;
-  }
-  throw InputError(field, value,
-                   fmt::format("{} must be 0 or have a magnitude from {} to {}", what,
-                               smallest_speed, largest_speed));
+  require(magnitude == 0 || (magnitude >= smallest_speed && magnitude <= largest_speed), field,
+          value, "{} must be 0 or have a magnitude from {} to {}", what, smallest_speed,
+          largest_speed);
 }
 
 }  // namespace
 
 void require_friction(const std::string& field, double f, double p) {
   require_within(field, f, 0, largest_speed * p);
-  if (f != 0 && f / p < smallest_friction_speed) {
-    throw InputError(
-        field, f, fmt::format("must be 0 or at least {} p (p = {})", smallest_friction_speed, p));
-  }
+  require(!(f != 0 && f / p < smallest_friction_speed), field, f,
+          "must be 0 or at least {} p (p = {})", smallest_friction_speed, p);
 }
 
 void require_valid(const Oscillator& oscillator) {
@@ -52,15 +46,11 @@ void require_valid(const Oscillator& oscillator, const Start& start) {
   require_speed("x0", start.x0, oscillator.p * start.x0, "p * x0");
   const double phi = oscillator.f / oscillator.p;
   const double speed = std::abs(start.v0);
-  if (speed > 0 && phi > speed && speed * (speed / phi) < smallest_peak_speed) {
-    throw InputError("f", oscillator.f,
-                     fmt::format("v0^2 p / f must be at least {} (v0 = {}, p = {})",
-                                 smallest_peak_speed, start.v0, oscillator.p));
-  }
-  if (start.x0 != 0 && oscillator.p * start.x0 == 0) {
-    throw InputError("x0", start.x0,
-                     fmt::format("p * x0 must not underflow (p = {})", oscillator.p));
-  }
+  require(!(speed > 0 && phi > speed && speed * (speed / phi) < smallest_peak_speed), "f",
+          oscillator.f, "v0^2 p / f must be at least {} (v0 = {}, p = {})", smallest_peak_speed,
+          start.v0, oscillator.p);
+  require(!(start.x0 != 0 && oscillator.p * start.x0 == 0), "x0", start.x0,
+          "p * x0 must not underflow (p = {})", oscillator.p);
 }
 
 }  // namespace stillpoint

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
+#include <variant>
 
 namespace stillpoint {
 
@@ -120,44 +122,40 @@ std::optional<EquivalentStart> carried_back(const AnyPush& push) {
   return carried_back(push.ratio, end, push.speed(end), push.distance(end));
 }
 
-/// `carried` gives the start in the units of Push, for a ratio below 1.
-template <class Pulse, class Carried>
-std::optional<EquivalentStart> start_of(const Pulse& pulse, double f, const Carried& carried) {
-  require_valid(Excitation(pulse));
-  require_within("f", f, 0, largest_square);
-  const double k = std::abs(pulse.k);
-  const std::optional<EquivalentStart> start = k > f ? carried(f / k) : std::nullopt;
-  return start ? std::optional(
-                     EquivalentStart{k / pulse.lambda * start->speed, start->tau / pulse.lambda})
-               : std::nullopt;
+// Of each kind of pulse in the units of Push, for a ratio below 1.
+
+std::optional<EquivalentStart> start_of(const HalfSine& /*pulse*/, double ratio) {
+  return carried_back(Push{ratio});
+}
+std::optional<EquivalentStart> start_of(const Rectangle& /*pulse*/, double ratio) {
+  constexpr double end = std::numbers::pi;
+  const double speed = (1 - ratio) * end;
+  return carried_back(ratio, end, speed, speed * end / 2);
+}
+template <class Shape>
+requires requires(const Shape& shape) {
+  exceeds(shape, 0.0);
+}
+std::optional<EquivalentStart> start_of(const Shape& /*pulse*/, double ratio) {
+  return carried_back(ShapedPush<Shape>{ratio});
 }
 
 }  // namespace
 
-std::optional<EquivalentStart> equivalent_start(const HalfSine& pulse, double f) {
-  return start_of(pulse, f, [](double ratio) { return carried_back(Push{ratio}); });
-}
-
-std::optional<EquivalentStart> equivalent_start(const Sawtooth& pulse, double f) {
-  return start_of(pulse, f, [](double ratio) { return carried_back(ShapedPush<Sawtooth>{ratio}); });
-}
-
-std::optional<EquivalentStart> equivalent_start(const Trapezoid& pulse, double f) {
-  return start_of(pulse, f,
-                  [](double ratio) { return carried_back(ShapedPush<Trapezoid>{ratio}); });
-}
-
-std::optional<EquivalentStart> equivalent_start(const Haversine& pulse, double f) {
-  return start_of(pulse, f,
-                  [](double ratio) { return carried_back(ShapedPush<Haversine>{ratio}); });
-}
-
-std::optional<EquivalentStart> equivalent_start(const Rectangle& pulse, double f) {
-  return start_of(pulse, f, [](double ratio) {
-    constexpr double end = std::numbers::pi;
-    const double speed = (1 - ratio) * end;
-    return carried_back(ratio, end, speed, speed * end / 2);
-  });
+std::optional<EquivalentStart> equivalent_start(const Excitation& pulse, double f) {
+  require_valid(pulse);
+  require_within("f", f, 0, largest_square);
+  const auto of_kind = [f](const auto& kind) -> std::optional<EquivalentStart> {
+    if constexpr (requires { start_of(kind, f); }) {
+      const double k = std::abs(kind.k);
+      const std::optional<EquivalentStart> start = k > f ? start_of(kind, f / k) : std::nullopt;
+      if (start) {
+        return EquivalentStart{k / kind.lambda * start->speed, start->tau / kind.lambda};
+      }
+    }
+    return std::nullopt;
+  };
+  return std::visit(of_kind, pulse);
 }
 
 }  // namespace stillpoint

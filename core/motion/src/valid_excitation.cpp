@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "kernel/excitation_law.hpp"
+#include "require.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 
 #include <fmt/format.h>
@@ -52,11 +52,8 @@ void check(const Harmonic& excitation) {
   require_within("phase", excitation.phase, -largest_phase, largest_phase);
   const double lasts = excitation.duration.value_or(0);
   const bool within = lasts >= smallest_speed && lasts <= largest_speed;
-  if (!(lasts == 0 || within)) {
-    throw InputError(
-        "duration", lasts,
-        fmt::format("must be 0 or a number from {} to {}", smallest_speed, largest_speed));
-  }
+  require(lasts == 0 || within, "duration", lasts, "must be 0 or a number from {} to {}",
+          smallest_speed, largest_speed);
 }
 
 template <class Law>
@@ -98,17 +95,12 @@ constexpr double largest_ratio = 1e12;
 /// The load relative to p: force and, for a wave, frequency.
 void require_scaled_wave(double k, double lambda, double p) {
   const double load = std::abs(k) / p;
-  if (k != 0 && !(load >= smallest_speed && load <= largest_speed)) {
-    throw InputError("k", k,
-                     fmt::format("k / p must be 0 or have a magnitude from {} to {} (p = {})",
-                                 smallest_speed, largest_speed, p));
-  }
+  require(k == 0 || (load >= smallest_speed && load <= largest_speed), "k", k,
+          "k / p must be 0 or have a magnitude from {} to {} (p = {})", smallest_speed,
+          largest_speed, p);
   const double ratio = lambda / p;
-  if (!(ratio >= 1 / largest_ratio && ratio <= largest_ratio)) {
-    throw InputError("lambda", lambda,
-                     fmt::format("lambda / p must be from {:g} to {:g} (p = {})", 1 / largest_ratio,
-                                 largest_ratio, p));
-  }
+  require(ratio >= 1 / largest_ratio && ratio <= largest_ratio, "lambda", lambda,
+          "lambda / p must be from {:g} to {:g} (p = {})", 1 / largest_ratio, largest_ratio, p);
 }
 
 void check_scaled(const NoExcitation& /*excitation*/, double /*p*/, double /*t_end*/) {}
@@ -116,11 +108,8 @@ void check_scaled(const NoExcitation& /*excitation*/, double /*p*/, double /*t_e
 template <class Wave>
 void check_scaled(const Wave& wave, double p, double t_end) {
   require_scaled_wave(wave.k, wave.lambda, p);
-  if (!(wave.lambda * std::fmin(t_end, duration_of<double>(wave)) <= largest_phase)) {
-    throw InputError(
-        "t_end", t_end,
-        fmt::format("lambda t_end must be at most {} (lambda = {})", largest_phase, wave.lambda));
-  }
+  require(wave.lambda * std::fmin(t_end, duration_of<double>(wave)) <= largest_phase, "t_end",
+          t_end, "lambda t_end must be at most {} (lambda = {})", largest_phase, wave.lambda);
 }
 
 void check_scaled(const Record& record, double p, double /*t_end*/) {
@@ -137,11 +126,8 @@ void check_scaled(const Record& record, double p, double /*t_end*/) {
                       smallest_speed, p));
     }
   }
-  if (record.times.empty() && !(p * record.step >= smallest_speed)) {
-    throw InputError(
-        "record step", record.step,
-        fmt::format("its product with p must be at least {} (p = {})", smallest_speed, p));
-  }
+  require(!record.times.empty() || p * record.step >= smallest_speed, "record step", record.step,
+          "its product with p must be at least {} (p = {})", smallest_speed, p);
 }
 
 }  // namespace
@@ -163,11 +149,8 @@ void require_valid(const Oscillator& oscillator, const Start& start, const Excit
   }
   const double end = t_end ? *t_end : *lasts;
   std::visit([&](const auto& kind) { check_scaled(kind, oscillator.p, end); }, excitation);
-  if (!(oscillator.p * end <= largest_phase)) {
-    throw InputError(
-        t_end ? "t_end" : "duration", end,
-        fmt::format("its product with p must be at most {} (p = {})", largest_phase, oscillator.p));
-  }
+  require(oscillator.p * end <= largest_phase, t_end ? "t_end" : "duration", end,
+          "its product with p must be at most {} (p = {})", largest_phase, oscillator.p);
 }
 
 }  // namespace stillpoint

@@ -158,13 +158,8 @@ class HarmonicPiece {
       }
       const Real next = std::min(Real(h + step), horizon);
       const Point right = flow().at(next);
-      std::optional<Located> turn;
-      if (right.v > 0) {
-        turn = turn_between(left, h, right, next);
-      } else {
-        turn = turn_in(left, h, next);
-      }
-      if (turn) {
+      if (const std::optional<Located> turn =
+              right.v > 0 ? turn_between(left, h, right, next) : turn_in(left, h, next)) {
         return {PieceEvent::turn, turn->h, turn->at};
       }
       h = next;

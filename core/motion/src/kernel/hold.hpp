@@ -27,15 +27,9 @@ class Hold {
  public:
   static constexpr bool symmetric = true;
 
-  /// At the place u = p x, by friction alone.
-  Hold(Real p, Real f, Real phi, Real u)
-      : p_(std::move(p)),
-        f_(std::move(f)),
-        friction_(std::move(phi)),
-        phi_(friction_),
-        u_(std::move(u)) {}
-  /// In a notch that holds `h` besides, `spare` = h / p: docs/notches.md, rule 1.
-  Hold(Real p, Real f, Real phi, Real u, Real h, Real spare)
+  /// At the place u = p x, by friction and in a notch that holds `h` besides, `spare` = h / p:
+  /// docs/notches.md, rule 1.
+  Hold(Real p, Real f, Real phi, Real u, Real h = Real(0), Real spare = Real(0))
       : p_(std::move(p)),
         f_(std::move(f)),
         friction_(std::move(phi)),
@@ -101,8 +95,8 @@ class Hold {
   Real friction_;  ///< f / p
   Real phi_;
   Real u_;
-  Real h_{0};
-  Real spare_{0};
+  Real h_;
+  Real spare_;
 };
 
 }  // namespace stillpoint

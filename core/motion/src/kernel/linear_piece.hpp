@@ -102,11 +102,8 @@ class LinearPiece {
 
   [[nodiscard]] End first_event(const Real& limit, bool want_arrival) const {
     const Real square = start_.a * start_.a + start_.v * (start_.v + 2 * rate_);
-    if (rate_ < 0 && touches(square)) [[unlikely]] {
-      const End end = touch_within(limit);
-      return want_arrival && !(end.at.y < 0) ? arrival_before(end) : end;
-    }
-    const End end = first_turn_or_end(square, limit);
+    const bool touch = rate_ < 0 && touches(square);
+    const End end = touch ? touch_within(limit) : first_turn_or_end(square, limit);
     return want_arrival && !(end.at.y < 0) ? arrival_before(end) : end;
   }
 

@@ -73,15 +73,7 @@ Excitation excitation(const Pulse& pulse) {
 }
 
 std::optional<EquivalentStart> equivalent_start(const Pulse& pulse, double f) {
-  return std::visit(
-      [f](const auto& kind) -> std::optional<EquivalentStart> {
-        if constexpr (requires { stillpoint::equivalent_start(kind, f); }) {
-          return stillpoint::equivalent_start(kind, f);
-        } else {
-          return std::nullopt;
-        }
-      },
-      pulse);
+  return stillpoint::equivalent_start(excitation(pulse), f);
 }
 
 }  // namespace stillpoint::design

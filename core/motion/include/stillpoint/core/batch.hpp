@@ -58,11 +58,12 @@ void free_batch(double v0, double p, const BatchValues& f, const BatchValues& de
 void free_batch(const BatchValues& v0, const BatchValues& p, const BatchValues& f,
                 const BatchValues& delta, const BatchOptions& options, BatchResult& result);
 
-[[nodiscard]] BatchResult free_batch(double v0, double p, const BatchValues& f,
-                                     const BatchValues& delta, const BatchOptions& options = {});
-
-[[nodiscard]] BatchResult free_batch(const BatchValues& v0, const BatchValues& p,
-                                     const BatchValues& f, const BatchValues& delta,
-                                     const BatchOptions& options = {});
+template <class Speeds, class Frequencies>
+[[nodiscard]] BatchResult free_batch(const Speeds& v0, const Frequencies& p, const BatchValues& f,
+                                     const BatchValues& delta, const BatchOptions& options = {}) {
+  BatchResult result;
+  free_batch(v0, p, f, delta, options, result);
+  return result;
+}
 
 }  // namespace stillpoint

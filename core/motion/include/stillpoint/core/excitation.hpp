@@ -203,12 +203,8 @@ struct EquivalentStart {
 
 /// The start of the free motion under friction f that is in the same state at the end of the pulse
 /// as the mass, to second order in p / lambda: docs/forced.md section 8. Friction already acts
-/// during the pulse. Empty if the mass never moves, |k| <= f. Throws InputError as require_valid
-/// does, and unless f >= 0.
-[[nodiscard]] std::optional<EquivalentStart> equivalent_start(const HalfSine& pulse, double f);
-[[nodiscard]] std::optional<EquivalentStart> equivalent_start(const Rectangle& pulse, double f);
-[[nodiscard]] std::optional<EquivalentStart> equivalent_start(const Sawtooth& pulse, double f);
-[[nodiscard]] std::optional<EquivalentStart> equivalent_start(const Trapezoid& pulse, double f);
-[[nodiscard]] std::optional<EquivalentStart> equivalent_start(const Haversine& pulse, double f);
+/// during the pulse. Empty if the mass never moves, |k| <= f, and for other loads than pulses to
+/// one side. Throws InputError as require_valid does, and unless f >= 0.
+[[nodiscard]] std::optional<EquivalentStart> equivalent_start(const Excitation& pulse, double f);
 
 }  // namespace stillpoint
