@@ -5,6 +5,8 @@
 // run. For double it is the unevaluated sum of two numbers, good to about 1e-32 of the largest
 // term; a multiprecision scalar is its own exact sum.
 
+#include <stillpoint/core/double_pair.hpp>
+
 #include <cmath>
 #include <type_traits>
 #include <utility>
@@ -32,9 +34,7 @@ class ExactSum {
   /// `rest` is small compared with the term.
   void add(const Real& term, const Real& rest) {
     if constexpr (std::is_floating_point_v<Real>) {
-      const Real sum = high_ + term;
-      const Real taken = sum - high_;
-      const Real lost = (high_ - (sum - taken)) + (term - taken);
+      const auto [sum, lost] = two_sum(high_, term);
       const Real low = low_ + (lost + rest);
       high_ = sum + low;
       low_ = (sum - high_) + low;  // low is an ulp or two of the terms: this rounding is negligible

@@ -66,8 +66,8 @@ class HarmonicPiece {
 
   /// Where y = 0 on a piece that ends with y >= 0, started from y < 0 and has v > 0 between.
   [[nodiscard]] End arrival_before(const End& end) const {
-    const auto [h, at] = zeros_.bracketed(
-        Real(0), end.h, [](const Point& point) { return point.y; }, SeriesOfY());
+    const auto [h, at] =
+        zeros_.template bracketed<of_y>(Real(0), end.h, [](const Point& point) { return point.y; });
     return {PieceEvent::arrival, h, at};
   }
 
@@ -77,6 +77,9 @@ class HarmonicPiece {
   }
 
  private:
+  static constexpr auto of_v = &HarmonicTaylor<Real>::v;
+  static constexpr auto of_y = &HarmonicTaylor<Real>::y;
+
   /// Within more turns of the forcing than this a guess is not worth its cost. Also the number of
   /// turns after which times are counted anew, so that they are not rounded.
   static Real few_turns() { return Real(16); }
@@ -117,8 +120,8 @@ class HarmonicPiece {
     Real& guess = want_arrival ? guesses_.arrival : turn_guess();
     const Real begin = guess > 0 ? guess : under_constant_load(want_arrival);
     const Real h = std::min(begin, horizon);
-    if (!(want_arrival ? zeros_.improved(h, horizon, SeriesOfY(), end)
-                       : zeros_.improved(h, horizon, SeriesOfV(), end))) {
+    if (!(want_arrival ? zeros_.template improved<of_y>(h, horizon, end)
+                       : zeros_.template improved<of_v>(h, horizon, end))) {
       return false;
     }
     end.event = want_arrival ? PieceEvent::arrival : PieceEvent::turn;
@@ -191,8 +194,8 @@ class HarmonicPiece {
   /// the right.
   [[nodiscard]] std::optional<Located> turn_in(const Point& left, const Real& from,
                                                const Real& to) const {
-    const auto [h, at] = zeros_.bracketed(
-        from, to, [](const Point& point) { return -point.v; }, SeriesOfV());
+    const auto [h, at] =
+        zeros_.template bracketed<of_v>(from, to, [](const Point& point) { return -point.v; });
     if (std::optional<Located> earlier = turn_between(left, from, at, h)) {
       return earlier;
     }

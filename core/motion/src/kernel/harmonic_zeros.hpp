@@ -13,20 +13,6 @@
 
 namespace stillpoint {
 
-/// The function whose zero is wanted.
-struct SeriesOfV {
-  template <class Real>
-  const std::array<Real, 8>& operator()(const HarmonicTaylor<Real>& taylor) const {
-    return taylor.v;
-  }
-};
-struct SeriesOfY {
-  template <class Real>
-  const std::array<Real, 8>& operator()(const HarmonicTaylor<Real>& taylor) const {
-    return taylor.y;
-  }
-};
-
 template <class Real>
 class HarmonicZeros {
  public:
@@ -48,18 +34,18 @@ class HarmonicZeros {
     return eighth_root_of_epsilon<Real>() * std::min(h, flow_.time_scale());
   }
 
-  /// Newton's method on `series` of the state from h on until it converges; the closed form is
-  /// evaluated anew after every long step, and after one back towards the start, where the state is
-  /// small and would keep the larger one's errors. The zero goes to `end`; false if it does not
-  /// converge.
-  template <class Series>
-  [[nodiscard]] bool improved(Real h, const Real& horizon, Series series, End& end) const {
+  /// Newton's method on `series`, of v or of y, of the state from h on until it converges; the
+  /// closed form is evaluated anew after every long step, and after one back towards the start,
+  /// where the state is small and would keep the larger one's errors. The zero goes to `end`; false
+  /// if it does not converge.
+  template <auto series>
+  [[nodiscard]] bool improved(Real h, const Real& horizon, End& end) const {
     const Real longest = flow_.time_scale() / 8;
     Point at = flow_.at(h);
     for (int tries = 0; tries < 12; ++tries) {
       const HarmonicTaylor<Real> taylor(at, flow_.r());
       const Real last = small_step(h);
-      const Real d = polynomial_root(series(taylor), last);
+      const Real d = polynomial_root(taylor.*series, last);
       const Real size = magnitude(d);
       if (!(size < 2) || !(h + d > 0) || h + d > horizon) {
         return false;
@@ -81,15 +67,15 @@ class HarmonicZeros {
 
   /// The zero of a function that is < 0 (or starts so) at `low` and >= 0 at `high`: by the steps of
   /// (F11) kept inside the bracket, which halving shrinks where they fail.
-  template <class Value, class Series>
-  [[nodiscard]] Located bracketed(Real low, Real high, Value value, Series series) const {
+  template <auto series, class Value>
+  [[nodiscard]] Located bracketed(Real low, Real high, Value value) const {
     Real h = low + (high - low) / 2;
     Point at = flow_.at(h);
     while (true) {
       (value(at) < 0 ? low : high) = h;
       const HarmonicTaylor<Real> taylor(at, flow_.r());
       const Real last = small_step(h);
-      const Real d = polynomial_root(series(taylor), last);
+      const Real d = polynomial_root(taylor.*series, last);
       const Real size = magnitude(d);
       Real next = h + d;
       if (next >= low && next <= high && size <= std::min(Real(flow_.time_scale() / 8), next)) {
