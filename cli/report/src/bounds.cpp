@@ -60,14 +60,17 @@ void add_constraints(Document& document, std::span<const design::Constraint> con
   }
   const FigureUnits units = units_of(physical);
   const bool back = returns(constraints);
+  const bool of_cases = std::ranges::any_of(
+      constraints, [](const design::Constraint& now) { return !now.in_case.empty(); });
   Table table{{"case", "", "requirement", "slack", "under", ""}, {}};
   for (const design::Constraint& now : constraints) {
-    if (!back && now.name == "stop") {
+    if (!back && now.name == "stop" && now.variable != "passages") {
       table.rows.push_back({{"", "stop", "-", "-", "", "not reached"}});
       continue;
     }
     table.rows.push_back(
-        {{now.in_case, in_words(now.name), requirement(now, units),
+        {{of_cases && now.in_case.empty() ? "all" : now.in_case, in_words(now.name),
+          requirement(now, units),
           bounds_nothing(now) || nothing_meets(now) || !now.known
               ? "-"
               : units.of(now.dimension()).words(now.slack),

@@ -85,7 +85,8 @@ std::string judgement(const design::RatedPart& rated, const ShownTask& task) {
                                   : violations(rated.violated, task);
 }
 
-std::string broken(std::span<const design::Constraint> constraints, const Physical& physical) {
+std::string broken(std::span<const design::Constraint> constraints, const Physical& physical,
+                   bool exact) {
   constexpr std::size_t most_told = 2;
   std::vector<std::string> all;
   for (const design::Constraint& now : constraints) {
@@ -101,7 +102,7 @@ std::string broken(std::span<const design::Constraint> constraints, const Physic
         : amount.empty()             ? std::string("it never comes to rest")
         : now.name == "dead_zone"    ? std::string("friction could hold the mass beyond its stroke")
         : now.name == "stop"         ? std::string("it passes x = 0 too often")
-        : now.name.ends_with("_max") ? format("{} may be {}", what, amount)
+        : now.name.ends_with("_max") ? format("{} {} {}", what, exact ? "is" : "may be", amount)
                                      : format("the {} is {}", figure_words(now.name), amount);
     const std::string whole = words + (now.in_case.empty() ? "" : " in case " + now.in_case);
     if (std::ranges::find(all, whole) == all.end()) {

@@ -18,9 +18,10 @@ namespace stillpoint::report {
 /// The violations of a part, or "fits".
 [[nodiscard]] std::string judgement(const design::RatedPart& rated, const ShownTask& task);
 
-/// "the residual is 40 mm where 30 mm is allowed in case service and 2 more"
+/// "the residual is 40 mm where 30 mm is allowed in case service and 2 more"; of a damper that is
+/// `exact` or one that is off.
 [[nodiscard]] std::string broken(std::span<const design::Constraint> constraints,
-                                 const Physical& physical);
+                                 const Physical& physical, bool exact);
 
 /// The best parts, and how far the others fail, as `judged` says.
 void add_parts(Document& document, const Catalogue& catalogue, const ShownTask& task);

@@ -81,7 +81,7 @@ std::string one_way_out(std::span<const design::Mend> mends, const Physical& phy
   const design::Mend& mend = chosen != mends.end() ? *chosen : mends.front();
   const auto [name, values] = way_of(mend, physical, limits, pulse);
   return format(" One way out: a {} of {}{}.", name, values,
-                mend.in_case.empty() ? "" : " in " + mend.in_case);
+                mend.in_case.empty() ? "" : " in case " + mend.in_case);
 }
 
 std::string none_admissible(const design::RegionVerdict& empty, const ShownTask& task) {
@@ -115,9 +115,9 @@ void add_mends(Document& document, const design::RegionVerdict& empty, const Sho
     section.row("criterion", "exact: the published one requires more delta than needed");
   }
   if (section.parts.empty()) {
-    section.line("No change of a single input was found.");
+    section.line("No change of a single input was found that would.");
     if (empty.largest_tolerance) {
-      section.row("tolerance", format("at most {} for any damper, whatever the limits",
+      section.row("tolerance", format("no damper has more than {}, whatever the limits",
                                       percent_digits(*empty.largest_tolerance)));
     }
   }

@@ -31,7 +31,7 @@ constexpr auto wordings = [] {
   using enum FindingKind;
   return std::to_array<Wording>({
       {acts_late,
-       "This is for a notch that acts only after the start; [one {width} wide, which acts "
+       "The notch is assumed to act only after the start; [one {width} wide, which acts "
        "throughout, stops the mass too|design --notch-width[{physical?}-m] shows what a real one "
        "does]."},
       {catches_hit,
@@ -47,16 +47,20 @@ constexpr auto wordings = [] {
        "[If all inputs shift by {decision_margin:%}, that|Rounding] could change {changes}."},
       {delta_unbounded,
        "Nothing bounds delta: anything above {least_delta} stops the mass, and more only adds "
-       "tolerance. --delta-max[{physical?}-m] gives a smaller notch, of {proposed} say."},
+       "tolerance. --delta-max[{physical?}-m] gives a smaller notch, for example {proposed}."},
       {does_not_isolate,
        "The structure feels {peak_absolute_acceleration}, more than 95 % of the load of "
-       "{largest_load}: this damper isolates nothing."},
+       "{largest_load}: this damper isolates nothing.[{asked?} Nothing asked for less: give "
+       "--acceleration-max, or --objective acceleration.]"},
       {ends_before_load, "The run ends after {end_time} of the {load_end} of the load."},
-      {exact_only, "No other damper was tried: one that is not exactly this one may do anything."},
+      {exact_only,
+       "Only exactly this damper was tried; one that is slightly off may behave quite differently. "
+       "--tolerance 10% tries those too."},
       {exceeds_later, "After the first swing, which meets its limit, the {figure} is {beyond}."},
       {fails_if_off,
        "If [{input=period?}the period|{input=load?}the load|the scale of all records] is off by "
-       "{off:%} as well, the [{figure} may be {beyond}|mass may never come to rest]."},
+       "{off:%}[{besides?} as well], the [{figure} may be {beyond}|mass may never come to rest]"
+       "[{others=1?}, and another limit is exceeded|, and {others} other limits are exceeded]."},
       {felt_in_notch,
        "In the notch the structure feels up to {peak_absolute_acceleration}, outside it "
        "{outside}: --objective acceleration looks for a gentler one."},
@@ -70,27 +74,29 @@ constexpr auto wordings = [] {
        "The less constant friction, the better[: with any f up to {f:most}, delta may be off by "
        "{tolerance:%}]."},
       {locks,
-       "The notch locks the mass to the end of [{of_records=1?}{records?}the "
+       "The notch locks the mass until the end of [{of_records=1?}{records?}the "
        "record|{records=of_records?}every record|{records} of {of_records} records|{pulses?}the "
-       "load|{periods=of_periods?}the load at every period|the load at {periods} of {of_periods} "
-       "periods|the load, at x = {final_position} from "
+       "load|{periods?}the load at [{periods=of_periods?}every period|{periods} of {of_periods} "
+       "periods][{of_records=1?}| under at least one record]|the load, at x = {final_position} "
+       "from "
        "{locked_from} to "
        "{load_end}][, after it moves for {moved} in all]; the structure then feels up to "
        "{largest_load_while_locked}."},
       {never_moves,
-       "The mass never moves: [{records=1?}it is held through the record|{records?}it is held "
+       "[{damper=exact?}Without any error the|The] mass never moves: [{records=1?}it is held "
+       "through the record|{records?}it is held "
        "through every record|{stop_position=0?}nothing acts on it|[{by=notch?}the ]{by} holds it[ "
        "at x = {stop_position}]][, and the structure feels up to {largest_load}]."},
       {no_notch_works,
-       "No notch with this delta works: only one wider than {least_width:least} would let the load "
-       "move the mass, "
-       "but the peak is {peak_amplitude}."},
+       "No notch with this delta works: [only one wider than {least_width:least} would let the "
+       "load "
+       "move the mass, but the peak is {peak_amplitude}|the weakest load does not even overcome "
+       "the friction].[ --delta-max[{physical?}-m] gives a smaller one, for example {proposed}.]"},
       {no_width_found,
-       "This is for a notch that acts only after the start. Of {widths} that act throughout, "
-       "{least_width} "
-       "to {most_width} wide, none lets the mass out and stops it: --hold is another notch[, and "
-       "--search-notch-width-m with --residual-m{physical?} looks for another damper]."},
-      {notch_changes_nothing, "With this notch the mass moves as with the paper's."},
+       "The notch is assumed to act only after the start. Of {widths} that act throughout, "
+       "{least_width} to {most_width} wide, none lets the mass out and stops it: try --hold[, or "
+       "look for another damper with --search-notch-width-m and --residual-m{physical?}]."},
+      {notch_changes_nothing, "With this notch the mass moves as with an ideal one."},
       {notch_fails,
        "[{what=held?}With this notch a pulse of {k} never moves the mass|{what=moving?}With this "
        "notch the mass never comes to rest|{what=inside?}The mass never leaves this notch[, and "
@@ -118,13 +124,12 @@ constexpr auto wordings = [] {
       {search_cut_short,
        "The search for changes was cut short after a second: another may help as well."},
       {sensitive,
-       "[With {varied} 1 % off either way it rests between x = {rest_low} and {rest_high}[, "
+       "[With {varied} 1 % off either way the mass rests between x = {rest_low} and {rest_high}[, "
        "and that may change {changes}]|If {varied} [{varied=f?}is|are] 1 % off, "
        "that may change {changes}]."},
       {too_exact,
        "Too exact to be built: [{tolerance=0?}nothing may be off|the tolerance is only "
-       "{tolerance:%}|f is on the edge of the "
-       "region]."},
+       "{tolerance:%}|f is on the edge of the region][{asked?}: --tolerance 5% asks for more]."},
   });
 }();
 constexpr bool in_order() {
@@ -244,13 +249,40 @@ class Told {
   const Physical& physical_;
 };
 
+std::string sentence(const Finding& finding, const Physical& physical) {
+  std::string_view pattern = wordings.at(static_cast<std::size_t>(finding.kind)).pattern;
+  return Told(finding, physical).choice(pattern);
+}
+
+/// The findings of that severity; what is the same in several cases is said once.
+std::vector<std::string> all_words(std::span<const Finding> findings, Severity severity,
+                                   const Physical& physical) {
+  std::vector<std::string> told;
+  std::vector<std::string> sentences;
+  for (const Finding& now : findings) {
+    if (now.severity != severity) {
+      continue;
+    }
+    std::string_view of_case = "{case}";
+    const std::string in_case = Told(now, physical).choice(of_case);
+    const std::string said = sentence(now, physical);
+    const auto same = std::ranges::find(sentences, said);
+    if (same != sentences.end() && !in_case.empty()) {
+      std::string& before = told[static_cast<std::size_t>(same - sentences.begin())];
+      before.insert(before.size() - said.size() - 2, ", " + in_case);
+    } else {
+      told.push_back(words(now, physical));
+      sentences.push_back(said);
+    }
+  }
+  return told;
+}
+
 }  // namespace
 
 std::string words(const Finding& finding, const Physical& physical) {
-  std::string_view pattern = wordings.at(static_cast<std::size_t>(finding.kind)).pattern;
-  const Told told(finding, physical);
   std::string_view of_case = "{case}: ";
-  return told.choice(of_case) + told.choice(pattern);
+  return Told(finding, physical).choice(of_case) + sentence(finding, physical);
 }
 
 ordered_json findings_json(std::span<const design::Finding> findings, const Physical& physical) {
@@ -285,14 +317,12 @@ void add_findings(Document& document, std::span<const design::Finding> findings,
                   const Physical& physical) {
   Section before;
   const auto add = [&](Section& to, Severity severity, std::string label, Tone tone) {
-    for (const design::Finding& now : findings) {
-      if (now.severity == severity) {
-        to.row(std::exchange(label, ""), words(now, physical), tone);
-        if (severity != Severity::info) {
-          document.tone = severity == Severity::fault   ? Tone::bad
-                          : document.tone == Tone::good ? Tone::plain
-                                                        : document.tone;
-        }
+    for (std::string& now : all_words(findings, severity, physical)) {
+      to.row(std::exchange(label, ""), std::move(now), tone);
+      if (severity != Severity::info) {
+        document.tone = severity == Severity::fault   ? Tone::bad
+                        : document.tone == Tone::good ? Tone::plain
+                                                      : document.tone;
       }
     }
   };

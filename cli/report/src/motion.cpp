@@ -48,8 +48,11 @@ void add_answer(Section& answer, const MotionReport& report) {
                format("{} transmitted{}", acceleration_shown(felt), felt_where(report, felt)));
   }
   if (const auto& energies = report.answer.energies.energies; energies && energies->friction > 0) {
+    const auto joules =
+        physical ? physical->scales.energy_per_passage_j(energies->friction) : std::nullopt;
     answer.row("energy", format("friction takes {} over a path of {}",
-                                units_of(physical).energy.words(energies->friction),
+                                joules ? with_unit(*joules, "J", usual_digits)
+                                       : units_of(physical).energy.words(energies->friction),
                                 length_shown(physical, energies->slip_path)));
   }
   if (report.answer.forced && report.answer.forced->left_notch_from_rest) {
@@ -98,20 +101,21 @@ std::string verdict(const MotionReport& report) {
   const Physical& physical = report.physical;
   if (forced && forced->locked_from) {
     return *forced->locked_from == 0
-               ? "It is locked throughout the load."
-               : format("It locks at x = {} after {}.",
+               ? "The mass is locked throughout the load."
+               : format("The mass locks at x = {} after {}.",
                         length_shown(physical, forced->final_position.value()),
                         time_shown(physical, *forced->locked_from));
   }
   if (!moves(response) && response.outcome != Outcome::caught_at_start) {
-    return "It never moves.";
+    return "The mass never moves.";
   }
   std::string text =
       response.stop_position.value_or(0) != 0
-          ? format("It stops in the {} at x = {}",
+          ? format("The mass stops in the {} at x = {}",
                    response.outcome == Outcome::stopped_in_notch ? "notch" : "dead zone",
                    length_shown(physical, *response.stop_position))
-          : format("It {}", forced ? outcome_phrase(*forced) : outcome_phrase(response.outcome));
+          : format("The mass {}",
+                   forced ? outcome_phrase(*forced) : outcome_phrase(response.outcome));
   if (response.stop_time && *response.stop_time > 0) {
     text += format(" after {}", time_shown(physical, *response.stop_time));
   }

@@ -8,6 +8,8 @@
 #include <stillpoint/report/findings.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <optional>
@@ -41,6 +43,40 @@ std::string whose_words(const std::vector<design::LoadCase>& cases) {
          : first.of_records() ? design::suite_words(*first.combine, first.records.size())
                               : format("Under the {}{}", first.v0 ? "hit" : "pulse",
                                        first.weakest < 1 ? "s of the range" : "");
+}
+
+/// ", worst within a tolerance of 10 %" of the dampers of a box, ", at worst" of ranges alone;
+/// empty of a single motion.
+std::string worst_words(const design::RecordDesign& result) {
+  const auto& [f, delta, width, period] = result.request.tolerance;
+  if (result.finding->box.samples <= 1) {
+    return "";
+  }
+  if (result.request.tolerance.exact()) {
+    return ", at worst";
+  }
+  const double part = result.request.judges ? f.below : result.largest_tolerance.value_or(f.below);
+  const bool wide = result.finding->point.damper.width > 0;
+  const bool alike =
+      std::ranges::all_of(std::array{f.above, delta.below, delta.above,
+                                     wide ? width.below : f.below, wide ? width.above : f.below},
+                          [&](double other) { return other == f.below; });
+  return alike && period.below + period.above == 0
+             ? format(", worst within a tolerance of {:.3g} %", 100 * part)
+             : ", worst within the tolerance";
+}
+
+/// "with a period of 2.8 s", or of a spring that varies "for periods of 2.4 to 3 s".
+std::string sprung_words(const design::RecordDesign& result, const Physical& physical) {
+  const double p = result.finding->point.damper.p;
+  const auto& [below, above] = result.request.spring;
+  if (below + above == 0) {
+    return "with " + period_words(physical, p, period_digits(result.request));
+  }
+  const double period = 2 * std::numbers::pi / p * units_of(physical).time;
+  return physical ? format("for periods of {:.4g} to {:.4g} s", period * (1 - below),
+                           period * (1 + above))
+                  : format("for p of {:.6g} to {:.6g}", p / (1 + above), p / (1 - below));
 }
 
 /// With the digits with which the figures of a design come true.
@@ -134,11 +170,10 @@ std::string judgement(const RecordDesignReport& report) {
   if (!result.finding->admissible) {
     return format("The damper is not admissible{}: {}.",
                   result.largest_tolerance ? " with this tolerance" : "",
-                  broken(result.constraints, report.physical));
+                  broken(result.constraints, report.physical, result.request.tolerance.exact()));
   }
   return format("The damper is admissible{}. {}{}: {}.", off_words(result),
-                whose_words(result.request.cases),
-                result.finding->box.samples > 1 ? ", worst within the tolerance" : "",
+                whose_words(result.request.cases), worst_words(result),
                 figures_words(largest(result.finding->box.worst), report.physical));
 }
 
@@ -209,8 +244,11 @@ std::string no_damper(const design::RecordDesign& result, const Physical& physic
   return result.search.interrupted ? "No damper was verified before the search was interrupted."
          : !result.nearest.figures.empty() && !settled(result.nearest.figures)
              ? "No damper was found: none of those tried comes to rest."
-             : format("No damper was found that meets the limits{}.{}{}",
+             : format("No damper was found that meets the limits{}{}.{}{}",
                       result.request.tolerance.exact() ? "" : " within its tolerance",
+                      result.mends.empty() && !largest && !result.constraints.empty()
+                          ? ", even with any one of them relaxed"
+                          : "",
                       largest ? format(" The largest tolerance within the limits is {:.2g} %.",
                                        100 * *largest)
                               : "",
@@ -219,17 +257,35 @@ std::string no_damper(const design::RecordDesign& result, const Physical& physic
 
 constexpr int region_digits = 6;
 
-/// "Feasible f: 0.0043 or 0.0106 to 0.0236."
-std::string feasible_words(const design::RecordDesign& result) {
+/// "2.1 to 8.2", or "0 to 160 or more" up to the end of what is looked at.
+std::string delta_words(const design::RecordDesign& result, const Interval& delta,
+                        const FigureUnits& units) {
+  const double low = delta.low * units.length;
+  const double high = delta.high * units.length;
+  return delta.high < result.request.delta->high
+             ? interval_digits(low, high, region_digits)
+             : format("{} to {} or more",
+                      begins_at_nothing(low, high) ? "0" : limit_digits(low, true, region_digits),
+                      limit_digits(high, false, region_digits));
+}
+
+/// "Feasible f: 0.0043 or 0.0106 to 0.0236."; of a given f which delta is.
+std::string feasible_words(const design::RecordDesign& result, const Physical& physical) {
+  const std::string_view asked =
+      result.request.tolerance.exact() ? "" : " with the tolerance asked for";
+  const FigureUnits units = units_of(physical);
   std::string words;
+  if (const Interval& f = *result.request.f; f.low == f.high && !result.region->f.empty()) {
+    for (const auto& [each, delta] : result.region->deltas) {
+      words += (words.empty() ? "" : "; ") + delta_words(result, delta, units);
+    }
+    return format("Feasible delta at f = {:.{}g}{}: {}{}.", f.low, region_digits, asked, words,
+                  with_blank(units.length.name));
+  }
   for (const auto& [low, high] : result.region->f) {
     words += (words.empty() ? "" : " or ") + interval_digits(low, high, region_digits);
   }
-  return words.empty()
-             ? no_damper(result, {})
-             : format("Feasible f{}: {}.",
-                      result.request.tolerance.exact() ? "" : " with the tolerance asked for",
-                      words);
+  return words.empty() ? no_damper(result, {}) : format("Feasible f{}: {}.", asked, words);
 }
 
 /// Which delta each f may have.
@@ -252,11 +308,8 @@ Document region_document(const RecordDesignReport& report) {
     if (values % every != 1) {
       continue;
     }
-    const std::string range =
-        interval_digits(delta.low * units.length, delta.high * units.length, region_digits);
-    const bool at_end = delta.high >= result.request.delta->high;
     table.rows.push_back(
-        {{format("{:.{}g}", f, region_digits), range + (at_end ? " or more" : "")}});
+        {{format("{:.{}g}", f, region_digits), delta_words(result, delta, units)}});
   }
   document.section("Feasible dampers", {std::move(table)});
   return document;
@@ -266,7 +319,7 @@ Document region_document(const RecordDesignReport& report) {
 
 std::string part_words(double part) {
   constexpr double whole = 0.1;
-  return part < whole ? format("{:.2g} %", 100 * part) : format("{:.0f} %", 100 * part);
+  return std::abs(part) < whole ? format("{:.2g} %", 100 * part) : format("{:.0f} %", 100 * part);
 }
 
 std::string scaled_name(std::string_view file, double scale) {
@@ -300,7 +353,7 @@ std::string verdict(const RecordDesignReport& report) {
     return judgement(report);
   }
   if (result.region) {
-    return feasible_words(result);
+    return feasible_words(result, physical);
   }
   if (!result.finding) {
     return parts.empty() ? no_damper(result, physical)
@@ -311,7 +364,7 @@ std::string verdict(const RecordDesignReport& report) {
                                                       parts.size()));
   }
   const design::SuiteDamper& damper = result.finding->point.damper;
-  return format("{} {}, with {}. {}{}: {}.",
+  return format("{} {}, {}. {}{}: {}.",
                 result.search.interrupted ? "The best damper so far has"
                 : parts.empty()           ? advice(result.findings)
                 : advice(result.findings, "").empty()
@@ -319,10 +372,8 @@ std::string verdict(const RecordDesignReport& report) {
                     : format("The best part, {}, has", result.finding->part),
                 damper_words(physical, damper.f, damper.delta,
                              {damper.notch_width(), result.request.hold}, printed_digits),
-                period_words(physical, damper.p, period_digits(result.request)),
-                whose_words(result.request.cases),
-                result.finding->box.samples > 1 ? ", worst within the tolerance" : "",
-                figures_words(largest(result.finding->box.worst), physical));
+                sprung_words(result, physical), whose_words(result.request.cases),
+                worst_words(result), figures_words(largest(result.finding->box.worst), physical));
 }
 
 Document document(const RecordDesignReport& report) {
@@ -355,7 +406,8 @@ Document document(const RecordDesignReport& report) {
   }
   if (!result.parts.empty()) {
     add_parts(document, result.parts, physical, {}, [&](const design::RatedPart& rated) {
-      return rated.admissible ? "fits" : broken(rated.violated, physical);
+      return rated.admissible ? "fits"
+                              : broken(rated.violated, physical, result.request.tolerance.exact());
     });
   }
   add_constraints(

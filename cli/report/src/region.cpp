@@ -51,6 +51,10 @@ std::string delta_words(const std::vector<Interval>& all, const Physical& physic
   return text + (left_out > 0 ? " or in lower ranges" : "");
 }
 
+bool fits(const Catalogue& catalogue) {
+  return std::ranges::any_of(catalogue.parts, &design::RatedPart::admissible);
+}
+
 /// Of several arrivals.
 void add_strips(Document& document, const design::Problem& problem,
                 const std::vector<design::Strip>& strips) {
@@ -78,12 +82,15 @@ std::string verdict(const RegionReport& report) {
   return report.request.delta ? judgement(report)
          : !answer.region.feasible
              ? none_admissible(answer, task_of(report))
-             : format("Feasible f{}: {}{}.",
+             : format("Feasible f{}: {}{}.{}",
                       report.request.limits.tolerance > 0 ? " with the tolerance asked for" : "",
                       feasible_words(report),
                       intervals > 1
                           ? format("; of {} intervals this one has the most tolerant damper",
                                    intervals)
+                          : "",
+                      report.catalogue && !fits(*report.catalogue)
+                          ? " None of the parts of the catalogue is admissible."
                           : "");
 }
 

@@ -20,10 +20,13 @@ std::string damper_words(const Physical& physical, const std::optional<double>& 
                                : weighed ? "a friction force of " + with_unit(*force, "N")
                                : digits  ? format("f = {:.{}g}", *f, *digits)
                                          : format("f = {}", *f);
-  return delta == 0 ? friction + " without a notch"
-         : weighed  ? format("{} and a notch{}{} takes {} at a passage", friction, which,
-                            shape.hold ? " and" : " that", with_unit(*energy, "J"))
-                    : format("{} and delta = {}{}", friction, length_shown(physical, delta, digits),
+  const std::string notch =
+      format("a notch{}{} takes {} at a passage", which, shape.hold ? " and" : " that",
+             weighed ? with_unit(*energy, "J") : "");
+  return delta == 0          ? friction + " without a notch"
+         : weighed && f == 0 ? notch + ", without constant friction"
+         : weighed           ? format("{} and {}", friction, notch)
+                   : format("{} and delta = {}{}", friction, length_shown(physical, delta, digits),
                             which.empty() ? "" : " in a notch" + which);
 }
 
@@ -91,9 +94,14 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
 }
 
 std::string box_words(const design::SuiteBox& box, bool holds) {
-  return box.exact ? "no damper within the tolerance is worse than at its corners"
-                   : format("{} {} dampers within the tolerance, corners and boundary included",
-                            holds ? "no failure in" : "the worst of", box.samples);
+  const bool one =
+      box.f.low == box.f.high && box.delta.low == box.delta.high && box.width.low == box.width.high;
+  if (box.exact) {
+    return one ? "nothing within the ranges is worse than at their ends"
+               : "no damper within the tolerance is worse than at its corners";
+  }
+  return format("{} {} {}, corners and boundary included", holds ? "no failure in" : "the worst of",
+                box.samples, one ? "motions within the ranges" : "dampers within the tolerance");
 }
 
 void add_check(Section& answer, const design::CrossCheck& check) {

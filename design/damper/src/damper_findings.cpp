@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/design/damper_findings.hpp>
 
+#include <stillpoint/core/response_fields.hpp>
 #include <stillpoint/design/motion_findings.hpp>
 #include <stillpoint/design/shown_damper.hpp>
 #include <stillpoint/design/tolerance.hpp>
@@ -17,10 +18,12 @@ namespace {
 
 using enum FindingKind;
 
-constexpr double buildable = 0.01;  // a smaller tolerance is too little for a real damper
+constexpr double buildable = 0.01;     // a smaller tolerance is too little for a real damper
+constexpr double unmeasurable = 1e-6;  // the distance that a design keeps from an edge
 
 void add_pulse_notch(std::vector<Finding>& all, const ShownDamper& now) {
-  if (!now.pulse || now.point.delta == 0 || now.built != nullptr || !moves(now.response)) {
+  if (!now.pulse || now.point.delta == 0 || now.built != nullptr || !moves(now.response) ||
+      !now.admissible) {
     return;
   }
   const SimulationRequest motion = motion_of(now);
@@ -44,6 +47,20 @@ void add_later(std::vector<Finding>& all, const ShownDamper& now) {
       Finding& later = all.emplace_back(exceeds_later).tell("figure", bound.variable);
       later.add("value", whole, dimension).add("limit", bound.limit, dimension);
     }
+  }
+}
+
+/// Under a pulse, if the mass feels hardly less than the load.
+void add_isolation(std::vector<Finding>& all, const ShownDamper& now) {
+  constexpr double hardly = 0.95;
+  if (!now.pulse) {
+    return;
+  }
+  const double load = peak_load(*now.pulse);
+  if (now.felt() > hardly * load) {
+    all.emplace_back(does_not_isolate)
+        .add(transmitted_name, now.felt(), Dimension::gravities)
+        .add("largest_load", load, Dimension::gravities);
   }
 }
 
@@ -82,6 +99,7 @@ std::vector<Finding> findings_of(const ShownDamper& now, const AskedWith& asked)
     all.emplace_back(friction_above_weight).add("f", now.point.f);
   }
   add_weak_hits(all, now);
+  add_isolation(all, now);
   add_recentring(all, now);
   add_pulse_notch(all, now);
   return all;
@@ -167,7 +185,17 @@ bool is_f_on_an_edge(const DesignRequest& request, const DesignPoint& point) {
 void add_search(std::vector<Finding>& all, const DesignResult& design) {
   const DesignRequest& request = design.request;
   const DesignPoint& point = design.finding->point;
+  const auto too_exact_to_build = [&](double tolerance) {
+    Finding& finding =
+        all.emplace_back(too_exact).add("tolerance", tolerance < unmeasurable ? 0 : tolerance);
+    if (request.search.objective != Objective::robust) {
+      finding.tell("asked", "nothing");
+    }
+  };
   if (wants_no_friction(design)) {
+    if (point.tolerance < unmeasurable) {
+      too_exact_to_build(point.tolerance);
+    }
     Finding& least = all.emplace_back(least_friction_is_best);
     constexpr double kept = 0.9;
     const double less = records::decimal(kept * point.tolerance, 2);
@@ -178,9 +206,14 @@ void add_search(std::vector<Finding>& all, const DesignResult& design) {
       least.add("tolerance", less).add("f", *largest);
     }
   } else if (point.tolerance < buildable) {
-    all.emplace_back(too_exact).add("tolerance", point.tolerance);
+    too_exact_to_build(point.tolerance);
   } else if (is_f_on_an_edge(request, point)) {
     all.emplace_back(too_exact).add("f", point.f);
+  }
+  const auto useless = std::ranges::find(all, does_not_isolate, &Finding::kind);
+  if (useless != all.end() && request.search.objective != Objective::acceleration &&
+      !request.limits.acceleration_max) {
+    useless->tell("asked", "nothing");
   }
   if (!request.pulse || request.limits.delta_max) {
     return;

@@ -181,8 +181,19 @@ Finding lock_of(const ForcedResponse& motion, double load_end) {
 
 Finding no_notch(double width, double peak) {
   return Finding(no_notch_works)
-      .add("least_width", width, Dimension::length)
+      .add("least_width", std::isfinite(width) ? std::optional(width) : std::nullopt,
+           Dimension::length)
       .add("peak_amplitude", peak, Dimension::length);
+}
+
+void propose_delta(Finding& finding, double delta) {
+  const auto value = [&](std::string_view name) {
+    const auto found = std::ranges::find(finding.values, name, &FindingValue::name);
+    return found == finding.values.end() ? 0 : std::get<double>(found->value);
+  };
+  if (const double width = value("least_width"); finding.kind == no_notch_works && width > 0) {
+    finding.add("proposed", delta * value("peak_amplitude") / width, Dimension::length);
+  }
 }
 
 Finding late_notch(const Oscillator& damper, const Excitation& pulse, double least_load,

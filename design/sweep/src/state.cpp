@@ -76,13 +76,13 @@ std::string summary(const SweepState& state, bool of_designs) {
   if (locked == 0 && rows > 1 && std::max(centred, off_centre) == rows) {
     return fmt::format("All {} motions stop {}.", rows, centred == rows ? centre : "off centre");
   }
-  std::string text = locked > 0
-                         ? fmt::format(
-                               "Locked: in {} motions the notch holds the mass to the end of the "
-                               "load.",
-                               rows > 0 || locked == 1 ? fmt::format("{} of {}", locked, state.rows)
-                                                       : fmt::format("all {}", locked))
-                         : fmt::format("{} of {} motions stop {}", centred, rows, centre);
+  std::string text =
+      locked > 0 ? fmt::format(
+                       "Locked: in {} motions the notch holds the mass until the end of the "
+                       "load.",
+                       rows > 0 || locked == 1 ? fmt::format("{} of {}", locked, state.rows)
+                                               : fmt::format("all {}", locked))
+                 : fmt::format("{} of {} motions stop {}", centred, rows, centre);
   if (locked > 0 && rows == 0) {
     return text;
   }

@@ -151,7 +151,9 @@ ShownAnswer shown(const RecordDesignReport& report) {
   if (!request.parts.empty()) {
     now.input.catalogue = spelled_out(report.parts_file);
     now.catalogue = mapped(result.parts, [&](const design::RatedPart& rated) {
-      return ShownPart{rated, rated.admissible ? Name() : broken(rated.violated, report.physical)};
+      return ShownPart{rated, rated.admissible ? Name()
+                                               : broken(rated.violated, report.physical,
+                                                        request.tolerance.exact())};
     });
   } else if (request.judges) {
     now.admissible = result.finding && result.finding->admissible;

@@ -43,18 +43,29 @@ Finding& add(std::vector<Finding>& all, FindingKind kind, const LoadCase& load_c
   return load_case.name.empty() ? finding : finding.tell("case", load_case.name);
 }
 
-/// A notch that is narrow for what it takes; where nothing limits or minimises that.
-void add_felt(std::vector<Finding>& all, const RecordDesign& result, std::size_t in_case) {
+/// A notch that is narrow for what it takes; where nothing limits or minimises that. Of several
+/// cases the one that feels most.
+void add_felt(std::vector<Finding>& all, const RecordDesign& result) {
   constexpr double far_more = 2;  // times
   const auto& [damper, worst] = result.nearest;
-  const LoadCase& load_case = result.request.cases[in_case];
-  const double outside = damper.p * damper.p * worst[in_case].peak + damper.f;
-  if (damper.width > 0 && !load_case.limits.acceleration &&
-      result.request.objective != SuiteObjective::acceleration &&
-      worst[in_case].acceleration > far_more * outside) {
-    add(all, felt_in_notch, load_case)
-        .add(transmitted_name, worst[in_case].acceleration, Dimension::gravities)
-        .add("outside", outside, Dimension::gravities);
+  const std::vector<LoadCase>& cases = result.request.cases;
+  const auto outside = [&](std::size_t i) {
+    return damper.p * damper.p * worst[i].peak + damper.f;
+  };
+  std::optional<std::size_t> most;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (damper.width > 0 && !cases[i].limits.acceleration && worst[i].peak > 0 &&
+        result.finding->point.figures[i].peak > 0 &&
+        result.request.objective != SuiteObjective::acceleration &&
+        worst[i].acceleration > far_more * outside(i) &&
+        (!most || worst[i].acceleration > worst[*most].acceleration)) {
+      most = i;
+    }
+  }
+  if (most) {
+    add(all, felt_in_notch, cases[*most])
+        .add(transmitted_name, worst[*most].acceleration, Dimension::gravities)
+        .add("outside", outside(*most), Dimension::gravities);
   }
 }
 
@@ -65,6 +76,9 @@ void add_motions(std::vector<Finding>& all, const RecordDesign& result, std::siz
   const bool moves = result.finding->point.figures[in_case].peak > 0;
   if (!moves) {
     Finding& still = add(all, never_moves, load_case);
+    if (result.finding->box.worst[in_case].peak > 0) {
+      still.tell("damper", "exact");
+    }
     if (load_case.v0) {
       still.tell("by", "notch");
     } else {
@@ -73,13 +87,19 @@ void add_motions(std::vector<Finding>& all, const RecordDesign& result, std::siz
     if (load_case.of_records()) {
       still.count("records", responses.size());
     } else if (load_case.pulse) {
-      still.tell("by", "friction");
+      const double friction = result.nearest.damper.f * result.request.breakaway;
+      still.tell("by", friction < peak_load(load_case, p) ? "notch" : "friction");
     }
   }
   if (!isolates(result) && !load_case.v0) {
-    add(all, does_not_isolate, load_case)
-        .add(transmitted_name, result.nearest.figures[in_case].acceleration, Dimension::gravities)
-        .add("largest_load", load_of(load_case, p), Dimension::gravities);
+    Finding& useless = add(all, does_not_isolate, load_case);
+    useless.add(transmitted_name, result.nearest.figures[in_case].acceleration,
+                Dimension::gravities);
+    useless.add("largest_load", load_of(load_case, p), Dimension::gravities);
+    if (!result.request.judges && result.request.objective != SuiteObjective::acceleration &&
+        !load_case.limits.acceleration) {
+      useless.tell("asked", "nothing");
+    }
   }
   std::size_t count = 0;
   double most = 0;
@@ -104,10 +124,14 @@ void add_motions(std::vector<Finding>& all, const RecordDesign& result, std::siz
         late_notch(oscillator_of(result.request, damper), excitation(*load_case.pulse),
                    (load_case.weakest > 0 ? load_case.weakest : 1) * peak_load(*load_case.pulse),
                    peak, residual > 0 ? residual : rest_share * peak);
-    Finding& added = add(all, late.kind, load_case);
-    std::ranges::move(late.values, std::back_inserter(added.values));
+    if (!result.request.judges && !result.request.delta_max) {
+      propose_delta(late, damper.delta);
+    }
+    if (result.finding->admissible) {
+      Finding& added = add(all, late.kind, load_case);
+      std::ranges::move(late.values, std::back_inserter(added.values));
+    }
   }
-  add_felt(all, result, in_case);
   // After a hit, as everywhere in the paper, it does at every notch.
   if (const double jump = result.finding->box.worst[in_case].jump; jump > 0 && !load_case.v0) {
     add(all, jolts, load_case).add("jump", jump, Dimension::velocity);
@@ -143,28 +167,47 @@ void add_hidden(std::vector<Finding>& all, const RecordDesign& result, std::size
   }
 }
 
-/// What a period, or a scale of the records, that is off breaks.
-void add_outlook(std::vector<Finding>& all, const LoadCase& load_case, std::string_view input,
-                 const SuiteFigures& worst) {
-  if (input == "scale" && !load_case.of_records()) {
-    input = "load";
+/// What a period, or a scale of the records, that is off breaks: the limit that is exceeded most.
+void add_outlook(std::vector<Finding>& all, const RecordDesign& result, std::string_view input,
+                 const TaskFigures& worst) {
+  const std::vector<LoadCase>& cases = result.request.cases;
+  std::size_t in_case = 0;
+  const SuiteFigureKind* figure = nullptr;
+  bool unsettled = false;
+  std::size_t broken = 0;
+  double most = 0;
+  for (std::size_t i = 0; i < cases.size() && !unsettled; ++i) {
+    unsettled = !worst[i].settled;
+    in_case = unsettled ? i : in_case;
+    for (const SuiteFigureKind& kind : suite_figure_kinds) {
+      const double value = worst[i].*kind.value;
+      const double limit = (cases[i].limits.*kind.limit).value_or(HUGE_VAL);
+      broken += value > limit ? 1U : 0U;
+      // A passage more is told by how far off the mass then rests, if that is told at all.
+      const double times = kind.limit == &SuiteLimits::passages ? 1 : value / limit;
+      if (value > limit && (figure == nullptr || times > most) && !unsettled) {
+        most = times;
+        in_case = i;
+        figure = &kind;
+      }
+    }
   }
-  const auto fails = [&](std::string_view figure) -> Finding& {
-    return add(all, fails_if_off, load_case)
-        .tell("input", input)
-        .add("off", SuiteOutlook::off)
-        .tell("figure", figure);
-  };
-  if (!worst.settled) {
-    fails("rest");
+  if (figure == nullptr && !unsettled) {
     return;
   }
-  for (const SuiteFigureKind& kind : suite_figure_kinds) {
-    const std::optional<double>& limit = load_case.limits.*kind.limit;
-    if (limit && worst.*kind.value > *limit) {
-      fails(kind.words)
-          .add("value", worst.*kind.value, kind.dimension)
-          .add("limit", limit, kind.dimension);
+  const LoadCase& load_case = cases[in_case];
+  Finding& finding = add(all, fails_if_off, load_case);
+  finding.tell("input", input == "scale" && !load_case.of_records() ? "load" : input);
+  finding.add("off", SuiteOutlook::off);
+  if (!result.request.tolerance.exact()) {
+    finding.tell("besides", "tolerance");
+  }
+  finding.tell("figure", unsettled ? "rest" : figure->words);
+  if (!unsettled) {
+    finding.add("value", worst[in_case].*figure->value, figure->dimension);
+    finding.add("limit", load_case.limits.*figure->limit, figure->dimension);
+    if (broken > 1) {
+      finding.count("others", broken - 1);
     }
   }
 }
@@ -217,7 +260,8 @@ std::vector<Finding> findings_of(const RecordDesign& result, const RecordDesignR
   if (printed && printed->time && damper.f > 1) {  // without units f has no weight
     all.emplace_back(friction_above_weight).add("f", damper.f);
   }
-  if (found.box.samples == 1 && !result.largest_tolerance) {
+  add_felt(all, result);
+  if (found.box.samples == 1 && !result.largest_tolerance && found.admissible) {
     all.emplace_back(exact_only);
   }
   if (!asked.judges) {
@@ -226,9 +270,9 @@ std::vector<Finding> findings_of(const RecordDesign& result, const RecordDesignR
   // Beyond the largest box of hits and pulses everything fails; works_for says what else does.
   const bool largest_of_hits =
       result.largest_tolerance && std::ranges::none_of(cases, &LoadCase::of_records);
-  for (std::size_t i = 0; i < cases.size() && found.admissible && !largest_of_hits; ++i) {
-    add_outlook(all, cases[i], "period", found.outlook.period[i]);
-    add_outlook(all, cases[i], "scale", found.outlook.scale[i]);
+  if (found.admissible && !largest_of_hits) {
+    add_outlook(all, result, "period", found.outlook.period);
+    add_outlook(all, result, "scale", found.outlook.scale);
   }
   return all;
 }

@@ -181,7 +181,7 @@ std::string summary(const Spectrum& spectrum) {
     return "Delta is 0, so there is no notch to compare with.";
   }
   std::string text;
-  const auto add = [&](std::string_view name, const auto& value) {
+  const auto add = [&](std::string_view before, std::string_view name, const auto& value) {
     const auto count_less = [&](Figures SpectrumPoint::*first, Figures SpectrumPoint::*second) {
       return std::ranges::count_if(points, [&](const SpectrumPoint& point) {
         return value(point.*first) < value(point.*second);
@@ -190,18 +190,20 @@ std::string summary(const Spectrum& spectrum) {
     const auto raised = count_less(&SpectrumPoint::without, &SpectrumPoint::with_notch);
     const auto lowered = count_less(&SpectrumPoint::with_notch, &SpectrumPoint::without);
     const bool everywhere = static_cast<std::size_t>(lowered) == points.size();
-    text += fmt::format("{} the {} at {}{}", text.empty() ? ": the notch lowers" : ",", name,
+    text += fmt::format("{} the {} at {}{}", before, name,
                         everywhere     ? "every period"
                         : lowered == 0 ? "no period"
                                        : fmt::format("{} of {} periods", lowered, points.size()),
                         raised > 0 ? fmt::format(" (raises it at {})", raised) : "");
   };
-  add("residual", [](const Figures& one) { return one.residual.value_or(HUGE_VAL); });
-  add(spectrum.request.notch_width
+  add(": the notch lowers", "residual",
+      [](const Figures& one) { return one.residual.value_or(HUGE_VAL); });
+  add(",",
+      spectrum.request.notch_width
           ? "transmitted acceleration"
           : "transmitted acceleration between the velocity jumps at the notch",
       [](const Figures& one) { return one.acceleration; });
-  add("peak", [](const Figures& one) { return one.peak; });
+  add(", and", "peak", [](const Figures& one) { return one.peak; });
   return suite_words(*spectrum.request.combine, spectrum.records.size()) + text + ".";
 }
 

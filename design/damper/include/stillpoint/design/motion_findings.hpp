@@ -26,6 +26,9 @@ void add_failed(std::vector<Finding>& all, const CrossCheck& check);
 /// Of a load that moves the mass only out of a notch wider than `width`, which is wider than the
 /// motion.
 [[nodiscard]] Finding no_notch(double width, double peak);
+/// To such a finding of a damper that was searched, a smaller delta than its own: that of a notch
+/// which is to be half as wide as the motion.
+void propose_delta(Finding& finding, double delta);
 
 /// Where a mass may rest in a notch with a width, as a share of the peak, if no residual is given.
 inline constexpr double rest_share = 0.1;
