@@ -112,7 +112,9 @@ void add_answer(Section& answer, const RecordDesignReport& report) {
   if (result.finding->box.samples > 1) {
     answer.row(result.finding->box.exact ? "proved" : "tried",
                box_words(result.finding->box, result.finding->admissible));
-    add_buildable(answer, physical, result.finding->box.f, result.finding->box.delta);
+    if (result.finding->admissible) {
+      add_buildable(answer, physical, result.finding->box.f, result.finding->box.delta);
+    }
     answer.row("exact", "without any error: " + figures_words(largest(point.figures), physical));
   }
   add_works_for(answer, result.finding->works_for, physical);
@@ -244,6 +246,10 @@ std::string no_damper(const design::RecordDesign& result, const Physical& physic
   return result.search.interrupted ? "No damper was verified before the search was interrupted."
          : !result.nearest.figures.empty() && !settled(result.nearest.figures)
              ? "No damper was found: none of those tried comes to rest."
+         : !result.constraints.empty() &&
+                 std::ranges::all_of(result.constraints, &design::Constraint::satisfied)
+             ? "No damper was found that meets the limits by more than rounding." +
+                   one_way_out(result.mends, physical)
              : format("No damper was found that meets the limits{}{}.{}{}",
                       result.request.tolerance.exact() ? "" : " within its tolerance",
                       result.mends.empty() && !largest && !result.constraints.empty()

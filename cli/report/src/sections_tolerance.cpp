@@ -2,6 +2,8 @@
 // How far a damper may be off, in words. What it withstands is rounded down.
 #include "sections.hpp"
 
+#include <utility>
+
 namespace stillpoint::report {
 
 namespace {
@@ -52,15 +54,24 @@ void add_buildable(Section& answer, const Physical& physical, const Interval& f,
   if (!physical || !physical->scales.mass_kg || !(f.low < f.high || delta.low < delta.high)) {
     return;
   }
-  const auto words = [](const Interval& of, const Unit& unit) {
-    return of.low < of.high
-               ? format("{} {}", interval_digits(of.low * unit, of.high * unit), unit.name)
-               : unit.words(of.high);
+  // In the unit in which the largest has one to three digits before the point.
+  const auto words = [](std::string_view what, const Interval& of, double si,
+                        std::string_view unit) -> std::string {
+    const double most = of.high * si;
+    const auto [factor, sign] = most >= 1e6   ? std::pair(1e-6, "M")
+                                : most >= 1e3 ? std::pair(1e-3, "k")
+                                : most >= 1   ? std::pair(1.0, "")
+                                              : std::pair(1e3, "m");
+    return most == 0 ? ""
+           : of.low < of.high
+               ? format("{} {} {}{}", what, interval_digits(of.low * si * factor, most * factor),
+                        sign, unit)
+               : format("{} {}", what, with_unit(most, unit, usual_digits));
   };
-  const FigureUnits units = units_of(physical);
-  answer.row("may be built",
-             format("friction {}{}", words(f, units.force),
-                    delta.high > 0 ? format(", notch {}", words(delta, units.energy)) : ""));
+  const design::Scales& scales = physical->scales;
+  const std::string friction = words("friction", f, *scales.friction_force_n(1), "N");
+  const std::string notch = words("notch", delta, *scales.energy_per_passage_j(1), "J");
+  answer.row("may be built", friction + (friction.empty() || notch.empty() ? "" : ", ") + notch);
 }
 
 void add_buildable(Section& answer, const Physical& physical, const design::DesignPoint& damper,
