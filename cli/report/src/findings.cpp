@@ -129,7 +129,7 @@ constexpr auto wordings = [] {
        "that may change {changes}]."},
       {too_exact,
        "Too exact to be built: [{tolerance=0?}nothing may be off|the tolerance is only "
-       "{tolerance:%}|f is on the edge of the region][{asked?}: --tolerance 5% asks for more]."},
+       "{tolerance:%}|f is on the edge of the region].[{asked?} --tolerance 5% asks for more.]"},
   });
 }();
 constexpr bool in_order() {

@@ -311,9 +311,13 @@ class TaskSearch {
     if (!found || watch_.stopped()) {
       return std::nullopt;
     }
-    const double value = found->box.worst[in_case].*kind.value;
+    const SuiteFigures& worst = found->box.worst[in_case];
+    const double value = worst.*kind.value;
+    constexpr double measured = 1e-4;  // of the stroke: less is no residual that anybody allows
     return kind.limit == &SuiteLimits::passages ? value + 1  // the last arrival rests
-                                                : value * (1 + relaxed_by);
+           : kind.limit == &SuiteLimits::residual
+               ? std::max(value * (1 + relaxed_by), measured * worst.peak)
+               : value * (1 + relaxed_by);
   }
 
   /// Where the mass of a hit may rest off centre, friction must not hold it beyond its stroke: what
