@@ -127,7 +127,7 @@ test("a hit of zero is refused as a task and held as a trial", () =>
     assert.equal(await notice(page), "");
     await page.fill("#hit", "0");
     await settle(page);
-    assert.match(await words(page, "#hit-words"), /It never moves\./);
+    assert.match(await words(page, "#hit-words"), /The mass never moves\./);
     assert.equal(await notice(page), "");
   }));
 

@@ -121,7 +121,7 @@ def test_text_matches_the_program(program):
     motion = {"v0": 1, "p": 1, "f": 0.02, "delta": 0.02}
     found = stillpoint.simulate(**motion)
     assert str(found) == program.run("simulate", **motion).stdout
-    assert repr(found) == "<Free motion: It stops at x = 0 after tau = 34.5989.>"
+    assert repr(found) == "<Free motion: The mass stops at x = 0 after tau = 34.5989.>"
 
 
 @pytest.mark.parametrize("command,options,figures", [
