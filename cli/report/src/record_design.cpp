@@ -55,12 +55,13 @@ std::string worst_words(const design::RecordDesign& result) {
   if (result.request.tolerance.exact()) {
     return ", at worst";
   }
-  const double part = result.request.judges ? f.below : result.largest_tolerance.value_or(f.below);
+  const double asked = f.below;
+  const double part = result.request.judges ? asked : result.largest_tolerance.value_or(asked);
   const bool wide = result.finding->point.damper.width > 0;
   const bool alike =
-      std::ranges::all_of(std::array{f.above, delta.below, delta.above,
-                                     wide ? width.below : f.below, wide ? width.above : f.below},
-                          [&](double other) { return other == f.below; });
+      std::ranges::all_of(std::array{f.above, delta.below, delta.above, wide ? width.below : asked,
+                                     wide ? width.above : asked},
+                          [asked](double other) { return other == asked; });
   return alike && period.below + period.above == 0
              ? format(", worst within a tolerance of {:.3g} %", 100 * part)
              : ", worst within the tolerance";

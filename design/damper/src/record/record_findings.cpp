@@ -47,7 +47,8 @@ Finding& add(std::vector<Finding>& all, FindingKind kind, const LoadCase& load_c
 /// cases the one that feels most.
 void add_felt(std::vector<Finding>& all, const RecordDesign& result) {
   constexpr double far_more = 2;  // times
-  const auto& [damper, worst] = result.nearest;
+  const SuiteDamper& damper = result.nearest.damper;
+  const TaskFigures& worst = result.nearest.figures;
   const std::vector<LoadCase>& cases = result.request.cases;
   const auto outside = [&](std::size_t i) {
     return damper.p * damper.p * worst[i].peak + damper.f;
