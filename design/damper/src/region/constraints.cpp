@@ -41,6 +41,18 @@ constexpr std::array<Condition, 5> conditions{{
      [](const Asked& asked) { return delta1(asked.problem, asked.f).value_or(0); }},
 }};
 
+/// `return` and `stop` of a later arrival, as in constraints.hpp: of the one where the motion
+/// stops, even if the criterion asks for more, or else of the one that it misses.
+void compare_hits(std::array<Constraint, 5>& list, const Problem& problem, double f, double delta) {
+  const auto [at, stops] = deciding_arrival(strongest_hit(problem), f, delta);
+  const int n = stops ? at : deciding_arrival(problem, f, delta).n;
+  if (n > 1) {
+    const auto [reach, pass] = way_speeds(Way(problem, {}, n), f, delta);
+    list[3] = Constraint::compared("return", "v0", ">=", problem.v0, reach);
+    list[4] = Constraint::compared("stop", "v0", "<", problem.v0, pass);
+  }
+}
+
 /// The same task with room for any peak and any dead zone of this f.
 Problem without_stroke(Problem problem, double f) {
   if (problem.residual) {
@@ -115,8 +127,10 @@ std::array<Constraint, 5> constraints(const Problem& problem, double f, double d
     return Constraint::compared(condition.name, condition.variable, condition.relation,
                                 condition.variable == "f" ? f : delta, condition.limit(asked));
   });
-  if (!is_plain(problem, {}) || problem.arrivals > 1) {
+  if (!is_plain(problem, {})) {
     compare_way(list, problem, f, delta);
+  } else if (problem.arrivals > 1) {
+    compare_hits(list, problem, f, delta);
   }
   if (problem.criterion == Criterion::published && !list[4].satisfied) {
     Problem exact = problem;
