@@ -88,10 +88,10 @@ BOOST_AUTO_TEST_CASE(every_conflict_is_explained) {
                   {"f >= 0.75", "unless f < 0.5"});
   within.beta = 0.6;
   within.residual = 0.1;
-  check_explained(
-      within, {}, Conflict::amplitude_against_return,
-      {"f >= 0.533334",
-       "if friction cannot hold the mass there, coming to rest within the residual needs f <= 0.391274"});
+  check_explained(within, {}, Conflict::amplitude_against_return,
+                  {"f >= 0.533334",
+                   "if friction cannot hold the mass there, coming to rest within the residual "
+                   "needs f <= 0.391274"});
   // f <= 0.01 leaves a strip of 4 %, too narrow for +-10 %.
   check_explained({1, 1, 1.1}, {0.01, none, 0.1}, Conflict::stop_against_start,
                   {"stop", "start", "delta <= 0.5", "tolerance of 10 %"});
