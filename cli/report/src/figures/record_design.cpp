@@ -52,11 +52,10 @@ void add_motion(std::vector<Figure>& figures, const design::RecordDesign& result
     motion.beta = load_case.limits.peak;
   }
   const design::SuiteBox& box = result.finding->box;
-  if (box.samples > 1) {  // its damper with the worst objective moves too
-    const auto& of = box.of[in_case].at(
-        static_cast<std::size_t>(&minimised(task) - design::suite_figure_kinds.data()));
+  if (box.samples > 1) {
+    const auto& of = box.of[in_case].front();
     motion.others.push_back(
-        {.name = "worst within the tolerance",
+        {.name = "worst stroke in tolerance",
          .path = beside(
              motion,
              design::shown_motion(

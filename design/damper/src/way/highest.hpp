@@ -61,8 +61,8 @@ Highest highest(const F& function, Interval f, double enough, const Nowhere& now
   if (std::ranges::any_of(places, [&](double at) { return is_enough(at, value_at(at)); })) {
     return found();
   }
-  const auto below = std::ranges::upper_bound(places, best.at, std::greater());
-  const auto above = std::ranges::lower_bound(places, best.at, std::greater());
+  const auto* const below = std::ranges::upper_bound(places, best.at, std::greater());
+  const auto* const above = std::ranges::lower_bound(places, best.at, std::greater());
   const Interval around{below == places.end() ? logs.low : *below,
                         above == places.begin() ? logs.high : *std::prev(above)};
   if (nowhere(f_at(around.low), f_at(around.high))) {

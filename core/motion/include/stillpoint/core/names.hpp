@@ -20,7 +20,7 @@ using Named = std::pair<Enum, std::string_view>;
 /// An enumerator as the sources write it, which is what compilers call it; empty for a value that
 /// has none.
 template <auto Value>
-[[nodiscard]] constexpr std::string_view written() noexcept {
+[[nodiscard]] constexpr std::string_view written() {
   constexpr std::string_view before = "Value = ";
   const std::string_view all = __PRETTY_FUNCTION__;
   const std::size_t begin = all.find(before) + before.size();
