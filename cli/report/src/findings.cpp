@@ -257,25 +257,31 @@ std::string sentence(const Finding& finding, const Physical& physical) {
 /// The findings of that severity; what is the same in several cases is said once.
 std::vector<std::string> all_words(std::span<const Finding> findings, Severity severity,
                                    const Physical& physical) {
-  std::vector<std::string> told;
-  std::vector<std::string> sentences;
+  struct OfCases {
+    std::string cases, sentence;
+  };
+  std::vector<OfCases> told;
   for (const Finding& now : findings) {
     if (now.severity != severity) {
       continue;
     }
     std::string_view of_case = "{case}";
-    const std::string in_case = Told(now, physical).choice(of_case);
-    const std::string said = sentence(now, physical);
-    const auto same = std::ranges::find(sentences, said);
-    if (same != sentences.end() && !in_case.empty()) {
-      std::string& before = told[static_cast<std::size_t>(same - sentences.begin())];
-      before.insert(before.size() - said.size() - 2, ", " + in_case);
+    const OfCases said{Told(now, physical).choice(of_case), sentence(now, physical)};
+    const auto same = std::ranges::find_if(told, [&said](const OfCases& before) {
+      return !before.cases.empty() && before.sentence == said.sentence;
+    });
+    if (same != told.end() && !said.cases.empty()) {
+      same->cases += ", " + said.cases;
     } else {
-      told.push_back(words(now, physical));
-      sentences.push_back(said);
+      told.push_back(said);
     }
   }
-  return told;
+  std::vector<std::string> all;
+  all.reserve(told.size());
+  for (const OfCases& each : told) {
+    all.push_back(each.cases + (each.cases.empty() ? "" : ": ") + each.sentence);
+  }
+  return all;
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 // How far a damper may be off, in words. What it withstands is rounded down.
 #include "sections.hpp"
 
+#include <stillpoint/design/tolerance.hpp>
+
 #include <utility>
 
 namespace stillpoint::report {
@@ -25,8 +27,7 @@ std::string percent_digits(double tolerance, int shown) {
 }
 
 bool leaves_any(double tolerance) {
-  constexpr double none = 1e-6;  // the distance that a design keeps from an edge, and rounding
-  return tolerance >= none;
+  return tolerance >= design::least_tolerance;
 }
 
 std::string sides_text(const design::BoxShape& shape, double tolerance, int shown,

@@ -18,8 +18,7 @@ namespace {
 
 using enum FindingKind;
 
-constexpr double buildable = 0.01;     // a smaller tolerance is too little for a real damper
-constexpr double unmeasurable = 1e-6;  // the distance that a design keeps from an edge
+constexpr double buildable = 0.01;  // a smaller tolerance is too little for a real damper
 
 void add_pulse_notch(std::vector<Finding>& all, const ShownDamper& now) {
   if (!now.pulse || now.point.delta == 0 || now.built != nullptr || !moves(now.response) ||
@@ -52,12 +51,11 @@ void add_later(std::vector<Finding>& all, const ShownDamper& now) {
 
 /// Under a pulse, if the mass feels hardly less than the load.
 void add_isolation(std::vector<Finding>& all, const ShownDamper& now) {
-  constexpr double hardly = 0.95;
   if (!now.pulse) {
     return;
   }
   const double load = peak_load(*now.pulse);
-  if (now.felt() > hardly * load) {
+  if (now.felt() > hardly_less * load) {
     all.emplace_back(does_not_isolate)
         .add(transmitted_name, now.felt(), Dimension::gravities)
         .add("largest_load", load, Dimension::gravities);
@@ -187,13 +185,13 @@ void add_search(std::vector<Finding>& all, const DesignResult& design) {
   const DesignPoint& point = design.finding->point;
   const auto too_exact_to_build = [&](double tolerance) {
     Finding& finding =
-        all.emplace_back(too_exact).add("tolerance", tolerance < unmeasurable ? 0 : tolerance);
+        all.emplace_back(too_exact).add("tolerance", tolerance < least_tolerance ? 0 : tolerance);
     if (request.search.objective != Objective::robust) {
       finding.tell("asked", "nothing");
     }
   };
   if (wants_no_friction(design)) {
-    if (point.tolerance < unmeasurable) {
+    if (point.tolerance < least_tolerance) {
       too_exact_to_build(point.tolerance);
     }
     Finding& least = all.emplace_back(least_friction_is_best);

@@ -30,11 +30,10 @@ double load_of(const LoadCase& load_case, double p) {
 }
 
 bool isolates(const RecordDesign& result, std::size_t in_case) {
-  constexpr double hardly = 0.95;
   const auto& [damper, figures] = result.nearest;
   const LoadCase& load_case = result.request.cases[in_case];
   return load_case.v0 || figures.empty() ||
-         figures[in_case].acceleration <= hardly * load_of(load_case, damper.p);
+         figures[in_case].acceleration <= hardly_less * load_of(load_case, damper.p);
 }
 
 /// Of one case, which is named if there are several.

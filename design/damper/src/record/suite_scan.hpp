@@ -13,7 +13,7 @@
 namespace stillpoint::design {
 
 /// How many dampers a scan may compute: what the task says for two variables, no more than that for
-/// one, and times as many for more.
+/// one, and four times as many for more.
 [[nodiscard]] std::int64_t points_of_scan(const RecordDesignRequest& task, const SuiteSpace& space,
                                           std::int64_t of_a_line);
 

@@ -30,6 +30,9 @@ void add_failed(std::vector<Finding>& all, const CrossCheck& check);
 /// which is to be half as wide as the motion.
 void propose_delta(Finding& finding, double delta);
 
+/// A mass that feels more than this share of its load is not isolated.
+inline constexpr double hardly_less = 0.95;
+
 /// Where a mass may rest in a notch with a width, as a share of the peak, if no residual is given.
 inline constexpr double rest_share = 0.1;
 

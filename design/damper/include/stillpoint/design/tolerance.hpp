@@ -7,6 +7,9 @@
 
 namespace stillpoint::design {
 
+/// A smaller one is none: the distance that a design keeps from an edge, and rounding.
+inline constexpr double least_tolerance = 1e-6;
+
 /// All five constraints and the limits, over the box of relative half-width `limits.tolerance`
 /// around (f, delta): its worst corner is (f (1 - tolerance), delta (1 - tolerance)) for the stop,
 /// because Delta1 falls with f.
