@@ -97,38 +97,59 @@ ForcedScene<Wide> widened(const ForcedScene<double>& scene) {
           Wide(scene.breakaway)};
 }
 
-/// So that a failing scene can be pasted into a test.
-inline std::ostream& operator<<(std::ostream& out, const ForcedScene<double>& scene) {
-  const auto digits = out.precision(17);
-  out << "ForcedScene<>{" << scene.motion << ", ";
+/// Calls `each` with the inputs of the motion but the end of the run and that of a harmonic.
+template <class Real, class Each>
+void for_inputs(ForcedScene<Real>& scene, const Each& each) {
+  const auto visit = [&](auto& input) {
+    if constexpr (std::is_same_v<decltype(input), Real&>) {
+      each(input);
+    }
+  };
+  auto& [x0, v0, p, f, delta] = scene.motion;
+  for (Real* const input : {&x0, &v0, &p, &f, &delta}) {
+    each(*input);
+  }
   std::visit(
-      [&](const auto& e) {
-        out << e.name << ' ';
-        if constexpr (requires { e.lambda; }) {
-          out << e.k << ", " << e.lambda;
+      [&](auto& wave) {
+        if constexpr (requires { wave.k; }) {
+          each(wave.k);
         }
-        if constexpr (requires { e.duration; }) {
-          out << ", " << e.phase << ", lasts " << e.duration.value_or(HUGE_VAL);
+        if constexpr (requires { wave.lambda; }) {
+          each(wave.lambda);
         }
-        if constexpr (requires { e.values; }) {
-          out << "of " << e.values.size() << ", step " << e.step << ": ";
-          for (std::size_t i = 0; i < e.values.size() && i < 12; ++i) {
-            out << e.values[i] << ' ';
-          }
+        if constexpr (requires { wave.phase; }) {
+          visit(wave.phase);
+        }
+        if constexpr (requires { wave.values; }) {
+          std::ranges::for_each(wave.values, each);
+          std::ranges::for_each(wave.times, each);
+          each(wave.step);
         }
       },
       scene.excitation);
-  out << ", t_end " << scene.t_end << ", hold ";
-  if (scene.hold) {
-    out << *scene.hold;
-  } else {
-    out << "any load";
+  for (auto* const input : {&scene.hold, &scene.surface.notch_width}) {
+    if (*input) {
+      each(**input);
+    }
   }
-  out << ", width " << scene.surface.notch_width.value_or(0) << ", zones";
-  for (const FrictionZone& zone : scene.surface.zones) {
-    out << ' ' << zone.to << ':' << zone.f;
+  each(scene.zeta);
+  if (scene.breakaway != 1) {
+    each(scene.breakaway);
   }
-  out << ", zeta " << scene.zeta << ", breakaway " << scene.breakaway << '}';
+  for (auto& zone : scene.surface.zones) {
+    each(zone.to);
+    each(zone.f);
+  }
+}
+
+/// With all inputs in their order.
+inline std::ostream& operator<<(std::ostream& out, const ForcedScene<double>& scene) {
+  const auto digits = out.precision(17);
+  out << std::visit([](const auto& load) { return load.name; }, scene.excitation) << ", t_end "
+      << scene.t_end << ", hold " << scene.hold.has_value() << ", width "
+      << scene.surface.notch_width.has_value() << ':';
+  ForcedScene<> all = scene;
+  for_inputs(all, [&out](double input) { out << ' ' << input; });
   out.precision(digits);
   return out;
 }

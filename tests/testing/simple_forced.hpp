@@ -26,9 +26,9 @@ inline ForcedResponse until(double t_end, const Oscillator& oscillator, const St
   return run(oscillator, start, excitation, t_end);
 }
 
-inline void close(double value, double expected) {
-  BOOST_TEST(std::abs(value - expected) <= by_hand * std::fmax(1, std::abs(expected)),
-             value << " expected " << expected);
+inline void close(double value, double expected, double tolerance = by_hand) {
+  BOOST_TEST(std::abs(value - expected) <= tolerance * std::fmax(1, std::abs(expected)),
+             value << " expected " << expected << " off by " << value - expected);
 }
 
 /// W = k for ever, as a record whose end lies far behind t_end.

@@ -2,8 +2,7 @@
 #include "testing/backward_error.hpp"
 #include "motion.hpp"
 
-// The accuracy promise on seeded random scenes, against 50 digits. Each case prints the largest
-// error seen over the error allowed: 1 would be the bound itself.
+// The accuracy promise on seeded random scenes, against 50 digits.
 
 namespace stillpoint::test {
 
@@ -20,17 +19,14 @@ constexpr int one_in = 1;
 template <class Make>
 void check_scenes(std::uint64_t seed, int count, Make make) {
   Dice dice(seed);
-  WorstRatios worst{};
-  int checked = 0;
   BOOST_TEST_CONTEXT("seed " << seed) {
-    while (checked < count / one_in) {
+    for (int checked = 0; checked < count / one_in;) {
       if (const std::optional<Scene<>> scene = make(dice)) {
-        keeps_the_promise(*scene, worst);
+        keeps_the_promise(*scene);
         ++checked;
       }
     }
   }
-  BOOST_TEST_MESSAGE(checked << " scenes, worst error/bound: " << text(worst));
 }
 
 /// One friction is moderate, so that the motion is short; the other may be tiny.
@@ -51,12 +47,8 @@ Scene<> extreme_scale_scene(Dice& dice) {
           scene.delta * speed * speed};
 }
 
-BOOST_AUTO_TEST_CASE(moderate_motions_keep_the_promise) {
-  check_scenes(101, 4000, moderate_scene);
-}
-
 BOOST_AUTO_TEST_CASE(motions_from_any_start_keep_the_promise) {
-  check_scenes(102, 4000, general_start_scene);
+  check_scenes(101, 8000, any_start_scene);
 }
 
 BOOST_AUTO_TEST_CASE(overwhelming_friction_keeps_the_promise) {
@@ -112,39 +104,30 @@ BOOST_AUTO_TEST_CASE(a_million_half_cycles_with_both_frictions_keep_the_promise)
   const Run<double> run = as_run(response(scene));
   BOOST_TEST(run.end.half_cycles > 1e6);
   BOOST_TEST(ends_agree(run, exact));
-  WorstRatios worst{};
-  metrics_agree(run, exact, exact_sums, worst);
-  BOOST_TEST_MESSAGE(run.end << ", worst error/bound: " << text(worst));
+  metrics_agree(run, exact, exact_sums);
 }
 
 BOOST_AUTO_TEST_CASE(the_ends_of_the_range_keep_the_promise) {
-  WorstRatios worst{};
   for (const double v0 : {1e-150, 1.0, 1e150}) {
     for (const double p : {1e-150, 1.0, 1e150}) {
       for (const double friction : {0.0, 0.02, 0.3, 1.0}) {
         for (const double notch : {0.0, 0.02, 0.3}) {
           if (friction + notch > 0) {
-            keeps_the_promise({0, v0, p, friction * (v0 * p), notch * (v0 * v0)}, worst);
+            keeps_the_promise({0, v0, p, friction * (v0 * p), notch * (v0 * v0)});
           }
         }
       }
     }
   }
-  BOOST_TEST_MESSAGE("worst error/bound: " << text(worst));
 }
 
+/// Of one friction alone in every third.
 BOOST_AUTO_TEST_CASE(near_ties_keep_the_promise) {
-  check_scenes(106, 4000, [](Dice& dice) { return near_tie(moderate_scene(dice), dice); });
-}
-
-BOOST_AUTO_TEST_CASE(near_ties_from_any_start_keep_the_promise) {
-  check_scenes(107, 4000, [](Dice& dice) { return near_tie(general_start_scene(dice), dice); });
-}
-
-BOOST_AUTO_TEST_CASE(near_ties_of_one_friction_alone_keep_the_promise) {
-  check_scenes(108, 4000, [](Dice& dice) {
+  check_scenes(106, 12000, [](Dice& dice) {
     Scene<> scene = any_start_scene(dice);
-    (dice.once_in(2) ? scene.f : scene.delta) = 0;
+    if (dice.once_in(3)) {
+      (dice.once_in(2) ? scene.f : scene.delta) = 0;
+    }
     return near_tie(scene, dice);
   });
 }

@@ -16,6 +16,8 @@ struct Batch {
   Eigen::ArrayXd p;
   Eigen::ArrayXd f;
   Eigen::ArrayXd delta;
+  Eigen::ArrayXd zeta;  ///< or none
+  double breakaway{1};
 
   explicit Batch(Eigen::Index size) : v0(size), p(size), f(size), delta(size) {}
 
@@ -26,8 +28,15 @@ struct Batch {
     f[i] = scene.f;
     delta[i] = scene.delta;
   }
-  [[nodiscard]] BatchResult run(const BatchOptions& options) const {
+  [[nodiscard]] BatchResult run(BatchOptions options) const {
+    options.zeta = zeta;
+    options.breakaway = breakaway;
     return free_batch(v0, p, f, delta, options);
+  }
+  [[nodiscard]] Response alone(Eigen::Index i) const {
+    const double damping = zeta.size() > 0 ? zeta[i] : 0;
+    return free_response({p[i], f[i], delta[i], std::nullopt, damping, breakaway}, {0, v0[i]},
+                         {.margin = false});
   }
 };
 
@@ -61,7 +70,7 @@ void is_that_of(const Response& alone, const BatchResult& result, Eigen::Index i
 std::vector<Response> each_alone(const Batch& batch) {
   std::vector<Response> alone;
   for (Eigen::Index i = 0; i < batch.f.size(); ++i) {
-    alone.push_back(response(batch.scene(i), {.margin = false}));
+    alone.push_back(batch.alone(i));
   }
   return alone;
 }
@@ -116,42 +125,52 @@ Batch batch_of(Eigen::Index size, const Scenes& scenes) {
   return batch;
 }
 
+/// Next to a tie.
+Scene<> tied_scene(Dice& dice) {
+  while (true) {
+    if (const auto scene = near_tie(moderate_scene(dice), dice)) {
+      return *scene;
+    }
+  }
+}
+
+/// Up to some 1e5 half-cycles, more of them in one lane than in a block of the others.
+Scene<> long_or_short_scene(Dice& dice) {
+  Scene<> scene = moderate_scene(dice);
+  const double little = dice.once_in(200) ? 1e-4 : dice.power_of_ten(-1.5, 0);
+  scene.f *= little;
+  scene.delta *= little * little;
+  return scene;
+}
+
+void give_damping(Batch& batch, double breakaway, Dice& dice) {
+  batch.breakaway = breakaway;
+  batch.zeta.resize(batch.f.size());
+  for (double& zeta : batch.zeta) {
+    zeta = dice.once_in(20)  ? 0
+           : dice.once_in(3) ? dice.power_of_ten(-12, -1)
+                             : dice.below(991) / 1e3;
+  }
+}
+
 BOOST_AUTO_TEST_CASE(random_entries_are_those_of_the_scalar_kernel) {
   Dice dice(901);
   is_identical(batch_of(20000, [&] { return any_scene(dice); }), {1});
-}
-
-BOOST_AUTO_TEST_CASE(extreme_entries_are_those_of_the_scalar_kernel) {
-  Dice dice(902);
   is_identical(batch_of(10000, [&] { return extreme_scene(dice); }), {1});
+  is_identical(batch_of(2000, [&] { return tied_scene(dice); }), {1});
+  is_identical(batch_of(6000, [&] { return long_or_short_scene(dice); }), {1, 2});
 }
 
-BOOST_AUTO_TEST_CASE(entries_next_to_a_tie_are_those_of_the_scalar_kernel) {
-  Dice dice(903);
-  is_identical(batch_of(2000,
-                        [&] {
-                          while (true) {
-                            if (const auto scene = near_tie(moderate_scene(dice), dice)) {
-                              return *scene;
-                            }
-                          }
-                        }),
-               {1});
-}
-
-BOOST_AUTO_TEST_CASE(long_and_short_motions_side_by_side) {
-  // Up to some 1e5 half-cycles, more of them in one lane than in a block of the others.
-  Dice dice(904);
-  is_identical(batch_of(6000,
-                        [&] {
-                          Scene<> scene = moderate_scene(dice);
-                          const double little =
-                              dice.once_in(200) ? 1e-4 : dice.power_of_ten(-1.5, 0);
-                          scene.f *= little;
-                          scene.delta *= little * little;
-                          return scene;
-                        }),
-               {1, 2});
+BOOST_AUTO_TEST_CASE(each_oscillator_has_a_damping_of_its_own) {
+  Dice dice(908);
+  for (const Eigen::Index size : {10000, 1000, 1, 63, 64, 65, 129}) {
+    Batch batch = batch_of(size, [&] { return any_scene(dice); });
+    give_damping(batch, size == 1000 ? 1.2 : 1, dice);
+    is_identical(batch, {2});
+  }
+  Batch extreme = batch_of(1000, [&] { return extreme_scene(dice); });
+  give_damping(extreme, 1, dice);
+  is_identical(extreme, {1});
 }
 
 BOOST_AUTO_TEST_CASE(exact_ties_stop_at_zero) {
@@ -210,60 +229,15 @@ BOOST_AUTO_TEST_CASE(results_go_where_the_caller_keeps_them) {
   }
 }
 
-void is_identical_damped(const Batch& batch, double breakaway, const Threads& threads, Dice& dice) {
-  const Eigen::Index size = batch.f.size();
-  BatchOptions options{.breakaway = breakaway, .threads = threads};
-  options.zeta.resize(size);
-  std::vector<Response> alone;
-  for (Eigen::Index i = 0; i < size; ++i) {
-    double& zeta = options.zeta[i];
-    zeta = dice.once_in(20)  ? 0
-           : dice.once_in(3) ? dice.power_of_ten(-12, -1)
-                             : dice.below(991) / 1e3;
-    const Scene<> scene = batch.scene(i);
-    const Oscillator oscillator{scene.p, scene.f, scene.delta, std::nullopt, zeta, breakaway};
-    alone.push_back(free_response(oscillator, {0, scene.v0}, {.margin = false}));
-  }
-  with_each_instruction_set([&] {
-    for (const bool times : {false, true}) {
-      options.times = options.acceleration = times;
-      const BatchResult result = batch.run(options);
-      for (Eigen::Index i = 0; i < size; ++i) {
-        is_that_of(alone[static_cast<std::size_t>(i)], result, i, batch.scene(i));
-      }
-    }
-  });
-}
-
-BOOST_AUTO_TEST_CASE(each_oscillator_has_a_damping_of_its_own) {
-  Dice dice(908);
-  const auto any = [&] { return any_scene(dice); };
-  is_identical_damped(batch_of(10000, any), 1, 2, dice);
-  is_identical_damped(batch_of(1000, any), 1.2, 1, dice);
-  is_identical_damped(batch_of(1000, [&] { return extreme_scene(dice); }), 1, 1, dice);
-  for (const Eigen::Index size : {1, 63, 64, 65, 129}) {
-    is_identical_damped(batch_of(size, any), 1, 1, dice);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(a_damped_batch_refuses_what_a_motion_refuses) {
-  const Eigen::ArrayXd f = Eigen::ArrayXd::Constant(70, 0.1);
-  const Eigen::ArrayXd delta = Eigen::ArrayXd::Constant(70, 0.01);
-  BatchOptions options{.zeta = Eigen::ArrayXd::Constant(70, 0.05)};
-  const auto refused = [&](const std::string& words) {
-    BOOST_CHECK_EXCEPTION((void)free_batch(1, 1, f, delta, options), InputError,
-                          [&](const InputError& error) {
-                            return std::string(error.what()).find(words) != std::string::npos;
-                          });
-  };
-  options.zeta[66] = 1.5;
-  refused("damping");
-  options.zeta[66] = 0.05;
-  options.breakaway = 0.5;
-  refused("breakaway");
-  options.breakaway = 1;
-  options.half_cycle_limit = 2;
-  BOOST_CHECK_THROW((void)free_batch(1, 1, f, delta, options), TooManyHalfCycles);
+  Batch batch = batch_of(70, [] { return Scene<>{0, 1, 1, 0.1, 0.01}; });
+  batch.zeta = Eigen::ArrayXd::Constant(70, 0.05);
+  BOOST_CHECK_THROW((void)batch.run({.half_cycle_limit = 2}), TooManyHalfCycles);
+  batch.zeta[66] = 1.5;
+  check_contains(refusal_of<InputError>([&] { (void)batch.run({}); }), {"damping"});
+  batch.zeta[66] = 0.05;
+  batch.breakaway = 0.5;
+  check_contains(refusal_of<InputError>([&] { (void)batch.run({}); }), {"breakaway"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -14,22 +14,6 @@ constexpr auto in_dead_zone = Outcome::stopped_in_dead_zone;
 constexpr double time_tolerance = 1e-15;   // relative
 constexpr double count_tolerance = 1e-15;  // relative, where counts exceed 2^53
 
-BOOST_AUTO_TEST_CASE(point_friction_alone_counts_and_times_half_turns) {
-  // v_k^2 = 1 - 0.2 (k - 1) is positive for k up to 5 (the double 0.1 is above the decimal).
-  const Response r = response({0, 1, 4, 0, 0.1});
-  ends(r, {at_zero, 5, 5, 4});
-  near("stop_time", *r.stop_time, 5 * pi / 4, time_tolerance);
-  near("peak_amplitude", r.peak_amplitude, 0.25, time_tolerance);
-}
-
-BOOST_AUTO_TEST_CASE(constant_friction_alone_counts_half_swings) {
-  // S = 101, 2f = 40, S/(2f) = 2.525: two half-swings after the first peak, 81 - 2 * 40 = 1.
-  const Response r = response({0, 99, 1, 20, 0});
-  ends(r, {in_dead_zone, 3, 3, 2});
-  near("stop_time", *r.stop_time, std::atan2(99.0, 20.0) + 2 * pi, time_tolerance);
-  BOOST_TEST(*r.stop_position == 1);
-}
-
 BOOST_AUTO_TEST_CASE(a_million_million_half_cycles_return_at_once) {
   // 2 Delta = 2^-40 divides 1 exactly.
   const Response point = response({0, 1, 1, 0, 0x1p-41});

@@ -16,29 +16,6 @@ Scene<> shaken(const Scene<>& scene, double size, Dice& dice) {
   return moved;
 }
 
-template <class Make>
-void no_change_within_half_the_margin(std::uint64_t seed, Make make) {
-  constexpr double smallest_margin = 1e-12;  // below, the scene's own rounding counts
-  Dice dice(seed);
-  int shaken_scenes = 0;
-  for (int i = 0; i < 3000; ++i) {
-    const Scene<> scene = make(dice);
-    const double margin = response(scene).decision_margin.value();
-    if (margin < smallest_margin) {
-      continue;
-    }
-    ++shaken_scenes;
-    const End end = end_of(scene);
-    for (int direction = 0; direction < 20; ++direction) {
-      const Scene<> moved = shaken(scene, 0.499 * margin, dice);
-      BOOST_TEST(end_of(moved) == end, "seed " << seed << ", margin " << margin << ": " << scene
-                                               << " gives " << end << ", " << moved << " gives "
-                                               << end_of(moved));
-    }
-  }
-  BOOST_TEST(shaken_scenes > 2900);
-}
-
 /// The relative change of a single input, up or down, that changes the end; none up to `most`.
 std::optional<double> tipping_change(const Scene<>& scene, double Scene<>::*input, double most) {
   std::optional<double> least;
@@ -82,20 +59,31 @@ BOOST_AUTO_TEST_CASE(the_margin_adds_up_what_each_input_alone_would_need) {
   }
 }
 
+/// Of one friction alone in every third.
 BOOST_AUTO_TEST_CASE(less_than_half_the_margin_changes_no_end) {
-  no_change_within_half_the_margin(401, moderate_scene);
-}
-
-BOOST_AUTO_TEST_CASE(less_than_half_the_margin_changes_no_end_from_any_start) {
-  no_change_within_half_the_margin(402, general_start_scene);
-}
-
-BOOST_AUTO_TEST_CASE(less_than_half_the_margin_changes_no_end_of_one_friction_alone) {
-  no_change_within_half_the_margin(403, [](Dice& dice) {
+  constexpr double smallest_margin = 1e-12;  // below, the scene's own rounding counts
+  constexpr std::uint64_t seed = 401;
+  Dice dice(seed);
+  int shaken_scenes = 0;
+  for (int i = 0; i < 9000; ++i) {
     Scene<> scene = any_start_scene(dice);
-    (dice.once_in(2) ? scene.f : scene.delta) = 0;
-    return scene.v0 == 0 && scene.f == 0 ? Scene<>{scene.x0, 1, 1, 0, scene.delta} : scene;
-  });
+    if (i % 3 == 0) {
+      (dice.once_in(2) || scene.v0 == 0 ? scene.delta : scene.f) = 0;
+    }
+    const double margin = response(scene).decision_margin.value();
+    if (margin < smallest_margin) {
+      continue;
+    }
+    ++shaken_scenes;
+    const End end = end_of(scene);
+    for (int direction = 0; direction < 20; ++direction) {
+      const Scene<> moved = shaken(scene, 0.499 * margin, dice);
+      BOOST_TEST(end_of(moved) == end, "seed " << seed << ", margin " << margin << ": " << scene
+                                               << " gives " << end << ", " << moved << " gives "
+                                               << end_of(moved));
+    }
+  }
+  BOOST_TEST(shaken_scenes > 8700);
 }
 
 BOOST_AUTO_TEST_CASE(the_worst_direction_may_need_all_inputs) {

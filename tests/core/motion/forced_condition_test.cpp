@@ -14,15 +14,6 @@ BOOST_AUTO_TEST_SUITE(forced_condition_test)
 // power of an angle, and it may be the last of a hundred.
 constexpr double allowed_units = 128;
 
-/// x0, v0, p, f, delta, k, lambda, phase, t_end.
-template <class Real>
-using Inputs = std::array<Real, 9>;
-
-template <class Real>
-ForcedScene<Real> scene_of(const Inputs<Real>& in) {
-  return {{in[0], in[1], in[2], in[3], in[4]}, BasicHarmonic<Real>{in[5], in[6], in[7]}, in[8]};
-}
-
 constexpr std::array<const char*, 6> names{"final position",    "final velocity", "peak amplitude",
                                            "peak acceleration", "arrival speed",  "stick time"};
 
@@ -38,43 +29,43 @@ std::array<Real, 6> metrics_of(const ForcedState<Real>& state, const Real& p) {
 }
 
 /// From rest or not, f below |k| by 1e-9 to 1e-2 of it.
-Inputs<double> friction_near_load(Dice& dice) {
+ForcedScene<> friction_near_load(Dice& dice) {
   const double p = dice.power_of_ten(-1, 1);
   const double lambda = p * dice.power_of_ten(-1, 1);
   const double k = dice.power_of_ten(-1, 1);
   const double v = k / std::max(p, lambda);
   const bool rests = dice.once_in(2);
-  return {rests ? 0 : dice.sign() * v / p * dice.power_of_ten(-3, 0),
-          rests || dice.once_in(2) ? 0 : dice.sign() * v * dice.power_of_ten(-3, 0),
-          p,
-          k * (1 - dice.power_of_ten(-9, -2)),
-          dice.once_in(2) ? 0 : v * v * dice.power_of_ten(-12, -0.2),
-          dice.sign() * k,
-          lambda,
-          dice.uniform(-4, 4),
+  return {{rests ? 0 : dice.sign() * v / p * dice.power_of_ten(-3, 0),
+           rests || dice.once_in(2) ? 0 : dice.sign() * v * dice.power_of_ten(-3, 0), p,
+           k * (1 - dice.power_of_ten(-9, -2)),
+           dice.once_in(2) ? 0 : v * v * dice.power_of_ten(-12, -0.2)},
+          Harmonic{dice.sign() * k, lambda, dice.uniform(-4, 4)},
           dice.uniform(1, 30) / p};
 }
 
 /// Sums over the inputs of |d metric / d ln input|, by one-sided differences. An input for which
 /// either side is another motion is left out, which makes the bound stricter.
-std::array<Exact, 6> conditions(const Inputs<Exact>& inputs, const ForcedRecord<Exact>& run) {
+std::array<Exact, 6> conditions(ForcedScene<Exact> moved, const ForcedRecord<Exact>& run) {
   const Exact step("1e-22");
-  const std::array<Exact, 6> metrics = metrics_of(run.state, inputs[2]);
+  const std::array<Exact, 6> metrics = metrics_of(run.state, moved.motion.p);
   std::array<Exact, 6> sums{};
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
+  const auto add = [&](Exact& input) {
+    const Exact before = input;
     for (const int direction : {1, -1}) {
-      Inputs<Exact> moved = inputs;
-      moved[i] *= 1 + direction * step;
-      const ForcedRecord<Exact> there = run_forced(scene_of(moved));
+      input = before * (1 + direction * step);
+      const ForcedRecord<Exact> there = run_forced(moved);
       if (there.seen.kinds == run.seen.kinds) {
-        const std::array<Exact, 6> others = metrics_of(there.state, moved[2]);
+        const std::array<Exact, 6> others = metrics_of(there.state, moved.motion.p);
         for (std::size_t j = 0; j < sums.size(); ++j) {
           sums[j] += abs(Exact(others[j] - metrics[j])) / step;
         }
         break;
       }
     }
-  }
+    input = before;
+  };
+  for_inputs(moved, add);
+  add(moved.t_end);
   // The place is kept to an ulp of itself, so that an arrival from there at the speed v has v^2/2
   // to an ulp of the largest force times the largest place: where that is far more than v^2, after
   // a slip that came back hardly farther than it had gone, no input counts as much.
@@ -92,18 +83,16 @@ BOOST_AUTO_TEST_CASE(where_friction_nearly_holds_the_load_errors_are_those_of_ro
   std::array<double, 6> worst{};
   const int count = forced_scene_count() / 5;
   for (int i = 0; i < count; ++i) {
-    const Inputs<double> inputs = friction_near_load(dice);
-    const ForcedScene<> scene = scene_of(inputs);
+    const ForcedScene<> scene = friction_near_load(dice);
     const ForcedRecord<double> got = run_forced(scene);
-    Inputs<Exact> wide;
-    std::copy(inputs.begin(), inputs.end(), wide.begin());
-    const ForcedRecord<Exact> right = run_forced(scene_of(wide));
+    const auto wide = widened<Exact>(scene);
+    const ForcedRecord<Exact> right = run_forced(wide);
     BOOST_TEST((got.seen.kinds == right.seen.kinds), "events differ: " << scene);
     if (got.seen.kinds != right.seen.kinds) {
       continue;
     }
-    const std::array<double, 6> values = metrics_of(got.state, inputs[2]);
-    const std::array<Exact, 6> truths = metrics_of(right.state, wide[2]);
+    const std::array<double, 6> values = metrics_of(got.state, scene.motion.p);
+    const std::array<Exact, 6> truths = metrics_of(right.state, wide.motion.p);
     const std::array<Exact, 6> sums = conditions(wide, right);
     for (std::size_t j = 0; j < sums.size(); ++j) {
       const Exact error = abs(Exact(values[j] - truths[j]));

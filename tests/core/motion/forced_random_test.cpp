@@ -21,20 +21,17 @@ constexpr double allowed_units = 16;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 double largest_load(const Excitation& excitation) {
-  if (const auto* record = std::get_if<Record>(&excitation)) {
-    double most = 0;
-    for (const double value : record->values) {
-      most = std::max(most, std::abs(value));
-    }
-    return most;
-  }
   return std::visit(
-      [](const auto& wave) {
-        if constexpr (requires { wave.k; }) {
-          return std::abs(wave.k);
-        } else {
-          return 0.0;
+      [](const auto& load) {
+        double most = 0;
+        if constexpr (requires { load.k; }) {
+          most = std::abs(load.k);
+        } else if constexpr (requires { load.values; }) {
+          for (const double value : load.values) {
+            most = std::max(most, std::abs(value));
+          }
         }
+        return most;
       },
       excitation);
 }
@@ -59,49 +56,6 @@ double error(const ForcedScene<>& scene, const ForcedState<double>& of,
   return std::max({length > 0 ? of_length / length : of_length,
                    off(got.acceleration, right.acceleration) / force, felt / force,
                    off(got.stuck.value(), right.stuck.value()) / time});
-}
-
-/// Calls `each` with the inputs.
-template <class Real, class Each>
-void for_inputs(ForcedScene<Real>& scene, const Each& each) {
-  const auto visit = [&](auto& input) {
-    if constexpr (std::is_same_v<decltype(input), Real&>) {
-      each(input);
-    }
-  };
-  auto& [x0, v0, p, f, delta] = scene.motion;
-  for (Real* const input : {&x0, &v0, &p, &f, &delta}) {
-    each(*input);
-  }
-  std::visit(
-      [&](auto& wave) {
-        if constexpr (requires { wave.k; }) {
-          each(wave.k);
-        }
-        if constexpr (requires { wave.lambda; }) {
-          each(wave.lambda);
-        }
-        if constexpr (requires { wave.phase; }) {
-          visit(wave.phase);
-        }
-        if constexpr (requires { wave.values; }) {
-          std::ranges::for_each(wave.values, each);
-          std::ranges::for_each(wave.times, each);
-          each(wave.step);
-        }
-      },
-      scene.excitation);
-  for (auto* const input : {&scene.hold, &scene.surface.notch_width}) {
-    if (*input) {
-      each(**input);
-    }
-  }
-  each(scene.zeta);
-  each(scene.breakaway);
-  for (auto& zone : scene.surface.zones) {
-    each(zone.to);
-    each(zone.f);
-  }
 }
 
 /// What rounding of the inputs makes of the run: 2^-53 times the sum of |d run / d ln input|.

@@ -61,6 +61,10 @@ Rule rule(const Oscillator& oscillator, const Start& start, const Excitation& ex
   return {oscillator, start, excitation, t_end, known, surface};
 }
 
+Known locked_under(double load) {
+  return {.outcome = caught, .felt = load, .locked_from = 0};
+}
+
 const std::vector<Rule> rules{
     // v0^2 = 1 < 2 Delta is caught, whatever W does; v0^2 = 2 Delta sets off and pays nothing: up
     // to x = 1, back with v^2 = 1 <= 2 Delta.
@@ -111,6 +115,13 @@ const std::vector<Rule> rules{
          {.half_cycles = 1, .stick_time = pi / 3}),
     rule({1, 0, 0.51, 0.2}, {0, 1}, Harmonic{0.2, 0.5}, 2, {.outcome = caught, .stop_time = 0}),
     rule({1, 0, 0.51, 0.2}, {0, 1}, HalfSine{0.2, 0.5}, {}, {.outcome = caught}),
+    // What the notch catches, v0^2 = 0.01 < 2 Delta, feels the load itself; of the last but one its
+    // crest is at pi/4.
+    rule({1, 0.02, 0.1}, {0, 0.1}, Rectangle{-0.3, 0.5}, 1, locked_under(0.3)),
+    rule({1, 0.02, 0.1}, {0, 0.1}, Rectangle{-0.3, 0.5}, {}, locked_under(0.3)),
+    rule({1, 0.02, 0.1}, {0, 0.1}, HalfSine{0.3, 2}, {}, locked_under(0.3)),
+    rule({1, 0.02, 0.1}, {0, 0.1}, HalfSine{0.3, 2}, 0.5, locked_under(0.3 * sin(1.0))),
+    rule({1, 0.02, 0.1}, {0, 0.1}, FullSine{-0.3, 2}, 100, locked_under(0.3)),
     // A notch without any hold only takes energy: each load but 0 sets the mass free.
     rule({1, 0, 0.3, 0}, {0.25, 0}, constant(1), 6, {.passages = 1}),
     rule({1, 0, 0.3, 0}, {0, 0}, constant(1e-300), 6, {.half_cycles = 1}),
@@ -139,6 +150,14 @@ const std::vector<Rule> rules{
          {.half_cycles = 3, .sticks = 1, .stick_time = pi}),
     rule({1, 0.21, 0}, {1, 0}, Rectangle{-1, 1}, 50,
          {.half_cycles = 3, .sticks = 1, .stick_time = pi}),
+    // From rest under W = 1 it turns at x = -2 at tau = pi: where the pulse ends, within an ulp,
+    // and at
+    // a sample to the last bit.
+    rule({1, 0, 0}, {0, 0}, Rectangle{1, 1}, 2 * pi, {.peak = 2, .x = 2}),
+    rule({1, 0, 0}, {0, 0}, Record{{1, 1, 1, 1}, pi, {}}, 3 * pi, {.peak = 2, .x = -2}),
+    // One sample lasts no time.
+    rule({1, 0.05, 0.01}, {0, 0}, Record{{5}, 0.01, {}}, 10,
+         {.outcome = at_zero, .half_cycles = 0}),
     // Before a record begins the motion is free.
     rule({1, 0.1, 0}, {0, 1}, Record{{-0.2}, 0, {0.36}}, 0.1,
          {.end_time = 0.1, .x = sin(0.1) + 0.1 * cos(0.1) - 0.1}),
@@ -179,6 +198,8 @@ const std::vector<Rule> rules{
     rule({1, 0.5, 0}, {0, 0.9}, {}, {}, {.outcome = never_stops, .peak = 0.9}, ice),
     rule({1, 0.5, 0}, {0, 1.5}, {}, {}, {.outcome = never_stops}, ice),
     rule({1, 1.5, 0}, {1.25, 0}, {}, {}, {.outcome = in_dead_zone}, ice),
+    rule({2, 0.1, 0}, {0, 1}, {}, {}, {.outcome = never_stops}, {{}, {{0.1, 0}}}),
+    rule({2, 0.1, 0}, {0.05, 0}, {}, {}, {.outcome = never_stops, .felt = 0.2}, {{}, {{0.1, 0}}}),
     rule({1, 0.5, 0.1}, {0, 0.9}, {}, {},
          {.outcome = at_zero, .half_cycles = 5, .stop_time = 5 * pi}, ice),
     rule({1, 0.5, 0.1}, {0, 0}, Rectangle{0.6, 1}, {}, {.outcome = at_zero}, ice),

@@ -23,17 +23,8 @@ double largest_impulse(const std::vector<HalfCycle>& list) {
 BOOST_AUTO_TEST_CASE(free_motions_by_hand) {
   // Point friction alone: v^2 at the arrivals is 1, 1 - 2 delta, ..., and the last is a stop.
   const auto jump = [](double delta) { return free_response({1, 0, delta}, {0, 1}).jump; };
-  close(jump(0.5), 1);                    // stops at the first
-  close(jump(0.3), std::sqrt(0.4));       // 1 - sqrt(0.4) before it
   close(jump(0.45), 1 - std::sqrt(0.1));  // sqrt(0.1) at the stop
   close(jump(0.18), std::sqrt(0.28));     // 1, 0.64, 0.28
-  BOOST_TEST(jump(0) == 0);
-  // phi = 7, v0 = 24: r = 25, and it arrives with v^2 = (25 - 21) (25 - 7) = 72.
-  close(free_response({1, 7, 36}, {0, 24}).jump, std::sqrt(72.0));
-  close(free_response({1, 7, 4}, {0, 24}).jump, std::sqrt(72.0) - 8);  // then off x = 0
-  // From the side: v^2 = 4 at x = 0.
-  close(free_response({1, 0, 2}, {2, 0}).jump, 2);
-  close(free_response({1, 0, 1.5}, {-2, 0}).jump, 1);  // 2 to 1, then 1 to 0
   // What the notch catches at the start has its v0 to lose.
   BOOST_TEST(free_response({1, 0.1, 1}, {0, -1.25}).jump == 1.25);
   BOOST_TEST(free_response({1, 0.3, 1}, {0.2, 0}).jump == 0);

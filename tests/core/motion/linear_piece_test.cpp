@@ -47,50 +47,40 @@ BOOST_AUTO_TEST_CASE(terms_by_the_half_tangent_have_all_their_digits) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(turns_within_a_short_interval) {
+BOOST_AUTO_TEST_CASE(events_within_a_short_interval) {
   Dice dice(922);
-  int turns = 0;
-  for (int i = 0; i < 4000; ++i) {
-    const double h = 0.1 * dice.power_of_ten(-3, 0);
-    const Piece piece{dice.uniform(-1, 1), h * dice.power_of_ten(-3, 0), -dice.power_of_ten(-2, 0),
-                      dice.uniform(-1, 1) / h};
-    const auto end = piece.as<double>().first_event(h, false);
-    if (end.event != PieceEvent::turn) {
-      continue;
-    }
-    ++turns;
-    const auto exact = piece.as<Wide>().first_event(h, false);
-    BOOST_TEST((exact.event == PieceEvent::turn));
-    const double steep = std::abs(static_cast<double>(exact.at.a));
-    BOOST_TEST(std::abs(double(end.h - exact.h)) * steep <= time_tolerance * size(piece, h));
-    BOOST_TEST(std::abs(double(end.at.y - exact.at.y)) <=
-               sum_tolerance * (std::abs(piece.y) + size(piece, h) * h));
-  }
-  BOOST_TEST(turns > 1000);
-}
-
-BOOST_AUTO_TEST_CASE(arrivals_within_a_short_interval) {
-  Dice dice(923);
-  int arrivals = 0;
-  for (int i = 0; i < 4000; ++i) {
+  std::array<int, 2> met{};
+  for (int i = 0; i < 8000; ++i) {
+    const bool arrives = i % 2 == 1;
     const double h = 0.1 * dice.power_of_ten(-3, 0);
     const double v = dice.power_of_ten(-3, 0);
-    const Piece piece{-h * v * dice.power_of_ten(-4, 0), v, dice.uniform(-1, 1),
-                      dice.uniform(-1, 1) * v / h};
-    const auto end = piece.as<double>().first_event(h, true);
-    if (end.event != PieceEvent::arrival) {
+    const Piece piece = arrives ? Piece{-h * v * dice.power_of_ten(-4, 0), v, dice.uniform(-1, 1),
+                                        dice.uniform(-1, 1) * v / h}
+                                : Piece{dice.uniform(-1, 1), h * v, -dice.power_of_ten(-2, 0),
+                                        dice.uniform(-1, 1) / h};
+    const auto wanted = arrives ? PieceEvent::arrival : PieceEvent::turn;
+    const auto end = piece.as<double>().first_event(h, arrives);
+    if (end.event != wanted) {
       continue;
     }
-    ++arrivals;
-    const auto exact = piece.as<Wide>().first_event(h, true);
-    BOOST_TEST((exact.event == PieceEvent::arrival));
-    const double slow = std::min(static_cast<double>(exact.at.v), piece.v);
-    BOOST_TEST(std::abs(double(end.h - exact.h)) * slow <=
-               time_tolerance * (std::abs(piece.y) + size(piece, h) * h));
-    BOOST_TEST(std::abs(double(end.at.v - exact.at.v)) * slow <=
-               2 * time_tolerance * size(piece, h) * size(piece, h));
+    ++met[arrives ? 1 : 0];
+    const auto exact = piece.as<Wide>().first_event(h, arrives);
+    BOOST_TEST((exact.event == wanted));
+    const double of_v = size(piece, h);
+    const double of_y = std::abs(piece.y) + of_v * h;
+    const double off = std::abs(double(end.h - exact.h));
+    if (arrives) {
+      const double slow = std::min(static_cast<double>(exact.at.v), piece.v);
+      BOOST_TEST(off * slow <= time_tolerance * of_y);
+      BOOST_TEST(std::abs(double(end.at.v - exact.at.v)) * slow <=
+                 2 * time_tolerance * of_v * of_v);
+    } else {
+      BOOST_TEST(off * std::abs(static_cast<double>(exact.at.a)) <= time_tolerance * of_v);
+      BOOST_TEST(std::abs(double(end.at.y - exact.at.y)) <= sum_tolerance * of_y);
+    }
   }
-  BOOST_TEST(arrivals > 1000);
+  BOOST_TEST(met[0] > 1000);
+  BOOST_TEST(met[1] > 1000);
 }
 
 // a(h) = r cos(from + h): r where a multiple of pi lies between, else at an end.

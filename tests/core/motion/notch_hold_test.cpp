@@ -67,15 +67,11 @@ BOOST_AUTO_TEST_CASE(a_hold_beyond_every_load_changes_no_bit) {
     const Harmonic load{0.1 + 0.002 * i, 0.3 + 0.01 * i, 0.1 * i};
     const Start start{0, 0.3 + 0.005 * i};
     const auto paper = run({1, f, delta}, start, load, 50);
-    const auto held = run({1, f, delta, 1e100}, start, load, 50);
-    BOOST_TEST(held.outcome == paper.outcome);
-    BOOST_TEST(held.peak_amplitude == paper.peak_amplitude);
-    BOOST_TEST(held.peak_absolute_acceleration == paper.peak_absolute_acceleration);
-    BOOST_TEST((held.stop_time == paper.stop_time));
-    BOOST_TEST((held.stop_position == paper.stop_position));
-    BOOST_TEST((held.half_cycles == paper.half_cycles));
-    BOOST_TEST((held.locked_from == paper.locked_from));
-    BOOST_TEST((held.final_velocity == paper.final_velocity));
+    auto held = run({1, f, delta, 1e100}, start, load, 50);
+    held.sticks = paper.sticks;  // the others are rests for ever
+    held.stick_time = paper.stick_time;
+    held.decision_margin = paper.decision_margin;
+    BOOST_TEST((held == paper));
     stopped += paper.outcome == Outcome::stopped_at_zero;
   }
   BOOST_TEST(stopped > 20);

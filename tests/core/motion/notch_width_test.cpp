@@ -106,34 +106,6 @@ BOOST_AUTO_TEST_CASE(a_slip_by_next_to_nothing_keeps_its_digits_in_a_wide_zone) 
   }
 }
 
-BOOST_AUTO_TEST_CASE(zones_of_one_friction_are_no_zones) {
-  const Surface zones{{}, {{0.1, 0.02}, {0.3, 0.02}, {5, 0.02}}};
-  for (const Start& start : {Start{0, 1}, Start{-0.7, 0.4}, Start{0.9, 0}}) {
-    for (const double delta : {0.0, 0.02}) {
-      const Oscillator oscillator{1, 0.02, delta};
-      const auto with = run(oscillator, zones, start);
-      const Response without = free_response(oscillator, start);
-      BOOST_TEST(with.outcome == without.outcome);
-      BOOST_TEST(*with.half_cycles == *without.half_cycles);
-      BOOST_TEST(*with.turning_points == *without.turning_points);
-      // Each piece rounds anew.
-      BOOST_TEST(std::abs(*with.stop_time - *without.stop_time) <= 1e-12 * *without.stop_time);
-      BOOST_TEST(std::abs(*with.stop_position - *without.stop_position) <= 1e-12);
-      close(with.peak_amplitude, without.peak_amplitude);
-    }
-  }
-}
-
-BOOST_AUTO_TEST_CASE(a_zone_without_friction_about_zero_leaves_a_motion_that_never_stops) {
-  // Each turn is beyond the edge by about half as much as the one before it: f = p^2 L/4.
-  const Surface zone{{}, {{0.1, 0}}};
-  BOOST_TEST(run({2, 0.1, 0}, zone, {0, 1}).outcome == Outcome::never_stops);
-  const ForcedResponse from_rest = run({2, 0.1, 0}, zone, {0.05, 0});
-  BOOST_TEST((from_rest.outcome == Outcome::never_stops));
-  BOOST_TEST(from_rest.peak_acceleration == 4 * 0.05);
-  BOOST_TEST(from_rest.peak_absolute_acceleration == 4 * 0.05);
-}
-
 BOOST_AUTO_TEST_CASE(friction_alone_does_not_lock) {
   // From rest f + Delta/w = 1.125 holds, and the notch locks; without Delta there is no notch.
   BOOST_TEST(run({1, 0.125, 0.2}, notch(0.2), {0, 0}, Harmonic{1.1, 1}, 20).locked_from.value() ==
@@ -174,19 +146,6 @@ BOOST_AUTO_TEST_CASE(a_mass_that_turns_at_the_end_of_its_dead_zone_rests_there) 
     BOOST_TEST(std::abs(motion.stop_position.value() / r - 1) <= 1e-12,
                "p " << p << ", f " << f << ", delta " << delta << ", width " << width);
   }
-}
-
-BOOST_AUTO_TEST_CASE(simulate_gives_all_of_a_motion_with_a_notch) {
-  SimulationRequest request = simulation_of({1, 0.05, 0.1}, {0, 1});
-  request.surface = notch(0.05);
-  request.samples = 100;
-  const Simulation answer = simulate(request);
-  BOOST_TEST(!answer.forced);
-  BOOST_TEST(answer.response.outcome == Outcome::stopped_in_notch);
-  BOOST_TEST(static_cast<double>(answer.half_cycles.size()) == *answer.response.half_cycles);
-  BOOST_TEST(answer.half_cycles.back().end_position == *answer.response.stop_position);
-  BOOST_TEST(answer.trajectory.back().tau == *answer.response.stop_time);
-  BOOST_TEST(answer.trajectory.back().x == *answer.response.stop_position);
 }
 
 BOOST_AUTO_TEST_CASE(a_wrong_surface_is_refused) {

@@ -47,33 +47,6 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_stopped_says_so) {
   BOOST_TEST(motion.half_cycles.empty());
 }
 
-/// At rest the structure feels the load; while the mass slides, at most what the response says.
-BOOST_AUTO_TEST_CASE(a_traced_state_transmits_no_more_than_the_response_says) {
-  constexpr double rounding = 1e-12;
-  test::Dice dice(6);
-  for (int i = 0; i < test::forced_scene_count() / 5; ++i) {
-    const test::ForcedScene<> scene = test::random_damped_scene(dice);
-    const SimulationRequest request{.oscillator = scene.oscillator(),
-                                    .start = scene.motion.start(),
-                                    .excitation = scene.excitation,
-                                    .surface = scene.surface,
-                                    .t_end = scene.t_end,
-                                    .half_cycle_limit = {},
-                                    .samples = 300};
-    const Simulation motion = simulate(request);
-    const double most = motion.response.peak_absolute_acceleration;
-    const double size = most + motion.response.peak_acceleration;
-    BOOST_TEST_CONTEXT("scene " << i << ": " << scene) {
-      for (const TracedState& now : motion.trajectory) {
-        BOOST_TEST(std::abs(now.absolute_acceleration) <= most + rounding * size);
-        BOOST_TEST(std::abs(now.absolute_acceleration + now.friction +
-                            2 * scene.zeta * scene.motion.p * now.v +
-                            scene.motion.p * scene.motion.p * now.x) <= rounding * size);
-      }
-    }
-  }
-}
-
 /// One run gives what each part gives by itself.
 BOOST_AUTO_TEST_CASE(a_run_has_the_bits_of_its_parts) {
   test::Dice dice(7);

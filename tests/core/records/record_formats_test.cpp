@@ -88,58 +88,25 @@ BOOST_AUTO_TEST_CASE(channels_are_told_by_number) {
 
 // ---- other forms that are right
 
-struct Variant {
-  const char* name;
-  const char* sample;
-  std::string old;
-  std::string now;
-  double tolerance;  ///< cm/s2, as of the samples
-  double factor{1};
-};
-
-std::ostream& operator<<(std::ostream& stream, const Variant& variant) {
-  return stream << variant.name;
-}
-
-const std::vector<Variant> right{
-    {"esm_of_version_1", "ASC", "ORIGINAL_DATA_CREATOR: \n", "", 2e-6},
-    {"esm_in_m_s2", "ASC", "UNITS: cm/s^2", "UNITS: m/s^2", 2e-4, 100},
-    {"knet_with_another_frequency_unit", "EW", "50Hz", "50", 1e-3},
-    {"knet_with_a_broken_duration", "EW", "50Hz\nDuration Time(s)  2\n",
-     "50 Hz\nDuration Time(s)  2.00\n", 1e-3},
-    {"knet_with_a_trailer", "EW", "7428     7927\n", "7428     7927\n\nEND\n", 1e-3},
-    {"knet_with_blanks_in_the_scale_factor", "EW", "3920(gal)/6182761", "3920(gal) / 6182761",
-     1e-3},
-    {"csmip_with_another_word", "V2", "points of accel data", "points of acceleration data", 1e-5},
-    {"csmip_in_capitals", "V2", "accel data equally spaced at 0.020 sec, in cm/sec2. (8f10.5)\n",
-     "ACCEL DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: CM/SEC/SEC)\n", 1e-5},
-    {"cosmos_with_other_units", "V2c", "cm/sec2(04)", "cm/s^2 (4)", 1e-3},
-    {"cosmos_in_g", "V2c", "cm/sec2(04)", "g (02)", 1, cm_per_s2},
-    {"cosmos_in_g_with_a_stop", "V2c", "cm/sec2(04)", "g.     (02)", 1, cm_per_s2},
-    {"geonet_uncorrected", "V2A", "Corrected", "Uncorrected", 1e-2},
-    {"afad_with_a_trailer", "afad.txt", "\n   -0.046219    0.023110   -0.011555\n",
-     "\n   -0.046219    0.023110   -0.011555\nEND\n", 1e-5},
-    {"cwa_with_an_event", "cwa.txt", "#StationCode",
-     "#Earthquake Information\n\n#Origin Time(GMT+08): none\n#StationCode", 1e-3, 0.25},
-    {"asa_in_gal", "asa", "ACELERACION (cm/s/s)", "Gal", 1e-3},
-    {"asa_in_spanish", "asa", "(cm/s/s)", "(cm/seg/seg)", 1e-3},
-    {"cosmos_without_format", "V2c", ",Format=(10F8.3)", "", 1e-3},
-    {"cosmos_with_points", "V2c", "acceleration pts", "acceleration points", 1e-3},
-    {"cosmos_without_length", "V2c", "20.000000     2.000000", "20.000000  -999.000000", 1e-3},
-    {"cosmos_without_any_length_of_the_recorder", "V2c", "     2.000000", "  -999.000000", 1e-3},
-};
-
 /// A .V2c that gives `ms` for the step of its values and `s` for that of the recorder.
 std::string cosmos_with_steps(const std::string& ms, const std::string& s) {
   return replaced(replaced(text_of("V2c"), "    20.000000", ms), "     0.010000", s);
 }
 
-BOOST_DATA_TEST_CASE(other_forms_are_read, data::make(right), variant) {
-  const std::string text = replaced(text_of(variant.sample), variant.old, variant.now);
-  const RecordOptions first{.channel = 1};
-  for (const std::string& same : {text, with_line_ends(text, "\r\n"),
-                                  with_line_ends(text, "\r\r\n"), with_line_ends(text, "\r")}) {
-    check_pulse(records::parse_record(same, "record", first), variant.factor, variant.tolerance);
+/// As exact as the sample that they are made of.
+BOOST_AUTO_TEST_CASE(other_forms_are_read) {
+  for (const Row& row : rows_of("formats_right.txt")) {
+    const std::string text = replaced(text_of(row.name), row.old, row.now);
+    const auto sample = std::ranges::find_if(
+        samples, [&](const Sample& now) { return std::string(now.name).starts_with(row.name); });
+    const double tolerance = sample->tolerance * std::max(1.0, row.options.scale);
+    for (const std::string& same : {text, with_line_ends(text, "\r\n"),
+                                    with_line_ends(text, "\r\r\n"), with_line_ends(text, "\r")}) {
+      BOOST_TEST_CONTEXT(row.name << ": '" << row.old << "' as '" << row.now << "'") {
+        check_pulse(records::parse_record(same, "record", {.channel = 1}), row.options.scale,
+                    tolerance);
+      }
+    }
   }
 }
 
