@@ -191,7 +191,6 @@ class DenseBoxes {
         const double length = std::log(range.high / range.low);
         side.window = box > 0 ? (length > 0 ? steps : std::min(steps, 2)) : 0;
         side.step = side.window > 0 ? box / side.window : length > 0 ? exact / steps * 4 : 0;
-        side.lead = down;
         side.first = std::log(range.low) - (side.window > 0 ? down : 0);
         side.lead = side.window > 0 ? down : 0;
         side.boxes = 1 + (side.step > 0 ? static_cast<std::size_t>(length / side.step) : 0);
@@ -202,7 +201,7 @@ class DenseBoxes {
     [[nodiscard]] std::size_t size() const {
       std::size_t count = 1;
       for (const Side& side : sides_) {
-        count *= side.boxes + static_cast<std::size_t>(side.window);
+        count *= side.points();
       }
       return count;
     }
@@ -213,9 +212,8 @@ class DenseBoxes {
         std::size_t left = k;
         for (std::size_t i = 4; i-- > 0;) {
           const Side& side = sides_.at(i);
-          const std::size_t points = side.boxes + static_cast<std::size_t>(side.window);
-          list[k].at(i) = side.value(left % points, 0);
-          left /= points;
+          list[k].at(i) = side.value(left % side.points(), 0);
+          left /= side.points();
         }
       }
       return list;
@@ -226,10 +224,10 @@ class DenseBoxes {
                                             std::size_t axis) const {
       std::size_t inner = 1;
       for (std::size_t i = axis + 1; i < 4; ++i) {
-        inner *= sides_.at(i).boxes + static_cast<std::size_t>(sides_.at(i).window);
+        inner *= sides_.at(i).points();
       }
       const Side& side = sides_.at(axis);
-      const std::size_t points = side.boxes + static_cast<std::size_t>(side.window);
+      const std::size_t points = side.points();
       const std::size_t outer = of.size() / points / inner;
       std::vector<Figures> list(outer * side.boxes * inner, Figures{});
       for (std::size_t o = 0; o < outer; ++o) {
@@ -278,6 +276,7 @@ class DenseBoxes {
       std::size_t boxes{1};
       bool is_there{false};
 
+      [[nodiscard]] std::size_t points() const { return boxes + static_cast<std::size_t>(window); }
       [[nodiscard]] double value(std::size_t place, double from) const {
         return is_there ? std::exp(first + from + step * static_cast<double>(place)) : 0;
       }

@@ -9,9 +9,6 @@ BOOST_AUTO_TEST_SUITE(arrivals_test)
 
 using namespace stillpoint::design_test;
 
-/// Relative; nearer to a tie than that, the rounding of the simulation decides.
-constexpr double undecided_within = 1e-12;
-
 BOOST_AUTO_TEST_CASE(the_tolerances_of_the_strips_are_those_of_the_table) {
   struct Known {
     double beta;
@@ -32,53 +29,6 @@ BOOST_AUTO_TEST_CASE(the_tolerances_of_the_strips_are_those_of_the_table) {
   const auto little = strips({1, 1, 2, Criterion::exact, 3}, {0.001, std::nullopt, 0});
   BOOST_TEST(std::abs(little[0].tolerance - 0.002) < 1e-5);
   BOOST_TEST(std::abs(little[1].tolerance - 1.0 / 3) < 1e-6);
-}
-
-BOOST_AUTO_TEST_CASE(the_arrival_is_the_one_that_the_simulation_shows) {
-  RandomSource random(904);
-  std::array<int, 6> met{};
-  for (int i = 0; i < 20'000; ++i) {
-    Problem problem = random_problem(random, 0.75, 1.5);
-    problem.criterion = Criterion::exact;
-    problem.arrivals = 5;
-    const double f = problem.v0 * problem.p * random.log_uniform(1e-6, 0.4);
-    const double delta = problem.v0 * problem.v0 * random.uniform(0, 0.55);
-    const Response response = free_response({problem.p, f, delta}, {0, problem.v0});
-    if (*response.decision_margin < undecided_within) {
-      continue;
-    }
-    const bool centred = response.outcome == Outcome::stopped_at_zero && *response.half_cycles <= 5;
-    const auto arrival = arrival_of(problem, f, delta);
-    BOOST_TEST(arrival.has_value() == centred);
-    if (arrival && centred) {
-      BOOST_TEST(static_cast<double>(*arrival) == *response.half_cycles);
-      ++met[static_cast<std::size_t>(*arrival)];
-    }
-  }
-  for (int n = 1; n <= 5; ++n) {
-    BOOST_TEST(met[static_cast<std::size_t>(n)] > 100);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(a_later_arrival_works_for_its_own_strip_of_hits) {
-  // f = 0.1, Delta = 0.2, p = 1: the hits that stop at the second arrival, by hand: from r = 0.3,
-  // r_1 = 0.2 + sqrt(0.09 + 0.4) = 0.9 and V0 = sqrt(0.81 - 0.01) = sqrt(0.8); beta = 2 is far.
-  const Problem problem{1, 1, 2, Criterion::exact, 2};
-  const auto served = works_for(problem, {}, 0.1, 0.2);
-  BOOST_REQUIRE(served.has_value());
-  BOOST_TEST(std::abs(served->hit.low - std::sqrt(0.8)) < 1e-15);
-  // From r = 0.1: 0.2 + sqrt(0.41), then once more.
-  const double second = 0.2 + std::sqrt(0.41);
-  const double first = 0.2 + std::sqrt(second * second + 0.4);
-  BOOST_TEST(std::abs(*served->hit.high - std::sqrt(first * first - 0.01)) < 1e-15);
-  for (const auto& [v0, inside] : {std::pair{served->hit.low, true},
-                                   {std::nextafter(served->hit.low, 0), false},
-                                   {*served->hit.high, true},
-                                   {std::nextafter(*served->hit.high, 9), false}}) {
-    Problem hit = problem;
-    hit.v0 = v0;
-    BOOST_TEST(admissible(hit, {}, 0.1, 0.2) == inside);
-  }
 }
 
 /// Of (51) and the table of section 12: V0 = p = 1, beta not binding, f at most 0.001.

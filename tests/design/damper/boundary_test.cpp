@@ -7,12 +7,6 @@ BOOST_AUTO_TEST_SUITE(boundary_test)
 
 using namespace stillpoint::design_test;
 
-/// The simulation of one half-cycle decides rightly beyond this margin (free_motion.hpp).
-constexpr double simulation_margin = 6e-16;
-/// The formulas decide rightly beyond this: a few roundings of each edge, at a condition of at
-/// most 4.
-constexpr double formula_margin = 4e-15;
-
 double below(double value) {
   return std::nextafter(value, 0.0);
 }
@@ -34,19 +28,11 @@ struct Triple {
   double v0;
   double s;
 
-  [[nodiscard]] double peak() const { return s - f; }
   [[nodiscard]] double published() const { return (s - 2 * f) * (s - 2 * f) / 2; }
   [[nodiscard]] double exact() const { return (s - f) * (s - 3 * f) / 2; }
 };
 
-constexpr std::array<Triple, 8> triples{{{7, 24, 25},
-                                         {9, 40, 41},
-                                         {11, 60, 61},
-                                         {12, 35, 37},
-                                         {13, 84, 85},
-                                         {16, 63, 65},
-                                         {20, 99, 101},
-                                         {28, 96, 100}}};
+constexpr std::array<Triple, 4> triples{{{7, 24, 25}, {11, 60, 61}, {12, 35, 37}, {28, 96, 100}}};
 
 /// Of edges in long double, relative: some roundings of 64 bits.
 const Precise wide_rounding = Precise(0x1p-61);
@@ -59,6 +45,7 @@ BOOST_AUTO_TEST_CASE(delta_1_at_f3_is_right_to_the_last_bit) {
     problem.criterion = Criterion::exact;
     const Reference reference(problem);
     double f = admissible_region(problem).f3;
+    BOOST_TEST(!delta1_exact(problem, above(f)));
     BOOST_TEST((Precise(f) <= reference.f3() && Precise(above(f)) > reference.f3()));
     for (int ulps = 0; ulps < 3; ++ulps, f = below(f)) {
       const Precise delta1 = reference.delta1_exact(f);
@@ -116,34 +103,6 @@ BOOST_AUTO_TEST_CASE(delta_of_a_whole_number_triple_tips_both_bounds_at_the_last
   }
 }
 
-BOOST_AUTO_TEST_CASE(beta_of_a_whole_number_triple_tips_the_amplitude_at_the_last_bit) {
-  for (const Triple& t : triples) {
-    const double delta = t.v0 * t.v0 / 2;
-    Problem problem{t.v0, 1, t.peak()};
-    BOOST_TEST(admissible_region(problem).f2 == t.f);
-    BOOST_TEST(simulate(problem, t.f, delta).peak_amplitude == t.peak());
-    BOOST_TEST(admissible(problem, {}, t.f, delta));
-    BOOST_TEST(!admissible(problem, {}, below(t.f), delta));
-    problem.beta = below(t.peak());
-    BOOST_TEST(!admissible(problem, {}, t.f, delta));
-  }
-}
-
-BOOST_AUTO_TEST_CASE(the_start_tips_at_the_same_bit_in_formula_and_simulation) {
-  RandomSource random(301);
-  for (int i = 0; i < 5000; ++i) {
-    const Problem problem = random_problem(random, 1.5, 3);
-    const Region region = admissible_region(problem);
-    const double f = random.uniform(0.05, 0.95) * region.f3;
-    for (const double delta : {below(*region.delta2), *region.delta2}) {
-      BOOST_TEST(admissible(problem, {}, f, delta));
-      BOOST_TEST(stops_at_first_return(simulate(problem, f, delta)));
-    }
-    BOOST_TEST(!admissible(problem, {}, f, above(*region.delta2)));
-    BOOST_TEST(simulate(problem, f, above(*region.delta2)).outcome == Outcome::caught_at_start);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(the_largest_delta_that_starts_is_the_last_double_below_the_exact_one) {
   RandomSource random(306);
   int square_is_above = 0;
@@ -158,6 +117,7 @@ BOOST_AUTO_TEST_CASE(the_largest_delta_that_starts_is_the_last_double_below_the_
     square_is_above += Precise(v0 * v0 / 2) > exact;
     // An ulp of v0 is several of the square.
     const double f = v0 / 4;
+    BOOST_TEST(!admissible(problem, {}, f, above(delta)));
     const auto served = works_for(problem, {}, f, delta);
     BOOST_TEST_REQUIRE(served.has_value());
     BOOST_TEST(served->hit.low <= v0);
@@ -170,85 +130,6 @@ BOOST_AUTO_TEST_CASE(the_largest_delta_that_starts_is_the_last_double_below_the_
     BOOST_TEST(caught.outcome == Outcome::caught_at_start);
   }
   BOOST_TEST(square_is_above > 5000);
-}
-
-BOOST_AUTO_TEST_CASE(the_return_tips_at_f3_in_formula_and_simulation) {
-  RandomSource random(302);
-  int decided = 0;
-  int count = 0;
-  for (int i = 0; i < 5000; ++i) {
-    const Problem problem = random_problem(random, 1.5, 3);
-    const Region region = admissible_region(problem);
-    const double delta = *region.delta2 / 2;
-    double inside = region.f3;
-    double outside = above(region.f3);
-    for (int ulps = 0; ulps < 20; ++ulps, inside = below(inside), outside = above(outside)) {
-      BOOST_TEST(admissible(problem, {}, inside, delta));
-      BOOST_TEST(!admissible(problem, {}, outside, delta));
-      const Response in = simulate(problem, inside, delta);
-      const Response out = simulate(problem, outside, delta);
-      ++count;
-      if (*in.decision_margin > simulation_margin) {
-        ++decided;
-        BOOST_TEST(stops_at_first_return(in));
-      }
-      if (*out.decision_margin > simulation_margin) {
-        BOOST_TEST(out.outcome == Outcome::stopped_in_dead_zone);
-      }
-    }
-  }
-  BOOST_TEST(decided > count / 10);
-}
-
-BOOST_AUTO_TEST_CASE(the_amplitude_tips_at_f2_in_formula_and_simulation) {
-  RandomSource random(303);
-  for (int i = 0; i < 5000; ++i) {
-    const Problem problem = random_problem(random, 0.72, 0.99);
-    const Region region = admissible_region(problem);
-    const double delta = *region.delta2;
-    double inside = region.f2;
-    double outside = below(region.f2);
-    // The peak falls more slowly than f grows, so an ulp of f may be none of the peak.
-    constexpr double peak_rounding = 6e-16;
-    for (int ulps = 0; ulps < 20; ++ulps, inside = above(inside), outside = below(outside)) {
-      BOOST_TEST(admissible(problem, {}, inside, delta));
-      BOOST_TEST(!admissible(problem, {}, outside, delta));
-      const double low = simulate(problem, inside, delta).peak_amplitude;
-      const double high = simulate(problem, outside, delta).peak_amplitude;
-      BOOST_TEST(low <= problem.beta * (1 + peak_rounding));
-      BOOST_TEST(high >= problem.beta * (1 - peak_rounding));
-    }
-  }
-}
-
-BOOST_AUTO_TEST_CASE(the_stop_tips_at_the_exact_bound_in_formula_and_simulation) {
-  RandomSource random(304);
-  int decided = 0;
-  int count = 0;
-  for (int i = 0; i < 5000; ++i) {
-    Problem problem = random_problem(random, 1.5, 3);
-    problem.criterion = Criterion::exact;
-    const double f = random.uniform(0.01, 0.99) * admissible_region(problem).f3;
-    const double bound = delta1(problem, f).value();
-    for (double aside = 0x1p-52; aside < 1e-11; aside *= 2) {
-      const double inside = above(bound * (1 + aside));
-      const double outside = bound * (1 - aside);
-      BOOST_TEST(admissible(problem, {}, f, inside));
-      BOOST_TEST(!admissible(problem, {}, f, outside));
-      const Response in = simulate(problem, f, inside);
-      const Response out = simulate(problem, f, outside);
-      count += 2;
-      if (*in.decision_margin > formula_margin) {
-        ++decided;
-        BOOST_TEST(stops_at_first_return(in));
-      }
-      if (*out.decision_margin > formula_margin) {
-        ++decided;
-        BOOST_TEST(!stops_at_first_return(out));
-      }
-    }
-  }
-  BOOST_TEST(decided > count / 3);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

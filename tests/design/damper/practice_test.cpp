@@ -45,34 +45,12 @@ BOOST_AUTO_TEST_CASE(what_a_load_can_do_is_known_when_it_is_over) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(nothing_within_ranges_is_worse_than_at_their_ends) {
-  const Problem problem{.v0 = 0.31, .p = 0.31, .beta = 0.83, .v0_low = 0.25, .p_high = 0.34};
-  const double f = 0.0231;
-  const double delta = 0.0258;
-  const Practice worst = worst_practice(problem, {.acceleration_max = 0.4}, f, delta).value();
-  check_close(worst.base_shear, std::hypot(f, 0.31 * 0.34));
-  check_close(worst.energy_ratio, (std::hypot(f, 0.25 * 0.31) - f) / (2 * f));
-  check_close(worst.impulse_at_stop, *of({0.34, f, delta}, 0.31)->impulse_at_stop);
-  constexpr int steps = 20;
-  constexpr double rounding = 1 + 1e-12;
-  for (int i = 0; i <= steps * steps; ++i) {
-    const int springs = i / steps;
-    const double v0 = 0.25 + 0.06 * (i % steps) / (steps - 1);
-    const double p = 0.31 + 0.03 * springs / steps;
-    const Practice now = of({p, f, delta}, v0, 0.4).value();
-    BOOST_TEST(now.base_shear <= worst.base_shear * rounding);
-    BOOST_TEST(*now.impulse_at_stop <= *worst.impulse_at_stop * rounding);
-    BOOST_TEST(*now.notch_used <= *worst.notch_used * rounding);
-    BOOST_TEST(*now.notch_width_min <= *worst.notch_width_min * rounding);
-    BOOST_TEST(*now.energy_ratio * rounding >= *worst.energy_ratio);
-    BOOST_TEST(*now.equivalent_damping * rounding >= *worst.equivalent_damping);
-  }
-}
-
 /// With springs and hits between, whether the notch stops the first arrival or not.
-BOOST_AUTO_TEST_CASE(no_notch_within_ranges_has_to_be_wider_than_at_their_ends) {
+BOOST_AUTO_TEST_CASE(nothing_within_ranges_is_worse_than_at_their_ends) {
+  constexpr double rounding = 1 + 1e-12;
   RandomSource random(2606);
   int passes = 0;
+  int all_stop = 0;
   for (int i = 0; i < 300; ++i) {
     const double v0 = random.uniform(0.5, 2);
     const double p = random.uniform(0.5, 2);
@@ -85,16 +63,26 @@ BOOST_AUTO_TEST_CASE(no_notch_within_ranges_has_to_be_wider_than_at_their_ends) 
     const double delta = std::pow(*problem.v0_low, 2) * random.uniform(0.1, 0.5);
     const double limit = std::hypot(f, v0 * *problem.p_high) * random.uniform(1, 1.2);
     const Practice worst = worst_practice(problem, {.acceleration_max = limit}, f, delta).value();
+    const bool stops = admissible(problem, {}, f, delta);  // every one at its first arrival
+    all_stop += stops;
     for (int k = 0; k < 50; ++k) {
       const Oscillator oscillator{p + (*problem.p_high - p) * random.uniform(0, 1), f, delta};
       const double hit = random.uniform(*problem.v0_low, v0);
       const Practice now = of(oscillator, hit, limit).value();
-      BOOST_TEST(now.notch_width_min.value() <= worst.notch_width_min.value() * (1 + 1e-12));
+      BOOST_TEST(now.notch_width_min.value() <= worst.notch_width_min.value() * rounding);
+      BOOST_TEST(now.base_shear <= worst.base_shear * rounding);
+      BOOST_TEST(*now.energy_ratio * rounding >= *worst.energy_ratio);
+      BOOST_TEST(*now.equivalent_damping * rounding >= *worst.equivalent_damping);
+      if (stops) {
+        BOOST_TEST(*now.impulse_at_stop <= *worst.impulse_at_stop * rounding);
+        BOOST_TEST(*now.notch_used <= *worst.notch_used * rounding);
+      }
     }
     // A rest in the dead zone has no stop.
     passes += worst.impulse_largest > worst.impulse_at_stop;
   }
   BOOST_TEST(passes > 20);
+  BOOST_TEST(all_stop > 20);
 }
 
 /// The energy of the definition, from the force along a cycle of amplitude A by the midpoint rule.
@@ -157,11 +145,9 @@ BOOST_AUTO_TEST_CASE(the_impulses_are_those_of_all_passages_and_the_stop) {
     const Oscillator oscillator{p, random.log_uniform(1e-3, 0.3) * v0 * p,
                                 random.log_uniform(1e-3, 0.4) * v0 * v0};
     std::vector<double> arrivals;
-    const auto halves = first_half_cycles(oscillator, {0, v0}, 2000);
-    for (std::size_t k = 0; k < halves.size(); ++k) {
-      if (halves[k].arrival_speed) {
-        const double left = k + 1 < halves.size() ? halves[k + 1].departure_speed : 0;
-        arrivals.push_back(*halves[k].arrival_speed - left);
+    for (const HalfCycle& now : first_half_cycles(oscillator, {0, v0}, 2000)) {
+      if (now.impulse) {
+        arrivals.push_back(*now.impulse);
       }
     }
     const auto lines = of(oscillator, v0);
@@ -198,23 +184,6 @@ BOOST_AUTO_TEST_CASE(what_does_not_exist_is_empty) {
   BOOST_TEST(*notch_alone.impulse_at_stop == 1);
 }
 
-BOOST_AUTO_TEST_CASE(the_least_width_keeps_the_limit_and_the_isolator_feels_0_32_g) {
-  // The isolator of data/scenes with a notch of 20 mm: f = 0.0241, Delta = 5.90 mm.
-  BOOST_TEST(std::abs(notch_acceleration(0.0241172, 5.8993e-3, 0.020, 0) - 0.319) < 1e-3);
-  RandomSource random(2604);
-  for (int i = 0; i < 1000; ++i) {
-    const double f = random.log_uniform(1e-3, 1);
-    const double delta = random.log_uniform(1e-6, 1);
-    const double limit = f * (1 + random.log_uniform(1e-6, 100));
-    const double width = least_notch_width(f, delta, limit, 0).value();
-    BOOST_TEST(notch_acceleration(f, delta, width, 0) <= limit);
-    // An ulp of f + Delta/w is of the limit; the width is felt through Delta/w alone.
-    const double coarse = 1e-15 * limit / (limit - f);
-    BOOST_TEST(notch_acceleration(f, delta, width * (1 - 2 * coarse), 0) > limit);
-  }
-  BOOST_TEST(!least_notch_width(0.3, 0.1, 0.3, 0));
-}
-
 /// Free motions through a notch as wide as the report says, by the kernel with its edges: of
 /// dampers that stop at their first arrival, at a later one, or off centre.
 BOOST_AUTO_TEST_CASE(a_notch_of_the_least_width_transmits_the_limit) {
@@ -241,6 +210,8 @@ BOOST_AUTO_TEST_CASE(a_notch_of_the_least_width_transmits_the_limit) {
       continue;  // rests before the first arrival
     }
     const double width = lines->notch_width_min.value();
+    const double least = least_notch_width(oscillator.f, oscillator.delta, limit, 0).value();
+    BOOST_TEST(notch_acceleration(oscillator.f, oscillator.delta, least, 0) <= limit);
     BOOST_TEST(std::abs(felt(width) - limit) <= 1e-12 * limit, "felt " << felt(width));
     BOOST_TEST(felt(0.999 * width) > limit);
     for (const double wider : {1.001, 1.03, 1.3, 2.0, 4.0}) {

@@ -7,7 +7,6 @@ BOOST_AUTO_TEST_SUITE(ranges_mends_test)
 // What would help if no damper serves the ranges or has the tolerance.
 
 using namespace stillpoint::design_test;
-using namespace stillpoint::design_test;
 
 BOOST_AUTO_TEST_CASE(an_unattainable_tolerance_is_reported_with_the_largest_one) {
   constexpr double more =

@@ -8,7 +8,6 @@ BOOST_AUTO_TEST_SUITE(ranges_test)
 // they cost, and that a design serves all of them.
 
 using namespace stillpoint::design_test;
-using namespace stillpoint::design_test;
 
 double percent(const Problem& problem, const Limits& limits = {}) {
   const auto found = search(problem, limits);
@@ -89,12 +88,6 @@ BOOST_AUTO_TEST_CASE(a_first_peak_within_the_residual_is_a_rest) {
   for (const Constraint& constraint : constraints(problem, 0.99, 0.1)) {
     BOOST_TEST(constraint.satisfied, constraint.name);
   }
-  // V0^2 = p^2 R^2 + 2 f R; p is bound by the dead zone and by (38), beyond f = R p^2.
-  const WorksFor served = works_for(problem, {}, 0.99, 0.1).value();
-  BOOST_TEST(std::abs(*served.hit.high - std::sqrt(r * r + 2 * 0.99 * r)) < rounding);
-  BOOST_TEST(std::abs(served.p.low - std::sqrt(0.99)) < rounding);
-  BOOST_TEST(std::abs(*served.p.high - 0.99 * std::sqrt(9.6) / 0.8) < rounding);
-
   problem.p_high = 1.2;  // the softest spring and the strongest hit decide
   problem.v0_low = 0.8;
   BOOST_TEST(admissible(problem, {}, least + rounding, 0.1));

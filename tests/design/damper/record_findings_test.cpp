@@ -6,14 +6,8 @@ BOOST_AUTO_TEST_SUITE(record_findings_test)
 
 using namespace stillpoint::design_test;
 
-std::vector<FindingKind> kinds(const std::vector<Finding>& findings) {
-  std::vector<FindingKind> all(findings.size());
-  std::ranges::transform(findings, all.begin(), &Finding::kind);
-  return all;
-}
-
 bool says(const RecordDesign& result, FindingKind kind) {
-  return std::ranges::count(kinds(result.findings), kind) > 0;
+  return std::ranges::count(result.findings, kind, &Finding::kind) > 0;
 }
 
 const Finding& finding(const RecordDesign& result, FindingKind kind) {

@@ -8,9 +8,6 @@ using namespace stillpoint::design_test;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 /// Relative: within this, long double may put an edge on the wrong side of a double.
 constexpr double long_double_doubt = 1e-18;
-/// Raising beta by an ulp, 2.2e-16, lowers f2 by three times that; twice, where a first one is not
-/// enough for a double to fit.
-constexpr double single_f_width = 1.4e-15;
 
 /// Whether some double lies between f2 and f3, both taken exactly.
 bool holds_a_double(const Problem& problem) {
@@ -56,18 +53,6 @@ BOOST_AUTO_TEST_CASE(the_region_is_not_empty_exactly_from_beta_min_on) {
         (Precise(least) >= Reference(problem).beta_min() * (1 - Precise(long_double_doubt))));
   }
   BOOST_TEST(in_doubt <= count / 100);
-}
-
-BOOST_AUTO_TEST_CASE(at_beta_min_a_single_f_is_left) {
-  RandomSource random(202);
-  for (int i = 0; i < 1000; ++i) {
-    Problem problem = random_problem(random, 1, 2);
-    problem.beta = admissible_region(problem).beta_min;
-    const Region region = admissible_region(problem);
-    BOOST_TEST(*region.f_upper == region.f3);
-    BOOST_TEST(*region.f_upper - *region.f_lower <= single_f_width * region.f3);
-    BOOST_TEST(admissible(problem, {}, *region.f_upper, *region.delta2 / 2));
-  }
 }
 
 BOOST_AUTO_TEST_CASE(every_conflict_is_explained) {

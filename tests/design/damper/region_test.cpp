@@ -5,10 +5,8 @@ BOOST_AUTO_TEST_SUITE(region_test)
 
 using namespace stillpoint::design_test;
 
-/// Of f1, f3, Delta2: a few roundings to nearest.
+/// Of f1: a few roundings to nearest.
 constexpr double edge_tolerance = 3.4e-16;
-/// Of f2, relative to V0^2/(2 beta): the difference is taken in long double and rounded once.
-constexpr double f2_tolerance = 1e-18;
 /// Of Delta1, relative to V0^2: the error of f/(V0 p) reaches it at a slope of -2.
 constexpr double delta1_tolerance = 1e-15;
 
@@ -29,23 +27,6 @@ Constraint named(const Problem& problem, double f, double delta, std::string_vie
   throw std::logic_error("no such constraint");
 }
 
-BOOST_AUTO_TEST_CASE(the_edges_are_those_of_the_paper_over_nine_decades) {
-  RandomSource random(101);
-  for (int i = 0; i < problems; ++i) {
-    const Problem problem = any_problem(random);
-    const Reference reference(problem);
-    const Region region = admissible_region(problem);
-    BOOST_TEST(close(region.f1, reference.f1(), edge_tolerance));
-    BOOST_TEST(close(region.f3, reference.f3(), edge_tolerance));
-    BOOST_TEST(close(*region.delta2, reference.delta2(), edge_tolerance));
-    BOOST_TEST(close(region.beta_min, reference.beta_min(), edge_tolerance));
-    const Precise scale =
-        Precise(problem.v0) * problem.v0 / (2 * Precise(problem.beta)) + reference.f1();
-    BOOST_TEST(within(region.f2, reference.f2(),
-                      Precise(abs(reference.f2()) * edge_tolerance + scale * f2_tolerance)));
-  }
-}
-
 BOOST_AUTO_TEST_CASE(the_edges_of_f_are_rounded_inwards_and_no_further) {
   constexpr double doubt = 1e-18;  // of long double, relative to V0^2/(2 beta) and to f3
   RandomSource random(108);
@@ -53,12 +34,18 @@ BOOST_AUTO_TEST_CASE(the_edges_of_f_are_rounded_inwards_and_no_further) {
     const Problem problem = random_problem(random, 0.1, 3);
     const Reference reference(problem);
     const Region region = admissible_region(problem);
+    BOOST_TEST(close(region.f1, reference.f1(), edge_tolerance));
     const Precise f2_doubt = doubt * Precise(problem.v0) * problem.v0 / (2 * Precise(problem.beta));
     const Precise f3_doubt = doubt * reference.f3();
     BOOST_TEST((Precise(region.f2) >= reference.f2() - f2_doubt));
     BOOST_TEST((Precise(std::nextafter(region.f2, -HUGE_VAL)) <= reference.f2() + f2_doubt));
     BOOST_TEST((Precise(region.f3) <= reference.f3() + f3_doubt));
     BOOST_TEST((Precise(std::nextafter(region.f3, HUGE_VAL)) >= reference.f3() - f3_doubt));
+    if (region.f2 > 0 && region.feasible) {
+      const auto admits = [&](double f) { return admissible(problem, {}, f, *region.delta2); };
+      BOOST_TEST((admits(region.f2) && !admits(std::nextafter(region.f2, 0))));
+      BOOST_TEST((admits(region.f3) && !admits(std::nextafter(region.f3, HUGE_VAL))));
+    }
   }
 }
 
@@ -83,18 +70,6 @@ BOOST_AUTO_TEST_CASE(the_exact_bound_keeps_its_digits_towards_f3) {
     const double f = admissible_region(problem).f3 * (1 - distance);
     BOOST_TEST(close(delta1_exact(problem, f).value(), Reference(problem).delta1_exact(f),
                      1e-15 + 3e-16 / distance));
-  }
-}
-
-BOOST_AUTO_TEST_CASE(the_exact_bound_is_zero_at_f3_and_does_not_exist_beyond) {
-  RandomSource random(104);
-  for (int i = 0; i < problems; ++i) {
-    const Problem problem = any_problem(random);
-    const double f3 = admissible_region(problem).f3;
-    const double bound = delta1_exact(problem, f3).value();
-    BOOST_TEST(bound >= 0);
-    BOOST_TEST(bound <= delta1_tolerance * problem.v0 * problem.v0);
-    BOOST_TEST(!delta1_exact(problem, std::nextafter(f3, HUGE_VAL)));
   }
 }
 
@@ -133,32 +108,6 @@ BOOST_AUTO_TEST_CASE(the_constraints_come_in_the_promised_order_with_their_relat
   for (std::size_t i = 0; i < list.size(); ++i) {
     BOOST_TEST(list[i].name == expected[i].first);
     BOOST_TEST(list[i].relation == expected[i].second);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(the_line_of_no_constant_friction_is_empty) {
-  RandomSource random(106);
-  for (int i = 0; i < problems; ++i) {
-    Problem problem = random_problem(random, 1, 3);
-    for (const Criterion criterion : {Criterion::published, Criterion::exact}) {
-      problem.criterion = criterion;
-      const double delta2 = *admissible_region(problem).delta2;
-      BOOST_TEST(delta1(problem, 0).value() == delta2);
-      BOOST_TEST(!admissible(problem, {}, 0, delta2));
-    }
-  }
-}
-
-BOOST_AUTO_TEST_CASE(amplitude_does_not_bind_if_beta_p_is_at_least_v0) {
-  BOOST_TEST(admissible_region({2, 4, 0.5}).f2 == 0);
-  RandomSource random(107);
-  for (int i = 0; i < problems; ++i) {
-    const Problem problem = random_problem(random, 1 + 1e-12, 1e6);
-    const Region region = admissible_region(problem);
-    BOOST_TEST(region.f2 < 0);
-    BOOST_TEST(region.feasible);
-    BOOST_TEST(*region.f_lower >= 0);
-    BOOST_TEST(*region.f_lower <= 1e-15 * region.f3);
   }
 }
 

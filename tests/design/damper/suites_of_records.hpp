@@ -39,6 +39,49 @@ inline design::RecordDesignRequest short_records() {
           .scan_points = 2500};
 }
 
+/// A hit that must stop at x = 0 by its first arrival.
+inline design::LoadCase hit_case(double v0, double beta) {
+  return {.name = "hit", .v0 = v0, .limits = {.peak = beta, .residual = 0, .passages = 0}};
+}
+
+/// One of V0 = 1.
+inline design::RecordDesignRequest under_hit(const Interval& zeta, double beta) {
+  design::RecordDesignRequest request{
+      .cases = {hit_case(1, beta)}, .objective = design::SuiteObjective::robust, .zeta = zeta};
+  return request;
+}
+
+/// Of that damper alone.
+inline design::RecordDesignRequest judge(design::RecordDesignRequest request, double f,
+                                         double delta) {
+  request.f = Interval{f, f};
+  request.delta = Interval{delta, delta};
+  request.judges = true;
+  return request;
+}
+
+/// The same without a tolerance.
+inline design::RecordDesignRequest exactly(design::RecordDesignRequest request) {
+  request.tolerance = {{}, {}, {}, {}};
+  return request;
+}
+
+inline bool is_admissible(const design::RecordDesignRequest& request, double f, double delta) {
+  const design::RecordDesign judged = design::design(exactly(judge(request, f, delta)));
+  return judged.finding && judged.finding->admissible;
+}
+
+/// The records in a case with the limit of the stroke, and again in one with that of the residual.
+inline design::RecordDesignRequest split(const design::RecordDesignRequest& one) {
+  design::RecordDesignRequest two = one;
+  two.cases.push_back(two.cases.front());
+  two.cases[0].name = "stroke";
+  two.cases[0].limits.residual.reset();
+  two.cases[1].name = "residual";
+  two.cases[1].limits.peak.reset();
+  return two;
+}
+
 /// W = 0.4 at 0, -0.2 at 1, 0 at 2.
 inline design::RecordDesignRequest three_samples() {
   return {.cases = {{.records = {{"three", Record{{0.4, -0.2, 0}, 1, {}}, 1}}}},

@@ -26,6 +26,7 @@ BOOST_AUTO_TEST_CASE(the_largest_tolerance_of_any_point_is_that_of_the_map) {
                                 << context_of(task)) {
       BOOST_TEST(std::abs(r.value_or(-1) - by_map::tolerance(task, f, delta)) <= rounding);
       BOOST_TEST((!r || admissible(problem, with_tolerance(limits, *r), f, delta)));
+      BOOST_TEST((!r || arrival_of(problem, f, delta) == by_map::arrival(problem, f, delta)));
     }
     met += r.has_value();
     later += r && arrival_of(problem, f, delta).value() > 1;

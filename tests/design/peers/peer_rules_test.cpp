@@ -11,42 +11,6 @@ namespace stillpoint::peers {
 
 BOOST_AUTO_TEST_SUITE(peer_rules_test)
 
-// Pulses, an excitation that ends, a start at x0, an uneven record: the rules beyond the scenes,
-// against the exact kernel.
-BOOST_AUTO_TEST_CASE(other_excitations_follow_the_same_rules) {
-  Record uneven{{0.3, -0.2, 0.25, 0.1, -0.3}, 0, {0.5, 2, 3.25, 6, 8}};
-  const std::vector<Scene> all{
-      with(HalfSine{0.5, 2}, {1, 0.05, 0.01}, {0, 0}, 20),
-      with(FullSine{0.5, 1.5}, {1.3, 0.04, 0}, {0, 0.3}, 20),
-      with(Rectangle{0.4, 1}, {0.8, 0.06, 0.02}, {0.5, -0.2}, 20),
-      with(Sawtooth{0.7, 0.6}, {1, 0.08, 0.01}, {0, 0}, 20),
-      with(Trapezoid{-0.6, 0.4}, {1, 0.05, 0.01}, {0, 0.1}, 20),
-      with(Haversine{0.9, 0.3}, {1.1, 0.09, 0.005}, {0, 0}, 20),
-      with(Harmonic{0.3, 0.9, 0.7, 12}, {1, 0.05, 0.005}, {-0.4, 0}, 40),
-      with(uneven, {1, 0.04, 0.001}, {0, 0.5}, 12),
-      with(Harmonic{0.05, 1.3}, {1, 0.1, 0.01}, {0, 1}, 60),  // held for ever in the end: k < f
-      with(NoExcitation{}, {2, 0.1, 0.01}, {0.3, -1}, 30),
-      with(NoExcitation{}, {1, 0.1, 0.6}, {0, 1}, 5),  // caught at the start
-  };
-  constexpr double tolerance = 1e-9;
-  for (const Scene& s : all) {
-    const ForcedResponse exact =
-        forced_response(s.oscillator, s.start, s.excitation, {.t_end = s.t_end});
-    BOOST_TEST_CONTEXT("excitation " << s.excitation.index()) {
-      for (const Result& result : {dopri5(s, 1e-13), runge_kutta4(s, 1e-3)}) {
-        BOOST_TEST(result.outcome == exact.outcome);
-        BOOST_TEST(std::abs(result.peak - exact.peak_amplitude) < tolerance);
-        BOOST_TEST(std::abs(result.x - *exact.final_position) < tolerance);
-        BOOST_TEST(std::abs(result.v - *exact.final_velocity) < tolerance);
-        BOOST_TEST(std::abs(result.end_time - *exact.end_time) < tolerance);
-        BOOST_TEST(static_cast<double>(result.passages) == *exact.zero_passages);
-        BOOST_TEST(static_cast<double>(result.turns) == *exact.turning_points);
-        BOOST_TEST(static_cast<double>(result.sticks) == exact.sticks);
-      }
-    }
-  }
-}
-
 /// dopri5 as the peer has it, each step shown in 32 parts and a rest looked at 64 times as often,
 /// so that no short excursion is missed.
 class CloseDopri5 : Dopri5 {

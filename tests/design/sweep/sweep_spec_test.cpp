@@ -44,49 +44,30 @@ BOOST_AUTO_TEST_CASE(columns_are_read_by_name) {
 }
 
 BOOST_AUTO_TEST_CASE(that_is_not_valid_names_the_field) {
-  SweepSpec spec = small();
-  spec.axes.pop_back();
-  check_refused(spec, "delta");  // missing
-
-  spec = small();
-  spec.axes.push_back({f, Axis({1})});
-  check_refused(spec, "f");  // twice
-
-  spec = small();
-  spec.axes.push_back({beta, Axis({1})});
-  check_refused(spec, "beta");  // not an input of a motion
-
-  spec = small();
-  spec.columns = {};
-  check_refused(spec, "columns");
-  spec.columns = {sticks};
-  check_refused(spec, "columns");  // of forced motions only
-
-  spec.columns = {hold};
-  check_refused(spec, "columns");  // not given
-
-  spec = small();
-  spec.axes.push_back({notch_width, Axis({0.1, 0})});
-  check_refused(spec, "notch-width");
-  spec.axes.back().axis = Axis({0.1});
-  require_valid(spec);
-  spec.axes.push_back({hold, Axis({0.1})});
-  check_refused(spec, "hold");  // a width holds by its friction
-  spec = small();
-  spec.axes.push_back({hold, Axis({0.1, -0.1})});
-  check_refused(spec, "hold");
-  spec = small();
-  spec.zones = {{0.2, 0.1}, {0.1, 0.1}};
-  check_refused(spec, "friction-zones 2: to");
-
-  spec = small();
-  spec.threads = 0;
-  check_refused(spec, "threads");
-
-  spec = small();
-  spec.half_cycle_limit = 0;
-  check_refused(spec, "half-cycle-limit");
-
+  const auto refused = [](const char* field, const std::function<void(SweepSpec&)>& spoil) {
+    SweepSpec spec = small();
+    spoil(spec);
+    check_refused(spec, field);
+  };
+  const auto with = [](Quantity input, std::vector<double> values) {
+    return [=](SweepSpec& spec) { spec.axes.push_back({input, Axis(values)}); };
+  };
+  refused("delta", [](auto& spec) { spec.axes.pop_back(); });  // missing
+  refused("f", with(f, {1}));                                  // twice
+  refused("beta", with(beta, {1}));                            // not an input of a motion
+  refused("columns", [](auto& spec) { spec.columns = {}; });
+  refused("columns", [](auto& spec) { spec.columns = {sticks}; });  // of forced motions only
+  refused("columns", [](auto& spec) { spec.columns = {hold}; });    // not given
+  refused("notch-width", with(notch_width, {0.1, 0}));
+  refused("hold", with(hold, {0.1, -0.1}));
+  SweepSpec wide = small();
+  with(notch_width, {0.1})(wide);
+  require_valid(wide);
+  with(hold, {0.1})(wide);
+  check_refused(wide, "hold");  // a width holds by its friction
+  refused("friction-zones 2: to", [](auto& spec) { spec.zones = {{0.2, 0.1}, {0.1, 0.1}}; });
+  refused("threads", [](auto& spec) { spec.threads = 0; });
+  refused("half-cycle-limit", [](auto& spec) { spec.half_cycle_limit = 0; });
   check_refused(free_spec(Axis({0.1, -0.1}), Axis({0})), "f");  // a corner
   const Axis long_axis(0, 1, 1'000'000'000, Axis::Spacing::linear);
   check_refused(free_spec(long_axis, long_axis), "delta");  // 1e18 entries

@@ -263,23 +263,4 @@ BOOST_AUTO_TEST_CASE(a_mended_tolerance_is_found_to_the_last_bit) {
   BOOST_TEST(mends > 50);
 }
 
-BOOST_AUTO_TEST_CASE(wrong_pulses_are_refused_by_field) {
-  const auto field_of = [](double k, double lambda, double p, double beta) {
-    PulseRequest request = request_of(HalfSine{k, lambda}, beta);
-    request.problem.p = p;
-    return refused_field([&] { static_cast<void>(design::design(request)); });
-  };
-  BOOST_TEST(field_of(0.5, 20, 1, 0.05).empty());
-  BOOST_TEST(field_of(0, 20, 1, 0.05) == "k");
-  BOOST_TEST(field_of(-0.5, 20, 1, 0.05) == "k");
-  BOOST_TEST(field_of(std::nan(""), 20, 1, 0.05) == "k");
-  BOOST_TEST(field_of(0.5, 0, 1, 0.05) == "lambda");
-  BOOST_TEST(field_of(0.5, 0.2, 1, 0.5).empty());  // lambda < p
-  BOOST_TEST(field_of(0.5, 0.0099, 1, 1.5) == "lambda");
-  BOOST_TEST(field_of(0.5, 1.1e12, 1, 0.05) == "lambda");
-  BOOST_TEST(field_of(0.5, 20, -1, 0.05) == "p");
-  BOOST_TEST(field_of(0.5, 20, 1, 0) == "beta");
-  BOOST_TEST(field_of(0.5, 20, 1, HUGE_VAL) == "beta");
-}
-
 BOOST_AUTO_TEST_SUITE_END()

@@ -34,10 +34,9 @@ struct Missed {
   double need{0};
 };
 
-/// Over `steps` motions between each two neighbours. `motion_at` has returns, peak and need.
-template <class MotionAt>
-Missed missed_by(const WorstReturn& profile, Criterion criterion, int steps,
-                 const MotionAt& motion_at) {
+/// Over 30 motions between each two neighbours.
+Missed missed_by(const WorstReturn& profile, Criterion criterion) {
+  constexpr int steps = 30;
   Missed missed;
   const auto& samples = profile.samples();
   for (std::size_t i = 1; i < samples.size(); ++i) {
@@ -48,11 +47,11 @@ Missed missed_by(const WorstReturn& profile, Criterion criterion, int steps,
     }
     std::vector<double> needs{a.need(criterion)};
     for (int j = 1; j < steps; ++j) {
-      const auto [returns, peak, need] = motion_at(a.f + (b.f - a.f) * j / steps);
-      missed.returns += returns != a.returns ? 1 : 0;
-      if (returns && a.returns) {
-        missed.peak = std::max(missed.peak, peak / std::max(a.peak, b.peak) - 1);
-        needs.push_back(need);
+      const FirstReturn now = profile.at(a.f + (b.f - a.f) * j / steps);
+      missed.returns += now.returns != a.returns ? 1 : 0;
+      if (now.returns && a.returns) {
+        missed.peak = std::max(missed.peak, now.peak / std::max(a.peak, b.peak) - 1);
+        needs.push_back(now.need(criterion));
       }
     }
     needs.push_back(b.need(criterion));
@@ -60,12 +59,6 @@ Missed missed_by(const WorstReturn& profile, Criterion criterion, int steps,
   }
   return missed;
 }
-
-struct Seen {
-  bool returns;
-  double peak;
-  double need;
-};
 
 constexpr double slowest = 5.6;  // p/lambda
 
@@ -81,10 +74,7 @@ BOOST_AUTO_TEST_CASE(samples_know_every_local_maximum_between_them) {
     const Pulse pulse = random_pulse(random, 1, 1 / slowness);
     const auto criterion = i % 2 == 0 ? Criterion::exact : Criterion::published;
     const WorstReturn profile({.pulse = pulse, .criterion = criterion});
-    const Missed missed = missed_by(profile, criterion, 30, [&](double f) {
-      const FirstReturn now = profile.at(f);
-      return Seen{now.returns, now.peak, now.need(criterion)};
-    });
+    const Missed missed = missed_by(profile, criterion);
     BOOST_TEST_CONTEXT("pulse " << i << ", " << name(pulse) << ", p/lambda " << slowness) {
       BOOST_TEST(missed.returns == 0);
       BOOST_TEST(missed.peak <= 1e-6);
@@ -115,26 +105,6 @@ BOOST_AUTO_TEST_CASE(samples_know_a_gap_of_the_return) {
     BOOST_TEST((!missed || std::ranges::any_of(profile.samples(), misses)), "lambda " << lambda);
   }
   BOOST_TEST(gaps >= pulses / 2);
-}
-
-// The same by the forced motion, which shares no formula with the samples.
-BOOST_AUTO_TEST_CASE(no_simulation_finds_a_larger_need_between_samples) {
-  RandomSource random(20261123);
-  for (int i = 0; i < 150; ++i) {
-    const double slowness = random.log_uniform(1, slowest);
-    PulseRequest request = request_of(random_pulse(random, 1, 1 / slowness), HUGE_VAL);
-    const Pulse& pulse = request.problem.pulse;
-    const WorstReturn profile({.pulse = pulse, .criterion = Criterion::exact});
-    const Missed missed = missed_by(profile, Criterion::exact, 12, [&](double f) {
-      const Scanned now = scanned(request, pulse, 1, f);
-      return Seen{now.holds, now.peak_amplitude, now.need};
-    });
-    BOOST_TEST_CONTEXT("pulse " << i << ", " << name(pulse) << ", p/lambda " << slowness) {
-      BOOST_TEST(missed.returns == 0);
-      BOOST_TEST(missed.peak <= 1e-6);
-      BOOST_TEST(missed.need <= 1e-4);
-    }
-  }
 }
 
 // Between two values that a coarse look would take, the need rises by 3 % and falls again.

@@ -105,66 +105,68 @@ int outside(const PulseRequest& request, const DesignPoint& point, int points,
   return bad;
 }
 
-// Near lambda = 0.1607 p the largest f that returns has a dip, between two of the lengths that the
-// search looks at first.
-BOOST_AUTO_TEST_CASE(a_dip_of_the_return_between_two_lengths_is_found) {
-  PulseRequest request{
+/// How many motions are not admissible on the lines through the box and the ranges along f, k,
+/// lambda or p, each at the ends of the others.
+int bad_on_lines(const PulseRequest& request, const DesignPoint& point, int steps) {
+  const double r = point.tolerance * (1 - inset);
+  const double least_delta = point.delta * (1 - r) * (1 + inset);
+  int bad = 0;
+  for (unsigned line = 0; line < 32; ++line) {
+    std::array<double, 4> part{};  // of f, k, lambda and p
+    for (unsigned i = 0; i < 4; ++i) {
+      part.at((line / 8 + 1 + i) % 4) = (line >> i) % 2;
+    }
+    for (int j = 0; j <= steps; ++j) {
+      part.at(line / 8) = static_cast<double>(j) / steps;
+      const double f = point.f * (1 + (2 * part[0] - 1) * r);
+      const Scanned now = scanned(request, at_parts(request.problem, part[1], part[2], part[3]), f);
+      bad += !now.holds || now.need > least_delta ? 1 : 0;
+    }
+  }
+  return bad;
+}
+
+BOOST_AUTO_TEST_CASE(what_lies_between_two_looks_of_the_search_is_found) {
+  // Near lambda = 0.1607 p the largest f that returns has a dip, between two of the lengths that
+  // the search looks at first.
+  const PulseRequest dip{
       .problem = {HalfSine{1, 0.158}, 1, 1.34, Criterion::exact, {.lambda_high = 0.178}},
       .limits = {.f_max = 0.09, .delta_max = 0.28},
       .search = {.objective = Objective::amplitude}};
-  const DesignPoint point = design::design(request).finding.value().point;
-  double dip = 1;
-  for (int i = 0; i <= 400; ++i) {
-    const double lambda = 0.158 + 0.02 * i / 400;
-    BOOST_TEST_CONTEXT("lambda " << lambda) {
-      BOOST_TEST(scanned(request, HalfSine{1, lambda}, 1, point.f).holds);
+  // Between two f that return there is a gap, 4 % wide, of f that do not: the end of a tongue of
+  // longer pulses. No box reaches across it.
+  const PulseRequest gap{.problem = {HalfSine{6.085563563, 1.226205191},
+                                     7.027432942,
+                                     0.396215197,
+                                     Criterion::published,
+                                     {.lambda_high = 1.301711778},
+                                     7.57251306},
+                         .limits = {.f_max = 0.682106, .delta_max = 0.0793591},
+                         .search = {.objective = Objective::acceleration}};
+  // The need over f^2, which is what a weaker pulse asks for, has a maximum where it is not
+  // concave.
+  const PulseRequest bend{.problem = {HalfSine{0.995780781, 0.05291340021},
+                                      0.2891612878,
+                                      37.65643277,
+                                      Criterion::published,
+                                      {0.9496347408, 0.05603690906},
+                                      0.3238516763},
+                          .limits = {.delta_max = 0.482084},
+                          .search = {.objective = Objective::time}};
+  for (const PulseRequest& task : {dip, gap, bend}) {
+    BOOST_TEST_CONTEXT(context_of(task)) {
+      BOOST_TEST(bad_on_lines(task, design::design(task).finding.value().point, 400) == 0);
     }
-    PulseRequest one = request;
-    one.problem.pulse = HalfSine{1, lambda};
-    one.problem.ranges = {};
-    dip = std::min(dip, design::design(one).intervals.value().front().high);
+  }
+  PulseRequest one = dip;
+  one.problem.ranges = {};
+  double least = 1;
+  for (int i = 0; i <= 400; ++i) {
+    one.problem.pulse = HalfSine{1, 0.158 + 0.02 * i / 400};
+    least = std::min(least, design::design(one).intervals.value().front().high);
   }
   // A parabola through the three least of 401 would be wrong by less.
-  BOOST_TEST(point.f == dip, tt::tolerance(1e-6));
-}
-
-// Between two f that return there is a gap, 4 % wide, of f that do not: the end of a tongue of
-// longer pulses. No box reaches across it.
-BOOST_AUTO_TEST_CASE(a_gap_of_the_return_between_two_f_is_found) {
-  const PulseRequest request{.problem = {HalfSine{6.085563563, 1.226205191},
-                                         7.027432942,
-                                         0.396215197,
-                                         Criterion::published,
-                                         {.lambda_high = 1.301711778},
-                                         7.57251306},
-                             .limits = {.f_max = 0.682106, .delta_max = 0.0793591},
-                             .search = {.objective = Objective::acceleration}};
-  const DesignPoint point = design::design(request).finding.value().point;
-  for (int i = 0; i <= 400; ++i) {
-    const double f = point.f * (1 + point.tolerance * (1 - inset) * (i - 200) / 200.0);
-    BOOST_TEST(scanned(request, request.problem.pulse, *request.problem.p_high, f).holds,
-               "f = " << f);
-  }
-}
-
-// The need over f^2, which is what a weaker pulse asks for, has a maximum where it is not concave.
-BOOST_AUTO_TEST_CASE(a_maximum_beside_a_bend_is_found) {
-  const PulseRequest request{.problem = {HalfSine{0.995780781, 0.05291340021},
-                                         0.2891612878,
-                                         37.65643277,
-                                         Criterion::published,
-                                         {0.9496347408, 0.05603690906},
-                                         0.3238516763},
-                             .limits = {.delta_max = 0.482084},
-                             .search = {.objective = Objective::time}};
-  const DesignPoint point = design::design(request).finding.value().point;
-  const double high = point.f * (1 + point.tolerance);
-  double largest = 0;
-  for (int i = 0; i <= 300; ++i) {
-    largest =
-        std::max(largest, scanned(request, at_parts(request.problem, i / 300.0, 1, 0), high).need);
-  }
-  BOOST_TEST(largest <= point.delta * (1 - point.tolerance) * (1 + inset));
+  BOOST_TEST(design::design(dip).finding->point.f == least, tt::tolerance(1e-6));
 }
 
 /// The slowest return is inside the range of k, between samples: a scan of k finds none slower.
@@ -322,28 +324,39 @@ BOOST_AUTO_TEST_CASE(changes_are_not_sought_for_longer_than_a_second) {
   check_mends(request, result.mends, of_ends);
 }
 
-BOOST_AUTO_TEST_CASE(ranges_are_refused_upside_down) {
-  const auto refused = [](const PulseProblem& problem, const char* field) {
-    BOOST_TEST(refused_field([&] { require_valid(problem); }) == field);
+BOOST_AUTO_TEST_CASE(wrong_pulses_and_ranges_upside_down_are_refused_by_field) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto field_of = [](const PulseProblem& problem) {
+    return refused_field([&] { require_valid(problem); });
   };
-  const PulseProblem valid{HalfSine{1, 1}, 1, 1, Criterion::exact, {0.9, 1.1}, 1.2};
-  BOOST_CHECK_NO_THROW(require_valid(valid));
-  PulseProblem wrong = valid;
-  for (const double value : {1.1, 0.0, -1.0, std::nan("")}) {
-    wrong.ranges = {value, 1.1};
-    refused(wrong, "k");
+  const auto of = [&](double k, double lambda, double p, double beta) {
+    return field_of({HalfSine{k, lambda}, p, beta, Criterion::exact});
+  };
+  BOOST_TEST(of(0.5, 20, 1, 0.05).empty());
+  BOOST_TEST(of(0.5, 0.2, 1, 0.5).empty());  // lambda < p
+  for (const double wrong : {0.0, -0.5, nan}) {
+    BOOST_TEST(of(wrong, 20, 1, 0.05) == "k");
   }
-  for (const double value : {0.9, 1e13, std::nan("")}) {
-    wrong.ranges = {0.9, value};
-    refused(wrong, "lambda");
+  for (const double wrong : {0.0, 0.0099, 1.1e12}) {
+    BOOST_TEST(of(0.5, wrong, 1, 1.5) == "lambda");
   }
-  wrong = valid;
-  for (const double value : {0.9, std::nan("")}) {
-    wrong.p_high = value;
-    refused(wrong, "p");
+  BOOST_TEST(of(0.5, 20, -1, 0.05) == "p");
+  BOOST_TEST(of(0.5, 20, 1, 0) == "beta");
+  BOOST_TEST(of(0.5, 20, 1, HUGE_VAL) == "beta");
+  const auto in_ranges = [&](double k_low, double lambda_high, double p_high) {
+    return field_of({HalfSine{1, 1}, 1, 1, Criterion::exact, {k_low, lambda_high}, p_high});
+  };
+  BOOST_TEST(in_ranges(0.9, 1.1, 1.2).empty());
+  for (const double wrong : {1.1, 0.0, -1.0, nan}) {
+    BOOST_TEST(in_ranges(wrong, 1.1, 1.2) == "k");
   }
-  wrong.p_high = 101;  // the longest pulse is more than a hundred p long
-  refused(wrong, "lambda");
+  for (const double wrong : {0.9, 1e13, nan}) {
+    BOOST_TEST(in_ranges(0.9, wrong, 1.2) == "lambda");
+  }
+  for (const double wrong : {0.9, nan}) {
+    BOOST_TEST(in_ranges(0.9, 1.1, wrong) == "p");
+  }
+  BOOST_TEST(in_ranges(0.9, 1.1, 101) == "lambda");  // the longest is more than a hundred p long
 }
 
 BOOST_AUTO_TEST_CASE(designs_hold_for_every_pulse_and_spring_of_their_ranges) {
@@ -374,33 +387,14 @@ BOOST_AUTO_TEST_CASE(designs_hold_for_every_pulse_and_spring_of_their_ranges) {
 
 BOOST_AUTO_TEST_CASE(designs_hold_for_every_long_pulse_of_their_ranges) {
   RandomSource random(20261125);
-  constexpr int tasks = 60;
   int found = 0;
-  for (int i = 0; i < tasks; ++i) {
+  for (int i = 0; i < 60; ++i) {
     const PulseRequest task = long_task(random);
-    const auto damper = design::damper(task);
-    if (!damper) {
-      continue;
-    }
-    ++found;
-    const double r = damper->point.tolerance * (1 - inset);
-    const double least_delta = damper->point.delta * (1 - r);
-    int bad = 0;
-    constexpr int lengths = 100;
-    for (int j = 0; j <= lengths; ++j) {
-      for (const double end : {-1.0, 1.0}) {
-        // The shortest and the longest pulse are on the softest and the stiffest spring.
-        const double part = static_cast<double>(j) / lengths;
-        for (const auto& [lambda, p] : {std::pair(part, 0.0), std::pair(0.0, part)}) {
-          const Scanned now = scanned(task, at_parts(task.problem, random.pick(2), lambda, p),
-                                      damper->point.f * (1 + end * r));
-          bad += !now.holds || now.need > least_delta ? 1 : 0;
-        }
-      }
-    }
-    BOOST_TEST_CONTEXT("task " << i << ": " << context_of(task) << ", f " << damper->point.f
-                               << ", delta " << damper->point.delta) {
-      BOOST_TEST(bad == 0);
+    if (const auto damper = design::damper(task)) {
+      ++found;
+      BOOST_TEST(bad_on_lines(task, damper->point, 100) == 0,
+                 "task " << i << ": " << context_of(task) << ", f " << damper->point.f << ", delta "
+                         << damper->point.delta);
     }
   }
   BOOST_TEST(found >= 40);

@@ -98,39 +98,33 @@ BOOST_AUTO_TEST_CASE(of_a_rectangle_of_half_a_natural_period_is_known) {
   BOOST_TEST(!inside.arrival.has_value());
 }
 
-BOOST_AUTO_TEST_CASE(edges_divide_what_is_admissible_from_what_is_not) {
-  const RegionRequest task = half_period();
+BOOST_AUTO_TEST_CASE(edges_and_limits_divide_what_is_admissible_from_what_is_not) {
   constexpr double aside = 1e-9;
-  const double need = 0.65 * 0.3 / 2;
-  BOOST_TEST((violated(at(task, 0.1 * (1 - aside), 1)) == Names{"amplitude"}));
-  BOOST_TEST(at(task, 0.1 * (1 + aside), 1).admissible.value());
-  BOOST_TEST(at(task, 0.25 * (1 - aside), 1).admissible.value());
-  BOOST_TEST((violated(at(task, 0.25 * (1 + aside), 1)) == Names{"return"}));
-  BOOST_TEST((violated(at(task, 0.175, need * (1 - aside))) == Names{"stop"}));
-  BOOST_TEST(at(task, 0.175, need * (1 + aside)).admissible.value());
-  BOOST_TEST((violated(at(task, 0, 1)) == Names{"amplitude"}));
-}
-
-BOOST_AUTO_TEST_CASE(what_never_starts_violates_that_alone) {
-  for (const double f : {0.5, 0.6, 5.0}) {
+  constexpr double need = 0.65 * 0.3 / 2;
+  const Limits limited{.f_max = 0.2, .delta_max = 0.4, .acceleration_max = 0.805};  // f + A = 1 - f
+  struct Row {
+    double f;
+    double delta;
+    Names names{};
+    Limits limits{};
+  };
+  for (const auto& [f, delta, names, limits] :
+       {Row{0.1 * (1 - aside), 1, {"amplitude"}}, Row{0.1 * (1 + aside), 1},
+        Row{0.25 * (1 - aside), 1}, Row{0.25 * (1 + aside), 1, {"return"}},
+        Row{0.175, need * (1 - aside), {"stop"}}, Row{0.175, need * (1 + aside)},
+        Row{0, 1, {"amplitude"}}, Row{0.21, 0.3, {"f_max"}, limited},
+        Row{0.2, 0.41, {"delta_max"}, limited}, Row{0.19, 0.3, {"acceleration"}, limited},
+        // What never starts violates that alone.
+        Row{0.5, 1, {"start"}, {.acceleration_max = 1e-3}}, Row{5, 1, {"start"}, {.f_max = 9}}}) {
     RegionRequest task = half_period();
-    task.limits.acceleration_max = 1e-3;
-    const RegionAnswer still = at(task, f, 1);
-    BOOST_TEST(!still.admissible.value());
-    BOOST_TEST((violated(still) == Names{"start"}));
-    BOOST_TEST(!still.delta1_exact.has_value());
-    BOOST_TEST(!still.tolerance.has_value());
+    task.limits = limits;
+    const RegionAnswer found = at(task, f, delta);
+    BOOST_TEST_CONTEXT("f = " << f << ", delta = " << delta) {
+      BOOST_TEST((violated(found) == names));
+      BOOST_TEST(found.admissible.value() == names.empty());
+      BOOST_TEST((!names.contains("start") || (!found.delta1_exact && !found.tolerance)));
+    }
   }
-}
-
-BOOST_AUTO_TEST_CASE(a_limit_has_a_row_and_is_met) {
-  RegionRequest task = half_period();
-  task.limits.f_max = 0.2;
-  task.limits.delta_max = 0.4;
-  task.limits.acceleration_max = 0.805;  // f + A = 1 - f
-  BOOST_TEST((violated(at(task, 0.21, 0.3)) == Names{"f_max"}));
-  BOOST_TEST((violated(at(task, 0.2, 0.41)) == Names{"delta_max"}));
-  BOOST_TEST((violated(at(task, 0.19, 0.3)) == Names{"acceleration"}));
 }
 
 // The largest box about the middle of f from 0.1 to 0.25 is 3/7.

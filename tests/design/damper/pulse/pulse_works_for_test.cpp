@@ -103,27 +103,17 @@ BOOST_AUTO_TEST_CASE(of_a_rectangle_of_half_a_natural_period_the_ends_are_known)
   const double f = 0.15;
   BOOST_TEST(served_k(half_period(0.8), f, 1).low == 2 * f, close);          // return
   BOOST_TEST(*served_k(half_period(0.8), f, 1).high == 0.8 / 2 + f, close);  // amplitude
-  const double stop = (3 * f + std::sqrt(f * f + 2 * 0.2)) / 2;
-  BOOST_TEST(*served_k(half_period(0.8), f, 0.2).high == stop, close);
-  PulseRequest felt = half_period(0.8);
-  felt.limits.acceleration_max = 0.9;
-  BOOST_TEST(*served_k(felt, f, 1).high == (0.9 + f) / 2, close);
   // Published: w^2/2 + f^2/2 <= delta.
   PulseRequest published = half_period(0.8);
   published.problem.criterion = Criterion::published;
   const double by_published = (3 * f + std::sqrt(f * f + 2 * 0.2 - f * f)) / 2;
   BOOST_TEST(*served_k(published, f, 0.2).high == by_published, close);
-  // The weaker pulses of a range are not asked for.
-  PulseRequest weaker = half_period(0.8);
-  weaker.problem.ranges.k_low = 0.4;
-  BOOST_TEST(served_k(weaker, f, 1).low == 2 * f, close);
-  BOOST_TEST(*served_k(weaker, f, 1).high == 0.8 / 2 + f, close);
   // With hardly any friction, and without: w = 2 k.
   BOOST_TEST(*served_k(half_period(1.1), 1e-15, 1).high == 1.1 / 2, close);
   BOOST_TEST(served_k(half_period(1.1), 0, 1).low == 0);
   BOOST_TEST(*served_k(half_period(1.1), 0, 1).high == 1.1 / 2, close);
   BOOST_TEST(*served_k(half_period(1.1), 0, 0.51).high == std::sqrt(0.51 / 2), close);
-  felt.problem.beta = 1.1;
+  PulseRequest felt = half_period(1.1);
   felt.limits.acceleration_max = 1.05;
   BOOST_TEST(*served_k(felt, 0, 1).high == 1.05 / 2, close);
   // The pulse itself is on the edge.
@@ -206,68 +196,33 @@ BOOST_AUTO_TEST_CASE(a_window_of_stiff_springs_that_do_not_return_is_seen) {
   BOOST_TEST(!holds_at(high * (1 + aside)));
 }
 
+/// With ranges or without: corners and points between of everything that works_for says and of the
+/// ranges.
 BOOST_AUTO_TEST_CASE(every_pulse_and_spring_within_the_ends_is_served_and_none_just_beyond) {
   RandomSource random(9301);
-  int met = 0;
-  for (int i = 0; i < 600; ++i) {
-    const auto now = random_point(random);
-    if (!now) {
-      continue;
-    }
-    ++met;
-    BOOST_TEST_CONTEXT(context_of(*now)) {
-      const auto served = now->served();
-      BOOST_TEST_REQUIRE(served.has_value());
-      const PulseProblem& problem = now->request.problem;
-      const double k = peak_load(problem.pulse);
-      BOOST_TEST(served->hit.low <= k);
-      BOOST_TEST(*served->hit.high >= k);
-      BOOST_TEST(served->p.low <= problem.p);
-      BOOST_TEST(*served->p.high >= problem.p);
-      constexpr int steps = 12;
-      for (int step = 0; step <= steps; ++step) {
-        const double part = aside + (1 - 2 * aside) * step / steps;
-        const auto between = [part](const ServedInterval& of) {
-          return of.low * std::pow(*of.high / of.low, part);
-        };
-        BOOST_TEST(now->holds_at(with_k(problem, between(served->hit))), "k, " << part);
-        BOOST_TEST(now->holds_at(with_p(problem, between(served->p))), "p, " << part);
-      }
-      // A full sine is not examined where f is within 1e-4 of k.
-      const bool examined = served->hit.low > now->f * (1 + 2e-4);
-      BOOST_TEST((!examined || !now->holds_at(with_k(problem, served->hit.low * (1 - aside)))));
-      BOOST_TEST(!now->holds_at(with_k(problem, *served->hit.high * (1 + aside))));
-      const auto [least, most] = searched_p(problem);
-      BOOST_TEST(
-          (served->p.low == least || !now->holds_at(with_p(problem, served->p.low * (1 - aside)))));
-      BOOST_TEST((*served->p.high == most ||
-                  !now->holds_at(with_p(problem, *served->p.high * (1 + aside)))));
-    }
-  }
-  BOOST_TEST(met > 100);
-}
-
-/// Corners and points between of everything that works_for says and of the ranges.
-BOOST_AUTO_TEST_CASE(with_ranges_every_pulse_with_every_spring_is_served) {
-  RandomSource random(9302);
-  int met = 0;
-  for (int i = 0; i < 150; ++i) {
+  std::array<int, 2> met{};
+  for (int i = 0; i < 700; ++i) {
     auto now = random_point(random);
     if (!now) {
       continue;
     }
-    now->request = ranged(now->request, random, 0.1);
-    const PulseProblem& problem = now->request.problem;
-    const auto served = now->served();
-    if (!served) {
-      continue;
+    const bool in_ranges = i % 5 == 0;
+    if (in_ranges) {
+      now->request = ranged(now->request, random, 0.1);
     }
-    ++met;
+    const PulseProblem& problem = now->request.problem;
+    const double k = peak_load(problem.pulse);
     BOOST_TEST_CONTEXT(context_of(*now)) {
-      BOOST_TEST(served->hit.low <= *problem.ranges.k_low);
-      BOOST_TEST(*served->hit.high >= peak_load(problem.pulse));
+      const auto served = now->served();
+      BOOST_TEST((served || in_ranges));
+      if (!served) {
+        continue;
+      }
+      ++met[in_ranges ? 1 : 0];
+      BOOST_TEST(served->hit.low <= problem.ranges.k_low.value_or(k));
+      BOOST_TEST(*served->hit.high >= k);
       BOOST_TEST(served->p.low <= problem.p);
-      BOOST_TEST(*served->p.high >= *problem.p_high);
+      BOOST_TEST(*served->p.high >= problem.p_high.value_or(problem.p));
       const auto part = [&] {
         return aside +
                (1 - 2 * aside) * (random.pick(2) == 0 ? random.pick(2) : random.uniform(0, 1));
@@ -285,9 +240,22 @@ BOOST_AUTO_TEST_CASE(with_ranges_every_pulse_with_every_spring_is_served) {
                                               << angular_frequency(other.pulse) << ", p "
                                               << other.p);
       }
+      if (in_ranges) {
+        continue;
+      }
+      // A full sine is not examined where f is within 1e-4 of k.
+      const bool examined = served->hit.low > now->f * (1 + 2e-4);
+      BOOST_TEST((!examined || !now->holds_at(with_k(problem, served->hit.low * (1 - aside)))));
+      BOOST_TEST(!now->holds_at(with_k(problem, *served->hit.high * (1 + aside))));
+      const auto [least, most] = searched_p(problem);
+      BOOST_TEST(
+          (served->p.low == least || !now->holds_at(with_p(problem, served->p.low * (1 - aside)))));
+      BOOST_TEST((*served->p.high == most ||
+                  !now->holds_at(with_p(problem, *served->p.high * (1 + aside)))));
     }
   }
-  BOOST_TEST(met > 20);
+  BOOST_TEST(met[0] > 100);
+  BOOST_TEST(met[1] > 20);
 }
 
 BOOST_AUTO_TEST_CASE(ranges_of_one_value_change_nothing) {
