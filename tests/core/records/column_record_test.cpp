@@ -44,8 +44,8 @@ BOOST_AUTO_TEST_CASE(doubts_of_columns) {
   check_says(doubt("t,acc (gal)\n" + uneven), {"the units cm/s2"});
   BOOST_TEST(doubt("# in g\n" + uneven) == "");
   BOOST_TEST(doubt("# m/s2, divided by 9.81: in g\n" + uneven) == "");
-  BOOST_TEST(doubt("# in m/s2\n" + uneven, with_units(RecordUnits::m_per_s2)) == "");
-  BOOST_TEST(doubt("# in m/s2\n" + uneven, with_units(RecordUnits::g)) == "");
+  BOOST_TEST(doubt("# in m/s2\n" + uneven, {.units = RecordUnits::m_per_s2}) == "");
+  BOOST_TEST(doubt("# in m/s2\n" + uneven, {.units = RecordUnits::g}) == "");
   // Of a slow wave neighbours are alike, and in a table of two waves the numbers of a column.
   std::string sequence;
   std::string table;
@@ -54,8 +54,8 @@ BOOST_AUTO_TEST_CASE(doubts_of_columns) {
     sequence += value + (i % 4 == 3 ? "\n" : " ");
     table += value + " " + in_full(2 + std::cos(0.05 * i)) + "\n";
   }
-  BOOST_TEST(doubt(sequence, with_step(0.01)) == "");
-  check_says(doubt(table, with_step(0.01)),
+  BOOST_TEST(doubt(sequence, {.step = 0.01}) == "");
+  check_says(doubt(table, {.step = 0.01}),
              {"its 2 values a line are read one after the other", "choose one, #1 to #2"});
 }
 
@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(times_come_out_in_tau) {
 BOOST_AUTO_TEST_CASE(units_are_those_of_the_values) {
   BOOST_TEST(file_of("a.AT2", measured("UNITS: GAL")).units == RecordUnits::cm_per_s2);
   BOOST_TEST(file_of("a.AT2", measured("ACCELERATION")).units == RecordUnits::g);
-  BOOST_TEST(file_of("a.txt", uneven, with_units(RecordUnits::m_per_s2)).units ==
+  BOOST_TEST(file_of("a.txt", uneven, {.units = RecordUnits::m_per_s2}).units ==
              RecordUnits::m_per_s2);
 }
 

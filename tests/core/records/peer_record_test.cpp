@@ -11,7 +11,7 @@ BOOST_AUTO_TEST_CASE(peer_record_is_read) {
 }
 
 BOOST_AUTO_TEST_CASE(description_of_a_peer_record_is_its_titles) {
-  BOOST_TEST(file_of("a.AT2", with_crlf(header + three)).description ==
+  BOOST_TEST(file_of("a.AT2", with_line_ends(header + three, "\r\n")).description ==
              "PEER NGA STRONG MOTION DATABASE RECORD; NOWHERE 01/02/03, SOME STATION, 090");
 }
 

@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(what_is_written_is_read_to_the_last_bit) {
   BOOST_TEST((record_of("a.AT2", at2).values == values));
   BOOST_TEST((record_of("b.txt", two).values == values));
   BOOST_TEST((record_of("b.txt", two).times == times));
-  BOOST_TEST(record_of("c.txt", one, with_step(0.01)).values == values);
+  BOOST_TEST(record_of("c.txt", one, {.step = 0.01}).values == values);
 }
 
 // ---- files and options
@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(options_out_of_bounds) {
     return refusal_of<InputError>([&] { return file_of("a.txt", "1\n", options); });
   };
   for (const double step : {0.0, -0.1, nan, infinity}) {
-    check_says(refusal(with_step(step)), {"record-step = ", "must be from 1e-150 to 1e+150"});
+    check_says(refusal({.step = step}), {"record-step = ", "must be from 1e-150 to 1e+150"});
   }
   const auto step_below = [](double step, double p) {
     return RecordOptions{.step = step, .clock = {.p = p}};
@@ -84,10 +84,10 @@ BOOST_AUTO_TEST_CASE(options_out_of_bounds) {
   check_says(refusal(step_below(0.9e-140, 1e-10)), {"from 1e-140 to 1e+150 s"});
   check_says(refusal(step_below(0.9e-150, 1e10)), {"from 1e-150 to 1e+150 s"});
   for (const double scale : {0.0, 1e-101, -1e101, nan, infinity}) {
-    check_says(refusal(scaled(scale)), {"record-scale = ", "from 1e-100 to 1e+100"});
+    check_says(refusal({.scale = scale}), {"record-scale = ", "from 1e-100 to 1e+100"});
   }
   for (const double gravity : {0.0, -9.8, nan, infinity}) {
-    check_says(refusal(with_units(RecordUnits::g, 1, gravity)), {"gravity = "});
+    check_says(refusal({.gravity_m_per_s2 = gravity}), {"gravity = "});
   }
 }
 

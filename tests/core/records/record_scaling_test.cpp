@@ -128,13 +128,16 @@ BOOST_AUTO_TEST_CASE(folder_leaves_out_plain_text) {
              {"this folder has no record", "README.txt begins with text"});
 }
 
-BOOST_AUTO_TEST_CASE(files_that_are_read_may_be_doubtful) {
+/// What is doubtful in a file of that text.
+std::vector<std::string> doubts(const std::string& text, const RecordOptions& options = {},
+                                const records::RecordScale& scale = {},
+                                const std::string& name = "a.txt") {
   const Folder folder;
-  const auto doubts = [&](const std::string& text, const RecordOptions& options = {},
-                          const records::RecordScale& scale = {}) {
-    std::ofstream(folder.path("a.txt")) << text;
-    return records::suite_doubts({{folder.path("a.txt")}}, scale, options);
-  };
+  folder.write(name, text);
+  return records::suite_doubts({{folder.path(name)}}, scale, options);
+}
+
+BOOST_AUTO_TEST_CASE(files_that_are_read_may_be_doubtful) {
   const auto check_only = [](const std::vector<std::string>& found,
                              const std::vector<std::string>& parts) {
     BOOST_TEST_REQUIRE(found.size() == 1U);
@@ -180,7 +183,9 @@ BOOST_AUTO_TEST_CASE(files_that_are_read_may_be_doubtful) {
   check_only(doubts(in_ms), {"a.txt: its values are 10 s apart on average; are its times in ms?"});
   check_only(doubts("# t, a\n" + with_gap),
              {"a.txt: the time jumps from 29.5 to 33", "other steps are 0.5"});
-  std::ofstream(folder.path("notes.txt")) << "Notes of the site visit.\n";
+  const Folder folder;
+  folder.write("a.txt", "# t, a\n" + with_gap);
+  folder.write("notes.txt", "Notes of the site visit.\n");
   const std::string whole = fs::path(folder.path("x")).parent_path().string();
   const auto found = records::suite_doubts({{whole}}, {}, {});
   BOOST_TEST_REQUIRE(found.size() == 2U);
@@ -201,47 +206,40 @@ std::string wave(int count, double offset = 0) {
 }
 
 BOOST_AUTO_TEST_CASE(shapes_that_are_no_ground_motion_are_doubtful) {
-  const Folder folder;
-  const auto doubts = [&](const std::string& text, const std::string& name = "a.txt") {
-    std::ofstream(folder.path(name)) << text;
-    const auto found = records::suite_doubts({{folder.path(name)}}, {}, {});
+  const auto doubt = [](const std::string& text) {
+    const auto found = doubts(text);
     BOOST_TEST(found.size() <= 1U);
     return found.empty() ? "" : found.front();
   };
-  BOOST_TEST(doubts(wave(2000)) == "");
+  BOOST_TEST(doubt(wave(2000)) == "");
   // The wave has a crest where 1.6 t is 1/2 more than a whole number, at 7.8125 s, and passes
   // through 0 where it is one, at 8.125 s: wherever it is cut off between them.
   for (int count = 782; count <= 814; ++count) {
-    check_says(doubts(wave(count)),
+    check_says(doubt(wave(count)),
                {"a.txt: has 0.29", " at its end", "its peak is 0.299", "is it cut off?"});
   }
-  check_says(doubts(wave(2000, 0.02)), {"a.txt: has the mean 0.020", "was the offset"});
-  check_says(doubts(wave(2000, -0.02)), {"has the mean -0.01"});
-  BOOST_TEST(doubts(wave(2000, 0.002)) == "");
+  check_says(doubt(wave(2000, 0.02)), {"a.txt: has the mean 0.020", "was the offset"});
+  check_says(doubt(wave(2000, -0.02)), {"has the mean -0.01"});
+  BOOST_TEST(doubt(wave(2000, 0.002)) == "");
   std::string spectrum;
   for (int i = 1; i <= 40; ++i) {
     spectrum += in_full(0.1 * i) + " " + in_full(0.6 / i) + "\n";
   }
-  check_says(doubts(spectrum), {"a.txt: has values of one sign only: is it a spectrum"});
-  check_says(doubts("# acc in m/s2\n" + wave(2000)),
+  check_says(doubt(spectrum), {"a.txt: has values of one sign only: is it a spectrum"});
+  check_says(doubt("# acc in m/s2\n" + wave(2000)),
              {"names the units m/s2", "--record-units m/s2?"});
 }
 
 BOOST_AUTO_TEST_CASE(vertical_components_are_said) {
-  const Folder folder;
-  const auto doubts = [&](const std::string& name, const std::string& text) {
-    std::ofstream(folder.path(name)) << text;
-    return records::suite_doubts({{folder.path(name)}}, {},
-                                 {.step = 0.01, .step_for_others = true});
-  };
+  const RecordOptions of_others{.step = 0.01, .step_for_others = true};
   for (const char* const name :
        {"A-UP.AT2", "A_DWN.AT2", "A-V.AT2", "a-z.AT2", "up.AT2", "A.ud.AT2"}) {
-    const auto found = doubts(name, header + three);
+    const auto found = doubts(header + three, of_others, {}, name);
     BOOST_TEST_REQUIRE(found.size() == 1U, name);
     check_says(found.front(), {"is a vertical component by its name"});
   }
   for (const char* const name : {"A-H1.AT2", "A090.AT2", "SUPER.AT2", "A-UP2.AT2"}) {
-    BOOST_TEST(doubts(name, header + three).empty(), name);
+    BOOST_TEST(doubts(header + three, of_others, {}, name).empty(), name);
   }
   for (const char* const station : {"SOME STATION, UP", "SOME STATION, DWN", "SOME STATION, V"}) {
     std::string text = "PEER NGA\nNOWHERE, ";
@@ -250,7 +248,7 @@ BOOST_AUTO_TEST_CASE(vertical_components_are_said) {
         .append(quantity)
         .append("NPTS= 3, DT= .01 SEC\n")
         .append(three);
-    BOOST_TEST(doubts("a.AT2", text).size() == 1U, station);
+    BOOST_TEST(doubts(text, of_others, {}, "a.AT2").size() == 1U, station);
   }
   for (const auto& [sample, vertical] : {std::pair{"V2A#3", true},
                                          {"V2A#1", false},

@@ -130,19 +130,6 @@ inline std::vector<Row> rows_of(const std::string& file) {
   return rows;
 }
 
-inline RecordOptions with_step(double step) {
-  return {.step = step};
-}
-
-inline RecordOptions with_units(RecordUnits units, double scale = 1,
-                                double gravity_m_per_s2 = 9.80665) {
-  return {.units = units, .scale = scale, .gravity_m_per_s2 = gravity_m_per_s2};
-}
-
-inline RecordOptions scaled(double scale) {
-  return {.scale = scale};
-}
-
 /// `text` with other ends of its lines.
 inline std::string with_line_ends(const std::string& text, const std::string& end) {
   std::string result;
@@ -150,10 +137,6 @@ inline std::string with_line_ends(const std::string& text, const std::string& en
     result += c == '\n' ? end : std::string(1, c);
   }
   return result;
-}
-
-inline std::string with_crlf(const std::string& text) {
-  return with_line_ends(text, "\r\n");
 }
 
 /// A header with another line in place of the quantity, and three values.
