@@ -145,7 +145,8 @@ const std::vector<Rule> rules{
     rule({1, 0, 0}, {0, 0}, Rectangle{1, 1}, {}, {.outcome = never_stops, .peak = 2}),
     rule({1, 0.125, 0}, {0, 0}, Rectangle{1.125, 1}, {}, {.stop_time = 9 * pi}),
     // W = -1 holds x = 1 (no load at all) for pi; then it swings back freely, f = 0.21: peaks 0.58,
-    // 0.16 of 1, and rests there.
+    // 0.16 of 1, and rests there. With p = 2 lengths are a quarter.
+    rule({2, 0.21, 0}, {0.25, 0}, Rectangle{-1, 2}, {}, {.half_cycles = 3, .rest = 0.04}),
     rule({1, 0.21, 0}, {1, 0}, Rectangle{-1, 1}, {},
          {.half_cycles = 3, .sticks = 1, .stick_time = pi}),
     rule({1, 0.21, 0}, {1, 0}, Rectangle{-1, 1}, 50,
