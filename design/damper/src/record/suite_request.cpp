@@ -84,6 +84,14 @@ double most_friction(const LoadCase& load_case, const RecordDesignRequest& reque
   return most;
 }
 
+/// Where a hit that must come back turns with the largest friction that lets it, half of the
+/// spring's force, (4) of theory.md: damping only brings it nearer and allows less. 0 for other
+/// loads.
+double farthest_turn(const LoadCase& load_case, double p) {
+  const bool comes_back = load_case.v0 && load_case.limits.residual == 0.0;
+  return comes_back ? *load_case.v0 / (std::numbers::sqrt2 * p) : 0;
+}
+
 /// The largest |x| without a damper.
 double free_peak(const LoadCase& load_case, const RecordDesignRequest& request) {
   const double p = request.p.low;
@@ -251,12 +259,19 @@ RecordDesignRequest completed(RecordDesignRequest request) {
   for (const LoadCase& each : request.cases) {
     load = std::max(load, most_friction(each, request));
   }
+  for (const LoadCase& each : request.cases) {
+    if (const double turn = farthest_turn(each, request.p.high); turn > 0) {
+      load = std::min(load, request.p.high * request.p.high * turn / 2);
+    }
+  }
   request.f = request.f.value_or(Interval{0, load});
   require_range("f", *request.f, 0, largest_speed);
   if (!request.delta) {
     double most = 0;
     for (const LoadCase& each : request.cases) {
-      const double peak = each.limits.peak ? *each.limits.peak : free_peak(each, request);
+      const double peak = each.limits.peak
+                              ? std::max(*each.limits.peak, farthest_turn(each, request.p.low))
+                              : free_peak(each, request);
       const double speed = request.p.high * peak;
       most = std::max(most, speed * speed / 2 + peak_load(each, request.p.high) * peak);
     }
